@@ -1,0 +1,130 @@
+import js from '@eslint/js';
+import prettier from 'eslint-config-prettier';
+import vue from 'eslint-plugin-vue';
+import globals from 'globals';
+import ts from 'typescript-eslint';
+import vueParser from 'vue-eslint-parser';
+
+/** Imports that the dependency arrows of docs/architecture.md forbid, with what to do instead. */
+const noApps = {
+  group: ['@ubii/master', '@ubii/master/*', '@ubii/frontend', '@ubii/benchmarks', '@ubii/e2e'],
+  message: 'Nobody imports apps, benchmarks or e2e: move what is needed into a package.',
+};
+const noClient = {
+  group: ['@ubii/client-web', '@ubii/client-web/*'],
+  message:
+    'The master does not know the client library: speak through the ports of src/core/ports.',
+};
+const noNode = {
+  group: ['node:*', 'fastify', '@fastify/*', 'ws', 'pino', 'prom-client', 'qrcode', 're2js'],
+  message: 'The core is pure: take a port in the constructor and implement it in src/adapters.',
+};
+const noVue = {
+  group: ['vue', 'vue-router', 'reka-ui'],
+  message: 'Packages do not know the frontend.',
+};
+const restrict = (...patterns) => ({
+  '@typescript-eslint/no-restricted-imports': ['error', { patterns }],
+});
+
+export default ts.config(
+  {
+    ignores: [
+      '**/dist/**',
+      '**/node_modules/**',
+      '**/.cache/**',
+      'packages/proto/src/generated/**',
+      'e2e/test-results/**',
+      'e2e/playwright-report/**',
+    ],
+  },
+  js.configs.recommended,
+  ...ts.configs.recommended,
+  ...vue.configs['flat/recommended'],
+  prettier,
+  {
+    files: ['**/*.ts', '**/*.vue'],
+    languageOptions: {
+      parser: vueParser,
+      parserOptions: {
+        parser: ts.parser,
+        extraFileExtensions: ['.vue'],
+        projectService: { allowDefaultProject: ['*.config.ts', 'packages/*/vitest.config.ts'] },
+        tsconfigRootDir: import.meta.dirname,
+      },
+    },
+    rules: {
+      '@typescript-eslint/no-floating-promises': 'error',
+      '@typescript-eslint/no-misused-promises': 'error',
+      '@typescript-eslint/await-thenable': 'error',
+      '@typescript-eslint/no-unnecessary-condition': 'off',
+      '@typescript-eslint/switch-exhaustiveness-check': [
+        'error',
+        { considerDefaultExhaustiveForUnions: true },
+      ],
+      '@typescript-eslint/consistent-type-imports': 'error',
+      '@typescript-eslint/no-unused-vars': [
+        'error',
+        { argsIgnorePattern: '^_', varsIgnorePattern: '^_', ignoreRestSiblings: true },
+      ],
+      eqeqeq: ['error', 'always', { null: 'ignore' }],
+      'no-eval': 'error',
+      'no-implied-eval': 'error',
+      'no-new-func': 'error',
+      'no-undef': 'off',
+    },
+  },
+  {
+    files: ['**/*.vue'],
+    rules: {
+      'vue/multi-word-component-names': ['error', { ignores: ['App'] }],
+      'vue/component-api-style': ['error', ['script-setup']],
+      'vue/block-order': ['error', { order: ['script', 'template', 'style'] }],
+      'vue/define-macros-order': 'error',
+      'vue/no-v-html': 'error',
+      'vue/require-default-prop': 'off',
+    },
+  },
+  {
+    files: ['**/*.{ts,vue}'],
+    ignores: ['**/*.test.ts', 'e2e/**', 'benchmarks/**', 'scripts/**', '**/*.config.ts'],
+    rules: { 'no-console': 'error' },
+  },
+  { files: ['packages/**'], rules: restrict(noApps, noVue) },
+  { files: ['packages/proto/**'], rules: restrict(noApps, noVue, noClient) },
+  { files: ['apps/master/src/adapters/**', 'apps/master/src/*.ts'], rules: restrict(noClient) },
+  {
+    files: ['apps/master/src/core/**'],
+    ignores: ['**/*.test.ts'],
+    rules: {
+      ...restrict(noNode, noClient, {
+        group: ['**/adapters/**'],
+        message: 'The core never looks into an adapter: add a port.',
+      }),
+      'no-restricted-globals': [
+        'error',
+        ...[
+          'process',
+          'Buffer',
+          'setTimeout',
+          'setInterval',
+          'setImmediate',
+          'queueMicrotask',
+          'performance',
+          'console',
+          'fetch',
+        ].map((name) => ({ name, message: 'The core is pure: use a port of src/core/ports.' })),
+      ],
+      'no-restricted-properties': [
+        'error',
+        { object: 'Date', property: 'now', message: 'Use the Clock port.' },
+        { object: 'Math', property: 'random', message: 'Use the IdSource port.' },
+      ],
+    },
+  },
+  { files: ['apps/frontend/**'], rules: restrict(noApps) },
+  {
+    files: ['**/*.{js,mjs}'],
+    languageOptions: { globals: { ...globals.node } },
+  },
+);
