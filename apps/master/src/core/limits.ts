@@ -1,0 +1,97 @@
+const KIB = 1024;
+const MIB = 1024 * KIB;
+
+/**
+ * Every limit of the master. Whoever meets one is answered with `resource_exhausted` and the limit's
+ * name; it is counted, and shown in the metrics, the status and its problems. Units are in the names.
+ */
+export const DEFAULT_LIMITS = {
+  // --- What one message may be ---
+
+  /** One WebSocket message or one service request. A raw 4K image (3840 x 2160 RGBA) is 31.6 MiB. */
+  frameBytes: 32 * MIB,
+  /** UTF-8 bytes of a topic. Real topics are ids and short names, some 100 bytes; 1024 leaves room and keeps a full topic table in memory. */
+  topicBytes: 1024,
+  /** Characters of a regular expression. Compiling and the compiled program grow with it. */
+  patternLength: 1024,
+  /** Elements of one list in a service request. Existing clients list every topic they ever saw when they leave. */
+  listElements: 20_000,
+
+  // --- What the master holds ---
+
+  /** Topics with a value or a subscription. Two clients with 100 000 topics each fit; an entry takes about 1 KiB. */
+  topics: 262_144,
+  /** Topics that belong to one client. Leaves half of all topics to the others. */
+  topicsPerClient: 131_072,
+  /** Bytes of all retained records. Sixteen raw 4K images, and a machine with 2 GiB still has room. */
+  retainedBytes: 512 * MIB,
+  /** Registered clients. Ten times the largest room; one costs some KiB. */
+  clients: 10_000,
+  /** Open topic-data sockets, below the file descriptors a process usually may have (16 384 and more). */
+  sockets: 10_000,
+  /** Devices of one client. A phone is one or two; a motion-capture rig is a few dozen. */
+  devicesPerClient: 1_024,
+  /** Components of one device. A full body with fingers has some hundred joints. */
+  componentsPerDevice: 1_024,
+  /** Encoded bytes of what one client registered: itself, its modules with their code, its devices. */
+  registrationBytesPerClient: 4 * MIB,
+  /** Encoded bytes of what all clients registered. */
+  registrationBytes: 256 * MIB,
+
+  // --- Subscriptions ---
+
+  /** Subscriptions by topic of one client. One for each of 10 000 topics, and more. */
+  subscriptionsPerClient: 32_768,
+  /** Regular expressions of one client. A new topic is tried against each. */
+  patternsPerClient: 1_024,
+  /** Different regular expressions of all clients together: bounds what a new topic costs everybody. */
+  patterns: 4_096,
+  /** Component profiles of one client. A registered component is tried against each. */
+  profilesPerClient: 256,
+  /** Different component profiles of all clients together. */
+  profiles: 2_048,
+
+  // --- Rates of one client ---
+
+  /** Records a client may publish per second, and at once. A benchmark publishes some 200 000. */
+  recordsPerSecond: 1_000_000,
+  /** Bytes of records a client may publish per second, and at once. Three raw 4K cameras at 10 Hz. */
+  publishedBytesPerSecond: 1_024 * MIB,
+  /** TopicData errors sent to a client per second (MAX_ERRORS_PER_SECOND). More teach nobody and cost more than the record. */
+  errorsPerSecond: 10,
+  /** Frames within `protocolErrorWindowMs` that cannot be decoded before the socket is closed (MAX_PROTOCOL_ERRORS). A client with a bug has a few; a stranger has only these. */
+  protocolErrors: 20,
+  /** The window of `protocolErrors`, milliseconds. */
+  protocolErrorWindowMs: 10_000,
+
+  // --- What waits for one client ---
+
+  /** Bytes of one write to one client; what is more leaves in the next. Keeps a list frame easy to take for a phone. */
+  batchBytes: 1 * MIB,
+  /** Bytes handed to a socket and not taken, beyond which records wait in the client's queue. Some milliseconds of a fast network. */
+  connectionQueuedBytes: 2 * MIB,
+  /** Bytes that wait in a client's queue. Two raw 4K images. */
+  queueBytes: 64 * MIB,
+  /** Events of one topic that wait in a client's queue (MAX_QUEUED_EVENTS). Some seconds of a fast typist or of a finger at 120 Hz. */
+  queuedEventsPerTopic: 1_024,
+  /** A socket that takes nothing for this long is closed, milliseconds (SLOW_SOCKET_TIMEOUT_MS). A raw 4K image in one piece passes at 10 Mbit/s. */
+  slowSocketTimeoutMs: 30_000,
+
+  // --- Time ---
+
+  /** The answer to a service request, milliseconds (SERVICE_TIMEOUT_MS). Shorter than the 10 s after which clients of ours give up. */
+  serviceTimeoutMs: 8_000,
+  /** How long an unavailable client is remembered, milliseconds (UNAVAILABLE_RETENTION_MS). A phone may sleep through a break and come back as itself. */
+  unavailableRetentionMs: 20 * 60_000,
+
+  // --- Statistics ---
+
+  /** Deleted topics remembered for readers of the statistics; who asks less often gets a full list. */
+  keptRemovals: 10_000,
+} as const satisfies Record<string, number>;
+
+/** Name of a limit, as errors, metrics and problems show it. */
+export type LimitName = keyof typeof DEFAULT_LIMITS;
+
+/** The limits one master runs with. */
+export type Limits = { readonly [L in LimitName]: number };

@@ -1,0 +1,53 @@
+import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
+import type { ClientConnection } from './ports/client-connection.ts';
+import type { ConnectionHandle } from './ports/connection-handle.ts';
+import type { MasterPorts, MasterSettings } from './settings.ts';
+
+/** The reply to one service request. */
+export interface ServiceAnswer {
+  readonly reply: Init<ServiceReply>;
+  /** To be called once, when the reply was handed to the transport: what must not overtake the reply follows (TD-24). Never throws. */
+  afterReply(): void;
+}
+
+/** What a client put into the URL of its socket. */
+export interface ConnectionQuery {
+  readonly clientId: string | undefined;
+  readonly token: string | undefined;
+}
+
+/** One measured quantity with its values, fit for Prometheus. Labels come from closed lists. */
+export interface MetricFamily {
+  /** snake_case with unit, such as `ubii_records_received_total`. */
+  readonly name: string;
+  readonly help: string;
+  readonly kind: 'counter' | 'gauge';
+  /** Every value has the same label names. A family without labels has one value. */
+  readonly values: readonly {
+    readonly labels: Readonly<Record<string, string>>;
+    readonly value: number;
+  }[];
+}
+
+/** Every metric of the master at one moment. */
+export type MasterMetrics = readonly MetricFamily[];
+
+/** A master without transports: feed it requests and connections. Nothing a client sends makes a method throw or reject. */
+export interface Master {
+  /** Id of this run, a UUID: what `server_configuration` and `master_status` show. */
+  readonly id: string;
+  /** Answers one decoded request; errors are in the reply. Settles within `limits.serviceTimeoutMs`. */
+  handleServiceRequest(request: ServiceRequest): Promise<ServiceAnswer>;
+  /** The reply to a request the edge refused itself: undecodable (pass the `DecodeError`), or with a `ServiceError` of its choice. Counts it (SV-7). */
+  refuseServiceRequest(cause: unknown): ServiceAnswer;
+  /** Takes an open pipe. `undefined`: refused, and already closed with the code that says why (TD-6, EX-4). */
+  openConnection(
+    query: ConnectionQuery,
+    connection: ClientConnection,
+  ): ConnectionHandle | undefined;
+  readonly metrics: () => MasterMetrics;
+  /** Ends every timer and closes every connection with code 1001. */
+  close(): void;
+}
+
+export type CreateMaster = (ports: MasterPorts, settings: MasterSettings) => Master;

@@ -1,0 +1,16 @@
+/**
+ * The master's side of one live pipe: the adapter of the transport calls it. No method throws. After
+ * `handleClose`, or once another pipe of the client took over, calls are ignored.
+ */
+export interface ConnectionHandle {
+  /** A binary message. `bytes` are borrowed until the call returns: what the master keeps it copies. */
+  handleBinary(bytes: Uint8Array): void;
+  /** A text message. */
+  handleText(text: string): void;
+  /** The system took all that was handed over: `queuedBytes` is small again. Owed after it grew beyond `limits.connectionQueuedBytes`. */
+  handleDrain(): void;
+  /** The adapter refused input on its own, such as a frame over the size limit. `reason` is one sentence. Counted as a protocol error. */
+  handleProtocolError(reason: string): void;
+  /** The pipe is closed. */
+  handleClose(): void;
+}

@@ -1,0 +1,16 @@
+/** What a log line carries besides its message: plain values, written as they are. */
+export type LogFields = Readonly<Record<string, string | number | boolean | undefined>>;
+
+/** Structured log. Nothing is logged per record. */
+export interface Log {
+  /** Something broke that should not, and somebody has to look. */
+  error(message: string, fields?: LogFields): void;
+  /** Something was refused or is going wrong; the master goes on. */
+  warn(message: string, fields?: LogFields): void;
+  /** Something a person running the master wants to know. */
+  info(message: string, fields?: LogFields): void;
+  /** Something that helps to find a fault. */
+  debug(message: string, fields?: LogFields): void;
+  /** A log that adds `fields` to each of its lines. */
+  child(fields: LogFields): Log;
+}

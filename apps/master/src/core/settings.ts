@@ -1,0 +1,44 @@
+import type { Init, MasterAddress } from '@ubii/proto';
+import type { Clock } from './ports/clock.ts';
+import type { IdSource } from './ports/id-source.ts';
+import type { Log } from './ports/log.ts';
+import type { PatternCompiler } from './ports/pattern-compiler.ts';
+import type { ResourceUsage } from './ports/resource-usage.ts';
+import type { ResumeTokens } from './ports/resume-tokens.ts';
+import type { Limits } from './limits.ts';
+
+/** What the core needs from outside. */
+export interface MasterPorts {
+  readonly clock: Clock;
+  readonly ids: IdSource;
+  readonly tokens: ResumeTokens;
+  readonly log: Log;
+  readonly patterns: PatternCompiler;
+  readonly usage: ResourceUsage;
+}
+
+/** Where this master can be reached. */
+export interface MasterEndpoints {
+  /** IPv4 address on a cable; empty when there is none, or when the master listens on loopback only. */
+  readonly ipEthernet: string;
+  /** IPv4 address on Wi-Fi; empty when there is none, or when the master listens on loopback only. */
+  readonly ipWlan: string;
+  /** Port for services over HTTP that existing clients are told. */
+  readonly portServices: number;
+  /** Port for topic data over WebSocket that existing clients are told. */
+  readonly portTopicData: number;
+  /** Every address, best first, for people (`MasterStatus.addresses`). */
+  readonly addresses: readonly Init<MasterAddress>[];
+}
+
+/** How one master is set up. */
+export interface MasterSettings {
+  /** Name shown to clients. Default `master-node`, as the original calls itself. */
+  readonly name?: string;
+  /** Version of the master, semantic versioning. */
+  readonly version: string;
+  /** Asked anew for each reply: ports are known only once the master listens, networks come and go. */
+  readonly endpoints: () => MasterEndpoints;
+  /** Limits that differ from `DEFAULT_LIMITS`. */
+  readonly limits?: Partial<Limits>;
+}
