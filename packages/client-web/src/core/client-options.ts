@@ -1,0 +1,37 @@
+import type { Clock } from './ports/clock.ts';
+import type { IdentityStorage } from './ports/identity-storage.ts';
+import type { RandomSource } from './ports/random.ts';
+import type { ServiceTransport } from './ports/service-transport.ts';
+import type { TopicDataTransport } from './ports/topic-data-transport.ts';
+import type { ReconnectPolicy } from './reconnect-policy.ts';
+
+/** How a client is set up. */
+export interface ClientOptions {
+  /** Origin of a master, such as `http://localhost:8080`. @default the page's origin; required in Node */
+  readonly url?: string;
+  /** Where services are, when not under `url`; JSON when the path ends with `/json` or `/services`, else binary. */
+  readonly servicesUrl?: string;
+  /** Where the topic-data WebSocket is, when not under `url`. */
+  readonly topicDataUrl?: string;
+  /** Name for people; need not be unique. */
+  readonly name: string;
+  readonly description?: string;
+  readonly tags?: readonly string[];
+  /** Where the identity is kept between runs. @default in memory */
+  readonly identity?: IdentityStorage;
+  /** Records are collected this long and sent as one frame, milliseconds; 0: until the end of the turn. @default 15 */
+  readonly publishIntervalMs?: number;
+  /** A service call, and each step of connecting, may take this long, milliseconds. @default 10000 */
+  readonly serviceTimeoutMs?: number;
+  /** When to try again after the link failed. @default see DEFAULT_RECONNECT_POLICY */
+  readonly reconnect?: Partial<ReconnectPolicy>;
+  /** @default the system's clock */
+  readonly clock?: Clock;
+  /** @default Math.random */
+  readonly random?: RandomSource;
+  /** Ways to the master, in place of HTTP and WebSocket. */
+  readonly transports?: {
+    readonly services: ServiceTransport;
+    readonly topicData: TopicDataTransport;
+  };
+}

@@ -1,0 +1,17 @@
+/**
+ * Why a link failed: `closed`: by us, by the master, or it broke · `refused`: by the master, or
+ * nobody is there · `timeout` · `protocol`: what came makes no sense · `superseded`: another socket
+ * uses this identity now.
+ */
+export type ConnectionErrorReason = 'closed' | 'refused' | 'timeout' | 'protocol' | 'superseded';
+
+/** The link to the master failed. */
+export class ConnectionError extends Error {
+  override readonly name = 'ConnectionError';
+  readonly reason: ConnectionErrorReason;
+
+  constructor(reason: ConnectionErrorReason, message: string, options?: { cause?: unknown }) {
+    super(message, options);
+    this.reason = reason;
+  }
+}

@@ -1,0 +1,22 @@
+import type { Init, MessageTypes } from '@ubii/proto';
+
+type ServiceRequest = MessageTypes['ubii.services.ServiceRequest'];
+type ServiceReply = MessageTypes['ubii.services.ServiceReply'];
+
+/** One service request under way. */
+export interface ServiceExchange {
+  /**
+   * The master's reply, which may be an `error` reply.
+   * Rejects with a `ConnectionError`: `refused` when the master cannot be reached or answers with
+   * a status other than 200, `protocol` when the answer is not a reply, `closed` after `cancel()`.
+   */
+  readonly reply: Promise<ServiceReply>;
+  /** Gives up waiting. The master may have handled the request all the same. */
+  cancel(): void;
+}
+
+/** Carries service requests to one master. Keeps no state between requests and sets no time limit. */
+export interface ServiceTransport {
+  /** Sends one request. Never throws; failures reject `reply`. */
+  send(request: Init<ServiceRequest>): ServiceExchange;
+}

@@ -1,0 +1,48 @@
+import type { DataFormat, TopicRecord } from '@ubii/proto';
+import type { ComponentProfile } from './component-profile.ts';
+
+/**
+ * What a subscription selects: one topic · a glob, where `*` stands for any characters within one
+ * segment, `**` for any characters and `?` for one · an unanchored regular expression, as source or
+ * as a RegExp without flags, of what JavaScript and RE2 both know · the topics of all components
+ * that match a profile, of devices that come later as well.
+ */
+export type TopicPattern =
+  | { readonly topic: string }
+  | { readonly glob: string }
+  | { readonly regex: string | RegExp }
+  | { readonly component: ComponentProfile };
+
+/** How records of a subscription are wanted. */
+export interface SubscribeOptions<F extends DataFormat = DataFormat> {
+  /** Only records of this data format are delivered. @default every format */
+  readonly format?: F;
+  /** At most this many records of a topic per second; the newest is never withheld for good. @default no limit */
+  readonly maxRateHz?: number;
+  /** Records an async iterator holds for a slow consumer before the oldest is dropped. @default 1000 */
+  readonly bufferSize?: number;
+}
+
+/**
+ * Records of the topics a pattern selects, as callbacks and as async iterables. Records that come
+ * before the first consumer wait for it, up to `bufferSize`. It stands through reconnects, and ends
+ * with `close()` or with the client.
+ */
+export interface Subscription<F extends DataFormat = DataFormat> extends AsyncIterable<
+  TopicRecord<F>
+> {
+  /** What was subscribed to. */
+  readonly pattern: TopicPattern;
+  /** Calls `fn` for every record from now on. Each call adds a callback. */
+  onRecord(fn: (record: TopicRecord<F>) => void): this;
+  /**
+   * Resolves once the master has accepted the subscription; waits while there is no connection.
+   * Rejects with the `ServiceError` when the master refuses it, with a `ConnectionError` when the
+   * subscription or the client is closed before.
+   */
+  readonly ready: Promise<void>;
+  /** Ends the subscription, its callbacks and its iterators. Resolves once the master knows, or the link is gone. */
+  close(): Promise<void>;
+  /** Records that slow iterators of this subscription did not get. */
+  readonly dropped: number;
+}

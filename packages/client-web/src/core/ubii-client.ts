@@ -1,0 +1,110 @@
+import type {
+  DataFormat,
+  DataFormatValues,
+  DecodeError,
+  Init,
+  ServiceError,
+  ServiceName,
+  ServiceReplyOf,
+  ServiceRequestOf,
+} from '@ubii/proto';
+import type { ClientCounters } from './client-counters.ts';
+import type { ConnectionState } from './connection-state.ts';
+import type { ComponentInit, DeviceInit, RegisteredDevice } from './devices.ts';
+import type { PublishOptions } from './publish-buffer.ts';
+import type { RoundTrip } from './round-trip.ts';
+import type { SubscribeOptions, Subscription, TopicPattern } from './subscription.ts';
+
+/** Takes a callback back; calling it again does nothing. */
+export type Unsubscribe = () => void;
+
+/** A change of the client's id: only an original master, or one that lost its key, causes it. */
+export interface IdentityChange {
+  readonly previousId: string;
+  readonly clientId: string;
+}
+
+/**
+ * Something went wrong that no promise reports: a frame that cannot be decoded, an error the master
+ * sent over the topic-data channel (a refused record), or a device or subscription the master did
+ * not take back after a reconnect.
+ */
+export type ClientProblem = DecodeError | ServiceError;
+
+/** A program's place in a Ubi-Interact system: connection, topic data, services and devices. */
+export interface UbiiClient {
+  /**
+   * Connects, and from then on keeps the connection until `close()`. While connecting or connected it
+   * gives the promise of the connect under way.
+   * @returns resolves with the first connection; rejects with the `ConnectionError` of a terminal `closed`
+   */
+  connect(): Promise<void>;
+  /** Sends what is waiting, deregisters, ends all subscriptions and rejects pending calls; idempotent. */
+  close(): Promise<void>;
+  /** Tries at once when the client is waiting to reconnect. */
+  retryNow(): void;
+
+  /** The client's id; empty before the first connection. */
+  readonly id: string;
+  /** Name for people. */
+  readonly name: string;
+  /** Changes the name; the master learns it now or at the next connection. */
+  rename(name: string): Promise<void>;
+  /** Calls `fn` after the master gave the client another id. */
+  onIdentityChange(fn: (change: IdentityChange) => void): Unsubscribe;
+
+  readonly state: ConnectionState;
+  /** Calls `fn` after every change of `state`. */
+  onState(fn: (state: ConnectionState) => void): Unsubscribe;
+  /** `undefined` before the first measurement, and with original masters. */
+  readonly roundTrip: RoundTrip | undefined;
+  /** Calls `fn` after every measurement, about every 2 s. */
+  onRoundTrip(fn: (roundTrip: RoundTrip) => void): Unsubscribe;
+  /** Calls `fn` for what no promise reports. */
+  onError(fn: (problem: ClientProblem) => void): Unsubscribe;
+  readonly counters: ClientCounters;
+
+  /**
+   * Publishes a value on a topic. Records leave in the order of the calls. While there is no
+   * connection the newest record of each topic is kept and sent after the reconnect, up to
+   * `MAX_AWAY_TOPICS`; see README.
+   * @throws {TypeError} if the topic is empty or the value does not fit the format
+   */
+  publish<F extends DataFormat>(
+    topic: string,
+    format: F,
+    value: DataFormatValues[F],
+    options?: PublishOptions,
+  ): void;
+  /** Changes how long records are collected before they are sent, milliseconds. */
+  setPublishIntervalMs(intervalMs: number): void;
+
+  /**
+   * Subscribes to a topic or a pattern; may be called at any time, connected or not.
+   * @throws {TypeError} if the pattern is empty or not a regular expression
+   */
+  subscribe<F extends DataFormat = DataFormat>(
+    pattern: string | TopicPattern,
+    options?: SubscribeOptions<F>,
+  ): Subscription<F>;
+
+  /**
+   * Calls a service of the master. Waits for the connection while there is none, as part of the
+   * time-out. `clientId` is filled in where the request has such a member and it is empty.
+   * Rejects with the `ServiceError` the master answered, or with a `ConnectionError`.
+   */
+  call<S extends ServiceName>(
+    service: S,
+    ...request: ServiceCallArguments<S>
+  ): Promise<ServiceReplyOf<S>>;
+
+  /** Registers a device with its components, and again after every reconnect. Waits for the connection. */
+  registerDevice<const C extends readonly ComponentInit[]>(
+    device: DeviceInit<C>,
+  ): Promise<RegisteredDevice<C>>;
+}
+
+/** Arguments of `call` after the service's name: none, an optional or a required request. */
+export type ServiceCallArguments<S extends ServiceName> = [ServiceRequestOf<S>] extends [never]
+  ? []
+  : [request?: Init<ServiceRequestOf<S>>];
