@@ -1,0 +1,41 @@
+import { DecodeError } from './decode-error.ts';
+import { CODECS } from './generated/codec.ts';
+import type { MessageTypes } from './generated/messages.ts';
+import type { Init } from './init.ts';
+import { createReader, createWriter } from './protobuf.ts';
+
+/** Full name of a message of the schema, for example `ubii.services.ServiceRequest`. */
+export type MessageType = keyof MessageTypes;
+
+/** True for the full name of a message of the schema. */
+export function isMessageType(text: string): text is MessageType {
+  return Object.hasOwn(CODECS, text);
+}
+
+/**
+ * Encodes a message. Members given as 0, false or empty text are written too, as the original
+ * platform does, except `ProcessingModule.language: 0`, which existing nodes cannot bear.
+ *
+ * @throws TypeError when a member has the wrong type: nothing is checked beforehand
+ */
+export function encode<T extends MessageType>(type: T, message: Init<MessageTypes[T]>): Uint8Array {
+  const writer = createWriter();
+  CODECS[type].encode(message, writer);
+  return writer.finish();
+}
+
+/**
+ * Decodes a message into a plain object: scalars and enums are always there, lists always arrays,
+ * absent messages `undefined`, at most one member of a oneof is set. Unknown fields are skipped,
+ * unknown enum numbers kept.
+ *
+ * @param bytes borrowed: `bytes` members of the result (pictures) are views of it, not copies
+ * @throws DecodeError when the bytes are not this message
+ */
+export function decode<T extends MessageType>(type: T, bytes: Uint8Array): MessageTypes[T] {
+  try {
+    return CODECS[type].decode(createReader(bytes));
+  } catch (cause) {
+    throw DecodeError.wrap(type, bytes.byteLength, cause);
+  }
+}

@@ -1,0 +1,116 @@
+import { messageDescriptor, type FieldDescriptor } from '../descriptor.ts';
+import type { DataFormat, DataFormatValues } from './data-format-values.ts';
+import { neutralValue } from './neutral-value.ts';
+import { validateValue } from './validate-value.ts';
+
+/** Families of data formats that look and combine alike; each has a colour and a socket shape. */
+export type DataFormatFamily =
+  'number' | 'vector' | 'rotation' | 'event' | 'text' | 'image' | 'objects' | 'pose' | 'system';
+
+/** What is known about one data format. */
+export interface DataFormatInfo<F extends DataFormat = DataFormat> {
+  readonly format: F;
+  /** Number of the member in `TopicDataRecord`. */
+  readonly fieldNumber: number;
+  /** Full name of the message, `ubii.dataStructure.Vector2`, or of the scalar, `double`. */
+  readonly messageType: string;
+  readonly family: DataFormatFamily;
+  /** The value has an `elements` array. */
+  readonly isList: boolean;
+  /** Every record counts, not only the newest: a slow subscriber gets all of them. [TD-31] */
+  readonly isEvent: boolean;
+  /** A new neutral value: zeros, empty lists, identity rotations, opaque black. */
+  createDefault(): DataFormatValues[F];
+  /** Undefined when the value is of this format, else one sentence that names the member. */
+  validate(value: unknown): string | undefined;
+}
+
+const FAMILIES: { readonly [F in DataFormat]: DataFormatFamily } = {
+  double: 'number',
+  float: 'number',
+  int32: 'number',
+  doubleList: 'number',
+  floatList: 'number',
+  int32List: 'number',
+  vector2: 'vector',
+  vector2List: 'vector',
+  vector3: 'vector',
+  vector3List: 'vector',
+  vector4: 'vector',
+  vector4List: 'vector',
+  color: 'vector',
+  quaternion: 'rotation',
+  quaternionList: 'rotation',
+  matrix3x2: 'rotation',
+  matrix4x4: 'rotation',
+  bool: 'event',
+  boolList: 'event',
+  touchEvent: 'event',
+  touchEventList: 'event',
+  keyEvent: 'event',
+  mouseEvent: 'event',
+  myoEvent: 'event',
+  string: 'text',
+  stringList: 'text',
+  image2D: 'image',
+  image2DList: 'image',
+  object2D: 'objects',
+  object2DList: 'objects',
+  object3D: 'objects',
+  object3DList: 'objects',
+  pose2D: 'pose',
+  pose3D: 'pose',
+  session: 'system',
+  sessionList: 'system',
+  device: 'system',
+  deviceList: 'system',
+  component: 'system',
+  componentList: 'system',
+  error: 'system',
+  client: 'system',
+};
+
+/** A `bool` shows like an event, but its newest value is all that matters. */
+const EVENTS: ReadonlySet<string> = new Set([
+  'touchEvent',
+  'touchEventList',
+  'keyEvent',
+  'mouseEvent',
+  'myoEvent',
+]);
+
+const RECORD = messageDescriptor('ubii.topicData.TopicDataRecord');
+
+function info(field: FieldDescriptor): DataFormatInfo {
+  const { jsonName, number, type } = field;
+  const format = jsonName as DataFormat;
+  const fields = typeof type === 'object' && type.kind === 'message' ? type.fields : [];
+  return {
+    format,
+    fieldNumber: number,
+    messageType: typeof type === 'string' ? type : type.name,
+    family: FAMILIES[format],
+    isList: fields.length === 1 && fields[0]!.repeated,
+    isEvent: EVENTS.has(format),
+    createDefault: () => neutralValue(type) as DataFormatValues[DataFormat],
+    validate: (value) => validateValue(type, value, format),
+  };
+}
+
+const INFOS = RECORD.fields.filter((field) => field.oneof !== undefined).map(info);
+const FORMAT_BY_FIELD = new Map(INFOS.map(({ fieldNumber, format }) => [fieldNumber, format]));
+
+/** Every data format by its short name, in the order of the field numbers. */
+export const DATA_FORMATS = Object.fromEntries(
+  INFOS.map((entry) => [entry.format, entry]),
+) as unknown as { readonly [F in DataFormat]: DataFormatInfo<F> };
+
+/** True for the exact short name of a data format; `parseDataFormat` is the lenient way. */
+export function isDataFormat(text: string): text is DataFormat {
+  return Object.hasOwn(DATA_FORMATS, text);
+}
+
+/** The data format of a member of `TopicDataRecord`; undefined when the number is not a value's. */
+export function dataFormatOfField(fieldNumber: number): DataFormat | undefined {
+  return FORMAT_BY_FIELD.get(fieldNumber);
+}

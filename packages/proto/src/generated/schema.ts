@@ -1,0 +1,542 @@
+// Made from schema/*.proto by scripts/generate.ts. Change the schema, then run `pnpm generate`.
+
+/**
+ * The whole schema as text, because it is small, compresses well and diffs line by line:
+ * `enum <full name>` and its `<number> <name>` lines, `message <full name>` and its
+ * `<number> <name> <type>[ *][ <oneof>]` lines; `*` marks a repeated field.
+ */
+export const SCHEMA_TEXT = `
+enum ubii.clients.Client.State
+0 ACTIVE
+1 INACTIVE
+2 UNAVAILABLE
+enum ubii.dataStructure.ButtonEventType
+0 UP
+1 DOWN
+enum ubii.dataStructure.HandGestureType
+0 REST
+1 FINGERS_SPREAD
+2 WAVE_IN
+3 WAVE_OUT
+4 FIST
+5 DOUBLE_TAP
+enum ubii.dataStructure.Image2D.DataFormat
+0 GRAY8
+1 RGB8
+2 RGBA8
+enum ubii.dataStructure.TouchEvent.TouchEventType
+0 TOUCH_START
+1 TOUCH_MOVE
+2 TOUCH_END
+enum ubii.devices.Component.IOType
+0 PUBLISHER
+1 SUBSCRIBER
+enum ubii.devices.Device.DeviceType
+0 PARTICIPANT
+1 WATCHER
+enum ubii.extension.MasterAddress.Kind
+0 LOOPBACK
+1 WIFI
+2 ETHERNET
+3 VIRTUAL
+enum ubii.extension.StatusEvent.Kind
+0 CLIENT_JOINED
+1 CLIENT_LEFT
+2 CLIENT_LOST
+3 CLIENT_RETURNED
+4 LIMIT_REACHED
+5 MASTER_STARTED
+enum ubii.extension.StatusProblem.Severity
+0 WARNING
+1 ERROR
+enum ubii.processing.ProcessingModule.Language
+0 CPP
+1 PY
+2 JS
+3 CS
+4 JAVA
+enum ubii.processing.ProcessingModule.Status
+0 INITIALIZED
+1 CREATED
+2 PROCESSING
+3 HALTED
+4 DESTROYED
+enum ubii.sessions.SessionStatus
+0 CREATED
+1 RUNNING
+2 PAUSED
+3 STOPPED
+message ubii.clients.Client
+1 id string
+2 name string
+3 devices ubii.devices.Device *
+4 tags string *
+5 description string
+6 processing_modules ubii.processing.ProcessingModule *
+7 is_dedicated_processing_node bool
+8 host_ip string
+9 metadata_json string
+10 state ubii.clients.Client.State
+11 latency float
+1000 extension ubii.extension.ClientExtension
+message ubii.clients.ClientList
+1 elements ubii.clients.Client *
+message ubii.conditions.NotifyCondition
+1 id string
+2 name string
+3 evaluation_function_stringified string
+4 client_profile_pub ubii.clients.Client
+5 client_profile_sub ubii.clients.Client
+message ubii.dataStructure.BoolList
+1 elements bool *
+message ubii.dataStructure.Color
+1 r double
+2 g double
+3 b double
+4 a double
+message ubii.dataStructure.DoubleList
+1 elements double *
+message ubii.dataStructure.FloatList
+1 elements float *
+message ubii.dataStructure.Image2D
+1 width int32
+2 height int32
+3 data_format ubii.dataStructure.Image2D.DataFormat
+4 data bytes
+message ubii.dataStructure.Image2DList
+1 elements ubii.dataStructure.Image2D *
+message ubii.dataStructure.Int32List
+1 elements int32 *
+message ubii.dataStructure.KeyEvent
+1 type ubii.dataStructure.ButtonEventType
+2 key string
+message ubii.dataStructure.Matrix3x2
+1 m00 double
+2 m01 double
+3 m10 double
+4 m11 double
+5 m20 double
+6 m21 double
+message ubii.dataStructure.Matrix4x4
+1 m00 double
+2 m01 double
+3 m02 double
+4 m03 double
+5 m10 double
+6 m11 double
+7 m12 double
+8 m13 double
+9 m20 double
+10 m21 double
+11 m22 double
+12 m23 double
+13 m30 double
+14 m31 double
+15 m32 double
+16 m33 double
+message ubii.dataStructure.MouseEvent
+1 type ubii.dataStructure.ButtonEventType
+2 button int32
+message ubii.dataStructure.MyoEvent
+1 emg ubii.dataStructure.Vector8
+2 orientation ubii.dataStructure.Quaternion
+3 gyroscope ubii.dataStructure.Vector3
+4 accelerometer ubii.dataStructure.Vector3
+5 gesture ubii.dataStructure.HandGestureType
+message ubii.dataStructure.Object2D
+1 id string
+2 pose ubii.dataStructure.Pose2D
+3 size ubii.dataStructure.Vector2
+4 user_data_json string
+message ubii.dataStructure.Object2DList
+1 elements ubii.dataStructure.Object2D *
+message ubii.dataStructure.Object3D
+1 id string
+2 pose ubii.dataStructure.Pose3D
+3 size ubii.dataStructure.Vector3
+4 user_data_json string
+message ubii.dataStructure.Object3DList
+1 elements ubii.dataStructure.Object3D *
+message ubii.dataStructure.Pose2D
+1 position ubii.dataStructure.Vector2
+2 direction ubii.dataStructure.Vector2 orientation
+3 angle float orientation
+message ubii.dataStructure.Pose3D
+1 position ubii.dataStructure.Vector3
+2 quaternion ubii.dataStructure.Quaternion orientation
+3 euler ubii.dataStructure.Vector3 orientation
+message ubii.dataStructure.Quaternion
+1 x double
+2 y double
+3 z double
+4 w double
+message ubii.dataStructure.QuaternionList
+1 elements ubii.dataStructure.Quaternion *
+message ubii.dataStructure.StringList
+1 elements string *
+message ubii.dataStructure.TouchEvent
+1 type ubii.dataStructure.TouchEvent.TouchEventType
+2 position ubii.dataStructure.Vector2
+3 id string
+4 force float
+message ubii.dataStructure.TouchEventList
+1 elements ubii.dataStructure.TouchEvent *
+message ubii.dataStructure.Vector2
+1 x double
+2 y double
+message ubii.dataStructure.Vector2List
+1 elements ubii.dataStructure.Vector2 *
+message ubii.dataStructure.Vector3
+1 x double
+2 y double
+3 z double
+message ubii.dataStructure.Vector3List
+1 elements ubii.dataStructure.Vector3 *
+message ubii.dataStructure.Vector4
+1 x double
+2 y double
+3 z double
+4 w double
+message ubii.dataStructure.Vector4List
+1 elements ubii.dataStructure.Vector4 *
+message ubii.dataStructure.Vector8
+1 v0 double
+2 v1 double
+3 v2 double
+4 v3 double
+5 v4 double
+6 v5 double
+7 v6 double
+8 v7 double
+message ubii.dataStructure.Vector8List
+1 elements ubii.dataStructure.Vector8 *
+message ubii.devices.Component
+1 topic string
+2 message_format string
+3 io_type ubii.devices.Component.IOType
+4 device_id string
+5 tags string *
+6 description string
+7 id string
+8 name string
+9 notify_condition_ids string *
+message ubii.devices.ComponentList
+1 elements ubii.devices.Component *
+message ubii.devices.Device
+1 id string
+2 name string
+3 device_type ubii.devices.Device.DeviceType
+4 components ubii.devices.Component *
+5 client_id string
+6 tags string *
+7 description string
+message ubii.devices.DeviceList
+1 elements ubii.devices.Device *
+message ubii.devices.TopicDemux
+1 id string
+2 name string
+3 data_type string
+4 output_topic_format string
+message ubii.devices.TopicDemuxList
+1 elements ubii.devices.TopicDemux *
+message ubii.devices.TopicMux
+1 id string
+2 name string
+3 data_type string
+4 topic_selector string
+5 identity_match_pattern string
+message ubii.devices.TopicMuxList
+1 elements ubii.devices.TopicMux *
+message ubii.extension.ClientExtension
+1 record_lists bool
+2 resume_token string
+3 resumed bool
+4 master_version string
+message ubii.extension.MasterAddress
+1 kind ubii.extension.MasterAddress.Kind
+2 interface_name string
+3 url string
+message ubii.extension.MasterStatus
+1 master_id string
+2 name string
+3 version string
+4 started_ms double
+5 now_ms double
+6 records_in double
+7 records_out double
+8 bytes_in double
+9 bytes_out double
+10 dropped double
+11 refused double
+12 topics int32
+13 clients_active int32
+14 clients_inactive int32
+15 clients_unavailable int32
+16 cpu_percent float
+17 memory_bytes double
+18 samples ubii.extension.StatusSample *
+19 events ubii.extension.StatusEvent *
+20 problems ubii.extension.StatusProblem *
+21 addresses ubii.extension.MasterAddress *
+message ubii.extension.MasterStatusRequest
+1 since_ms double
+message ubii.extension.StatusEvent
+1 time_ms double
+2 kind ubii.extension.StatusEvent.Kind
+3 text string
+4 client_id string
+message ubii.extension.StatusProblem
+1 code string
+2 severity ubii.extension.StatusProblem.Severity
+3 text string
+4 client_id string
+5 since_ms double
+message ubii.extension.StatusSample
+1 time_ms double
+2 records_per_second float
+message ubii.extension.TopicStatistic
+1 topic string
+2 data_format string
+3 publisher_id string
+4 records double
+5 bytes double
+6 dropped double
+7 published_ms double
+8 subscribers int32
+9 value_bytes int32
+message ubii.extension.TopicStatistics
+1 cursor double
+2 reset bool
+3 elements ubii.extension.TopicStatistic *
+4 removed string *
+5 master_time_ms double
+message ubii.extension.TopicStatisticsRequest
+1 cursor double
+message ubii.general.Error
+1 title string
+2 message string
+3 stack string
+1000 code string
+message ubii.general.ErrorList
+1 elements ubii.general.Error *
+message ubii.general.Success
+1 title string
+2 message string
+message ubii.general.SuccessList
+1 elements ubii.general.Success *
+message ubii.processing.LockstepProcessingReply
+1 processing_module_ids string *
+2 records ubii.topicData.TopicDataRecord *
+message ubii.processing.LockstepProcessingRequest
+1 processing_module_ids string *
+2 records ubii.topicData.TopicDataRecord *
+3 delta_time_ms int32
+message ubii.processing.ModuleIO
+1 internal_name string
+2 message_format string
+3 is_record_list bool
+message ubii.processing.ProcessingMode
+1 frequency ubii.processing.ProcessingMode.Frequency mode
+2 lockstep ubii.processing.ProcessingMode.Lockstep mode
+3 trigger_on_input ubii.processing.ProcessingMode.TriggerOnInput mode
+4 free ubii.processing.ProcessingMode.Free mode
+message ubii.processing.ProcessingMode.Free
+message ubii.processing.ProcessingMode.Frequency
+1 hertz int32
+message ubii.processing.ProcessingMode.Lockstep
+1 process_request_endpoint string
+message ubii.processing.ProcessingMode.TriggerOnInput
+1 min_delay_ms int32
+2 all_inputs_need_update bool
+message ubii.processing.ProcessingModule
+1 id string
+2 name string
+3 authors string *
+4 tags string *
+5 description string
+6 node_id string
+7 session_id string
+8 status ubii.processing.ProcessingModule.Status
+9 processing_mode ubii.processing.ProcessingMode
+10 inputs ubii.processing.ModuleIO *
+11 outputs ubii.processing.ModuleIO *
+12 language ubii.processing.ProcessingModule.Language
+13 on_processing_stringified string
+14 on_created_stringified string
+15 on_halted_stringified string
+16 on_destroyed_stringified string
+message ubii.processing.ProcessingModuleList
+1 elements ubii.processing.ProcessingModule *
+message ubii.servers.Server
+1 id string
+2 name string
+3 ip_ethernet string
+4 ip_wlan string
+5 port_service_zmq string
+6 port_service_rest string
+7 port_topic_data_zmq string
+8 port_topic_data_ws string
+9 constants_json string
+10 external_address_service_zmq string
+11 external_address_service_http_json string
+12 external_address_service_http_binary string
+13 external_address_topic_data_zmq string
+14 external_address_topic_data_ws string
+message ubii.services.Service
+1 topic string
+2 request_message_format string
+3 response_message_format string
+4 tags string *
+5 description string
+message ubii.services.ServiceList
+1 elements ubii.services.Service *
+message ubii.services.ServiceReply
+1 success ubii.general.Success type
+2 error ubii.general.Error type
+3 client ubii.clients.Client type
+4 device ubii.devices.Device type
+5 server ubii.servers.Server type
+6 session ubii.sessions.Session type
+7 session_list ubii.sessions.SessionList type
+8 processing_module ubii.processing.ProcessingModule type
+9 processing_module_list ubii.processing.ProcessingModuleList type
+10 string_list ubii.dataStructure.StringList type
+11 topic_mux ubii.devices.TopicMux type
+12 topic_mux_list ubii.devices.TopicMuxList type
+13 topic_demux ubii.devices.TopicDemux type
+14 topic_demux_list ubii.devices.TopicDemuxList type
+15 client_list ubii.clients.ClientList type
+16 device_list ubii.devices.DeviceList type
+17 service ubii.services.Service type
+18 service_list ubii.services.ServiceList type
+19 lockstep_processing_reply ubii.processing.LockstepProcessingReply type
+20 component ubii.devices.Component type
+21 component_list ubii.devices.ComponentList type
+22 notify_condition ubii.conditions.NotifyCondition type
+1000 topic_statistics ubii.extension.TopicStatistics type
+1001 master_status ubii.extension.MasterStatus type
+message ubii.services.ServiceRequest
+1 topic string
+2 client ubii.clients.Client type
+3 device ubii.devices.Device type
+4 topic_subscription ubii.services.request.TopicSubscription type
+5 session ubii.sessions.Session type
+6 session_list ubii.sessions.SessionList type
+7 processing_module ubii.processing.ProcessingModule type
+8 processing_module_list ubii.processing.ProcessingModuleList type
+9 topic_mux ubii.devices.TopicMux type
+10 topic_mux_list ubii.devices.TopicMuxList type
+11 topic_demux ubii.devices.TopicDemux type
+12 topic_demux_list ubii.devices.TopicDemuxList type
+13 client_list ubii.clients.ClientList type
+14 device_list ubii.devices.DeviceList type
+15 lockstep_processing_request ubii.processing.LockstepProcessingRequest type
+16 component ubii.devices.Component type
+17 component_list ubii.devices.ComponentList type
+18 notify_condition ubii.conditions.NotifyCondition type
+1000 topic_statistics_request ubii.extension.TopicStatisticsRequest type
+1001 master_status_request ubii.extension.MasterStatusRequest type
+message ubii.services.request.TopicSubscription
+1 client_id string
+2 subscribe_topics string *
+3 unsubscribe_topics string *
+4 subscribe_topic_regexp string *
+5 unsubscribe_topic_regexp string *
+6 subscribe_components ubii.devices.Component *
+7 unsubscribe_components ubii.devices.Component *
+1000 max_rate_hz double
+message ubii.sessions.IOMapping
+1 processing_module_id string
+2 input_mappings ubii.sessions.TopicInputMapping *
+3 output_mappings ubii.sessions.TopicOutputMapping *
+4 processing_module_name string
+message ubii.sessions.IOMappingList
+1 elements ubii.sessions.IOMapping *
+message ubii.sessions.Session
+1 id string
+2 name string
+3 processing_modules ubii.processing.ProcessingModule *
+4 io_mappings ubii.sessions.IOMapping *
+5 tags string *
+6 description string
+7 authors string *
+8 status ubii.sessions.SessionStatus
+9 editable bool
+message ubii.sessions.SessionList
+1 elements ubii.sessions.Session *
+message ubii.sessions.TopicInputMapping
+1 input_name string
+2 topic string topic_source
+3 topic_mux ubii.devices.TopicMux topic_source
+message ubii.sessions.TopicInputMappingList
+1 elements ubii.sessions.TopicInputMapping *
+message ubii.sessions.TopicOutputMapping
+1 output_name string
+2 topic string topic_destination
+3 topic_demux ubii.devices.TopicDemux topic_destination
+message ubii.sessions.TopicOutputMappingList
+1 elements ubii.sessions.TopicOutputMapping *
+message ubii.topicData.Timestamp
+1 seconds int64
+2 nanos int32
+3 millis int64
+message ubii.topicData.TopicData
+2 topic_data_record ubii.topicData.TopicDataRecord type
+3 topic_data_record_list ubii.topicData.TopicDataRecordList type
+4 error ubii.general.Error type
+message ubii.topicData.TopicDataRecord
+1 topic string
+2 timestamp ubii.topicData.Timestamp
+3 double double type
+4 bool bool type
+5 string string type
+6 vector2 ubii.dataStructure.Vector2 type
+7 vector3 ubii.dataStructure.Vector3 type
+8 vector4 ubii.dataStructure.Vector4 type
+9 quaternion ubii.dataStructure.Quaternion type
+10 matrix3x2 ubii.dataStructure.Matrix3x2 type
+11 matrix4x4 ubii.dataStructure.Matrix4x4 type
+12 color ubii.dataStructure.Color type
+13 touch_event ubii.dataStructure.TouchEvent type
+14 key_event ubii.dataStructure.KeyEvent type
+15 mouse_event ubii.dataStructure.MouseEvent type
+16 myo_event ubii.dataStructure.MyoEvent type
+17 pose2D ubii.dataStructure.Pose2D type
+18 pose3D ubii.dataStructure.Pose3D type
+19 object2D ubii.dataStructure.Object2D type
+20 object3D ubii.dataStructure.Object3D type
+21 object2D_list ubii.dataStructure.Object2DList type
+22 object3D_list ubii.dataStructure.Object3DList type
+23 int32 int32 type
+24 float float type
+25 int32_list ubii.dataStructure.Int32List type
+26 float_list ubii.dataStructure.FloatList type
+27 double_list ubii.dataStructure.DoubleList type
+28 string_list ubii.dataStructure.StringList type
+29 bool_list ubii.dataStructure.BoolList type
+30 image2D ubii.dataStructure.Image2D type
+31 image2D_list ubii.dataStructure.Image2DList type
+32 session ubii.sessions.Session type
+33 client_id string
+34 touch_event_list ubii.dataStructure.TouchEventList type
+35 vector2_list ubii.dataStructure.Vector2List type
+36 vector3_list ubii.dataStructure.Vector3List type
+37 vector4_list ubii.dataStructure.Vector4List type
+38 quaternion_list ubii.dataStructure.Quaternion type
+39 error ubii.general.Error type
+40 device ubii.devices.Device type
+41 device_list ubii.devices.DeviceList type
+42 component ubii.devices.Component type
+43 component_list ubii.devices.ComponentList type
+44 session_list ubii.sessions.SessionList type
+1000 client ubii.clients.Client type
+message ubii.topicData.TopicDataRecordList
+1 elements ubii.topicData.TopicDataRecord *
+message ubii.topicData.TopicDataSource
+1 topic string type
+2 regex string type
+3 component ubii.devices.Component type
+4 static_record ubii.topicData.TopicDataRecord type
+message ubii.topicData.TopicDataSourceList
+1 elements ubii.topicData.TopicDataSource *
+`;

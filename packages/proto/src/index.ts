@@ -1,0 +1,54 @@
+export * from './generated/messages.ts';
+export { decode, encode, isMessageType, type MessageType } from './codec.ts';
+export { DecodeError } from './decode-error.ts';
+export type { Init } from './init.ts';
+export { fromJson } from './json/from-json.ts';
+export { toJson } from './json/to-json.ts';
+export type { JsonObject, JsonValue } from './json/json-value.ts';
+export type { DataFormat, DataFormatValues } from './data-formats/data-format-values.ts';
+export {
+  DATA_FORMATS,
+  dataFormatOfField,
+  isDataFormat,
+  type DataFormatFamily,
+  type DataFormatInfo,
+} from './data-formats/data-formats.ts';
+export { parseDataFormat } from './data-formats/parse-data-format.ts';
+export { isCompressedImage } from './data-formats/validate-image.ts';
+export {
+  decodeRecord,
+  decodeTopicData,
+  encodeRecord,
+  recordOf,
+  type DecodedTopicData,
+  type EmptyRecord,
+  type RecordInit,
+  type TopicRecord,
+} from './records.ts';
+export { timestampFromMs, timestampToMs } from './timestamp.ts';
+export {
+  SERVICES,
+  serviceByTopic,
+  type ServiceName,
+  type ServiceReplyOf,
+  type ServiceRequestOf,
+} from './services/services.ts';
+export type { ReplyMember, RequestMember, ServiceInfo } from './services/define-service.ts';
+export {
+  isServiceErrorCode,
+  SERVICE_ERROR_CODES,
+  ServiceError,
+  type ServiceErrorCode,
+  type ServiceErrorOptions,
+} from './service-error.ts';
+export {
+  clientTopic,
+  componentTopic,
+  EXTENSION_SERVICE_PREFIX,
+  globToRegExpSource,
+  INFO_TOPICS,
+  isExtensionTopic,
+  isMasterTopic,
+  UUID_PATTERN,
+} from './topics.ts';
+export { LEGACY_CONSTANTS } from './legacy-constants.ts';

@@ -1,0 +1,159 @@
+import type { MessageType } from '../codec.ts';
+import { DecodeError } from '../decode-error.ts';
+import {
+  messageDescriptor,
+  type EnumDescriptor,
+  type FieldDescriptor,
+  type MessageDescriptor,
+} from '../descriptor.ts';
+import type { MessageTypes } from '../generated/messages.ts';
+import { parseBase64 } from './base64.ts';
+import { withoutLegacyMapping } from './legacy-mapping.ts';
+
+const MIN_INT32 = -(2 ** 31);
+const MAX_INT32 = 2 ** 31 - 1;
+
+/**
+ * Reads a message from JSON leniently: camelCase and snake_case keys, enums by name or number,
+ * numbers as text, base64 and base64url. `null` members and elements and unknown keys are dropped.
+ * The result has the shape `decode` gives. [SV-3]
+ *
+ * Reads along the schema, which does not contain itself: nesting that the schema does not have is
+ * an unknown key and never looked into.
+ *
+ * @param json what `JSON.parse` returned
+ * @throws DecodeError that names the member
+ */
+export function fromJson<T extends MessageType>(type: T, json: unknown): MessageTypes[T] {
+  const fail = (path: string, expected: string, received: unknown): never => {
+    const where = path === '' ? 'it' : path;
+    throw new DecodeError(type, 0, `${where} must be ${expected}, got ${describe(received)}`);
+  };
+  return readMessage(messageDescriptor(type), json, '', fail) as MessageTypes[T];
+}
+
+type Fail = (path: string, expected: string, received: unknown) => never;
+
+function readMessage(type: MessageDescriptor, json: unknown, path: string, fail: Fail): object {
+  if (typeof json !== 'object' || json === null || Array.isArray(json)) {
+    fail(path, 'an object', json);
+  }
+  const message = emptyMessage(type);
+  const chosen = new Map<string, string>();
+  for (const [key, value] of Object.entries(withoutLegacyMapping(type.name, json as object))) {
+    const field = type.fieldByName.get(key);
+    if (field === undefined || value === null || value === undefined) continue;
+    const memberPath = path === '' ? key : `${path}.${key}`;
+    if (field.repeated) {
+      message[field.jsonName] = readList(field, value, memberPath, fail);
+      continue;
+    }
+    message[field.jsonName] = readValue(field.type, value, memberPath, fail);
+    if (field.oneof === undefined) continue;
+    const other = chosen.get(field.oneof);
+    if (other !== undefined && other !== field.jsonName) delete message[other];
+    chosen.set(field.oneof, field.jsonName);
+  }
+  return message;
+}
+
+/** A message as `decode` returns it for no bytes. */
+function emptyMessage(type: MessageDescriptor): Record<string, unknown> {
+  const message: Record<string, unknown> = {};
+  for (const field of type.fields) {
+    if (field.oneof === undefined) message[field.jsonName] = defaultOf(field);
+  }
+  return message;
+}
+
+function defaultOf({ repeated, type }: FieldDescriptor): unknown {
+  if (repeated) return [];
+  if (typeof type === 'object') return type.kind === 'enum' ? 0 : undefined;
+  if (type === 'string') return '';
+  if (type === 'bool') return false;
+  return type === 'bytes' ? new Uint8Array(0) : 0;
+}
+
+function readList(field: FieldDescriptor, json: unknown, path: string, fail: Fail): unknown[] {
+  if (!Array.isArray(json)) fail(path, 'a list', json);
+  const list: unknown[] = [];
+  (json as unknown[]).forEach((element, i) => {
+    if (element === null || element === undefined) return;
+    list.push(readValue(field.type, element, `${path}[${i}]`, fail));
+  });
+  return list;
+}
+
+function readValue(
+  type: FieldDescriptor['type'],
+  json: unknown,
+  path: string,
+  fail: Fail,
+): unknown {
+  if (typeof type === 'object') {
+    return type.kind === 'enum'
+      ? readEnum(type, json, path, fail)
+      : readMessage(type, json, path, fail);
+  }
+  switch (type) {
+    case 'double':
+    case 'float':
+      return readNumber(json, path, fail);
+    case 'int32':
+    case 'int64':
+      return readInteger(type, json, path, fail);
+    case 'bool':
+      if (json === true || json === 'true' || json === 1) return true;
+      if (json === false || json === 'false' || json === 0) return false;
+      return fail(path, 'true or false', json);
+    case 'string':
+      return typeof json === 'string' ? json : readTextFrom(json, path, fail);
+    case 'bytes':
+      return readBytes(json, path, fail);
+  }
+}
+
+/** Ids and ports that clients send as numbers. */
+function readTextFrom(json: unknown, path: string, fail: Fail): string {
+  return typeof json === 'number' || typeof json === 'boolean'
+    ? String(json)
+    : fail(path, 'text', json);
+}
+
+function readNumber(json: unknown, path: string, fail: Fail): number {
+  if (typeof json === 'number') return json;
+  if (json === 'NaN') return NaN;
+  const number = typeof json === 'string' && json.trim() !== '' ? Number(json) : NaN;
+  return Number.isNaN(number) ? fail(path, 'a number', json) : number;
+}
+
+function readInteger(type: 'int32' | 'int64', json: unknown, path: string, fail: Fail): number {
+  const number = readNumber(json, path, fail);
+  const isInRange =
+    type === 'int32' ? number >= MIN_INT32 && number <= MAX_INT32 : Math.abs(number) <= 2 ** 63;
+  return Number.isInteger(number) && isInRange
+    ? number
+    : fail(path, `an integer of ${type === 'int32' ? 32 : 64} bits`, json);
+}
+
+function readEnum(type: EnumDescriptor, json: unknown, path: string, fail: Fail): number {
+  const number = typeof json === 'string' ? type.numberByName.get(json) : undefined;
+  if (number !== undefined) return number;
+  const isNumeric = typeof json === 'number' || (typeof json === 'string' && /^-?\d+$/.test(json));
+  return isNumeric
+    ? readInteger('int32', json, path, fail)
+    : fail(path, `one of ${[...type.numberByName.keys()].join(', ')}`, json);
+}
+
+function readBytes(json: unknown, path: string, fail: Fail): Uint8Array {
+  const bytes = typeof json === 'string' ? parseBase64(json) : undefined;
+  return bytes ?? fail(path, 'base64 text', json);
+}
+
+function describe(value: unknown): string {
+  if (value === null) return 'null';
+  if (Array.isArray(value)) return `a list of ${value.length}`;
+  if (typeof value === 'object') return 'an object';
+  if (typeof value !== 'string') return String(value);
+  return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
+}

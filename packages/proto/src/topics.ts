@@ -1,0 +1,70 @@
+/** Topics on which the master announces what happens. Each carries the whole thing. */
+export const INFO_TOPICS = {
+  newProcessingModule: '/info/processing_module/new',
+  startProcessingModule: '/info/processing_module/start',
+  deleteProcessingModule: '/info/processing_module/delete',
+  changeProcessingModule: '/info/processing_module/change',
+  processedProcessingModule: '/info/processing_module/processed',
+  newSession: '/info/session/new',
+  deleteSession: '/info/session/delete',
+  changeSession: '/info/session/change',
+  startSession: '/info/session/start',
+  stopSession: '/info/session/stop',
+  runningSession: '/info/session/running',
+  newDevice: '/info/device/new',
+  deleteDevice: '/info/device/delete',
+} as const;
+
+/** Everything below is published by the master only. [TD-16] */
+const INFO_PREFIX = '/info/';
+/** Everything below is ours: an original client never sees it. [TD-26] */
+const EXTENSION_PREFIX = '/ubii/';
+/** Everything below is a service of ours. [EX] */
+export const EXTENSION_SERVICE_PREFIX = '/services/ubii/';
+
+/** Source of a regular expression for a UUID of any version, lower or upper case. */
+export const UUID_PATTERN = '[0-9a-fA-F]{8}(?:-[0-9a-fA-F]{4}){3}-[0-9a-fA-F]{12}';
+
+/** True when only the master may publish on the topic, with or without leading slash. [TD-16] */
+export function isMasterTopic(topic: string): boolean {
+  const path = topic.startsWith('/') ? topic : `/${topic}`;
+  return path.startsWith(INFO_PREFIX) || path.startsWith(EXTENSION_PREFIX);
+}
+
+/** True for a topic that only extension clients receive. [TD-26] */
+export function isExtensionTopic(topic: string): boolean {
+  return topic.startsWith(EXTENSION_PREFIX);
+}
+
+/** The topic on which a client is announced whenever it changes. [CL-31] */
+export function clientTopic(clientId: string): string {
+  return `${EXTENSION_PREFIX}client/${clientId}`;
+}
+
+/**
+ * The topic a component publishes on by convention: `/<client id>/<device>/<component>`.
+ *
+ * @param deviceName may contain anything; slashes add levels
+ */
+export function componentTopic(
+  clientId: string,
+  deviceName: string,
+  componentName: string,
+): string {
+  return `/${clientId}/${deviceName}/${componentName}`;
+}
+
+/**
+ * Turns a glob into the source of a regular expression that matches whole topics: `*` is any text
+ * within one level, `**` any text, `?` one character within a level; all else means itself.
+ * The source is understood by RE2 as well as by JavaScript. [TD-21]
+ */
+export function globToRegExpSource(glob: string): string {
+  const body = glob.replace(/\*\*|[*?]|[\\^$.|+()[\]{}]/g, (token) => {
+    if (token === '**') return '.*';
+    if (token === '*') return '[^/]*';
+    if (token === '?') return '[^/]';
+    return `\\${token}`;
+  });
+  return `^${body}$`;
+}
