@@ -1,0 +1,28 @@
+import { fileURLToPath } from 'node:url';
+import { LoadConnection } from '../load/load-connection.ts';
+import { startBrokerProcess } from './broker-process.ts';
+import type { Broker } from './target.ts';
+
+/** Starts the minimal `ws` server, see raw-ws-broker.mjs. */
+export async function startRawWs(profileDir: string | undefined): Promise<Broker> {
+  const broker = await startBrokerProcess({
+    name: 'raw-ws',
+    args: [fileURLToPath(new URL('./raw-ws-broker.mjs', import.meta.url))],
+    profileDir,
+  });
+  const url = String(broker.endpoints['url']);
+  return {
+    targets: [
+      {
+        name: 'raw-ws',
+        pid: broker.pid,
+        join: async ({ publishes, subscribes }, ring) => {
+          const query = [publishes && 'publish=1', subscribes && 'subscribe=1'].filter(Boolean);
+          const connection = await LoadConnection.open(`${url}?${query.join('&')}`, ring);
+          return { connection, leave: () => connection.close() };
+        },
+      },
+    ],
+    stop: () => broker.stop(),
+  };
+}

@@ -1,0 +1,37 @@
+import { REFERENCE } from '../brokers/target.ts';
+import { formatNumber, formatTable } from './format-table.ts';
+import { compareWithReference, faultsOf, type Comparison, type RunResult } from './results.ts';
+
+/** The run as text: ratios first, then the values they come from, then what went wrong. */
+export function formatRun(run: RunResult): string {
+  const { machine, parameters, commit } = run;
+  const sections = run.workloads.map((workload) => {
+    const header = ['', 'target', 'ratio', 'goal', '', 'rounds', 'median', REFERENCE, 'unit'];
+    return `${workload.title}\n${formatTable(header, compareWithReference(workload).map(row))}`;
+  });
+  const faults = faultsOf(run);
+  return [
+    `Ratios to ${REFERENCE} in the same run, median of ${parameters.rounds} rounds of ` +
+      `${parameters.measureMs / 1000} s (commit ${commit.hash.slice(0, 9)}${commit.isDirty ? ' and changes' : ''}, ` +
+      `Node ${machine.node}, ${machine.cores} cores, load ${machine.loadAverage.join(' -> ')})`,
+    ...sections,
+    faults.length === 0
+      ? 'Every record arrived at every subscriber, once, in order, unaltered.'
+      : `NOT EVERYTHING ARRIVED AS SENT, the figures do not count:\n${faults.map((fault) => `  ${fault}`).join('\n')}`,
+  ].join('\n\n');
+}
+
+function row(comparison: Comparison): string[] {
+  const { figure, target, ratio, range, goal, isMet, value, reference } = comparison;
+  return [
+    figure.label,
+    target,
+    ratio.toFixed(2),
+    goal === undefined ? '' : `${figure.isHigherBetter ? '>=' : '<='} ${goal}`,
+    isMet === undefined ? '' : isMet ? 'pass' : 'MISS',
+    `${range[0].toFixed(2)} to ${range[1].toFixed(2)}`,
+    formatNumber(value),
+    formatNumber(reference),
+    figure.unit,
+  ];
+}

@@ -1,0 +1,97 @@
+import type { TargetName } from '../brokers/target.ts';
+import { REFERENCE } from '../brokers/target.ts';
+import { median, medianRatio } from '../statistics.ts';
+import type { FigureInfo, Measurement } from '../workloads/workload.ts';
+
+/** What one workload gave: per target one measurement a round, in the order of the rounds. */
+export interface WorkloadResult {
+  readonly name: string;
+  readonly title: string;
+  readonly figures: readonly FigureInfo[];
+  readonly rounds: Partial<Record<TargetName, Measurement[]>>;
+}
+
+/** One run of `npm run bench`, as it is written to disk. */
+export interface RunResult {
+  readonly formatVersion: 1;
+  readonly startedAt: string;
+  readonly machine: {
+    readonly node: string;
+    readonly cores: number;
+    readonly cpu: string;
+    /** Load average of the last minute, before and after. */
+    readonly loadAverage: readonly [before: number, after: number];
+    /** False where `taskset` is missing: round trips then depend on where the system puts processes. */
+    readonly isPlaced: boolean;
+  };
+  /** Commit of the working tree; `isDirty` when it had changes that are not in it. */
+  readonly commit: { readonly hash: string; readonly isDirty: boolean };
+  readonly parameters: {
+    readonly rounds: number;
+    readonly warmUpMs: number;
+    readonly measureMs: number;
+  };
+  readonly workloads: readonly WorkloadResult[];
+}
+
+/** One line of the report: a figure of a target beside the reference. */
+export interface Comparison {
+  readonly figure: FigureInfo;
+  readonly target: TargetName;
+  /** Median over the rounds of value / reference of the same round. */
+  readonly ratio: number;
+  /** Smallest and largest ratio of a round. */
+  readonly range: readonly [number, number];
+  readonly goal: number | undefined;
+  /** Undefined without a goal. */
+  readonly isMet: boolean | undefined;
+  readonly value: number;
+  readonly reference: number;
+}
+
+/** The values of one figure, one a round. */
+export function valuesOf(
+  result: WorkloadResult,
+  target: TargetName,
+  figure: FigureInfo,
+): readonly number[] {
+  const rounds = result.rounds[target] ?? [];
+  return rounds.map(({ figures }) => figures[figure.key] ?? Number.NaN);
+}
+
+/** Compares every target of a workload with the reference, figure by figure. */
+export function compareWithReference(result: WorkloadResult): Comparison[] {
+  const targets = (Object.keys(result.rounds) as TargetName[]).filter((name) => name !== REFERENCE);
+  return result.figures.flatMap((figure) => {
+    const references = valuesOf(result, REFERENCE, figure);
+    if (references.length === 0) return [];
+    return targets.map((target): Comparison => {
+      const values = valuesOf(result, target, figure);
+      const ratio = medianRatio(values, references);
+      const ratios = values.map((value, round) => value / references[round]!);
+      const goal = figure.goals[target];
+      return {
+        figure,
+        target,
+        ratio,
+        range: [Math.min(...ratios), Math.max(...ratios)],
+        goal,
+        isMet:
+          goal === undefined ? undefined : figure.isHigherBetter ? ratio >= goal : ratio <= goal,
+        value: median(values),
+        reference: median(references),
+      };
+    });
+  });
+}
+
+/** What was lost, altered or unexpected anywhere in the run, one sentence each. */
+export function faultsOf(result: RunResult): string[] {
+  return result.workloads.flatMap(({ name, rounds }) =>
+    Object.entries(rounds).flatMap(([target, measurements]) =>
+      measurements.flatMap(({ faults }, round) =>
+        faults.map((fault) => `${name}, ${target}, round ${round + 1}: ${fault}`),
+      ),
+    ),
+  );
+}

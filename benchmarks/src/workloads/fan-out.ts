@@ -1,0 +1,133 @@
+import { setTimeout as sleep } from 'node:timers/promises';
+import type { BrokerClient, Target } from '../brokers/target.ts';
+import { FlowWindow } from '../load/flow-window.ts';
+import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
+import { startLap } from './stopwatch.ts';
+import {
+  describeFaults,
+  type FigureInfo,
+  type Measurement,
+  type MeasureOptions,
+  type Workload,
+} from './workload.ts';
+
+const RECORD_BYTES = 100;
+const SUBSCRIBERS = 100;
+/** Clients that register and connect at the same time. */
+const JOIN_AT_ONCE = 10;
+/** No record got to all subscribers for so long: what is missing is lost. */
+const STALL_MS = 2_000;
+
+/**
+ * One client publishes, 100 others receive. A record is done when all of them have it; at most
+ * `window` records are not done.
+ */
+export function fanOut(window: number, goals: FigureInfo['goals']): Workload {
+  return {
+    name: `fan-out-window-${window}`,
+    group: 'fan-out',
+    title: `Fan-out 1 -> ${SUBSCRIBERS}, ${RECORD_BYTES} B record, window ${window}`,
+    figures: [
+      {
+        key: 'deliveriesPerS',
+        label: 'deliveries',
+        unit: '1/s',
+        isHigherBetter: true,
+        goals,
+      },
+      {
+        key: 'cpuUs',
+        label: 'broker CPU a delivery',
+        unit: 'µs',
+        isHigherBetter: false,
+        goals: {},
+      },
+      {
+        key: 'loadCpu',
+        label: 'load generator CPU',
+        unit: 'cores',
+        isHigherBetter: false,
+        goals: {},
+      },
+    ],
+    placement: 'any-core',
+    createRing: () => createRecordRing('fan-out', RECORD_BYTES),
+    measure: (target, ring, options) => measure(window, target, ring, options),
+  };
+}
+
+async function measure(
+  window: number,
+  target: Target,
+  ring: RecordRing,
+  { warmUpMs, measureMs }: MeasureOptions,
+): Promise<Measurement> {
+  const subscribers = await joinAll(target, ring);
+  const publisher = await target.join({ publishes: true, subscribes: false }, ring);
+  const flow = new FlowWindow(SUBSCRIBERS, window);
+  let delivered = 0;
+  let sent = 0;
+  let isRunning = true;
+  let onIdle: () => void = () => {};
+
+  const publish = (): void => {
+    const count = window - (sent - flow.slowest);
+    if (count <= 0) return;
+    const frames = ring.published.slice(sent, count);
+    sent += count;
+    publisher.connection.send(frames);
+  };
+  for (const { connection } of subscribers) {
+    const { verifier } = connection;
+    let before = 0;
+    connection.onProgress = () => {
+      const now = Math.min(verifier.next, sent);
+      if (now === before) return;
+      delivered += now - before;
+      const isDone = flow.advance(before, now);
+      before = now;
+      if (!isDone) return;
+      if (isRunning) publish();
+      else if (flow.slowest === sent) onIdle();
+    };
+  }
+
+  publish();
+  await sleep(warmUpMs);
+  const deliveredBefore = delivered;
+  const stopLap = startLap(target.pid);
+  await sleep(measureMs);
+  const deliveries = delivered - deliveredBefore;
+  const lap = stopLap();
+
+  const idle = new Promise<void>((resolve) => (onIdle = resolve));
+  isRunning = false;
+  if (flow.slowest < sent) await Promise.race([idle, sleep(STALL_MS, undefined, { ref: false })]);
+  for (const { connection } of subscribers) connection.verifier.finish(sent);
+  publisher.connection.verifier.finish(0);
+  const all = [...subscribers, publisher];
+  const faults = describeFaults(all.map(({ connection }) => connection.verifier.faults));
+  await Promise.all(all.map((client) => client.leave()));
+
+  return {
+    figures: {
+      deliveriesPerS: deliveries / (lap.wallUs / 1e6),
+      cpuUs: lap.brokerCpuUs / deliveries,
+      loadCpu: lap.loadCpuShare,
+    },
+    deliveries,
+    faults,
+  };
+}
+
+async function joinAll(target: Target, ring: RecordRing): Promise<BrokerClient[]> {
+  const clients: BrokerClient[] = [];
+  while (clients.length < SUBSCRIBERS) {
+    const count = Math.min(JOIN_AT_ONCE, SUBSCRIBERS - clients.length);
+    const joined = Array.from({ length: count }, () =>
+      target.join({ publishes: false, subscribes: true }, ring),
+    );
+    clients.push(...(await Promise.all(joined)));
+  }
+  return clients;
+}

@@ -1,0 +1,10 @@
+import { fanOut } from './fan-out.ts';
+import { roundTrip } from './round-trip.ts';
+import type { Workload } from './workload.ts';
+
+/** Every workload, in the order of the report. Goals: see the README. */
+export const WORKLOADS: readonly Workload[] = [
+  roundTrip,
+  fanOut(64, { 'ubii-extension': 0.85, 'ubii-legacy': 0.7 }),
+  fanOut(1, { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 }),
+];
