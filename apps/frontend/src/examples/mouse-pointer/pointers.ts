@@ -1,0 +1,69 @@
+import { clientOfPointerTopic, POINTER_DEVICE } from './pointer-topic.ts';
+
+/** What the page needs to know of a client to draw its pointer. */
+export interface PointerClient {
+  readonly id: string;
+  readonly name: string;
+  /** False while the client is silent. */
+  readonly active: boolean;
+  readonly deviceNames: readonly string[];
+}
+
+/** A client that is on this example, and where its pointer is; both axes 0 to 1, origin top left. */
+export interface Pointer {
+  readonly clientId: string;
+  readonly name: string;
+  readonly active: boolean;
+  readonly position: { readonly x: number; readonly y: number } | undefined;
+}
+
+/**
+ * Who is on the example, and where they point. A pointer stays while its client has the example's
+ * device, however long it rests; records of clients that have left are ignored.
+ */
+export class Pointers {
+  #positions = new Map<string, { x: number; y: number }>();
+  #clients = new Map<string, PointerClient>();
+
+  /** Replaces what is known of the clients. */
+  setClients(clients: Iterable<PointerClient>): void {
+    const before = this.#clients;
+    this.#clients = new Map();
+    for (const client of clients) {
+      if (client.deviceNames.includes(POINTER_DEVICE)) this.#clients.set(client.id, client);
+    }
+    // Only of those that left: a position may arrive before the client it belongs to.
+    for (const clientId of before.keys()) {
+      if (!this.#clients.has(clientId)) this.#positions.delete(clientId);
+    }
+  }
+
+  /** Takes a record of a pointer topic; returns the client it belongs to, `undefined` for another topic. */
+  move(topic: string, value: { x: number; y: number }): string | undefined {
+    const clientId = clientOfPointerTopic(topic);
+    if (clientId === undefined) return undefined;
+    this.#positions.set(clientId, { x: clamp(value.x), y: clamp(value.y) });
+    return clientId;
+  }
+
+  /** Where the client's pointer is, `undefined` before its first record. */
+  position(clientId: string): { readonly x: number; readonly y: number } | undefined {
+    return this.#positions.get(clientId);
+  }
+
+  /** Everybody on the example, by name. */
+  list(): Pointer[] {
+    return [...this.#clients.values()]
+      .map(({ id, name, active }) => ({
+        clientId: id,
+        name,
+        active,
+        position: this.#positions.get(id),
+      }))
+      .sort((a, b) => a.name.localeCompare(b.name) || a.clientId.localeCompare(b.clientId));
+  }
+}
+
+function clamp(value: number): number {
+  return Math.min(1, Math.max(0, value));
+}

@@ -1,0 +1,140 @@
+import type { RegisteredDevice } from '@ubii/client-web';
+import { type Client, ClientState } from '@ubii/proto';
+import { useIntervalFn, useLocalStorage } from '@vueuse/core';
+import { onScopeDispose, readonly, shallowRef, watch } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { type EchoLatency, EchoLatencyWindow } from './echo-latency.ts';
+import { POINTER_COMPONENT, POINTER_DEVICE, POINTER_GLOB } from './pointer-topic.ts';
+import { type Pointer, type PointerClient, Pointers } from './pointers.ts';
+
+const COMPONENTS = [
+  {
+    name: POINTER_COMPONENT,
+    format: 'vector2',
+    tags: ['pointer'],
+    description: 'Pointer on the pad, 0 to 1 on both axes, origin top left.',
+  },
+] as const;
+
+/** How often the readouts are computed, not how often data flows. */
+const READOUT_INTERVAL_MS = 250;
+const SPARKLINE_POINTS = 120;
+
+/** What the readouts show of the last moments. */
+export interface PointerReadouts {
+  readonly latency: EchoLatency | undefined;
+  /** Newest round trips, oldest first, milliseconds. */
+  readonly recentMs: readonly number[];
+  readonly publishedPerSecond: number;
+  readonly receivedPerSecond: number;
+}
+
+/**
+ * Publishes this browser's pointer and follows everybody's, while the calling scope lives.
+ * Positions are read with `position()` once per frame; only who is here is reactive.
+ */
+export function usePointerExample() {
+  const { client, clients, isConnected, publishIntervalMs } = useConnection();
+  const pointers = new Pointers();
+  const latency = new EchoLatencyWindow();
+  const people = shallowRef<readonly Pointer[]>([]);
+  const readouts = shallowRef<PointerReadouts>({
+    latency: undefined,
+    recentMs: [],
+    publishedPerSecond: 0,
+    receivedPerSecond: 0,
+  });
+  const settings = useLocalStorage('ubii.examples.mouse-pointer', {
+    hideCursor: false,
+    hideIndicator: false,
+    immediate: false,
+    intervalMs: 15,
+  });
+
+  let device: RegisteredDevice<typeof COMPONENTS> | undefined;
+  let ended = false;
+  void client
+    .registerDevice({ name: POINTER_DEVICE, tags: ['example'], components: COMPONENTS })
+    .then((registered) => {
+      if (ended) return registered.close();
+      device = registered;
+      return undefined;
+    })
+    // Only when the client is closed for good, which the shell shows.
+    .catch(() => undefined);
+
+  let published = 0;
+  let received = 0;
+  const subscription = client
+    .subscribe({ glob: POINTER_GLOB }, { format: 'vector2' })
+    .onRecord(({ topic, value, timestampMs }) => {
+      received++;
+      const clientId = pointers.move(topic, value);
+      if (clientId === client.id) latency.returned({ timestampMs, ...value }, performance.now());
+    });
+
+  watch(
+    clients.list,
+    (list) => {
+      pointers.setClients((list ?? []).map(toPointerClient));
+      people.value = pointers.list();
+    },
+    { immediate: true },
+  );
+  watch(isConnected, () => latency.clear());
+  watch(
+    () => settings.value.intervalMs,
+    (intervalMs) => client.setPublishIntervalMs(intervalMs),
+    { immediate: true },
+  );
+
+  let readAtMs = performance.now();
+  useIntervalFn(() => {
+    const nowMs = performance.now();
+    const perSecond = 1000 / (nowMs - readAtMs);
+    readouts.value = {
+      latency: latency.summary(),
+      recentMs: latency.recent(SPARKLINE_POINTS),
+      publishedPerSecond: published * perSecond,
+      receivedPerSecond: received * perSecond,
+    };
+    readAtMs = nowMs;
+    published = 0;
+    received = 0;
+  }, READOUT_INTERVAL_MS);
+
+  onScopeDispose(() => {
+    ended = true;
+    client.setPublishIntervalMs(publishIntervalMs.value);
+    void subscription.close();
+    void device?.close();
+  });
+
+  return {
+    /** Everybody on the example, this browser included. */
+    people: readonly(people),
+    settings,
+    readouts: readonly(readouts),
+    /** Where the client's pointer is, as it came back from the master. */
+    position: (clientId: string) => pointers.position(clientId),
+    /** Publishes a position; both axes 0 to 1, origin top left. Does nothing before the device is registered. */
+    publish(x: number, y: number) {
+      if (device === undefined) return;
+      const timestampMs = Date.now();
+      latency.sent({ timestampMs, x, y }, performance.now());
+      published++;
+      device
+        .component(POINTER_COMPONENT)
+        .publish({ x, y }, { timestampMs, immediate: settings.value.immediate });
+    },
+  };
+}
+
+function toPointerClient({ id, name, state, devices }: Client): PointerClient {
+  return {
+    id,
+    name,
+    active: state === ClientState.ACTIVE,
+    deviceNames: devices.map((device) => device.name),
+  };
+}
