@@ -13,6 +13,11 @@ const RESULTS_DIR = join(import.meta.dirname, '..', 'results');
 /** Above this load something else is running, and a share of the figures is about that. */
 const BUSY_LOAD = 0.7;
 
+/** A path as the caller means it: npm runs scripts in the directory of the package. */
+function fromCaller(path: string): string {
+  return resolve(process.env['INIT_CWD'] ?? process.cwd(), path);
+}
+
 async function main(): Promise<number> {
   const options = parseOptions(process.argv.slice(2), GROUPS);
   switch (options.command) {
@@ -20,7 +25,12 @@ async function main(): Promise<number> {
       console.log(helpText(GROUPS));
       return 0;
     case 'compare':
-      console.log(compareRuns(await readRun(options.before), await readRun(options.after)));
+      console.log(
+        compareRuns(
+          await readRun(fromCaller(options.before)),
+          await readRun(fromCaller(options.after)),
+        ),
+      );
       return 0;
     case 'run':
       return run(options);
@@ -34,7 +44,10 @@ async function run(options: RunOptions): Promise<number> {
   }
   const startedAt = new Date().toISOString();
   const workloads = WORKLOADS.filter(({ group }) => options.groups.includes(group));
-  const results = await runWorkloads(workloads, options, (line) => console.error(line));
+  const profileDir = options.profileDir && fromCaller(options.profileDir);
+  const results = await runWorkloads(workloads, { ...options, profileDir }, (line) =>
+    console.error(line),
+  );
   const result: RunResult = {
     formatVersion: 1,
     startedAt,
@@ -48,10 +61,10 @@ async function run(options: RunOptions): Promise<number> {
     workloads: results,
   };
   const file = options.out
-    ? resolve(options.out)
+    ? fromCaller(options.out)
     : join(RESULTS_DIR, `${startedAt.replaceAll(':', '-')}.json`);
   await writeRun(file, result);
-  console.log(`\n${formatRun(result)}\n\nWritten to ${relative(process.cwd(), file)}`);
+  console.log(`\n${formatRun(result)}\n\nWritten to ${relative(fromCaller('.'), file)}`);
   return faultsOf(result).length > 0 ? 1 : 0;
 }
 
