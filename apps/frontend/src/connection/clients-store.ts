@@ -1,0 +1,66 @@
+import { ConnectionError, type UbiiClient } from '@ubii/client-web';
+import { ClientState, ServiceError, type Client } from '@ubii/proto';
+import { computed, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
+import { createInterest } from './interest.ts';
+import { perFrame } from './per-frame.ts';
+import { usePoll } from './poll.ts';
+
+const ANNOUNCEMENTS = '/ubii/client/*';
+
+/** Every client the master knows, as it announces them. [CL-31] */
+export interface ClientsStore {
+  /** In the order in which this page learned of them; `undefined` until the first list. */
+  readonly list: Readonly<ShallowRef<readonly Client[] | undefined>>;
+  /** By id; works for clients that are gone, so that their topics keep a name. */
+  find(id: string): Client | undefined;
+  /** Keeps round trips fresh (they are not announced) while the calling component lives. */
+  keepFresh(intervalMs: number): void;
+}
+
+export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>): ClientsStore {
+  const list = shallowRef<readonly Client[]>();
+  /** Grows by the clients of this page's life; bounded by the master's own limit on clients. */
+  const known = new Map<string, Client>();
+  let present = new Set<string>();
+  /** Announced while a list was on its way: newer than the list. */
+  const announced = new Set<string>();
+  const interest = createInterest();
+
+  const draw = perFrame(() => {
+    list.value = [...known.values()].filter(({ id }) => present.has(id));
+  });
+
+  async function refresh(): Promise<void> {
+    announced.clear();
+    try {
+      const { elements } = await client.call('clientGetList');
+      const kept = [...announced].filter((id) => present.has(id));
+      present = new Set([...elements.map(({ id }) => id), ...kept]);
+      for (const element of elements) {
+        if (!announced.has(element.id)) known.set(element.id, element);
+      }
+      draw();
+    } catch (cause) {
+      // Both show elsewhere, and the next refresh makes up for it.
+      if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
+    }
+  }
+
+  client.subscribe({ glob: ANNOUNCEMENTS }, { format: 'client' }).onRecord(({ value }) => {
+    known.set(value.id, value);
+    present.add(value.id);
+    announced.add(value.id);
+    draw();
+    // Away or removed: both are announced alike, the list tells.
+    if (value.state === ClientState.UNAVAILABLE) void refresh();
+  });
+
+  watch(isConnected, (connected) => connected && void refresh(), { immediate: true });
+  usePoll(
+    refresh,
+    () => interest.intervalMs.value ?? 0,
+    computed(() => isConnected.value && interest.intervalMs.value !== undefined),
+  );
+
+  return { list, find: (id) => known.get(id), keepFresh: (ms) => interest.express(ms) };
+}

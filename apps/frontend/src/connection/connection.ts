@@ -1,0 +1,28 @@
+import type { ConnectionState, RoundTrip, UbiiClient } from '@ubii/client-web';
+import type { ComputedRef, InjectionKey, Ref, ShallowRef } from 'vue';
+import type { ClientsStore } from './clients-store.ts';
+import type { MasterStatusStore } from './master-status-store.ts';
+import type { TopicStatisticsStore } from './topic-statistics-store.ts';
+
+/** This page's one place in the system. Views read it and send intents. */
+export interface Connection {
+  readonly client: UbiiClient;
+  readonly state: Readonly<ShallowRef<ConnectionState>>;
+  readonly isConnected: ComputedRef<boolean>;
+  /** Another page has taken this identity; nothing is retried until `connect()`. */
+  readonly isSuperseded: ComputedRef<boolean>;
+  readonly roundTrip: Readonly<ShallowRef<RoundTrip | undefined>>;
+  /** This browser's name, remembered. Assign to rename. */
+  readonly name: Ref<string>;
+  /** How long published records are collected before they are sent, milliseconds, remembered. */
+  readonly publishIntervalMs: Ref<number>;
+  readonly master: MasterStatusStore;
+  readonly clients: ClientsStore;
+  readonly topics: TopicStatisticsStore;
+  /** Connects, or tries again at once. */
+  connect(): void;
+  /** Leaves, forgets who this page was and comes back as a new client. */
+  forgetIdentity(): Promise<void>;
+}
+
+export const CONNECTION: InjectionKey<Connection> = Symbol('connection');

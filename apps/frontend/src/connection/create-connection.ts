@@ -1,0 +1,67 @@
+import { createClient, createTabIdentity } from '@ubii/client-web';
+import { useLocalStorage } from '@vueuse/core';
+import { computed, shallowRef, watch } from 'vue';
+import { describeAgent } from './agent-description.ts';
+import { createClientsStore } from './clients-store.ts';
+import type { Connection } from './connection.ts';
+import { friendlyName } from './friendly-name.ts';
+import { createMasterStatusStore } from './master-status-store.ts';
+import { createTopicStatisticsStore } from './topic-statistics-store.ts';
+
+const DEFAULT_PUBLISH_INTERVAL_MS = 15;
+const IDENTITY_KEY = 'ubii.identity';
+
+/** Sets up the one client of this page and the stores fed by it. Call once, at the root. */
+export function createConnection(): Connection {
+  // The name belongs to the browser, the identity to the tab: each tab is a client of its own.
+  const name = useLocalStorage('ubii.name', friendlyName(Math.random), { flush: 'sync' });
+  const publishIntervalMs = useLocalStorage('ubii.publishIntervalMs', DEFAULT_PUBLISH_INTERVAL_MS);
+  const identity = createTabIdentity(IDENTITY_KEY);
+  const client = createClient({
+    name: name.value,
+    description: describeAgent(navigator.userAgent),
+    tags: ['browser'],
+    identity,
+    publishIntervalMs: publishIntervalMs.value,
+  });
+
+  const state = shallowRef(client.state);
+  const roundTrip = shallowRef(client.roundTrip);
+  client.onState((next) => (state.value = next));
+  client.onRoundTrip((next) => (roundTrip.value = next));
+
+  const isConnected = computed(() => state.value.status === 'connected');
+  const isSuperseded = computed(
+    () => state.value.status === 'closed' && state.value.error?.reason === 'superseded',
+  );
+
+  watch(name, (next) => void client.rename(next));
+  watch(publishIntervalMs, (next) => client.setPublishIntervalMs(next));
+
+  function connect(): void {
+    if (state.value.status === 'reconnecting') client.retryNow();
+    // How it ends is in `state`, which every page shows.
+    else client.connect().catch(() => undefined);
+  }
+
+  async function forgetIdentity(): Promise<void> {
+    await client.close();
+    sessionStorage.removeItem(IDENTITY_KEY);
+    location.reload();
+  }
+
+  return {
+    client,
+    state,
+    isConnected,
+    isSuperseded,
+    roundTrip,
+    name,
+    publishIntervalMs,
+    master: createMasterStatusStore(client, isConnected, Date.now),
+    clients: createClientsStore(client, isConnected),
+    topics: createTopicStatisticsStore(client, isConnected, Date.now),
+    connect,
+    forgetIdentity,
+  };
+}

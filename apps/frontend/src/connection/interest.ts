@@ -1,0 +1,28 @@
+import { tryOnScopeDispose } from '@vueuse/core';
+import { computed, shallowRef, type ComputedRef } from 'vue';
+
+/** Who wants data right now, and how often. Data nobody looks at is not asked for. */
+export interface Interest {
+  /** The shortest interval anyone wants, milliseconds; `undefined` while nobody does. */
+  readonly intervalMs: ComputedRef<number | undefined>;
+  /** Wants data every `intervalMs` until the calling component or scope is gone. */
+  express(intervalMs: number): void;
+}
+
+export function createInterest(): Interest {
+  const wishes = shallowRef<readonly { readonly intervalMs: number }[]>([]);
+  return {
+    intervalMs: computed(() =>
+      wishes.value.length === 0
+        ? undefined
+        : Math.min(...wishes.value.map(({ intervalMs }) => intervalMs)),
+    ),
+    express(intervalMs) {
+      const wish = { intervalMs };
+      wishes.value = [...wishes.value, wish];
+      tryOnScopeDispose(() => {
+        wishes.value = wishes.value.filter((other) => other !== wish);
+      });
+    },
+  };
+}

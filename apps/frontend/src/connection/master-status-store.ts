@@ -1,0 +1,48 @@
+import { ConnectionError, type UbiiClient } from '@ubii/client-web';
+import { ServiceError } from '@ubii/proto';
+import { shallowRef, type MaybeRefOrGetter, type ShallowRef } from 'vue';
+import { mergeMasterStatus, nextSinceMs, type MasterView } from './master-status.ts';
+import { usePoll } from './poll.ts';
+
+const INTERVAL_MS = 1000;
+
+/** The master's health, asked for once a second while the page is visible. */
+export interface MasterStatusStore {
+  /** `undefined` until the first reply; kept while disconnected. */
+  readonly view: Readonly<ShallowRef<MasterView | undefined>>;
+  /** True when this is an original master, which has no such service. */
+  readonly isUnsupported: Readonly<ShallowRef<boolean>>;
+  /** Why the last question was not answered, when the master refused it. */
+  readonly error: Readonly<ShallowRef<ServiceError | undefined>>;
+}
+
+export function createMasterStatusStore(
+  client: UbiiClient,
+  isConnected: MaybeRefOrGetter<boolean>,
+  nowMs: () => number,
+): MasterStatusStore {
+  const view = shallowRef<MasterView>();
+  const isUnsupported = shallowRef(false);
+  const error = shallowRef<ServiceError>();
+
+  usePoll(
+    async () => {
+      try {
+        const reply = await client.call('masterStatus', { sinceMs: nextSinceMs(view.value) });
+        view.value = mergeMasterStatus(view.value, reply, nowMs());
+        isUnsupported.value = false;
+        error.value = undefined;
+      } catch (cause) {
+        // A failed link shows in the connection's state, and the poll goes on after it.
+        if (cause instanceof ConnectionError) return;
+        if (!(cause instanceof ServiceError)) throw cause;
+        isUnsupported.value = cause.code === 'unimplemented' || cause.code === 'not_found';
+        error.value = cause;
+      }
+    },
+    INTERVAL_MS,
+    isConnected,
+  );
+
+  return { view, isUnsupported, error };
+}

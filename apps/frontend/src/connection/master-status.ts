@@ -1,0 +1,58 @@
+import type { MasterStatus, StatusEvent, StatusSample } from '@ubii/proto';
+
+/** Samples and events are shown this long, milliseconds; the master keeps them as long. [EX-17] */
+export const HISTORY_MS = 10 * 60 * 1000;
+
+/** What is known about the master: its newest status with the history put together. */
+export interface MasterView {
+  /** The newest reply; its samples and events are only what was new. */
+  readonly latest: MasterStatus;
+  /** Oldest first. */
+  readonly samples: readonly StatusSample[];
+  /** Oldest first. */
+  readonly events: readonly StatusEvent[];
+  /** Add it to this machine's clock to get the master's, milliseconds. */
+  readonly clockOffsetMs: number;
+}
+
+const eventKey = ({ timeMs, kind, clientId, text }: StatusEvent): string =>
+  `${timeMs} ${kind} ${clientId} ${text}`;
+
+/**
+ * Adds a reply to what is known. A master that was restarted starts over.
+ * @param receivedMs when the reply came, this machine's clock, epoch milliseconds
+ */
+export function mergeMasterStatus(
+  known: MasterView | undefined,
+  reply: MasterStatus,
+  receivedMs: number,
+): MasterView {
+  const isSame =
+    known !== undefined &&
+    known.latest.masterId === reply.masterId &&
+    known.latest.startedMs === reply.startedMs;
+  const from = reply.nowMs - HISTORY_MS;
+  const samples = isSame ? known.samples.filter(({ timeMs }) => timeMs > from) : [];
+  const events = isSame ? known.events.filter(({ timeMs }) => timeMs > from) : [];
+  const newestSampleMs = samples.at(-1)?.timeMs ?? 0;
+  const seen = new Set(events.map(eventKey));
+  return {
+    latest: reply,
+    samples: [...samples, ...reply.samples.filter(({ timeMs }) => timeMs > newestSampleMs)],
+    events: [...events, ...reply.events.filter((event) => !seen.has(eventKey(event)))],
+    clockOffsetMs: reply.nowMs - receivedMs,
+  };
+}
+
+/**
+ * Where to go on asking. One millisecond early, because an event may still follow in the millisecond
+ * of the reply; `mergeMasterStatus` drops what comes twice.
+ */
+export function nextSinceMs(known: MasterView | undefined): number {
+  return known === undefined ? 0 : known.latest.nowMs - 1;
+}
+
+/** Records per second now; `undefined` before the first sample. */
+export function recordsPerSecond(view: MasterView | undefined): number | undefined {
+  return view?.samples.at(-1)?.recordsPerSecond;
+}

@@ -1,0 +1,15 @@
+/**
+ * Puts many calls together into one per animation frame. In a hidden page the call waits until it is
+ * seen again.
+ */
+export function perFrame(fn: () => void): () => void {
+  let isScheduled = false;
+  return () => {
+    if (isScheduled) return;
+    isScheduled = true;
+    requestAnimationFrame(() => {
+      isScheduled = false;
+      fn();
+    });
+  };
+}

@@ -1,0 +1,33 @@
+import type { RouteRecordRaw } from 'vue-router';
+import { examplesRoutes } from './examples/routes.ts';
+import { topicsRoutes } from './topics/routes.ts';
+
+declare module 'vue-router' {
+  interface RouteMeta {
+    /** The page's name in the document title and at the end of the path in the top bar. */
+    title: string;
+    /** What stands before it in the path. */
+    parent?: { readonly title: string; readonly to: string };
+  }
+}
+
+/** Every page. A feature's pages stand in its own folder and are loaded when they are opened. */
+export const routes: readonly RouteRecordRaw[] = [
+  {
+    path: '/',
+    component: () => import('./home/HomePage.vue'),
+    meta: { title: 'Home' },
+  },
+  ...topicsRoutes,
+  ...examplesRoutes,
+  {
+    path: '/settings',
+    component: () => import('./settings/SettingsPage.vue'),
+    meta: { title: 'Settings' },
+  },
+  {
+    path: '/:path(.*)*',
+    component: () => import('./shell/NotFoundPage.vue'),
+    meta: { title: 'No such page' },
+  },
+];

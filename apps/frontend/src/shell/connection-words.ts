@@ -1,0 +1,88 @@
+import type { ConnectionErrorReason, ConnectionState } from '@ubii/client-web';
+import type { MarkedState } from '../ui/UiStateMark.vue';
+
+/** The connection's state as a mark and a word. */
+export function connectionWord(state: ConnectionState): { mark: MarkedState; text: string } {
+  switch (state.status) {
+    case 'idle':
+    case 'connecting':
+      return { mark: 'away', text: 'Connecting' };
+    case 'connected':
+      return { mark: 'live', text: 'Connected' };
+    case 'reconnecting':
+      return { mark: 'warning', text: 'Reconnecting' };
+    case 'closed':
+      return state.error?.reason === 'superseded'
+        ? { mark: 'stopped', text: 'Taken over' }
+        : { mark: 'error', text: 'Not connected' };
+  }
+}
+
+/** What the strip under the top bar says: what was lost, what is retried and when, what can be done. */
+export interface ConnectionNotice {
+  readonly tone: 'warning' | 'error' | 'stopped';
+  readonly text: string;
+  /** What is being tried, and when; drawn dimmer. */
+  readonly next: string | undefined;
+  /** The button's words. */
+  readonly action: string;
+}
+
+const CAUSES: Record<ConnectionErrorReason, string> = {
+  closed: 'The master closed the connection',
+  refused: 'The master cannot be reached',
+  timeout: 'The master does not answer',
+  protocol: 'The master sent something this page does not understand',
+  superseded: 'Another tab has taken this page’s place',
+};
+
+/**
+ * The notice for a state, or `undefined` while all is well or still starting.
+ * @param nowMs this machine's clock, epoch milliseconds
+ * @param hadData true once something was on the screen that now stands still
+ */
+export function connectionNotice(
+  state: ConnectionState,
+  nowMs: number,
+  hadData: boolean,
+): ConnectionNotice | undefined {
+  switch (state.status) {
+    case 'idle':
+    case 'connecting':
+    case 'connected':
+      return undefined;
+    case 'reconnecting': {
+      const seconds = Math.ceil((state.nextAttemptMs - nowMs) / 1000);
+      const tries = `try ${state.attempt}`;
+      return {
+        tone: 'warning',
+        text: `${CAUSES[state.error.reason]}.${hadData ? ' What you see stands still.' : ''}`,
+        next: seconds > 0 ? `Trying again in ${seconds} s, ${tries}` : `Trying now, ${tries}`,
+        action: 'Retry now',
+      };
+    }
+    case 'closed':
+      if (state.error === undefined) {
+        return {
+          tone: 'stopped',
+          text: 'This page has left the master.',
+          next: undefined,
+          action: 'Connect',
+        };
+      }
+      if (state.error.reason === 'superseded') {
+        return {
+          tone: 'stopped',
+          text: `${CAUSES.superseded}. It goes on there.`,
+          next: undefined,
+          action: 'Use this tab',
+        };
+      }
+      return {
+        tone: 'error',
+        text: `${CAUSES[state.error.reason]}. Nothing is retried by itself.`,
+        next: state.error.message,
+        action: 'Connect',
+      };
+  }
+}

@@ -1,0 +1,28 @@
+import { House, ListTree, Settings, Shapes } from '@lucide/vue';
+import type { Component } from 'vue';
+
+/** A page of the navigation. Only pages that exist stand here. */
+export interface NavigationPage {
+  readonly title: string;
+  readonly to: string;
+  readonly icon: Component;
+  readonly shortcut: string;
+}
+
+export const PAGES: readonly NavigationPage[] = [
+  { title: 'Home', to: '/', icon: House, shortcut: 'G H' },
+  { title: 'Topics', to: '/topics', icon: ListTree, shortcut: 'G T' },
+  { title: 'Examples', to: '/examples', icon: Shapes, shortcut: 'G E' },
+];
+
+export const SETTINGS_PAGE: NavigationPage = {
+  title: 'Settings',
+  to: '/settings',
+  icon: Settings,
+  shortcut: 'G S',
+};
+
+/** True on the page itself and on the pages below it. */
+export function isUnder(path: string, page: string): boolean {
+  return page === '/' ? path === '/' : path === page || path.startsWith(`${page}/`);
+}

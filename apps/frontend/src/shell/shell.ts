@@ -1,0 +1,28 @@
+import { inject, shallowRef, type InjectionKey, type ShallowRef } from 'vue';
+
+/** What floats over the page; one at a time. */
+export type ShellDialog = 'palette' | 'connect-phone' | 'shortcuts';
+
+/** How pages reach the dialogs of the shell. */
+export interface Shell {
+  readonly dialog: ShallowRef<ShellDialog | undefined>;
+  open(dialog: ShellDialog): void;
+  close(): void;
+}
+
+export const SHELL: InjectionKey<Shell> = Symbol('shell');
+
+export function createShell(): Shell {
+  const dialog = shallowRef<ShellDialog>();
+  return {
+    dialog,
+    open: (next) => (dialog.value = next),
+    close: () => (dialog.value = undefined),
+  };
+}
+
+export function useShell(): Shell {
+  const shell = inject(SHELL);
+  if (!shell) throw new Error('useShell() needs AppShell above it.');
+  return shell;
+}

@@ -1,0 +1,41 @@
+import { PAGES, SETTINGS_PAGE } from './pages.ts';
+import type { ShellDialog } from './shell.ts';
+
+/** What keys do anywhere in the program. */
+export interface Shortcut {
+  /** One key, or two in a row separated by a space, as `KeyboardEvent.key` names them in upper case. */
+  readonly keys: string;
+  readonly text: string;
+  readonly does:
+    | { readonly kind: 'go'; readonly to: string }
+    | { readonly kind: 'open'; readonly dialog: ShellDialog };
+}
+
+export const SHORTCUTS: readonly Shortcut[] = [
+  { keys: '/', text: 'Find or do anything', does: { kind: 'open', dialog: 'palette' } },
+  { keys: '?', text: 'Show the keyboard shortcuts', does: { kind: 'open', dialog: 'shortcuts' } },
+  { keys: 'C', text: 'Connect a phone', does: { kind: 'open', dialog: 'connect-phone' } },
+  ...[...PAGES, SETTINGS_PAGE].map(({ shortcut, title, to }): Shortcut => ({
+    keys: shortcut,
+    text: `Go to ${title}`,
+    does: { kind: 'go', to },
+  })),
+];
+
+/** How long the second key of a pair may take, milliseconds. */
+export const PAIR_MS = 1000;
+
+/** What a key press leads to: a shortcut, the first half of one, or nothing. */
+export function matchShortcut(
+  pending: string | undefined,
+  key: string,
+): { readonly shortcut?: Shortcut; readonly pending?: string } {
+  const pressed = key.length === 1 ? key.toUpperCase() : key;
+  const keys = pending === undefined ? pressed : `${pending} ${pressed}`;
+  const shortcut = SHORTCUTS.find((candidate) => candidate.keys === keys);
+  if (shortcut) return { shortcut };
+  if (SHORTCUTS.some((candidate) => candidate.keys.startsWith(`${keys} `)))
+    return { pending: keys };
+  // A pair that was not completed may be the start of something else
+  return pending === undefined ? {} : matchShortcut(undefined, key);
+}

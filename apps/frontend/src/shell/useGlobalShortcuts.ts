@@ -1,0 +1,45 @@
+import { useEventListener, useLocalStorage } from '@vueuse/core';
+import type { Ref } from 'vue';
+import { useRouter } from 'vue-router';
+import type { Shell } from './shell.ts';
+import { matchShortcut, PAIR_MS } from './shortcuts.ts';
+
+/** Single keys can be switched off, for people who speak or shake their input (WCAG 2.1.4). */
+export function useSingleKeyShortcuts(): Ref<boolean> {
+  return useLocalStorage('ubii.singleKeyShortcuts', true);
+}
+
+const isTyping = (target: EventTarget | null): boolean =>
+  target instanceof HTMLElement &&
+  (target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName));
+
+/** Listens to the keyboard for the whole program. */
+export function useGlobalShortcuts(shell: Shell): void {
+  const router = useRouter();
+  const isEnabled = useSingleKeyShortcuts();
+  let pending: string | undefined;
+  let pendingSinceMs = 0;
+
+  useEventListener(window, 'keydown', (event: KeyboardEvent) => {
+    if ((event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === 'k') {
+      event.preventDefault();
+      if (shell.dialog.value === 'palette') shell.close();
+      else shell.open('palette');
+      return;
+    }
+    if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
+    if (!isEnabled.value || shell.dialog.value !== undefined || isTyping(event.target)) return;
+    // A page with keys of its own has taken it
+    if (event.defaultPrevented) return;
+
+    if (event.timeStamp - pendingSinceMs > PAIR_MS) pending = undefined;
+    const match = matchShortcut(pending, event.key);
+    pending = match.pending;
+    pendingSinceMs = event.timeStamp;
+    if (!match.shortcut) return;
+    event.preventDefault();
+    const { does } = match.shortcut;
+    if (does.kind === 'go') void router.push(does.to);
+    else shell.open(does.dialog);
+  });
+}

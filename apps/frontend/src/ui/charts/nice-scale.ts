@@ -1,0 +1,25 @@
+/** Round numbers for an axis that starts at 0. */
+export interface NiceScale {
+  readonly max: number;
+  /** From 0 to `max`, both included. */
+  readonly ticks: readonly number[];
+}
+
+/**
+ * A scale whose two steps (half and full) are round: 1, 2 or 5 times a power of ten.
+ * @param highest the largest value to be shown
+ */
+export function niceScale(highest: number): NiceScale {
+  const half = Math.max(highest, 1) / 2;
+  const power = 10 ** Math.floor(Math.log10(half));
+  const step = [1, 2, 5, 10].map((factor) => factor * power).find((candidate) => candidate >= half);
+  const round = step ?? half;
+  return { max: 2 * round, ticks: [0, round, 2 * round] };
+}
+
+/** A tick's label: `500`, `1 k`, `2.5 M`. */
+export function formatTick(value: number): string {
+  if (value >= 1e6) return `${value / 1e6} M`;
+  if (value >= 1e3) return `${value / 1e3} k`;
+  return String(value);
+}
