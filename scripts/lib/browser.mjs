@@ -1,0 +1,86 @@
+import { execFileSync } from 'node:child_process';
+import { existsSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { delimiter, join } from 'node:path';
+
+import { run } from './commands.mjs';
+import { inRoot } from './repository.mjs';
+import { StepFailed, commandStep } from './steps.mjs';
+
+const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome'];
+
+/** Chromium and the fonts its pages need, as Debian calls them. */
+const debianPackages = ['chromium', 'fonts-liberation'];
+
+const notFound = `The end-to-end tests need Chromium or Chrome, and none was found. Install one:
+  Debian, Ubuntu   apt-get install chromium
+  macOS, Windows   https://www.google.com/chrome
+  anywhere         npx playwright@<version of @playwright/test in e2e/package.json> install chromium
+or give the path of one in UBII_CHROMIUM.`;
+
+/**
+ * Path of a browser for the tests. On Debian and Ubuntu, as root, it is installed when there is none.
+ *
+ * @returns {Promise<string>}
+ */
+export async function ensureBrowser() {
+  const found = findBrowser();
+  if (found !== undefined) return found;
+  if (mayInstall()) {
+    const env = { DEBIAN_FRONTEND: 'noninteractive' };
+    await commandStep('update the package lists', () => run('apt-get', ['update', '-q'], { env }));
+    await commandStep(`install ${debianPackages.join(' and ')}`, () =>
+      run('apt-get', ['install', '-y', '-q', '--no-install-recommends', ...debianPackages], {
+        env,
+      }),
+    );
+    const installed = findBrowser();
+    if (installed !== undefined) return installed;
+  }
+  throw new StepFailed(notFound);
+}
+
+function findBrowser() {
+  const given = process.env.UBII_CHROMIUM;
+  if (given) {
+    if (existsSync(given)) return given;
+    throw new StepFailed(
+      `UBII_CHROMIUM is ${given}, and there is no such file: correct or unset it.`,
+    );
+  }
+  const folders = (process.env.PATH ?? '').split(delimiter).filter((folder) => folder !== '');
+  return [
+    ...['/usr/bin', ...folders].flatMap((folder) => names.map((name) => join(folder, name))),
+    '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
+    '/Applications/Chromium.app/Contents/MacOS/Chromium',
+    ...['PROGRAMFILES', 'PROGRAMFILES(X86)', 'LOCALAPPDATA'].flatMap((name) => {
+      const folder = process.env[name];
+      return folder ? [join(folder, 'Google/Chrome/Application/chrome.exe')] : [];
+    }),
+    ...browserOfPlaywright(),
+  ].find(works);
+}
+
+/** The browser that `playwright install` would have put on this machine. */
+function browserOfPlaywright() {
+  const require = createRequire(inRoot('e2e/package.json'));
+  return [require('@playwright/test').chromium.executablePath()];
+}
+
+/** Ubuntu has a /usr/bin/chromium-browser that only says how to install a snap. */
+function works(/** @type {string} */ path) {
+  if (!existsSync(path)) return false;
+  if (process.platform === 'win32') return true;
+  try {
+    execFileSync(path, ['--version'], { stdio: 'ignore', timeout: 20_000 });
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+function mayInstall() {
+  if (process.platform !== 'linux' || process.getuid?.() !== 0) return false;
+  const release = existsSync('/etc/os-release') ? readFileSync('/etc/os-release', 'utf8') : '';
+  return /^ID(_LIKE)?=.*\b(debian|ubuntu)\b/m.test(release) && existsSync('/usr/bin/apt-get');
+}

@@ -1,0 +1,53 @@
+import { existsSync } from 'node:fs';
+
+import { runNode } from './commands.mjs';
+import { fingerprint, readStamp, writeStamp } from './fingerprint.mjs';
+import { precompress } from './precompress.mjs';
+import { inRoot, programFile } from './repository.mjs';
+import { expectSuccess, step } from './steps.mjs';
+
+const everywhere = [
+  'pnpm-lock.yaml',
+  'tsconfig.base.json',
+  'packages/proto',
+  'scripts/lib/builds.mjs',
+];
+
+/** What is built, from what. */
+const builds = {
+  master: {
+    output: 'apps/master/dist/main.js',
+    inputs: [...everywhere, 'apps/master'],
+    build: async () => expectSuccess(await runNode(inRoot('apps/master/build.mjs'), [])),
+  },
+  frontend: {
+    output: 'apps/frontend/dist/index.html',
+    inputs: [...everywhere, 'packages/client-web', 'apps/frontend', 'scripts/lib/precompress.mjs'],
+    build: async () => {
+      const vite = programFile('apps/frontend', 'vite');
+      expectSuccess(await runNode(vite, ['build'], { cwd: inRoot('apps/frontend') }));
+      await precompress(inRoot('apps/frontend/dist'));
+    },
+  },
+};
+
+/** Path of the built master, relative to the root. */
+export const masterProgram = builds.master.output;
+
+/**
+ * Builds what is missing or made from other inputs than those that are there now.
+ *
+ * @param {readonly string[]} [names] default: everything
+ */
+export async function ensureBuilt(names = Object.keys(builds)) {
+  for (const name of names) {
+    const { output, inputs, build } = builds[name];
+    const stamp = fingerprint(inputs);
+    if (existsSync(inRoot(output)) && readStamp(name) === stamp) continue;
+    await step(`build the ${name}`, async () => {
+      writeStamp(name, undefined);
+      await build();
+      writeStamp(name, stamp);
+    });
+  }
+}

@@ -1,0 +1,31 @@
+import { createServer } from 'node:net';
+
+/**
+ * The port the master of `npm run dev` is to use. Vite has to know it before the master runs, so
+ * "any free port" is decided here.
+ *
+ * @param {string[]} flags flags for the master; `--port` is taken out
+ * @returns {Promise<number>}
+ */
+export async function choosePort(flags) {
+  const at = flags.findIndex((flag) => flag === '--port' || flag.startsWith('--port='));
+  let wanted = process.env.UBII_PORT ?? '8080';
+  if (at >= 0) {
+    const [flag, value = flags[at + 1] ?? ''] = flags[at].split('=');
+    flags.splice(at, flag === flags[at] ? 2 : 1);
+    wanted = value;
+  }
+  return Number(wanted) === 0 ? freePort() : Number(wanted);
+}
+
+/** @returns {Promise<number>} */
+function freePort() {
+  return new Promise((resolve, reject) => {
+    const server = createServer();
+    server.once('error', reject);
+    server.listen(0, '127.0.0.1', () => {
+      const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
+      server.close(() => resolve(port));
+    });
+  });
+}

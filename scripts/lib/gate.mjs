@@ -1,0 +1,89 @@
+import { existsSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+
+import { runNode } from './commands.mjs';
+import { fingerprint } from './fingerprint.mjs';
+import { findUndocumentedErrors } from './documented-errors.mjs';
+import { inRoot, programFile, readJson, root } from './repository.mjs';
+import { StepFailed, commandStep, step } from './steps.mjs';
+import { readCounts, reportFile } from './test-results.mjs';
+
+/**
+ * Everything that must hold before a change is committed, cheapest first. Throws StepFailed at the
+ * first thing that does not.
+ *
+ * @returns {Promise<import('./test-results.mjs').Counts>} counts of the unit tests
+ */
+export async function runGate() {
+  await commandStep('format', () =>
+    runNode(programFile('', 'prettier'), ['--check', '.', '--log-level', 'warn']),
+  );
+  await step('errors documented', async () => {
+    const problems = findUndocumentedErrors();
+    if (problems.length > 0) throw new StepFailed(problems.join('\n'));
+  });
+  await step('generated code unchanged', checkGeneratedCode);
+  for (const [index, pair] of pairs(packagesWithTypes()).entries()) {
+    await step(`types of ${pair.map(({ name }) => name).join(' and ')}`, async () => {
+      const results = await Promise.all(pair.map(({ folder }) => checkTypes(folder)));
+      const failed = results.filter(({ code }) => code !== 0);
+      if (failed.length > 0) throw new StepFailed(failed.map(({ output }) => output).join('\n'));
+      return index;
+    });
+  }
+  await commandStep('lint', () => runNode(programFile('', 'eslint'), ['.', '--max-warnings', '0']));
+  return step('unit tests', runUnitTests);
+}
+
+/** Generating again must change nothing: what is committed was made from the schema beside it. */
+async function checkGeneratedCode() {
+  const generated = ['packages/proto/src/generated'];
+  const before = fingerprint(generated);
+  const { code, output } = await runNode(
+    programFile('packages/proto', 'tsx'),
+    ['scripts/generate.ts'],
+    { cwd: inRoot('packages/proto') },
+  );
+  if (code !== 0) throw new StepFailed(output);
+  if (fingerprint(generated) !== before) {
+    throw new StepFailed(
+      `${generated} was not made from packages/proto/schema as it is now. It has been made again: look at the difference and commit it.`,
+    );
+  }
+}
+
+/** Workspace folders with their own tsconfig. */
+function packagesWithTypes() {
+  return ['packages', 'apps', '.']
+    .flatMap((parent) =>
+      readdirSync(inRoot(parent), { withFileTypes: true })
+        .filter((entry) => entry.isDirectory())
+        .map((entry) => join(parent, entry.name)),
+    )
+    .filter((folder) => existsSync(inRoot(folder, 'package.json')))
+    .map((folder) => ({ folder, ...readJson(inRoot(folder, 'package.json')) }))
+    .filter(({ scripts }) => scripts?.typecheck !== undefined);
+}
+
+/** @param {string} folder */
+function checkTypes(folder) {
+  const isVue = existsSync(inRoot(folder, 'node_modules/vue-tsc'));
+  const program = isVue ? programFile(folder, 'vue-tsc') : programFile(folder, 'typescript', 'tsc');
+  return runNode(program, ['--noEmit', '--pretty', 'false'], { cwd: inRoot(folder) });
+}
+
+async function runUnitTests() {
+  const report = reportFile('unit');
+  const { code, output } = await runNode(programFile('', 'vitest'), [
+    ...['run', '--root', root, '--reporter=dot', '--reporter=json', `--outputFile.json=${report}`],
+  ]);
+  if (code !== 0) {
+    throw Object.assign(new StepFailed(output), { counts: readCounts(report, code) });
+  }
+  return readCounts(report, code);
+}
+
+/** @template T @param {readonly T[]} list @returns {T[][]} two at a time: more does not fit a small machine */
+function pairs(list) {
+  return list.flatMap((_, index) => (index % 2 === 0 ? [list.slice(index, index + 2)] : []));
+}
