@@ -1,0 +1,31 @@
+import { rmSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { build } from 'esbuild';
+
+const inPackage = (path) => fileURLToPath(new URL(path, import.meta.url));
+
+rmSync(inPackage('dist'), { recursive: true, force: true });
+await build({
+  entryPoints: [inPackage('src/main.ts')],
+  outdir: inPackage('dist'),
+  bundle: true,
+  platform: 'node',
+  format: 'esm',
+  target: 'node20',
+  // What few starts need (QR codes, Prometheus) is loaded when it is needed.
+  splitting: true,
+  chunkNames: 'chunks/[name]-[hash]',
+  sourcemap: true,
+  // Names of classes and functions appear in logs.
+  minifySyntax: true,
+  minifyWhitespace: true,
+  keepNames: true,
+  legalComments: 'linked',
+  // Native helpers that `ws` looks for and does without.
+  external: ['bufferutil', 'utf-8-validate'],
+  // Dependencies written as CommonJS ask for Node's modules by `require`.
+  banner: {
+    js: "import { createRequire } from 'node:module'; const require = createRequire(import.meta.url);",
+  },
+  logLevel: 'warning',
+});

@@ -1,0 +1,78 @@
+import { isIP } from 'node:net';
+import { resolve } from 'node:path';
+
+import type { LegacyPorts } from '../../config.ts';
+
+/*
+ * Each function reads one option's text and throws an Error whose message is what was expected, to
+ * follow "must be".
+ */
+
+const PORT = 'a whole number from 0 to 65535';
+
+export function parsePort(text: string): number {
+  const port = /^\d{1,5}$/.test(text) ? Number(text) : Number.NaN;
+  if (!(port <= 65535)) throw new Error(PORT);
+  return port;
+}
+
+export function parseHost(text: string): string {
+  const host = text.replace(/^\[(.*)\]$/, '$1');
+  if (isIP(host) === 0 && !/^[a-z0-9]([a-z0-9._-]*[a-z0-9])?$/i.test(host)) {
+    throw new Error('a host name or an IP address, without scheme and port');
+  }
+  return host.toLowerCase();
+}
+
+export function parseSwitch(text: string): boolean {
+  if (/^(1|true|on|yes)$/i.test(text)) return true;
+  if (/^(0|false|off|no|)$/i.test(text)) return false;
+  throw new Error('true or false');
+}
+
+export function parseFilePath(text: string, baseDir: string): string {
+  if (text === '') throw new Error('a path');
+  return resolve(baseDir, text);
+}
+
+export function parseName(text: string): string {
+  const name = text.trim();
+  // eslint-disable-next-line no-control-regex
+  if (name === '' || name.length > 100 || /[\u0000-\u001f\u007f]/.test(name)) {
+    throw new Error('1 to 100 characters');
+  }
+  return name;
+}
+
+export function parseLegacyPorts(text: string): LegacyPorts | undefined {
+  if (text === 'off' || text === 'false') return undefined;
+  if (text === 'on' || text === 'true') return { services: 8102, topicData: 8104 };
+  const match = /^(\d+),(\d+)$/.exec(text.replaceAll(' ', ''));
+  try {
+    return { services: parsePort(match?.[1] ?? ''), topicData: parsePort(match?.[2] ?? '') };
+  } catch {
+    throw new Error('on, off, or two ports separated by a comma, such as 8102,8104');
+  }
+}
+
+export function parseOrigins(text: string): readonly string[] {
+  const origins = text
+    .split(',')
+    .map((origin) => origin.trim().toLowerCase().replace(/\/$/, ''))
+    .filter((origin) => origin !== '');
+  const isOrigin = /^(\*|null|https?:\/\/(\*\.)?[a-z0-9._[\]:-]*?[a-z0-9\]](:(\d{1,5}|\*))?)$/;
+  if (!origins.every((origin) => isOrigin.test(origin))) {
+    throw new Error(
+      'origins separated by commas, such as https://example.org or http://*.example.org:8080',
+    );
+  }
+  return origins;
+}
+
+export function parseChoice<const C extends string>(...choices: readonly C[]): (text: string) => C {
+  return (text) => {
+    const choice = choices.find((candidate) => candidate === text.toLowerCase());
+    if (choice === undefined) throw new Error(choices.join(', ').replace(/, ([^,]*)$/, ' or $1'));
+    return choice;
+  };
+}

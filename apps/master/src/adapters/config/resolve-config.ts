@@ -1,0 +1,162 @@
+import { readFileSync } from 'node:fs';
+import { dirname, resolve } from 'node:path';
+
+import { OPTIONS } from '../../config.ts';
+import type { Config, Option, OptionName } from '../../config.ts';
+import { ConfigError } from './config-error.ts';
+import { environmentName, flagName } from './option-names.ts';
+
+/** A text that somebody set, where it was set, and the folder relative paths in it are relative to. */
+interface Given {
+  readonly text: string;
+  readonly place: string;
+  readonly baseDir: string;
+}
+
+type GivenOptions = ReadonlyMap<OptionName, Given>;
+
+const names = Object.keys(OPTIONS) as OptionName[];
+const examples: Partial<Record<OptionName, string>> = {
+  port: 'for example --port 8080, or --port 0 for any free port',
+  host: 'for example --host 127.0.0.1, or --lan for all networks',
+  legacyPorts: 'for example --legacy-ports off',
+  printEndpoints: 'write --print-endpoints json',
+  allowedOrigins: 'or * to allow every page',
+};
+
+/**
+ * Puts the configuration together: flag before environment before file before fallback.
+ *
+ * @param args command line without program and script
+ * @throws ConfigError for an unknown flag or key and for every wrong value
+ */
+export function resolveConfig(
+  args: readonly string[],
+  env: Readonly<Record<string, string | undefined>>,
+  cwd: string,
+): Config {
+  const flags = readFlags(args, cwd);
+  const variables = readEnvironment(env, cwd);
+  const file = flags.get('config') ?? variables.get('config');
+  const options =
+    file === undefined
+      ? new Map([...variables, ...flags])
+      : new Map([...readFile(valueOf('config', file), file.place), ...variables, ...flags]);
+
+  const values = Object.fromEntries(
+    names.map((name) => {
+      const given = options.get(name);
+      return [name, given === undefined ? OPTIONS[name].fallback : valueOf(name, given)];
+    }),
+  );
+  const config = { ...values, given: new Set(options.keys()) } as unknown as Config;
+  checkTogether(config, options);
+  return config;
+}
+
+function readFlags(args: readonly string[], cwd: string): GivenOptions {
+  const given = new Map<OptionName, Given>();
+  for (let index = 0; index < args.length; index += 1) {
+    const argument = args[index] ?? '';
+    const flag = argument.split('=', 1)[0] ?? '';
+    const name = names.find((candidate) => flagName(candidate) === flag);
+    if (name === undefined) {
+      throw new ConfigError(
+        argument.startsWith('-')
+          ? `There is no flag ${flag}: --help shows all flags.`
+          : `The argument "${argument}" belongs to no flag: --help shows all flags.`,
+      );
+    }
+    let text: string | undefined;
+    if (argument.length > flag.length) text = argument.slice(flag.length + 1);
+    else if (OPTIONS[name].placeholder === undefined) text = 'true';
+    else text = args[(index += 1)];
+    if (text === undefined || (text.startsWith('--') && argument === flag && text !== 'true')) {
+      throw new ConfigError(
+        `The flag ${flag} needs a value after it, ${flag} ${OPTIONS[name].placeholder}: ${OPTIONS[name].description}`,
+      );
+    }
+    given.set(name, { text, place: 'on the command line', baseDir: cwd });
+  }
+  return given;
+}
+
+function readEnvironment(
+  env: Readonly<Record<string, string | undefined>>,
+  cwd: string,
+): GivenOptions {
+  const given = new Map<OptionName, Given>();
+  for (const name of names) {
+    const text = env[environmentName(name)];
+    if (text === undefined || text === '') continue;
+    given.set(name, {
+      text,
+      place: `in the environment as ${environmentName(name)}`,
+      baseDir: cwd,
+    });
+  }
+  return given;
+}
+
+function readFile(path: string | undefined, place: string): GivenOptions {
+  const file = String(path);
+  let content: unknown;
+  try {
+    content = JSON.parse(readFileSync(file, 'utf8'));
+  } catch (error) {
+    throw new ConfigError(
+      `The file given by --config (${place}), ${file}, must be readable and hold JSON, but: ${messageOf(error)}. Correct it or leave --config out.`,
+    );
+  }
+  if (typeof content !== 'object' || content === null || Array.isArray(content)) {
+    throw new ConfigError(
+      `The config file ${file} must hold one JSON object, such as { "port": 9000 }.`,
+    );
+  }
+  const given = new Map<OptionName, Given>();
+  for (const [key, value] of Object.entries(content)) {
+    const name = names.find((candidate) => candidate === key && candidate !== 'config');
+    if (name === undefined) {
+      throw new ConfigError(
+        `The config file ${file} has the key "${key}", which is no option: --help shows all keys.`,
+      );
+    }
+    if (value === null) continue;
+    if (typeof value === 'object' && !Array.isArray(value)) {
+      throw new ConfigError(
+        `The key "${key}" in the config file ${file} must be a text, a number, true, false or a list, but is an object.`,
+      );
+    }
+    given.set(name, {
+      text: Array.isArray(value) ? value.join(',') : String(value),
+      place: `in the config file ${file}`,
+      baseDir: dirname(resolve(file)),
+    });
+  }
+  return given;
+}
+
+function valueOf<O extends OptionName>(name: O, given: Given): Config[O] {
+  const { parse, placeholder } = OPTIONS[name] as Option<unknown>;
+  try {
+    return parse(given.text, given.baseDir) as Config[O];
+  } catch (error) {
+    const hint = examples[name] ?? (placeholder && `write ${flagName(name)} ${placeholder}`);
+    throw new ConfigError(
+      `The option ${flagName(name)} must be ${messageOf(error)}, but ${given.place} it is "${given.text}"${hint ? `: ${hint}` : ''}.`,
+    );
+  }
+}
+
+/** What each option may be alone, but not together. */
+function checkTogether(config: Config, options: GivenOptions): void {
+  if (config.lan && options.has('host')) {
+    throw new ConfigError(
+      `--lan listens on all networks and --host on "${config.host}" only: leave one of the two out.`,
+    );
+  }
+}
+
+function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message.replace(/\.$/, '') : String(error);
+}

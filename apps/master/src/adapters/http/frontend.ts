@@ -1,0 +1,74 @@
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+import fastifyStatic from '@fastify/static';
+import type { FastifyInstance, FastifyReply, FastifyRequest } from 'fastify';
+import { ServiceError } from '@ubii/proto';
+
+import { NOT_BUILT_PAGE } from './not-built-page.ts';
+
+/** Files under this path carry a hash of their content in their name. */
+const HASHED = '/assets/';
+const ONE_YEAR = 'public, max-age=31536000, immutable';
+/** Asks each time; the answer is usually "not modified". */
+const ASK_FIRST = 'no-cache';
+
+/**
+ * Serves the built frontend. Paths of pages are the frontend's own: they all get its one document.
+ *
+ * @param folder the built frontend; where there is none, a page says so
+ */
+export async function addFrontend(app: FastifyInstance, folder: string): Promise<void> {
+  const isBuilt = existsSync(join(folder, 'index.html'));
+  if (isBuilt) {
+    await app.register(fastifyStatic, {
+      root: folder,
+      // The build puts a compressed copy beside each file that gets smaller by it.
+      preCompressed: true,
+      cacheControl: false,
+      setHeaders: (reply, path) => {
+        const name = path.slice(folder.length).replaceAll('\\', '/');
+        reply.header('cache-control', name.startsWith(HASHED) ? ONE_YEAR : ASK_FIRST);
+      },
+    });
+  }
+  app.setNotFoundHandler((request, reply) => {
+    if (!isPageRequest(request)) throw explainMissing(request);
+    return isBuilt ? reply.sendFile('index.html') : sendNotBuilt(reply);
+  });
+}
+
+/** Browsers ask for a page with `text/html`; what has an extension is a file. */
+function isPageRequest({ method, headers, url }: FastifyRequest): boolean {
+  const path = pathOf(url);
+  return (
+    (method === 'GET' || method === 'HEAD') &&
+    (headers.accept ?? '').includes('text/html') &&
+    !/^\/(services|topicdata)(\/|$)/.test(path) &&
+    !/\.[a-z0-9]+$/i.test(path)
+  );
+}
+
+function explainMissing({ method, url }: FastifyRequest): ServiceError {
+  const path = pathOf(url).slice(0, 200);
+  if (path.startsWith('/services')) {
+    return new ServiceError(
+      'not_found',
+      `Services are called by POST to /services/json, /services/binary or /services, not by ${method} ${path}.`,
+    );
+  }
+  if (path.startsWith('/topicdata')) {
+    return new ServiceError(
+      'not_found',
+      'Topic data is a WebSocket: open it as ws://, with ?clientID=<id>.',
+    );
+  }
+  return new ServiceError('not_found', `There is nothing at ${path}.`);
+}
+
+function sendNotBuilt(reply: FastifyReply): FastifyReply {
+  return reply.code(503).type('text/html; charset=utf-8').send(NOT_BUILT_PAGE);
+}
+
+function pathOf(url: string): string {
+  return url.split('?', 1)[0] ?? '';
+}

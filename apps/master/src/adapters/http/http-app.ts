@@ -1,0 +1,48 @@
+import fastify from 'fastify';
+import type { FastifyInstance } from 'fastify';
+
+import type { Master } from '../../core/master.ts';
+import type { Log } from '../../core/ports/index.ts';
+import type { OriginPolicy } from '../network/origin-policy.ts';
+import { guardOrigins } from './cross-origin.ts';
+import { replyErrors } from './error-replies.ts';
+import { addFrontend } from './frontend.ts';
+import { RequestCounts } from './request-counts.ts';
+import { addServices } from './services-routes.ts';
+import { addStatus } from './status-routes.ts';
+
+export interface HttpAppOptions {
+  readonly master: Master;
+  readonly policy: OriginPolicy;
+  readonly log: Log;
+  readonly name: string;
+  readonly version: string;
+  /** Largest service request. */
+  readonly maxRequestBytes: number;
+  /** The built frontend. */
+  readonly frontendFolder: string;
+}
+
+/** Everything the master answers over HTTP. It listens nowhere: `routing` takes requests of any server. */
+export async function createHttpApp(options: HttpAppOptions): Promise<FastifyInstance> {
+  const { master, policy, log, maxRequestBytes, frontendFolder } = options;
+  const app = fastify({
+    logger: false,
+    bodyLimit: maxRequestBytes,
+    routerOptions: { ignoreTrailingSlash: true },
+    // Requests that arrive while the master ends are answered as long as their socket stands.
+    return503OnClosing: false,
+  });
+  const counts = new RequestCounts();
+  app.addHook('onResponse', (request, reply, done) => {
+    counts.count(request.routeOptions.url, reply.statusCode);
+    done();
+  });
+  guardOrigins(app, policy);
+  replyErrors(app, log);
+  addServices(app, { master, maxRequestBytes });
+  addStatus(app, { ...options, edgeMetrics: () => counts.metrics() });
+  await addFrontend(app, frontendFolder);
+  await app.ready();
+  return app;
+}

@@ -1,0 +1,45 @@
+import { DecodeError, decode, encode, fromJson, toJson } from '@ubii/proto';
+import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
+
+const REQUEST = 'ubii.services.ServiceRequest';
+const REPLY = 'ubii.services.ServiceReply';
+
+/** How a service request is read and its reply written. */
+export interface ServiceFormat {
+  readonly contentType: string;
+  /** @throws DecodeError when the bytes are no service request */
+  decodeRequest(bytes: Uint8Array): ServiceRequest;
+  encodeReply(reply: Init<ServiceReply>): Buffer | string;
+}
+
+/** [SV-3, SV-4] */
+export const jsonFormat: ServiceFormat = {
+  contentType: 'application/json; charset=utf-8',
+  decodeRequest: (bytes) => fromJson(REQUEST, parseJson(bytes)),
+  encodeReply: (reply) => JSON.stringify(toJson(REPLY, reply)),
+};
+
+export const binaryFormat: ServiceFormat = {
+  contentType: 'application/octet-stream',
+  decodeRequest: (bytes) => decode(REQUEST, bytes),
+  encodeReply: (reply) => {
+    const { buffer, byteOffset, byteLength } = encode(REPLY, reply);
+    return Buffer.from(buffer, byteOffset, byteLength);
+  },
+};
+
+/** The format for `POST /services`: JSON unless the content type says binary, as old clients expect. */
+export function formatOf(contentType: string | undefined): ServiceFormat {
+  return /^application\/(octet-stream|(x-|vnd\.google\.)?protobuf)\b/i.test(contentType ?? '')
+    ? binaryFormat
+    : jsonFormat;
+}
+
+function parseJson(bytes: Uint8Array): unknown {
+  try {
+    return JSON.parse(Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength).toString());
+  } catch (cause) {
+    const reason = cause instanceof Error ? cause.message : String(cause);
+    throw new DecodeError(REQUEST, bytes.byteLength, reason, cause);
+  }
+}

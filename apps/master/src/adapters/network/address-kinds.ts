@@ -1,0 +1,34 @@
+import { BlockList, isIP } from 'node:net';
+
+const loopback = new BlockList();
+loopback.addSubnet('127.0.0.0', 8);
+loopback.addAddress('::1', 'ipv6');
+
+/** RFC 1918, RFC 4193, and the link-local blocks of RFC 3927 and RFC 4291. */
+const inPrivateNetworks = new BlockList();
+inPrivateNetworks.addSubnet('10.0.0.0', 8);
+inPrivateNetworks.addSubnet('172.16.0.0', 12);
+inPrivateNetworks.addSubnet('192.168.0.0', 16);
+inPrivateNetworks.addSubnet('169.254.0.0', 16);
+inPrivateNetworks.addSubnet('fc00::', 7, 'ipv6');
+inPrivateNetworks.addSubnet('fe80::', 10, 'ipv6');
+
+/** True for a name or address that means this very machine. */
+export function isLoopbackHost(host: string): boolean {
+  return host === 'localhost' || host.endsWith('.localhost') || isIn(loopback, host);
+}
+
+/** True for an address, not a name, of a private network. */
+export function isPrivateAddress(host: string): boolean {
+  return isIn(inPrivateNetworks, host);
+}
+
+/** True for an IPv4 or IPv6 address, without brackets. */
+export function isIpAddress(host: string): boolean {
+  return isIP(host) !== 0;
+}
+
+function isIn(list: BlockList, host: string): boolean {
+  const version = isIP(host);
+  return version !== 0 && list.check(host, version === 6 ? 'ipv6' : 'ipv4');
+}

@@ -1,0 +1,101 @@
+import { createServer } from 'node:http';
+import type { IncomingMessage, RequestListener, Server } from 'node:http';
+import type { Duplex } from 'node:stream';
+
+import type { LegacyPorts } from '../../config.ts';
+import type { Log } from '../../core/ports/index.ts';
+import { explainListenError } from './explain-listen-error.ts';
+import { openPort } from './open-port.ts';
+
+export interface ListenersOptions {
+  /** What to listen on, see `openPort`. */
+  readonly host: string;
+  readonly handleRequest: RequestListener;
+  readonly handleUpgrade: (request: IncomingMessage, socket: Duplex, head: Buffer) => void;
+  readonly log: Log;
+}
+
+/** The ports to open. */
+export interface WantedPorts {
+  readonly main: number;
+  readonly legacy: LegacyPorts | undefined;
+  /** Somebody asked for the legacy ports: one that cannot be had is an error, not a warning. */
+  readonly legacyWished: boolean;
+}
+
+/** The ports clients are told. */
+export interface ListeningPorts {
+  readonly main: number;
+  /** Where existing clients find services; the main port when the legacy port is not open. */
+  readonly services: number;
+  /** Where existing clients find topic data; the main port when the legacy port is not open. */
+  readonly topicData: number;
+}
+
+/** The HTTP servers of the master: whatever port a request comes to, it is handled the same. */
+export class Listeners {
+  readonly #options: ListenersOptions;
+  readonly #opened = new Map<number, readonly Server[]>();
+  #ports: ListeningPorts = { main: 0, services: 0, topicData: 0 };
+
+  constructor(options: ListenersOptions) {
+    this.#options = options;
+  }
+
+  /** All zero before `open` is done. */
+  get ports(): ListeningPorts {
+    return this.#ports;
+  }
+
+  /** @throws ConfigError for a port that cannot be had; those opened before stay open until `close` */
+  async open({ main, legacy, legacyWished }: WantedPorts): Promise<void> {
+    const mainPort = await this.#open(main, '--port');
+    const openLegacy = async (port: number): Promise<number> => {
+      try {
+        return await this.#open(port, '--legacy-ports');
+      } catch (error) {
+        if (legacyWished || !(error instanceof Error)) throw error;
+        this.#options.log.warn(`${error.message} Existing clients must be told port ${mainPort}.`);
+        return mainPort;
+      }
+    };
+    this.#ports = {
+      main: mainPort,
+      services: legacy ? await openLegacy(legacy.services) : mainPort,
+      topicData: legacy ? await openLegacy(legacy.topicData) : mainPort,
+    };
+  }
+
+  /** Takes no more connections and ends the idle ones; settles when the last one ended. */
+  async close(): Promise<void> {
+    await Promise.all(
+      this.#servers().map((server) => new Promise((resolve) => server.close(resolve))),
+    );
+  }
+
+  /** Cuts what is still being answered. Upgraded connections are not ours any more. */
+  cut(): void {
+    for (const server of this.#servers()) server.closeAllConnections();
+  }
+
+  async #open(port: number, option: string): Promise<number> {
+    if (this.#opened.has(port)) return port;
+    const { host } = this.#options;
+    try {
+      const opened = await openPort(port, host, () => this.#createServer());
+      this.#opened.set(opened.port, opened.servers);
+      return opened.port;
+    } catch (error) {
+      throw explainListenError(error, { port, host, option });
+    }
+  }
+
+  #createServer(): Server {
+    const { handleRequest, handleUpgrade } = this.#options;
+    return createServer(handleRequest).on('upgrade', handleUpgrade);
+  }
+
+  #servers(): readonly Server[] {
+    return [...this.#opened.values()].flat();
+  }
+}

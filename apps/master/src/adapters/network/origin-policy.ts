@@ -1,0 +1,95 @@
+import { isIpAddress, isLoopbackHost, isPrivateAddress } from './address-kinds.ts';
+
+export interface OriginPolicyOptions {
+  /** Whether others than this machine can reach the master. */
+  readonly onLan: boolean;
+  /** Name the master was told to listen on. */
+  readonly host: string;
+  /** Origins of the configuration, see `allowedOrigins` in config.ts. */
+  readonly allowedOrigins: readonly string[];
+}
+
+/** What is to happen with a request, by the headers a browser sets and a page cannot. */
+export type OriginVerdict =
+  | { readonly kind: 'same-origin' }
+  | { readonly kind: 'allowed'; readonly origin: string }
+  | { readonly kind: 'refused'; readonly reason: string };
+
+/**
+ * Decides which web pages may talk to this master. [SV-8]
+ *
+ * Two attacks are kept out: a page of another origin that calls the services of a visitor's own
+ * machine, and a page whose name was re-bound to this machine's address, so that the browser takes
+ * it for the same origin. Programs that are no browsers send no Origin and are let in.
+ */
+export class OriginPolicy {
+  readonly #options: OriginPolicyOptions;
+  readonly #patterns: readonly RegExp[];
+
+  constructor(options: OriginPolicyOptions) {
+    this.#options = options;
+    this.#patterns = options.allowedOrigins.map(patternOf);
+  }
+
+  /** @param headers as received; Host is missing only in requests of very old programs */
+  judge(headers: { readonly host?: string; readonly origin?: string }): OriginVerdict {
+    const host = headers.host?.toLowerCase();
+    if (host !== undefined && !this.#isOurHost(host)) {
+      return {
+        kind: 'refused',
+        reason: `This master does not go by the name "${host.slice(0, 200)}": open it by its address, or start it with --allowed-origins http://${host.slice(0, 200)}.`,
+      };
+    }
+    const origin = headers.origin?.toLowerCase();
+    if (origin === undefined || origin === `http://${host}` || origin === `https://${host}`) {
+      return { kind: 'same-origin' };
+    }
+    if (this.#isAllowed(origin)) return { kind: 'allowed', origin: headers.origin ?? origin };
+    return {
+      kind: 'refused',
+      reason: `Pages of ${origin.slice(0, 200)} may not use this master: start it with --allowed-origins ${origin.slice(0, 200)} to let them.`,
+    };
+  }
+
+  #isAllowed(origin: string): boolean {
+    if (this.#patterns.some((pattern) => pattern.test(origin))) return true;
+    const name = hostNameOf(origin.replace(/^https?:\/\//, ''));
+    if (!/^https?:\/\//.test(origin)) return false;
+    return isLoopbackHost(name) || (this.#options.onLan && isPrivateAddress(name));
+  }
+
+  /**
+   * Addresses cannot be re-bound. Of names, those that nobody can register in the public name
+   * system are harmless; another one must be configured.
+   */
+  #isOurHost(host: string): boolean {
+    const name = hostNameOf(host);
+    return (
+      isIpAddress(name) ||
+      isLoopbackHost(name) ||
+      !name.includes('.') ||
+      /\.(local|lan|internal|home\.arpa)$/.test(name) ||
+      name === this.#options.host ||
+      this.#patterns.some(
+        (pattern) => pattern.test(`http://${host}`) || pattern.test(`https://${host}`),
+      )
+    );
+  }
+}
+
+/** `[::1]:8080` -> `::1`, `example.org:80` -> `example.org` */
+function hostNameOf(host: string): string {
+  return host
+    .replace(/:\d*$/, '')
+    .replace(/^\[(.*)\]$/, '$1')
+    .replace(/\.$/, '');
+}
+
+function patternOf(origin: string): RegExp {
+  if (origin === '*') return /^/;
+  const source = origin
+    .replace(/[.[\]?+^$(){}|\\/-]/g, '\\$&')
+    .replace(/:\*$/, '(:\\d+)?')
+    .replace('*\\.', '([a-z0-9-]+\\.)+');
+  return new RegExp(`^${source}$`);
+}

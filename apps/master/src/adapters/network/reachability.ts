@@ -1,0 +1,70 @@
+import { MasterAddressKind } from '@ubii/proto';
+import type { MasterAddress } from '@ubii/proto';
+
+import type { MasterEndpoints } from '../../core/settings.ts';
+import { isLoopbackHost } from './address-kinds.ts';
+import type { NetworkKind } from './classify-interface.ts';
+import type { ListeningPorts } from './listeners.ts';
+import type { NetworkAddress } from './network-addresses.ts';
+
+const KINDS: { readonly [K in NetworkKind]: MasterAddressKind } = {
+  wifi: MasterAddressKind.WIFI,
+  ethernet: MasterAddressKind.ETHERNET,
+  virtual: MasterAddressKind.VIRTUAL,
+};
+
+/** Addresses that mean all networks of a machine. */
+const WILDCARDS: readonly string[] = ['::', '0.0.0.0'];
+
+/** Where a master can be reached, for the clients that ask and the people who read. */
+export interface Reachability {
+  /** The address for this machine. */
+  readonly localUrl: string;
+  /** Addresses for others, best first; empty when the master listens on loopback only. */
+  readonly networkAddresses: readonly MasterAddress[];
+  readonly endpoints: MasterEndpoints;
+}
+
+/**
+ * @param host what the master listens on
+ * @param networks addresses of this machine, best first
+ */
+export function describeReachability(
+  host: string,
+  ports: ListeningPorts,
+  networks: readonly NetworkAddress[],
+): Reachability {
+  const reachable = isLoopbackHost(host)
+    ? []
+    : networks.filter(({ address }) => WILDCARDS.includes(host) || address === host);
+  const networkAddresses = reachable.map(({ kind, interfaceName, address }) => ({
+    kind: KINDS[kind],
+    interfaceName,
+    url: urlOf(address, ports.main),
+  }));
+  const localUrl = urlOf(WILDCARDS.includes(host) ? 'localhost' : host, ports.main);
+  const isLocal = isLoopbackHost(host) || WILDCARDS.includes(host);
+  // [SV-10]
+  const ipv4Of = (wanted: NetworkKind): string =>
+    reachable.find(({ kind, address }) => kind === wanted && !address.includes(':'))?.address ?? '';
+  return {
+    localUrl,
+    networkAddresses,
+    endpoints: {
+      ipEthernet: ipv4Of('ethernet'),
+      ipWlan: ipv4Of('wifi'),
+      portServices: ports.services,
+      portTopicData: ports.topicData,
+      addresses: [
+        ...networkAddresses,
+        ...(isLocal
+          ? [{ kind: MasterAddressKind.LOOPBACK, interfaceName: '', url: localUrl }]
+          : []),
+      ],
+    },
+  };
+}
+
+function urlOf(host: string, port: number): string {
+  return `http://${host.includes(':') ? `[${host}]` : host}:${port}`;
+}

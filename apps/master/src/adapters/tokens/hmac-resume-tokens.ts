@@ -1,0 +1,27 @@
+import { createHmac, timingSafeEqual } from 'node:crypto';
+
+import type { ResumeTokens } from '../../core/ports/index.ts';
+
+/** Tokens as keyed hashes of the client id: nothing needs to be stored per client. [EX-3] */
+export class HmacResumeTokens implements ResumeTokens {
+  readonly #key: Uint8Array;
+
+  /** @param key at least 32 random bytes, secret */
+  constructor(key: Uint8Array) {
+    this.#key = key;
+  }
+
+  issue(clientId: string): string {
+    return this.#hash(clientId).toString('base64url');
+  }
+
+  verify(clientId: string, token: string): boolean {
+    const expected = this.#hash(clientId);
+    const given = Buffer.from(token, 'base64url');
+    return given.length === expected.length && timingSafeEqual(given, expected);
+  }
+
+  #hash(clientId: string): Buffer {
+    return createHmac('sha256', this.#key).update(clientId).digest();
+  }
+}

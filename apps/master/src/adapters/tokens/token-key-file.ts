@@ -1,0 +1,49 @@
+import { randomBytes } from 'node:crypto';
+import { linkSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+import { ConfigError } from '../config/config-error.ts';
+
+const FILE_NAME = 'resume-token.key';
+const KEY_BYTES = 32;
+
+/**
+ * The secret key of this data directory, made at the first start and readable by its owner only.
+ * Deleting the file makes every client a new one.
+ *
+ * @throws ConfigError when the file holds something else
+ */
+export function readOrCreateTokenKey(dataDir: string): Uint8Array {
+  const file = join(dataDir, FILE_NAME);
+  const kept = readKey(file);
+  if (kept !== undefined) return kept;
+  // Two masters may start at once: the file appears whole, and the first of the two stays.
+  const draft = `${file}.${process.pid}.${randomBytes(4).toString('hex')}`;
+  writeFileSync(draft, `${randomBytes(KEY_BYTES).toString('hex')}\n`, { mode: 0o600, flag: 'wx' });
+  try {
+    linkSync(draft, file);
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code !== 'EEXIST') throw error;
+  } finally {
+    rmSync(draft, { force: true });
+  }
+  const key = readKey(file);
+  if (key === undefined) throw new ConfigError(`The key file ${file} vanished while it was made.`);
+  return key;
+}
+
+function readKey(file: string): Uint8Array | undefined {
+  let text: string;
+  try {
+    text = readFileSync(file, 'utf8').trim();
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code === 'ENOENT') return undefined;
+    throw error;
+  }
+  if (!/^[0-9a-f]{64}$/.test(text)) {
+    throw new ConfigError(
+      `The key file ${file} must hold ${KEY_BYTES} bytes in hexadecimal, but does not: delete it, and every client comes back as a new one.`,
+    );
+  }
+  return Buffer.from(text, 'hex');
+}

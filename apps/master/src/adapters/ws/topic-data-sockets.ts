@@ -1,0 +1,98 @@
+import type { IncomingMessage } from 'node:http';
+import type { Duplex } from 'node:stream';
+import { WebSocketServer } from 'ws';
+import type { WebSocket } from 'ws';
+
+import type { Master } from '../../core/master.ts';
+import type { Log } from '../../core/ports/index.ts';
+import type { OriginPolicy } from '../network/origin-policy.ts';
+import { refuseUpgrade } from './refuse-upgrade.ts';
+import { WebSocketConnection } from './websocket-connection.ts';
+
+/** How long a client may take to answer a close frame, and to read what is before it. */
+const CLOSE_TIMEOUT_MS = 5_000;
+
+/** Close code of RFC 6455: the server met something it did not expect. */
+const INTERNAL_ERROR = 1011;
+
+export interface TopicDataSocketsOptions {
+  readonly master: Pick<Master, 'openConnection'>;
+  readonly policy: OriginPolicy;
+  readonly log: Log;
+  /** Largest message a client may send. */
+  readonly maxMessageBytes: number;
+}
+
+/** Turns upgrade requests, on any path of any port, into connections of the master. [TD-1] */
+export class TopicDataSockets {
+  readonly #options: TopicDataSocketsOptions;
+  readonly #server: WebSocketServer;
+
+  constructor(options: TopicDataSocketsOptions) {
+    this.#options = options;
+    this.#server = new WebSocketServer({
+      noServer: true,
+      maxPayload: options.maxMessageBytes,
+      perMessageDeflate: false,
+      // Several messages of one packet are handled in one turn, so that they leave in one write.
+      allowSynchronousEvents: true,
+      // Newer than the type declarations of the library.
+      ...({ closeTimeout: CLOSE_TIMEOUT_MS } satisfies object),
+      // Without it the first protocol a client asks for would be confirmed.
+      handleProtocols: () => false,
+    });
+  }
+
+  /** To be called for the `upgrade` event of every HTTP server. */
+  handleUpgrade(request: IncomingMessage, socket: Duplex, head: Buffer): void {
+    const verdict = this.#options.policy.judge(request.headers);
+    if (verdict.kind === 'refused') {
+      refuseUpgrade(socket, 403, verdict.reason);
+      return;
+    }
+    this.#server.handleUpgrade(request, socket, head, (webSocket) => {
+      this.#open(webSocket, socket, request.url ?? '');
+    });
+  }
+
+  /** Ends what is still open, without a word. */
+  terminate(): void {
+    for (const webSocket of this.#server.clients) webSocket.terminate();
+  }
+
+  #open(webSocket: WebSocket, socket: Duplex, url: string): void {
+    const { master, log, maxMessageBytes } = this.#options;
+    const opened = master.openConnection(queryOf(url), new WebSocketConnection(webSocket, socket));
+    // A socket that breaks reports an error before it closes; without a listener it would be thrown.
+    webSocket.on('error', (error: NodeJS.ErrnoException) => {
+      log.debug('a socket failed', { reason: error.message });
+      if (error.code === 'WS_ERR_UNSUPPORTED_MESSAGE_LENGTH') {
+        opened?.handleProtocolError(`A message may have at most ${maxMessageBytes} bytes.`);
+      } else if (error.code?.startsWith('WS_ERR_')) {
+        opened?.handleProtocolError(`${error.message}.`);
+      }
+    });
+    if (opened === undefined) return;
+
+    webSocket.on('message', (data: Buffer, isBinary) => {
+      try {
+        if (isBinary) opened.handleBinary(data);
+        else opened.handleText(data.toString());
+      } catch (error) {
+        log.error('a message could not be handled', { reason: String(error) });
+        webSocket.close(INTERNAL_ERROR, 'internal error');
+      }
+    });
+    webSocket.on('close', () => opened.handleClose());
+    socket.on('drain', () => opened.handleDrain());
+  }
+}
+
+/** Any text may stand where a URL should be: nothing of it may throw. */
+function queryOf(url: string): { clientId: string | undefined; token: string | undefined } {
+  const query = new URLSearchParams(url.slice(url.indexOf('?') + 1 || url.length));
+  return {
+    clientId: query.get('clientID') || undefined,
+    token: query.get('token') || undefined,
+  };
+}

@@ -1,0 +1,78 @@
+import type { ErrorMessage } from '@ubii/proto';
+import type { Duplex } from 'node:stream';
+import type { WebSocket } from 'ws';
+
+import type { ClientConnection, RecordBatch } from '../../core/ports/index.ts';
+import { PING_FRAME, PONG_FRAME, errorFrame, listFrames, singleFrames } from './frames.ts';
+import type { FrameParts } from './frames.ts';
+
+/** What the reason of a close frame may take beside its code (RFC 6455, section 5.5.1). */
+const MAX_REASON_BYTES = 123;
+
+/** WebSocket.OPEN */
+const OPEN = 1;
+
+/**
+ * One client's WebSocket. Frames are made here and written straight to the socket of the upgrade:
+ * the library would make each of them again for each client. It still reads the frames that come,
+ * and speaks for itself in control frames; without compression it never holds a frame back, so the
+ * two never mix.
+ */
+export class WebSocketConnection implements ClientConnection {
+  readonly #webSocket: WebSocket;
+  readonly #socket: Duplex;
+  #recordLists = false;
+
+  /**
+   * @param webSocket without compression
+   * @param socket the one `webSocket` was made of
+   */
+  constructor(webSocket: WebSocket, socket: Duplex) {
+    this.#webSocket = webSocket;
+    this.#socket = socket;
+  }
+
+  send(batch: RecordBatch): void {
+    const encoder = this.#recordLists && batch.records.length > 1 ? listFrames : singleFrames;
+    this.#write(batch.memo(encoder, () => encoder.encode(batch)));
+  }
+
+  sendError(error: ErrorMessage): void {
+    this.#write(errorFrame(error));
+  }
+
+  // [TD-5]
+  sendPing(): void {
+    this.#write(PING_FRAME);
+  }
+
+  // [TD-2]
+  sendPong(): void {
+    this.#write(PONG_FRAME);
+  }
+
+  get queuedBytes(): number {
+    return this.#socket.writableLength;
+  }
+
+  close(code: number, reason: string): void {
+    this.#webSocket.close(code, Buffer.from(reason).subarray(0, MAX_REASON_BYTES));
+  }
+
+  setRecordLists(on: boolean): void {
+    this.#recordLists = on;
+  }
+
+  #write(parts: FrameParts): void {
+    // Nothing may follow the close frame, and a closed socket takes nothing.
+    if (this.#webSocket.readyState !== OPEN || !this.#socket.writable) return;
+    const [only] = parts;
+    if (parts.length === 1 && only !== undefined) {
+      this.#socket.write(only);
+      return;
+    }
+    this.#socket.cork();
+    for (const part of parts) this.#socket.write(part);
+    this.#socket.uncork();
+  }
+}

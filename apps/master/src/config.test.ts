@@ -1,0 +1,171 @@
+import { mkdtempSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+
+import { ConfigError } from './adapters/config/config-error.ts';
+import { formatHelp } from './adapters/config/format-help.ts';
+import { environmentName, flagName } from './adapters/config/option-names.ts';
+import { resolveConfig } from './adapters/config/resolve-config.ts';
+import { OPTIONS } from './config.ts';
+import type { OptionName } from './config.ts';
+
+const names = Object.keys(OPTIONS) as OptionName[];
+
+function resolve(args: readonly string[], env: Record<string, string> = {}) {
+  return resolveConfig(args, env, '/work-folder');
+}
+
+function messageOf(args: readonly string[], env: Record<string, string> = {}): string {
+  try {
+    resolve(args, env);
+  } catch (error) {
+    expect(error).toBeInstanceOf(ConfigError);
+    return (error as ConfigError).message;
+  }
+  throw new Error('no error was thrown');
+}
+
+function configFile(content: unknown): string {
+  const file = join(mkdtempSync(join(tmpdir(), 'ubii-config-')), 'ubii.json');
+  writeFileSync(file, typeof content === 'string' ? content : JSON.stringify(content));
+  return file;
+}
+
+describe('options', () => {
+  it('have the documented fallbacks', () => {
+    const config = resolve([]);
+    expect(config).toMatchObject({
+      port: 8080,
+      host: 'localhost',
+      lan: false,
+      legacyPorts: { services: 8102, topicData: 8104 },
+      allowedOrigins: [],
+      printEndpoints: undefined,
+      logLevel: 'info',
+      logFormat: 'auto',
+    });
+    expect(config.given.size).toBe(0);
+  });
+
+  it('are named alike as flag, variable and key', () => {
+    expect(flagName('dataDir')).toBe('--data-dir');
+    expect(environmentName('legacyPorts')).toBe('UBII_LEGACY_PORTS');
+  });
+
+  it('are all in the help, with flag, variable and key', () => {
+    const help = formatHelp();
+    for (const name of names) {
+      expect(help).toContain(flagName(name));
+      expect(help).toContain(environmentName(name));
+      expect(help).toContain(`"${name}"`);
+    }
+  });
+
+  it('come from the flag before the environment before the file', () => {
+    const file = configFile({ port: 1, name: 'from the file', logLevel: 'error' });
+    const config = resolve(['--port', '3', '--config', file], { UBII_PORT: '2', UBII_NAME: 'env' });
+    expect(config).toMatchObject({ port: 3, name: 'env', logLevel: 'error' });
+    expect([...config.given].sort()).toEqual(['config', 'logLevel', 'name', 'port']);
+  });
+
+  it('may be written --flag=value', () => {
+    expect(resolve(['--port=0', '--allowed-origins=http://a.b:1']).port).toBe(0);
+  });
+
+  it('take switches without a value', () => {
+    expect(resolve(['--lan', '--port', '1']).lan).toBe(true);
+    expect(resolve(['--lan=false']).lan).toBe(false);
+    expect(resolve([], { UBII_LAN: 'on' }).lan).toBe(true);
+  });
+
+  it('take relative paths from where they were written', () => {
+    expect(resolve(['--data-dir', 'x']).dataDir).toBe('/work-folder/x');
+    const file = configFile({ dataDir: 'x' });
+    expect(resolve(['--config', file]).dataDir).toBe(join(file, '..', 'x'));
+  });
+
+  it('take lists, numbers and switches in the file', () => {
+    const file = configFile({
+      port: 9000,
+      lan: true,
+      legacyPorts: [1, 2],
+      allowedOrigins: ['http://a', 'https://*.b:*'],
+      name: null,
+    });
+    expect(resolve([], { UBII_CONFIG: file })).toMatchObject({
+      port: 9000,
+      lan: true,
+      legacyPorts: { services: 1, topicData: 2 },
+      allowedOrigins: ['http://a', 'https://*.b:*'],
+    });
+  });
+});
+
+describe('legacy ports', () => {
+  it.each([
+    ['on', { services: 8102, topicData: 8104 }],
+    ['off', undefined],
+    ['9000,9001', { services: 9000, topicData: 9001 }],
+    ['0, 0', { services: 0, topicData: 0 }],
+  ])('%s', (text, expected) => {
+    const config = resolve(['--legacy-ports', text]);
+    expect(config.legacyPorts).toEqual(expected);
+    expect(config.given.has('legacyPorts')).toBe(true);
+  });
+});
+
+describe('a wrong value is explained in one sentence', () => {
+  it.each([
+    [['--port', 'abc'], '--port must be a whole number from 0 to 65535'],
+    [['--port', '65536'], 'on the command line it is "65536"'],
+    [['--port', '-1'], '"-1"'],
+    [['--port', '80.5'], '"80.5"'],
+    [['--port', ''], '""'],
+    [['--host', 'http://x'], 'without scheme and port'],
+    [['--lan=maybe'], 'true or false'],
+    [['--legacy-ports', '8102'], 'two ports separated by a comma'],
+    [['--legacy-ports', '1,2,3'], 'on, off, or two ports'],
+    [['--print-endpoints', 'xml'], '--print-endpoints must be json'],
+    [['--log-level', 'loud'], 'error, warn, info or debug'],
+    [['--allowed-origins', 'example.org'], 'such as https://example.org'],
+    [['--name', ' '], '1 to 100 characters'],
+    [['--port'], 'needs a value after it, --port <number>'],
+    [['--port', '--lan'], 'needs a value after it'],
+    [['--prot', '1'], 'There is no flag --prot: --help shows all flags.'],
+    [['-p', '1'], 'There is no flag -p'],
+    [['8080'], 'The argument "8080" belongs to no flag'],
+    [['--lan', '--host', '0.0.0.0'], 'leave one of the two out'],
+    [['--config', '/nowhere/at-all.json'], '/nowhere/at-all.json, must be readable and hold JSON'],
+  ])('%j', (args, expected) => {
+    const message = messageOf(args);
+    expect(message).toContain(expected);
+    expect(message).toMatch(/\.$/);
+    expect(message).not.toContain('\n');
+  });
+
+  it('names the environment variable', () => {
+    expect(messageOf([], { UBII_PORT: 'x' })).toContain(
+      'in the environment as UBII_PORT it is "x"',
+    );
+  });
+
+  it('names the file and the key', () => {
+    const wrongValue = configFile({ port: true });
+    expect(messageOf(['--config', wrongValue])).toContain(`in the config file ${wrongValue}`);
+    expect(messageOf(['--config', configFile({ prot: 1 })])).toContain('the key "prot"');
+    expect(messageOf(['--config', configFile({ port: {} })])).toContain('but is an object');
+    expect(messageOf(['--config', configFile('{')])).toContain('hold JSON');
+    expect(messageOf(['--config', configFile('[]')])).toContain('one JSON object');
+    expect(messageOf(['--config', configFile({ config: 'x' })])).toContain('is no option');
+  });
+});
+
+describe('hosts', () => {
+  it.each([
+    ['127.0.0.1', '127.0.0.1'],
+    ['[::1]', '::1'],
+    ['fe80::1', 'fe80::1'],
+    ['My-PC.local', 'my-pc.local'],
+  ])('%s', (text, expected) => expect(resolve(['--host', text]).host).toBe(expected));
+});

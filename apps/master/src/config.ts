@@ -1,0 +1,146 @@
+import { hostname } from 'node:os';
+
+import { defaultDataDir } from './adapters/config/default-data-dir.ts';
+import {
+  parseChoice,
+  parseFilePath,
+  parseHost,
+  parseLegacyPorts,
+  parseName,
+  parseOrigins,
+  parsePort,
+  parseSwitch,
+} from './adapters/config/parse-values.ts';
+
+/** One option of the master. */
+export interface Option<T> {
+  /** What follows the flag in the help; undefined for a switch that needs no value. */
+  readonly placeholder: string | undefined;
+  /** Value when nobody sets it. */
+  readonly fallback: T;
+  /** What the help says about the fallback, where the value itself would say little. */
+  readonly fallbackText?: string;
+  /** What it does, with its unit. */
+  readonly description: string;
+  /**
+   * @param text as given on the command line, in the environment or in the file
+   * @param baseDir folder that relative paths are relative to
+   * @throws Error whose message is what was expected, to follow "must be"
+   */
+  parse(text: string, baseDir: string): T;
+}
+
+function option<T>(entry: Option<T>): Option<T> {
+  return entry;
+}
+
+/** The ports existing clients look for. */
+export interface LegacyPorts {
+  readonly services: number;
+  readonly topicData: number;
+}
+
+/** The fallback of `legacyPorts`: where the original master listens. */
+export const ORIGINAL_PORTS: LegacyPorts = { services: 8102, topicData: 8104 };
+
+/**
+ * Every option. The flag, the environment variable and the key in the config file are made from the
+ * name: `dataDir` is `--data-dir`, `UBII_DATA_DIR` and `"dataDir"`. A flag wins over the environment,
+ * the environment over the file, the file over the fallback.
+ */
+export const OPTIONS = {
+  port: option({
+    placeholder: '<number>',
+    fallback: 8080,
+    description: 'Port of the frontend, the services and the topic data; 0 takes any free port.',
+    parse: parsePort,
+  }),
+  host: option({
+    placeholder: '<name>',
+    fallback: 'localhost',
+    description: 'Name or address to listen on. The default lets in programs of this machine only.',
+    parse: parseHost,
+  }),
+  lan: option({
+    placeholder: undefined,
+    fallback: false,
+    description: 'Listen on all networks of this machine, so that phones can join.',
+    parse: parseSwitch,
+  }),
+  dataDir: option({
+    placeholder: '<folder>',
+    fallback: defaultDataDir(),
+    description: 'Folder for what the master keeps between runs. Made when it is missing.',
+    parse: parseFilePath,
+  }),
+  config: option<string | undefined>({
+    placeholder: '<file>',
+    fallback: undefined,
+    fallbackText: 'none',
+    description: 'JSON file with options: { "port": 9000, "lan": true }.',
+    parse: parseFilePath,
+  }),
+  legacyPorts: option<LegacyPorts | undefined>({
+    placeholder: 'on|off|<services>,<topic data>',
+    fallback: ORIGINAL_PORTS,
+    fallbackText: 'on: 8102,8104',
+    description: 'Ports where existing clients look. By default, one that is taken is left out.',
+    parse: parseLegacyPorts,
+  }),
+  allowedOrigins: option<readonly string[]>({
+    placeholder: '<origin>,...',
+    fallback: [],
+    fallbackText: 'none',
+    description:
+      'Web pages of other origins that may call the services, besides those of this machine and, with --lan, of private addresses: https://example.org, https://*.example.org, http://example.org:*, or * for all.',
+    parse: parseOrigins,
+  }),
+  name: option({
+    placeholder: '<text>',
+    fallback: hostname().split('.')[0] || 'master-node',
+    description: 'Name of this master, as people see it.',
+    parse: parseName,
+  }),
+  printEndpoints: option<'json' | undefined>({
+    placeholder: 'json',
+    fallback: undefined,
+    fallbackText: 'off',
+    description:
+      'When ready, write one line of JSON with the addresses to standard output, for scripts; everything else goes to standard error.',
+    parse: parseChoice('json'),
+  }),
+  logLevel: option<'error' | 'warn' | 'info' | 'debug'>({
+    placeholder: 'error|warn|info|debug',
+    fallback: 'info',
+    description: 'The least severe messages to log.',
+    parse: parseChoice('error', 'warn', 'info', 'debug'),
+  }),
+  logFormat: option<'auto' | 'text' | 'json'>({
+    placeholder: 'auto|text|json',
+    fallback: 'auto',
+    description: 'Form of the log on standard error; auto is text for a terminal, JSON lines else.',
+    parse: parseChoice('auto', 'text', 'json'),
+  }),
+  help: option({
+    placeholder: undefined,
+    fallback: false,
+    description: 'Show this and end.',
+    parse: parseSwitch,
+  }),
+  version: option({
+    placeholder: undefined,
+    fallback: false,
+    description: 'Show the version and end.',
+    parse: parseSwitch,
+  }),
+} as const;
+
+export type OptionName = keyof typeof OPTIONS;
+
+/** The values the master runs with. */
+export type Config = {
+  readonly [O in OptionName]: (typeof OPTIONS)[O] extends Option<infer T> ? T : never;
+} & {
+  /** Options that somebody set, in whatever place: a fallback may yield, a wish may not. */
+  readonly given: ReadonlySet<OptionName>;
+};

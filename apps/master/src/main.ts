@@ -1,0 +1,115 @@
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+import { ConfigError } from './adapters/config/config-error.ts';
+import { formatHelp } from './adapters/config/format-help.ts';
+import { resolveConfig } from './adapters/config/resolve-config.ts';
+import { StreamLog } from './adapters/log/stream-log.ts';
+import { FaultGuard } from './adapters/process/fault-guard.ts';
+import { bestPhoneUrl, formatBanner } from './adapters/terminal/banner.ts';
+import { formatEndpoints } from './adapters/terminal/endpoints-line.ts';
+import { formatQrCode } from './adapters/terminal/qr-code.ts';
+import type { Config } from './config.ts';
+import { startMaster } from './start-master.ts';
+import type { RunningMaster } from './start-master.ts';
+
+/** Everything is closed by then, or the process ends without it. */
+const SHUTDOWN_DEADLINE_MS = 1_500;
+/** Ctrl-C reaches the master from the terminal and from the start script: the second is no impatience. */
+const SAME_SIGNAL_MS = 500;
+
+const { version } = JSON.parse(
+  readFileSync(new URL('../package.json', import.meta.url), 'utf8'),
+) as { version: string };
+// From src as well as from dist.
+const frontendFolder = fileURLToPath(new URL('../../frontend/dist', import.meta.url));
+
+try {
+  await run(process.argv.slice(2));
+} catch (error) {
+  if (!(error instanceof ConfigError)) throw error;
+  process.stderr.write(`${error.message}\n`);
+  process.exit(1);
+}
+
+async function run(args: readonly string[]): Promise<void> {
+  if (args.includes('--help') || args.includes('-h')) {
+    process.stdout.write(formatHelp());
+    return;
+  }
+  const config = resolveConfig(args, process.env, process.cwd());
+  if (config.version) {
+    process.stdout.write(`${version}\n`);
+    return;
+  }
+  const log = createLog(config);
+  const master = await startMaster({ config, log, version, frontendFolder });
+  endInGoodOrder(master, log);
+  await present(master, config);
+}
+
+function createLog({ logLevel, logFormat }: Config): StreamLog {
+  const format = logFormat === 'auto' ? (process.stderr.isTTY ? 'text' : 'json') : logFormat;
+  return new StreamLog({
+    level: logLevel,
+    format,
+    write: (line) => process.stderr.write(`${line}\n`),
+    nowMs: Date.now,
+  });
+}
+
+function endInGoodOrder(master: RunningMaster, log: StreamLog): void {
+  let endingSince: number | undefined;
+  const end = (exitCode: number): void => {
+    if (endingSince !== undefined) {
+      if (performance.now() - endingSince > SAME_SIGNAL_MS) process.exit(1);
+      return;
+    }
+    endingSince = performance.now();
+    setTimeout(() => process.exit(exitCode), SHUTDOWN_DEADLINE_MS).unref();
+    master.close().then(
+      () => process.exit(exitCode),
+      (error: unknown) => {
+        log.error('closing failed', { reason: String(error) });
+        process.exit(1);
+      },
+    );
+  };
+  process.on('SIGINT', () => end(0));
+  process.on('SIGTERM', () => end(0));
+  process.on('SIGHUP', () => end(0));
+  // A program that started the master with a channel to it does not leave it behind.
+  process.on('disconnect', () => end(0));
+  process.channel?.unref();
+
+  const faults = new FaultGuard(log, () => end(1));
+  process.on('uncaughtException', (error) => faults.handle('uncaught error', error, Date.now()));
+  process.on('unhandledRejection', (error) =>
+    faults.handle('unhandled rejection', error, Date.now()),
+  );
+  // A closed pipe (`npm start | head`) is no reason to end.
+  for (const stream of [process.stdout, process.stderr]) stream.on('error', () => {});
+}
+
+async function present(master: RunningMaster, config: Config): Promise<void> {
+  const reachability = master.reachability();
+  const forPrograms = config.printEndpoints === 'json';
+  const screen = forPrograms ? process.stderr : process.stdout;
+  screen.write(
+    formatBanner({
+      name: config.name,
+      version,
+      dataDir: config.dataDir,
+      ports: master.ports,
+      reachability,
+      devUrl: process.env['UBII_DEV_FRONTEND_URL'],
+    }),
+  );
+  const phoneUrl = bestPhoneUrl(reachability);
+  if (phoneUrl !== undefined && screen.isTTY) {
+    screen.write(`\n${await formatQrCode(phoneUrl)}\n`);
+  }
+  if (forPrograms) {
+    process.stdout.write(`${formatEndpoints(reachability.localUrl, process.pid)}\n`);
+  }
+}

@@ -1,0 +1,121 @@
+import { createMaster, DEFAULT_LIMITS } from './index.ts';
+import type { Log } from './index.ts';
+import { SystemClock } from './adapters/clock/system-clock.ts';
+import { prepareDataDir } from './adapters/config/prepare-data-dir.ts';
+import { createHttpApp } from './adapters/http/http-app.ts';
+import { randomIds } from './adapters/ids/random-ids.ts';
+import { isLoopbackHost } from './adapters/network/address-kinds.ts';
+import { Listeners } from './adapters/network/listeners.ts';
+import type { ListeningPorts } from './adapters/network/listeners.ts';
+import { listNetworkAddresses } from './adapters/network/network-addresses.ts';
+import { ALL_NETWORKS } from './adapters/network/open-port.ts';
+import { OriginPolicy } from './adapters/network/origin-policy.ts';
+import { describeReachability } from './adapters/network/reachability.ts';
+import type { Reachability } from './adapters/network/reachability.ts';
+import { Re2Patterns } from './adapters/patterns/re2-patterns.ts';
+import { HmacResumeTokens } from './adapters/tokens/hmac-resume-tokens.ts';
+import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
+import { ProcessUsage } from './adapters/usage/process-usage.ts';
+import { TopicDataSockets } from './adapters/ws/topic-data-sockets.ts';
+import type { Config } from './config.ts';
+
+/** How long connections may take to end in good order before they are cut. */
+const CLOSE_GRACE_MS = 500;
+
+export interface MasterParts {
+  readonly config: Config;
+  readonly log: Log;
+  readonly version: string;
+  /** The built frontend. */
+  readonly frontendFolder: string;
+}
+
+/** A master that listens. */
+export interface RunningMaster {
+  readonly ports: ListeningPorts;
+  /** Asked anew each time: networks come and go. */
+  reachability(): Reachability;
+  /** Closes everything, within a second. */
+  close(): Promise<void>;
+}
+
+/**
+ * Puts core and adapters together and listens.
+ *
+ * @throws ConfigError when a port or the data directory cannot be had
+ */
+export async function startMaster({
+  config,
+  log,
+  version,
+  frontendFolder,
+}: MasterParts): Promise<RunningMaster> {
+  prepareDataDir(config.dataDir);
+  const tokens = new HmacResumeTokens(readOrCreateTokenKey(config.dataDir));
+  const host = config.lan ? ALL_NETWORKS : config.host;
+  const policy = new OriginPolicy({
+    onLan: !isLoopbackHost(host),
+    host,
+    allowedOrigins: config.allowedOrigins,
+  });
+  const limits = DEFAULT_LIMITS;
+  const reachability = (): Reachability =>
+    describeReachability(host, listeners.ports, listNetworkAddresses());
+
+  const master = createMaster(
+    {
+      clock: new SystemClock(log),
+      ids: randomIds,
+      tokens,
+      log,
+      patterns: new Re2Patterns(limits.patternInstructions),
+      usage: new ProcessUsage(),
+    },
+    { name: config.name, version, limits, endpoints: () => reachability().endpoints },
+  );
+  const sockets = new TopicDataSockets({
+    master,
+    policy,
+    log,
+    maxMessageBytes: limits.frameBytes,
+  });
+  const app = await createHttpApp({
+    master,
+    policy,
+    log,
+    name: config.name,
+    version,
+    maxRequestBytes: limits.frameBytes,
+    frontendFolder,
+  });
+  const listeners = new Listeners({
+    host,
+    log,
+    handleRequest: (request, response) => app.routing(request, response),
+    handleUpgrade: (request, socket, head) => sockets.handleUpgrade(request, socket, head),
+  });
+
+  const close = async (): Promise<void> => {
+    const closed = listeners.close();
+    master.close();
+    const cut = setTimeout(() => {
+      sockets.terminate();
+      listeners.cut();
+    }, CLOSE_GRACE_MS);
+    await closed;
+    clearTimeout(cut);
+    await app.close();
+  };
+
+  try {
+    await listeners.open({
+      main: config.port,
+      legacy: config.legacyPorts,
+      legacyWished: config.given.has('legacyPorts'),
+    });
+  } catch (error) {
+    await close();
+    throw error;
+  }
+  return { ports: listeners.ports, reachability, close };
+}
