@@ -16,7 +16,10 @@ export function isMessageType(text: string): text is MessageType {
  * Encodes a message. Members given as 0, false or empty text are written too, as the original
  * platform does, except `ProcessingModule.language: 0`, which existing nodes cannot bear.
  *
- * @throws TypeError when a member has the wrong type: nothing is checked beforehand
+ * Numbers and truth values are converted as JavaScript does; `DATA_FORMATS[...].validate` checks.
+ * The result may be a part of a larger buffer: copy it before its `.buffer` is transferred.
+ *
+ * @throws TypeError when text, bytes or a message is expected and something else given
  */
 export function encode<T extends MessageType>(type: T, message: Init<MessageTypes[T]>): Uint8Array {
   const writer = createWriter();

@@ -3,7 +3,7 @@
  * is given is written, also when it is 0, false or empty text; null and undefined are not.
  */
 export type Init<T> = T extends Uint8Array
-  ? Uint8Array
+  ? Uint8Array | Uint8ClampedArray
   : T extends readonly (infer E)[]
     ? readonly Init<E>[]
     : T extends object

@@ -125,15 +125,29 @@ export function readInt64(reader: Reader): number {
 }
 
 const SURROGATE = /[\ud800-\udfff]/;
+const LONE_SURROGATE = /[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/g;
 
-/** Writes text. Half a surrogate pair, which UTF-8 cannot express, becomes U+FFFD. */
+/**
+ * Writes text. Half a surrogate pair, which UTF-8 cannot express, becomes U+FFFD.
+ *
+ * @throws TypeError when it is not text: the writer would write nothing in its place
+ */
 export function writeString(writer: Writer, text: string): void {
-  writer.string(SURROGATE.test(text) ? wellFormed(text) : text);
+  if (typeof text !== 'string') throw new TypeError(`expected text, got ${typeof text}`);
+  writer.string(SURROGATE.test(text) ? text.replace(LONE_SURROGATE, '\ufffd') : text);
 }
 
-function wellFormed(text: string): string {
-  return text.replace(
-    /[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/g,
-    '\ufffd',
-  );
+/** True for arrays of bytes, those of a canvas included, of whatever realm. */
+export function isBytes(value: unknown): value is Uint8Array {
+  return ArrayBuffer.isView(value) && (value as Uint8Array).BYTES_PER_ELEMENT === 1;
+}
+
+/**
+ * Writes bytes.
+ *
+ * @throws TypeError when they are not bytes: the writer would write nothing in their place
+ */
+export function writeBytes(writer: Writer, bytes: Uint8Array | Uint8ClampedArray): void {
+  if (!isBytes(bytes)) throw new TypeError(`expected a Uint8Array, got ${typeof bytes}`);
+  writer.bytes(bytes);
 }

@@ -29,7 +29,7 @@ export function emitCodec(schema: SchemaModel): string {
   return [
     HEADER,
     "import type { Init } from '../init.ts';",
-    "import { only, open, readBytes, readInt64, setMember, skip, writeString, type Reader, type Writer } from '../protobuf.ts';",
+    "import { only, open, readBytes, readInt64, setMember, skip, writeBytes, writeString, type Reader, type Writer } from '../protobuf.ts';",
     "import type * as T from './messages.ts';",
     '',
     ...schema.messages.flatMap((message) => [emitEncode(message), emitDecode(message)]),
@@ -69,11 +69,11 @@ function emitEncode(message: MessageModel): string {
 function encodeRepeated(field: FieldModel): string[] {
   const member = `m.${field.jsonName}`;
   if (isPackable(field)) {
+    const method = methodOf(field);
+    // The writer's types want a mutable array, which it does not change.
+    const list = `${member} as ${method === 'bool' ? 'boolean' : 'number'}[]`;
     return [
-      `  if (${member} != null && ${member}.length > 0) w.uint32(${tagOf(field, 2)}).${readMethod(field)}s(${member} as number[]);`.replace(
-        'bools(' + member + ' as number[])',
-        'bools(' + member + ' as boolean[])',
-      ),
+      `  if (${member} != null && ${member}.length > 0) w.uint32(${tagOf(field, 2)}).${method}s(${list});`,
     ];
   }
   return [`  if (${member} != null) for (const e of ${member}) ${writeValue(field, 'e')}`];
@@ -85,8 +85,9 @@ function writeValue(field: FieldModel, value: string): string {
   if (isMessage(type)) {
     return `{ w.uint32(${tag}).fork(); encode${type.tsName}(${value}, w); w.ldelim(); }`;
   }
+  if (type === 'bytes') return `writeBytes(w.uint32(${tag}), ${value});`;
   if (type === 'string') return `writeString(w.uint32(${tag}), ${value});`;
-  return `w.uint32(${tag}).${readMethod(field)}(${value});`;
+  return `w.uint32(${tag}).${methodOf(field)}(${value});`;
 }
 
 function emitDecode(message: MessageModel): string {
@@ -127,7 +128,7 @@ function decodeCases(field: FieldModel): string[] {
   if (!field.repeated) return [`${single}${member} = ${readValue(field)}; break;`];
   const cases = [`${single}${member}.push(${readValue(field)}); break;`];
   if (isPackable(field)) {
-    cases.push(`      case ${tagOf(field, 2)}: r.${readMethod(field)}s(${member}); break;`);
+    cases.push(`      case ${tagOf(field, 2)}: r.${methodOf(field)}s(${member}); break;`);
   }
   return cases;
 }
@@ -138,10 +139,10 @@ function readValue(field: FieldModel): string {
   if (type === 'string') return 'r.stringVerify()';
   if (type === 'bytes') return 'readBytes(r)';
   if (type === 'int64') return 'readInt64(r)';
-  return `r.${readMethod(field)}()`;
+  return `r.${methodOf(field)}()`;
 }
 
-function readMethod({ type }: FieldModel): string {
+function methodOf({ type }: FieldModel): string {
   return isEnum(type) ? 'int32' : (type as string);
 }
 

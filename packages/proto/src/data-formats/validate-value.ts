@@ -1,4 +1,5 @@
 import type { EnumDescriptor, FieldDescriptor, MessageDescriptor } from '../descriptor.ts';
+import { isBytes } from '../protobuf.ts';
 import { validateImage } from './validate-image.ts';
 
 const MIN_INT32 = -(2 ** 31);
@@ -36,7 +37,7 @@ export function validateValue(
     case 'string':
       return typeof value === 'string' ? undefined : wrong(name, 'text', value);
     case 'bytes':
-      return value instanceof Uint8Array ? undefined : wrong(name, 'a Uint8Array', value);
+      return isBytes(value) ? undefined : wrong(name, 'a Uint8Array', value);
   }
 }
 

@@ -1,7 +1,7 @@
 // Made from schema/*.proto by scripts/generate.ts. Change the schema, then run `pnpm generate`.
 
 import type { Init } from '../init.ts';
-import { only, open, readBytes, readInt64, setMember, skip, writeString, type Reader, type Writer } from '../protobuf.ts';
+import { only, open, readBytes, readInt64, setMember, skip, writeBytes, writeString, type Reader, type Writer } from '../protobuf.ts';
 import type * as T from './messages.ts';
 
 export function encodeClient(m: Init<T.Client>, w: Writer): void {
@@ -159,7 +159,7 @@ export function encodeImage2D(m: Init<T.Image2D>, w: Writer): void {
   if (m.width != null) w.uint32(8).int32(m.width);
   if (m.height != null) w.uint32(16).int32(m.height);
   if (m.dataFormat != null) w.uint32(24).int32(m.dataFormat);
-  if (m.data != null) w.uint32(34).bytes(m.data);
+  if (m.data != null) writeBytes(w.uint32(34), m.data);
 }
 
 export function decodeImage2D(r: Reader, into?: T.Image2D): T.Image2D {

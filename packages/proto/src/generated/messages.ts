@@ -1,421 +1,835 @@
 // Made from schema/*.proto by scripts/generate.ts. Change the schema, then run `pnpm generate`.
 
-/** `ubii.clients.Client.State` */
+/**
+ * How alive the client is, judged by the master.
+ *
+ * `ubii.clients.Client.State`
+ */
 export const ClientState = {
+  /** Gave a sign of life lately. */
   ACTIVE: 0,
+  /** Silent for some seconds; everything of it still stands. */
   INACTIVE: 1,
+  /** Silent for longer: the values of its topics are gone, its subscriptions stand. */
   UNAVAILABLE: 2,
 } as const;
 export type ClientState = (typeof ClientState)[keyof typeof ClientState];
 
-/** `ubii.dataStructure.ButtonEventType` */
+/**
+ * What happened to a key or button.
+ *
+ * `ubii.dataStructure.ButtonEventType`
+ */
 export const ButtonEventType = {
+  /** It was released. */
   UP: 0,
+  /** It was pressed. */
   DOWN: 1,
 } as const;
 export type ButtonEventType = (typeof ButtonEventType)[keyof typeof ButtonEventType];
 
-/** `ubii.dataStructure.HandGestureType` */
+/**
+ * Gestures a Myo armband tells apart.
+ *
+ * `ubii.dataStructure.HandGestureType`
+ */
 export const HandGestureType = {
+  /** The hand is relaxed. */
   REST: 0,
+  /** Fingers stretched apart. */
   FINGERS_SPREAD: 1,
+  /** Hand bent inwards. */
   WAVE_IN: 2,
+  /** Hand bent outwards. */
   WAVE_OUT: 3,
+  /** Hand closed. */
   FIST: 4,
+  /** Thumb and middle finger tapped together twice. */
   DOUBLE_TAP: 5,
 } as const;
 export type HandGestureType = (typeof HandGestureType)[keyof typeof HandGestureType];
 
-/** `ubii.dataStructure.Image2D.DataFormat` */
+/**
+ * Layout of one pixel in the data; one byte a channel.
+ *
+ * `ubii.dataStructure.Image2D.DataFormat`
+ */
 export const Image2DDataFormat = {
+  /** 1 channel: brightness. */
   GRAY8: 0,
+  /** 3 channels: red, green, blue. */
   RGB8: 1,
+  /** 4 channels: red, green, blue, opacity (not premultiplied). */
   RGBA8: 2,
 } as const;
 export type Image2DDataFormat = (typeof Image2DDataFormat)[keyof typeof Image2DDataFormat];
 
-/** `ubii.dataStructure.TouchEvent.TouchEventType` */
+/**
+ * What the finger did.
+ *
+ * `ubii.dataStructure.TouchEvent.TouchEventType`
+ */
 export const TouchEventType = {
+  /** It came down. */
   TOUCH_START: 0,
+  /** It moved. */
   TOUCH_MOVE: 1,
+  /** It left, or the system took the touch away. */
   TOUCH_END: 2,
 } as const;
 export type TouchEventType = (typeof TouchEventType)[keyof typeof TouchEventType];
 
-/** `ubii.devices.Component.IOType` */
+/**
+ * Which way the data flows, seen from the device.
+ *
+ * `ubii.devices.Component.IOType`
+ */
 export const ComponentIOType = {
+  /** The device publishes on the topic. */
   PUBLISHER: 0,
+  /** The device subscribes to the topic. */
   SUBSCRIBER: 1,
 } as const;
 export type ComponentIOType = (typeof ComponentIOType)[keyof typeof ComponentIOType];
 
-/** `ubii.devices.Device.DeviceType` */
+/**
+ * What the device is for.
+ *
+ * `ubii.devices.Device.DeviceType`
+ */
 export const DeviceType = {
+  /** It takes part: publishes and subscribes through its components. */
   PARTICIPANT: 0,
+  /** It looks on: its client receives every topic. */
   WATCHER: 1,
 } as const;
 export type DeviceType = (typeof DeviceType)[keyof typeof DeviceType];
 
-/** `ubii.extension.MasterAddress.Kind` */
+/**
+ * Which kind of network it leads through.
+ *
+ * `ubii.extension.MasterAddress.Kind`
+ */
 export const MasterAddressKind = {
+  /** This machine only. */
   LOOPBACK: 0,
+  /** Wireless network. */
   WIFI: 1,
+  /** Wired network. */
   ETHERNET: 2,
+  /** Network of virtual machines or containers, or a tunnel. */
   VIRTUAL: 3,
 } as const;
 export type MasterAddressKind = (typeof MasterAddressKind)[keyof typeof MasterAddressKind];
 
-/** `ubii.extension.StatusEvent.Kind` */
+/**
+ * What happened.
+ *
+ * `ubii.extension.StatusEvent.Kind`
+ */
 export const StatusEventKind = {
+  /** A client registered. */
   CLIENT_JOINED: 0,
+  /** A client deregistered. */
   CLIENT_LEFT: 1,
+  /** A client became UNAVAILABLE. */
   CLIENT_LOST: 2,
+  /** A client became ACTIVE again. */
   CLIENT_RETURNED: 3,
+  /** Something was refused because of a limit. */
   LIMIT_REACHED: 4,
+  /** The master started. */
   MASTER_STARTED: 5,
 } as const;
 export type StatusEventKind = (typeof StatusEventKind)[keyof typeof StatusEventKind];
 
-/** `ubii.extension.StatusProblem.Severity` */
+/**
+ * How bad it is.
+ *
+ * `ubii.extension.StatusProblem.Severity`
+ */
 export const StatusProblemSeverity = {
+  /** Works, but not as it should. */
   WARNING: 0,
+  /** Does not work. */
   ERROR: 1,
 } as const;
 export type StatusProblemSeverity = (typeof StatusProblemSeverity)[keyof typeof StatusProblemSeverity];
 
-/** `ubii.processing.ProcessingModule.Language` */
+/**
+ * What the callbacks are written in. Only nodes of that language can run it.
+ *
+ * `ubii.processing.ProcessingModule.Language`
+ */
 export const ProcessingModuleLanguage = {
+  /** C++; also what clients send that mean none, so an explicit 0 is never written. */
   CPP: 0,
+  /** Python. */
   PY: 1,
+  /** JavaScript. */
   JS: 2,
+  /** C#. */
   CS: 3,
+  /** Java. */
   JAVA: 4,
 } as const;
 export type ProcessingModuleLanguage = (typeof ProcessingModuleLanguage)[keyof typeof ProcessingModuleLanguage];
 
-/** `ubii.processing.ProcessingModule.Status` */
+/**
+ * Where it is in its life.
+ *
+ * `ubii.processing.ProcessingModule.Status`
+ */
 export const ProcessingModuleStatus = {
+  /** Known, not yet made. */
   INITIALIZED: 0,
+  /** Made, its onCreated has run. */
   CREATED: 1,
+  /** Runs as its mode says. */
   PROCESSING: 2,
+  /** Stopped, its state is kept. */
   HALTED: 3,
+  /** Gone. */
   DESTROYED: 4,
 } as const;
 export type ProcessingModuleStatus = (typeof ProcessingModuleStatus)[keyof typeof ProcessingModuleStatus];
 
-/** `ubii.sessions.SessionStatus` */
+/**
+ * Where a session is in its life.
+ *
+ * `ubii.sessions.SessionStatus`
+ */
 export const SessionStatus = {
+  /** Known, not started, or on its way. */
   CREATED: 0,
+  /** All its modules run. */
   RUNNING: 1,
+  /** Held; the modules keep their state. */
   PAUSED: 2,
+  /** Over; it can be started again. */
   STOPPED: 3,
 } as const;
 export type SessionStatus = (typeof SessionStatus)[keyof typeof SessionStatus];
 
-/** `ubii.clients.Client` */
+/**
+ * A process that takes part: it registers, publishes and subscribes, offers devices and modules.
+ * Also used as a profile that clients are compared with in lists: there, empty members are ignored.
+ *
+ * `ubii.clients.Client`
+ */
 export interface Client {
+  /** UUID, assigned by the master at registration. */
   id: string;
+  /** For people; need not be unique. */
   name: string;
+  /** Its devices. */
   devices: Device[];
+  /** Words to find it by. */
   tags: string[];
+  /** For people. */
   description: string;
+  /** Modules this client can run. */
   processingModules: ProcessingModule[];
+  /** True when it exists to run modules for others. */
   isDedicatedProcessingNode: boolean;
+  /** Address of the machine it runs on, as it sees it; informative. */
   hostIp: string;
+  /** Anything else about it, as JSON text. */
   metadataJson: string;
+  /** Set by the master. */
   state: ClientState;
+  /** From a ping of the master to the answer, milliseconds; 0 before the first. Set by the master. */
   latency: number;
+  /** What only clients and masters of this project tell each other; absent for all others. */
   extension: ClientExtension | undefined;
 }
 
-/** `ubii.clients.ClientList` */
+/**
+ * Clients.
+ *
+ * `ubii.clients.ClientList`
+ */
 export interface ClientList {
+  /** In no promised order. */
   elements: Client[];
 }
 
-/** `ubii.conditions.NotifyCondition` */
+/**
+ * A rule on whether a record reaches a subscriber. Kept for compatibility: no master evaluates it.
+ *
+ * `ubii.conditions.NotifyCondition`
+ */
 export interface NotifyCondition {
+  /** UUID, assigned by the master. */
   id: string;
+  /** For people. */
   name: string;
+  /** JavaScript function of publisher, subscriber and a way to read topics; true lets a record through. */
   evaluationFunctionStringified: string;
+  /** Publishers it applies to, as a profile. */
   clientProfilePub: Client | undefined;
+  /** Subscribers it applies to, as a profile. */
   clientProfileSub: Client | undefined;
 }
 
-/** `ubii.dataStructure.BoolList` */
+/**
+ * Truth values.
+ *
+ * `ubii.dataStructure.BoolList`
+ */
 export interface BoolList {
+  /** In the publisher's order. */
   elements: boolean[];
 }
 
-/** `ubii.dataStructure.Color` */
+/**
+ * A colour with opacity, sRGB, each part from 0 to 1.
+ *
+ * `ubii.dataStructure.Color`
+ */
 export interface Color {
+  /** Red. */
   r: number;
+  /** Green. */
   g: number;
+  /** Blue. */
   b: number;
+  /** Opacity: 0 is invisible, 1 opaque. */
   a: number;
 }
 
-/** `ubii.dataStructure.DoubleList` */
+/**
+ * Numbers of double precision.
+ *
+ * `ubii.dataStructure.DoubleList`
+ */
 export interface DoubleList {
+  /** In the publisher's order; units are the publisher's. */
   elements: number[];
 }
 
-/** `ubii.dataStructure.FloatList` */
+/**
+ * Numbers of single precision.
+ *
+ * `ubii.dataStructure.FloatList`
+ */
 export interface FloatList {
+  /** In the publisher's order; units are the publisher's. */
   elements: number[];
 }
 
-/** `ubii.dataStructure.Image2D` */
+/**
+ * A picture.
+ *
+ * `ubii.dataStructure.Image2D`
+ */
 export interface Image2D {
+  /** Pixels in a row. */
   width: number;
+  /** Rows. */
   height: number;
+  /** Layout of a pixel; means nothing when the data is compressed. */
   dataFormat: Image2DDataFormat;
+  /**
+   * Pixels row by row from the top left without gaps: width * height * channels bytes. Some clients
+   * put a JPEG, PNG or WebP file here; it is known by its first bytes.
+   */
   data: Uint8Array;
 }
 
-/** `ubii.dataStructure.Image2DList` */
+/**
+ * Pictures.
+ *
+ * `ubii.dataStructure.Image2DList`
+ */
 export interface Image2DList {
+  /** In the publisher's order. */
   elements: Image2D[];
 }
 
-/** `ubii.dataStructure.Int32List` */
+/**
+ * Integers of 32 bits.
+ *
+ * `ubii.dataStructure.Int32List`
+ */
 export interface Int32List {
+  /** In the publisher's order; units are the publisher's. */
   elements: number[];
 }
 
-/** `ubii.dataStructure.KeyEvent` */
+/**
+ * A key of a keyboard, or a named button of a controller, was pressed or released.
+ *
+ * `ubii.dataStructure.KeyEvent`
+ */
 export interface KeyEvent {
+  /** Pressed or released. */
   type: ButtonEventType;
+  /** Name of the key, in browsers the value of KeyboardEvent.key. */
   key: string;
 }
 
-/** `ubii.dataStructure.Matrix3x2` */
+/**
+ * A matrix of 3 rows and 2 columns; the first digit is the row, the second the column. As a transform
+ * of the plane, rows 0 and 1 are the images of the axes, row 2 is the translation.
+ *
+ * `ubii.dataStructure.Matrix3x2`
+ */
 export interface Matrix3x2 {
+  /** Row 0, column 0. */
   m00: number;
+  /** Row 0, column 1. */
   m01: number;
+  /** Row 1, column 0. */
   m10: number;
+  /** Row 1, column 1. */
   m11: number;
+  /** Row 2, column 0. */
   m20: number;
+  /** Row 2, column 1. */
   m21: number;
 }
 
-/** `ubii.dataStructure.Matrix4x4` */
+/**
+ * A matrix of 4 rows and 4 columns; the first digit is the row, the second the column. Which side
+ * vectors are multiplied on is agreed between publisher and subscriber.
+ *
+ * `ubii.dataStructure.Matrix4x4`
+ */
 export interface Matrix4x4 {
+  /** Row 0, column 0. */
   m00: number;
+  /** Row 0, column 1. */
   m01: number;
+  /** Row 0, column 2. */
   m02: number;
+  /** Row 0, column 3. */
   m03: number;
+  /** Row 1, column 0. */
   m10: number;
+  /** Row 1, column 1. */
   m11: number;
+  /** Row 1, column 2. */
   m12: number;
+  /** Row 1, column 3. */
   m13: number;
+  /** Row 2, column 0. */
   m20: number;
+  /** Row 2, column 1. */
   m21: number;
+  /** Row 2, column 2. */
   m22: number;
+  /** Row 2, column 3. */
   m23: number;
+  /** Row 3, column 0. */
   m30: number;
+  /** Row 3, column 1. */
   m31: number;
+  /** Row 3, column 2. */
   m32: number;
+  /** Row 3, column 3. */
   m33: number;
 }
 
-/** `ubii.dataStructure.MouseEvent` */
+/**
+ * A mouse button was pressed or released.
+ *
+ * `ubii.dataStructure.MouseEvent`
+ */
 export interface MouseEventMessage {
+  /** Pressed or released. */
   type: ButtonEventType;
+  /** Number of the button, in browsers MouseEvent.button: 0 main, 1 wheel, 2 secondary. */
   button: number;
 }
 
-/** `ubii.dataStructure.MyoEvent` */
+/**
+ * One measurement of a Myo armband.
+ *
+ * `ubii.dataStructure.MyoEvent`
+ */
 export interface MyoEvent {
+  /** Muscle activity at the 8 electrodes, raw units of the device, -128 to 127. */
   emg: Vector8 | undefined;
+  /** Rotation of the forearm. */
   orientation: Quaternion | undefined;
+  /** Angular velocity about the axes of the armband, degrees per second. */
   gyroscope: Vector3 | undefined;
+  /** Acceleration along the axes of the armband with gravity, in g (9.81 m/s^2). */
   accelerometer: Vector3 | undefined;
+  /** What the hand does. */
   gesture: HandGestureType;
 }
 
-/** `ubii.dataStructure.Object2D` */
+/**
+ * A thing in the plane or in a picture.
+ *
+ * `ubii.dataStructure.Object2D`
+ */
 export interface Object2D {
+  /** Which thing it is: a name, a number, or the class a detector found. Not unique in a list. */
   id: string;
+  /** Where it is. */
   pose: Pose2D | undefined;
+  /** How large it is along its axes, in the units of the position. */
   size: Vector2 | undefined;
+  /** Anything else about it, as JSON text. */
   userDataJson: string;
 }
 
-/** `ubii.dataStructure.Object2DList` */
+/**
+ * Things in the plane or in a picture.
+ *
+ * `ubii.dataStructure.Object2DList`
+ */
 export interface Object2DList {
+  /** In the publisher's order. */
   elements: Object2D[];
 }
 
-/** `ubii.dataStructure.Object3D` */
+/**
+ * A thing in space.
+ *
+ * `ubii.dataStructure.Object3D`
+ */
 export interface Object3D {
+  /** Which thing it is: a name, a number, or the class a detector found. Not unique in a list. */
   id: string;
+  /** Where it is. */
   pose: Pose3D | undefined;
+  /** How large it is along its axes, in the units of the position. */
   size: Vector3 | undefined;
+  /** Anything else about it, as JSON text. */
   userDataJson: string;
 }
 
-/** `ubii.dataStructure.Object3DList` */
+/**
+ * Things in space.
+ *
+ * `ubii.dataStructure.Object3DList`
+ */
 export interface Object3DList {
+  /** In the publisher's order. */
   elements: Object3D[];
 }
 
-/** `ubii.dataStructure.Pose2D` */
+/**
+ * Position and orientation in the plane.
+ *
+ * `ubii.dataStructure.Pose2D`
+ */
 export interface Pose2D {
+  /** Where it is. In pictures from 0 to 1 of width and height, from the top left. */
   position: Vector2 | undefined;
+  /** As a vector; its length means nothing. */
   direction?: Vector2 | undefined;
+  /** As an angle from the x axis towards the y axis, radians. */
   angle?: number | undefined;
 }
 
-/** `ubii.dataStructure.Pose3D` */
+/**
+ * Position and orientation in space. Frame and handedness are agreed between publisher and subscriber.
+ *
+ * `ubii.dataStructure.Pose3D`
+ */
 export interface Pose3D {
+  /** Where it is, metres unless agreed otherwise. */
   position: Vector3 | undefined;
+  /** As a unit quaternion. */
   quaternion?: Quaternion | undefined;
+  /** As angles about the axes; unit and order are agreed between publisher and subscriber. */
   euler?: Vector3 | undefined;
 }
 
-/** `ubii.dataStructure.Quaternion` */
+/**
+ * A rotation in space: w + xi + yj + zk. No rotation is w = 1 and the rest 0.
+ *
+ * `ubii.dataStructure.Quaternion`
+ */
 export interface Quaternion {
+  /** First part of the vector: axis x times the sine of half the angle. */
   x: number;
+  /** Second part of the vector. */
   y: number;
+  /** Third part of the vector. */
   z: number;
+  /** Scalar part: the cosine of half the angle. */
   w: number;
 }
 
-/** `ubii.dataStructure.QuaternionList` */
+/**
+ * Rotations in space. No record carries it: the member quaternion_list has the type Quaternion.
+ *
+ * `ubii.dataStructure.QuaternionList`
+ */
 export interface QuaternionList {
+  /** In the publisher's order. */
   elements: Quaternion[];
 }
 
-/** `ubii.dataStructure.StringList` */
+/**
+ * Texts.
+ *
+ * `ubii.dataStructure.StringList`
+ */
 export interface StringList {
+  /** In the publisher's order. */
   elements: string[];
 }
 
-/** `ubii.dataStructure.TouchEvent` */
+/**
+ * A finger touched a surface, moved on it or left it.
+ *
+ * `ubii.dataStructure.TouchEvent`
+ */
 export interface TouchEventMessage {
+  /** What the finger did. */
   type: TouchEventType;
+  /** Where: from 0 to 1 of the surface's width and height, from the top left. */
   position: Vector2 | undefined;
+  /** Tells fingers apart from start to end. */
   id: string;
+  /** How hard, from 0 to 1; 0 when the device cannot tell. */
   force: number;
 }
 
-/** `ubii.dataStructure.TouchEventList` */
+/**
+ * Fingers that touch at the same time, or events since the list before.
+ *
+ * `ubii.dataStructure.TouchEventList`
+ */
 export interface TouchEventList {
+  /** In the order they happened. */
   elements: TouchEventMessage[];
 }
 
-/** `ubii.dataStructure.Vector2` */
+/**
+ * 2 numbers; units and frame are agreed between publisher and subscriber.
+ *
+ * `ubii.dataStructure.Vector2`
+ */
 export interface Vector2 {
+  /** Part 1 of 2. */
   x: number;
+  /** Part 2 of 2. */
   y: number;
 }
 
-/** `ubii.dataStructure.Vector2List` */
+/**
+ * Vectors of 2 numbers.
+ *
+ * `ubii.dataStructure.Vector2List`
+ */
 export interface Vector2List {
+  /** In the publisher's order. */
   elements: Vector2[];
 }
 
-/** `ubii.dataStructure.Vector3` */
+/**
+ * 3 numbers; units and frame are agreed between publisher and subscriber.
+ *
+ * `ubii.dataStructure.Vector3`
+ */
 export interface Vector3 {
+  /** Part 1 of 3. */
   x: number;
+  /** Part 2 of 3. */
   y: number;
+  /** Part 3 of 3. */
   z: number;
 }
 
-/** `ubii.dataStructure.Vector3List` */
+/**
+ * Vectors of 3 numbers.
+ *
+ * `ubii.dataStructure.Vector3List`
+ */
 export interface Vector3List {
+  /** In the publisher's order. */
   elements: Vector3[];
 }
 
-/** `ubii.dataStructure.Vector4` */
+/**
+ * 4 numbers; units and frame are agreed between publisher and subscriber.
+ *
+ * `ubii.dataStructure.Vector4`
+ */
 export interface Vector4 {
+  /** Part 1 of 4. */
   x: number;
+  /** Part 2 of 4. */
   y: number;
+  /** Part 3 of 4. */
   z: number;
+  /** Part 4 of 4. */
   w: number;
 }
 
-/** `ubii.dataStructure.Vector4List` */
+/**
+ * Vectors of 4 numbers.
+ *
+ * `ubii.dataStructure.Vector4List`
+ */
 export interface Vector4List {
+  /** In the publisher's order. */
   elements: Vector4[];
 }
 
-/** `ubii.dataStructure.Vector8` */
+/**
+ * 8 numbers, such as the electrodes of a Myo armband. No record carries it by itself.
+ *
+ * `ubii.dataStructure.Vector8`
+ */
 export interface Vector8 {
+  /** Part 1 of 8. */
   v0: number;
+  /** Part 2 of 8. */
   v1: number;
+  /** Part 3 of 8. */
   v2: number;
+  /** Part 4 of 8. */
   v3: number;
+  /** Part 5 of 8. */
   v4: number;
+  /** Part 6 of 8. */
   v5: number;
+  /** Part 7 of 8. */
   v6: number;
+  /** Part 8 of 8. */
   v7: number;
 }
 
-/** `ubii.dataStructure.Vector8List` */
+/**
+ * Vectors of 8 numbers.
+ *
+ * `ubii.dataStructure.Vector8List`
+ */
 export interface Vector8List {
+  /** In the publisher's order. */
   elements: Vector8[];
 }
 
-/** `ubii.devices.Component` */
+/**
+ * One stream of data of a device: something it publishes or takes.
+ * Also used as a profile that components are compared with: there, empty members are ignored.
+ *
+ * `ubii.devices.Component`
+ */
 export interface Component {
+  /** Topic the data is on. */
   topic: string;
+  /** Data format, by full or short name; existing devices use free spellings. */
   messageFormat: string;
+  /** Direction. */
   ioType: ComponentIOType;
+  /** Id of the device it belongs to. Set by the master. */
   deviceId: string;
+  /** Words to find it by. */
   tags: string[];
+  /** For people. */
   description: string;
+  /** UUID; assigned by the master unless given. */
   id: string;
+  /** For people; unique within the device. */
   name: string;
+  /** Ids of conditions under which its records are passed on; not evaluated. */
   notifyConditionIds: string[];
 }
 
-/** `ubii.devices.ComponentList` */
+/**
+ * Components.
+ *
+ * `ubii.devices.ComponentList`
+ */
 export interface ComponentList {
+  /** In no promised order. */
   elements: Component[];
 }
 
-/** `ubii.devices.Device` */
+/**
+ * A group of components that belong together, such as a phone, a headset or an avatar.
+ * Also used as a profile that devices are compared with: there, empty members are ignored.
+ *
+ * `ubii.devices.Device`
+ */
 export interface Device {
+  /** UUID; assigned by the master unless given. */
   id: string;
+  /** For people, and by convention the second part of its topics. */
   name: string;
+  /** What it is for. */
   deviceType: DeviceType;
+  /** Its streams of data, in the order of the registration. */
   components: Component[];
+  /** Id of the client it belongs to. */
   clientId: string;
+  /** Words to find it by. */
   tags: string[];
+  /** For people. */
   description: string;
 }
 
-/** `ubii.devices.DeviceList` */
+/**
+ * Devices.
+ *
+ * `ubii.devices.DeviceList`
+ */
 export interface DeviceList {
+  /** In no promised order. */
   elements: Device[];
 }
 
-/** `ubii.devices.TopicDemux` */
+/**
+ * Spreads the list a module puts out over many topics.
+ *
+ * `ubii.devices.TopicDemux`
+ */
 export interface TopicDemux {
+  /** UUID; existing nodes need it to be set. */
   id: string;
+  /** For people. */
   name: string;
+  /** Short name of the data format of the elements. */
   dataType: string;
+  /** Topic with placeholders {{#0}}, {{#1}}, ... for the parameters that come with each element. */
   outputTopicFormat: string;
 }
 
-/** `ubii.devices.TopicDemuxList` */
+/**
+ * Demultiplexers.
+ *
+ * `ubii.devices.TopicDemuxList`
+ */
 export interface TopicDemuxList {
+  /** In no promised order. */
   elements: TopicDemux[];
 }
 
-/** `ubii.devices.TopicMux` */
+/**
+ * Gathers the newest records of many topics into one list for a module.
+ *
+ * `ubii.devices.TopicMux`
+ */
 export interface TopicMux {
+  /** UUID; existing nodes need it to be set. */
   id: string;
+  /** For people. */
   name: string;
+  /** Short name of the data format it takes; empty takes all. */
   dataType: string;
+  /** Regular expression that selects the topics, unanchored. */
   topicSelector: string;
+  /** Regular expression; what it matches in a topic tells the elements apart. */
   identityMatchPattern: string;
 }
 
-/** `ubii.devices.TopicMuxList` */
+/**
+ * Multiplexers.
+ *
+ * `ubii.devices.TopicMuxList`
+ */
 export interface TopicMuxList {
+  /** In no promised order. */
   elements: TopicMux[];
 }
 
@@ -441,8 +855,13 @@ export interface ClientExtension {
   masterVersion: string;
 }
 
-/** `ubii.extension.MasterAddress` */
+/**
+ * One way to reach the master.
+ *
+ * `ubii.extension.MasterAddress`
+ */
 export interface MasterAddress {
+  /** Which kind of network it leads through. */
   kind: MasterAddressKind;
   /** Name of the network interface as the system calls it. */
   interfaceName: string;
@@ -456,8 +875,11 @@ export interface MasterAddress {
  * `ubii.extension.MasterStatus`
  */
 export interface MasterStatus {
+  /** UUID of this run of the master, the same as Server.id. */
   masterId: string;
+  /** For people. */
   name: string;
+  /** Semantic versioning. */
   version: string;
   /** Milliseconds since the Unix epoch, master's clock. */
   startedMs: number;
@@ -467,7 +889,9 @@ export interface MasterStatus {
   recordsIn: number;
   /** Records handed to subscribers. */
   recordsOut: number;
+  /** Bytes of the frames received from clients. */
   bytesIn: number;
+  /** Bytes of the frames handed to clients. */
   bytesOut: number;
   /** Records that slow subscribers did not get. */
   dropped: number;
@@ -475,9 +899,14 @@ export interface MasterStatus {
   refused: number;
   /** Topics that hold a value or a subscription. */
   topics: number;
-  /** Clients by state. */
+  /**
+   * Clients by state.
+   * State ACTIVE.
+   */
   clientsActive: number;
+  /** State INACTIVE. */
   clientsInactive: number;
+  /** State UNAVAILABLE. */
   clientsUnavailable: number;
   /** Share of one core used since the sample before, percent. */
   cpuPercent: number;
@@ -506,9 +935,15 @@ export interface MasterStatusRequest {
   sinceMs: number;
 }
 
-/** `ubii.extension.StatusEvent` */
+/**
+ * Something that happened and that people may want to know.
+ *
+ * `ubii.extension.StatusEvent`
+ */
 export interface StatusEvent {
+  /** When: milliseconds since the Unix epoch, master's clock. */
   timeMs: number;
+  /** What happened. */
   kind: StatusEventKind;
   /** A few words for people. */
   text: string;
@@ -516,19 +951,29 @@ export interface StatusEvent {
   clientId: string;
 }
 
-/** `ubii.extension.StatusProblem` */
+/**
+ * Something that is wrong now.
+ *
+ * `ubii.extension.StatusProblem`
+ */
 export interface StatusProblem {
   /** Stable name of the kind of problem: client_silent, client_slow, limit_reached, protocol_errors. */
   code: string;
+  /** How bad it is. */
   severity: StatusProblemSeverity;
   /** What is wrong and what follows from it, one sentence. */
   text: string;
+  /** The client it is about; empty when it is about none. */
   clientId: string;
   /** Since when: milliseconds since the Unix epoch, master's clock. */
   sinceMs: number;
 }
 
-/** `ubii.extension.StatusSample` */
+/**
+ * How busy the master was at one moment.
+ *
+ * `ubii.extension.StatusSample`
+ */
 export interface StatusSample {
   /** Milliseconds since the Unix epoch, master's clock. */
   timeMs: number;
@@ -543,6 +988,7 @@ export interface StatusSample {
  * `ubii.extension.TopicStatistic`
  */
 export interface TopicStatistic {
+  /** Which topic. */
   topic: string;
   /** Short name of the data format of the newest record (vector2, image2D, ...); empty while the topic has no value. */
   dataFormat: string;
@@ -572,6 +1018,7 @@ export interface TopicStatistics {
   cursor: number;
   /** True when this is a full list: everything the client knew from earlier replies is void. */
   reset: boolean;
+  /** Topics in no promised order; all of them after a reset, else those that changed. */
   elements: TopicStatistic[];
   /** Topics that were deleted since the cursor. */
   removed: string[];
@@ -589,332 +1036,663 @@ export interface TopicStatisticsRequest {
   cursor: number;
 }
 
-/** `ubii.general.Error` */
+/**
+ * Something was refused or went wrong.
+ *
+ * `ubii.general.Error`
+ */
 export interface ErrorMessage {
+  /** A few words for people. */
   title: string;
+  /** One sentence: what was wrong and what to do. */
   message: string;
+  /** Where in the code it happened; a master of this project leaves it empty. */
   stack: string;
+  /** Stable reason from the closed list of error codes. Rule EX-9. */
   code: string;
 }
 
-/** `ubii.general.ErrorList` */
+/**
+ * Errors.
+ *
+ * `ubii.general.ErrorList`
+ */
 export interface ErrorList {
+  /** In the order they happened. */
   elements: ErrorMessage[];
 }
 
-/** `ubii.general.Success` */
+/**
+ * Something was done that returns nothing else.
+ *
+ * `ubii.general.Success`
+ */
 export interface Success {
+  /** A few words for people. */
   title: string;
+  /** One sentence on what was done. */
   message: string;
 }
 
-/** `ubii.general.SuccessList` */
+/**
+ * Successes.
+ *
+ * `ubii.general.SuccessList`
+ */
 export interface SuccessList {
+  /** In the order they happened. */
   elements: Success[];
 }
 
-/** `ubii.processing.LockstepProcessingReply` */
+/**
+ * What the modules put out in one pass. Published when all nodes have answered.
+ *
+ * `ubii.processing.LockstepProcessingReply`
+ */
 export interface LockstepProcessingReply {
+  /** Modules that ran. */
   processingModuleIds: string[];
+  /** Outputs of all of them, told apart by topic. */
   records: TopicDataRecord[];
 }
 
-/** `ubii.processing.LockstepProcessingRequest` */
+/**
+ * Asks a node to run modules once, all on inputs taken at the same moment.
+ *
+ * `ubii.processing.LockstepProcessingRequest`
+ */
 export interface LockstepProcessingRequest {
+  /** Modules to run. */
   processingModuleIds: string[];
+  /** Inputs of all of them, told apart by topic. */
   records: TopicDataRecord[];
+  /** Since the pass before, milliseconds. */
   deltaTimeMs: number;
 }
 
-/** `ubii.processing.ModuleIO` */
+/**
+ * An input or output of a module.
+ *
+ * `ubii.processing.ModuleIO`
+ */
 export interface ModuleIO {
+  /** What the code calls it; unique among the inputs or the outputs. */
   internalName: string;
+  /** Data format, by full or short name. */
   messageFormat: string;
+  /** True when it is a list of records, as multiplexers yield and demultiplexers take. */
   isRecordList: boolean;
 }
 
-/** `ubii.processing.ProcessingMode` */
+/**
+ * When a module runs. Nothing set means a frequency of 30 Hz.
+ *
+ * `ubii.processing.ProcessingMode`
+ */
 export interface ProcessingMode {
+  /** Fixed intervals. */
   frequency?: ProcessingModeFrequency | undefined;
+  /** Passes together. */
   lockstep?: ProcessingModeLockstep | undefined;
+  /** Changed inputs. */
   triggerOnInput?: ProcessingModeTriggerOnInput | undefined;
+  /** Its own timing. */
   free?: ProcessingModeFree | undefined;
 }
 
-/** `ubii.processing.ProcessingMode.Free` */
+/**
+ * As the module pleases.
+ *
+ * `ubii.processing.ProcessingMode.Free`
+ */
 export interface ProcessingModeFree {
 }
 
-/** `ubii.processing.ProcessingMode.Frequency` */
+/**
+ * At fixed intervals, with or without new inputs.
+ *
+ * `ubii.processing.ProcessingMode.Frequency`
+ */
 export interface ProcessingModeFrequency {
+  /** Runs per second. */
   hertz: number;
 }
 
-/** `ubii.processing.ProcessingMode.Lockstep` */
+/**
+ * In passes with all lockstep modules of the session, on one snapshot of the inputs.
+ *
+ * `ubii.processing.ProcessingMode.Lockstep`
+ */
 export interface ProcessingModeLockstep {
+  /** Where the node takes the request for a pass. */
   processRequestEndpoint: string;
 }
 
-/** `ubii.processing.ProcessingMode.TriggerOnInput` */
+/**
+ * When inputs have changed.
+ *
+ * `ubii.processing.ProcessingMode.TriggerOnInput`
+ */
 export interface ProcessingModeTriggerOnInput {
+  /** Shortest time from one run to the next, milliseconds. */
   minDelayMs: number;
+  /** True: every input must have changed since the run before; false: any. */
   allInputsNeedUpdate: boolean;
 }
 
-/** `ubii.processing.ProcessingModule` */
+/**
+ * A small computation with inputs, outputs, state and callbacks: what it is, where it runs, how it is.
+ *
+ * `ubii.processing.ProcessingModule`
+ */
 export interface ProcessingModule {
+  /** UUID of this instance. */
   id: string;
+  /** Which module it is; nodes find the code they have by it. */
   name: string;
+  /** Who wrote it. */
   authors: string[];
+  /** Words to find it by. */
   tags: string[];
+  /** For people. */
   description: string;
+  /** Id of the client, or of the master, that runs it. */
   nodeId: string;
+  /** Id of the session it belongs to. */
   sessionId: string;
+  /** Where it is in its life. */
   status: ProcessingModuleStatus;
+  /** When it runs; absent means 30 Hz. */
   processingMode: ProcessingMode | undefined;
+  /** What it takes. */
   inputs: ModuleIO[];
+  /** What it puts out. */
   outputs: ModuleIO[];
+  /** What the callbacks are written in; left out when not known. */
   language: ProcessingModuleLanguage;
+  /** Source of the function that is called for each run: (deltaTime in ms, inputs, state). */
   onProcessingStringified: string;
+  /** Source of the function that is called once before the first run: (state). */
   onCreatedStringified: string;
+  /** Source of the function that is called when it is stopped: (state). */
   onHaltedStringified: string;
+  /** Source of the function that is called before it is gone: (state). */
   onDestroyedStringified: string;
 }
 
-/** `ubii.processing.ProcessingModuleList` */
+/**
+ * Processing modules.
+ *
+ * `ubii.processing.ProcessingModuleList`
+ */
 export interface ProcessingModuleList {
+  /** In no promised order. */
   elements: ProcessingModule[];
 }
 
-/** `ubii.servers.Server` */
+/**
+ * A master: who it is and where it is reached.
+ *
+ * `ubii.servers.Server`
+ */
 export interface Server {
+  /** UUID, new at every start; the node id of modules the master runs itself. */
   id: string;
+  /** For people. */
   name: string;
+  /** IPv4 address in the wired network; empty when there is none or the master listens on loopback only. */
   ipEthernet: string;
+  /** IPv4 address in the wireless network; empty like ip_ethernet. */
   ipWlan: string;
+  /** Port of the services over ZeroMQ, decimal. */
   portServiceZmq: string;
+  /** Port of the services over HTTP, decimal. */
   portServiceRest: string;
+  /** Port of the topic data over ZeroMQ, decimal. */
   portTopicDataZmq: string;
+  /** Port of the topic data over WebSocket, decimal. */
   portTopicDataWs: string;
+  /** Topics and message names by the keys existing clients know, as JSON text. */
   constantsJson: string;
+  /** Host and port of the services over ZeroMQ, without scheme. */
   externalAddressServiceZmq: string;
+  /** Host, port and path of the services as JSON over HTTP, without scheme. */
   externalAddressServiceHttpJson: string;
+  /** Host, port and path of the services as protobuf over HTTP, without scheme. */
   externalAddressServiceHttpBinary: string;
+  /** Host and port of the topic data over ZeroMQ, without scheme. */
   externalAddressTopicDataZmq: string;
+  /** Host and port of the topic data over WebSocket, without scheme. */
   externalAddressTopicDataWs: string;
 }
 
-/** `ubii.services.Service` */
+/**
+ * A named call a master answers.
+ *
+ * `ubii.services.Service`
+ */
 export interface Service {
+  /** Its name. */
   topic: string;
+  /** Full name of the message it takes; several are separated by ", ", empty when it takes none. */
   requestMessageFormat: string;
+  /** Full name of the message it returns. */
   responseMessageFormat: string;
+  /** Words to find it by. */
   tags: string[];
+  /** What it does, one sentence. */
   description: string;
 }
 
-/** `ubii.services.ServiceList` */
+/**
+ * Services; every topic once.
+ *
+ * `ubii.services.ServiceList`
+ */
 export interface ServiceList {
+  /** In no promised order. */
   elements: Service[];
 }
 
-/** `ubii.services.ServiceReply` */
+/**
+ * The answer to a call. Exactly one member is set.
+ *
+ * `ubii.services.ServiceReply`
+ */
 export interface ServiceReply {
+  /** Done; there is nothing else to return. */
   success?: Success | undefined;
+  /** Refused or failed. Rule SV-5. */
   error?: ErrorMessage | undefined;
+  /** A client. */
   client?: Client | undefined;
+  /** A device. */
   device?: Device | undefined;
+  /** A master. */
   server?: Server | undefined;
+  /** A session. */
   session?: Session | undefined;
+  /** Sessions. */
   sessionList?: SessionList | undefined;
+  /** A module. */
   processingModule?: ProcessingModule | undefined;
+  /** Modules. */
   processingModuleList?: ProcessingModuleList | undefined;
+  /** Texts, for example topics. */
   stringList?: StringList | undefined;
+  /** A multiplexer. */
   topicMux?: TopicMux | undefined;
+  /** Multiplexers. */
   topicMuxList?: TopicMuxList | undefined;
+  /** A demultiplexer. */
   topicDemux?: TopicDemux | undefined;
+  /** Demultiplexers. */
   topicDemuxList?: TopicDemuxList | undefined;
+  /** Clients. */
   clientList?: ClientList | undefined;
+  /** Devices. */
   deviceList?: DeviceList | undefined;
+  /** A service. */
   service?: Service | undefined;
+  /** Services. */
   serviceList?: ServiceList | undefined;
+  /** What lockstep modules put out. */
   lockstepProcessingReply?: LockstepProcessingReply | undefined;
+  /** A component. */
   component?: Component | undefined;
+  /** Components. */
   componentList?: ComponentList | undefined;
+  /** A condition. */
   notifyCondition?: NotifyCondition | undefined;
+  /** Counters of topics. Rule EX-11. */
   topicStatistics?: TopicStatistics | undefined;
+  /** How the master is. Rule EX-16. */
   masterStatus?: MasterStatus | undefined;
 }
 
-/** `ubii.services.ServiceRequest` */
+/**
+ * A call of a service. What each service takes is in the service table.
+ *
+ * `ubii.services.ServiceRequest`
+ */
 export interface ServiceRequest {
+  /** Which service. */
   topic: string;
+  /** A client, or the profile of one. */
   client?: Client | undefined;
+  /** A device, or the profile of one. */
   device?: Device | undefined;
+  /** Subscriptions to add and to end. */
   topicSubscription?: TopicSubscription | undefined;
+  /** A session, or just its id. */
   session?: Session | undefined;
+  /** Sessions. */
   sessionList?: SessionList | undefined;
+  /** A module, or just its id or name. */
   processingModule?: ProcessingModule | undefined;
+  /** Modules, or profiles of them. */
   processingModuleList?: ProcessingModuleList | undefined;
+  /** A multiplexer. */
   topicMux?: TopicMux | undefined;
+  /** Multiplexers. */
   topicMuxList?: TopicMuxList | undefined;
+  /** A demultiplexer. */
   topicDemux?: TopicDemux | undefined;
+  /** Demultiplexers. */
   topicDemuxList?: TopicDemuxList | undefined;
+  /** Clients, or profiles of them. */
   clientList?: ClientList | undefined;
+  /** Devices, or profiles of them. */
   deviceList?: DeviceList | undefined;
+  /** One pass of lockstep modules. */
   lockstepProcessingRequest?: LockstepProcessingRequest | undefined;
+  /** A component, or the profile of one. */
   component?: Component | undefined;
+  /** Components, or profiles of them. */
   componentList?: ComponentList | undefined;
+  /** A condition. */
   notifyCondition?: NotifyCondition | undefined;
+  /** Which counters are wanted. Rule EX-11. */
   topicStatisticsRequest?: TopicStatisticsRequest | undefined;
+  /** Which samples and events are wanted. Rule EX-16. */
   masterStatusRequest?: MasterStatusRequest | undefined;
 }
 
-/** `ubii.services.request.TopicSubscription` */
+/**
+ * Changes what a client is subscribed to. Handled in the order topics, regular expressions,
+ * components, each first subscribed, then unsubscribed. Rules TD-20 to TD-28, SV-12.
+ *
+ * `ubii.services.request.TopicSubscription`
+ */
 export interface TopicSubscription {
+  /** The client that subscribes. */
   clientId: string;
+  /** Topics to subscribe to. */
   subscribeTopics: string[];
+  /** Topics to unsubscribe from. */
   unsubscribeTopics: string[];
+  /** Regular expressions to subscribe to, RE2 syntax, unanchored. */
   subscribeTopicRegexp: string[];
+  /** Regular expressions to unsubscribe from, spelt as when subscribed. */
   unsubscribeTopicRegexp: string[];
+  /** Profiles: the topics of all components that match one are subscribed, future ones as well. */
   subscribeComponents: Component[];
+  /** Profiles to unsubscribe from, equal to those subscribed. */
   unsubscribeComponents: Component[];
+  /** Highest rate of records per topic for what is subscribed here, hertz; 0 is no limit. Rule EX-8. */
   maxRateHz: number;
 }
 
-/** `ubii.sessions.IOMapping` */
+/**
+ * What flows into and out of one module.
+ *
+ * `ubii.sessions.IOMapping`
+ */
 export interface IOMapping {
+  /** Id of the module. */
   processingModuleId: string;
+  /** Its inputs; those without a mapping stay empty. */
   inputMappings: TopicInputMapping[];
+  /** Its outputs; those without a mapping are dropped. */
   outputMappings: TopicOutputMapping[];
+  /** Name of the module: Python nodes find it by name, the others by id. */
   processingModuleName: string;
 }
 
-/** `ubii.sessions.IOMappingList` */
+/**
+ * Mappings of several modules.
+ *
+ * `ubii.sessions.IOMappingList`
+ */
 export interface IOMappingList {
+  /** In no promised order. */
   elements: IOMapping[];
 }
 
-/** `ubii.sessions.Session` */
+/**
+ * Modules that are started and stopped together, and what flows into and out of them.
+ *
+ * `ubii.sessions.Session`
+ */
 export interface Session {
+  /** UUID, assigned by the master. */
   id: string;
+  /** For people; stored sessions are found by it. */
   name: string;
+  /** Its modules. */
   processingModules: ProcessingModule[];
+  /** What flows where, one entry a module. Existing nodes need at least one. */
   ioMappings: IOMapping[];
+  /** Words to find it by. */
   tags: string[];
+  /** For people. */
   description: string;
+  /** Who made it. */
   authors: string[];
+  /** Where it is in its life. */
   status: SessionStatus;
+  /** False when people should not change it. */
   editable: boolean;
 }
 
-/** `ubii.sessions.SessionList` */
+/**
+ * Sessions.
+ *
+ * `ubii.sessions.SessionList`
+ */
 export interface SessionList {
+  /** In no promised order. */
   elements: Session[];
 }
 
-/** `ubii.sessions.TopicInputMapping` */
+/**
+ * Where one input of a module gets its value.
+ *
+ * `ubii.sessions.TopicInputMapping`
+ */
 export interface TopicInputMapping {
+  /** Internal name of the input. */
   inputName: string;
+  /** The newest record of a topic. */
   topic?: string | undefined;
+  /** The newest records of many topics, as a list. */
   topicMux?: TopicMux | undefined;
 }
 
-/** `ubii.sessions.TopicInputMappingList` */
+/**
+ * Mappings of inputs.
+ *
+ * `ubii.sessions.TopicInputMappingList`
+ */
 export interface TopicInputMappingList {
+  /** In no promised order. */
   elements: TopicInputMapping[];
 }
 
-/** `ubii.sessions.TopicOutputMapping` */
+/**
+ * Where one output of a module goes.
+ *
+ * `ubii.sessions.TopicOutputMapping`
+ */
 export interface TopicOutputMapping {
+  /** Internal name of the output. */
   outputName: string;
+  /** A topic. */
   topic?: string | undefined;
+  /** Many topics, one for each element of the list. */
   topicDemux?: TopicDemux | undefined;
 }
 
-/** `ubii.sessions.TopicOutputMappingList` */
+/**
+ * Mappings of outputs.
+ *
+ * `ubii.sessions.TopicOutputMappingList`
+ */
 export interface TopicOutputMappingList {
+  /** In no promised order. */
   elements: TopicOutputMapping[];
 }
 
-/** `ubii.topicData.Timestamp` */
+/**
+ * When a value was taken, by the publisher's clock. The fields are independent: clients fill one or
+ * the other, and not all of them with time since the Unix epoch.
+ *
+ * `ubii.topicData.Timestamp`
+ */
 export interface Timestamp {
+  /** Whole seconds, by convention since the Unix epoch. */
   seconds: number;
+  /** Fraction of the second, nanoseconds from 0 to 999999999. */
   nanos: number;
+  /** The whole moment in milliseconds, by convention since the Unix epoch. */
   millis: number;
 }
 
-/** `ubii.topicData.TopicData` */
+/**
+ * What one frame of the topic-data channel holds.
+ *
+ * `ubii.topicData.TopicData`
+ */
 export interface TopicData {
+  /** One record. */
   topicDataRecord?: TopicDataRecord | undefined;
+  /** Several records. From a master only to clients that asked for lists. Rules TD-3, TD-4. */
   topicDataRecordList?: TopicDataRecordList | undefined;
+  /** Why something was refused. Rule TD-17. */
   error?: ErrorMessage | undefined;
 }
 
-/** `ubii.topicData.TopicDataRecord` */
+/**
+ * One value on a topic. A record without a value is allowed. The members are the data formats.
+ *
+ * `ubii.topicData.TopicDataRecord`
+ */
 export interface TopicDataRecord {
+  /** Where it is published. */
   topic: string;
+  /** When the value was taken. */
   timestamp: Timestamp | undefined;
+  /** A number. */
   double?: number | undefined;
+  /** A truth value. */
   bool?: boolean | undefined;
+  /** A text. */
   string?: string | undefined;
+  /** Two numbers. */
   vector2?: Vector2 | undefined;
+  /** Three numbers. */
   vector3?: Vector3 | undefined;
+  /** Four numbers. */
   vector4?: Vector4 | undefined;
+  /** A rotation. */
   quaternion?: Quaternion | undefined;
+  /** A matrix of 3 rows and 2 columns. */
   matrix3x2?: Matrix3x2 | undefined;
+  /** A matrix of 4 rows and 4 columns. */
   matrix4x4?: Matrix4x4 | undefined;
+  /** A colour. */
   color?: Color | undefined;
+  /** A touch. An event: every record counts. */
   touchEvent?: TouchEventMessage | undefined;
+  /** A key. An event: every record counts. */
   keyEvent?: KeyEvent | undefined;
+  /** A mouse button. An event: every record counts. */
   mouseEvent?: MouseEventMessage | undefined;
+  /** A measurement of an armband. An event: every record counts. */
   myoEvent?: MyoEvent | undefined;
+  /** A position and orientation in the plane. */
   pose2D?: Pose2D | undefined;
+  /** A position and orientation in space. */
   pose3D?: Pose3D | undefined;
+  /** A thing in the plane. */
   object2D?: Object2D | undefined;
+  /** A thing in space. */
   object3D?: Object3D | undefined;
+  /** Things in the plane. */
   object2DList?: Object2DList | undefined;
+  /** Things in space. */
   object3DList?: Object3DList | undefined;
+  /** An integer. */
   int32?: number | undefined;
+  /** A number of single precision. */
   float?: number | undefined;
+  /** Integers. */
   int32List?: Int32List | undefined;
+  /** Numbers of single precision. */
   floatList?: FloatList | undefined;
+  /** Numbers. */
   doubleList?: DoubleList | undefined;
+  /** Texts. */
   stringList?: StringList | undefined;
+  /** Truth values. */
   boolList?: BoolList | undefined;
+  /** A picture. */
   image2D?: Image2D | undefined;
+  /** Pictures. */
   image2DList?: Image2DList | undefined;
+  /** News of a session. */
   session?: Session | undefined;
+  /** Id of the publisher, as far as it says; never checked. */
   clientId: string;
+  /** Touches. An event: every record counts. */
   touchEventList?: TouchEventList | undefined;
+  /** Pairs of numbers. */
   vector2List?: Vector2List | undefined;
+  /** Triples of numbers. */
   vector3List?: Vector3List | undefined;
+  /** Quadruples of numbers. */
   vector4List?: Vector4List | undefined;
+  /** A single rotation in spite of the name: existing clients send and expect this type. */
   quaternionList?: Quaternion | undefined;
+  /** News of something that went wrong. */
   error?: ErrorMessage | undefined;
+  /** News of a device. */
   device?: Device | undefined;
+  /** Devices. */
   deviceList?: DeviceList | undefined;
+  /** A component. */
   component?: Component | undefined;
+  /** Components. */
   componentList?: ComponentList | undefined;
+  /** Sessions. */
   sessionList?: SessionList | undefined;
+  /** News of a client. Rule CL-31. */
   client?: Client | undefined;
 }
 
-/** `ubii.topicData.TopicDataRecordList` */
+/**
+ * Records that travel together.
+ *
+ * `ubii.topicData.TopicDataRecordList`
+ */
 export interface TopicDataRecordList {
+  /** In publishing order. Rule TD-10. */
   elements: TopicDataRecord[];
 }
 
-/** `ubii.topicData.TopicDataSource` */
+/**
+ * Where a value comes from. Kept for compatibility: no other message refers to it.
+ *
+ * `ubii.topicData.TopicDataSource`
+ */
 export interface TopicDataSource {
+  /** A topic. */
   topic?: string | undefined;
+  /** All topics a regular expression matches, unanchored. */
   regex?: string | undefined;
+  /** The topics of all components that match this profile. */
   component?: Component | undefined;
+  /** No topic: always this record. */
   staticRecord?: TopicDataRecord | undefined;
 }
 
-/** `ubii.topicData.TopicDataSourceList` */
+/**
+ * Sources.
+ *
+ * `ubii.topicData.TopicDataSourceList`
+ */
 export interface TopicDataSourceList {
+  /** In no promised order. */
   elements: TopicDataSource[];
 }
 

@@ -9,6 +9,7 @@ import {
   type MessageCheck,
 } from './check-table.ts';
 import type { Cursor } from './cursor.ts';
+import { MalformedError } from './malformed-error.ts';
 import { checkUtf8 } from './utf8.ts';
 
 /** The schema's knowledge of a field, if it came with a wire type it may have. */
@@ -24,7 +25,7 @@ export function fieldOf(message: MessageCheck, tag: number): FieldCheck | undefi
  * Checks the structure of a message from the cursor to its end: lengths, wire types, UTF-8, nested
  * messages. Unknown fields pass. Recurses along the schema, which does not contain itself. [TD-12]
  *
- * @throws RangeError that says where the structure breaks
+ * @throws MalformedError that says where the structure breaks
  */
 export function checkMessage(cursor: Cursor, message: MessageCheck): void {
   while (cursor.pos < cursor.end) {
@@ -63,7 +64,9 @@ export function checkField(cursor: Cursor, field: FieldCheck, wireType: number):
   } else {
     const size = field.check === FIXED64 ? 8 : field.check === FIXED32 ? 4 : 1;
     if (length % size !== 0) {
-      throw new RangeError(`${length} bytes at ${cursor.pos} are no list of ${size}-byte numbers`);
+      throw new MalformedError(
+        `${length} bytes at ${cursor.pos} are no list of ${size}-byte numbers`,
+      );
     }
     cursor.pos = end;
   }

@@ -1,8 +1,9 @@
 import { MAX_GROUP_DEPTH } from '../protobuf.ts';
+import { MalformedError } from './malformed-error.ts';
 
 /**
  * Moves over encoded bytes without making anything. Every method checks that it stays before `end`
- * and throws a RangeError that says where it could not.
+ * and throws a MalformedError that says where it could not.
  */
 export class Cursor {
   readonly bytes: Uint8Array;
@@ -26,7 +27,7 @@ export class Cursor {
   readLength(): number {
     const length = this.#readUint32(0x07, 'length');
     if (length > this.end - this.pos) {
-      throw new RangeError(`${length} bytes at ${this.pos} end after byte ${this.end}`);
+      throw new MalformedError(`${length} bytes at ${this.pos} end after byte ${this.end}`);
     }
     return length;
   }
@@ -34,14 +35,14 @@ export class Cursor {
   #readUint32(lastByteLimit: number, what: string): number {
     const { bytes, end } = this;
     let pos = this.pos;
-    if (pos >= end) throw new RangeError(`a ${what} at ${pos} ends after byte ${end}`);
+    if (pos >= end) throw new MalformedError(`a ${what} at ${pos} ends after byte ${end}`);
     let byte = bytes[pos++]!;
     let value = byte & 0x7f;
     for (let shift = 7; byte >= 0x80; shift += 7) {
-      if (pos >= end) throw new RangeError(`a ${what} at ${this.pos} ends after byte ${end}`);
+      if (pos >= end) throw new MalformedError(`a ${what} at ${this.pos} ends after byte ${end}`);
       byte = bytes[pos++]!;
       if (shift === 28 && byte > lastByteLimit) {
-        throw new RangeError(`a ${what} at ${this.pos} is too large`);
+        throw new MalformedError(`a ${what} at ${this.pos} is too large`);
       }
       value |= (byte & 0x7f) << shift;
     }
@@ -60,7 +61,7 @@ export class Cursor {
         return;
       }
     }
-    throw new RangeError(
+    throw new MalformedError(
       pos - start === 10
         ? `a number at ${start} is longer than 10 bytes`
         : `a number at ${start} ends after byte ${end}`,
@@ -69,14 +70,14 @@ export class Cursor {
 
   skipBytes(length: number): void {
     if (length > this.end - this.pos) {
-      throw new RangeError(`${length} bytes at ${this.pos} end after byte ${this.end}`);
+      throw new MalformedError(`${length} bytes at ${this.pos} end after byte ${this.end}`);
     }
     this.pos += length;
   }
 
   /** Steps over a field that the schema does not have, or not with this wire type. */
   skipField(tag: number, depth = 0): void {
-    if (tag >>> 3 === 0) throw new RangeError(`field number 0 before ${this.pos}`);
+    if (tag >>> 3 === 0) throw new MalformedError(`field number 0 before ${this.pos}`);
     switch (tag & 7) {
       case 0:
         return this.skipVarint();
@@ -89,17 +90,18 @@ export class Cursor {
       case 5:
         return this.skipBytes(4);
       default:
-        throw new RangeError(`wire type ${tag & 7} of field ${tag >>> 3} before ${this.pos}`);
+        throw new MalformedError(`wire type ${tag & 7} of field ${tag >>> 3} before ${this.pos}`);
     }
   }
 
   #skipGroup(startTag: number, depth: number): void {
-    if (depth > MAX_GROUP_DEPTH) throw new RangeError(`groups nest deeper than ${MAX_GROUP_DEPTH}`);
+    if (depth > MAX_GROUP_DEPTH)
+      throw new MalformedError(`groups nest deeper than ${MAX_GROUP_DEPTH}`);
     for (;;) {
       const tag = this.readTag();
       if ((tag & 7) === 4) {
         if (tag >>> 3 === startTag >>> 3) return;
-        throw new RangeError(`group ${startTag >>> 3} ends as group ${tag >>> 3}`);
+        throw new MalformedError(`group ${startTag >>> 3} ends as group ${tag >>> 3}`);
       }
       this.skipField(tag, depth);
     }

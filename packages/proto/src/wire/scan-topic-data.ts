@@ -2,6 +2,7 @@ import { DecodeError } from '../decode-error.ts';
 import { checkField, checkMessage, fieldOf } from './check-message.ts';
 import { messageCheck } from './check-table.ts';
 import { Cursor } from './cursor.ts';
+import { MalformedError } from './malformed-error.ts';
 import { ERROR_TAG, LIST_ELEMENT_TAG, LIST_TAG, RECORD_TAG } from './tags.ts';
 import { readUtf8 } from './utf8.ts';
 
@@ -64,7 +65,7 @@ export function scanTopicData(frame: Uint8Array, sink: TopicDataSink): void {
       }
     }
   } catch (cause) {
-    throw cause instanceof RangeError
+    throw cause instanceof MalformedError
       ? DecodeError.wrap('ubii.topicData.TopicData', frame.length, cause)
       : cause;
   }

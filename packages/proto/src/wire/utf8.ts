@@ -1,14 +1,28 @@
+import { MalformedError } from './malformed-error.ts';
+
 /**
  * Checks that bytes are well-formed UTF-8 (Unicode 15, table 3-7): no overlong forms, no surrogates,
  * nothing above U+10FFFF.
  *
- * @returns true when all are ASCII
- * @throws RangeError that says where they are not well-formed
+ * @throws MalformedError that says where they are not
  */
-export function checkUtf8(bytes: Uint8Array, start: number, end: number): boolean {
+export function checkUtf8(bytes: Uint8Array, start: number, end: number): void {
   let pos = start;
-  while (pos < end && bytes[pos]! < 0x80) pos++;
-  if (pos === end) return true;
+  // Nearly all text on this channel is ASCII: eight bytes at a time cost a third of one by one.
+  while (
+    pos + 8 <= end &&
+    (bytes[pos]! |
+      bytes[pos + 1]! |
+      bytes[pos + 2]! |
+      bytes[pos + 3]! |
+      bytes[pos + 4]! |
+      bytes[pos + 5]! |
+      bytes[pos + 6]! |
+      bytes[pos + 7]!) <
+      0x80
+  ) {
+    pos += 8;
+  }
   while (pos < end) {
     const first = bytes[pos]!;
     if (first < 0x80) {
@@ -22,16 +36,15 @@ export function checkUtf8(bytes: Uint8Array, start: number, end: number): boolea
       pos + length > end ||
       !isSecondByte(first, bytes[pos + 1]!)
     ) {
-      throw new RangeError(`text is not UTF-8 at byte ${pos}`);
+      throw new MalformedError(`text is not UTF-8 at byte ${pos}`);
     }
     for (let i = 2; i < length; i++) {
       if ((bytes[pos + i]! & 0xc0) !== 0x80) {
-        throw new RangeError(`text is not UTF-8 at byte ${pos}`);
+        throw new MalformedError(`text is not UTF-8 at byte ${pos}`);
       }
     }
     pos += length;
   }
-  return false;
 }
 
 /** The second byte is narrower after E0, ED, F0 and F4. */
@@ -41,18 +54,18 @@ function isSecondByte(first: number, second: number): boolean {
   return second >= low && second <= high;
 }
 
-const decoder = new TextDecoder('utf-8', { ignoreBOM: true });
+const decoder = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
 
 /**
- * Checks and reads a text.
+ * Reads a text. The platform's decoder makes a flat string, which as a key of a map costs a third of
+ * one put together from characters.
  *
- * @throws RangeError when the bytes are not well-formed UTF-8
+ * @throws MalformedError when the bytes are not well-formed UTF-8
  */
 export function readUtf8(bytes: Uint8Array, start: number, end: number): string {
-  const isAscii = checkUtf8(bytes, start, end);
-  // Up to this length a call into the platform's decoder costs more than it saves.
-  if (!isAscii || end - start > 64) return decoder.decode(bytes.subarray(start, end));
-  let text = '';
-  for (let pos = start; pos < end; pos++) text += String.fromCharCode(bytes[pos]!);
-  return text;
+  try {
+    return decoder.decode(bytes.subarray(start, end));
+  } catch {
+    throw new MalformedError(`text is not UTF-8 between bytes ${start} and ${end}`);
+  }
 }
