@@ -49,7 +49,7 @@ export default ts.config(
       parserOptions: {
         parser: ts.parser,
         extraFileExtensions: ['.vue'],
-        projectService: { allowDefaultProject: ['*.config.ts', 'packages/*/vitest.config.ts'] },
+        projectService: { allowDefaultProject: ['*.config.ts'] },
         tsconfigRootDir: import.meta.dirname,
       },
     },
