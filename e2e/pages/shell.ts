@@ -1,0 +1,41 @@
+import type { Locator, Page } from '@playwright/test';
+
+/** What stands around every page: navigation, connection, palette. */
+export class Shell {
+  readonly page: Page;
+  readonly navigation: Locator;
+  readonly connection: Locator;
+  /** Under the top bar while the link is broken. */
+  readonly disconnectedStrip: Locator;
+  readonly main: Locator;
+  readonly palette: Locator;
+
+  constructor(page: Page) {
+    this.page = page;
+    this.navigation = page.getByRole('navigation', { name: 'Pages' }).filter({ visible: true });
+    this.connection = page.getByRole('link', { name: 'Connection details' });
+    this.disconnectedStrip = page
+      .getByRole('alert')
+      .filter({ has: page.getByRole('button', { name: /^(Retry now|Connect|Use this tab)$/ }) });
+    this.main = page.getByRole('main');
+    this.palette = page.getByRole('dialog').filter({ has: page.getByRole('combobox') });
+  }
+
+  /** Goes to a page by the navigation. */
+  async go(to: string): Promise<void> {
+    await this.navigation.getByRole('link', { name: to, exact: true }).click();
+  }
+
+  /** Opens the command palette with the keyboard. */
+  async openPalette(): Promise<void> {
+    await this.page.keyboard.press('ControlOrMeta+k');
+    await this.palette.waitFor();
+  }
+
+  /** Pixels that stick out to the right of the screen. */
+  async overflowPx(): Promise<number> {
+    return this.page.evaluate(
+      () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+    );
+  }
+}

@@ -1,0 +1,86 @@
+import { decode } from '@ubii/proto';
+import type { Page } from '@playwright/test';
+import { expect, test } from '../../fixtures/test.ts';
+import { MousePointerPage } from '../../pages/mouse-pointer-page.ts';
+
+/** Records of the frames a page sends from now on: one number a frame. */
+function watchSentFrames(page: Page): number[] {
+  const frames: number[] = [];
+  page.on('websocket', (socket) =>
+    socket.on('framesent', ({ payload }) => {
+      if (typeof payload === 'string') return;
+      const { topicDataRecord, topicDataRecordList } = decode(
+        'ubii.topicData.TopicData',
+        new Uint8Array(payload),
+      );
+      frames.push((topicDataRecord ? 1 : 0) + (topicDataRecordList?.elements.length ?? 0));
+    }),
+  );
+  return frames;
+}
+
+test('the round trip is shown in numbers once the pointer moves', async ({ room }) => {
+  const page = new MousePointerPage(await room.atDesk());
+  await page.open();
+  await expect(page.readout('p50')).toHaveText(/^–/);
+  await expect(async () => {
+    await page.wiggle();
+    await expect(page.readout('p50')).toHaveText(/^\d+\.\d\s*ms$/, { timeout: 500 });
+    await expect(page.readout('p95')).toHaveText(/^\d+\.\d\s*ms$/, { timeout: 500 });
+  }).toPass();
+});
+
+test('the cursor and the indicator can be hidden', async ({ room }) => {
+  const page = new MousePointerPage(await room.atDesk());
+  await page.open();
+  await page.pointTo({ x: 0.5, y: 0.5 });
+
+  await page.hideCursor.click();
+  await expect(page.pad).toHaveCSS('cursor', 'none');
+  await page.hideCursor.click();
+  await expect(page.pad).not.toHaveCSS('cursor', 'none');
+
+  await page.hideIndicator.click();
+  await expect(page.ownPointer).toHaveCount(0);
+  await page.hideIndicator.click();
+  await page.expectPointer(page.ownPointer, { x: 0.5, y: 0.5 });
+});
+
+test('what was chosen is there again after a reload', async ({ room }) => {
+  const page = new MousePointerPage(await room.atDesk());
+  await page.open();
+  await page.hideIndicator.click();
+  await page.publishImmediately.click();
+  await page.page.reload();
+  await expect(page.hideIndicator).toBeChecked();
+  await expect(page.publishImmediately).toBeChecked();
+  await expect(page.hideCursor).not.toBeChecked();
+});
+
+test('immediate publishing sends each move as a message of its own', async ({ room }) => {
+  const page = new MousePointerPage(await room.atDesk());
+  const frames = watchSentFrames(page.page);
+  await page.open();
+  await page.publishImmediately.click();
+  await page.pointTo({ x: 0.1, y: 0.1 });
+  frames.length = 0;
+  for (let step = 1; step <= 8; step++) await page.moveMouse({ x: step / 10, y: 0.5 });
+  await page.expectPointer(page.ownPointer, { x: 0.8, y: 0.5 });
+  expect(frames).toEqual(frames.map(() => 1));
+  expect(frames.length).toBeGreaterThan(1);
+});
+
+test('a long publish interval collects moves into few messages', async ({ room }) => {
+  const page = new MousePointerPage(await room.atDesk());
+  const frames = watchSentFrames(page.page);
+  await page.open();
+  await page.publishInterval.focus();
+  await page.page.keyboard.press('End');
+  await expect(page.publishInterval).toHaveAttribute('aria-valuenow', '200');
+  await page.pointTo({ x: 0.1, y: 0.1 });
+  frames.length = 0;
+  const moves = 40;
+  for (let step = 1; step <= moves; step++) await page.moveMouse({ x: 0.1 + step / 100, y: 0.5 });
+  await page.expectPointer(page.ownPointer, { x: 0.5, y: 0.5 });
+  expect(frames.length).toBeLessThan(moves / 2);
+});
