@@ -1,6 +1,6 @@
 import type { TopicStatistic, TopicStatistics } from '@ubii/proto';
 
-/** A topic's counters with what they mean per second. */
+/** A topic's counters with what they mean per second: one object for the life of the topic, renewed in place. */
 export interface TopicRate {
   readonly statistic: TopicStatistic;
   /** Records per second; `undefined` until two replies were seen. */
@@ -8,38 +8,76 @@ export interface TopicRate {
   readonly bytesPerSecond: number | undefined;
   /** Records per second that slow subscribers did not get. */
   readonly droppedPerSecond: number | undefined;
+  /** Records per second when the newest record came: what to expect of the topic. */
+  readonly usualHz: number | undefined;
 }
 
-interface Point {
-  readonly timeMs: number;
-  readonly records: number;
-  readonly bytes: number;
-  readonly dropped: number;
-}
-
-interface Track {
-  /** Oldest first: one older than the window, the rest within it. */
-  points: Point[];
-  /** Mean time between the last two changes of the counter, milliseconds. */
-  gapMs: number | undefined;
+/** What one reply changed. */
+export interface TopicChanges {
+  readonly added: readonly TopicRate[];
+  readonly removed: readonly TopicRate[];
 }
 
 /** Rates are means over this time: short enough to follow, long enough not to flicker. */
 const WINDOW_MS = 2000;
-/** Below this rate it shows as 0 and the topic rests. */
+/** After a break this long (a hidden page, a lost link) rates start afresh. */
+const BREAK_MS = 2 * WINDOW_MS;
+/** Below this rate it shows as 0. */
 const LOWEST_HZ = 0.05;
+/** A topic has stopped when it is silent for this many of its usual gaps. */
+const STOPPED_GAPS = 3;
+/** Replies remembered: the window at eight a second. */
+const SLOTS = 16;
+
+/**
+ * The counters of one topic at the last replies. The times of the replies are the same for all
+ * topics, so a reply costs a topic three numbers and no memory.
+ */
+class Track implements TopicRate {
+  statistic: TopicStatistic;
+  hz: number | undefined;
+  bytesPerSecond: number | undefined;
+  droppedPerSecond: number | undefined;
+  usualHz: number | undefined;
+  /** Since when its counters are known; it had counted nothing before. */
+  sinceMs: number;
+  /** Mean time between the last records, milliseconds. */
+  gapMs: number | undefined;
+  /** The newest reply named it. */
+  isNamed = false;
+  /** The newest reply counted more records. */
+  hasGrown = false;
+  readonly records = new Float64Array(SLOTS);
+  readonly bytes = new Float64Array(SLOTS);
+  readonly dropped = new Float64Array(SLOTS);
+
+  constructor(statistic: TopicStatistic, sinceMs: number) {
+    this.statistic = statistic;
+    this.sinceMs = sinceMs;
+  }
+
+  /** Counts from here, as if nothing had been before. */
+  restart(nowMs: number): void {
+    this.records.fill(this.statistic.records);
+    this.bytes.fill(this.statistic.bytes);
+    this.dropped.fill(this.statistic.dropped);
+    this.sinceMs = nowMs;
+  }
+}
 
 /** Turns replies of the topic statistics into rates. [EX-11, EX-12] */
 export class TopicRates {
-  readonly #rates = new Map<string, TopicRate>();
   readonly #tracks = new Map<string, Track>();
-  /** Topics whose rate is above 0 or still unknown: they change even when no reply names them. */
-  readonly #moving = new Set<string>();
-  #lastMs: number | undefined;
+  readonly #times = new Float64Array(SLOTS);
+  /** Where the newest reply stands in the rings. */
+  #slot = 0;
+  /** Replies in the rings. */
+  #filled = 0;
+  #masterTimeMs: number | undefined;
   #cursor = 0;
 
   get rates(): ReadonlyMap<string, TopicRate> {
-    return this.#rates;
+    return this.#tracks;
   }
 
   /** For the next request. */
@@ -47,80 +85,106 @@ export class TopicRates {
     return this.#cursor;
   }
 
-  apply(reply: TopicStatistics): void {
-    if (reply.reset) this.#clear();
-    for (const topic of reply.removed) this.#remove(topic);
+  /** When the newest reply was made: milliseconds since the Unix epoch, master's clock. */
+  get masterTimeMs(): number | undefined {
+    return this.#masterTimeMs;
+  }
+
+  apply(reply: TopicStatistics): TopicChanges {
     const nowMs = reply.masterTimeMs;
-    const named = new Set<string>();
-    for (const statistic of reply.elements) {
-      named.add(statistic.topic);
-      this.#update(statistic, nowMs, reply.reset);
-    }
-    for (const topic of [...this.#moving]) {
-      const rate = this.#rates.get(topic);
-      if (rate && !named.has(topic)) this.#update(rate.statistic, nowMs, false);
-    }
-    this.#lastMs = nowMs;
+    const beforeMs = this.#masterTimeMs;
+    const hasBreak = reply.reset || beforeMs === undefined || nowMs - beforeMs > BREAK_MS;
+    this.#masterTimeMs = nowMs;
     this.#cursor = reply.cursor;
+    const removed = reply.removed.flatMap((topic) => this.#remove(topic));
+    const added: Track[] = [];
+    for (const statistic of reply.elements) {
+      const track = this.#tracks.get(statistic.topic);
+      if (track !== undefined) {
+        noteGap(track, statistic);
+        track.hasGrown = statistic.records > track.statistic.records;
+        track.statistic = statistic;
+        track.isNamed = true;
+      } else {
+        const created = new Track(statistic, hasBreak ? nowMs : beforeMs);
+        created.isNamed = true;
+        created.hasGrown = !hasBreak;
+        this.#tracks.set(statistic.topic, created);
+        added.push(created);
+      }
+    }
+    if (reply.reset) removed.push(...this.#removeUnnamed());
+    this.#advance(nowMs, hasBreak);
+    return { added, removed };
   }
 
-  #clear(): void {
-    this.#rates.clear();
-    this.#tracks.clear();
-    this.#moving.clear();
-    this.#lastMs = undefined;
-  }
-
-  #remove(topic: string): void {
-    this.#rates.delete(topic);
+  #remove(topic: string): Track[] {
+    const track = this.#tracks.get(topic);
+    if (track === undefined) return [];
     this.#tracks.delete(topic);
-    this.#moving.delete(topic);
+    return [track];
   }
 
-  #update(statistic: TopicStatistic, nowMs: number, isFirst: boolean): void {
-    const { topic, records, bytes, dropped } = statistic;
-    const track = this.#tracks.get(topic) ?? this.#newTrack(isFirst);
-    this.#tracks.set(topic, track);
-    const before = this.#rates.get(topic)?.statistic;
-    if (before && records > before.records && before.publishedMs > 0) {
-      track.gapMs = (statistic.publishedMs - before.publishedMs) / (records - before.records);
-    }
-    track.points.push({ timeMs: nowMs, records, bytes, dropped });
-    while (track.points.length > 2 && track.points[1]!.timeMs <= nowMs - WINDOW_MS) {
-      track.points.shift();
-    }
-    const rate = { statistic, ...this.#measure(track, statistic, nowMs) };
-    this.#rates.set(topic, rate);
-    if (rate.hz === undefined || rate.hz >= LOWEST_HZ) this.#moving.add(topic);
-    else this.#moving.delete(topic);
+  /** After a full list: what it does not name is gone. */
+  #removeUnnamed(): Track[] {
+    const gone = [...this.#tracks.values()].filter(({ isNamed }) => !isNamed);
+    for (const { statistic } of gone) this.#tracks.delete(statistic.topic);
+    return gone;
   }
 
-  /** A topic that appears between two replies had counted nothing at the earlier one. */
-  #newTrack(isFirst: boolean): Track {
-    const isNew = !isFirst && this.#lastMs !== undefined;
-    const points = isNew ? [{ timeMs: this.#lastMs!, records: 0, bytes: 0, dropped: 0 }] : [];
-    return { points, gapMs: undefined };
+  #advance(nowMs: number, hasBreak: boolean): void {
+    this.#slot = (this.#slot + 1) % SLOTS;
+    this.#filled = hasBreak ? 1 : Math.min(this.#filled + 1, SLOTS);
+    this.#times[this.#slot] = nowMs;
+    const oldest = this.#oldestSlot(nowMs);
+    for (const track of this.#tracks.values()) {
+      if (hasBreak) track.restart(nowMs);
+      track.records[this.#slot] = track.statistic.records;
+      track.bytes[this.#slot] = track.statistic.bytes;
+      track.dropped[this.#slot] = track.statistic.dropped;
+      this.#measure(track, oldest, nowMs);
+      track.isNamed = false;
+      track.hasGrown = false;
+    }
   }
 
-  #measure(track: Track, statistic: TopicStatistic, nowMs: number): Omit<TopicRate, 'statistic'> {
-    const oldest = track.points[0]!;
-    const newest = track.points.at(-1)!;
-    const seconds = (newest.timeMs - oldest.timeMs) / 1000;
-    if (seconds <= 0) {
-      return { hz: undefined, bytesPerSecond: undefined, droppedPerSecond: undefined };
+  /** The newest slot that is as old as the window, or the oldest there is. */
+  #oldestSlot(nowMs: number): number {
+    for (let back = 1; back < this.#filled; back++) {
+      const slot = (this.#slot - back + SLOTS) % SLOTS;
+      if (this.#times[slot]! <= nowMs - WINDOW_MS || back === this.#filled - 1) return slot;
     }
-    const droppedPerSecond = (newest.dropped - oldest.dropped) / seconds;
-    const count = newest.records - oldest.records;
-    if (count < 2 && track.gapMs !== undefined) {
+    return this.#slot;
+  }
+
+  #measure(track: Track, oldest: number, nowMs: number): void {
+    const seconds = (nowMs - Math.max(this.#times[oldest]!, track.sinceMs)) / 1000;
+    if (seconds <= 0) return; // the first after a break: what was known stands
+    const { statistic, gapMs } = track;
+    const count = statistic.records - track.records[oldest]!;
+    track.droppedPerSecond = (statistic.dropped - track.dropped[oldest]!) / seconds;
+    if (count < 2 && gapMs !== undefined) {
       // Too few in the window to count: the time between two records says it better.
-      const slowHz = 1000 / Math.max(track.gapMs, nowMs - statistic.publishedMs, 1);
-      const hz = slowHz < LOWEST_HZ ? 0 : slowHz;
-      return { hz, bytesPerSecond: hz * statistic.valueBytes, droppedPerSecond };
+      const silenceMs = nowMs - statistic.publishedMs;
+      const slowHz = 1000 / Math.max(gapMs, silenceMs, 1);
+      const hasStopped = silenceMs > Math.max(WINDOW_MS, STOPPED_GAPS * gapMs);
+      track.hz = hasStopped || slowHz < LOWEST_HZ ? 0 : slowHz;
+      track.bytesPerSecond = track.hz * statistic.valueBytes;
+    } else {
+      // A topic's first record does not make a stream yet.
+      const overSeconds = count < 2 ? Math.max(seconds, WINDOW_MS / 1000) : seconds;
+      track.hz = count / overSeconds;
+      track.bytesPerSecond = (statistic.bytes - track.bytes[oldest]!) / overSeconds;
     }
-    return {
-      hz: count / seconds,
-      bytesPerSecond: (newest.bytes - oldest.bytes) / seconds,
-      droppedPerSecond,
-    };
+    if (track.hasGrown && (count >= 2 || gapMs !== undefined)) track.usualHz = track.hz;
+  }
+}
+
+function noteGap(track: Track, { records, publishedMs }: TopicStatistic): void {
+  const before = track.statistic;
+  if (records > before.records && before.publishedMs > 0) {
+    track.gapMs = (publishedMs - before.publishedMs) / (records - before.records);
+  } else if (records < before.records) {
+    track.gapMs = undefined; // another run of the master
   }
 }

@@ -1,9 +1,10 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { ServiceError } from '@ubii/proto';
+import { tryOnScopeDispose } from '@vueuse/core';
 import { computed, shallowRef, triggerRef, type Ref, type ShallowRef } from 'vue';
 import { createInterest } from './interest.ts';
 import { usePoll } from './poll.ts';
-import { TopicRates, type TopicRate } from './topic-rates.ts';
+import { TopicRates, type TopicChanges, type TopicRate } from './topic-rates.ts';
 
 /** Rates of all topics, from the master's counters; asked for only while someone looks. */
 export interface TopicStatisticsStore {
@@ -12,12 +13,18 @@ export interface TopicStatisticsStore {
    * `undefined` before the first.
    */
   readonly rates: Readonly<ShallowRef<ReadonlyMap<string, TopicRate> | undefined>>;
+  /** When the newest reply was made: milliseconds since the Unix epoch, master's clock; 0 before. */
+  readonly masterTimeMs: Readonly<ShallowRef<number>>;
   /** The master's clock minus this machine's, milliseconds, as of the newest reply. */
   readonly clockOffsetMs: Readonly<ShallowRef<number>>;
   /** True when this is an original master, which has no such service. */
   readonly isUnsupported: Readonly<ShallowRef<boolean>>;
-  /** Wants rates this often while the calling component lives, milliseconds. */
+  /** Why the last question was not answered, when the master refused it. */
+  readonly error: Readonly<ShallowRef<ServiceError | undefined>>;
+  /** Wants rates this often while the calling component or scope lives, milliseconds. */
   watch(intervalMs: number): void;
+  /** Calls `fn` with the topics that came and went, before `rates` is triggered, while the calling scope lives. */
+  onChanges(fn: (changes: TopicChanges) => void): void;
 }
 
 export function createTopicStatisticsStore(
@@ -27,22 +34,29 @@ export function createTopicStatisticsStore(
 ): TopicStatisticsStore {
   const topicRates = new TopicRates();
   const rates = shallowRef<ReadonlyMap<string, TopicRate>>();
+  const masterTimeMs = shallowRef(0);
   const clockOffsetMs = shallowRef(0);
   const isUnsupported = shallowRef(false);
+  const error = shallowRef<ServiceError>();
+  const listeners = new Set<(changes: TopicChanges) => void>();
   const interest = createInterest();
 
   async function ask(): Promise<void> {
     try {
       const reply = await client.call('topicStatistics', { cursor: topicRates.cursor });
-      topicRates.apply(reply);
+      const changes = topicRates.apply(reply);
+      for (const listener of listeners) listener(changes);
+      masterTimeMs.value = reply.masterTimeMs;
       clockOffsetMs.value = reply.masterTimeMs - nowMs();
       isUnsupported.value = false;
+      error.value = undefined;
       rates.value = topicRates.rates;
       triggerRef(rates);
     } catch (cause) {
       if (cause instanceof ConnectionError) return;
       if (!(cause instanceof ServiceError)) throw cause;
       isUnsupported.value = cause.code === 'unimplemented' || cause.code === 'not_found';
+      error.value = cause;
     }
   }
 
@@ -54,8 +68,14 @@ export function createTopicStatisticsStore(
 
   return {
     rates,
+    masterTimeMs,
     clockOffsetMs,
     isUnsupported,
+    error,
     watch: (intervalMs) => interest.express(intervalMs),
+    onChanges(fn) {
+      listeners.add(fn);
+      tryOnScopeDispose(() => listeners.delete(fn));
+    },
   };
 }
