@@ -1,51 +1,22 @@
+import { retryOnPageEvents } from './browser/page-events.ts';
 import type { ClientOptions } from './core/client-options.ts';
 import type { UbiiClient } from './core/ubii-client.ts';
+import { createClientOver } from './create-client.ts';
 
-export type { ClientCounters } from './core/client-counters.ts';
-export type { ClientOptions } from './core/client-options.ts';
-export type { ComponentProfile } from './core/component-profile.ts';
-export { ConnectionError } from './core/connection-error.ts';
-export type { ConnectionErrorReason } from './core/connection-error.ts';
-export type { ConnectionState, ConnectionStatus } from './core/connection-state.ts';
-export type {
-  ComponentInit,
-  DeviceInit,
-  RegisteredComponent,
-  RegisteredDevice,
-} from './core/devices.ts';
-export { createMemoryIdentity } from './core/identity.ts';
-export type { Identity } from './core/identity.ts';
-export type { Cancel, Clock } from './core/ports/clock.ts';
-export type { IdentityStorage } from './core/ports/identity-storage.ts';
-export type { RandomSource } from './core/ports/random.ts';
-export type { ServiceExchange, ServiceTransport } from './core/ports/service-transport.ts';
-export type {
-  TopicDataHandler,
-  TopicDataQuery,
-  TopicDataSocket,
-  TopicDataTransport,
-} from './core/ports/topic-data-transport.ts';
-export type { PublishOptions } from './core/publish-buffer.ts';
-export { DEFAULT_RECONNECT_POLICY } from './core/reconnect-policy.ts';
-export type { ReconnectPolicy } from './core/reconnect-policy.ts';
-export type { RoundTrip } from './core/round-trip.ts';
-export type { SubscribeOptions, Subscription, TopicPattern } from './core/subscription.ts';
-export type {
-  ClientProblem,
-  IdentityChange,
-  ServiceCallArguments,
-  UbiiClient,
-  Unsubscribe,
-} from './core/ubii-client.ts';
-
-/** A client for a page: `fetch`, the browser's WebSocket, and the page's events. */
-export declare function createClient(options: ClientOptions): UbiiClient;
+export { createTabIdentity } from './browser/tab-identity.ts';
+export * from './exports.ts';
 
 /**
- * Keeps the identity in the tab's session storage: a reload comes back as the same client, a
- * duplicated tab gets an identity of its own.
- * @param key name of the entry; one for each master
+ * A client for a page: `fetch`, the browser's WebSocket, and a retry at once when the network or the
+ * page comes back.
+ * @throws {TypeError} if the options name no master
  */
-export declare function createTabIdentity(
-  key?: string,
-): import('./core/ports/identity-storage.ts').IdentityStorage;
+export function createClient(options: ClientOptions): UbiiClient {
+  const client = createClientOver(
+    options,
+    (url) => new WebSocket(url),
+    globalThis.location?.origin,
+  );
+  retryOnPageEvents(client);
+  return client;
+}

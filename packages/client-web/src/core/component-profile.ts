@@ -1,4 +1,5 @@
-import type { DataFormat } from '@ubii/proto';
+import { DATA_FORMATS } from '@ubii/proto';
+import type { Component, DataFormat, Init } from '@ubii/proto';
 
 /** Describes components by what they have in common. A component matches when every member given matches. */
 export interface ComponentProfile {
@@ -9,4 +10,36 @@ export interface ComponentProfile {
   readonly deviceId?: string;
   /** Tags it has, all of them. */
   readonly tags?: readonly string[];
+}
+
+/** The message format a component of this data format is registered with. */
+export function messageFormatOf(format: string): string {
+  return isDataFormat(format) ? DATA_FORMATS[format].messageType : format;
+}
+
+/** The profile as the master takes it. [CL-20] */
+export function profileToMessage(profile: ComponentProfile): Init<Component> {
+  return {
+    ...(profile.id ? { id: profile.id } : {}),
+    ...(profile.name ? { name: profile.name } : {}),
+    ...(profile.format ? { messageFormat: messageFormatOf(profile.format) } : {}),
+    ...(profile.deviceId ? { deviceId: profile.deviceId } : {}),
+    ...(profile.tags?.length ? { tags: [...profile.tags] } : {}),
+  };
+}
+
+/** Whether the master would select the component by this profile. [CL-20] */
+export function matchesProfile(profile: ComponentProfile, component: Component): boolean {
+  const { id, name, format, deviceId, tags } = profile;
+  return (
+    (!id || id === component.id) &&
+    (!name || name === component.name) &&
+    (!format || messageFormatOf(format) === component.messageFormat) &&
+    (!deviceId || deviceId === component.deviceId) &&
+    (!tags || tags.every((tag) => component.tags.includes(tag)))
+  );
+}
+
+function isDataFormat(format: string): format is DataFormat {
+  return Object.hasOwn(DATA_FORMATS, format);
 }

@@ -2,7 +2,7 @@ import type { RandomSource } from './ports/random.ts';
 
 /** When to try again after the link failed. */
 export interface ReconnectPolicy {
-  /** Delay before the first attempt, milliseconds. @default 250 */
+  /** Delay before the first attempt after the link broke, milliseconds. @default 250 */
   readonly initialDelayMs: number;
   /** Each further delay is this many times the one before. @default 1.7 */
   readonly factor: number;
@@ -13,12 +13,15 @@ export interface ReconnectPolicy {
    * same instant after a restart of the master. @default 0.5
    */
   readonly jitter: number;
-  /** Failed attempts in a row before the client gives up and its state is `closed`. @default Infinity */
+  /**
+   * Failed attempts in a row before the client gives up and its state is `closed`; 1 gives up when
+   * the first `connect()` fails, 0 never reconnects. @default Infinity
+   */
   readonly giveUpAfterAttempts: number;
   /**
-   * A link that held this long, milliseconds, starts the count of attempts anew when it fails; one
-   * that broke earlier goes on from where it was, so that a master that throws us out is left alone.
-   * @default 5000
+   * A link that held this long, milliseconds, starts the count of failures anew when it breaks; one
+   * that broke earlier counts as a failed attempt itself, so that a master that throws the client out
+   * again and again is left alone. @default 5000
    */
   readonly stableAfterMs: number;
 }
@@ -34,19 +37,20 @@ export const DEFAULT_RECONNECT_POLICY: ReconnectPolicy = {
 };
 
 /**
- * How long to wait before an attempt.
- * @param attempt 1 for the first attempt after the link failed
+ * How long to wait before the next attempt: exponential back-off, of which the jitter takes up to
+ * its share.
+ * @param failedAttempts in a row; 0 when a link that held just broke
  * @returns milliseconds, or `undefined` when the policy says to give up
  */
 export function reconnectDelayMs(
   policy: ReconnectPolicy,
-  attempt: number,
+  failedAttempts: number,
   random: RandomSource,
 ): number | undefined {
-  if (attempt > policy.giveUpAfterAttempts) return undefined;
+  if (failedAttempts >= policy.giveUpAfterAttempts) return undefined;
   const fullMs = Math.min(
     policy.maxDelayMs,
-    policy.initialDelayMs * policy.factor ** (attempt - 1),
+    policy.initialDelayMs * policy.factor ** failedAttempts,
   );
   return fullMs * (1 - policy.jitter * random());
 }

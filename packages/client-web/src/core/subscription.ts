@@ -1,17 +1,5 @@
 import type { DataFormat, TopicRecord } from '@ubii/proto';
-import type { ComponentProfile } from './component-profile.ts';
-
-/**
- * What a subscription selects: one topic · a glob, where `*` stands for any characters within one
- * segment, `**` for any characters and `?` for one · an unanchored regular expression, as source or
- * as a RegExp without flags, of what JavaScript and RE2 both know · the topics of all components
- * that match a profile, of devices that come later as well.
- */
-export type TopicPattern =
-  | { readonly topic: string }
-  | { readonly glob: string }
-  | { readonly regex: string | RegExp }
-  | { readonly component: ComponentProfile };
+import type { TopicPattern } from './topic-pattern.ts';
 
 /** How records of a subscription are wanted. */
 export interface SubscribeOptions<F extends DataFormat = DataFormat> {
@@ -24,9 +12,11 @@ export interface SubscribeOptions<F extends DataFormat = DataFormat> {
 }
 
 /**
- * Records of the topics a pattern selects, as callbacks and as async iterables. Records that come
- * before the first consumer wait for it, up to `bufferSize`. It stands through reconnects, and ends
- * with `close()` or with the client.
+ * Records of the topics a pattern selects, as callbacks and as async iterables. Each record comes
+ * once, however many patterns match it; records without a value do not come. Records that arrive
+ * before the first consumer wait for it, up to `bufferSize`. A subscription stands through
+ * reconnects; after one, the newest record of a topic may come a second time. It ends with `close()`
+ * or with the client.
  */
 export interface Subscription<F extends DataFormat = DataFormat> extends AsyncIterable<
   TopicRecord<F>

@@ -7,13 +7,15 @@ import type {
   ServiceName,
   ServiceReplyOf,
   ServiceRequestOf,
+  SERVICES,
 } from '@ubii/proto';
 import type { ClientCounters } from './client-counters.ts';
 import type { ConnectionState } from './connection-state.ts';
 import type { ComponentInit, DeviceInit, RegisteredDevice } from './devices.ts';
 import type { PublishOptions } from './publish-buffer.ts';
 import type { RoundTrip } from './round-trip.ts';
-import type { SubscribeOptions, Subscription, TopicPattern } from './subscription.ts';
+import type { SubscribeOptions, Subscription } from './subscription.ts';
+import type { TopicPattern } from './topic-pattern.ts';
 
 /** Takes a callback back; calling it again does nothing. */
 export type Unsubscribe = () => void;
@@ -67,7 +69,7 @@ export interface UbiiClient {
   /**
    * Publishes a value on a topic. Records leave in the order of the calls. While there is no
    * connection the newest record of each topic is kept and sent after the reconnect, up to
-   * `MAX_AWAY_TOPICS`; see README.
+   * `PUBLISH_LIMITS.awayTopics` topics; see README.
    * @throws {TypeError} if the topic is empty or the value does not fit the format
    */
   publish<F extends DataFormat>(
@@ -105,6 +107,8 @@ export interface UbiiClient {
 }
 
 /** Arguments of `call` after the service's name: none, an optional or a required request. */
-export type ServiceCallArguments<S extends ServiceName> = [ServiceRequestOf<S>] extends [never]
+export type ServiceCallArguments<S extends ServiceName> = [ServiceRequestOf<S>] extends [undefined]
   ? []
-  : [request?: Init<ServiceRequestOf<S>>];
+  : (typeof SERVICES)[S]['requestRequired'] extends true
+    ? [request: Init<ServiceRequestOf<S>>]
+    : [request?: Init<ServiceRequestOf<S>>];

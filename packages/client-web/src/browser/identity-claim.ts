@@ -1,0 +1,55 @@
+/**
+ * How long to wait for an identity somebody else holds, milliseconds. A page that is being reloaded
+ * gives it free a moment after its successor asks; a duplicated tab never does.
+ */
+const LOCK_WAIT_MS = 400;
+/** How long others have to object, milliseconds. A message between pages takes one or two; every reload waits this long. */
+const OBJECTION_WAIT_MS = 150;
+
+/** Gives the claim free; calling it again does nothing. */
+export type Release = () => void;
+
+/**
+ * Claims an identity for this page, against other pages of the same origin.
+ * @returns how to give it free, or `undefined` when another page has it
+ */
+export function claimIdentity(clientId: string): Promise<Release | undefined> {
+  const name = `ubii.identity.${clientId}`;
+  // Web Locks exist in secure contexts only, and a phone often sees the master over plain HTTP.
+  if (globalThis.navigator?.locks !== undefined) return claimByLock(name);
+  if (globalThis.BroadcastChannel !== undefined) return claimByChannel(name);
+  return Promise.resolve(() => undefined);
+}
+
+function claimByLock(name: string): Promise<Release | undefined> {
+  return new Promise((resolve) => {
+    const held = new Promise<void>((release) => {
+      navigator.locks
+        .request(name, { signal: AbortSignal.timeout(LOCK_WAIT_MS) }, () => {
+          resolve(() => release());
+          return held;
+        })
+        .catch(() => resolve(undefined)); // timed out: the lock is taken
+    });
+  });
+}
+
+/** Asks on a channel; whoever holds the identity objects. Of two that ask at once both may win, a lock would not let them. */
+function claimByChannel(name: string): Promise<Release | undefined> {
+  const channel = new BroadcastChannel(name);
+  return new Promise((resolve) => {
+    const timer = setTimeout(() => {
+      channel.onmessage = ({ data }) => {
+        if (data === 'claim') channel.postMessage('taken');
+      };
+      resolve(() => channel.close());
+    }, OBJECTION_WAIT_MS);
+    channel.onmessage = ({ data }) => {
+      if (data !== 'taken') return;
+      clearTimeout(timer);
+      channel.close();
+      resolve(undefined);
+    };
+    channel.postMessage('claim');
+  });
+}

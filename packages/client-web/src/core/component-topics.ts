@@ -1,0 +1,135 @@
+import type { Component, Device, TopicRecord } from '@ubii/proto';
+import { ComponentIOType } from '@ubii/proto';
+import { matchesProfile } from './component-profile.ts';
+import type { ComponentProfile } from './component-profile.ts';
+
+/** Records that wait for an answer to what topics there are; more are let go, oldest first. */
+const MAX_HELD_RECORDS = 256;
+/** Topics known to belong to no profile; beyond that they are asked for again. */
+const MAX_FOREIGN_TOPICS = 10_000;
+
+/** What the component topics need, and whom they tell. */
+export interface ComponentTopicsOptions {
+  /** Components that match any of the profiles. */
+  readonly listComponents: (profiles: readonly ComponentProfile[]) => Promise<readonly Component[]>;
+  /** The topics of a profile changed. */
+  readonly handleChange: () => void;
+  /** A record came before it was known whether its topic belongs to a profile. It is known now. */
+  readonly handleRecord: (record: TopicRecord) => void;
+}
+
+/**
+ * Which topics belong to a component profile. The master delivers by profile [TD-27] but does not say
+ * with a record which profile it was for, so the client has to know. It learns from the list of
+ * components, from the announcement of new devices, and, when a record comes on a topic it never heard
+ * of, by asking again; the record waits for the answer.
+ */
+export class ComponentTopics {
+  readonly #options: ComponentTopicsOptions;
+  readonly #profiles = new Map<string, { profile: ComponentProfile; topics: Set<string> }>();
+  readonly #foreignTopics = new Set<string>();
+  #heldRecords: TopicRecord[] = [];
+  #refreshing: Promise<void> | undefined;
+  #isStale = false;
+
+  constructor(options: ComponentTopicsOptions) {
+    this.#options = options;
+  }
+
+  add(key: string, profile: ComponentProfile): void {
+    this.#profiles.set(key, { profile, topics: new Set() });
+    this.#foreignTopics.clear();
+  }
+
+  remove(key: string): void {
+    this.#profiles.delete(key);
+  }
+
+  /** Whether a topic belongs to the profile of this key, as far as is known. */
+  has(key: string, topic: string): boolean {
+    return this.#profiles.get(key)?.topics.has(topic) === true;
+  }
+
+  clear(): void {
+    this.#profiles.clear();
+    this.#foreignTopics.clear();
+    this.#heldRecords = [];
+  }
+
+  /** Every topic that belongs to a profile. */
+  topics(): Set<string> {
+    return new Set([...this.#profiles.values()].flatMap(({ topics }) => [...topics]));
+  }
+
+  /** Keeps the record until it is known whether its topic belongs to a profile, if it is not. */
+  holdIfUnknown(record: TopicRecord): void {
+    if (this.#profiles.size === 0 || this.#foreignTopics.has(record.topic)) return;
+    for (const { topics } of this.#profiles.values()) if (topics.has(record.topic)) return;
+    this.#heldRecords.push(record);
+    if (this.#heldRecords.length > MAX_HELD_RECORDS) this.#heldRecords.shift();
+    if (this.#refreshing !== undefined && this.#isStale) return;
+    void this.refresh().catch(() => undefined); // asked again with the next such record
+  }
+
+  /** A device was announced. */
+  handleNewDevice(device: Device): void {
+    if (this.#addMatches(device.components)) this.#options.handleChange();
+  }
+
+  /** Asks the master what components there are. Calls meanwhile share one more request. */
+  async refresh(): Promise<void> {
+    this.#isStale = true;
+    this.#refreshing ??= this.#refreshAll().finally(() => {
+      this.#refreshing = undefined;
+    });
+    await this.#refreshing;
+  }
+
+  async #refreshAll(): Promise<void> {
+    while (this.#isStale && this.#profiles.size > 0) {
+      this.#isStale = false;
+      const profiles = [...this.#profiles.values()].map(({ profile }) => profile);
+      const held = this.#heldRecords.at(-1);
+      const components = await this.#options.listComponents(profiles);
+      for (const { topics } of this.#profiles.values()) topics.clear();
+      this.#addMatches(components);
+      this.#options.handleChange();
+      this.#releaseRecords(held);
+    }
+  }
+
+  /**
+   * Hands out what belongs to a profile. Of the rest, those up to `lastAsked` came before the
+   * question was asked, so the answer says that they belong to none.
+   */
+  #releaseRecords(lastAsked: TopicRecord | undefined): void {
+    const topics = this.topics();
+    const records = this.#heldRecords;
+    const asked = lastAsked === undefined ? -1 : records.lastIndexOf(lastAsked);
+    this.#heldRecords = [];
+    records.forEach((record, index) => {
+      if (topics.has(record.topic)) this.#options.handleRecord(record);
+      else if (index > asked) this.#heldRecords.push(record);
+      else this.#noteForeign(record.topic);
+    });
+  }
+
+  #noteForeign(topic: string): void {
+    if (this.#foreignTopics.size >= MAX_FOREIGN_TOPICS) this.#foreignTopics.clear();
+    this.#foreignTopics.add(topic);
+  }
+
+  #addMatches(components: readonly Component[]): boolean {
+    let hasChanged = false;
+    for (const component of components) {
+      if (component.ioType !== ComponentIOType.PUBLISHER || component.topic === '') continue;
+      for (const { profile, topics } of this.#profiles.values()) {
+        if (topics.has(component.topic) || !matchesProfile(profile, component)) continue;
+        topics.add(component.topic);
+        this.#foreignTopics.delete(component.topic);
+        hasChanged = true;
+      }
+    }
+    return hasChanged;
+  }
+}

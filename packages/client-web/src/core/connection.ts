@@ -1,0 +1,310 @@
+import { ServiceError } from '@ubii/proto';
+import { ConnectionError } from './connection-error.ts';
+import { next } from './connection-state.ts';
+import type { ConnectionEvent, ConnectionState } from './connection-state.ts';
+import { Deferred } from './deferred.ts';
+import { Link } from './link.ts';
+import type { LinkFailure } from './link.ts';
+import { Listeners } from './listeners.ts';
+import type { Cancel, Clock } from './ports/clock.ts';
+import type { RandomSource } from './ports/random.ts';
+import type { TopicDataTransport } from './ports/topic-data-transport.ts';
+import { reconnectDelayMs } from './reconnect-policy.ts';
+import type { ReconnectPolicy } from './reconnect-policy.ts';
+import type { Membership, Registration } from './registration.ts';
+
+/** How an attempt found the client at the master. */
+export interface Arrival {
+  readonly membership: Membership;
+  /** `standing`: the master kept the client, only the socket is new. */
+  readonly kind: 'standing' | 'registered';
+  /** The id before this arrival; empty for the first one. */
+  readonly previousId: string;
+}
+
+/** What a connection is made of. */
+export interface ConnectionOptions {
+  readonly clock: Clock;
+  readonly random: RandomSource;
+  readonly policy: ReconnectPolicy;
+  readonly registration: Registration;
+  readonly transport: TopicDataTransport;
+  /** How long opening a socket may take, milliseconds. */
+  readonly openTimeoutMs: number;
+  readonly handleBinary: (bytes: Uint8Array) => void;
+  readonly handleUnknownText: (text: string) => void;
+  readonly handleRoundTrip: (roundTripMs: number) => void;
+  /** Puts devices and subscriptions back; part of every attempt. A rejection fails the attempt. */
+  readonly restore: (arrival: Arrival) => Promise<void>;
+}
+
+const SUPERSEDED = 4001;
+const NOT_THIS_CLIENT = 4003;
+const UNKNOWN_CLIENT = 4004;
+/** The master deregistered the client, on whose behalf ever. [CL-16] */
+const DEREGISTERED = 1000;
+
+/** Errors of a registration that trying again does not cure. */
+const TERMINAL_CODES: ReadonlySet<string> = new Set([
+  'invalid_argument',
+  'permission_denied',
+  'unauthenticated',
+  'unimplemented',
+]);
+
+/** Thrown inside an attempt that was given up meanwhile; goes no further. */
+const ABANDONED = Symbol('abandoned');
+
+/** Keeps the client connected: attempts, back-off, and the state that others see. */
+export class Connection {
+  readonly #options: ConnectionOptions;
+  readonly #stateListeners = new Listeners<ConnectionState>();
+  #state: ConnectionState = { status: 'idle' };
+  #connected: Deferred<void> | undefined;
+  #link: Link | undefined;
+  /** Stands for the attempt under way; replaced to abandon it. */
+  #attempt: { readonly done: Promise<void> } | undefined;
+  #cancelRetry: Cancel | undefined;
+  /** Failed attempts in a row; see `ReconnectPolicy.stableAfterMs`. */
+  #failedAttempts = 0;
+  /** Whether this outage has had its one attempt without delay. */
+  #hasHurried = false;
+  #connectedSinceMs = 0;
+
+  constructor(options: ConnectionOptions) {
+    this.#options = options;
+  }
+
+  get state(): ConnectionState {
+    return this.#state;
+  }
+
+  /** The link of a connected client. */
+  get link(): Link | undefined {
+    return this.#state.status === 'connected' ? this.#link : undefined;
+  }
+
+  onState(fn: (state: ConnectionState) => void): () => void {
+    return this.#stateListeners.add(fn);
+  }
+
+  /** Starts to connect when idle or closed. */
+  connect(): Promise<void> {
+    if (this.#state.status === 'idle' || this.#state.status === 'closed') {
+      this.#failedAttempts = 0;
+      this.#hasHurried = false;
+      this.#move('connect', { status: 'connecting', attempt: 1 });
+      this.#startAttempt();
+    }
+    return this.whenConnected();
+  }
+
+  /** Resolves when connected; rejects when nothing is being done about it. */
+  whenConnected(): Promise<void> {
+    switch (this.#state.status) {
+      case 'connected':
+        return Promise.resolve();
+      case 'idle':
+        return Promise.reject(new ConnectionError('closed', 'The client was not connected yet'));
+      case 'closed':
+        return Promise.reject(
+          this.#state.error ?? new ConnectionError('closed', 'The client is closed'),
+        );
+      default:
+        return (this.#connected ??= new Deferred()).promise;
+    }
+  }
+
+  /** Tries at once when waiting to try again; when connected, makes sure that the link is alive. */
+  retryNow(): void {
+    if (this.#state.status === 'connected') {
+      this.#link?.probe();
+    } else if (this.#cancelRetry !== undefined) {
+      this.#cancelRetry();
+      this.#startAttempt();
+    }
+  }
+
+  /** Ends the link of a connected client as failed, as if it had broken. */
+  drop(error: ConnectionError): void {
+    if (this.#state.status === 'connected') this.#handleFailure({ error, code: 1006, wasUp: true });
+  }
+
+  /**
+   * Stops for good. The state changes at once; the link is handed over for what is left to be said.
+   * @returns the link, if it is up, and the end of the attempt under way
+   */
+  close(): { link: Link | undefined; attemptDone: Promise<void> } {
+    const link = this.link;
+    const attemptDone = this.#attempt?.done ?? Promise.resolve();
+    if (link === undefined) this.#link?.close();
+    this.#link = undefined;
+    this.#stop('close', undefined);
+    return { link, attemptDone };
+  }
+
+  #startAttempt(): void {
+    this.#cancelRetry = undefined;
+    const done = new Deferred<void>();
+    const attempt = { done: done.promise };
+    this.#attempt = attempt;
+    const isCurrent = (): boolean => this.#attempt === attempt;
+    this.#arrive(isCurrent)
+      .catch((cause: unknown) => {
+        if (isCurrent()) this.#handleFailure(failureOf(cause));
+      })
+      .finally(() => done.resolve());
+  }
+
+  async #arrive(isCurrent: () => boolean): Promise<void> {
+    const { registration } = this.#options;
+    await registration.load();
+    const previousId = registration.clientId;
+    const kind = await registration.ensure();
+    if (!isCurrent()) throw ABANDONED;
+    const membership = registration.membership!;
+    const link = this.#openLink(membership);
+    await link.up;
+    const arrival: Arrival = { membership, kind, previousId };
+    await Promise.race([this.#options.restore(arrival), link.ended]);
+    if (!isCurrent()) throw ABANDONED;
+    if (link.failure !== undefined) throw link.failure; // ended in the turn between
+    this.#handleArrival(arrival);
+  }
+
+  #openLink({ identity, isExtended }: Membership): Link {
+    const { clock, transport, openTimeoutMs } = this.#options;
+    const link: Link = new Link({
+      transport,
+      // An original master knows no tokens.
+      query: { clientId: identity.clientId, resumeToken: identity.resumeToken },
+      clock,
+      canPing: isExtended,
+      openTimeoutMs,
+      handleBinary: this.#options.handleBinary,
+      handleUnknownText: this.#options.handleUnknownText,
+      handleRoundTrip: this.#options.handleRoundTrip,
+      handleEnd: (failure) => {
+        if (this.#link === link && this.#state.status === 'connected') this.#handleFailure(failure);
+      },
+    });
+    this.#link = link;
+    return link;
+  }
+
+  #handleArrival({ membership, previousId }: Arrival): void {
+    this.#attempt = undefined;
+    this.#hasHurried = false;
+    this.#connectedSinceMs = this.#options.clock.monotonicMs();
+    const { clientId } = membership.identity;
+    const connected = this.#connected;
+    this.#connected = undefined;
+    this.#move('established', {
+      status: 'connected',
+      clientId,
+      resumed: clientId === previousId,
+      masterVersion: membership.masterVersion,
+      sinceMs: this.#options.clock.nowMs(),
+    });
+    connected?.resolve();
+  }
+
+  #handleFailure(failure: LinkFailure): void {
+    const { registration, clock, policy, random } = this.#options;
+    this.#attempt = undefined;
+    this.#link?.close();
+    this.#link = undefined;
+    let mayHurry = false;
+    switch (failure.code) {
+      case SUPERSEDED: // [EX-5] trying again would take the identity back, and so on for ever
+        registration.invalidate();
+        this.#stop(
+          'ended',
+          new ConnectionError('superseded', failure.error.message, { cause: failure.error }),
+        );
+        return;
+      case NOT_THIS_CLIENT:
+        registration.forget();
+        mayHurry = true;
+        break;
+      case UNKNOWN_CLIENT:
+      case DEREGISTERED:
+        registration.invalidate();
+        mayHurry = true;
+        break;
+      default:
+        // A socket that opens and then says nothing: whatever is there now does not know us.
+        if (!failure.wasUp && failure.error.reason === 'timeout') registration.invalidate();
+        if (isUnknownClient(failure.error)) registration.invalidate();
+    }
+    if (isTerminal(failure.error)) {
+      this.#stop('ended', failure.error);
+      return;
+    }
+
+    const hurries = mayHurry && !this.#hasHurried;
+    if (hurries) this.#hasHurried = true;
+    else if (this.#state.status !== 'connected') this.#failedAttempts += 1;
+    else if (clock.monotonicMs() - this.#connectedSinceMs >= policy.stableAfterMs)
+      this.#failedAttempts = 0;
+    else this.#failedAttempts += 1;
+
+    const delayMs = reconnectDelayMs(policy, this.#failedAttempts, random);
+    if (delayMs === undefined) {
+      this.#stop('ended', failure.error);
+      return;
+    }
+    const waitMs = hurries ? 0 : delayMs;
+    this.#cancelRetry = clock.after(waitMs, () => this.#startAttempt());
+    this.#move('failed', {
+      status: 'reconnecting',
+      attempt: this.#failedAttempts + 1,
+      nextAttemptMs: clock.nowMs() + waitMs,
+      error: failure.error,
+    });
+  }
+
+  #stop(event: 'ended' | 'close', error: ConnectionError | undefined): void {
+    this.#attempt = undefined;
+    this.#cancelRetry?.();
+    this.#cancelRetry = undefined;
+    const connected = this.#connected;
+    this.#connected = undefined;
+    this.#move(event, { status: 'closed', error });
+    connected?.reject(error ?? new ConnectionError('closed', 'The client was closed'));
+  }
+
+  #move(event: ConnectionEvent, state: ConnectionState): void {
+    const { status } = this.#state;
+    if (next(status, event) !== state.status) {
+      throw new Error(`Expected a move from "${status}", received "${event}" to "${state.status}"`);
+    }
+    this.#state = state;
+    this.#stateListeners.emit(state);
+  }
+}
+
+function failureOf(cause: unknown): LinkFailure {
+  if (isLinkFailure(cause)) return cause;
+  if (cause instanceof ConnectionError) return { error: cause, code: 1006, wasUp: false };
+  const error = ServiceError.from(cause);
+  return {
+    error: new ConnectionError('refused', `The master refused the client: ${error.message}`, {
+      cause: error,
+    }),
+    code: 1006,
+    wasUp: false,
+  };
+}
+
+function isLinkFailure(cause: unknown): cause is LinkFailure {
+  return typeof cause === 'object' && cause !== null && 'wasUp' in cause;
+}
+
+function isUnknownClient(error: ConnectionError): boolean {
+  return error.cause instanceof ServiceError && error.cause.code === 'not_found';
+}
+
+function isTerminal(error: ConnectionError): boolean {
+  return error.cause instanceof ServiceError && TERMINAL_CODES.has(error.cause.code);
+}

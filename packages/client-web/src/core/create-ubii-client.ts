@@ -1,0 +1,411 @@
+import { DATA_FORMATS, ServiceError, encodeRecord } from '@ubii/proto';
+import type {
+  DataFormat,
+  DataFormatValues,
+  Init,
+  RecordInit,
+  ServiceName,
+  ServiceReplyOf,
+  ServiceRequestOf,
+} from '@ubii/proto';
+import type { ClientCounters } from './client-counters.ts';
+import type { ClientOptions } from './client-options.ts';
+import { profileToMessage } from './component-profile.ts';
+import { ConnectionError } from './connection-error.ts';
+import type { ConnectionState } from './connection-state.ts';
+import { Connection } from './connection.ts';
+import type { Arrival } from './connection.ts';
+import { DeviceRegistry } from './device-registry.ts';
+import type { ComponentInit, DeviceInit, RegisteredDevice } from './devices.ts';
+import { createMemoryIdentity } from './identity.ts';
+import type { Link } from './link.ts';
+import { Listeners } from './listeners.ts';
+import type { Clock } from './ports/clock.ts';
+import type { RandomSource } from './ports/random.ts';
+import type { ServiceTransport } from './ports/service-transport.ts';
+import type { TopicDataTransport } from './ports/topic-data-transport.ts';
+import { PublishBuffer } from './publish-buffer.ts';
+import type { PublishOptions } from './publish-buffer.ts';
+import { DEFAULT_RECONNECT_POLICY } from './reconnect-policy.ts';
+import { Registration } from './registration.ts';
+import { RoundTripWindow } from './round-trip.ts';
+import type { RoundTrip } from './round-trip.ts';
+import { ServiceCalls } from './service-calls.ts';
+import type { SubscribeOptions, Subscription } from './subscription.ts';
+import { TopicDataInbox } from './topic-data-inbox.ts';
+import type { TopicPattern } from './topic-pattern.ts';
+import { TopicSubscriptions } from './topic-subscriptions.ts';
+import type {
+  ClientProblem,
+  IdentityChange,
+  ServiceCallArguments,
+  UbiiClient,
+  Unsubscribe,
+} from './ubii-client.ts';
+
+/** What a client stands on. */
+export interface ClientPorts {
+  readonly clock: Clock;
+  readonly random: RandomSource;
+  readonly services: ServiceTransport;
+  readonly topicData: TopicDataTransport;
+}
+
+const DEFAULT_PUBLISH_INTERVAL_MS = 15;
+const DEFAULT_SERVICE_TIMEOUT_MS = 10_000;
+/** How long `close()` waits for the master, each time it asks it something, milliseconds. */
+const FAREWELL_TIMEOUT_MS = 2_000;
+
+/** Services whose request says on whose behalf it comes. Elsewhere a client id is a criterion. */
+const SERVICES_WITH_CLIENT_ID: ReadonlySet<ServiceName> = new Set([
+  'topicSubscription',
+  'deviceRegistration',
+  'deviceDeregistration',
+]);
+
+/** A client on the given ports. */
+export function createUbiiClient(options: ClientOptions, ports: ClientPorts): UbiiClient {
+  return new Client(options, ports);
+}
+
+/** Joins the parts; each part says itself what it does. */
+class Client implements UbiiClient {
+  readonly #clock: Clock;
+  readonly #timeoutMs: number;
+  readonly #calls: ServiceCalls;
+  readonly #registration: Registration;
+  readonly #connection: Connection;
+  readonly #subscriptions: TopicSubscriptions;
+  readonly #inbox: TopicDataInbox;
+  readonly #publishes: PublishBuffer;
+  readonly #devices: DeviceRegistry;
+  readonly #roundTrips = new RoundTripWindow();
+  readonly #roundTripListeners = new Listeners<RoundTrip>();
+  readonly #problemListeners = new Listeners<ClientProblem>();
+  readonly #identityListeners = new Listeners<IdentityChange>();
+  #recordsOut = 0;
+  #bytesOut = 0;
+  #closing: Promise<void> | undefined;
+
+  constructor(options: ClientOptions, { clock, random, services, topicData }: ClientPorts) {
+    this.#clock = clock;
+    this.#timeoutMs = options.serviceTimeoutMs ?? DEFAULT_SERVICE_TIMEOUT_MS;
+    this.#calls = new ServiceCalls(services, clock, this.#timeoutMs);
+    // Of its own, because `close()` rejects the program's calls but has to know how a registration went.
+    const registrationCalls = new ServiceCalls(services, clock, this.#timeoutMs);
+    this.#registration = new Registration(
+      registrationCalls,
+      options.identity ?? createMemoryIdentity(),
+      {
+        name: options.name,
+        description: options.description ?? '',
+        tags: options.tags ?? [],
+      },
+    );
+    const handleProblem = (problem: ClientProblem): void => this.#problemListeners.emit(problem);
+    this.#subscriptions = new TopicSubscriptions({
+      clock,
+      callTopicSubscription: (request) => this.#callNow('topicSubscription', request),
+      listComponents: async (profiles) => {
+        const elements = profiles.map(profileToMessage);
+        return (await this.#callNow('componentGetList', { elements })).elements;
+      },
+      handleProblem,
+      handleUnknownClient: (error) => {
+        this.#connection.drop(
+          new ConnectionError('refused', 'The master does not know this client', { cause: error }),
+        );
+      },
+    });
+    this.#inbox = new TopicDataInbox({
+      handleRecord: (record) => this.#subscriptions.handleRecord(record),
+      handleProblem,
+      countAtMaster: (topic) => this.#subscriptions.countAtMaster(topic),
+    });
+    this.#devices = new DeviceRegistry({
+      clock,
+      clientId: () => this.id,
+      registerDevice: (device) => this.#callNow('deviceRegistration', device),
+      deregisterDevice: (device) => this.#callNow('deviceDeregistration', device),
+      publish: (topic, format, value, publishOptions) =>
+        this.#publish(topic, format, value, publishOptions),
+      subscribe: (topic, subscribeOptions) => this.subscribe(topic, subscribeOptions),
+      handleProblem,
+    });
+    this.#connection = new Connection({
+      clock,
+      random,
+      policy: { ...DEFAULT_RECONNECT_POLICY, ...options.reconnect },
+      registration: this.#registration,
+      transport: topicData,
+      openTimeoutMs: this.#timeoutMs,
+      handleBinary: (bytes) => this.#inbox.handleBinary(bytes),
+      handleUnknownText: (text) => this.#inbox.handleUnknownText(text),
+      handleRoundTrip: (roundTripMs) => {
+        this.#roundTripListeners.emit(this.#roundTrips.add(roundTripMs));
+      },
+      restore: (arrival) => this.#restore(arrival),
+    });
+    this.#publishes = new PublishBuffer(
+      clock,
+      this.#createSink(),
+      options.publishIntervalMs ?? DEFAULT_PUBLISH_INTERVAL_MS,
+    );
+    this.#connection.onState((state) => this.#handleState(state));
+  }
+
+  get id(): string {
+    return this.#registration.clientId;
+  }
+
+  get name(): string {
+    return this.#registration.profile.name;
+  }
+
+  get state(): ConnectionState {
+    return this.#connection.state;
+  }
+
+  get roundTrip(): RoundTrip | undefined {
+    return this.#roundTrips.current;
+  }
+
+  get counters(): ClientCounters {
+    const { recordsIn, bytesIn, decodeErrors } = this.#inbox;
+    return {
+      recordsIn,
+      recordsOut: this.#recordsOut,
+      bytesIn,
+      bytesOut: this.#bytesOut,
+      recordsDropped: this.#publishes.dropped,
+      decodeErrors,
+    };
+  }
+
+  onState(fn: (state: ConnectionState) => void): Unsubscribe {
+    return this.#connection.onState(fn);
+  }
+
+  onRoundTrip(fn: (roundTrip: RoundTrip) => void): Unsubscribe {
+    return this.#roundTripListeners.add(fn);
+  }
+
+  onError(fn: (problem: ClientProblem) => void): Unsubscribe {
+    return this.#problemListeners.add(fn);
+  }
+
+  onIdentityChange(fn: (change: IdentityChange) => void): Unsubscribe {
+    return this.#identityListeners.add(fn);
+  }
+
+  async connect(): Promise<void> {
+    await this.#closing;
+    await this.#connection.connect();
+  }
+
+  retryNow(): void {
+    this.#connection.retryNow();
+  }
+
+  close(): Promise<void> {
+    if (this.state.status === 'closed' && this.state.error === undefined) {
+      return this.#closing ?? Promise.resolve();
+    }
+    this.#closing ??= this.#close().finally(() => {
+      this.#closing = undefined;
+    });
+    return this.#closing;
+  }
+
+  async rename(name: string): Promise<void> {
+    const idBefore = this.id;
+    await this.#registration.rename(name, this.state.status === 'connected');
+    if (this.id !== idBefore) {
+      this.#connection.drop(
+        new ConnectionError('closed', 'The master gave the client another id when it was renamed'),
+      );
+    }
+  }
+
+  publish<F extends DataFormat>(
+    topic: string,
+    format: F,
+    value: DataFormatValues[F],
+    options?: PublishOptions,
+  ): void {
+    this.#publish(topic, format, value, options);
+  }
+
+  setPublishIntervalMs(intervalMs: number): void {
+    this.#publishes.setIntervalMs(intervalMs);
+  }
+
+  subscribe<F extends DataFormat = DataFormat>(
+    pattern: string | TopicPattern,
+    options: SubscribeOptions<F> = {},
+  ): Subscription<F> {
+    return this.#subscriptions.subscribe(
+      typeof pattern === 'string' ? { topic: pattern } : pattern,
+      options,
+    );
+  }
+
+  async call<S extends ServiceName>(
+    service: S,
+    ...[request]: ServiceCallArguments<S>
+  ): Promise<ServiceReplyOf<S>> {
+    const deadlineMs = this.#clock.monotonicMs() + this.#timeoutMs;
+    await this.#whenConnected(service);
+    return this.#callNow(
+      service,
+      request as Init<ServiceRequestOf<S>> | undefined,
+      Math.max(0, deadlineMs - this.#clock.monotonicMs()),
+    );
+  }
+
+  async registerDevice<const C extends readonly ComponentInit[]>(
+    device: DeviceInit<C>,
+  ): Promise<RegisteredDevice<C>> {
+    // The names and formats in the type are those of `device`.
+    return (await this.#devices.register(device)) as unknown as RegisteredDevice<C>;
+  }
+
+  #publish(topic: string, format: DataFormat, value: unknown, options: PublishOptions = {}): void {
+    if (typeof topic !== 'string' || topic === '') {
+      throw new TypeError(`Expected a topic to publish on, received ${JSON.stringify(topic)}`);
+    }
+    const info = Object.hasOwn(DATA_FORMATS, format) ? DATA_FORMATS[format] : undefined;
+    if (info === undefined) throw new TypeError(`Expected a data format, received "${format}"`);
+    const problem = info.validate(value);
+    if (problem !== undefined) throw new TypeError(`${topic}: ${problem}`);
+    // Encoded now, so that the caller may go on changing his value.
+    const bytes = encodeRecord({
+      topic,
+      format,
+      value,
+      timestampMs: options.timestampMs ?? this.#clock.nowMs(),
+      clientId: this.id,
+    } as RecordInit);
+    this.#publishes.add({ topic, bytes, isEvent: info.isEvent }, options.immediate === true);
+  }
+
+  /** Calls without waiting for the connection: what makes the connection uses this. */
+  #callNow<S extends ServiceName>(
+    service: S,
+    request: Init<ServiceRequestOf<S>> | undefined,
+    timeoutMs = this.#timeoutMs,
+  ): Promise<ServiceReplyOf<S>> {
+    return this.#calls.call(service, this.#withClientId(service, request), timeoutMs);
+  }
+
+  #withClientId<R>(service: ServiceName, request: R): R {
+    if (!SERVICES_WITH_CLIENT_ID.has(service) || typeof request !== 'object') return request;
+    const { clientId } = request as { clientId?: string };
+    return clientId ? request : { ...request, clientId: this.id };
+  }
+
+  async #whenConnected(service: ServiceName): Promise<void> {
+    if (this.state.status === 'connected') return;
+    let cancel = (): void => undefined;
+    const timeout = new Promise<never>((_, reject) => {
+      cancel = this.#clock.after(this.#timeoutMs, () =>
+        reject(
+          new ConnectionError(
+            'timeout',
+            `Expected a connection for "${service}" within ${this.#timeoutMs} ms`,
+          ),
+        ),
+      );
+    });
+    try {
+      await Promise.race([this.#connection.whenConnected(), timeout]);
+    } finally {
+      cancel();
+    }
+  }
+
+  async #restore({ membership, kind, previousId }: Arrival): Promise<void> {
+    const { identity, isExtended } = membership;
+    this.#inbox.handleMaster(isExtended);
+    const isSameClient = identity.clientId === previousId;
+    await Promise.all([
+      this.#devices.resume({ isStanding: kind === 'standing', canKeepIds: isExtended }),
+      this.#subscriptions.resume({ isSameClient, takesComponents: isExtended }),
+    ]);
+    if (previousId !== '' && !isSameClient) {
+      this.#identityListeners.emit({ previousId, clientId: identity.clientId });
+    }
+  }
+
+  #handleState(state: ConnectionState): void {
+    switch (state.status) {
+      case 'connected':
+        this.#publishes.flush();
+        return;
+      case 'reconnecting':
+        this.#pause();
+        return;
+      case 'closed':
+        this.#pause();
+        this.#calls.rejectAll(
+          state.error ?? new ConnectionError('closed', 'The client was closed'),
+        );
+        if (state.error !== undefined) this.#subscriptions.failIterators(state.error);
+        return;
+      case 'idle':
+      case 'connecting':
+        return;
+    }
+  }
+
+  #pause(): void {
+    this.#subscriptions.pause();
+    this.#devices.pause();
+    this.#roundTrips.clear();
+  }
+
+  async #close(): Promise<void> {
+    this.#publishes.flush();
+    this.#publishes.clear();
+    const { link, attemptDone } = this.#connection.close();
+    this.#subscriptions.closeAll();
+    this.#devices.clear(new ConnectionError('closed', 'The client was closed'));
+    // Deregistering goes another way and would overtake the last records. [TD-40]
+    if (link !== undefined) await this.#within(FAREWELL_TIMEOUT_MS, link.handled());
+    // An attempt that was under way may be registering the client this moment.
+    await this.#within(FAREWELL_TIMEOUT_MS, attemptDone);
+    try {
+      await this.#registration.deregister(FAREWELL_TIMEOUT_MS);
+    } catch (error) {
+      // The master is gone, or has forgotten the client already: left either way.
+      if (!(error instanceof ServiceError) && !(error instanceof ConnectionError)) throw error;
+    }
+    link?.close();
+  }
+
+  async #within(timeoutMs: number, promise: Promise<void>): Promise<void> {
+    let cancel = (): void => undefined;
+    const timeout = new Promise<void>((resolve) => {
+      cancel = this.#clock.after(timeoutMs, resolve);
+    });
+    await Promise.race([promise, timeout]);
+    cancel();
+  }
+
+  #createSink() {
+    const link = (): Link | undefined => this.#connection.link;
+    return {
+      get isOpen() {
+        return link() !== undefined;
+      },
+      get bufferedBytes() {
+        return link()?.bufferedBytes ?? 0;
+      },
+      send: (frame: Uint8Array, recordCount: number): void => {
+        link()?.sendBinary(frame);
+        this.#recordsOut += recordCount;
+        this.#bytesOut += frame.byteLength;
+      },
+    };
+  }
+}

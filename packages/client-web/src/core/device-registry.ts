@@ -1,0 +1,245 @@
+import { ComponentIOType, DeviceType, ServiceError, componentTopic } from '@ubii/proto';
+import type { DataFormat, Device, Init } from '@ubii/proto';
+import { messageFormatOf } from './component-profile.ts';
+import { ConnectionError } from './connection-error.ts';
+import { Deferred } from './deferred.ts';
+import type {
+  ComponentInit,
+  DeviceInit,
+  RegisteredComponent,
+  RegisteredDevice,
+} from './devices.ts';
+import type { Cancel, Clock } from './ports/clock.ts';
+import type { PublishOptions } from './publish-buffer.ts';
+import type { SubscribeOptions, Subscription } from './subscription.ts';
+
+/** What devices need from the client they belong to. */
+export interface DeviceRegistryOptions {
+  readonly clock: Clock;
+  readonly clientId: () => string;
+  readonly registerDevice: (device: Init<Device>) => Promise<Device>;
+  readonly deregisterDevice: (device: Init<Device>) => Promise<unknown>;
+  /** Value and format fit each other. */
+  readonly publish: (
+    topic: string,
+    format: DataFormat,
+    value: unknown,
+    options?: PublishOptions,
+  ) => void;
+  readonly subscribe: (topic: string, options: SubscribeOptions) => Subscription;
+  /** The master did not take a device back after a reconnect. */
+  readonly handleProblem: (error: ServiceError) => void;
+}
+
+/** How long to wait after a request that did not get through though the link is up, milliseconds. */
+const RETRY_MS = 1_000;
+
+/** A device of the program, registered or about to be. */
+interface Entry {
+  readonly init: DeviceInit;
+  /** What the master answered last. */
+  registered: Device | undefined;
+  /** Settles when the device is registered for the first time. */
+  readonly first: Deferred<void>;
+}
+
+/** The devices of the program: registered when there is a connection, and again after each reconnect. */
+export class DeviceRegistry {
+  readonly #options: DeviceRegistryOptions;
+  readonly #entries = new Set<Entry>();
+  /** Ids of devices that were closed while there was no connection. */
+  readonly #leftBehind = new Set<string>();
+  readonly #retries = new Set<Cancel>();
+  #isOnline = false;
+  #canKeepIds = false;
+
+  constructor(options: DeviceRegistryOptions) {
+    this.#options = options;
+  }
+
+  /**
+   * @throws {TypeError} if the device or a component has no name, or two components have the same
+   * @throws {ServiceError} if the master refuses the device
+   */
+  async register(init: DeviceInit): Promise<RegisteredDevice> {
+    checkNames(init);
+    const entry: Entry = { init, registered: undefined, first: new Deferred() };
+    this.#entries.add(entry);
+    if (this.#isOnline) await this.#registerFirst(entry);
+    await entry.first.promise;
+    return this.#toRegisteredDevice(entry);
+  }
+
+  /**
+   * The link is up.
+   * @param link `isStanding`: the master kept the devices; `canKeepIds`: it takes a device back under its id [DV-2]
+   * @throws {ConnectionError} if the link failed
+   */
+  async resume(link: { isStanding: boolean; canKeepIds: boolean }): Promise<void> {
+    this.#isOnline = true;
+    this.#canKeepIds = link.canKeepIds;
+    await this.#deregisterLeftBehind();
+    await Promise.all(
+      [...this.#entries].map(async (entry) => {
+        if (entry.registered === undefined) await this.#registerFirst(entry);
+        else if (!link.isStanding) await this.#registerAgain(entry);
+      }),
+    );
+  }
+
+  /** The link is gone. */
+  pause(): void {
+    this.#isOnline = false;
+    for (const cancel of this.#retries) cancel();
+    this.#retries.clear();
+  }
+
+  /** Forgets all devices; the master ends them with the client. */
+  clear(error: ConnectionError): void {
+    this.pause();
+    for (const { first } of this.#entries) first.reject(error);
+    this.#entries.clear();
+    this.#leftBehind.clear();
+  }
+
+  async #registerFirst(entry: Entry): Promise<void> {
+    try {
+      await this.#register(entry, undefined);
+      entry.first.resolve();
+    } catch (error) {
+      if (error instanceof ConnectionError && error.reason !== 'protocol') {
+        // When the link failed the next `resume` tries again; the caller waits for it.
+        if (this.#isOnline) this.#retryLater(entry);
+        return;
+      }
+      this.#entries.delete(entry);
+      entry.first.reject(error);
+    }
+  }
+
+  #retryLater(entry: Entry): void {
+    const cancel = this.#options.clock.after(RETRY_MS, () => {
+      this.#retries.delete(cancel);
+      if (this.#entries.has(entry)) void this.#registerFirst(entry);
+    });
+    this.#retries.add(cancel);
+  }
+
+  async #registerAgain(entry: Entry): Promise<void> {
+    const earlier = this.#canKeepIds ? entry.registered : undefined;
+    try {
+      await this.#register(entry, earlier);
+    } catch (error) {
+      if (!(error instanceof ServiceError)) throw error;
+      if (error.code === 'already_exists' && earlier !== undefined) {
+        await this.#register(entry, undefined);
+        return;
+      }
+      this.#options.handleProblem(error);
+    }
+  }
+
+  async #register(entry: Entry, earlier: Device | undefined): Promise<void> {
+    entry.registered = await this.#options.registerDevice(
+      toMessage(entry.init, this.#options.clientId(), earlier),
+    );
+    // Closed while the request was under way.
+    if (!this.#entries.has(entry)) await this.#deregister(entry.registered.id);
+  }
+
+  async #close(entry: Entry): Promise<void> {
+    if (!this.#entries.delete(entry) || entry.registered === undefined) return;
+    await this.#deregister(entry.registered.id);
+  }
+
+  async #deregister(id: string): Promise<void> {
+    this.#leftBehind.add(id);
+    if (this.#isOnline) await this.#deregisterLeftBehind();
+  }
+
+  async #deregisterLeftBehind(): Promise<void> {
+    for (const id of [...this.#leftBehind]) {
+      try {
+        await this.#options.deregisterDevice({ id, clientId: this.#options.clientId() });
+      } catch (error) {
+        if (!(error instanceof ServiceError)) return; // stays for the next `resume`
+      }
+      this.#leftBehind.delete(id);
+    }
+  }
+
+  #toRegisteredDevice(entry: Entry): RegisteredDevice {
+    const components = new Map(
+      entry.init.components.map((init, index) => [
+        init.name,
+        this.#toComponent(entry, init, index),
+      ]),
+    );
+    return {
+      get id() {
+        return entry.registered!.id;
+      },
+      name: entry.init.name,
+      component: (name) => {
+        const component = components.get(name);
+        if (component !== undefined) return component;
+        throw new RangeError(
+          `Expected a component of the device "${entry.init.name}" (${[...components.keys()].join(', ')}), received "${name}"`,
+        );
+      },
+      close: () => this.#close(entry),
+    };
+  }
+
+  #toComponent(entry: Entry, init: ComponentInit, index: number): RegisteredComponent {
+    const { publish, subscribe } = this.#options;
+    // [DV-1] the reply repeats the components in their order.
+    const registered = () => entry.registered?.components[index];
+    return {
+      get id() {
+        return registered()?.id ?? '';
+      },
+      name: init.name,
+      format: init.format,
+      get topic() {
+        return registered()?.topic ?? '';
+      },
+      publish(value, options) {
+        publish(this.topic, init.format, value, options);
+      },
+      subscribe(options) {
+        return subscribe(this.topic, { ...options, format: init.format });
+      },
+    };
+  }
+}
+
+function toMessage(init: DeviceInit, clientId: string, earlier: Device | undefined): Init<Device> {
+  return {
+    ...(earlier === undefined ? {} : { id: earlier.id }),
+    clientId,
+    name: init.name,
+    deviceType: init.type === 'watcher' ? DeviceType.WATCHER : DeviceType.PARTICIPANT,
+    ...(init.tags?.length ? { tags: [...init.tags] } : {}),
+    ...(init.description ? { description: init.description } : {}),
+    components: init.components.map((component, index) => ({
+      ...(earlier?.components[index]?.id ? { id: earlier.components[index].id } : {}),
+      name: component.name,
+      topic: component.topic ?? componentTopic(clientId, init.name, component.name),
+      messageFormat: messageFormatOf(component.format),
+      ioType:
+        component.ioType === 'subscriber' ? ComponentIOType.SUBSCRIBER : ComponentIOType.PUBLISHER,
+      ...(component.tags?.length ? { tags: [...component.tags] } : {}),
+      ...(component.description ? { description: component.description } : {}),
+    })),
+  };
+}
+
+function checkNames({ name, components }: DeviceInit): void {
+  if (name === '') throw new TypeError('Expected a device with a name, received an empty one');
+  const names = new Set(components.map((component) => component.name));
+  if (names.has('')) throw new TypeError(`Expected components with names in the device "${name}"`);
+  if (names.size < components.length) {
+    throw new TypeError(`Expected components with different names in the device "${name}"`);
+  }
+}

@@ -1,0 +1,97 @@
+import { SERVICES, ServiceError } from '@ubii/proto';
+import type {
+  Init,
+  ServiceName,
+  ServiceReply,
+  ServiceReplyOf,
+  ServiceRequest,
+  ServiceRequestOf,
+} from '@ubii/proto';
+import { ConnectionError } from './connection-error.ts';
+import { Deferred } from './deferred.ts';
+import type { Clock } from './ports/clock.ts';
+import type { ServiceTransport } from './ports/service-transport.ts';
+
+/** Calls under way to one master: each is answered, times out, or is rejected by `rejectAll`. */
+export class ServiceCalls {
+  readonly #transport: ServiceTransport;
+  readonly #clock: Clock;
+  readonly #timeoutMs: number;
+  readonly #open = new Set<(error: ConnectionError) => void>();
+
+  constructor(transport: ServiceTransport, clock: Clock, timeoutMs: number) {
+    this.#transport = transport;
+    this.#clock = clock;
+    this.#timeoutMs = timeoutMs;
+  }
+
+  /**
+   * Sends one request and gives the payload of the reply.
+   * @throws {ServiceError} what the master answered
+   * @throws {ConnectionError} `timeout`, `refused`, `protocol`, or the error of `rejectAll`
+   */
+  async call<S extends ServiceName>(
+    service: S,
+    request: Init<ServiceRequestOf<S>> | undefined,
+    timeoutMs = this.#timeoutMs,
+  ): Promise<ServiceReplyOf<S>> {
+    const { topic, request: requestMember, reply: replyMember } = SERVICES[service];
+    const message: Init<ServiceRequest> =
+      requestMember === undefined || request === undefined
+        ? { topic }
+        : { topic, [requestMember]: request };
+    const reply = await this.#exchange(topic, message, timeoutMs);
+    if (reply.error !== undefined) throw ServiceError.fromWire(reply.error);
+    const payload = reply[replyMember];
+    if (payload === undefined) {
+      throw new ConnectionError(
+        'protocol',
+        `Expected "${replyMember}" in the reply of "${topic}", received "${Object.keys(reply).join(', ') || 'nothing'}"`,
+      );
+    }
+    return payload as ServiceReplyOf<S>;
+  }
+
+  /** Rejects every open call. Later calls are not affected. */
+  rejectAll(error: ConnectionError): void {
+    for (const reject of [...this.#open]) reject(error);
+  }
+
+  #exchange(
+    topic: string,
+    message: Init<ServiceRequest>,
+    timeoutMs: number,
+  ): Promise<ServiceReply> {
+    const settled = new Deferred<ServiceReply>();
+    const exchange = this.#transport.send(message);
+    const giveUp = (error: ConnectionError): void => {
+      finish();
+      settled.reject(error);
+      exchange.cancel();
+    };
+    const cancelTimer = this.#clock.after(timeoutMs, () =>
+      giveUp(
+        new ConnectionError(
+          'timeout',
+          `Expected a reply of "${topic}" within ${timeoutMs} ms, received none`,
+        ),
+      ),
+    );
+    const finish = (): void => {
+      cancelTimer();
+      this.#open.delete(giveUp);
+    };
+    this.#open.add(giveUp);
+    exchange.reply.then(
+      (reply) => {
+        finish();
+        settled.resolve(reply);
+      },
+      (error: unknown) => {
+        finish();
+        settled.reject(error);
+      },
+    );
+    return settled.promise;
+  }
+}

@@ -1,0 +1,283 @@
+import { INFO_TOPICS, ServiceError } from '@ubii/proto';
+import type { Component, DataFormat, Init, TopicRecord, TopicSubscription } from '@ubii/proto';
+import type { ComponentProfile } from './component-profile.ts';
+import { ComponentTopics } from './component-topics.ts';
+import { LocalSubscription } from './local-subscription.ts';
+import type { Clock } from './ports/clock.ts';
+import { SubscriptionSync } from './subscription-sync.ts';
+import type { SubscribeOptions, Subscription } from './subscription.ts';
+import { toServerPattern } from './topic-pattern.ts';
+import type { ServerPattern, TopicPattern } from './topic-pattern.ts';
+
+/** Topics of which the receivers and the newest record are remembered. */
+const MAX_REMEMBERED_TOPICS = 10_000;
+
+/** What the subscriptions need, and whom they tell. */
+export interface TopicSubscriptionsOptions {
+  readonly clock: Clock;
+  readonly callTopicSubscription: (request: Init<TopicSubscription>) => Promise<unknown>;
+  readonly listComponents: (profiles: readonly ComponentProfile[]) => Promise<readonly Component[]>;
+  /** The master refused a subscription, which has ended with this error, or does not list components. */
+  readonly handleProblem: (error: ServiceError) => void;
+  readonly handleUnknownClient: (error: ServiceError) => void;
+}
+
+/** Where the records of one topic go. */
+interface Route {
+  readonly receivers: readonly LocalSubscription[];
+  /** Subscriptions at the master that match the topic, profiles left out. */
+  readonly countAtMaster: number;
+}
+
+interface Group {
+  readonly pattern: ServerPattern;
+  readonly members: Set<LocalSubscription>;
+}
+
+/**
+ * All subscriptions of the program. Those with the same pattern are one subscription at the master,
+ * from the first of them to the last. The receivers of a topic are worked out once, not per record.
+ */
+export class TopicSubscriptions {
+  readonly #options: TopicSubscriptionsOptions;
+  readonly #groups = new Map<string, Group>();
+  readonly #sync: SubscriptionSync;
+  readonly #componentTopics: ComponentTopics;
+  readonly #routes = new Map<string, Route>();
+  /**
+   * The newest record of each received topic. The master sends its own only with the first
+   * subscription of a pattern; a second one in this program gets it from here.
+   */
+  readonly #newest = new Map<string, TopicRecord>();
+  /** Tell of devices that come and go, as long as there are component profiles. */
+  #deviceNews: readonly Subscription<'device'>[] = [];
+  /** Where the master takes no profiles: subscriptions by topic in their place. */
+  readonly #substitutes = new Map<string, Subscription>();
+  #takesComponents = true;
+
+  constructor(options: TopicSubscriptionsOptions) {
+    this.#options = options;
+    this.#sync = new SubscriptionSync({
+      clock: options.clock,
+      call: options.callTopicSubscription,
+      handleAccepted: (key) => this.#handleAccepted(key),
+      handleRefused: (key, error) => this.#handleRefused(key, error),
+      handleUnknownClient: options.handleUnknownClient,
+    });
+    this.#componentTopics = new ComponentTopics({
+      listComponents: options.listComponents,
+      handleChange: () => this.#handleComponentTopics(),
+      handleRecord: (record) => this.#handleLateRecord(record),
+    });
+  }
+
+  /**
+   * @throws {TypeError} if the pattern is empty or not a regular expression
+   * @throws {RangeError} if a rate or a size is not above 0
+   */
+  subscribe<F extends DataFormat>(
+    pattern: TopicPattern,
+    options: SubscribeOptions<F>,
+  ): Subscription<F> {
+    const subscription: LocalSubscription = new LocalSubscription(
+      pattern,
+      toServerPattern(pattern),
+      options,
+      this.#options.clock,
+      () => this.#remove(subscription),
+    );
+    this.#add(subscription);
+    // It lets no other format pass.
+    return subscription as unknown as Subscription<F>;
+  }
+
+  /** Hands a record to everyone who subscribed to it, to each once. */
+  handleRecord(record: TopicRecord): void {
+    const { receivers } = this.#routeOf(record.topic);
+    for (const receiver of receivers) receiver.handleRecord(record);
+    if (receivers.length > 0) this.#remember(record);
+    this.#componentTopics.holdIfUnknown(record);
+  }
+
+  /** How many subscriptions at the master match a topic, profiles left out. */
+  countAtMaster(topic: string): number {
+    return this.#routeOf(topic).countAtMaster;
+  }
+
+  /**
+   * The link is up: makes the master have all subscriptions.
+   * @throws {ConnectionError | ServiceError} if that failed
+   */
+  async resume(link: { isSameClient: boolean; takesComponents: boolean }): Promise<void> {
+    this.#takesComponents = link.takesComponents;
+    await this.#sync.resume(link);
+    try {
+      await this.#componentTopics.refresh();
+    } catch (error) {
+      if (!(error instanceof ServiceError)) throw error;
+      this.#options.handleProblem(error);
+    }
+  }
+
+  /** The link is gone. */
+  pause(): void {
+    this.#sync.pause();
+  }
+
+  /** Ends everything. */
+  closeAll(): void {
+    const groups = [...this.#groups.values()];
+    this.#groups.clear();
+    this.#routes.clear();
+    this.#newest.clear();
+    this.#substitutes.clear();
+    this.#deviceNews = [];
+    this.#componentTopics.clear();
+    this.#sync.clear();
+    for (const { members } of groups) for (const member of members) member.end(undefined);
+  }
+
+  /** The client stopped for good: loops end with the error. Callbacks stand, should it connect again. */
+  failIterators(error: Error): void {
+    for (const { members } of this.#groups.values()) {
+      for (const member of members) member.failIterators(error);
+    }
+  }
+
+  #add(subscription: LocalSubscription): void {
+    const { serverPattern: pattern } = subscription;
+    let group = this.#groups.get(pattern.key);
+    const isFirst = group === undefined;
+    group ??= { pattern, members: new Set() };
+    group.members.add(subscription);
+    this.#groups.set(pattern.key, group);
+    this.#routes.clear();
+    if (isFirst && pattern.kind === 'component') this.#addProfile(pattern.key, pattern.profile);
+    this.#sync.want(pattern, rateOf(group));
+    if (isFirst || !this.#sync.isAccepted(pattern.key)) return;
+    subscription.handleAccepted();
+    for (const record of this.#newest.values()) {
+      if (this.#selects(pattern, record.topic)) subscription.handleRecord(record);
+    }
+  }
+
+  async #remove(subscription: LocalSubscription): Promise<void> {
+    const { serverPattern: pattern } = subscription;
+    const group = this.#groups.get(pattern.key);
+    if (group === undefined || !group.members.delete(subscription)) return;
+    this.#routes.clear();
+    if (group.members.size > 0) {
+      this.#sync.want(pattern, rateOf(group));
+      return;
+    }
+    this.#groups.delete(pattern.key);
+    if (pattern.kind === 'component') this.#removeProfile(pattern.key);
+    // What nobody receives any more grows old here.
+    for (const topic of this.#newest.keys()) {
+      if (this.#routeOf(topic).receivers.length === 0) this.#newest.delete(topic);
+    }
+    await this.#sync.unwant(pattern.key);
+  }
+
+  #handleAccepted(key: string): void {
+    const group = this.#groups.get(key);
+    if (group === undefined) return;
+    for (const member of group.members) member.handleAccepted();
+    if (group.pattern.kind === 'component')
+      void this.#componentTopics.refresh().catch(() => undefined);
+  }
+
+  #handleRefused(key: string, error: ServiceError): void {
+    const group = this.#groups.get(key);
+    if (group === undefined) return;
+    this.#groups.delete(key);
+    this.#routes.clear();
+    if (group.pattern.kind === 'component') this.#removeProfile(key);
+    for (const member of group.members) member.end(error);
+    this.#options.handleProblem(error);
+  }
+
+  /** Those who subscribed by topic or regular expression have the record already. */
+  #handleLateRecord(record: TopicRecord): void {
+    for (const receiver of this.#routeOf(record.topic).receivers) {
+      if (receiver.serverPattern.kind === 'component') receiver.handleRecord(record);
+    }
+    this.#remember(record);
+  }
+
+  #routeOf(topic: string): Route {
+    let route = this.#routes.get(topic);
+    if (route === undefined) {
+      const groups = [...this.#groups.values()].filter(({ pattern }) =>
+        this.#selects(pattern, topic),
+      );
+      route = {
+        receivers: groups.flatMap(({ members }) => [...members]),
+        countAtMaster: groups.filter(({ pattern }) => pattern.kind !== 'component').length,
+      };
+      if (this.#routes.size >= MAX_REMEMBERED_TOPICS) this.#routes.clear();
+      this.#routes.set(topic, route);
+    }
+    return route;
+  }
+
+  #selects(pattern: ServerPattern, topic: string): boolean {
+    if (pattern.kind === 'topic') return pattern.topic === topic;
+    if (pattern.kind === 'regex') return pattern.matches(topic);
+    return this.#componentTopics.has(pattern.key, topic);
+  }
+
+  #remember(record: TopicRecord): void {
+    if (this.#newest.size >= MAX_REMEMBERED_TOPICS && !this.#newest.has(record.topic)) {
+      const [oldest] = this.#newest.keys();
+      if (oldest !== undefined) this.#newest.delete(oldest);
+    }
+    this.#newest.set(record.topic, record);
+  }
+
+  #addProfile(key: string, profile: ComponentProfile): void {
+    this.#componentTopics.add(key, profile);
+    if (this.#deviceNews.length > 0) return;
+    const added = this.subscribe({ topic: INFO_TOPICS.newDevice }, { format: 'device' });
+    const removed = this.subscribe({ topic: INFO_TOPICS.deleteDevice }, { format: 'device' });
+    added.onRecord(({ value }) => this.#componentTopics.handleNewDevice(value));
+    removed.onRecord(() => void this.#componentTopics.refresh().catch(() => undefined));
+    this.#deviceNews = [added, removed];
+  }
+
+  #removeProfile(key: string): void {
+    this.#componentTopics.remove(key);
+    this.#handleComponentTopics();
+    const hasProfiles = [...this.#groups.values()].some(
+      ({ pattern }) => pattern.kind === 'component',
+    );
+    if (hasProfiles) return;
+    const news = this.#deviceNews;
+    this.#deviceNews = [];
+    for (const subscription of news) void subscription.close();
+  }
+
+  #handleComponentTopics(): void {
+    this.#routes.clear();
+    const wanted = this.#takesComponents ? new Set<string>() : this.#componentTopics.topics();
+    for (const [topic, substitute] of this.#substitutes) {
+      if (wanted.has(topic)) continue;
+      this.#substitutes.delete(topic);
+      void substitute.close();
+    }
+    for (const topic of wanted) {
+      if (this.#substitutes.has(topic)) continue;
+      const substitute = this.subscribe({ topic }, { bufferSize: 1 });
+      this.#substitutes.set(
+        topic,
+        substitute.onRecord(() => undefined),
+      );
+    }
+  }
+}
+
+/** The rate the master is asked for: the fastest of the group, 0 for every record. [TD-28] */
+function rateOf({ members }: Group): number {
+  const fastestHz = Math.max(...[...members].map(({ maxRateHz }) => maxRateHz));
+  return fastestHz === Infinity ? 0 : fastestHz;
+}

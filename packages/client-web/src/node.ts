@@ -1,0 +1,19 @@
+import { WebSocket } from 'ws';
+import type { ClientOptions } from './core/client-options.ts';
+import type { UbiiClient } from './core/ubii-client.ts';
+import { createClientOver } from './create-client.ts';
+
+export * from './exports.ts';
+
+/**
+ * A client for Node 20 and later: the global `fetch` and the WebSocket of the ws package.
+ * @throws {TypeError} if the options name no master
+ */
+export function createClient(options: ClientOptions): UbiiClient {
+  // Compression is off: small records only grow, and the master takes none. [TD-1]
+  return createClientOver(
+    options,
+    (url) => new WebSocket(url, { perMessageDeflate: false }),
+    undefined,
+  );
+}
