@@ -1,4 +1,4 @@
-import type { Locator, Page } from '@playwright/test';
+import { expect, type Locator, type Page } from '@playwright/test';
 
 /** What stands around every page: navigation, connection, palette. */
 export class Shell {
@@ -30,6 +30,16 @@ export class Shell {
   async openPalette(): Promise<void> {
     await this.page.keyboard.press('ControlOrMeta+k');
     await this.palette.waitFor();
+  }
+
+  /** A button of the top bar: on phones another one of the same name is shown. */
+  button(name: string): Locator {
+    return this.page.getByRole('banner').getByRole('button', { name }).filter({ visible: true });
+  }
+
+  /** Waits until the page is a client of the master and has measured the way to it. */
+  async expectConnected(): Promise<void> {
+    await expect(this.connection).toContainText(/\d\s*ms/);
   }
 
   /** Pixels that stick out to the right of the screen. */

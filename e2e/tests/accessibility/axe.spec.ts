@@ -1,0 +1,96 @@
+import AxeBuilder from '@axe-core/playwright';
+import type { Page } from '@playwright/test';
+import { HostileClient } from '../../fixtures/hostile-client.ts';
+import { expect, test, type Room } from '../../fixtures/test.ts';
+import { Shell } from '../../pages/shell.ts';
+
+const PAGES = [
+  { name: 'home', path: '/' },
+  { name: 'topics', path: '/topics' },
+  { name: 'examples', path: '/examples' },
+  { name: 'mouse pointer', path: '/examples/mouse-pointer' },
+  { name: 'settings', path: '/settings' },
+  { name: 'no such page', path: '/no/such/page' },
+] as const;
+
+const SCREENS = [
+  ['dark', 'desktop'],
+  ['light', 'desktop'],
+  ['dark', 'phone'],
+  ['light', 'phone'],
+] as const;
+
+/** WCAG 2.2 AA, and what axe holds to be good practice. */
+const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
+
+async function enter(room: Room, colorScheme: 'dark' | 'light', screen: 'desktop' | 'phone') {
+  const options = { colorScheme, reducedMotion: 'reduce' as const };
+  return screen === 'phone' ? room.withPhone('Anna', options) : room.atDesk('Anna', options);
+}
+
+async function expectAccessible(page: Page): Promise<void> {
+  const { violations } = await new AxeBuilder({ page }).withTags(TAGS).analyze();
+  const found = violations.flatMap(({ id, help, nodes }) =>
+    nodes.map(
+      ({ target, failureSummary }) => `${id}: ${help} at ${target.join(' ')}. ${failureSummary}`,
+    ),
+  );
+  expect(found).toEqual([]);
+}
+
+for (const [theme, screen] of SCREENS) {
+  test(`every page is accessible, ${theme}, on a ${screen}`, async ({ master, room }) => {
+    // Something to see on the pages: topics of several formats.
+    const guest = await HostileClient.register(master.addresses, 'guest');
+    const socket = await guest.open();
+    await socket.publish([
+      { topic: '/guest/angle', double: 0.5 },
+      { topic: '/guest/position', vector2: { x: 1, y: 2 } },
+      { topic: '/guest/word', string: 'hello' },
+      { topic: '/guest/pressed', bool: true },
+    ]);
+    const { page } = await enter(room, theme, screen);
+    const shell = new Shell(page);
+    for (const { name, path } of PAGES) {
+      await test.step(name, async () => {
+        await page.goto(path);
+        await expect(shell.main.getByRole('heading', { level: 1 })).toBeVisible();
+        await shell.expectConnected();
+        await expectAccessible(page);
+      });
+    }
+    guest.leave();
+  });
+
+  test(`what opens over a page is accessible, ${theme}, on a ${screen}`, async ({ room }) => {
+    const { page } = await enter(room, theme, screen);
+    await page.goto('/');
+    const shell = new Shell(page);
+    await shell.expectConnected();
+    await test.step('connect a phone', async () => {
+      await shell.button('Connect a phone').click();
+      await expect(page.getByRole('dialog')).toBeVisible();
+      await expectAccessible(page);
+      await page.keyboard.press('Escape');
+      await expect(page.getByRole('dialog')).toBeHidden();
+    });
+    await test.step('command palette', async () => {
+      await shell.button('Find or do anything').click();
+      await expect(shell.palette).toBeVisible();
+      await expectAccessible(page);
+      await page.keyboard.press('Escape');
+      await expect(shell.palette).toBeHidden();
+    });
+  });
+}
+
+test('the strip that says the master is gone is accessible', async ({ master, room }) => {
+  const { page, watch } = await room.atDesk('Anna', { reducedMotion: 'reduce' });
+  await page.goto('/');
+  const shell = new Shell(page);
+  await shell.expectConnected();
+  watch.expect(/net::ERR_CONNECTION_REFUSED/, /WebSocket connection to .* failed/);
+  await master.stop();
+  await expect(shell.disconnectedStrip).toBeVisible();
+  await expectAccessible(page);
+});

@@ -1,0 +1,35 @@
+import { expect, test } from '../../fixtures/test.ts';
+import { Shell } from '../../pages/shell.ts';
+
+const PATHS = ['/', '/topics', '/examples', '/examples/mouse-pointer', '/settings', '/nowhere'];
+
+for (const width of [360, 390]) {
+  test(`nothing scrolls sideways on a phone ${width} px wide`, async ({ room }) => {
+    const viewport = { width, height: 780 };
+    const { page } = await room.withPhone('A name that is as long as names of people may be', {
+      viewport,
+      screen: viewport,
+    });
+    const shell = new Shell(page);
+    for (const path of PATHS) {
+      await page.goto(path);
+      await expect(shell.main.getByRole('heading', { level: 1 })).toBeVisible();
+      await shell.expectConnected();
+      expect(await shell.overflowPx(), `overflow of ${path}`).toBe(0);
+    }
+  });
+}
+
+test('on a phone the navigation is at the bottom, in reach of the thumb', async ({ room }) => {
+  const { page } = await room.withPhone();
+  await page.goto('/');
+  const shell = new Shell(page);
+  const box = (await shell.navigation.boundingBox())!;
+  expect(box.y + box.height).toBeCloseTo(page.viewportSize()!.height, 0);
+  for (const link of await shell.navigation.getByRole('link').all()) {
+    const { width, height } = (await link.boundingBox())!;
+    expect(Math.min(width, height)).toBeGreaterThanOrEqual(44);
+  }
+  await shell.go('Topics');
+  await expect(page).toHaveURL(/\/topics$/);
+});
