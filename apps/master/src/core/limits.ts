@@ -14,8 +14,13 @@ export const DEFAULT_LIMITS = {
   topicBytes: 1024,
   /** Characters of a regular expression. Compiling and the compiled program grow with it. */
   patternLength: 1024,
+  /** Instructions of a compiled regular expression: what one character of a topic may cost at worst. A UUID takes some 60. */
+  patternInstructions: 1_024,
   /** Elements of one list in a service request. Existing clients list every topic they ever saw when they leave. */
   listElements: 20_000,
+
+  /** Profiles in one request for a list. Each is compared with everything that is listed. */
+  listProfiles: 64,
 
   // --- What the master holds ---
 

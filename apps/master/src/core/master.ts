@@ -1,7 +1,6 @@
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
 import type { ClientConnection } from './ports/client-connection.ts';
 import type { ConnectionHandle } from './ports/connection-handle.ts';
-import type { MasterPorts, MasterSettings } from './settings.ts';
 
 /** The reply to one service request. */
 export interface ServiceAnswer {
@@ -49,5 +48,3 @@ export interface Master {
   /** Ends every timer and closes every connection with code 1001. */
   close(): void;
 }
-
-export type CreateMaster = (ports: MasterPorts, settings: MasterSettings) => Master;

@@ -42,3 +42,8 @@ export interface MasterSettings {
   /** Limits that differ from `DEFAULT_LIMITS`. */
   readonly limits?: Partial<Limits>;
 }
+
+/** The name a master shows, chosen or not. */
+export function nameOf(settings: MasterSettings): string {
+  return settings.name ?? 'master-node';
+}

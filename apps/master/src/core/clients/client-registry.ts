@@ -1,0 +1,198 @@
+import { encode, ServiceError, StatusEventKind, type Client as ClientMessage } from '@ubii/proto';
+import type { DeviceRegistry } from '../devices/device-registry.ts';
+import type { InfoTopics } from '../info/info-topics.ts';
+import type { Clock } from '../ports/clock.ts';
+import type { IdSource } from '../ports/id-source.ts';
+import type { ResumeTokens } from '../ports/resume-tokens.ts';
+import type { EventLog } from '../status/event-log.ts';
+import type { LimitWatch } from '../status/limit-watch.ts';
+import type { SubscriptionTable } from '../topics/subscription-table.ts';
+import type { Subscriber } from '../topics/subscriber.ts';
+import { TokenBucket } from '../topics/token-bucket.ts';
+import { quote } from '../topics/topic-names.ts';
+import type { TopicTable } from '../topics/topic-table.ts';
+import { Client, specOf, type ClientSpec } from './client.ts';
+import { nextStatus, type ClientEvent, type ClientStatus } from './client-states.ts';
+import type { RegistrationBudget } from './registration-budget.ts';
+
+/** What a client registry works on. */
+export interface ClientContext {
+  readonly clock: Clock;
+  readonly ids: IdSource;
+  readonly tokens: ResumeTokens;
+  readonly limits: LimitWatch;
+  readonly events: EventLog;
+  readonly topics: TopicTable;
+  readonly subscriptions: SubscriptionTable;
+  readonly devices: DeviceRegistry;
+  readonly info: InfoTopics;
+  readonly budget: RegistrationBudget;
+  readonly createSubscriber: (clientId: string, isExtension: boolean) => Subscriber;
+}
+
+/** Every registered client, and what becomes of it. */
+export class ClientRegistry {
+  readonly #context: ClientContext;
+  readonly #clients = new Map<string, Client>();
+
+  constructor(context: ClientContext) {
+    this.#context = context;
+  }
+
+  get size(): number {
+    return this.#clients.size;
+  }
+
+  values(): Iterable<Client> {
+    return this.#clients.values();
+  }
+
+  get(id: string): Client | undefined {
+    return this.#clients.get(id);
+  }
+
+  /** @throws ServiceError when there is none, or the request named none. */
+  require(id: string, member: string): Client {
+    const client = this.#clients.get(id);
+    if (client !== undefined) return client;
+    if (id === '') {
+      throw new ServiceError(
+        'invalid_argument',
+        `The request has no ${member}; put there the id that the registration returned.`,
+      );
+    }
+    throw new ServiceError(
+      'not_found',
+      `The ${member} ${quote(id)} is the id of no registered client; register first.`,
+    );
+  }
+
+  countByStatus(): Record<Exclude<ClientStatus, 'removed'>, number> {
+    const counts = { active: 0, inactive: 0, unavailable: 0, removed: 0 };
+    for (const { status } of this.#clients.values()) counts[status]++;
+    return counts;
+  }
+
+  /**
+   * Registers a client, or takes back an earlier one that proves who it is [CL-1] [CL-3] [CL-4].
+   * @returns the client; whether it has the id it asked for; whether it was still known under it.
+   * @throws ServiceError when there would be too many, or too much.
+   */
+  register(message: ClientMessage): { client: Client; isResumed: boolean; isKnown: boolean } {
+    const earlierId = this.#provenId(message);
+    const known = earlierId === undefined ? undefined : this.#clients.get(earlierId);
+    const client = known ?? this.#create(message, earlierId ?? this.#context.ids.uuid());
+    this.#describe(client, message);
+    if (known !== undefined) this.handleSign(known);
+    else {
+      this.#clients.set(client.id, client);
+      const isBack = earlierId !== undefined;
+      this.#context.events.add(
+        isBack ? StatusEventKind.CLIENT_RETURNED : StatusEventKind.CLIENT_JOINED,
+        `${client.label} ${isBack ? 'came back' : 'joined'}`,
+        client.id,
+      );
+    }
+    return { client, isResumed: earlierId !== undefined, isKnown: known !== undefined };
+  }
+
+  /** The client gave a sign of life [CL-11]. */
+  handleSign(client: Client): void {
+    client.lastSignMs = this.#context.clock.monotonicMs();
+    if (client.status !== 'active') this.handleEvent(client, 'sign');
+  }
+
+  /** Moves the client to the state that follows, with everything that goes with it [CL-10]. */
+  handleEvent(client: Client, event: ClientEvent): void {
+    const before = client.status;
+    const status = nextStatus(before, event);
+    if (status === before) return;
+    client.status = status;
+    client.statusSinceMs = this.#context.clock.monotonicMs();
+    const { events, info } = this.#context;
+    if (status === 'removed') return this.#remove(client, event);
+    if (status === 'unavailable') {
+      this.#endTopics(client); // [CL-13]
+      events.add(StatusEventKind.CLIENT_LOST, `${client.label} is gone without a word`, client.id);
+    } else if (before === 'unavailable') {
+      events.add(StatusEventKind.CLIENT_RETURNED, `${client.label} is back`, client.id);
+    }
+    info.announceClient(client); // [CL-31]
+  }
+
+  /** The id this registration may have because it proves to be the one who had it [EX-3]. */
+  #provenId({ id, extension }: ClientMessage): string | undefined {
+    const token = extension?.resumeToken ?? '';
+    if (id === '' || token === '') return undefined;
+    return this.#context.tokens.verify(id, token) ? id : undefined;
+  }
+
+  #create(message: ClientMessage, id: string): Client {
+    const { limits, clock, createSubscriber } = this.#context;
+    const { clients, recordsPerSecond, publishedBytesPerSecond } = limits.limits;
+    if (this.#clients.size >= clients && !this.#makeRoom()) {
+      throw limits.refusal('clients', `more than ${clients} clients`);
+    }
+    const nowMs = clock.monotonicMs();
+    const isExtension = message.extension !== undefined; // [EX-1]
+    return new Client({
+      id,
+      spec: specOf(message),
+      isExtension,
+      subscriber: createSubscriber(id, isExtension),
+      recordBudget: new TokenBucket(recordsPerSecond, nowMs),
+      byteBudget: new TokenBucket(publishedBytesPerSecond, nowMs),
+      nowMs,
+    });
+  }
+
+  /** Takes over what the client says of itself, if there is room for it. */
+  #describe(client: Client, message: ClientMessage): void {
+    const { budget } = this.#context;
+    const spec = specOf(message);
+    const growth = sizeOf(spec) - (this.#clients.has(client.id) ? sizeOf(client.spec) : 0);
+    budget.require(client, growth);
+    budget.add(client, growth);
+    client.spec = spec;
+    client.takesRecordLists = message.extension?.recordLists ?? false; // [EX-2]
+    client.socket?.setRecordLists(client.takesRecordLists);
+  }
+
+  /** When the house is full, whoever has been away longest makes room. */
+  #makeRoom(): boolean {
+    let longestAway: Client | undefined;
+    for (const client of this.#clients.values()) {
+      if (client.status !== 'unavailable') continue;
+      if (longestAway === undefined || client.statusSinceMs < longestAway.statusSinceMs) {
+        longestAway = client;
+      }
+    }
+    if (longestAway === undefined) return false;
+    this.handleEvent(longestAway, 'expired');
+    return true;
+  }
+
+  #remove(client: Client, event: ClientEvent): void {
+    const { events, devices, subscriptions, info, budget } = this.#context;
+    client.socket?.close(1000, 'deregistered'); // [CL-16]
+    devices.deregisterAll(client);
+    this.#endTopics(client); // [TD-40]
+    subscriptions.unsubscribeAll(client.subscriber);
+    client.subscriber.outbox.discard();
+    client.subscriber.sampler.discard();
+    this.#clients.delete(client.id);
+    budget.add(client, -client.registrationBytes);
+    if (event === 'deregistered') {
+      events.add(StatusEventKind.CLIENT_LEFT, `${client.label} left`, client.id);
+    }
+    info.announceClientGone(client); // [CL-31]
+  }
+
+  #endTopics(client: Client): void {
+    for (const entry of [...client.ownedTopics]) this.#context.topics.deleteValue(entry);
+  }
+}
+
+function sizeOf(spec: ClientSpec): number {
+  return encode('ubii.clients.Client', spec).byteLength;
+}

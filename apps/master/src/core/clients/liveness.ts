@@ -1,0 +1,59 @@
+import type { Cancel, Clock } from '../ports/clock.ts';
+import type { Limits } from '../limits.ts';
+import type { Client } from './client.ts';
+import type { ClientRegistry } from './client-registry.ts';
+
+/** How often clients are looked at [CL-12], milliseconds. */
+export const SWEEP_INTERVAL_MS = 500;
+/** Silence after which a client is asked [CL-12], milliseconds. */
+export const PING_AFTER_MS = 1_000;
+/** Age at which a latency is measured anew, however much the client says [CL-12], milliseconds. */
+export const LATENCY_AGE_MS = 5_000;
+/** Silence that makes a client inactive [CL-13], milliseconds. */
+export const SILENT_AFTER_MS = 5_000;
+/** Silence that makes a client unavailable [CL-13], milliseconds. */
+export const LOST_AFTER_MS = 10_000;
+
+/** Looks after every client in turn: asks the silent ones, gives up the lost ones. */
+export class Liveness {
+  readonly #clock: Clock;
+  readonly #clients: ClientRegistry;
+  readonly #limits: Limits;
+  readonly #cancel: Cancel;
+
+  constructor(clock: Clock, clients: ClientRegistry, limits: Limits) {
+    this.#clock = clock;
+    this.#clients = clients;
+    this.#limits = limits;
+    this.#cancel = clock.every(SWEEP_INTERVAL_MS, () => this.#sweep());
+  }
+
+  close(): void {
+    this.#cancel();
+  }
+
+  #sweep(): void {
+    const nowMs = this.#clock.monotonicMs();
+    // A client may be removed on the way, which a Map takes well.
+    for (const client of this.#clients.values()) this.#look(client, nowMs);
+  }
+
+  #look(client: Client, nowMs: number): void {
+    const silentMs = nowMs - client.lastSignMs;
+    if (silentMs >= LOST_AFTER_MS) this.#clients.handleEvent(client, 'lost');
+    else if (silentMs >= SILENT_AFTER_MS) this.#clients.handleEvent(client, 'silent');
+    const isExpired =
+      client.status === 'unavailable' &&
+      nowMs - client.statusSinceMs >= this.#limits.unavailableRetentionMs;
+    if (isExpired) {
+      this.#clients.handleEvent(client, 'expired'); // [CL-14]
+      return;
+    }
+    const { socket } = client;
+    if (socket === undefined) return;
+    if (silentMs >= PING_AFTER_MS || nowMs - client.latencyMeasuredMs >= LATENCY_AGE_MS) {
+      socket.sendPing();
+    }
+    socket.handleSweep();
+  }
+}

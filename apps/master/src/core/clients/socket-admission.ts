@@ -1,0 +1,84 @@
+import type { ConnectionQuery } from '../master.ts';
+import type { ClientConnection } from '../ports/client-connection.ts';
+import type { ResumeTokens } from '../ports/resume-tokens.ts';
+import type { Client } from './client.ts';
+import type { ClientRegistry } from './client-registry.ts';
+import { CLOSE } from './close-codes.ts';
+import { TopicDataSocket, type SocketContext } from './topic-data-socket.ts';
+
+/** What lets sockets in. */
+export interface AdmissionContext extends SocketContext {
+  readonly clients: ClientRegistry;
+  readonly tokens: ResumeTokens;
+}
+
+type CloseReason = (typeof CLOSE)[keyof typeof CLOSE];
+
+/** Decides which socket is whose, and keeps count of them. */
+export class SocketAdmission {
+  readonly #context: AdmissionContext;
+  #open = 0;
+
+  constructor(context: AdmissionContext) {
+    this.#context = context;
+  }
+
+  /** Open topic-data sockets. */
+  get openCount(): number {
+    return this.#open;
+  }
+
+  /** Makes this connection the socket of its client, or closes it and says why. */
+  open(query: ConnectionQuery, connection: ClientConnection): TopicDataSocket | undefined {
+    const { clients, counters, topics, subscriptions } = this.#context;
+    const client = clients.get(query.clientId ?? '');
+    const refusal = this.#refusal(client, query.token);
+    if (client === undefined || refusal !== undefined) {
+      const { code, reason } = refusal ?? CLOSE.unknownClient;
+      counters.connectionsRefused++;
+      connection.close(code, reason);
+      return undefined;
+    }
+    const before = client.socket;
+    if (before === undefined) this.#open++;
+    else before.supersede(); // [TD-7]
+    counters.connectionsOpened++;
+    const socket = new TopicDataSocket(this.#context, client, connection);
+    client.socket = socket;
+    socket.setRecordLists(client.takesRecordLists); // [TD-3] [TD-4]
+    const { outbox } = client.subscriber;
+    if (client.heardSequence !== undefined) {
+      // What came after the last word of the client may not have reached it. [TD-33]
+      for (const entry of subscriptions.replayable(client.subscriber)) {
+        if (entry.record !== undefined && entry.sequence > client.heardSequence) outbox.owe(entry);
+      }
+    }
+    client.heardSequence = topics.sequence;
+    outbox.open(connection, topics.sequence);
+    clients.handleSign(client);
+    return socket;
+  }
+
+  /** A socket of ours is closed. */
+  handleClosed(socket: TopicDataSocket): void {
+    const { client } = socket;
+    this.#open--;
+    client.socket = undefined;
+    client.pingSentMs = undefined;
+    client.subscriber.sampler.close();
+    client.subscriber.outbox.close();
+    client.lastSignMs = this.#context.clock.monotonicMs(); // [CL-13]
+    this.#context.clients.handleEvent(client, 'socket closed');
+  }
+
+  #refusal(client: Client | undefined, token: string | undefined): CloseReason | undefined {
+    const { tokens, limits, limitWatch } = this.#context;
+    if (client === undefined) return CLOSE.unknownClient; // [TD-6]
+    if (client.isExtension && !tokens.verify(client.id, token ?? '')) return CLOSE.notThisClient; // [EX-4]
+    if (client.socket === undefined && this.#open >= limits.sockets) {
+      limitWatch.count('sockets', client.id);
+      return CLOSE.tooMany;
+    }
+    return undefined;
+  }
+}

@@ -1,0 +1,237 @@
+import { DecodeError, ServiceError, type ServiceErrorCode } from '@ubii/proto';
+import { scanTopicData, type TopicDataSink } from '@ubii/proto/wire';
+import type { LimitName } from '../limits.ts';
+import type { ClientConnection } from '../ports/client-connection.ts';
+import type { Clock } from '../ports/clock.ts';
+import type { ConnectionHandle } from '../ports/connection-handle.ts';
+import type { Log } from '../ports/log.ts';
+import type { Counters } from '../status/counters.ts';
+import type { LimitWatch } from '../status/limit-watch.ts';
+import { Publication } from '../topics/publication.ts';
+import { publish, type PublishContext } from '../topics/publisher.ts';
+import { TokenBucket } from '../topics/token-bucket.ts';
+import type { Client } from './client.ts';
+import { CLOSE } from './close-codes.ts';
+
+/** What a socket works on. */
+export interface SocketContext extends PublishContext {
+  readonly clock: Clock;
+  readonly log: Log;
+  readonly limitWatch: LimitWatch;
+  readonly counters: Counters;
+  /** The client gave a sign of life. */
+  readonly onSign: (client: Client) => void;
+  /** The socket is closed, from whichever side. Not called for one that was superseded. */
+  readonly onClosed: (socket: TopicDataSocket) => void;
+}
+
+const NO_BYTES = new Uint8Array(0);
+
+/** The live socket of one client: what comes in on it, and how it ends. */
+export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
+  readonly client: Client;
+  readonly #context: SocketContext;
+  readonly #connection: ClientConnection;
+  readonly #publication = new Publication();
+  readonly #errorBudget: TokenBucket;
+  /** When the latest protocol errors happened, oldest first. */
+  #protocolErrorsMs: number[] = [];
+  #isOpen = true;
+  /** Queue of the connection and bytes handed to it, when it was last seen to take something. */
+  #queuedBytes = 0;
+  #handedBytes: number;
+  #tookSomethingMs: number;
+
+  constructor(context: SocketContext, client: Client, connection: ClientConnection) {
+    this.client = client;
+    this.#context = context;
+    this.#connection = connection;
+    this.#publication.client = client;
+    const nowMs = context.clock.monotonicMs();
+    this.#errorBudget = new TokenBucket(context.limits.errorsPerSecond, nowMs);
+    this.#handedBytes = client.subscriber.outbox.handedBytes;
+    this.#tookSomethingMs = nowMs;
+  }
+
+  get connection(): ClientConnection {
+    return this.#connection;
+  }
+
+  setRecordLists(on: boolean): void {
+    this.#connection.setRecordLists(on);
+  }
+
+  handleBinary(bytes: Uint8Array): void {
+    if (!this.#isOpen) return;
+    const { clock, log, limits } = this.#context;
+    const publication = this.#publication;
+    this.#handleSign();
+    if (isPong(bytes)) return this.#handlePong(); // [TD-2]
+    if (bytes.byteLength > limits.frameBytes) return this.#refuseFrame(bytes.byteLength);
+    publication.frame = plain(bytes);
+    publication.monotonicMs = this.client.lastSignMs;
+    publication.nowMs = clock.nowMs();
+    try {
+      scanTopicData(publication.frame, this);
+    } catch (error) {
+      if (error instanceof DecodeError)
+        this.handleProtocolError(`${error.message}.`); // [TD-12]
+      else log.error('a record could not be published', { reason: String(error) });
+    } finally {
+      publication.frame = NO_BYTES;
+      publication.entry = undefined;
+    }
+  }
+
+  handleText(text: string): void {
+    if (!this.#isOpen) return;
+    this.#handleSign();
+    if (text === 'PONG') this.#handlePong();
+    else if (text === 'PING')
+      this.#connection.sendPong(); // [EX-6]
+    else this.handleProtocolError('A text message is PING or PONG, but another was received.');
+  }
+
+  handleDrain(): void {
+    if (this.#isOpen) this.client.subscriber.outbox.handleDrain();
+  }
+
+  handleProtocolError(reason: string): void {
+    if (!this.#isOpen) return;
+    const { counters, limits, limitWatch, clock, log } = this.#context;
+    counters.protocolErrors++;
+    this.#sendError('invalid_argument', reason);
+    const nowMs = clock.monotonicMs();
+    this.client.protocolErrors.add(nowMs);
+    const sinceMs = nowMs - limits.protocolErrorWindowMs;
+    this.#protocolErrorsMs.push(nowMs);
+    this.#protocolErrorsMs = this.#protocolErrorsMs.filter((atMs) => atMs > sinceMs);
+    if (this.#protocolErrorsMs.length <= limits.protocolErrors) return;
+    limitWatch.count('protocolErrors', this.client.id);
+    log.warn('a socket was closed after too many protocol errors', { clientId: this.client.id });
+    this.close(CLOSE.protocolErrors.code, CLOSE.protocolErrors.reason); // [TD-18]
+  }
+
+  handleClose(): void {
+    if (!this.#isOpen) return;
+    this.#isOpen = false;
+    this.#context.onClosed(this);
+  }
+
+  // --- What scanTopicData finds ---
+
+  record(topic: string, start: number, end: number, valueField: number): void {
+    const publication = this.#publication;
+    publication.topic = topic;
+    publication.start = start;
+    publication.end = end;
+    publication.valueField = valueField;
+    const refusal = publish(this.#context, publication);
+    if (refusal === undefined) return;
+    // Only what is sent is put into words. [TD-17]
+    this.#refuse(refusal.code, refusal.limit, () =>
+      refusal.describe(publication, this.#context.limits),
+    );
+  }
+
+  error(): void {
+    // Nothing is asked of the master by a client's error.
+  }
+
+  // --- What the master does with it ---
+
+  /** Closes the socket from our side. */
+  close(code: number, reason: string): void {
+    if (!this.#isOpen) return;
+    this.#connection.close(code, reason);
+    this.handleClose();
+  }
+
+  /** Another socket took the place of this one [TD-7]. */
+  supersede(): void {
+    this.#isOpen = false;
+    this.#connection.close(CLOSE.superseded.code, CLOSE.superseded.reason);
+  }
+
+  sendPing(): void {
+    if (!this.#isOpen) return;
+    this.client.pingSentMs = this.#context.clock.monotonicMs();
+    this.#connection.sendPing();
+  }
+
+  /** Looks after the queue: sends what can be sent, and gives up a socket that takes nothing [TD-32]. */
+  handleSweep(): void {
+    const { clock, limits, limitWatch, log } = this.#context;
+    const { outbox } = this.client.subscriber;
+    outbox.handleDrain();
+    const { queuedBytes } = this.#connection;
+    const nowMs = clock.monotonicMs();
+    // All that was handed over since is in the queue still: nothing was taken.
+    const isStuck =
+      queuedBytes > 0 && queuedBytes - this.#queuedBytes >= outbox.handedBytes - this.#handedBytes;
+    this.#queuedBytes = queuedBytes;
+    this.#handedBytes = outbox.handedBytes;
+    if (!isStuck) this.#tookSomethingMs = nowMs;
+    else if (nowMs - this.#tookSomethingMs >= limits.slowSocketTimeoutMs) {
+      limitWatch.count('slowSocketTimeoutMs', this.client.id);
+      log.warn('a socket that took nothing was closed', { clientId: this.client.id });
+      this.close(CLOSE.tooSlow.code, CLOSE.tooSlow.reason);
+    }
+  }
+
+  #handleSign(): void {
+    this.client.heardSequence = this.#context.topics.sequence;
+    this.#context.onSign(this.client);
+  }
+
+  #handlePong(): void {
+    const { client } = this;
+    if (client.pingSentMs === undefined) return;
+    const nowMs = this.#context.clock.monotonicMs();
+    client.latencyMs = nowMs - client.pingSentMs; // [CL-15]
+    client.latencyMeasuredMs = nowMs;
+    client.pingSentMs = undefined;
+  }
+
+  #refuseFrame(byteLength: number): void {
+    const { frameBytes } = this.#context.limits;
+    this.#refuse(
+      'resource_exhausted',
+      'frameBytes',
+      () =>
+        `The message has ${byteLength} bytes, but a message has at most ${frameBytes} (limit frameBytes).`,
+    );
+  }
+
+  #refuse(code: ServiceErrorCode, limit: LimitName | undefined, describe: () => string): void {
+    const { counters, limitWatch } = this.#context;
+    counters.refused[code]++;
+    if (limit !== undefined) limitWatch.count(limit, this.client.id);
+    if (this.#errorBudget.take(1, this.#context.clock.monotonicMs())) {
+      this.#connection.sendError(new ServiceError(code, describe()).toWire());
+    }
+  }
+
+  #sendError(code: ServiceErrorCode, message: string): void {
+    if (this.#errorBudget.take(1, this.#context.clock.monotonicMs())) {
+      this.#connection.sendError(new ServiceError(code, message).toWire());
+    }
+  }
+}
+
+/** A buffer of the platform slices without copying; the core wants the plain thing. */
+function plain(bytes: Uint8Array): Uint8Array {
+  return bytes.constructor === Uint8Array
+    ? bytes
+    : new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+}
+
+function isPong(bytes: Uint8Array): boolean {
+  return (
+    bytes.byteLength === 4 &&
+    bytes[0] === 0x50 &&
+    bytes[1] === 0x4f &&
+    bytes[2] === 0x4e &&
+    bytes[3] === 0x47
+  );
+}

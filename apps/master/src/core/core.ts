@@ -1,0 +1,30 @@
+import type { ClientRegistry } from './clients/client-registry.ts';
+import type { SocketAdmission } from './clients/socket-admission.ts';
+import type { DeviceRegistry } from './devices/device-registry.ts';
+import type { InfoTopics } from './info/info-topics.ts';
+import type { Limits } from './limits.ts';
+import type { MasterPorts, MasterSettings } from './settings.ts';
+import type { Counters } from './status/counters.ts';
+import type { EventLog } from './status/event-log.ts';
+import type { LimitWatch } from './status/limit-watch.ts';
+import type { Samples } from './status/samples.ts';
+import type { SubscriptionTable } from './topics/subscription-table.ts';
+import type { TopicTable } from './topics/topic-table.ts';
+
+/** The parts of a master, as services and status work on them. */
+export interface Core extends MasterPorts {
+  readonly id: string;
+  readonly startedMs: number;
+  readonly settings: MasterSettings;
+  readonly limits: Limits;
+  readonly topics: TopicTable;
+  readonly subscriptions: SubscriptionTable;
+  readonly clients: ClientRegistry;
+  readonly sockets: SocketAdmission;
+  readonly devices: DeviceRegistry;
+  readonly info: InfoTopics;
+  readonly counters: Counters;
+  readonly limitWatch: LimitWatch;
+  readonly events: EventLog;
+  readonly samples: Samples;
+}

@@ -1,0 +1,160 @@
+import { StatusEventKind, type ServiceRequest } from '@ubii/proto';
+import { ClientRegistry } from './clients/client-registry.ts';
+import { CLOSE } from './clients/close-codes.ts';
+import { Liveness } from './clients/liveness.ts';
+import { RegistrationBudget } from './clients/registration-budget.ts';
+import { SocketAdmission } from './clients/socket-admission.ts';
+import type { Core } from './core.ts';
+import { DeviceRegistry } from './devices/device-registry.ts';
+import { InfoTopics } from './info/info-topics.ts';
+import { MasterPublisher } from './info/master-publisher.ts';
+import { DEFAULT_LIMITS, type Limits } from './limits.ts';
+import type { ConnectionQuery, Master, MasterMetrics, ServiceAnswer } from './master.ts';
+import type { ClientConnection } from './ports/client-connection.ts';
+import type { ConnectionHandle } from './ports/connection-handle.ts';
+import { answerRequest, refuse } from './services/router.ts';
+import type { MasterPorts, MasterSettings } from './settings.ts';
+import { Counters } from './status/counters.ts';
+import { EventLog } from './status/event-log.ts';
+import { LimitWatch } from './status/limit-watch.ts';
+import { readMetrics } from './status/metrics.ts';
+import { Samples } from './status/samples.ts';
+import { EndOfTurn } from './topics/end-of-turn.ts';
+import { Outbox, type OutboxContext } from './topics/outbox.ts';
+import { PatternTable } from './topics/pattern-table.ts';
+import { Sampler } from './topics/sampler.ts';
+import { SelectionTable } from './topics/selection-table.ts';
+import type { Subscriber } from './topics/subscriber.ts';
+import { SubscriptionTable } from './topics/subscription-table.ts';
+import { TopicTable } from './topics/topic-table.ts';
+
+/** Puts a master together. It does nothing but measure time until somebody calls it. */
+export function createMaster(ports: MasterPorts, settings: MasterSettings): Master {
+  const core = createCore(ports, { ...DEFAULT_LIMITS, ...settings.limits }, settings);
+  const liveness = new Liveness(core.clock, core.clients, core.limits);
+  return {
+    id: core.id,
+    handleServiceRequest(request: ServiceRequest): Promise<ServiceAnswer> {
+      return answerRequest(core, request);
+    },
+    refuseServiceRequest(cause: unknown): ServiceAnswer {
+      return refuse(core, cause);
+    },
+    openConnection(
+      query: ConnectionQuery,
+      connection: ClientConnection,
+    ): ConnectionHandle | undefined {
+      return core.sockets.open(query, connection);
+    },
+    metrics(): MasterMetrics {
+      return readMetrics(core);
+    },
+    close(): void {
+      liveness.close();
+      core.samples.close();
+      for (const { socket } of core.clients.values()) {
+        socket?.close(CLOSE.goingAway.code, CLOSE.goingAway.reason);
+      }
+    },
+  };
+}
+
+/** The parts of a master, each given what it works on. */
+function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings): Core {
+  const { clock, log } = ports;
+  const startedMs = clock.nowMs();
+  const counters = new Counters();
+  const events = new EventLog(clock);
+  const limitWatch = new LimitWatch(limits, clock, log, events);
+
+  const patterns = new PatternTable(ports.patterns);
+  const selections = new SelectionTable();
+  // A thousand epochs fit into each millisecond that earlier runs of the master lasted.
+  const topics = new TopicTable([patterns, selections], startedMs * 1000, limits.keptRemovals);
+  const subscriptions: SubscriptionTable = new SubscriptionTable({
+    topics,
+    patterns,
+    selections,
+    limits: limitWatch,
+    components: () => devices.components(),
+  });
+  const publishing = { topics, subscriptions, limits, counters };
+  const info = new InfoTopics(new MasterPublisher(publishing, clock));
+
+  const budget = new RegistrationBudget(limitWatch);
+  const shared = { ...ports, limits: limitWatch, events, topics, subscriptions, info, budget };
+  const devices: DeviceRegistry = new DeviceRegistry(shared);
+  const clients = new ClientRegistry({
+    ...shared,
+    devices,
+    createSubscriber: subscriberFactory(ports, limits, counters, topics, subscriptions),
+  });
+  const sockets = new SocketAdmission({
+    ...ports,
+    ...publishing,
+    limitWatch,
+    clients,
+    onSign: (client) => clients.handleSign(client),
+    onClosed: (socket) => sockets.handleClosed(socket),
+  });
+  const samples = new Samples(clock, ports.usage, counters);
+  events.add(StatusEventKind.MASTER_STARTED, 'The master started');
+  return {
+    ...ports,
+    id: ports.ids.uuid(),
+    startedMs,
+    settings,
+    limits,
+    topics,
+    subscriptions,
+    clients,
+    sockets,
+    devices,
+    info,
+    counters,
+    limitWatch,
+    events,
+    samples,
+  };
+}
+
+function subscriberFactory(
+  { clock }: MasterPorts,
+  limits: Limits,
+  counters: Counters,
+  topics: TopicTable,
+  subscriptions: SubscriptionTable,
+): (clientId: string, isExtension: boolean) => Subscriber {
+  const outboxContext: OutboxContext = {
+    clock,
+    limits,
+    endOfTurn: new EndOfTurn(clock),
+    onSent(records, bytes) {
+      counters.recordsOut += records;
+      counters.bytesOut += bytes;
+    },
+    onDropped(entry) {
+      counters.dropped++;
+      topics.countDropped(entry);
+    },
+  };
+  const samplerContext = {
+    clock,
+    refreshTargets: (entry: Parameters<SubscriptionTable['targetsOf']>[0]) => {
+      subscriptions.targetsOf(entry);
+    },
+  };
+  return (clientId, isExtension) => {
+    const outbox = new Outbox(outboxContext);
+    return {
+      clientId,
+      isExtension,
+      outbox,
+      sampler: new Sampler(outbox, samplerContext),
+      topics: new Set(),
+      patterns: new Set(),
+      selections: new Set(),
+      watchers: new Set(),
+    };
+  };
+}

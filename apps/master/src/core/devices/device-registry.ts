@@ -1,0 +1,172 @@
+import {
+  ComponentIOType,
+  DeviceType,
+  encode,
+  ServiceError,
+  type Component,
+  type Device,
+} from '@ubii/proto';
+import type { Client } from '../clients/client.ts';
+import type { RegistrationBudget } from '../clients/registration-budget.ts';
+import type { InfoTopics } from '../info/info-topics.ts';
+import type { IdSource } from '../ports/id-source.ts';
+import type { LimitWatch } from '../status/limit-watch.ts';
+import { quote } from '../topics/topic-names.ts';
+import type { SubscriptionTable } from '../topics/subscription-table.ts';
+import type { TopicEntry } from '../topics/topic-entry.ts';
+import type { TopicTable } from '../topics/topic-table.ts';
+
+/** What a device registry works on. */
+export interface DeviceContext {
+  readonly ids: IdSource;
+  readonly limits: LimitWatch;
+  readonly topics: TopicTable;
+  readonly subscriptions: SubscriptionTable;
+  readonly info: InfoTopics;
+  readonly budget: RegistrationBudget;
+}
+
+interface Registered {
+  readonly device: Device;
+  readonly client: Client;
+  readonly byteLength: number;
+}
+
+/** Every registered device with its components. */
+export class DeviceRegistry {
+  readonly #context: DeviceContext;
+  readonly #devices = new Map<string, Registered>();
+  readonly #componentIds = new Set<string>();
+
+  constructor(context: DeviceContext) {
+    this.#context = context;
+  }
+
+  get size(): number {
+    return this.#devices.size;
+  }
+
+  get(id: string): Device | undefined {
+    return this.#devices.get(id)?.device;
+  }
+
+  /** Devices of clients that are there [CL-22]. */
+  list(): Device[] {
+    return [...this.#devices.values()]
+      .filter(({ client }) => client.status !== 'unavailable')
+      .map(({ device }) => device);
+  }
+
+  /** Every component that is registered, of clients that are away as well. */
+  *components(): Iterable<Component> {
+    for (const { device } of this.#devices.values()) yield* device.components;
+  }
+
+  /**
+   * Registers a device of this client, or replaces it.
+   * @returns the device with its ids, and the topics whose retained record a watcher is owed.
+   * @throws ServiceError when the id is somebody else's, or there would be too much.
+   */
+  register(client: Client, message: Device): { device: Device; owed: TopicEntry[] } {
+    const before = this.#devices.get(message.id);
+    if (before !== undefined && before.client !== client) {
+      throw new ServiceError(
+        'already_exists', // [DV-2]
+        `The device id ${quote(message.id)} belongs to a device of another client; leave the id out to be given one.`,
+      );
+    }
+    const byteLength = encode('ubii.devices.Device', message).byteLength;
+    this.#check(client, message, byteLength, before);
+    if (before !== undefined) this.#remove(before);
+
+    const id = message.id === '' ? this.#context.ids.uuid() : message.id; // [DV-1]
+    const taken = new Set<string>();
+    const components = message.components.map((component) => {
+      const isFree = !this.#componentIds.has(component.id) && !taken.has(component.id);
+      const componentId = component.id !== '' && isFree ? component.id : this.#context.ids.uuid();
+      taken.add(componentId);
+      return { ...component, id: componentId, deviceId: id };
+    });
+    const device: Device = { ...message, id, components, clientId: client.id };
+    return { device, owed: this.#add({ device, client, byteLength }) };
+  }
+
+  /** Removes a device of this client. Returns false when there is none, which is as well [DV-4]. */
+  deregister(client: Client, id: string): boolean {
+    const registered = this.#devices.get(id);
+    if (registered === undefined) return false;
+    if (registered.client !== client) {
+      throw new ServiceError(
+        'permission_denied',
+        `The device ${quote(id)} belongs to another client, which alone may deregister it.`,
+      );
+    }
+    this.#remove(registered);
+    this.#deleteValues(registered);
+    this.#context.info.announceDeviceGone(registered.device); // [CL-30]
+    return true;
+  }
+
+  /** Removes every device of a client that is removed. */
+  deregisterAll(client: Client): void {
+    for (const id of [...client.devices.keys()]) this.deregister(client, id);
+  }
+
+  #check(
+    client: Client,
+    message: Device,
+    byteLength: number,
+    before: Registered | undefined,
+  ): void {
+    const { limits } = this.#context;
+    const { devicesPerClient, componentsPerDevice } = limits.limits;
+    if (before === undefined && client.devices.size >= devicesPerClient) {
+      const text = `more than ${devicesPerClient} devices of one client`;
+      throw limits.refusal('devicesPerClient', text, client.id);
+    }
+    if (message.components.length > componentsPerDevice) {
+      const text = `more than ${componentsPerDevice} components of one device`;
+      throw limits.refusal('componentsPerDevice', text, client.id);
+    }
+    this.#context.budget.require(client, byteLength - (before?.byteLength ?? 0));
+  }
+
+  #add(registered: Registered): TopicEntry[] {
+    const { device, client, byteLength } = registered;
+    const { subscriptions, info, budget } = this.#context;
+    this.#devices.set(device.id, registered);
+    client.devices.set(device.id, device);
+    budget.add(client, byteLength);
+    for (const component of device.components) {
+      this.#componentIds.add(component.id);
+      subscriptions.addComponent(component);
+    }
+    info.announceDevice(device); // [CL-30]
+    return device.deviceType === DeviceType.WATCHER
+      ? subscriptions.watch(client.subscriber, device.id) // [DV-3]
+      : [];
+  }
+
+  #remove({ device, client, byteLength }: Registered): void {
+    const { subscriptions, budget } = this.#context;
+    this.#devices.delete(device.id);
+    client.devices.delete(device.id);
+    budget.add(client, -byteLength);
+    for (const component of device.components) {
+      this.#componentIds.delete(component.id);
+      subscriptions.removeComponent(component);
+    }
+    subscriptions.unwatch(client.subscriber, device.id);
+  }
+
+  /** [TD-40] */
+  #deleteValues({ device, client }: Registered): void {
+    const { topics } = this.#context;
+    for (const { topic, ioType } of device.components) {
+      const entry = ioType === ComponentIOType.SUBSCRIBER ? undefined : topics.get(topic);
+      if (entry === undefined || entry.isMasters) continue;
+      // Nobody ends the values of others by naming their topic in a device.
+      if (entry.owner === undefined || entry.owner === client) topics.deleteValue(entry);
+    }
+  }
+}

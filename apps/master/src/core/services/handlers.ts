@@ -1,0 +1,44 @@
+import { SERVICES, type ServiceName } from '@ubii/proto';
+import { deregisterClient, listClients, listLatencies, registerClient } from './clients.ts';
+import {
+  deregisterDevice,
+  getDevice,
+  listComponents,
+  listDevices,
+  registerDevice,
+} from './devices.ts';
+import type { ServiceHandler } from './handler.ts';
+import { describeServer, listServices, masterStatus } from './server.ts';
+import { subscribe } from './topic-subscription.ts';
+import { listTopics, topicStatistics } from './topics.ts';
+
+/** Who answers which service. */
+const DOMAIN_HANDLERS = {
+  serverConfiguration: describeServer,
+  topicSubscription: subscribe,
+  clientRegistration: registerClient,
+  clientDeregistration: deregisterClient,
+  clientGetList: listClients,
+  latencyClientsList: listLatencies,
+  deviceRegistration: registerDevice,
+  deviceDeregistration: deregisterDevice,
+  deviceGet: getDevice,
+  deviceGetList: listDevices,
+  componentGetList: listComponents,
+  topicStatistics,
+  masterStatus,
+} as const satisfies Partial<Record<ServiceName, ServiceHandler>>;
+
+/** The services that are answered, these two lists of them included. */
+const ANSWERED = [
+  ...(Object.keys(DOMAIN_HANDLERS) as (keyof typeof DOMAIN_HANDLERS)[]),
+  'serviceList',
+  'topicList',
+] as const;
+
+/** Every service this master answers. The others of the protocol are `unimplemented`. */
+export const HANDLERS: { readonly [S in ServiceName]?: ServiceHandler } = {
+  ...DOMAIN_HANDLERS,
+  serviceList: listServices(ANSWERED.map((name) => SERVICES[name])),
+  topicList: listTopics(ANSWERED.map((name) => SERVICES[name].topic)),
+};

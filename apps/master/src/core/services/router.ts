@@ -1,0 +1,118 @@
+import { serviceByTopic, ServiceError, SERVICES, type ServiceRequest } from '@ubii/proto';
+import type { Core } from '../core.ts';
+import type { ServiceAnswer } from '../master.ts';
+import { quote } from '../topics/topic-names.ts';
+import { callerId } from './clients.ts';
+import type { ServiceCall } from './handler.ts';
+import { HANDLERS } from './handlers.ts';
+
+/** A call that works longer than this gives others a turn, milliseconds. A frame of an animation is 16. */
+const LONGEST_BREATH_MS = 8;
+
+/** Answers a request, whatever it holds; never rejects [SV-2]. */
+export function answerRequest(core: Core, request: ServiceRequest): Promise<ServiceAnswer> {
+  core.counters.countRequest(request.topic);
+  const call = new Call(core);
+  return new Promise((resolve) => {
+    const { serviceTimeoutMs } = core.limits;
+    const cancel = core.clock.after(serviceTimeoutMs, () => {
+      const text = `The service ${quote(request.topic)} gave no answer within ${serviceTimeoutMs} ms; ask again.`;
+      resolve(refuse(core, new ServiceError('deadline_exceeded', text), call));
+    });
+    handle(core, request, call)
+      .catch((error: unknown) => refuse(core, error, call))
+      .then((answer) => {
+        cancel();
+        resolve(answer);
+      });
+  });
+}
+
+/** The answer to a request that cannot be fulfilled. The one place where errors meet the wire [SV-5]. */
+export function refuse(core: Core, thrown: unknown, call?: Call): ServiceAnswer {
+  const error = ServiceError.from(thrown);
+  core.counters.failedRequests++;
+  core.counters.refused[error.code]++;
+  if (error.code === 'internal') {
+    core.log.error('a service request failed', {
+      reason: String(thrown),
+      stack: thrown instanceof Error ? thrown.stack : undefined,
+    });
+  }
+  return { reply: { error: error.toWire() }, afterReply: () => call?.finish() };
+}
+
+async function handle(core: Core, request: ServiceRequest, call: Call): Promise<ServiceAnswer> {
+  const { topic } = request;
+  const name = serviceByTopic(topic);
+  const handler = name === undefined ? undefined : HANDLERS[name];
+  if (name === undefined || handler === undefined) throw unknownService(topic);
+  const { request: member, alternativeRequest, requestRequired, requestFormat } = SERVICES[name];
+  const isGiven =
+    (member !== undefined && request[member] !== undefined) ||
+    (alternativeRequest !== undefined && request[alternativeRequest] !== undefined);
+  if (requestRequired && !isGiven) {
+    throw new ServiceError(
+      'invalid_argument', // [SV-6]
+      `The service ${topic} needs the member ${member} (${requestFormat}), which the request does not have.`,
+      { details: { member } },
+    );
+  }
+  // Who registers or leaves says so itself. [CL-11]
+  if (name !== 'clientRegistration' && name !== 'clientDeregistration') {
+    const caller = core.clients.get(callerId(request));
+    if (caller !== undefined) core.clients.handleSign(caller);
+  }
+  const reply = await handler(core, request, call);
+  return { reply, afterReply: () => call.finish() };
+}
+
+function unknownService(topic: string): ServiceError {
+  if (topic === '') {
+    return new ServiceError(
+      'invalid_argument', // [SV-6]
+      'The request has no topic; put there the topic of a service, such as /services/service_list.',
+    );
+  }
+  return new ServiceError(
+    'unimplemented', // [SV-6]
+    `This master has no service ${quote(topic)}; /services/service_list lists those it has.`,
+  );
+}
+
+/** One call on its way through its handler. */
+class Call implements ServiceCall {
+  readonly #core: Core;
+  #afterReply: (() => void)[] = [];
+  #isFinished = false;
+  #breathMs: number;
+
+  constructor(core: Core) {
+    this.#core = core;
+    this.#breathMs = core.clock.monotonicMs();
+  }
+
+  afterReply(fn: () => void): void {
+    // A handler that was too late has no reply to wait for.
+    if (this.#isFinished) fn();
+    else this.#afterReply.push(fn);
+  }
+
+  breathe(): Promise<void> | undefined {
+    const { clock } = this.#core;
+    if (clock.monotonicMs() - this.#breathMs < LONGEST_BREATH_MS) return undefined;
+    return new Promise((resolve) => {
+      clock.after(0, () => {
+        this.#breathMs = clock.monotonicMs();
+        resolve();
+      });
+    });
+  }
+
+  finish(): void {
+    this.#isFinished = true;
+    const fns = this.#afterReply;
+    this.#afterReply = [];
+    for (const fn of fns) fn();
+  }
+}

@@ -1,0 +1,52 @@
+import { LEGACY_CONSTANTS, type Init, type Service, type ServiceInfo } from '@ubii/proto';
+import { nameOf } from '../settings.ts';
+import { readMasterStatus } from '../status/master-status.ts';
+import type { ServiceHandler } from './handler.ts';
+
+const CONSTANTS_JSON = JSON.stringify(LEGACY_CONSTANTS);
+
+/** `/services/server_configuration` [SV-10] */
+export const describeServer: ServiceHandler = ({ id, settings }) => {
+  const { ipEthernet, ipWlan, portServices, portTopicData } = settings.endpoints();
+  const host = ipEthernet || ipWlan;
+  const external = (rest: string): string => (host === '' ? '' : `${host}:${rest}`);
+  return {
+    server: {
+      id,
+      name: nameOf(settings),
+      ipEthernet,
+      ipWlan,
+      // There is no ZeroMQ here, but existing clients parse every port as a number.
+      portServiceZmq: '0',
+      portServiceRest: String(portServices),
+      portTopicDataZmq: '0',
+      portTopicDataWs: String(portTopicData),
+      constantsJson: CONSTANTS_JSON,
+      externalAddressServiceZmq: '',
+      externalAddressServiceHttpJson: external(`${portServices}/services/json`),
+      externalAddressServiceHttpBinary: external(`${portServices}/services/binary`),
+      externalAddressTopicDataZmq: '',
+      externalAddressTopicDataWs: external(`${portTopicData}`),
+    },
+  };
+};
+
+/** `/services/ubii/master_status` [EX-16] */
+export const masterStatus: ServiceHandler = (core, request) => ({
+  masterStatus: readMasterStatus(core, request.masterStatusRequest!.sinceMs),
+});
+
+/**
+ * `/services/service_list` [SV-9]
+ * @param services The services that are answered.
+ */
+export function listServices(services: readonly ServiceInfo[]): ServiceHandler {
+  const elements = services.map((service): Init<Service> => ({
+    topic: service.topic,
+    requestMessageFormat: service.requestFormat,
+    responseMessageFormat: service.replyFormat,
+    tags: [],
+    description: service.description,
+  }));
+  return () => ({ serviceList: { elements } });
+}

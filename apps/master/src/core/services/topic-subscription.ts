@@ -1,0 +1,70 @@
+import { ServiceError, type TopicSubscription } from '@ubii/proto';
+import type { Core } from '../core.ts';
+import type { Subscriber } from '../topics/subscriber.ts';
+import type { TopicEntry } from '../topics/topic-entry.ts';
+import type { ServiceCall, ServiceHandler } from './handler.ts';
+import { requireElements } from './list-limits.ts';
+import { replayAfterReply } from './replay-after-reply.ts';
+
+/** One subscription or unsubscription of a request; returns the topics whose retained record is owed. */
+type Step = () => readonly TopicEntry[] | void;
+
+/** `/services/topic_subscription` [SV-12] */
+export const subscribe: ServiceHandler = async (core, request, call) => {
+  const message = request.topicSubscription!;
+  const client = core.clients.require(message.clientId, 'topic_subscription.client_id');
+  const rateHz = rateOf(message);
+  const owed: TopicEntry[] = [];
+  try {
+    for (const step of stepsOf(core, message, client.subscriber, rateHz)) {
+      owed.push(...(step() ?? []));
+      const pause = call.breathe();
+      if (pause !== undefined) await pause;
+      if (client.status === 'removed') break;
+    }
+  } finally {
+    // What was subscribed before something failed stands, and is owed its records.
+    replayAfterReply(core, call, client, owed);
+  }
+  return { success: { title: 'Success', message: 'Successfully processed all subscriptions.' } };
+};
+
+/** Everything the request asks for, in the order in which it is done. */
+function* stepsOf(
+  core: Core,
+  message: TopicSubscription,
+  subscriber: Subscriber,
+  rateHz: number,
+): Iterable<Step> {
+  const table = core.subscriptions;
+  const { subscribeTopics, unsubscribeTopics } = message;
+  const { subscribeTopicRegexp, unsubscribeTopicRegexp } = message;
+  const { subscribeComponents, unsubscribeComponents } = message;
+  for (const topic of requireElements(core, subscribeTopics)) {
+    yield () => table.subscribeTopic(subscriber, topic, rateHz);
+  }
+  for (const topic of requireElements(core, unsubscribeTopics)) {
+    yield () => table.unsubscribeTopic(subscriber, topic);
+  }
+  for (const source of requireElements(core, subscribeTopicRegexp)) {
+    yield () => table.subscribePattern(subscriber, source, rateHz);
+  }
+  for (const source of requireElements(core, unsubscribeTopicRegexp)) {
+    yield () => table.unsubscribePattern(subscriber, source);
+  }
+  for (const profile of requireElements(core, subscribeComponents)) {
+    yield () => table.subscribeComponents(subscriber, profile, rateHz);
+  }
+  for (const profile of requireElements(core, unsubscribeComponents)) {
+    yield () => table.unsubscribeComponents(subscriber, profile);
+  }
+}
+
+/** Records per second and topic [TD-28]; 0 for every record. */
+function rateOf({ maxRateHz }: TopicSubscription): number {
+  if (maxRateHz >= 0) return Number.isFinite(maxRateHz) ? maxRateHz : 0;
+  throw new ServiceError(
+    'invalid_argument',
+    `The member max_rate_hz is ${maxRateHz}, but a rate is 0 for every record or a positive number.`,
+  );
+}

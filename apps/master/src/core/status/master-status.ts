@@ -1,0 +1,36 @@
+import type { Init, MasterStatus } from '@ubii/proto';
+import type { Core } from '../core.ts';
+import { nameOf } from '../settings.ts';
+import { listProblems } from './problems.ts';
+
+/**
+ * How the master is [EX-16].
+ * @param sinceMs Samples and events after this moment are wanted; 0 for all that are kept.
+ */
+export function readMasterStatus(core: Core, sinceMs: number): Init<MasterStatus> {
+  const { counters, clients, settings } = core;
+  const states = clients.countByStatus();
+  return {
+    masterId: core.id,
+    name: nameOf(settings),
+    version: settings.version,
+    startedMs: core.startedMs,
+    nowMs: core.clock.nowMs(),
+    recordsIn: counters.recordsIn,
+    recordsOut: counters.recordsOut,
+    bytesIn: counters.bytesIn,
+    bytesOut: counters.bytesOut,
+    dropped: counters.dropped,
+    refused: counters.refusedTotal + counters.protocolErrors + counters.connectionsRefused,
+    topics: core.topics.size,
+    clientsActive: states.active,
+    clientsInactive: states.inactive,
+    clientsUnavailable: states.unavailable,
+    cpuPercent: core.samples.cpuPercent,
+    memoryBytes: core.samples.memoryBytes,
+    samples: core.samples.since(sinceMs),
+    events: core.events.since(sinceMs),
+    problems: listProblems(core),
+    addresses: settings.endpoints().addresses,
+  };
+}

@@ -1,0 +1,96 @@
+import type { Core } from '../core.ts';
+import type { MasterMetrics, MetricFamily } from '../master.ts';
+
+/** Every metric. Labels come from closed lists: limits, codes, states, services; never ids or topics. */
+export function readMetrics(core: Core): MasterMetrics {
+  const { counters, clients, devices, topics, sockets, limitWatch, limits } = core;
+  const hits = new Map([...limitWatch.hits()].map((hit) => [hit.limit, hit.streak.count]));
+  const waiting = [...clients.values()].map((client) => client.subscriber.outbox.waitingCount);
+  return [
+    counter('ubii_records_received_total', 'Records published by clients.', counters.recordsIn),
+    counter('ubii_records_sent_total', 'Records handed to subscribers.', counters.recordsOut),
+    counter(
+      'ubii_received_bytes_total',
+      'Encoded bytes of records published by clients.',
+      counters.bytesIn,
+    ),
+    counter(
+      'ubii_sent_bytes_total',
+      'Encoded bytes of records handed to subscribers.',
+      counters.bytesOut,
+    ),
+    counter('ubii_records_dropped_total', 'Records slow subscribers missed.', counters.dropped),
+    family(
+      'ubii_refused_total',
+      'Records and requests refused, by reason.',
+      'counter',
+      'code',
+      Object.entries(counters.refused),
+    ),
+    counter(
+      'ubii_protocol_errors_total',
+      'Messages on topic-data sockets that cannot be read.',
+      counters.protocolErrors,
+    ),
+    family(
+      'ubii_limit_hits_total',
+      'How often a limit was met.',
+      'counter',
+      'limit',
+      Object.keys(limits).map((limit) => [limit, hits.get(limit as keyof typeof limits) ?? 0]),
+    ),
+    family('ubii_service_requests_total', 'Service requests, by service.', 'counter', 'service', [
+      ...counters.requests,
+    ]),
+    counter(
+      'ubii_service_requests_failed_total',
+      'Service requests answered with an error.',
+      counters.failedRequests,
+    ),
+    counter('ubii_sockets_opened_total', 'Topic-data sockets opened.', counters.connectionsOpened),
+    counter(
+      'ubii_sockets_refused_total',
+      'Topic-data sockets refused.',
+      counters.connectionsRefused,
+    ),
+    gauge('ubii_sockets', 'Open topic-data sockets.', sockets.openCount),
+    family(
+      'ubii_clients',
+      'Registered clients, by state.',
+      'gauge',
+      'state',
+      Object.entries(clients.countByStatus()).filter(([state]) => state !== 'removed'),
+    ),
+    gauge('ubii_devices', 'Registered devices.', devices.size),
+    gauge('ubii_topics', 'Topics with a value or a subscription.', topics.size),
+    gauge('ubii_retained_bytes', 'Encoded bytes of all retained records.', topics.retainedBytes),
+    gauge(
+      'ubii_records_waiting',
+      'Records that wait for slow sockets.',
+      waiting.reduce((sum, count) => sum + count, 0),
+    ),
+  ];
+}
+
+function counter(name: string, help: string, value: number): MetricFamily {
+  return { name, help, kind: 'counter', values: [{ labels: {}, value }] };
+}
+
+function gauge(name: string, help: string, value: number): MetricFamily {
+  return { name, help, kind: 'gauge', values: [{ labels: {}, value }] };
+}
+
+function family(
+  name: string,
+  help: string,
+  kind: MetricFamily['kind'],
+  label: string,
+  values: readonly (readonly [string, number])[],
+): MetricFamily {
+  return {
+    name,
+    help,
+    kind,
+    values: values.map(([key, value]) => ({ labels: { [label]: key }, value })),
+  };
+}

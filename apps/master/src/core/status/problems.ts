@@ -1,0 +1,77 @@
+import { StatusProblemSeverity, type StatusProblem } from '@ubii/proto';
+import type { Client } from '../clients/client.ts';
+import type { Core } from '../core.ts';
+import type { LimitName } from '../limits.ts';
+import type { Clock } from '../ports/clock.ts';
+
+/** Problems told at most: what a page can show. */
+const MOST_PROBLEMS = 100;
+
+/** Limits of the whole master: everybody suffers when one is met. */
+const COMMON_LIMITS: ReadonlySet<LimitName> = new Set<LimitName>([
+  'topics',
+  'retainedBytes',
+  'clients',
+  'sockets',
+  'registrationBytes',
+  'patterns',
+  'profiles',
+]);
+
+/** What is wrong now, most severe first [EX-18]. */
+export function listProblems(core: Core): StatusProblem[] {
+  const problems = [...limitProblems(core)];
+  for (const client of core.clients.values()) problems.push(...clientProblems(core, client));
+  return problems.sort((a, b) => b.severity - a.severity).slice(0, MOST_PROBLEMS);
+}
+
+function* limitProblems({ limitWatch, clock, limits }: Core): Iterable<StatusProblem> {
+  for (const { limit, streak, clientId } of limitWatch.hits()) {
+    if (!streak.isOn(clock.monotonicMs())) continue;
+    const isCommon = COMMON_LIMITS.has(limit);
+    yield {
+      code: 'limit_reached',
+      severity: isCommon ? StatusProblemSeverity.ERROR : StatusProblemSeverity.WARNING,
+      text: `The limit ${limit} (${limits[limit]}) was met, ${streak.count} times so far; what goes beyond is refused.`,
+      clientId,
+      sinceMs: epochMs(clock, streak.sinceMs),
+    };
+  }
+}
+
+function* clientProblems({ clock }: Core, client: Client): Iterable<StatusProblem> {
+  const nowMs = clock.monotonicMs();
+  const { socket, label, protocolErrors, id: clientId } = client;
+  const { outbox } = client.subscriber;
+  const warning = { severity: StatusProblemSeverity.WARNING, clientId };
+  // A client that closed its socket and stays away is an event, not a problem.
+  if (client.status === 'inactive' || (client.status === 'unavailable' && socket !== undefined)) {
+    const silentSeconds = Math.round((nowMs - client.lastSignMs) / 1000);
+    yield {
+      ...warning,
+      code: 'client_silent',
+      text: `${label} has not been heard of for ${silentSeconds} s; after 10 s its values end.`,
+      sinceMs: epochMs(clock, client.statusSinceMs),
+    };
+  }
+  if (outbox.waitingCount > 0 || outbox.drops.isOn(nowMs)) {
+    yield {
+      ...warning,
+      code: 'client_slow',
+      text: `${label} takes data more slowly than it comes: ${outbox.drops.count} records were dropped so far, the newest values win.`,
+      sinceMs: epochMs(clock, outbox.drops.isOn(nowMs) ? outbox.drops.sinceMs : nowMs),
+    };
+  }
+  if (protocolErrors.isOn(nowMs)) {
+    yield {
+      ...warning,
+      code: 'protocol_errors',
+      text: `${label} sent ${protocolErrors.count} messages so far that cannot be read; they are refused.`,
+      sinceMs: epochMs(clock, protocolErrors.sinceMs),
+    };
+  }
+}
+
+function epochMs(clock: Clock, thenMs: number): number {
+  return clock.nowMs() - (clock.monotonicMs() - thenMs);
+}

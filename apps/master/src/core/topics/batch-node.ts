@@ -1,0 +1,76 @@
+import type { RecordBatch } from '../ports/record-batch.ts';
+import type { TopicEntry } from './topic-entry.ts';
+
+/**
+ * A batch as the last node of a chain of records. Appending gives the next node and leaves this one as
+ * it is. A node remembers the last node appended to it, so that subscribers that are owed the same
+ * records walk the same chain and share every node, and with it the frame the adapter builds of it.
+ */
+export class BatchNode implements RecordBatch {
+  readonly previous: BatchNode | undefined;
+  /** The topic of `record`; undefined in the empty node that chains begin with. */
+  readonly entry: TopicEntry | undefined;
+  readonly record: Uint8Array | undefined;
+  readonly isEvent: boolean;
+  readonly count: number;
+  readonly byteLength: number;
+  #next: BatchNode | undefined = undefined;
+  #records: readonly Uint8Array[] | undefined = undefined;
+  #memoKey: object | undefined = undefined;
+  #memoValue: unknown = undefined;
+  #memos: Map<object, unknown> | undefined = undefined;
+
+  private constructor(
+    previous: BatchNode | undefined,
+    entry: TopicEntry | undefined,
+    record: Uint8Array | undefined,
+    isEvent: boolean,
+  ) {
+    this.previous = previous;
+    this.entry = entry;
+    this.record = record;
+    this.isEvent = isEvent;
+    this.count = previous === undefined ? 0 : previous.count + 1;
+    this.byteLength = (previous?.byteLength ?? 0) + (record?.byteLength ?? 0);
+  }
+
+  /** The empty node that a chain begins with. */
+  static empty(): BatchNode {
+    return new BatchNode(undefined, undefined, undefined, false);
+  }
+
+  append(entry: TopicEntry, record: Uint8Array, isEvent: boolean): BatchNode {
+    const next = this.#next;
+    if (next !== undefined && next.record === record) return next;
+    return (this.#next = new BatchNode(this, entry, record, isEvent));
+  }
+
+  get records(): readonly Uint8Array[] {
+    return (this.#records ??= this.nodes().map((node) => node.record!));
+  }
+
+  /** The nodes of this chain that hold a record, oldest first. */
+  nodes(): BatchNode[] {
+    const nodes = new Array<BatchNode>(this.count);
+    let node: BatchNode = this;
+    for (let i = this.count - 1; i >= 0; i--) {
+      nodes[i] = node;
+      node = node.previous!;
+    }
+    return nodes;
+  }
+
+  memo<T>(key: object, make: () => T): T {
+    if (this.#memoKey === key) return this.#memoValue as T;
+    if (this.#memoKey === undefined) {
+      const value = make();
+      this.#memoKey = key;
+      this.#memoValue = value;
+      return value;
+    }
+    // A second kind of encoder at work on the same batch: rare enough for a map.
+    this.#memos ??= new Map();
+    if (!this.#memos.has(key)) this.#memos.set(key, make());
+    return this.#memos.get(key) as T;
+  }
+}

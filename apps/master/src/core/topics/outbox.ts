@@ -1,0 +1,185 @@
+import type { Limits } from '../limits.ts';
+import type { ClientConnection } from '../ports/client-connection.ts';
+import type { Clock } from '../ports/clock.ts';
+import { Streak } from '../status/streak.ts';
+import type { BatchNode } from './batch-node.ts';
+import type { EndOfTurn, Flushable } from './end-of-turn.ts';
+import { isEventField, type TopicEntry } from './topic-entry.ts';
+import { WaitingRecords } from './waiting-records.ts';
+
+/** What an outbox needs to know of the master around it. */
+export interface OutboxContext {
+  readonly clock: Clock;
+  readonly endOfTurn: EndOfTurn;
+  readonly limits: Limits;
+  /** Records were handed to the connection. */
+  readonly onSent: (records: number, bytes: number) => void;
+  /** A record of this topic was dropped. */
+  readonly onDropped: (entry: TopicEntry) => void;
+}
+
+/** Everything on its way to one client: what leaves at the end of this turn, and what waits for its socket. */
+export class Outbox implements Flushable {
+  readonly #context: OutboxContext;
+  readonly #waiting: WaitingRecords;
+  readonly #owed = new Set<TopicEntry>();
+  #connection: ClientConnection | undefined = undefined;
+  #batch: BatchNode | undefined = undefined;
+  #isTouched = false;
+  #openedSequence = 0;
+  #handedBytes = 0;
+  /** Records that were dropped because the client was too slow [TD-34]. */
+  readonly drops = new Streak();
+
+  constructor(context: OutboxContext) {
+    this.#context = context;
+    this.#waiting = new WaitingRecords({
+      maxBytes: context.limits.queueBytes,
+      maxEventsPerTopic: context.limits.queuedEventsPerTopic,
+      onDropped: (entry) => {
+        this.drops.add(context.clock.monotonicMs());
+        context.onDropped(entry);
+      },
+    });
+  }
+
+  get isOpen(): boolean {
+    return this.#connection !== undefined;
+  }
+
+  /** Records that wait because the socket cannot take more. */
+  get waitingCount(): number {
+    return this.#waiting.count;
+  }
+
+  /** Bytes of records handed to connections so far. */
+  get handedBytes(): number {
+    return this.#handedBytes;
+  }
+
+  /**
+   * Sends to this connection from now on: first what is owed, then what waited for the connection before
+   * [TD-7] [TD-24].
+   * @param sequence Sequence number of the newest record of all.
+   */
+  open(connection: ClientConnection, sequence: number): void {
+    this.#moveBatchToWaiting();
+    this.#connection = connection;
+    this.#openedSequence = sequence;
+    for (const entry of this.#owed) {
+      if (entry.record !== undefined && !this.#waiting.has(entry)) this.#deliverRetained(entry);
+    }
+    this.#owed.clear();
+    this.handleDrain();
+  }
+
+  /** There is no connection any more. What was on its way is owed as a retained record [TD-33]. */
+  close(): void {
+    this.#connection = undefined;
+    for (const node of this.#batch?.nodes() ?? []) this.#owed.add(node.entry!);
+    for (const entry of this.#waiting.topics()) this.#owed.add(entry);
+    this.#batch = undefined;
+    this.#waiting.clear();
+  }
+
+  /** Everything on its way is void: the client is gone. */
+  discard(): void {
+    this.close();
+    this.#owed.clear();
+  }
+
+  /** Gives the client one record. The hot path: runs once for each record and subscriber. */
+  deliver(entry: TopicEntry, record: Uint8Array, isEvent: boolean): void {
+    if (this.#connection === undefined) return; // [TD-33]
+    if (!this.#isTouched) {
+      this.#isTouched = true;
+      this.#context.endOfTurn.touch(this);
+    }
+    const batch = (this.#batch ?? this.#context.endOfTurn.emptyBatch).append(
+      entry,
+      record,
+      isEvent,
+    );
+    this.#batch = batch;
+    if (batch.byteLength >= this.#context.limits.batchBytes) this.#send();
+  }
+
+  /**
+   * Gives the client the retained record of a topic it subscribed to when the newest record of all had
+   * the number `sinceSequence`, unless it has got a newer one by itself. Without a connection it is owed
+   * to the next [TD-24].
+   */
+  replay(entry: TopicEntry, sinceSequence: number): void {
+    if (entry.record === undefined) return;
+    if (this.#connection === undefined) this.#owed.add(entry);
+    else if (entry.sequence <= Math.max(sinceSequence, this.#openedSequence)) {
+      this.#deliverRetained(entry);
+    }
+  }
+
+  /** Owes the client the retained record of a topic, as soon as it has a connection. */
+  owe(entry: TopicEntry): void {
+    this.#owed.add(entry);
+  }
+
+  /** The topic is forgotten or the client has no subscription to it any more. */
+  forgive(entry: TopicEntry): void {
+    this.#owed.delete(entry);
+  }
+
+  flush(): void {
+    this.#isTouched = false;
+    this.#send();
+  }
+
+  /** The connection can take more: what waits leaves, in pieces, as far as it goes. */
+  handleDrain(): void {
+    while (this.#waiting.count > 0 && this.#canSend()) {
+      let batch = this.#context.endOfTurn.emptyBatch;
+      while (batch.byteLength < this.#context.limits.batchBytes) {
+        const taken = this.#waiting.take();
+        if (taken === undefined) break;
+        batch = batch.append(taken.entry, taken.record, taken.isEvent);
+      }
+      this.#hand(batch);
+    }
+  }
+
+  #send(): void {
+    const batch = this.#batch;
+    if (batch === undefined) return;
+    if (this.#waiting.count === 0 && this.#canSend()) {
+      this.#batch = undefined;
+      this.#hand(batch);
+    } else {
+      this.#moveBatchToWaiting();
+      this.handleDrain();
+    }
+  }
+
+  #moveBatchToWaiting(): void {
+    const nodes = this.#batch?.nodes() ?? [];
+    this.#batch = undefined;
+    for (const { entry, record, isEvent } of nodes) {
+      this.#waiting.push(entry!, record!, isEvent); // [TD-31]
+    }
+  }
+
+  #deliverRetained(entry: TopicEntry): void {
+    this.deliver(entry, entry.record!, isEventField(entry.valueField));
+  }
+
+  #canSend(): boolean {
+    const connection = this.#connection;
+    return (
+      connection !== undefined &&
+      connection.queuedBytes <= this.#context.limits.connectionQueuedBytes
+    );
+  }
+
+  #hand(batch: BatchNode): void {
+    this.#connection?.send(batch);
+    this.#handedBytes += batch.byteLength;
+    this.#context.onSent(batch.count, batch.byteLength);
+  }
+}

@@ -1,0 +1,35 @@
+import type { CompiledPattern } from '../ports/pattern-compiler.ts';
+import { requiredLiteral, type RequiredLiteral } from './required-literal.ts';
+import type { Subscriber } from './subscriber.ts';
+import type { TopicEntry } from './topic-entry.ts';
+
+/** One regular expression, shared by all who subscribed to it. */
+export class Pattern {
+  readonly source: string;
+  /** Subscribers with their rates in Hz (0: every record). */
+  readonly subscribers = new Map<Subscriber, number>();
+  /** The topics that match. */
+  readonly entries = new Set<TopicEntry>();
+  readonly #compiled: CompiledPattern;
+  readonly #required: RequiredLiteral | undefined;
+  readonly #meansExtensions: boolean;
+
+  constructor(source: string, compiled: CompiledPattern) {
+    this.source = source;
+    this.#compiled = compiled;
+    this.#required = requiredLiteral(source);
+    this.#meansExtensions = source.startsWith('^/ubii/') || source.startsWith('/ubii/');
+  }
+
+  matches(entry: TopicEntry): boolean {
+    if (entry.isExtension && !this.#meansExtensions) return false; // [TD-26]
+    const required = this.#required;
+    if (required !== undefined) {
+      const mayMatch = required.isPrefix
+        ? entry.topic.startsWith(required.text)
+        : entry.topic.includes(required.text);
+      if (!mayMatch) return false;
+    }
+    return this.#compiled.test(entry.topic);
+  }
+}

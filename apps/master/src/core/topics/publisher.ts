@@ -1,0 +1,123 @@
+import { isMasterTopic } from '@ubii/proto';
+import type { Limits } from '../limits.ts';
+import type { Counters } from '../status/counters.ts';
+import type { Publication } from './publication.ts';
+import { REFUSALS, type Refusal } from './refusals.ts';
+import type { SubscriptionTable } from './subscription-table.ts';
+import { isEventField } from './topic-entry.ts';
+import { topicFault } from './topic-names.ts';
+import type { TopicTable } from './topic-table.ts';
+
+/** What publishing works on. */
+export interface PublishContext {
+  readonly topics: TopicTable;
+  readonly subscriptions: SubscriptionTable;
+  readonly limits: Limits;
+  readonly counters: Counters;
+}
+
+type PublishStep = (context: PublishContext, publication: Publication) => Refusal | undefined;
+
+/** What happens to a record of a client, in this order. The first refusal ends it. */
+const CLIENT_STEPS: readonly PublishStep[] = [
+  checkRate,
+  findTopic,
+  checkTopic,
+  checkTopicCount,
+  checkRetainedBytes,
+  createTopic,
+  takeOwnership,
+  countIn,
+  storeAndDeliver,
+];
+
+/** What happens to a record of the master. */
+const MASTER_STEPS: readonly PublishStep[] = [findTopic, createTopic, storeAndDeliver];
+
+/** Publishes a record, or says why not. The hot path: its cost is that of the topic's subscribers. */
+export function publish(context: PublishContext, publication: Publication): Refusal | undefined {
+  const steps = publication.client === undefined ? MASTER_STEPS : CLIENT_STEPS;
+  for (let i = 0; i < steps.length; i++) {
+    const refusal = steps[i]!(context, publication);
+    if (refusal !== undefined) return refusal;
+  }
+  return undefined;
+}
+
+function checkRate(_: PublishContext, publication: Publication): Refusal | undefined {
+  const client = publication.client!;
+  const { monotonicMs } = publication;
+  if (!client.recordBudget.take(1, monotonicMs)) return REFUSALS.tooManyRecords;
+  return client.byteBudget.take(publication.byteLength, monotonicMs)
+    ? undefined
+    : REFUSALS.tooManyBytes;
+}
+
+function findTopic({ topics }: PublishContext, publication: Publication): undefined {
+  publication.entry = topics.get(publication.topic);
+}
+
+/** What is known was checked when it appeared [TD-13] [TD-16]. */
+function checkTopic({ limits }: PublishContext, publication: Publication): Refusal | undefined {
+  const { entry, topic } = publication;
+  if (entry !== undefined) return entry.isMasters ? REFUSALS.mastersTopic : undefined;
+  switch (topicFault(topic, limits.topicBytes)) {
+    case 'is empty':
+      return REFUSALS.noTopic;
+    case 'is too long':
+      return REFUSALS.longTopic;
+    case 'contains a control character':
+      return REFUSALS.controlCharacter;
+    case undefined:
+      return isMasterTopic(topic) ? REFUSALS.mastersTopic : undefined;
+  }
+}
+
+function checkRetainedBytes(
+  { topics, limits }: PublishContext,
+  publication: Publication,
+): Refusal | undefined {
+  const growth = publication.byteLength - (publication.entry?.record?.byteLength ?? 0);
+  return growth > 0 && topics.retainedBytes + growth > limits.retainedBytes
+    ? REFUSALS.tooManyRetainedBytes
+    : undefined;
+}
+
+/** A topic without value gets one, and with it an owner: there may be too many of both. */
+function checkTopicCount(
+  { topics, limits }: PublishContext,
+  { entry, client }: Publication,
+): Refusal | undefined {
+  if (entry?.record !== undefined) return undefined;
+  if (entry === undefined && topics.size >= limits.topics) return REFUSALS.tooManyTopics;
+  return client!.ownedTopics.size >= limits.topicsPerClient ? REFUSALS.tooManyOwnTopics : undefined;
+}
+
+function createTopic({ topics }: PublishContext, publication: Publication): undefined {
+  publication.entry ??= topics.getOrCreate(publication.topic);
+}
+
+function takeOwnership({ topics }: PublishContext, { entry, client }: Publication): undefined {
+  if (entry!.record === undefined) topics.own(entry!, client!); // [TD-19]
+}
+
+function countIn({ counters }: PublishContext, publication: Publication): undefined {
+  counters.recordsIn++;
+  counters.bytesIn += publication.byteLength;
+}
+
+function storeAndDeliver(context: PublishContext, publication: Publication): undefined {
+  const { valueField, monotonicMs } = publication;
+  const entry = publication.entry!;
+  // Before the value changes: what a change of subscriptions releases is the value before.
+  const { direct, sampled } = context.subscriptions.targetsOf(entry);
+  const record = publication.frame.slice(publication.start, publication.end); // [TD-11]
+  context.topics.store(entry, record, valueField, publication.nowMs);
+  entry.publisherId = publication.client?.id ?? '';
+  const isEvent = isEventField(valueField);
+  for (let i = 0; i < direct.length; i++) direct[i]!.deliver(entry, record, isEvent); // [TD-14]
+  for (let i = 0; i < sampled.length; i++) {
+    const sample = sampled[i]!;
+    sample.sampler.handleRecord(sample, monotonicMs); // [TD-28]
+  }
+}

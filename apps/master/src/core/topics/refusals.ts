@@ -1,0 +1,68 @@
+import type { ServiceErrorCode } from '@ubii/proto';
+import type { LimitName, Limits } from '../limits.ts';
+import type { Publication } from './publication.ts';
+import { quote } from './topic-names.ts';
+
+/** Why a record is refused. A constant, because refusing must not cost more than publishing. */
+export interface Refusal {
+  readonly code: ServiceErrorCode;
+  /** The limit that was met, if it was one. */
+  readonly limit?: LimitName;
+  /** Names the topic, what was expected and what was received: one sentence [TD-17]. */
+  describe(publication: Publication, limits: Limits): string;
+}
+
+/** Every reason for which a record of a client is refused. */
+export const REFUSALS = {
+  noTopic: {
+    code: 'invalid_argument',
+    describe: ({ byteLength }) =>
+      `A record needs a topic, but the one received, of ${byteLength} bytes, has none.`,
+  },
+  longTopic: {
+    code: 'resource_exhausted',
+    limit: 'topicBytes',
+    describe: ({ topic }, { topicBytes }) =>
+      `The topic ${quote(topic)} has ${topic.length} characters, but a topic has at most ${topicBytes} bytes (limit topicBytes).`,
+  },
+  controlCharacter: {
+    code: 'invalid_argument',
+    describe: ({ topic }) =>
+      `The topic ${quote(topic)} contains a control character, but a topic is text on one line.`,
+  },
+  mastersTopic: {
+    code: 'permission_denied',
+    describe: ({ topic }) =>
+      `Only the master publishes on ${quote(topic)}; a client publishes on topics that do not begin with /info/ or /ubii/.`,
+  },
+  tooManyRecords: {
+    code: 'resource_exhausted',
+    limit: 'recordsPerSecond',
+    describe: ({ topic }, { recordsPerSecond }) =>
+      `The record on ${quote(topic)} came too soon: a client publishes at most ${recordsPerSecond} records per second (limit recordsPerSecond).`,
+  },
+  tooManyBytes: {
+    code: 'resource_exhausted',
+    limit: 'publishedBytesPerSecond',
+    describe: ({ topic, byteLength }, { publishedBytesPerSecond }) =>
+      `The record of ${byteLength} bytes on ${quote(topic)} came too soon: a client publishes at most ${publishedBytesPerSecond} bytes per second (limit publishedBytesPerSecond).`,
+  },
+  tooManyTopics: {
+    code: 'resource_exhausted',
+    limit: 'topics',
+    describe: ({ topic }, { topics }) =>
+      `The topic ${quote(topic)} would be one more than the ${topics} topics of this master (limit topics).`,
+  },
+  tooManyOwnTopics: {
+    code: 'resource_exhausted',
+    limit: 'topicsPerClient',
+    describe: ({ topic }, { topicsPerClient }) =>
+      `The topic ${quote(topic)} would be one more than the ${topicsPerClient} topics a client may have (limit topicsPerClient).`,
+  },
+  tooManyRetainedBytes: {
+    code: 'resource_exhausted',
+    limit: 'retainedBytes',
+    describe: ({ topic, byteLength }, { retainedBytes }) =>
+      `The record of ${byteLength} bytes on ${quote(topic)} does not fit: the values of all topics take at most ${retainedBytes} bytes (limit retainedBytes).`,
+  },
+} as const satisfies Record<string, Refusal>;

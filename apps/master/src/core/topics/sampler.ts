@@ -1,0 +1,113 @@
+import type { Cancel, Clock } from '../ports/clock.ts';
+import type { Outbox } from './outbox.ts';
+import { isEventField, type TopicEntry } from './topic-entry.ts';
+
+/** No timer sleeps longer; it looks again. Timers of JavaScript do not go beyond 24 days. */
+const LONGEST_SLEEP_MS = 60_000;
+
+/** One topic that one client gets at most so often [TD-28]. */
+export class SampledTopic {
+  readonly entry: TopicEntry;
+  readonly sampler: Sampler;
+  intervalMs = 0;
+  /** When the next record may leave, monotonic milliseconds. */
+  dueMs = Number.NEGATIVE_INFINITY;
+
+  constructor(entry: TopicEntry, sampler: Sampler) {
+    this.entry = entry;
+    this.sampler = sampler;
+  }
+
+  /** The subscription is gone. */
+  cancel(): void {
+    this.sampler.cancel(this);
+  }
+
+  /** The client gets every record from now on: what is held back goes first. */
+  release(): void {
+    this.sampler.release(this);
+  }
+}
+
+/** What a sampler needs of the master around it. */
+export interface SamplerContext {
+  readonly clock: Clock;
+  /** Brings the targets of a topic up to date, which may cancel samples. */
+  readonly refreshTargets: (entry: TopicEntry) => void;
+}
+
+/** The sampled topics of one client: which of them hold back a record, and one timer for all. */
+export class Sampler {
+  readonly #outbox: Outbox;
+  readonly #context: SamplerContext;
+  readonly #holding = new Set<SampledTopic>();
+  #cancelTimer: Cancel | undefined = undefined;
+  #timerDueMs = Number.POSITIVE_INFINITY;
+
+  constructor(outbox: Outbox, context: SamplerContext) {
+    this.#outbox = outbox;
+    this.#context = context;
+  }
+
+  /** A new record is in `sample.entry`: delivers it, or holds it back until the interval is over. */
+  handleRecord(sample: SampledTopic, nowMs: number): void {
+    if (this.#holding.has(sample) || !this.#outbox.isOpen) return;
+    if (nowMs >= sample.dueMs) this.#deliver(sample, nowMs);
+    else {
+      this.#holding.add(sample);
+      this.#wakeAt(sample.dueMs, nowMs);
+    }
+  }
+
+  cancel(sample: SampledTopic): void {
+    this.#holding.delete(sample);
+  }
+
+  release(sample: SampledTopic): void {
+    if (this.#holding.delete(sample)) this.#deliver(sample, 0);
+  }
+
+  /** The connection is closed: what is held back is owed [TD-33]. */
+  close(): void {
+    for (const { entry } of this.#holding) this.#outbox.owe(entry);
+    this.discard();
+  }
+
+  discard(): void {
+    this.#holding.clear();
+    this.#cancelTimer?.();
+    this.#cancelTimer = undefined;
+    this.#timerDueMs = Number.POSITIVE_INFINITY;
+  }
+
+  #deliver(sample: SampledTopic, nowMs: number): void {
+    const { entry } = sample;
+    if (entry.record === undefined) return;
+    sample.dueMs = nowMs + sample.intervalMs;
+    this.#outbox.deliver(entry, entry.record, isEventField(entry.valueField));
+  }
+
+  #wakeAt(dueMs: number, nowMs: number): void {
+    if (dueMs >= this.#timerDueMs) return;
+    this.#cancelTimer?.();
+    this.#timerDueMs = dueMs;
+    const delayMs = Math.min(Math.max(Math.ceil(dueMs - nowMs), 0), LONGEST_SLEEP_MS);
+    this.#cancelTimer = this.#context.clock.after(delayMs, this.#wake);
+  }
+
+  readonly #wake = (): void => {
+    this.#cancelTimer = undefined;
+    this.#timerDueMs = Number.POSITIVE_INFINITY;
+    const nowMs = this.#context.clock.monotonicMs();
+    let nextMs = Number.POSITIVE_INFINITY;
+    for (const sample of [...this.#holding]) {
+      this.#context.refreshTargets(sample.entry);
+      if (!this.#holding.has(sample)) continue;
+      if (nowMs >= sample.dueMs) {
+        this.#holding.delete(sample);
+        this.#deliver(sample, nowMs);
+      } else nextMs = Math.min(nextMs, sample.dueMs);
+    }
+    if (nextMs < Number.POSITIVE_INFINITY) this.#wakeAt(nextMs, nowMs);
+  };
+}

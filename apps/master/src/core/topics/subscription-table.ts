@@ -1,0 +1,239 @@
+import { ServiceError, type Component } from '@ubii/proto';
+import type { LimitWatch } from '../status/limit-watch.ts';
+import type { ComponentSelection } from './component-selection.ts';
+import type { Pattern } from './pattern.ts';
+import type { PatternTable } from './pattern-table.ts';
+import type { SelectionTable } from './selection-table.ts';
+import type { Subscriber } from './subscriber.ts';
+import { computeTargets, type Targets } from './targets.ts';
+import type { TopicEntry } from './topic-entry.ts';
+import { quote, topicFault } from './topic-names.ts';
+import type { TopicTable } from './topic-table.ts';
+
+/** What a subscription table works on. */
+export interface SubscriptionContext {
+  readonly topics: TopicTable;
+  readonly patterns: PatternTable;
+  readonly selections: SelectionTable;
+  readonly limits: LimitWatch;
+  /** Every component that is registered. */
+  readonly components: () => Iterable<Component>;
+}
+
+/** Who is subscribed to what [TD-20]. Subscribing returns the topics whose retained record is owed [TD-24]. */
+export class SubscriptionTable {
+  readonly #context: SubscriptionContext;
+  readonly #watchers = new Set<Subscriber>();
+
+  constructor(context: SubscriptionContext) {
+    this.#context = context;
+  }
+
+  /** Who gets the records of this topic; computed when subscriptions or topics changed, else at hand. */
+  targetsOf(entry: TopicEntry): Targets {
+    if (entry.areTargetsStale) {
+      entry.areTargetsStale = false;
+      entry.targets = computeTargets(entry, this.#watchers);
+    }
+    return entry.targets!;
+  }
+
+  /** @throws ServiceError when the topic is none, or there are too many. */
+  subscribeTopic(subscriber: Subscriber, topic: string, rateHz: number): TopicEntry[] {
+    const { topics, limits } = this.#context;
+    const fault = topicFault(topic, limits.limits.topicBytes);
+    if (fault === 'is too long') throw this.#tooMany('topicBytes', 'bytes of a topic', subscriber);
+    if (fault !== undefined) {
+      throw new ServiceError(
+        'invalid_argument',
+        `${quote(topic)} cannot be subscribed to, because a topic that ${fault} does not exist.`,
+      );
+    }
+    const known = topics.get(topic);
+    const isNew = known === undefined || !subscriber.topics.has(known);
+    if (isNew && subscriber.topics.size >= limits.limits.subscriptionsPerClient) {
+      throw this.#tooMany(
+        'subscriptionsPerClient',
+        'topic subscriptions of one client',
+        subscriber,
+      );
+    }
+    if (known === undefined && topics.size >= limits.limits.topics) {
+      throw this.#tooMany('topics', 'topics', subscriber);
+    }
+    const entry = topics.getOrCreate(topic);
+    if (entry.subscribers.get(subscriber) === rateHz) return []; // [TD-23]
+    entry.subscribers.set(subscriber, rateHz);
+    subscriber.topics.add(entry);
+    topics.markSubscribersChanged(entry);
+    return isNew && this.#reaches(subscriber, entry) ? [entry] : [];
+  }
+
+  /** @throws ServiceError when the pattern is refused, or there are too many. */
+  subscribePattern(subscriber: Subscriber, source: string, rateHz: number): TopicEntry[] {
+    const { topics, patterns } = this.#context;
+    let pattern = patterns.get(source);
+    const isNew = pattern === undefined || !subscriber.patterns.has(pattern);
+    if (isNew) this.#checkPattern(subscriber, source, pattern === undefined);
+    try {
+      pattern ??= patterns.create(source, topics.values());
+    } catch (cause) {
+      const reason = cause instanceof Error ? cause.message : String(cause);
+      throw new ServiceError(
+        'invalid_argument',
+        `${quote(source)} is no regular expression with RE2 syntax: ${reason}.`, // [TD-21]
+        { cause },
+      );
+    }
+    return this.#subscribe(subscriber, pattern, subscriber.patterns, rateHz, isNew);
+  }
+
+  /** @throws ServiceError when there are too many. */
+  subscribeComponents(subscriber: Subscriber, profile: Component, rateHz: number): TopicEntry[] {
+    const { topics, selections, components, limits } = this.#context;
+    let selection = selections.get(profile);
+    const isNew = selection === undefined || !subscriber.selections.has(selection);
+    if (isNew && subscriber.selections.size >= limits.limits.profilesPerClient) {
+      throw this.#tooMany('profilesPerClient', 'component profiles of one client', subscriber);
+    }
+    if (selection === undefined && selections.size >= limits.limits.profiles) {
+      throw this.#tooMany('profiles', 'component profiles', subscriber);
+    }
+    selection ??= selections.create(profile, components(), (topic) => topics.get(topic));
+    return this.#subscribe(subscriber, selection, subscriber.selections, rateHz, isNew);
+  }
+
+  // What is not subscribed is unsubscribed already [TD-23].
+
+  unsubscribeTopic(subscriber: Subscriber, topic: string): void {
+    const entry = this.#context.topics.get(topic);
+    if (entry === undefined || !subscriber.topics.delete(entry)) return;
+    entry.subscribers.delete(subscriber);
+    subscriber.outbox.forgive(entry);
+    this.#context.topics.markSubscribersChanged(entry);
+    this.#context.topics.forgetIfUnused(entry);
+  }
+
+  unsubscribePattern(subscriber: Subscriber, source: string): void {
+    const pattern = this.#context.patterns.get(source);
+    if (pattern === undefined || !subscriber.patterns.delete(pattern)) return;
+    this.#unsubscribe(subscriber, pattern);
+    this.#context.patterns.forgetIfUnused(pattern);
+  }
+
+  unsubscribeComponents(subscriber: Subscriber, profile: Component): void {
+    const selection = this.#context.selections.get(profile);
+    if (selection === undefined || !subscriber.selections.delete(selection)) return;
+    this.#unsubscribe(subscriber, selection);
+    this.#context.selections.forgetIfUnused(selection);
+  }
+
+  /** A device of this client watches everything [DV-3]. */
+  watch(subscriber: Subscriber, deviceId: string): TopicEntry[] {
+    subscriber.watchers.add(deviceId);
+    if (this.#watchers.has(subscriber)) return [];
+    this.#watchers.add(subscriber);
+    this.#markAllChanged();
+    const entries = [...this.#context.topics.values()];
+    return entries.filter((entry) => this.#reaches(subscriber, entry));
+  }
+
+  unwatch(subscriber: Subscriber, deviceId: string): void {
+    if (!subscriber.watchers.delete(deviceId) || subscriber.watchers.size > 0) return;
+    this.#watchers.delete(subscriber);
+    this.#markAllChanged();
+  }
+
+  /** A component was registered: profiles may select its topic [TD-27]. */
+  addComponent(component: Component): void {
+    const { topics, selections } = this.#context;
+    const entry = topics.get(component.topic);
+    const gained = selections.addComponent(component, entry);
+    if (entry === undefined) return;
+    if (gained.length > 0) topics.markSubscribersChanged(entry);
+    for (const selection of gained) {
+      for (const subscriber of selection.subscribers.keys()) {
+        if (subscriber.isExtension) subscriber.outbox.replay(entry, topics.sequence);
+      }
+    }
+  }
+
+  removeComponent(component: Component): void {
+    const { topics, selections } = this.#context;
+    const entry = topics.get(component.topic);
+    const lost = selections.removeComponent(component, entry);
+    if (entry !== undefined && lost.length > 0) topics.markSubscribersChanged(entry);
+  }
+
+  /** Ends every subscription of a client that is removed. */
+  unsubscribeAll(subscriber: Subscriber): void {
+    for (const { topic } of [...subscriber.topics]) this.unsubscribeTopic(subscriber, topic);
+    for (const { source } of [...subscriber.patterns]) this.unsubscribePattern(subscriber, source);
+    for (const { profile } of [...subscriber.selections]) {
+      this.unsubscribeComponents(subscriber, profile);
+    }
+    for (const deviceId of [...subscriber.watchers]) this.unwatch(subscriber, deviceId);
+  }
+
+  /** Topics whose newest record a client is to get when it comes back after a pause [TD-33]. */
+  *replayable(subscriber: Subscriber): Iterable<TopicEntry> {
+    for (const entry of subscriber.topics) if (this.#reaches(subscriber, entry)) yield entry;
+    if (!subscriber.isExtension) return;
+    for (const { entries } of subscriber.patterns) yield* entries;
+    for (const { entries } of subscriber.selections) yield* entries;
+  }
+
+  #subscribe<S extends Pattern | ComponentSelection>(
+    subscriber: Subscriber,
+    subscribed: S,
+    own: Set<S>,
+    rateHz: number,
+    isNew: boolean,
+  ): TopicEntry[] {
+    if (subscribed.subscribers.get(subscriber) === rateHz) return []; // [TD-23]
+    subscribed.subscribers.set(subscriber, rateHz);
+    own.add(subscribed);
+    for (const entry of subscribed.entries) this.#context.topics.markSubscribersChanged(entry);
+    return isNew && subscriber.isExtension ? [...subscribed.entries] : []; // [TD-24]
+  }
+
+  #unsubscribe(subscriber: Subscriber, subscribed: Pattern | ComponentSelection): void {
+    subscribed.subscribers.delete(subscriber);
+    for (const entry of subscribed.entries) {
+      subscriber.outbox.forgive(entry);
+      this.#context.topics.markSubscribersChanged(entry);
+    }
+  }
+
+  #checkPattern(subscriber: Subscriber, source: string, isUnknown: boolean): void {
+    const { limits, patterns } = this.#context;
+    if (source.length > limits.limits.patternLength) {
+      throw this.#tooMany('patternLength', 'characters of a regular expression', subscriber);
+    }
+    if (subscriber.patterns.size >= limits.limits.patternsPerClient) {
+      throw this.#tooMany('patternsPerClient', 'regular expressions of one client', subscriber);
+    }
+    if (isUnknown && patterns.size >= limits.limits.patterns) {
+      throw this.#tooMany('patterns', 'different regular expressions', subscriber);
+    }
+  }
+
+  #reaches(subscriber: Subscriber, entry: TopicEntry): boolean {
+    return subscriber.isExtension || !entry.isExtension; // [TD-26]
+  }
+
+  #tooMany(
+    limit: Parameters<LimitWatch['refusal']>[0],
+    what: string,
+    { clientId }: Subscriber,
+  ): ServiceError {
+    const { limits } = this.#context;
+    return limits.refusal(limit, `more than ${limits.limits[limit]} ${what}`, clientId);
+  }
+
+  #markAllChanged(): void {
+    for (const entry of this.#context.topics.values()) {
+      this.#context.topics.markSubscribersChanged(entry);
+    }
+  }
+}

@@ -1,0 +1,52 @@
+import type { Outbox } from './outbox.ts';
+import { SampledTopic, type Sampler } from './sampler.ts';
+import type { Subscriber } from './subscriber.ts';
+import type { TopicEntry } from './topic-entry.ts';
+
+/** Who gets a record of a topic, each client once [TD-14]. */
+export interface Targets {
+  /** Get every record. */
+  readonly direct: readonly Outbox[];
+  /** Get the newest one, at most so often [TD-28]. */
+  readonly sampled: readonly SampledTopic[];
+}
+
+/** Computes who gets the records of this topic, from the subscriptions that match it. */
+export function computeTargets(entry: TopicEntry, watchers: Iterable<Subscriber>): Targets {
+  const rates = new Map<Subscriber, number>();
+  const add = (subscriber: Subscriber, rateHz: number): void => {
+    if (entry.isExtension && !subscriber.isExtension) return; // [TD-26]
+    const other = rates.get(subscriber);
+    if (other === undefined) rates.set(subscriber, rateHz);
+    else rates.set(subscriber, other === 0 || rateHz === 0 ? 0 : Math.max(other, rateHz)); // [TD-28]
+  };
+  for (const [subscriber, rateHz] of entry.subscribers) add(subscriber, rateHz);
+  for (const { subscribers } of entry.patterns) {
+    for (const [subscriber, rateHz] of subscribers) add(subscriber, rateHz);
+  }
+  for (const { subscribers } of entry.selections) {
+    for (const [subscriber, rateHz] of subscribers) add(subscriber, rateHz);
+  }
+  for (const subscriber of watchers) add(subscriber, 0);
+
+  const direct: Outbox[] = [];
+  const sampled: SampledTopic[] = [];
+  const before = new Map<Sampler, SampledTopic>();
+  for (const sample of entry.targets?.sampled ?? []) before.set(sample.sampler, sample);
+  for (const [{ outbox, sampler }, rateHz] of rates) {
+    const sample = before.get(sampler);
+    before.delete(sampler);
+    if (rateHz === 0) {
+      direct.push(outbox);
+      sample?.release();
+    } else {
+      const kept = sample ?? new SampledTopic(entry, sampler);
+      kept.intervalMs = 1000 / rateHz;
+      sampled.push(kept);
+    }
+  }
+  for (const sample of before.values()) sample.cancel();
+  return { direct, sampled };
+}
+
+export const NO_TARGETS: Targets = { direct: [], sampled: [] };

@@ -1,0 +1,144 @@
+import { TopicEntry, type TopicOwner } from './topic-entry.ts';
+
+/** What has to be found for a topic when it appears, and undone when it is forgotten. */
+export interface TopicMatching {
+  attach(entry: TopicEntry): void;
+  detach(entry: TopicEntry): void;
+}
+
+/** All topics: their values, their owners, and what changed since when. */
+export class TopicTable {
+  readonly #entries = new Map<string, TopicEntry>();
+  readonly #matching: readonly TopicMatching[];
+  readonly #keptRemovals: number;
+  #removals: { topic: string; epoch: number }[] = [];
+  #retainedBytes = 0;
+  #sequence = 0;
+  #epoch: number;
+  #firstEpoch: number;
+
+  /**
+   * @param matching Asked in this order.
+   * @param firstEpoch Where the epochs of the statistics begin: beyond those of every earlier run.
+   * @param keptRemovals Forgotten topics remembered for the statistics.
+   */
+  constructor(matching: readonly TopicMatching[], firstEpoch: number, keptRemovals: number) {
+    this.#matching = matching;
+    this.#firstEpoch = firstEpoch;
+    this.#epoch = firstEpoch;
+    this.#keptRemovals = keptRemovals;
+  }
+
+  get size(): number {
+    return this.#entries.size;
+  }
+
+  get retainedBytes(): number {
+    return this.#retainedBytes;
+  }
+
+  /** Number of the newest record of all. */
+  get sequence(): number {
+    return this.#sequence;
+  }
+
+  values(): Iterable<TopicEntry> {
+    return this.#entries.values();
+  }
+
+  get(topic: string): TopicEntry | undefined {
+    return this.#entries.get(topic);
+  }
+
+  /** The entry of this topic; patterns are matched now if it is a new one [TD-22]. */
+  getOrCreate(topic: string): TopicEntry {
+    let entry = this.#entries.get(topic);
+    if (entry === undefined) {
+      entry = new TopicEntry(topic);
+      entry.changedEpoch = this.#epoch;
+      this.#entries.set(topic, entry);
+      for (const matching of this.#matching) matching.attach(entry);
+    }
+    return entry;
+  }
+
+  /** Makes `record` the retained value. The bytes belong to the table from now on. */
+  store(entry: TopicEntry, record: Uint8Array, valueField: number, nowMs: number): void {
+    this.#retainedBytes += record.byteLength - (entry.record?.byteLength ?? 0);
+    entry.record = record;
+    entry.valueField = valueField;
+    entry.sequence = ++this.#sequence;
+    entry.publishedMs = nowMs;
+    entry.records++;
+    entry.bytes += record.byteLength;
+    entry.changedEpoch = this.#epoch;
+  }
+
+  own(entry: TopicEntry, owner: TopicOwner): void {
+    entry.owner = owner;
+    owner.ownedTopics.add(entry);
+  }
+
+  /** Deletes the value; subscriptions stand [TD-25]. */
+  deleteValue(entry: TopicEntry): void {
+    if (entry.record === undefined) return;
+    this.#retainedBytes -= entry.record.byteLength;
+    entry.record = undefined;
+    entry.owner?.ownedTopics.delete(entry);
+    entry.owner = undefined;
+    entry.changedEpoch = this.#epoch;
+    this.forgetIfUnused(entry);
+  }
+
+  /** Forgets a topic that has neither value nor subscription by topic [TD-41]. */
+  forgetIfUnused(entry: TopicEntry): void {
+    if (entry.record !== undefined || entry.subscribers.size > 0) return;
+    if (this.#entries.get(entry.topic) !== entry) return;
+    this.#entries.delete(entry.topic);
+    for (const matching of this.#matching) matching.detach(entry);
+    if (entry.isExtension) return; // [EX-15]
+    this.#removals.push({ topic: entry.topic, epoch: this.#epoch });
+    if (this.#removals.length > 2 * this.#keptRemovals) {
+      this.#firstEpoch = this.#removals[this.#keptRemovals - 1]!.epoch;
+      this.#removals = this.#removals.slice(this.#keptRemovals);
+    }
+  }
+
+  /** Its subscribers changed: targets have to be computed anew. */
+  markSubscribersChanged(entry: TopicEntry): void {
+    entry.areTargetsStale = true;
+    entry.changedEpoch = this.#epoch;
+  }
+
+  /** A subscriber did not get a record of this topic [TD-34]. */
+  countDropped(entry: TopicEntry): void {
+    entry.dropped++;
+    entry.changedEpoch = this.#epoch;
+  }
+
+  /**
+   * Topics that changed and topics that were forgotten in epochs after `epoch`, and the epoch that ends
+   * with this call. Everything, with `isReset`, when it cannot be told what changed since [EX-12]. The
+   * cost is here, and a record costs one number [EX-14].
+   */
+  takeChanges(epoch: number): {
+    entries: TopicEntry[];
+    removed: string[];
+    isReset: boolean;
+    epoch: number;
+  } {
+    const isReset = !(epoch >= this.#firstEpoch && epoch < this.#epoch);
+    const entries: TopicEntry[] = [];
+    for (const entry of this.#entries.values()) {
+      if (!entry.isExtension && (isReset || entry.changedEpoch > epoch)) entries.push(entry);
+    }
+    const removed = new Set<string>();
+    for (let i = this.#removals.length - 1; i >= 0 && !isReset; i--) {
+      const removal = this.#removals[i]!;
+      if (removal.epoch <= epoch) break;
+      // What is there again is in the list above.
+      if (!this.#entries.has(removal.topic)) removed.add(removal.topic);
+    }
+    return { entries, removed: [...removed], isReset, epoch: this.#epoch++ };
+  }
+}

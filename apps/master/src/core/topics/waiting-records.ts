@@ -1,0 +1,105 @@
+import type { TopicEntry } from './topic-entry.ts';
+
+interface WaitingRecord {
+  readonly record: Uint8Array;
+  readonly isEvent: boolean;
+}
+
+/** One record taken out of the queue. */
+export interface TakenRecord extends WaitingRecord {
+  readonly entry: TopicEntry;
+}
+
+/** Bounds of a queue, and who is told what falls out of it. */
+export interface WaitingBounds {
+  readonly maxBytes: number;
+  readonly maxEventsPerTopic: number;
+  /** A record of this topic was dropped, because a newer one came or for want of room. */
+  readonly onDropped: (entry: TopicEntry) => void;
+}
+
+/**
+ * The records of one client that wait for its socket. Of a state only the newest waits; events all do
+ * [TD-31] [TD-32]. Topics take turns, one record each, beginning with the one that waits longest.
+ */
+export class WaitingRecords {
+  readonly #bounds: WaitingBounds;
+  readonly #topics = new Map<TopicEntry, WaitingRecord[]>();
+  #byteLength = 0;
+  #count = 0;
+
+  constructor(bounds: WaitingBounds) {
+    this.#bounds = bounds;
+  }
+
+  get byteLength(): number {
+    return this.#byteLength;
+  }
+
+  get count(): number {
+    return this.#count;
+  }
+
+  /** Topics with a waiting record, longest waiting first. */
+  topics(): Iterable<TopicEntry> {
+    return this.#topics.keys();
+  }
+
+  /** Whether a record of this topic waits; then its newest does. */
+  has(entry: TopicEntry): boolean {
+    return this.#topics.has(entry);
+  }
+
+  push(entry: TopicEntry, record: Uint8Array, isEvent: boolean): void {
+    let waiting = this.#topics.get(entry);
+    if (waiting === undefined) {
+      waiting = [];
+      this.#topics.set(entry, waiting);
+    }
+    const newest = waiting.at(-1);
+    if (newest !== undefined && !newest.isEvent && !isEvent) {
+      waiting.pop();
+      this.#dropped(entry, newest);
+    } else if (waiting.length >= this.#bounds.maxEventsPerTopic) {
+      this.#dropped(entry, waiting.shift()!);
+    }
+    waiting.push({ record, isEvent });
+    this.#byteLength += record.byteLength;
+    this.#count++;
+    while (this.#byteLength > this.#bounds.maxBytes && this.#count > 1) this.#dropOldest();
+  }
+
+  /** The record whose turn it is, removed from the queue. */
+  take(): TakenRecord | undefined {
+    for (const [entry, waiting] of this.#topics) {
+      const { record, isEvent } = waiting.shift()!;
+      this.#topics.delete(entry);
+      // To the end of the line, or a topic with many events would starve the others.
+      if (waiting.length > 0) this.#topics.set(entry, waiting);
+      this.#byteLength -= record.byteLength;
+      this.#count--;
+      return { entry, record, isEvent };
+    }
+    return undefined;
+  }
+
+  clear(): void {
+    this.#topics.clear();
+    this.#byteLength = 0;
+    this.#count = 0;
+  }
+
+  #dropOldest(): void {
+    for (const [entry, waiting] of this.#topics) {
+      this.#dropped(entry, waiting.shift()!);
+      if (waiting.length === 0) this.#topics.delete(entry);
+      return;
+    }
+  }
+
+  #dropped(entry: TopicEntry, dropped: WaitingRecord): void {
+    this.#byteLength -= dropped.record.byteLength;
+    this.#count--;
+    this.#bounds.onDropped(entry);
+  }
+}
