@@ -1,0 +1,82 @@
+import type { Component } from 'vue';
+import { fuzzyScore } from './fuzzy.ts';
+
+export type CommandKind = 'page' | 'example' | 'client' | 'topic' | 'action';
+
+/** Something the palette finds. */
+export interface Command {
+  /** Stable, so that it is remembered as recent. */
+  readonly id: string;
+  readonly kind: CommandKind;
+  readonly title: string;
+  /** Dimmer, behind the title; searched too. */
+  readonly detail?: string;
+  readonly shortcut?: string;
+  /** What stands at the left: an icon, a data format's socket, or a letter. */
+  readonly icon?: Component;
+  readonly format?: string;
+  readonly letter?: string;
+  readonly run: () => void;
+}
+
+/** What each kind is called at the right edge of its row. */
+export const KIND_WORDS: Readonly<Record<CommandKind, string>> = {
+  page: 'page',
+  example: 'example',
+  client: 'client',
+  topic: 'topic',
+  action: 'action',
+};
+
+/** Topics and clients are many: they win only with a better match. */
+const KIND_BONUS: Readonly<Record<CommandKind, number>> = {
+  page: 20,
+  example: 12,
+  action: 10,
+  client: 6,
+  topic: 0,
+};
+
+const RECENT_BONUS = 15;
+/** More are not read. */
+const MAX_RESULTS = 60;
+
+/**
+ * The commands for a query, best first. Without a query: recent ones first, then pages, examples and
+ * actions; topics and clients are looked for by name.
+ * @param recent ids, newest first
+ */
+export function rankCommands(
+  query: string,
+  commands: readonly Command[],
+  recent: readonly string[],
+): Command[] {
+  if (query.trim() === '') {
+    const byId = new Map(commands.map((command) => [command.id, command]));
+    const first = recent.map((id) => byId.get(id)).filter((command) => command !== undefined);
+    const rest = commands.filter(
+      (command) =>
+        command.kind !== 'topic' && command.kind !== 'client' && !recent.includes(command.id),
+    );
+    return [...first, ...rest].slice(0, MAX_RESULTS);
+  }
+  return commands
+    .map((command) => {
+      const title = fuzzyScore(query, command.title);
+      const both = fuzzyScore(query, `${command.title} ${command.detail ?? ''}`);
+      const found = title ?? (both === undefined ? undefined : both - 20);
+      const bonus = KIND_BONUS[command.kind] + (recent.includes(command.id) ? RECENT_BONUS : 0);
+      return { command, score: found === undefined ? undefined : found + bonus };
+    })
+    .filter((entry): entry is { command: Command; score: number } => entry.score !== undefined)
+    .sort((a, b) => b.score - a.score || a.command.title.length - b.command.title.length)
+    .slice(0, MAX_RESULTS)
+    .map(({ command }) => command);
+}
+
+const MAX_RECENT = 6;
+
+/** The recent list after `id` was used. */
+export function rememberRecent(recent: readonly string[], id: string): string[] {
+  return [id, ...recent.filter((other) => other !== id)].slice(0, MAX_RECENT);
+}

@@ -1,0 +1,139 @@
+import { Copy, Keyboard, Monitor, Moon, Pencil, Play, QrCode, RotateCw, Sun } from '@lucide/vue';
+import { useClipboard } from '@vueuse/core';
+import { computed, type ComputedRef } from 'vue';
+import { useRouter } from 'vue-router';
+import { bestAddress } from '../../connect-phone/addresses.ts';
+import { clientLetters } from '../../connection/client-letters.ts';
+import { useConnection } from '../../connection/useConnection.ts';
+import { EXAMPLES } from '../../examples/catalogue.ts';
+import { useThemeChoice } from '../../theme/useTheme.ts';
+import { useToasts } from '../../ui/toasts/toasts.ts';
+import { PAGES, SETTINGS_PAGE } from '../pages.ts';
+import { useShell } from '../shell.ts';
+import type { Command } from './command.ts';
+
+/** While the palette is open, topics that come and go are followed this often, milliseconds. */
+const TOPICS_INTERVAL_MS = 1000;
+
+/** Everything the palette finds, kept up to date while it is open. */
+export function useCommands(): ComputedRef<Command[]> {
+  const router = useRouter();
+  const shell = useShell();
+  const theme = useThemeChoice();
+  const toasts = useToasts();
+  const { clients, topics, master, isConnected, connect } = useConnection();
+  const { copy } = useClipboard({ legacy: true });
+  topics.watch(TOPICS_INTERVAL_MS);
+
+  const go = (to: string) => () => void router.push(to);
+
+  const pages = [...PAGES, SETTINGS_PAGE].map(({ title, to, icon, shortcut }): Command => ({
+    id: `page ${to}`,
+    kind: 'page',
+    title,
+    icon,
+    shortcut,
+    run: go(to),
+  }));
+
+  const examples = EXAMPLES.map(({ id, title, sentence, path }): Command => ({
+    id: `example ${id}`,
+    kind: 'example',
+    title,
+    detail: sentence,
+    icon: Play,
+    run: go(path),
+  }));
+
+  async function copyAddress(): Promise<void> {
+    const address = bestAddress(master.view.value?.latest.addresses ?? []) ?? location.origin;
+    await copy(address);
+    toasts.show(`Copied ${address}`);
+  }
+
+  const actions: Command[] = [
+    {
+      id: 'action connect-phone',
+      kind: 'action',
+      title: 'Connect a phone',
+      icon: QrCode,
+      shortcut: 'C',
+      run: () => shell.open('connect-phone'),
+    },
+    {
+      id: 'action copy-address',
+      kind: 'action',
+      title: 'Copy the master’s address',
+      icon: Copy,
+      run: () => void copyAddress(),
+    },
+    {
+      id: 'action rename',
+      kind: 'action',
+      title: 'Rename this browser',
+      icon: Pencil,
+      run: go('/settings#browser'),
+    },
+    ...(
+      [
+        ['dark', 'Dark theme', Moon],
+        ['light', 'Light theme', Sun],
+        ['system', 'Theme of the system', Monitor],
+      ] as const
+    ).map(([choice, title, icon]): Command => ({
+      id: `action theme-${choice}`,
+      kind: 'action',
+      title,
+      icon,
+      run: () => (theme.value = choice),
+    })),
+    {
+      id: 'action shortcuts',
+      kind: 'action',
+      title: 'Keyboard shortcuts',
+      icon: Keyboard,
+      shortcut: '?',
+      run: () => shell.open('shortcuts'),
+    },
+  ];
+
+  const reconnect: Command = {
+    id: 'action reconnect',
+    kind: 'action',
+    title: 'Connect to the master now',
+    icon: RotateCw,
+    run: connect,
+  };
+
+  const people = computed(() => {
+    const list = clients.list.value ?? [];
+    const letters = clientLetters(list);
+    return list.map(({ id, name, description }, index): Command => ({
+      id: `client ${id}`,
+      kind: 'client',
+      title: name || id,
+      detail: description,
+      letter: letters[index]!,
+      run: go(`/topics?client=${encodeURIComponent(id)}`),
+    }));
+  });
+
+  const streams = computed(() =>
+    [...(topics.rates.value?.values() ?? [])].map(({ statistic }): Command => ({
+      id: `topic ${statistic.topic}`,
+      kind: 'topic',
+      title: statistic.topic,
+      format: statistic.dataFormat,
+      run: go(`/topics?topic=${encodeURIComponent(statistic.topic)}`),
+    })),
+  );
+
+  return computed(() => [
+    ...pages,
+    ...examples,
+    ...(isConnected.value ? [] : [reconnect]),
+    ...actions,
+    ...people.value,
+    ...streams.value,
+  ]);
+}
