@@ -44,8 +44,11 @@ async function run(options: RunOptions): Promise<number> {
   }
   const startedAt = new Date().toISOString();
   const workloads = WORKLOADS.filter(({ group }) => options.groups.includes(group));
-  const profileDir = options.profileDir && fromCaller(options.profileDir);
-  const results = await runWorkloads(workloads, { ...options, profileDir }, (line) =>
+  const paths = {
+    master: options.master && fromCaller(options.master),
+    profileDir: options.profileDir && fromCaller(options.profileDir),
+  };
+  const results = await runWorkloads(workloads, { ...options, ...paths }, (line) =>
     console.error(line),
   );
   const result: RunResult = {

@@ -12,6 +12,8 @@ export interface RunOptions {
   readonly measureMs: number;
   /** Where the JSON goes; undefined: `benchmarks/results/<time>.json`. */
   readonly out: string | undefined;
+  /** Main file of the master to measure; undefined: the one that is built here. */
+  readonly master: string | undefined;
   /** Directory for CPU profiles of the brokers. */
   readonly profileDir: string | undefined;
 }
@@ -41,6 +43,7 @@ export function helpText(groups: readonly string[]): string {
   --rounds <n>       measurements of each broker, interleaved; the median counts (default ${DEFAULTS.rounds}, at least ${MIN_ROUNDS})
   --seconds <s>      length of one measurement (default ${DEFAULTS.measureMs / 1000})
   --out <file>       where the JSON goes (default benchmarks/results/<time>.json)
+  --master <file>    another build of the master, to compare two of them
   --profile <dir>    write CPU profiles of the brokers; the figures of such a run do not count
   --help             this text
 
@@ -74,6 +77,7 @@ export function parseOptions(args: readonly string[], groups: readonly string[])
       1000 *
       numberOf('--seconds', values.seconds, base.measureMs / 1000, MIN_SECONDS, MAX_SECONDS, false),
     out: values.out,
+    master: values.master,
     profileDir: values.profile,
   };
 }
@@ -89,6 +93,7 @@ function parse(args: readonly string[]) {
         rounds: { type: 'string' },
         seconds: { type: 'string' },
         out: { type: 'string' },
+        master: { type: 'string' },
         profile: { type: 'string' },
       },
     });

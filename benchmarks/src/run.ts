@@ -1,6 +1,6 @@
 import type { Broker, Target, TargetName } from './brokers/target.ts';
 import { startRawWs } from './brokers/raw-ws.ts';
-import { startUbii } from './brokers/ubii.ts';
+import { BUILT_MASTER, startUbii } from './brokers/ubii.ts';
 import { placeProcesses } from './cpu-placement.ts';
 import type { RunOptions } from './options.ts';
 import type { WorkloadResult } from './report/results.ts';
@@ -20,7 +20,7 @@ export async function runWorkloads(
   const brokers: Broker[] = [];
   try {
     brokers.push(await startRawWs(options.profileDir));
-    brokers.push(await startUbii(options.profileDir));
+    brokers.push(await startUbii(options.master ?? BUILT_MASTER, options.profileDir));
     const targets = brokers.flatMap((broker) => broker.targets);
     const prepared = workloads.map((workload) => ({
       workload,

@@ -1,10 +1,13 @@
 import { spawn, type ChildProcess } from 'node:child_process';
 import { createInterface } from 'node:readline';
+import type { Readable } from 'node:stream';
 
 /** How long a broker may take to say where it listens. */
 const START_TIMEOUT_MS = 20_000;
 /** How long it may take to end by itself before it is killed. */
 const STOP_TIMEOUT_MS = 5_000;
+
+const MAX_LOG_CHARACTERS = 2_000;
 
 export interface BrokerProcess {
   readonly pid: number;
@@ -29,11 +32,12 @@ export async function startBrokerProcess(command: BrokerCommand): Promise<Broker
       ? []
       : ['--cpu-prof', `--cpu-prof-dir=${profileDir}`, `--cpu-prof-name=${name}.cpuprofile`];
   const child = spawn(process.execPath, [...profiling, ...args], {
-    stdio: ['ignore', 'pipe', 'inherit'],
+    stdio: ['ignore', 'pipe', 'pipe'],
   });
+  const log = lastLines(child.stderr);
   const killWithUs = (): void => void child.kill('SIGKILL');
   process.once('exit', killWithUs);
-  const endpoints = await firstLine(child, name);
+  const endpoints = await firstLine(child, name, log);
   return {
     pid: child.pid!,
     endpoints,
@@ -44,11 +48,15 @@ export async function startBrokerProcess(command: BrokerCommand): Promise<Broker
   };
 }
 
-function firstLine(child: ChildProcess, name: string): Promise<Record<string, unknown>> {
+function firstLine(
+  child: ChildProcess,
+  name: string,
+  log: () => string,
+): Promise<Record<string, unknown>> {
   return new Promise((resolve, reject) => {
     const fail = (reason: string): void => {
       child.kill('SIGKILL');
-      reject(new Error(`The broker ${name} ${reason}.`));
+      reject(new Error(`The broker ${name} ${reason}.\n${log()}`.trimEnd()));
     };
     const timer = setTimeout(
       () => fail(`said no address within ${START_TIMEOUT_MS / 1000} s`),
@@ -63,6 +71,15 @@ function firstLine(child: ChildProcess, name: string): Promise<Record<string, un
       resolve(JSON.parse(line) as Record<string, unknown>);
     });
   });
+}
+
+/** Keeps the end of what a broker logs, to show it when the broker does not start. */
+function lastLines(stream: Readable): () => string {
+  let text = '';
+  stream.setEncoding('utf8').on('data', (chunk: string) => {
+    text = (text + chunk).slice(-MAX_LOG_CHARACTERS);
+  });
+  return () => text;
 }
 
 function end(child: ChildProcess): Promise<void> {

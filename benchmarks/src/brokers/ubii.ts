@@ -8,18 +8,21 @@ import { LoadConnection } from '../load/load-connection.ts';
 import { startBrokerProcess } from './broker-process.ts';
 import type { Broker, Target } from './target.ts';
 
-const MASTER = fileURLToPath(new URL('../../../apps/master/dist/main.js', import.meta.url));
+/** The master as `npm run build` leaves it. */
+export const BUILT_MASTER = fileURLToPath(
+  new URL('../../../apps/master/dist/main.js', import.meta.url),
+);
 
 /** Starts the built master; its two targets differ in what the clients understand (EX-1, EX-2). */
-export async function startUbii(profileDir: string | undefined): Promise<Broker> {
-  if (!existsSync(MASTER)) {
-    throw new Error('The master is not built: run `npm run build` first.');
+export async function startUbii(master: string, profileDir: string | undefined): Promise<Broker> {
+  if (!existsSync(master)) {
+    throw new Error(`There is no master at ${master}: run \`npm run build\` first.`);
   }
   const dataDir = await mkdtemp(join(tmpdir(), 'ubii-bench-'));
-  const flags = ['--port', '0', '--legacy-ports', 'off', '--data-dir', dataDir];
+  const flags = ['--host', '127.0.0.1', '--port', '0', '--legacy-ports', 'off'];
   const broker = await startBrokerProcess({
     name: 'ubii',
-    args: [MASTER, ...flags, '--print-endpoints', 'json'],
+    args: [master, ...flags, '--data-dir', dataDir, '--print-endpoints', 'json'],
     profileDir,
   });
   const services = String(broker.endpoints['servicesBinary']);
