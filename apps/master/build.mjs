@@ -16,6 +16,8 @@ await build({
   splitting: true,
   chunkNames: 'chunks/[name]-[hash]',
   sourcemap: true,
+  // The sources lie beside the build; without them the map takes 10 MB less of the process.
+  sourcesContent: false,
   // Names of classes and functions appear in logs.
   minifySyntax: true,
   minifyWhitespace: true,

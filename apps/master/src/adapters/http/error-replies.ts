@@ -21,10 +21,9 @@ const STATUS_OF: { readonly [C in ServiceErrorCode]: number } = {
 
 /** Turns whatever a route throws into a status and a body that looks like the error of a service reply. */
 export function replyErrors(app: FastifyInstance, log: Log): void {
-  app.setErrorHandler((thrown: Error & { statusCode?: number }, request, reply) => {
-    // The framework's own refusals (a header it cannot read, say) carry their status and a sentence.
-    const isRefusal = thrown.statusCode !== undefined && thrown.statusCode < 500;
-    const error = isRefusal
+  app.setErrorHandler((thrown: Error, request, reply) => {
+    const refused = isRefusal(thrown);
+    const error = refused
       ? new ServiceError('invalid_argument', thrown.message)
       : ServiceError.from(thrown);
     if (error.code === 'internal') {
@@ -36,9 +35,19 @@ export function replyErrors(app: FastifyInstance, log: Log): void {
       });
     }
     return reply
-      .code(isRefusal ? (thrown.statusCode ?? 400) : STATUS_OF[error.code])
+      .code(refused ? thrown.statusCode : STATUS_OF[error.code])
       .header('cache-control', 'no-store')
       .type('application/json; charset=utf-8')
       .send(JSON.stringify(toJson('ubii.services.ServiceReply', { error: error.toWire() })));
   });
+}
+
+/** The framework's own refusals, of a header it cannot read, say, carry a status and a sentence. */
+export function isRefusal(thrown: unknown): thrown is Error & { readonly statusCode: number } {
+  return (
+    thrown instanceof Error &&
+    'statusCode' in thrown &&
+    typeof thrown.statusCode === 'number' &&
+    thrown.statusCode < 500
+  );
 }

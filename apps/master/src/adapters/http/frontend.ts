@@ -5,6 +5,7 @@ import type { FastifyInstance, FastifyReply, FastifyRequest } from 'fastify';
 import { ServiceError } from '@ubii/proto';
 
 import { NOT_BUILT_PAGE } from './not-built-page.ts';
+import { CONTENT_SECURITY_POLICY } from './security-headers.ts';
 
 /** Files under this path carry a hash of their content in their name. */
 const HASHED = '/assets/';
@@ -27,6 +28,7 @@ export async function addFrontend(app: FastifyInstance, folder: string): Promise
       cacheControl: false,
       setHeaders: (reply, path) => {
         const name = path.slice(folder.length).replaceAll('\\', '/');
+        reply.header('content-security-policy', CONTENT_SECURITY_POLICY);
         reply.header('cache-control', name.startsWith(HASHED) ? ONE_YEAR : ASK_FIRST);
       },
     });
@@ -66,7 +68,12 @@ function explainMissing({ method, url }: FastifyRequest): ServiceError {
 }
 
 function sendNotBuilt(reply: FastifyReply): FastifyReply {
-  return reply.code(503).type('text/html; charset=utf-8').send(NOT_BUILT_PAGE);
+  return reply
+    .code(503)
+    .header('content-security-policy', CONTENT_SECURITY_POLICY)
+    .header('cache-control', 'no-store')
+    .type('text/html; charset=utf-8')
+    .send(NOT_BUILT_PAGE);
 }
 
 function pathOf(url: string): string {

@@ -1,8 +1,9 @@
 /**
  * What a page of ours may load and run: nothing from elsewhere, no inline scripts. Components of
- * libraries set inline styles; workers and pictures are made from blobs.
+ * libraries set inline styles; workers and pictures are made from blobs. Sent with every file of the
+ * frontend: a worker obeys the policy of its own response, not that of its page.
  */
-const CONTENT_SECURITY_POLICY = [
+export const CONTENT_SECURITY_POLICY = [
   "default-src 'self'",
   "script-src 'self' 'wasm-unsafe-eval'",
   "style-src 'self' 'unsafe-inline'",
@@ -18,7 +19,6 @@ const CONTENT_SECURITY_POLICY = [
 
 /** Sent with every response. */
 export const SECURITY_HEADERS: Readonly<Record<string, string>> = {
-  'content-security-policy': CONTENT_SECURITY_POLICY,
   'x-content-type-options': 'nosniff',
   'referrer-policy': 'no-referrer',
   'cross-origin-opener-policy': 'same-origin',

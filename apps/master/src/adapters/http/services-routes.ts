@@ -2,12 +2,13 @@ import type { FastifyInstance, FastifyReply, FastifyRequest } from 'fastify';
 import { ServiceError } from '@ubii/proto';
 
 import type { Master, ServiceAnswer } from '../../core/master.ts';
+import { isRefusal } from './error-replies.ts';
 import { readBody } from './read-body.ts';
 import { binaryFormat, formatOf, jsonFormat } from './service-format.ts';
 import type { ServiceFormat } from './service-format.ts';
 
-/** A body as the parser leaves it; requests without one have null. */
-type Body = { readonly bytes: Buffer | undefined } | null;
+/** A body as the parser leaves it: `bytes` is undefined when there were too many. */
+type Body = { readonly bytes: Buffer | undefined } | null | undefined;
 
 export interface ServicesOptions {
   readonly master: Pick<Master, 'handleServiceRequest' | 'refuseServiceRequest'>;
@@ -27,21 +28,40 @@ export function addServices(app: FastifyInstance, options: ServicesOptions): voi
     }),
   );
 
-  const serve = async (request: FastifyRequest, reply: FastifyReply, format: ServiceFormat) => {
-    const answer = await answerTo(request.body as Body, format, options);
-    // What waits for the reply may follow once it left, or once its receiver did. [TD-24]
-    reply.raw.once('close', () => answer.afterReply());
-    if (isTooLarge(request.body as Body)) reply.header('connection', 'close');
-    return reply
-      .header('content-type', format.contentType)
-      .header('cache-control', 'no-store')
-      .send(format.encodeReply(answer.reply));
+  const addRoute = (path: string, formatFor: (request: FastifyRequest) => ServiceFormat): void => {
+    app.post(path, {
+      handler: async (request, reply) => {
+        const format = formatFor(request);
+        const body = request.body as Body;
+        if (isTooLarge(body)) reply.header('connection', 'close');
+        return send(reply, format, await answerTo(body, format, options));
+      },
+      // The framework refuses some requests on its own, for a header it cannot read. [SV-1]
+      errorHandler: (error, request, reply) => {
+        if (ServiceError.from(error).code === 'permission_denied') throw error;
+        const refusal = isRefusal(error)
+          ? new ServiceError('invalid_argument', error.message)
+          : error;
+        return send(
+          reply.code(200),
+          formatFor(request),
+          options.master.refuseServiceRequest(refusal),
+        );
+      },
+    });
   };
-  app.post('/services/json', (request, reply) => serve(request, reply, jsonFormat));
-  app.post('/services/binary', (request, reply) => serve(request, reply, binaryFormat));
-  app.post('/services', (request, reply) =>
-    serve(request, reply, formatOf(request.headers['content-type'])),
-  );
+  addRoute('/services/json', () => jsonFormat);
+  addRoute('/services/binary', () => binaryFormat);
+  addRoute('/services', ({ headers }) => formatOf(headers['content-type']));
+}
+
+function send(reply: FastifyReply, format: ServiceFormat, answer: ServiceAnswer): FastifyReply {
+  // What waits for the reply may follow once it left, or once its receiver did. [TD-24]
+  reply.raw.once('close', () => answer.afterReply());
+  return reply
+    .header('content-type', format.contentType)
+    .header('cache-control', 'no-store')
+    .send(format.encodeReply(answer.reply));
 }
 
 async function answerTo(
@@ -63,5 +83,5 @@ async function answerTo(
 }
 
 function isTooLarge(body: Body): boolean {
-  return body !== null && body.bytes === undefined;
+  return body != null && body.bytes === undefined;
 }

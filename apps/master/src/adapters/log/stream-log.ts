@@ -59,10 +59,12 @@ export class StreamLog implements Log {
 }
 
 function formatText(time: string, level: LogLevel, message: string, fields: LogFields): string {
-  const words = Object.entries(fields).flatMap(([name, value]) =>
+  const { stack, ...others } = fields;
+  const words = Object.entries(others).flatMap(([name, value]) =>
     value === undefined ? [] : [`${name}=${quote(value)}`],
   );
-  return [time.slice(11, 19), level.padEnd(5), message, ...words].join(' ');
+  const line = [time.slice(11, 19), level.padEnd(5), message, ...words].join(' ');
+  return stack === undefined ? line : `${line}\n${String(stack)}`;
 }
 
 /** Values come from clients: control characters must not reach a terminal. */

@@ -1,0 +1,24 @@
+import { mkdtempSync, statSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+
+import { prepareDataDir } from './prepare-data-dir.ts';
+
+describe('the data directory', () => {
+  it('is made when it is missing, for its owner only', () => {
+    const folder = join(mkdtempSync(join(tmpdir(), 'ubii-data-')), 'a', 'b');
+    prepareDataDir(folder);
+    expect(statSync(folder).isDirectory()).toBe(true);
+    if (process.platform !== 'win32') expect(statSync(folder).mode & 0o077).toBe(0);
+  });
+
+  it('is refused when a file is in its place', () => {
+    const file = join(mkdtempSync(join(tmpdir(), 'ubii-data-')), 'file');
+    writeFileSync(file, '');
+    expect(() => prepareDataDir(file)).toThrow(
+      /\(--data-dir\) must be a folder .* there is a file in its place: choose another/,
+    );
+    expect(() => prepareDataDir(join(file, 'below'))).toThrow(/--data-dir/);
+  });
+});

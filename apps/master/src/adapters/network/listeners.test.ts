@@ -1,0 +1,102 @@
+import { createServer } from 'node:http';
+import { afterEach, describe, expect, it } from 'vitest';
+
+import { StreamLog } from '../log/stream-log.ts';
+import { Listeners } from './listeners.ts';
+import { openPort } from './open-port.ts';
+
+const opened: { close(): Promise<unknown> }[] = [];
+const logged: string[] = [];
+const log = new StreamLog({
+  level: 'debug',
+  format: 'text',
+  write: (line) => logged.push(line),
+  nowMs: () => 0,
+});
+
+afterEach(async () => {
+  await Promise.all(opened.splice(0).map((each) => each.close()));
+  logged.length = 0;
+});
+
+function listeners(): Listeners {
+  const created = new Listeners({
+    host: 'localhost',
+    log,
+    handleRequest: (_request, response) => response.end('hello'),
+    handleUpgrade: (_request, socket) => socket.destroy(),
+  });
+  opened.push(created);
+  return created;
+}
+
+async function takenPort(): Promise<number> {
+  const { port, servers } = await openPort(0, 'localhost', () => createServer());
+  opened.push({
+    close: () => Promise.all(servers.map((server) => new Promise((done) => server.close(done)))),
+  });
+  return port;
+}
+
+describe('opening ports', () => {
+  it('takes any free one, the same on both loopback addresses', async () => {
+    const master = listeners();
+    await master.open({ main: 0, legacy: undefined, legacyWished: false });
+    const { main } = master.ports;
+    expect(master.ports).toEqual({ main, services: main, topicData: main });
+    for (const host of ['127.0.0.1', 'localhost']) {
+      expect(await (await fetch(`http://${host}:${main}`)).text()).toBe('hello');
+    }
+  });
+
+  it('says what to do about a port that is taken', async () => {
+    const port = await takenPort();
+    await expect(
+      listeners().open({ main: port, legacy: undefined, legacyWished: false }),
+    ).rejects.toThrow(`Port ${port} (--port) is taken by another program: end that one, or choose`);
+  });
+
+  it('answers the same on the legacy ports', async () => {
+    const master = listeners();
+    await master.open({ main: 0, legacy: { services: 0, topicData: 0 }, legacyWished: true });
+    const { main, services, topicData } = master.ports;
+    expect(new Set([main, services, topicData]).size).toBe(3);
+    expect(await (await fetch(`http://127.0.0.1:${services}`)).text()).toBe('hello');
+    expect(await (await fetch(`http://127.0.0.1:${topicData}`)).text()).toBe('hello');
+  });
+
+  it('leaves a legacy port out that is taken, with a warning', async () => {
+    const port = await takenPort();
+    const master = listeners();
+    await master.open({ main: 0, legacy: { services: port, topicData: 0 }, legacyWished: false });
+    expect(master.ports.services).toBe(master.ports.main);
+    expect(logged.join()).toContain(`Port ${port} (--legacy-ports) is taken`);
+  });
+
+  it('fails when a legacy port is taken that was asked for', async () => {
+    const port = await takenPort();
+    await expect(
+      listeners().open({ main: 0, legacy: { services: 0, topicData: port }, legacyWished: true }),
+    ).rejects.toThrow(/--legacy-ports off/);
+  });
+
+  it('needs no second server for a legacy port that is the main port', async () => {
+    const main = await takenPort();
+    await opened.pop()?.close();
+    const master = listeners();
+    await master.open({ main, legacy: { services: main, topicData: main }, legacyWished: true });
+    expect(master.ports).toEqual({ main, services: main, topicData: main });
+  });
+
+  it('explains a host that is none of this machine', async () => {
+    const elsewhere = new Listeners({
+      host: '192.0.2.1',
+      log,
+      handleRequest: () => {},
+      handleUpgrade: () => {},
+    });
+    await expect(
+      elsewhere.open({ main: 0, legacy: undefined, legacyWished: false }),
+    ).rejects.toThrow('The host "192.0.2.1" (--host) is no address of this machine');
+  });
+});

@@ -1,0 +1,42 @@
+import { describe, expect, it } from 'vitest';
+
+import { describeReachability } from '../network/reachability.ts';
+import { bestPhoneUrl, formatBanner } from './banner.ts';
+import { formatEndpoints } from './endpoints-line.ts';
+import { formatQrCode } from './qr-code.ts';
+
+const ports = { main: 8080, services: 8102, topicData: 8104 };
+const facts = { name: 'lab', version: '1.2.3', dataDir: '/data', ports, devUrl: undefined };
+
+describe('what the terminal shows', () => {
+  it('says how to let phones in while nobody else can reach the master', () => {
+    const reachability = describeReachability('localhost', ports, []);
+    const text = formatBanner({ ...facts, reachability });
+    expect(text).toContain('http://localhost:8080');
+    expect(text).toContain('npm start -- --lan');
+    expect(text).toContain('services 8102, topic data 8104');
+    expect(bestPhoneUrl(reachability)).toBeUndefined();
+  });
+
+  it('shows every address, and gives phones one of a real network', () => {
+    const reachability = describeReachability('::', ports, [
+      { kind: 'virtual', interfaceName: 'docker0', address: '172.17.0.1' },
+      { kind: 'ethernet', interfaceName: 'eth0', address: '10.0.0.2' },
+    ]);
+    const text = formatBanner({ ...facts, reachability });
+    expect(text).toContain('http://10.0.0.2:8080   Ethernet, eth0');
+    expect(text).toContain('http://172.17.0.1:8080   virtual network, docker0');
+    expect(text).not.toContain('--lan');
+    expect(bestPhoneUrl(reachability)).toBe('http://10.0.0.2:8080');
+  });
+
+  it('draws a code', async () => {
+    expect((await formatQrCode('http://10.0.0.2:8080')).split('\n').length).toBeGreaterThan(10);
+  });
+
+  it('gives programs one line', () => {
+    expect(formatEndpoints('http://localhost:1', 7)).toBe(
+      '{"url":"http://localhost:1","servicesJson":"http://localhost:1/services/json","servicesBinary":"http://localhost:1/services/binary","topicDataWs":"ws://localhost:1/topicdata","pid":7}',
+    );
+  });
+});
