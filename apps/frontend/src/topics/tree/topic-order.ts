@@ -1,0 +1,69 @@
+import { nameKeyOf, type TopicNode } from './topic-node.ts';
+import type { FindPublisher } from './publisher.ts';
+
+/** What the tree is ordered by, on every level; everything but the name from the most to the least. */
+export type TopicOrder = 'name' | 'rate' | 'bandwidth' | 'age';
+
+/** True when the order changes with the data, so that rows move by themselves. */
+export function isRanking(order: TopicOrder): boolean {
+  return order !== 'name';
+}
+
+/** The children of a node in their order. */
+export function sortChildren(
+  node: TopicNode,
+  order: TopicOrder,
+  findPublisher: FindPublisher,
+): TopicNode[] {
+  const byName = node.level === 0 ? rootOrder(findPublisher) : compareNames;
+  const children = [...node.children.values()];
+  if (order === 'name') return children.sort(byName);
+  const rank = RANKS[order];
+  return children
+    .map((child) => ({ child, rank: rank(child) }))
+    .sort((a, b) => b.rank - a.rank || byName(a.child, b.child))
+    .map(({ child }) => child);
+}
+
+/**
+ * Values that are close rank the same, so that rows do not change places with every digit: steps of
+ * a tenth for rates, of a quarter for ages.
+ */
+const RANKS: Readonly<Record<Exclude<TopicOrder, 'name'>, (node: TopicNode) => number>> = {
+  rate: ({ hz }) => (hz > 0 ? Math.round(Math.log(hz) / Math.log(1.1)) : -Infinity),
+  bandwidth: ({ bytesPerSecond }) =>
+    bytesPerSecond > 0 ? Math.round(Math.log(bytesPerSecond) / Math.log(1.1)) : -Infinity,
+  // Seconds: what came within the same one is equally new.
+  age: ({ publishedMs }) => Math.floor(publishedMs / 1000),
+};
+
+function compareNames(a: TopicNode, b: TopicNode): number {
+  return compareText(a.nameKey, b.nameKey) || compareText(a.key, b.key);
+}
+
+function compareText(a: string, b: string): number {
+  return a < b ? -1 : a > b ? 1 : 0;
+}
+
+/** Clients that are here, then topics of nobody's name, then clients that are away. */
+function rootOrder(findPublisher: FindPublisher): (a: TopicNode, b: TopicNode) => number {
+  const places = new Map<TopicNode, { readonly group: number; readonly nameKey: string }>();
+  const placeOf = (node: TopicNode): { readonly group: number; readonly nameKey: string } => {
+    const known = places.get(node);
+    if (known) return known;
+    const publisher = findPublisher(node.label);
+    const place = publisher
+      ? { group: publisher.isAway ? 2 : 0, nameKey: nameKeyOf(publisher.name) }
+      : { group: 1, nameKey: node.nameKey };
+    places.set(node, place);
+    return place;
+  };
+  return (a, b) => {
+    const [placeA, placeB] = [placeOf(a), placeOf(b)];
+    return (
+      placeA.group - placeB.group ||
+      compareText(placeA.nameKey, placeB.nameKey) ||
+      compareText(a.key, b.key)
+    );
+  };
+}
