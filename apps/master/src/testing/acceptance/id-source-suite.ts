@@ -1,0 +1,19 @@
+import { describe, expect, it } from 'vitest';
+import type { IdSource } from '../../core/ports/id-source.ts';
+
+/** What every source of ids does. */
+export function idSourceSuite(name: string, createIds: () => IdSource): void {
+  describe(`${name}, an IdSource`, () => {
+    it('gives version 4 UUIDs in lower-case letters', () => {
+      expect(createIds().uuid()).toMatch(
+        /^[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}$/,
+      );
+    });
+
+    it('never gives one twice', () => {
+      const ids = createIds();
+      const given = new Set(Array.from({ length: 10_000 }, () => ids.uuid()));
+      expect(given.size).toBe(10_000);
+    });
+  });
+}

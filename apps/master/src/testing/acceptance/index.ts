@@ -1,0 +1,11 @@
+export {
+  clientConnectionSuite,
+  type ConnectionPair,
+  type Seen,
+} from './client-connection-suite.ts';
+export { clockSuite } from './clock-suite.ts';
+export { idSourceSuite } from './id-source-suite.ts';
+export { logSuite, type WrittenLine } from './log-suite.ts';
+export { patternCompilerSuite } from './pattern-compiler-suite.ts';
+export { resourceUsageSuite } from './resource-usage-suite.ts';
+export { resumeTokensSuite } from './resume-tokens-suite.ts';

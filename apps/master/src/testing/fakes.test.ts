@@ -1,0 +1,45 @@
+import {
+  clientConnectionSuite,
+  clockSuite,
+  idSourceSuite,
+  logSuite,
+  patternCompilerSuite,
+  resourceUsageSuite,
+  resumeTokensSuite,
+} from './acceptance/index.ts';
+import {
+  FakeClock,
+  FixedUsage,
+  NativePatterns,
+  PlainTokens,
+  RecordingConnection,
+  RecordingLog,
+  SequentialIds,
+} from './index.ts';
+
+clockSuite('FakeClock', () => {
+  const clock = new FakeClock();
+  return { clock, passTime: () => clock.advance(100) };
+});
+
+idSourceSuite('SequentialIds', () => new SequentialIds());
+
+resumeTokensSuite('PlainTokens', () => new PlainTokens());
+
+patternCompilerSuite('NativePatterns', () => new NativePatterns());
+
+resourceUsageSuite('FixedUsage', () => new FixedUsage());
+
+logSuite('RecordingLog', () => {
+  const log = new RecordingLog();
+  return { log, lines: () => log.lines };
+});
+
+clientConnectionSuite('RecordingConnection', () => {
+  const connection = new RecordingConnection();
+  return {
+    connection,
+    next: async () => connection.sent.shift()!,
+    dispose: () => undefined,
+  };
+});

@@ -1,0 +1,147 @@
+import {
+  decodeRecord,
+  encode,
+  encodeRecord,
+  type Client,
+  type DataFormat,
+  type DataFormatValues,
+  type EmptyRecord,
+  type ErrorMessage,
+  type Init,
+  type RecordInit,
+  type ServiceReply,
+  type ServiceRequest,
+  type TopicRecord,
+  type TopicSubscription,
+} from '@ubii/proto';
+import type { ConnectionHandle } from '../core/ports/connection-handle.ts';
+import { RecordingConnection, type Sent } from './recording-connection.ts';
+import type { TestMaster } from './test-master.ts';
+
+/** A client in the same process as its master, without anything between them. */
+export class TestClient {
+  readonly name: string;
+  readonly #testMaster: TestMaster;
+  /** What the master made of it. */
+  registered: Client;
+  connection: RecordingConnection = new RecordingConnection();
+  #handle: ConnectionHandle | undefined = undefined;
+
+  constructor(testMaster: TestMaster, name: string, registered: Client) {
+    this.#testMaster = testMaster;
+    this.name = name;
+    this.registered = registered;
+  }
+
+  get id(): string {
+    return this.registered.id;
+  }
+
+  get token(): string | undefined {
+    return this.registered.extension?.resumeToken;
+  }
+
+  /** The live handle of its socket. */
+  get socket(): ConnectionHandle {
+    if (this.#handle === undefined) throw new Error(`${this.name} has no socket`);
+    return this.#handle;
+  }
+
+  /** Opens a socket; the one before, if any, is left as it is. Returns whether the master took it. */
+  open(token = this.token): boolean {
+    this.connection = new RecordingConnection();
+    this.#handle = this.#testMaster.master.openConnection(
+      { clientId: this.id, token },
+      this.connection,
+    );
+    this.#testMaster.clock.endTurn();
+    return this.#handle !== undefined;
+  }
+
+  /** Its network goes away: the socket closes. */
+  drop(): void {
+    this.socket.handleClose();
+  }
+
+  /** Calls a service as this client; the reply leaves, and the turn ends. */
+  call(request: Init<ServiceRequest>): Promise<Init<ServiceReply>> {
+    return this.#testMaster.call(request);
+  }
+
+  /** Subscribes and unsubscribes. @throws Error with the master's message when it refuses. */
+  async subscribe(subscription: Init<TopicSubscription>): Promise<void> {
+    const { error } = await this.call({
+      topic: '/services/topic_subscription',
+      topicSubscription: { clientId: this.id, ...subscription },
+    });
+    if (error) throw new Error(`${error.code}: ${error.message}`);
+  }
+
+  /** Publishes one record in a message of its own; the turn goes on. */
+  send<F extends DataFormat>(topic: string, format: F, value: DataFormatValues[F]): void {
+    this.sendRecords(encodeRecord({ topic, format, value } as RecordInit));
+  }
+
+  /** Publishes encoded records: one as it is, several as a list; the turn goes on. */
+  sendRecords(...records: Uint8Array[]): void {
+    this.socket.handleBinary(frameOf(records));
+  }
+
+  /** Publishes one record, and the turn ends. */
+  publish<F extends DataFormat>(topic: string, format: F, value: DataFormatValues[F]): void {
+    this.send(topic, format, value);
+    this.#testMaster.clock.endTurn();
+  }
+
+  /** What its socket was sent since it was asked last. */
+  takeSent(): Sent[] {
+    return this.connection.sent.splice(0);
+  }
+
+  /** The records among what was sent since it was asked last. */
+  takeRecords(): (TopicRecord | EmptyRecord)[] {
+    return this.takeSent().flatMap((sent) => {
+      if (sent.kind === 'record') return [decodeRecord(sent.record)];
+      return sent.kind === 'list' ? sent.records.map((record) => decodeRecord(record)) : [];
+    });
+  }
+
+  /** The records of `takeRecords` as `[topic, value]`. */
+  takeValues(): [topic: string, value: unknown][] {
+    return this.takeRecords().map(({ topic, value }) => [topic, value]);
+  }
+
+  /** The errors among what was sent since it was asked last. */
+  takeErrors(): ErrorMessage[] {
+    return this.takeSent().flatMap((sent) => (sent.kind === 'error' ? [sent.error] : []));
+  }
+
+  /** How its socket was closed, if it was. */
+  get closed(): { code: number; reason: string } | undefined {
+    const last = this.connection.sent.findLast((sent) => sent.kind === 'close');
+    return last && { code: last.code, reason: last.reason };
+  }
+}
+
+/** A frame of the topic-data channel with these encoded records. */
+export function frameOf(records: readonly Uint8Array[]): Uint8Array {
+  const parts = records.map((record) => [...lengthDelimited(1, record)]);
+  const [only] = records;
+  if (records.length === 1 && only !== undefined) return Uint8Array.from(lengthDelimited(2, only));
+  return Uint8Array.from(lengthDelimited(3, Uint8Array.from(parts.flat())));
+}
+
+function lengthDelimited(fieldNumber: number, bytes: Uint8Array): number[] {
+  const prefix = [(fieldNumber << 3) | 2];
+  let rest = bytes.byteLength;
+  while (rest >= 0x80) {
+    prefix.push((rest & 0x7f) | 0x80);
+    rest >>>= 7;
+  }
+  return [...prefix, rest, ...bytes];
+}
+
+/** An encoded record with a topic and no value. */
+export function emptyRecord(topic: string): Uint8Array {
+  return encode('ubii.topicData.TopicDataRecord', { topic });
+}

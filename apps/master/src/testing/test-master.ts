@@ -1,0 +1,104 @@
+import {
+  decode,
+  encode,
+  fromJson,
+  type Client,
+  type Init,
+  type ServiceReply,
+  type ServiceRequest,
+} from '@ubii/proto';
+import { createMaster } from '../core/create-master.ts';
+import type { Limits } from '../core/limits.ts';
+import type { Master } from '../core/master.ts';
+import type { PatternCompiler } from '../core/ports/pattern-compiler.ts';
+import type { MasterEndpoints } from '../core/settings.ts';
+import { FakeClock } from './fake-clock.ts';
+import { FixedUsage } from './fixed-usage.ts';
+import { NativePatterns } from './native-patterns.ts';
+import { PlainTokens } from './plain-tokens.ts';
+import { RecordingLog } from './recording-log.ts';
+import { SequentialIds } from './sequential-ids.ts';
+import { TestClient } from './test-client.ts';
+
+/** What a test may want otherwise. */
+export interface TestMasterOptions {
+  readonly limits?: Partial<Limits>;
+  readonly patterns?: PatternCompiler;
+  readonly endpoints?: Partial<MasterEndpoints>;
+  /** A clock that was there before: for a second run of the master. */
+  readonly clock?: FakeClock;
+}
+
+/** A whole master in memory, with fakes all around and clients that talk to it directly. */
+export class TestMaster {
+  readonly clock: FakeClock;
+  readonly log = new RecordingLog();
+  readonly tokens = new PlainTokens();
+  readonly master: Master;
+
+  constructor({ limits = {}, patterns, endpoints, clock }: TestMasterOptions = {}) {
+    this.clock = clock ?? new FakeClock();
+    this.master = createMaster(
+      {
+        clock: this.clock,
+        ids: new SequentialIds(),
+        tokens: this.tokens,
+        log: this.log,
+        patterns: patterns ?? new NativePatterns(),
+        usage: new FixedUsage(),
+      },
+      {
+        version: '1.2.3',
+        limits,
+        endpoints: () => ({
+          ipEthernet: '',
+          ipWlan: '',
+          portServices: 8102,
+          portTopicData: 8104,
+          addresses: [],
+          ...endpoints,
+        }),
+      },
+    );
+  }
+
+  /** Asks a service; the reply leaves, and the turn ends. Both go through their encoded form. */
+  async call(init: Init<ServiceRequest>): Promise<ServiceReply> {
+    const bytes = encode('ubii.services.ServiceRequest', init);
+    return this.request(decode('ubii.services.ServiceRequest', bytes));
+  }
+
+  /** Asks a service with a request as JSON. */
+  async callJson(json: unknown): Promise<ServiceReply> {
+    return this.request(fromJson('ubii.services.ServiceRequest', json));
+  }
+
+  /** Asks a service with a decoded request. */
+  async request(request: ServiceRequest): Promise<ServiceReply> {
+    const { reply, afterReply } = await this.master.handleServiceRequest(request);
+    afterReply();
+    this.clock.endTurn();
+    return decode('ubii.services.ServiceReply', encode('ubii.services.ServiceReply', reply));
+  }
+
+  /** A client that knows nothing of our extensions, registered and with an open socket. */
+  async legacy(name: string, client: Init<Client> = {}): Promise<TestClient> {
+    const registered = await this.register({ name, ...client });
+    registered.open();
+    return registered;
+  }
+
+  /** A client of ours, registered and with an open socket. */
+  async extension(name: string, client: Init<Client> = {}): Promise<TestClient> {
+    const registered = await this.register({ name, extension: { recordLists: true }, ...client });
+    registered.open();
+    return registered;
+  }
+
+  /** A registered client without a socket. @throws Error with the master's message when it refuses. */
+  async register(client: Init<Client>): Promise<TestClient> {
+    const reply = await this.call({ topic: '/services/client/registration', client });
+    if (reply.client === undefined) throw new Error(reply.error?.message ?? 'no client');
+    return new TestClient(this, client.name ?? '', reply.client);
+  }
+}

@@ -1,0 +1,92 @@
+import { mkdtempSync } from 'node:fs';
+import { request } from 'node:http';
+import type { IncomingHttpHeaders } from 'node:http';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { onTestFinished } from 'vitest';
+
+import { resolveConfig } from '../../src/adapters/config/resolve-config.ts';
+import { StreamLog } from '../../src/adapters/log/stream-log.ts';
+import { startMaster } from '../../src/start-master.ts';
+
+/** A master with all its adapters on free ports of loopback, closed when the test ends. */
+export interface EdgeMaster {
+  readonly port: number;
+  readonly url: string;
+  /** Lines of the log. */
+  readonly logged: readonly string[];
+  readonly ports: { readonly main: number; readonly services: number; readonly topicData: number };
+  close(): Promise<void>;
+}
+
+export interface EdgeMasterOptions {
+  readonly flags?: readonly string[];
+  readonly frontendFolder?: string;
+  readonly dataDir?: string;
+}
+
+export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<EdgeMaster> {
+  const logged: string[] = [];
+  const log = new StreamLog({
+    level: 'debug',
+    format: 'json',
+    write: (line) => logged.push(line),
+    nowMs: Date.now,
+  });
+  const dataDir = options.dataDir ?? newFolder();
+  const flags = ['--port', '0', '--data-dir', dataDir, '--legacy-ports', 'off'];
+  const master = await startMaster({
+    config: resolveConfig([...flags, ...(options.flags ?? [])], {}, '/'),
+    log,
+    version: '1.2.3',
+    frontendFolder: options.frontendFolder ?? join(newFolder(), 'not-there'),
+  });
+  onTestFinished(() => master.close());
+  return {
+    port: master.ports.main,
+    url: `http://127.0.0.1:${master.ports.main}`,
+    logged,
+    ports: master.ports,
+    close: () => master.close(),
+  };
+}
+
+export function newFolder(): string {
+  return mkdtempSync(join(tmpdir(), 'ubii-edge-'));
+}
+
+export interface PlainResponse {
+  readonly status: number;
+  readonly headers: IncomingHttpHeaders;
+  readonly body: Buffer;
+}
+
+/** A request with exactly the given headers: `fetch` forbids some and adds others. */
+export function send(
+  port: number,
+  path: string,
+  { method = 'GET', headers = {}, body }: SendOptions = {},
+): Promise<PlainResponse> {
+  return new Promise((resolve, reject) => {
+    const outgoing = request({ host: '127.0.0.1', port, path, method, headers }, (response) => {
+      const chunks: Buffer[] = [];
+      response.on('data', (chunk: Buffer) => chunks.push(chunk));
+      response.on('error', reject);
+      response.on('end', () =>
+        resolve({
+          status: response.statusCode ?? 0,
+          headers: response.headers,
+          body: Buffer.concat(chunks),
+        }),
+      );
+    });
+    outgoing.on('error', reject);
+    outgoing.end(body);
+  });
+}
+
+export interface SendOptions {
+  readonly method?: string;
+  readonly headers?: Readonly<Record<string, string>>;
+  readonly body?: string | Uint8Array;
+}

@@ -1,0 +1,80 @@
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { brotliCompressSync, gzipSync } from 'node:zlib';
+import { describe, expect, it } from 'vitest';
+
+import { newFolder, send, startEdgeMaster } from './edge-master.ts';
+
+const PAGE = '<!doctype html><title>frontend</title>';
+const SCRIPT = 'console.log(1)';
+const asPage = { accept: 'text/html,*/*' };
+
+function builtFrontend(): string {
+  const folder = newFolder();
+  mkdirSync(join(folder, 'assets'));
+  writeFileSync(join(folder, 'index.html'), PAGE);
+  writeFileSync(join(folder, 'assets', 'main-abc123.js'), SCRIPT);
+  writeFileSync(join(folder, 'assets', 'main-abc123.js.br'), brotliCompressSync(SCRIPT));
+  writeFileSync(join(folder, 'assets', 'main-abc123.js.gz'), gzipSync(SCRIPT));
+  return folder;
+}
+
+describe('the frontend', () => {
+  it.each(['/', '/topics', '/topics/a/b', '/clients?x=1'])(
+    'is one document for %s',
+    async (path) => {
+      const { port } = await startEdgeMaster({ frontendFolder: builtFrontend() });
+      const { status, headers, body } = await send(port, path, { headers: asPage });
+      expect(status).toBe(200);
+      expect(body.toString()).toBe(PAGE);
+      expect(headers['content-type']).toBe('text/html; charset=utf-8');
+      expect(headers['cache-control']).toBe('no-cache');
+      expect(headers['content-security-policy']).toContain("default-src 'self'");
+      expect(headers['content-security-policy']).not.toMatch(
+        /unsafe-eval'.*script|script-src[^;]*'unsafe-inline'/,
+      );
+      expect(headers['x-content-type-options']).toBe('nosniff');
+    },
+  );
+
+  it('answers HEAD, and "not modified" to those who have it', async () => {
+    const { port } = await startEdgeMaster({ frontendFolder: builtFrontend() });
+    const { status, headers } = await send(port, '/', { method: 'HEAD', headers: asPage });
+    expect(status).toBe(200);
+    const again = await send(port, '/', {
+      headers: { ...asPage, 'if-none-match': String(headers.etag) },
+    });
+    expect(again.status).toBe(304);
+  });
+
+  it.each([
+    ['br', 'br'],
+    ['gzip', 'gzip'],
+    ['gzip, br', 'br'],
+    ['identity', undefined],
+  ])('has files compressed beforehand: %s', async (accepted, expected) => {
+    const { port } = await startEdgeMaster({ frontendFolder: builtFrontend() });
+    const { status, headers } = await send(port, '/assets/main-abc123.js', {
+      headers: { 'accept-encoding': accepted },
+    });
+    expect(status).toBe(200);
+    expect(headers['content-encoding']).toBe(expected);
+    expect(headers['content-type']).toContain('javascript');
+    expect(headers['cache-control']).toContain('immutable');
+  });
+
+  it.each(['/assets/main-old.js', '/../secret', '/%2e%2e/secret', '/assets/%00'])(
+    'has nothing at %s',
+    async (path) => {
+      const { port } = await startEdgeMaster({ frontendFolder: builtFrontend() });
+      expect((await send(port, path)).status).toBeGreaterThanOrEqual(400);
+    },
+  );
+
+  it('is missing in words when it was not built', async () => {
+    const { port } = await startEdgeMaster();
+    const { status, body } = await send(port, '/topics', { headers: asPage });
+    expect(status).toBe(503);
+    expect(body.toString()).toContain('npm start');
+  });
+});
