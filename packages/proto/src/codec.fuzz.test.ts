@@ -44,7 +44,7 @@ describe('decode', () => {
           if (!(error instanceof DecodeError)) throw error;
         }
       }),
-      { numRuns: 3000 },
+      { numRuns: 1000 },
     );
   });
 });

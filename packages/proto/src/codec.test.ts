@@ -12,7 +12,7 @@ import { fromHex, toHex } from './testing/hex.ts';
 
 const RECORD = 'ubii.topicData.TopicDataRecord';
 
-/** Bytes taken from encoders of the original platform, and checked by hand against the wire format. */
+/** Bytes written by hand from the wire format; conformance.test.ts compares with the published module. */
 const GOLDEN = [
   [
     'ubii.topicData.Timestamp',

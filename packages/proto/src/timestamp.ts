@@ -12,7 +12,7 @@ export function timestampFromMs(epochMs: number): Timestamp {
   const seconds = Math.floor(epochMs / 1000);
   return {
     seconds,
-    nanos: Math.round((epochMs - seconds * 1000) * 1e6),
+    nanos: Math.min(Math.round((epochMs - seconds * 1000) * 1e6), 999_999_999),
     millis: Math.floor(epochMs),
   };
 }

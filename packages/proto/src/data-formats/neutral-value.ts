@@ -1,4 +1,8 @@
-import type { FieldDescriptor, MessageDescriptor } from '../descriptor.ts';
+import {
+  FIRST_EXTENSION_FIELD,
+  type FieldDescriptor,
+  type MessageDescriptor,
+} from '../descriptor.ts';
 
 /** Values that differ from all zeros, because zeros would not be a rotation or not be visible. */
 const NEUTRAL_MEMBERS: { readonly [messageType: string]: { readonly [member: string]: unknown } } =
@@ -17,7 +21,8 @@ const NEUTRAL_CHOICE: { readonly [messageType: string]: string } = {
 
 /**
  * A new neutral value of a type: zeros, empty lists and texts, nested messages filled in, identity
- * rotations, opaque black. Members of a oneof are left out, except the orientation of a pose.
+ * rotations, opaque black. Members of a oneof are left out, except the orientation of a pose, and so
+ * are messages that are extensions of ours, because their presence says something.
  */
 export function neutralValue(type: FieldDescriptor['type']): unknown {
   if (typeof type === 'object') return type.kind === 'enum' ? 0 : neutralMessage(type);
@@ -29,9 +34,11 @@ export function neutralValue(type: FieldDescriptor['type']): unknown {
 
 function neutralMessage({ name, fields }: MessageDescriptor): object {
   const message: Record<string, unknown> = {};
-  for (const { jsonName, oneof, repeated, type } of fields) {
+  for (const { jsonName, number, oneof, repeated, type } of fields) {
     if (oneof !== undefined && NEUTRAL_CHOICE[name] !== jsonName) continue;
-    message[jsonName] = repeated ? [] : neutralValue(type);
+    const isOurMessage = number >= FIRST_EXTENSION_FIELD && typeof type === 'object';
+    if (repeated) message[jsonName] = [];
+    else message[jsonName] = isOurMessage ? undefined : neutralValue(type);
   }
   return Object.assign(message, NEUTRAL_MEMBERS[name]);
 }

@@ -1,0 +1,78 @@
+import { describe, expect, expectTypeOf, it } from 'vitest';
+import { isMessageType } from '../codec.ts';
+import type {
+  Client,
+  ClientList,
+  Server,
+  Success,
+  TopicStatistics,
+  TopicStatisticsRequest,
+  TopicSubscription,
+} from '../generated/messages.ts';
+import { PUBLISHED_CONSTANTS } from '../testing/published-formats.ts';
+import {
+  serviceByTopic,
+  SERVICES,
+  type ServiceName,
+  type ServiceReplyOf,
+  type ServiceRequestOf,
+} from './services.ts';
+
+const NAMES = Object.keys(SERVICES) as ServiceName[];
+const INFOS = Object.values(SERVICES);
+
+describe('the service table', () => {
+  it('has every topic of the published constants, and ours', () => {
+    const topics: string[] = INFOS.filter(({ isExtension }) => !isExtension).map(
+      ({ topic }) => topic,
+    );
+    expect(topics.sort()).toEqual(
+      Object.values(PUBLISHED_CONSTANTS.DEFAULT_TOPICS.SERVICES).sort(),
+    );
+    expect(INFOS.filter(({ isExtension }) => isExtension).map(({ topic }) => topic)).toEqual([
+      '/services/ubii/topic_statistics',
+      '/services/ubii/master_status',
+    ]);
+  });
+
+  it('[SV-9] has every topic once', () => {
+    expect(new Set(INFOS.map(({ topic }) => topic)).size).toBe(INFOS.length);
+  });
+
+  it.each(NAMES)('%s: formats are messages, description is a sentence', (name) => {
+    const { request, requestRequired, requestFormat, replyFormat, description } = SERVICES[name];
+    expect(isMessageType(replyFormat)).toBe(true);
+    expect(request === undefined ? requestFormat === '' : isMessageType(requestFormat)).toBe(true);
+    expect(requestRequired && request === undefined).toBe(false);
+    expect(description).toMatch(/^[A-Z][^.]*\.$/);
+  });
+
+  it('is found by topic', () => {
+    for (const name of NAMES) expect(serviceByTopic(SERVICES[name].topic)).toBe(name);
+    expect(serviceByTopic('/services/nothing')).toBeUndefined();
+  });
+
+  it('derives the formats from the members', () => {
+    expect(SERVICES.topicSubscription).toMatchObject({
+      topic: '/services/topic_subscription',
+      request: 'topicSubscription',
+      requestFormat: 'ubii.services.request.TopicSubscription',
+      reply: 'success',
+      replyFormat: 'ubii.general.Success',
+      requestRequired: true,
+    });
+  });
+
+  it('types requests and replies', () => {
+    expectTypeOf<ServiceRequestOf<'topicSubscription'>>().toEqualTypeOf<TopicSubscription>();
+    expectTypeOf<ServiceReplyOf<'topicSubscription'>>().toEqualTypeOf<Success>();
+    expectTypeOf<ServiceRequestOf<'serverConfiguration'>>().toEqualTypeOf<undefined>();
+    expectTypeOf<ServiceReplyOf<'serverConfiguration'>>().toEqualTypeOf<Server>();
+    expectTypeOf<ServiceRequestOf<'clientGetList'>>().toEqualTypeOf<ClientList>();
+    expectTypeOf<ServiceReplyOf<'clientRegistration'>>().toEqualTypeOf<Client>();
+    expectTypeOf<ServiceRequestOf<'topicStatistics'>>().toEqualTypeOf<TopicStatisticsRequest>();
+    expectTypeOf<ServiceReplyOf<'topicStatistics'>>().toEqualTypeOf<TopicStatistics>();
+    expectTypeOf(SERVICES.clientGetList.requestRequired).toEqualTypeOf<false>();
+    expectTypeOf(SERVICES.clientRegistration.requestRequired).toEqualTypeOf<true>();
+  });
+});
