@@ -19,12 +19,9 @@ import { EventLog } from './status/event-log.ts';
 import { LimitWatch } from './status/limit-watch.ts';
 import { readMetrics } from './status/metrics.ts';
 import { Samples } from './status/samples.ts';
-import { EndOfTurn } from './topics/end-of-turn.ts';
-import { Outbox, type OutboxContext } from './topics/outbox.ts';
 import { PatternTable } from './topics/pattern-table.ts';
-import { Sampler } from './topics/sampler.ts';
 import { SelectionTable } from './topics/selection-table.ts';
-import type { Subscriber } from './topics/subscriber.ts';
+import { subscriberFactory } from './topics/subscriber-factory.ts';
 import { SubscriptionTable } from './topics/subscription-table.ts';
 import { TopicTable } from './topics/topic-table.ts';
 
@@ -67,7 +64,16 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
   const events = new EventLog(clock);
   const limitWatch = new LimitWatch(limits, clock, log, events);
 
-  const patterns = new PatternTable(ports.patterns);
+  const patterns = new PatternTable({
+    clock,
+    compiler: ports.patterns,
+    onOverdrawn(subscriber) {
+      limitWatch.count('patternMatchMs', subscriber.clientId);
+      subscriptions.unsubscribePatterns(subscriber);
+      const text = `Matching the regular expressions of this client took more than ${limits.patternMatchMs} ms (limit patternMatchMs), so they are ended; subscribe with simpler ones.`;
+      clients.get(subscriber.clientId)?.socket?.sendError('resource_exhausted', text);
+    },
+  });
   const selections = new SelectionTable();
   // A thousand epochs fit into each millisecond that earlier runs of the master lasted.
   const topics = new TopicTable([patterns, selections], startedMs * 1000, limits.keptRemovals);
@@ -84,10 +90,10 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
   const budget = new RegistrationBudget(limitWatch);
   const shared = { ...ports, limits: limitWatch, events, topics, subscriptions, info, budget };
   const devices: DeviceRegistry = new DeviceRegistry(shared);
-  const clients = new ClientRegistry({
+  const clients: ClientRegistry = new ClientRegistry({
     ...shared,
     devices,
-    createSubscriber: subscriberFactory(ports, limits, counters, topics, subscriptions),
+    createSubscriber: subscriberFactory({ clock, limits, counters, topics, subscriptions }),
   });
   const sockets = new SocketAdmission({
     ...ports,
@@ -115,46 +121,5 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     limitWatch,
     events,
     samples,
-  };
-}
-
-function subscriberFactory(
-  { clock }: MasterPorts,
-  limits: Limits,
-  counters: Counters,
-  topics: TopicTable,
-  subscriptions: SubscriptionTable,
-): (clientId: string, isExtension: boolean) => Subscriber {
-  const outboxContext: OutboxContext = {
-    clock,
-    limits,
-    endOfTurn: new EndOfTurn(clock),
-    onSent(records, bytes) {
-      counters.recordsOut += records;
-      counters.bytesOut += bytes;
-    },
-    onDropped(entry) {
-      counters.dropped++;
-      topics.countDropped(entry);
-    },
-  };
-  const samplerContext = {
-    clock,
-    refreshTargets: (entry: Parameters<SubscriptionTable['targetsOf']>[0]) => {
-      subscriptions.targetsOf(entry);
-    },
-  };
-  return (clientId, isExtension) => {
-    const outbox = new Outbox(outboxContext);
-    return {
-      clientId,
-      isExtension,
-      outbox,
-      sampler: new Sampler(outbox, samplerContext),
-      topics: new Set(),
-      patterns: new Set(),
-      selections: new Set(),
-      watchers: new Set(),
-    };
   };
 }

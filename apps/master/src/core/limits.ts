@@ -51,6 +51,10 @@ export const DEFAULT_LIMITS = {
   patternsPerClient: 1_024,
   /** Different regular expressions of all clients together: bounds what a new topic costs everybody. */
   patterns: 4_096,
+  /** Time that matching the regular expressions of one client may take at once, milliseconds. Ordinary ones take a thousandth for a topic; what is built to be slow may take thirty. */
+  patternMatchMs: 500,
+  /** The same per second in the long run, milliseconds: a twentieth of the master. */
+  patternMatchMsPerSecond: 50,
   /** Component profiles of one client. A registered component is tried against each. */
   profilesPerClient: 256,
   /** Different component profiles of all clients together. */
@@ -86,6 +90,8 @@ export const DEFAULT_LIMITS = {
 
   /** The answer to a service request, milliseconds (SERVICE_TIMEOUT_MS). Shorter than the 10 s after which clients of ours give up. */
   serviceTimeoutMs: 8_000,
+  /** Retained records reach an existing client this long after the reply, milliseconds (REPLAY_DELAY_MS). Browser and Node nodes take up the callback some turns after they read the reply; without it every third record was lost to them. */
+  replayDelayMs: 25,
   /** How long an unavailable client is remembered, milliseconds (UNAVAILABLE_RETENTION_MS). A phone may sleep through a break and come back as itself. */
   unavailableRetentionMs: 20 * 60_000,
 

@@ -100,7 +100,7 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
     if (!this.#isOpen) return;
     const { counters, limits, limitWatch, clock, log } = this.#context;
     counters.protocolErrors++;
-    this.#sendError('invalid_argument', reason);
+    this.sendError('invalid_argument', reason);
     const nowMs = clock.monotonicMs();
     this.client.protocolErrors.add(nowMs);
     const sinceMs = nowMs - limits.protocolErrorWindowMs;
@@ -151,6 +151,13 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
   supersede(): void {
     this.#isOpen = false;
     this.#connection.close(CLOSE.superseded.code, CLOSE.superseded.reason);
+  }
+
+  /** Tells the client what went wrong, unless it was told too much lately [TD-17]. */
+  sendError(code: ServiceErrorCode, message: string): void {
+    if (this.#isOpen && this.#mayTellError()) {
+      this.#connection.sendError(new ServiceError(code, message).toWire());
+    }
   }
 
   sendPing(): void {
@@ -207,15 +214,13 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
     const { counters, limitWatch } = this.#context;
     counters.refused[code]++;
     if (limit !== undefined) limitWatch.count(limit, this.client.id);
-    if (this.#errorBudget.take(1, this.#context.clock.monotonicMs())) {
+    if (this.#mayTellError()) {
       this.#connection.sendError(new ServiceError(code, describe()).toWire());
     }
   }
 
-  #sendError(code: ServiceErrorCode, message: string): void {
-    if (this.#errorBudget.take(1, this.#context.clock.monotonicMs())) {
-      this.#connection.sendError(new ServiceError(code, message).toWire());
-    }
+  #mayTellError(): boolean {
+    return this.#errorBudget.take(1, this.#context.clock.monotonicMs());
   }
 }
 

@@ -3,17 +3,24 @@ import type { Core } from '../core.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { ServiceCall } from './handler.ts';
 
-/** Sends the client the retained records of these topics once the reply has left [TD-24]. */
+/**
+ * Sends the client the retained records of these topics once the reply has left [TD-24]. Existing
+ * clients know the callback only some turns after they read the reply: they are given the time.
+ */
 export function replayAfterReply(
-  { topics }: Core,
+  { topics, clock, limits }: Core,
   call: ServiceCall,
   client: Client,
   entries: readonly TopicEntry[],
 ): void {
   if (entries.length === 0) return;
   const sinceSequence = topics.sequence;
-  call.afterReply(() => {
+  const replay = (): void => {
     if (client.status === 'removed') return;
     for (const entry of entries) client.subscriber.outbox.replay(entry, sinceSequence);
+  };
+  call.afterReply(() => {
+    if (client.isExtension) replay();
+    else clock.after(limits.replayDelayMs, replay);
   });
 }

@@ -1,15 +1,28 @@
+import type { Clock } from '../ports/clock.ts';
 import type { PatternCompiler } from '../ports/pattern-compiler.ts';
 import { Pattern } from './pattern.ts';
+import type { Subscriber } from './subscriber.ts';
 import type { TopicEntry } from './topic-entry.ts';
 import type { TopicMatching } from './topic-table.ts';
 
-/** Every regular expression somebody subscribed to, each once. */
+/** Tests of a pattern are charged together once they took this long, milliseconds: cheap ones stay cheap. */
+const CHARGED_MS = 1;
+
+/** What a pattern table works with. */
+export interface PatternContext {
+  readonly compiler: PatternCompiler;
+  readonly clock: Clock;
+  /** Matching the patterns of this client took longer than it may [TD-29]. Ends its patterns. */
+  readonly onOverdrawn: (subscriber: Subscriber) => void;
+}
+
+/** Every regular expression somebody subscribed to, each once, with the topics it matches [TD-22]. */
 export class PatternTable implements TopicMatching {
-  readonly #compiler: PatternCompiler;
+  readonly #context: PatternContext;
   readonly #patterns = new Map<string, Pattern>();
 
-  constructor(compiler: PatternCompiler) {
-    this.#compiler = compiler;
+  constructor(context: PatternContext) {
+    this.#context = context;
   }
 
   get size(): number {
@@ -22,17 +35,26 @@ export class PatternTable implements TopicMatching {
 
   /**
    * Adds a pattern that is not there yet, and finds the entries it matches.
+   * @param payer Who spends its time on it.
+   * @returns undefined when that took longer than the payer may spend: then nothing was added.
    * @throws Error with the reason when it is not RE2 [TD-21].
    */
-  create(source: string, entries: Iterable<TopicEntry>): Pattern {
-    const pattern = new Pattern(source, this.#compiler.compile(source));
-    this.#patterns.set(source, pattern);
+  create(source: string, entries: Iterable<TopicEntry>, payer: Subscriber): Pattern | undefined {
+    const { compiler, clock } = this.#context;
+    if (!payer.patternBudget.spend(0, clock.monotonicMs())) return undefined;
+    const startedMs = clock.monotonicMs();
+    const pattern = new Pattern(source, compiler.compile(source));
+    let chargedMs = startedMs;
     for (const entry of entries) {
-      if (pattern.matches(entry)) {
-        entry.patterns.push(pattern);
-        pattern.entries.add(entry);
-      }
+      if (!pattern.mayMatch(entry)) continue;
+      if (pattern.test(entry)) pattern.entries.add(entry);
+      const nowMs = clock.monotonicMs();
+      if (nowMs - chargedMs < CHARGED_MS) continue;
+      if (!payer.patternBudget.spend(nowMs - chargedMs, nowMs)) return undefined;
+      chargedMs = nowMs;
     }
+    for (const entry of pattern.entries) entry.patterns.push(pattern);
+    this.#patterns.set(source, pattern);
     return pattern;
   }
 
@@ -47,7 +69,7 @@ export class PatternTable implements TopicMatching {
 
   attach(entry: TopicEntry): void {
     for (const pattern of this.#patterns.values()) {
-      if (pattern.matches(entry)) {
+      if (pattern.mayMatch(entry) && this.#test(pattern, entry)) {
         entry.patterns.push(pattern);
         pattern.entries.add(entry);
       }
@@ -56,5 +78,20 @@ export class PatternTable implements TopicMatching {
 
   detach(entry: TopicEntry): void {
     for (const pattern of entry.patterns) pattern.entries.delete(entry);
+  }
+
+  /** Tests a pattern at the expense of its subscribers, which may end it. */
+  #test(pattern: Pattern, entry: TopicEntry): boolean {
+    const { clock, onOverdrawn } = this.#context;
+    const startedMs = clock.monotonicMs();
+    const matches = pattern.test(entry);
+    const nowMs = clock.monotonicMs();
+    pattern.unchargedMs += nowMs - startedMs;
+    if (pattern.unchargedMs < CHARGED_MS) return matches;
+    for (const subscriber of [...pattern.subscribers.keys()]) {
+      if (!subscriber.patternBudget.spend(pattern.unchargedMs, nowMs)) onOverdrawn(subscriber);
+    }
+    pattern.unchargedMs = 0;
+    return matches && pattern.subscribers.size > 0;
   }
 }

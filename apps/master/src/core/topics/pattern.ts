@@ -21,15 +21,21 @@ export class Pattern {
     this.#meansExtensions = source.startsWith('^/ubii/') || source.startsWith('/ubii/');
   }
 
-  matches(entry: TopicEntry): boolean {
+  /** Time that tests took and nobody was charged for yet, milliseconds. */
+  unchargedMs = 0;
+
+  /** A cheap look that rules out most topics. */
+  mayMatch(entry: TopicEntry): boolean {
     if (entry.isExtension && !this.#meansExtensions) return false; // [TD-26]
     const required = this.#required;
-    if (required !== undefined) {
-      const mayMatch = required.isPrefix
-        ? entry.topic.startsWith(required.text)
-        : entry.topic.includes(required.text);
-      if (!mayMatch) return false;
-    }
+    if (required === undefined) return true;
+    return required.isPrefix
+      ? entry.topic.startsWith(required.text)
+      : entry.topic.includes(required.text);
+  }
+
+  /** The full answer, for a topic that `mayMatch`. */
+  test(entry: TopicEntry): boolean {
     return this.#compiled.test(entry.topic);
   }
 }

@@ -2,6 +2,7 @@ import type { ComponentSelection } from './component-selection.ts';
 import type { Outbox } from './outbox.ts';
 import type { Pattern } from './pattern.ts';
 import type { Sampler } from './sampler.ts';
+import type { TokenBucket } from './token-bucket.ts';
 import type { TopicEntry } from './topic-entry.ts';
 
 /** One client as somebody who subscribes: its subscriptions stand without a socket [TD-20]. */
@@ -11,6 +12,8 @@ export interface Subscriber {
   readonly isExtension: boolean;
   readonly outbox: Outbox;
   readonly sampler: Sampler;
+  /** Milliseconds that matching its patterns may take [TD-29]. */
+  readonly patternBudget: TokenBucket;
   readonly topics: Set<TopicEntry>;
   readonly patterns: Set<Pattern>;
   readonly selections: Set<ComponentSelection>;

@@ -71,12 +71,12 @@ export class SubscriptionTable {
 
   /** @throws ServiceError when the pattern is refused, or there are too many. */
   subscribePattern(subscriber: Subscriber, source: string, rateHz: number): TopicEntry[] {
-    const { topics, patterns } = this.#context;
+    const { topics, patterns, limits } = this.#context;
     let pattern = patterns.get(source);
     const isNew = pattern === undefined || !subscriber.patterns.has(pattern);
     if (isNew) this.#checkPattern(subscriber, source, pattern === undefined);
     try {
-      pattern ??= patterns.create(source, topics.values());
+      pattern ??= patterns.create(source, topics.values(), subscriber);
     } catch (cause) {
       const reason = cause instanceof Error ? cause.message : String(cause);
       throw new ServiceError(
@@ -84,6 +84,11 @@ export class SubscriptionTable {
         `${quote(source)} is no regular expression with RE2 syntax: ${reason}.`, // [TD-21]
         { cause },
       );
+    }
+    if (pattern === undefined) {
+      const text =
+        'more time than the regular expressions of one client may take (in milliseconds)';
+      throw limits.refusal('patternMatchMs', text, subscriber.clientId); // [TD-29]
     }
     return this.#subscribe(subscriber, pattern, subscriber.patterns, rateHz, isNew);
   }
@@ -119,6 +124,11 @@ export class SubscriptionTable {
     if (pattern === undefined || !subscriber.patterns.delete(pattern)) return;
     this.#unsubscribe(subscriber, pattern);
     this.#context.patterns.forgetIfUnused(pattern);
+  }
+
+  /** Ends every regular expression of a client. */
+  unsubscribePatterns(subscriber: Subscriber): void {
+    for (const { source } of [...subscriber.patterns]) this.unsubscribePattern(subscriber, source);
   }
 
   unsubscribeComponents(subscriber: Subscriber, profile: Component): void {
@@ -168,7 +178,7 @@ export class SubscriptionTable {
   /** Ends every subscription of a client that is removed. */
   unsubscribeAll(subscriber: Subscriber): void {
     for (const { topic } of [...subscriber.topics]) this.unsubscribeTopic(subscriber, topic);
-    for (const { source } of [...subscriber.patterns]) this.unsubscribePattern(subscriber, source);
+    this.unsubscribePatterns(subscriber);
     for (const { profile } of [...subscriber.selections]) {
       this.unsubscribeComponents(subscriber, profile);
     }

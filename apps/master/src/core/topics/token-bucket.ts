@@ -1,26 +1,40 @@
-/** Allows `perSecond` units a second, and as many at once after a quiet second. */
+/** Allows `perSecond` units a second in the long run, and up to `capacity` at once. */
 export class TokenBucket {
   readonly #perMs: number;
   readonly #capacity: number;
   #tokens: number;
   #filledMs: number;
 
-  constructor(perSecond: number, nowMs: number) {
+  /**
+   * @param nowMs Monotonic milliseconds, as in every method.
+   * @param capacity Default: what grows in a second.
+   */
+  constructor(perSecond: number, nowMs: number, capacity = perSecond) {
     this.#perMs = perSecond / 1000;
-    this.#capacity = perSecond;
-    this.#tokens = perSecond;
+    this.#capacity = capacity;
+    this.#tokens = capacity;
     this.#filledMs = nowMs;
   }
 
   /** Takes `amount` units, or nothing and returns false when there are not as many. */
   take(amount: number, nowMs: number): boolean {
-    if (nowMs !== this.#filledMs) {
-      const grown = this.#tokens + (nowMs - this.#filledMs) * this.#perMs;
-      this.#tokens = grown < this.#capacity ? grown : this.#capacity;
-      this.#filledMs = nowMs;
-    }
+    this.#fill(nowMs);
     if (this.#tokens < amount) return false;
     this.#tokens -= amount;
     return true;
+  }
+
+  /** Takes `amount` units that are spent already, going into debt if need be. Returns whether some are left. */
+  spend(amount: number, nowMs: number): boolean {
+    this.#fill(nowMs);
+    this.#tokens -= amount;
+    return this.#tokens > 0;
+  }
+
+  #fill(nowMs: number): void {
+    if (nowMs === this.#filledMs) return;
+    const grown = this.#tokens + (nowMs - this.#filledMs) * this.#perMs;
+    this.#tokens = grown < this.#capacity ? grown : this.#capacity;
+    this.#filledMs = nowMs;
   }
 }

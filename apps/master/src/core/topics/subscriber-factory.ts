@@ -1,0 +1,58 @@
+import type { Limits } from '../limits.ts';
+import type { Clock } from '../ports/clock.ts';
+import type { Counters } from '../status/counters.ts';
+import { EndOfTurn } from './end-of-turn.ts';
+import { Outbox, type OutboxContext } from './outbox.ts';
+import { Sampler, type SamplerContext } from './sampler.ts';
+import type { Subscriber } from './subscriber.ts';
+import type { SubscriptionTable } from './subscription-table.ts';
+import { TokenBucket } from './token-bucket.ts';
+import type { TopicTable } from './topic-table.ts';
+
+/** What subscribers have in common. */
+export interface SubscriberParts {
+  readonly clock: Clock;
+  readonly limits: Limits;
+  readonly counters: Counters;
+  readonly topics: TopicTable;
+  readonly subscriptions: SubscriptionTable;
+}
+
+/** Makes the subscriber of each new client; all of them share the end of the turn. */
+export function subscriberFactory(
+  parts: SubscriberParts,
+): (clientId: string, isExtension: boolean) => Subscriber {
+  const { clock, limits, counters, topics, subscriptions } = parts;
+  const outboxContext: OutboxContext = {
+    clock,
+    limits,
+    endOfTurn: new EndOfTurn(clock),
+    onSent(records, bytes) {
+      counters.recordsOut += records;
+      counters.bytesOut += bytes;
+    },
+    onDropped(entry) {
+      counters.dropped++;
+      topics.countDropped(entry);
+    },
+  };
+  const samplerContext: SamplerContext = {
+    clock,
+    refreshTargets: (entry) => void subscriptions.targetsOf(entry),
+  };
+  const { patternMatchMs, patternMatchMsPerSecond } = limits;
+  return (clientId, isExtension) => {
+    const outbox = new Outbox(outboxContext);
+    return {
+      clientId,
+      isExtension,
+      outbox,
+      sampler: new Sampler(outbox, samplerContext),
+      patternBudget: new TokenBucket(patternMatchMsPerSecond, clock.monotonicMs(), patternMatchMs),
+      topics: new Set(),
+      patterns: new Set(),
+      selections: new Set(),
+      watchers: new Set(),
+    };
+  };
+}
