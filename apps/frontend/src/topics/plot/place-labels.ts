@@ -1,0 +1,20 @@
+/**
+ * Moves labels apart so that none covers another, as little as possible and in their order.
+ * @param wanted where each would stand, pixels from the top, in any order
+ * @param gap between the middles of two, pixels
+ * @param bottom the lowest place
+ * @returns where each stands, in the order of `wanted`
+ */
+export function placeLabels(wanted: readonly number[], gap: number, bottom: number): number[] {
+  const order = wanted.map((_, i) => i).sort((a, b) => wanted[a]! - wanted[b]!);
+  const placed = [...wanted];
+  let above = -Infinity;
+  for (const i of order) {
+    above = placed[i] = Math.max(wanted[i]!, above + gap, 0);
+  }
+  let below = Infinity;
+  for (const i of order.reverse()) {
+    below = placed[i] = Math.min(placed[i]!, below - gap, bottom);
+  }
+  return placed;
+}

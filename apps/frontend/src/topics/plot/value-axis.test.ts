@@ -1,0 +1,63 @@
+import { describe, expect, it } from 'vitest';
+import { ticksOf, ValueAxis } from './value-axis.ts';
+
+describe('ValueAxis', () => {
+  it('leaves room around the values', () => {
+    const { min, max } = new ValueAxis().follow({ min: 0, max: 10 }, 0);
+    expect(min).toBeCloseTo(-0.8);
+    expect(max).toBeCloseTo(10.8);
+  });
+
+  it('shows a constant in the middle', () => {
+    const { min, max } = new ValueAxis().follow({ min: 5, max: 5 }, 0);
+    expect((min + max) / 2).toBe(5);
+    expect(max).toBeGreaterThan(min);
+  });
+
+  it('opens at once and stays while values move within', () => {
+    const axis = new ValueAxis();
+    axis.follow({ min: 0, max: 10 }, 0);
+    const opened = axis.follow({ min: 0, max: 20 }, 10);
+    expect(opened.max).toBeGreaterThan(20);
+    expect(axis.follow({ min: 1, max: 19 }, 20)).toBe(opened);
+  });
+
+  it('closes in only when the values need little of it for a while', () => {
+    const axis = new ValueAxis();
+    const wide = axis.follow({ min: 0, max: 100 }, 0);
+    expect(axis.follow({ min: 4, max: 6 }, 100)).toBe(wide);
+    expect(axis.follow({ min: 4, max: 80 }, 1500)).toBe(wide);
+    expect(axis.follow({ min: 4, max: 6 }, 2200)).toBe(wide);
+    expect(axis.follow({ min: 4, max: 6 }, 4300).max).toBeLessThan(7);
+  });
+
+  it('moves to values that are somewhere else', () => {
+    const axis = new ValueAxis();
+    axis.follow({ min: 0, max: 1 }, 0);
+    expect(axis.follow({ min: 1000, max: 1001 }, 10).min).toBeGreaterThan(900);
+  });
+
+  it('keeps its range while there is nothing', () => {
+    const axis = new ValueAxis();
+    expect(axis.follow(undefined, 0)).toEqual({ min: -1, max: 1 });
+    const range = axis.follow({ min: 0, max: 10 }, 0);
+    expect(axis.follow(undefined, 10)).toBe(range);
+  });
+});
+
+describe('ticksOf', () => {
+  const texts = (min: number, max: number, count: number) =>
+    ticksOf({ min, max }, count).map(({ value, decimals }) => value.toFixed(decimals));
+
+  it('finds round values', () => {
+    expect(texts(-8, 14, 5)).toEqual(['-5', '0', '5', '10']);
+    expect(texts(0, 1, 5)).toEqual(['0.0', '0.2', '0.4', '0.6', '0.8', '1.0']);
+    expect(texts(0.001, 0.0042, 4)).toEqual(['0.001', '0.002', '0.003', '0.004']);
+    expect(texts(0, 250_000, 5)).toEqual(['0', '50000', '100000', '150000', '200000', '250000']);
+  });
+
+  it('gives none where there is no range', () => {
+    expect(texts(1, 1, 5)).toEqual([]);
+    expect(texts(0, Infinity, 5)).toEqual([]);
+  });
+});

@@ -1,0 +1,76 @@
+/** A range of values. */
+export interface Range {
+  readonly min: number;
+  readonly max: number;
+}
+
+/** Share of the range that stays free above and below the lines. */
+const MARGIN = 0.08;
+/** The axis closes in when the values need less than this share of it, */
+const CLOSE_IN_BELOW = 0.5;
+/** for this long, milliseconds: nothing jumps because of one quiet moment. */
+const CLOSE_IN_AFTER_MS = 2000;
+
+/** The range of the value axis: opens at once, closes in late, so that lines do not breathe. */
+export class ValueAxis {
+  #range: Range | undefined;
+  #roomySinceMs: number | undefined;
+
+  /** @param values what is in the window; `undefined` when there is nothing */
+  follow(values: Range | undefined, nowMs: number): Range {
+    if (values === undefined) return this.#range ?? { min: -1, max: 1 };
+    const range = this.#range;
+    if (range === undefined || values.min < range.min || values.max > range.max) {
+      this.#roomySinceMs = undefined;
+      return (this.#range = withMargin(
+        range && this.#isSimilar(range, values)
+          ? { min: Math.min(range.min, values.min), max: Math.max(range.max, values.max) }
+          : values,
+      ));
+    }
+    const isRoomy = values.max - values.min < CLOSE_IN_BELOW * (range.max - range.min);
+    this.#roomySinceMs = isRoomy ? (this.#roomySinceMs ?? nowMs) : undefined;
+    if (this.#roomySinceMs === undefined || nowMs - this.#roomySinceMs < CLOSE_IN_AFTER_MS) {
+      return range;
+    }
+    this.#roomySinceMs = undefined;
+    const closer = withMargin(values);
+    const isCloser = closer.max - closer.min < range.max - range.min;
+    return (this.#range = isCloser ? closer : range);
+  }
+
+  /** The values went beyond the axis, not somewhere else altogether. */
+  #isSimilar(range: Range, values: Range): boolean {
+    return values.min <= range.max && values.max >= range.min;
+  }
+}
+
+/** Room around the values; a single value stands in the middle of a range of its own size. */
+function withMargin({ min, max }: Range): Range {
+  const span = max - min;
+  const room = span > 0 ? span * MARGIN : Math.max(Math.abs(max) * 0.1, 0.5);
+  return { min: min - room, max: max + room };
+}
+
+/** A line of the grid. */
+export interface Tick {
+  readonly value: number;
+  /** With as many decimals as the steps need. */
+  readonly decimals: number;
+}
+
+/**
+ * Round values within a range: steps of 1, 2 or 5 times a power of ten.
+ * @param count how many there should be, about
+ */
+export function ticksOf({ min, max }: Range, count: number): Tick[] {
+  const rough = (max - min) / Math.max(1, count);
+  if (!(rough > 0) || !Number.isFinite(rough)) return [];
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * ([1, 2, 5].find((factor) => factor * power >= rough) ?? 10);
+  const decimals = Math.min(12, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+  const ticks: Tick[] = [];
+  for (let i = Math.ceil(min / step); i * step <= max; i++)
+    ticks.push({ value: i * step, decimals });
+  return ticks;
+}

@@ -1,0 +1,33 @@
+import { DATA_FORMATS, type DataFormat } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { seriesOf, summaryNumber } from './value-series.ts';
+
+describe('seriesOf', () => {
+  it('reads a number for each name', () => {
+    for (const { format, createDefault } of Object.values(DATA_FORMATS)) {
+      const series = seriesOf(format);
+      if (series) expect(series.read(createDefault() as never)).toHaveLength(series.names.length);
+    }
+  });
+
+  it('names the members of a vector', () => {
+    expect(seriesOf('vector3')?.names).toEqual(['x', 'y', 'z']);
+    expect(seriesOf('vector3')?.read({ x: 1, y: 2, z: 3 } as never)).toEqual([1, 2, 3]);
+    expect(seriesOf('string')).toBeUndefined();
+  });
+});
+
+describe('summaryNumber', () => {
+  it.each<[DataFormat, unknown, number | undefined]>([
+    ['double', 4.5, 4.5],
+    ['bool', true, 1],
+    ['vector2', { x: 3, y: 4 }, 5],
+    ['quaternion', { x: 0, y: 0, z: 1, w: 0 }, 180],
+    ['doubleList', { elements: [7, 8] }, 7],
+    ['doubleList', { elements: [] }, undefined],
+    ['double', Number.NaN, undefined],
+    ['string', 'x', undefined],
+  ])('%s', (format, value, number) => {
+    expect(summaryNumber(format, value)).toBe(number);
+  });
+});
