@@ -4,10 +4,12 @@ import { build } from 'esbuild';
 
 const inPackage = (path) => fileURLToPath(new URL(path, import.meta.url));
 
-rmSync(inPackage('dist'), { recursive: true, force: true });
+// One level below the package, whatever its name: the program finds its files by relative paths.
+const outdir = inPackage(process.argv[2] ?? 'dist');
+rmSync(outdir, { recursive: true, force: true });
 await build({
   entryPoints: [inPackage('src/main.ts')],
-  outdir: inPackage('dist'),
+  outdir,
   bundle: true,
   platform: 'node',
   format: 'esm',

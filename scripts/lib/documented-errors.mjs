@@ -2,30 +2,49 @@ import { readFileSync } from 'node:fs';
 
 import { inRoot } from './repository.mjs';
 
+/** Where codes are defined, and where people read about them. */
+const sources = [
+  {
+    code: 'packages/proto/src/service-error.ts',
+    /** The list `SERVICE_ERROR_CODES`. */
+    block: /SERVICE_ERROR_CODES = \[([^\]]*)\]/,
+    entry: /'([a-z_]+)'/g,
+    page: 'docs/errors.md',
+    row: /^\| `([a-z_]+)`/gm,
+  },
+  {
+    code: 'apps/master/src/core/clients/close-codes.ts',
+    block: /CLOSE = \{(.*)\}/s,
+    /** 4000 and more are ours, the others are the RFC's. */
+    entry: /code: (4\d{3}),/g,
+    page: 'docs/spec/extensions.md',
+    row: /^\| (4\d{3})\b/gm,
+  },
+];
+
 /**
- * Compares the error codes of the code with the table of docs/errors.md, and the close codes of the
- * code with the table of docs/spec/extensions.md.
+ * Compares the codes of the code with the tables of the documentation.
  *
  * @returns {string[]} one sentence for each difference
  */
 export function findUndocumentedErrors() {
-  const source = readFileSync(inRoot('packages/proto/src/service-error.ts'), 'utf8');
-  const list = /SERVICE_ERROR_CODES\s*=\s*(\[[^\]]*\]|\{[^}]*\})/.exec(source)?.[1] ?? '';
-  const inCode = new Set(
-    [...list.matchAll(/\b([a-z]+(?:_[a-z]+)*)\b['"]?\s*[:,\]}\n]/g)].map(([, code]) => code),
-  );
-  const page = readFileSync(inRoot('docs/errors.md'), 'utf8');
-  const inDocs = new Set([...page.matchAll(/^\| `([a-z_]+)`\s*\|/gm)].map(([, code]) => code));
-  return [
-    ...[...inCode]
-      .filter((code) => !inDocs.has(code))
-      .map((code) => `${code} is missing in docs/errors.md.`),
-    ...[...inDocs]
-      .filter((code) => !inCode.has(code))
-      .map(
-        (code) =>
-          `docs/errors.md lists ${code}, which packages/proto/src/service-error.ts does not know.`,
-      ),
-    ...(inCode.size === 0 ? ['No error codes found in packages/proto/src/service-error.ts.'] : []),
-  ];
+  return sources.flatMap(({ code, block, entry, page, row }) => {
+    const text = readFileSync(inRoot(code), 'utf8');
+    const inCode = matches(block.exec(text)?.[1] ?? '', entry);
+    const inPage = matches(readFileSync(inRoot(page), 'utf8'), row);
+    return [
+      ...(inCode.length > 0 ? [] : [`No codes were found in ${code}.`]),
+      ...inCode
+        .filter((each) => !inPage.includes(each))
+        .map((each) => `${page} has no row for ${each} of ${code}.`),
+      ...inPage
+        .filter((each) => !inCode.includes(each))
+        .map((each) => `${page} has a row for ${each}, which ${code} does not know.`),
+    ];
+  });
+}
+
+/** @param {string} text @param {RegExp} pattern with one group */
+function matches(text, pattern) {
+  return [...text.matchAll(pattern)].map(([, match]) => match);
 }

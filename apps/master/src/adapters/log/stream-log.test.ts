@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
+import { logSuite } from '../../testing/acceptance/index.ts';
+import type { WrittenLine } from '../../testing/acceptance/index.ts';
 import { StreamLog } from './stream-log.ts';
 import type { LogOptions } from './stream-log.ts';
 
@@ -13,6 +15,16 @@ function record(options: Partial<LogOptions>) {
     ...options,
   });
   return { log, lines };
+}
+
+logSuite('StreamLog', () => {
+  const { log, lines } = record({ level: 'debug', format: 'json' });
+  return { log, lines: () => lines.map(readLine) };
+});
+
+function readLine(line: string): WrittenLine {
+  const { level, message, ...fields } = JSON.parse(line) as Record<string, unknown>;
+  return { level: String(level), message: String(message), fields };
 }
 
 describe('the log', () => {

@@ -63,7 +63,8 @@ function formatText(time: string, level: LogLevel, message: string, fields: LogF
   const words = Object.entries(others).flatMap(([name, value]) =>
     value === undefined ? [] : [`${name}=${quote(value)}`],
   );
-  const line = [time.slice(11, 19), level.padEnd(5), message, ...words].join(' ');
+  const text = message.replaceAll('\n', ' ');
+  const line = [time.slice(11, 19), level.padEnd(5), text, ...words].join(' ');
   return stack === undefined ? line : `${line}\n${String(stack)}`;
 }
 

@@ -1,7 +1,10 @@
 import { describe, expect, it } from 'vitest';
 
 import { DEFAULT_LIMITS } from '../../core/limits.ts';
+import { patternCompilerSuite } from '../../testing/acceptance/index.ts';
 import { Re2Patterns } from './re2-patterns.ts';
+
+patternCompilerSuite('Re2Patterns', () => new Re2Patterns(DEFAULT_LIMITS.patternInstructions));
 
 const patterns = new Re2Patterns(DEFAULT_LIMITS.patternInstructions);
 

@@ -1,6 +1,9 @@
 import { describe, expect, it } from 'vitest';
 
+import { resumeTokensSuite } from '../../testing/acceptance/index.ts';
 import { HmacResumeTokens } from './hmac-resume-tokens.ts';
+
+resumeTokensSuite('HmacResumeTokens', () => new HmacResumeTokens(new Uint8Array(32).fill(1)));
 
 const tokens = new HmacResumeTokens(new Uint8Array(32).fill(1));
 

@@ -1,0 +1,4 @@
+import { idSourceSuite } from '../../testing/acceptance/index.ts';
+import { randomIds } from './random-ids.ts';
+
+idSourceSuite('randomIds', () => randomIds);

@@ -1,0 +1,159 @@
+import { execFileSync, spawn } from 'node:child_process';
+import type { ChildProcess } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:net';
+import type { AddressInfo } from 'node:net';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { beforeAll, describe, expect, it, onTestFinished } from 'vitest';
+import { WebSocket } from 'ws';
+
+import { newFolder } from './edge-master.ts';
+
+const packageFolder = fileURLToPath(new URL('../..', import.meta.url));
+/** The program as `npm start` runs it, built from the sources as they are now. */
+const program = join(packageFolder, '.cache', 'main.js');
+
+beforeAll(() => {
+  execFileSync(process.execPath, ['build.mjs', '.cache'], { cwd: packageFolder });
+}, 60_000);
+
+class Program {
+  readonly child: ChildProcess;
+  stdout = '';
+  stderr = '';
+
+  constructor(flags: readonly string[], { withChannel = false } = {}) {
+    this.child = spawn(process.execPath, [program, ...flags], {
+      stdio: ['ignore', 'pipe', 'pipe', ...(withChannel ? (['ipc'] as const) : [])],
+      env: { PATH: process.env['PATH'], HOME: newFolder() },
+    });
+    this.child.stdout?.on('data', (text) => (this.stdout += text));
+    this.child.stderr?.on('data', (text) => (this.stderr += text));
+    onTestFinished(() => {
+      this.child.kill('SIGKILL');
+    });
+  }
+
+  /** Exit code and everything written, once the process ended. */
+  ended(): Promise<{ code: number | null; stdout: string; stderr: string }> {
+    return new Promise((resolve) =>
+      this.child.once('close', (code) =>
+        resolve({ code, stdout: this.stdout, stderr: this.stderr }),
+      ),
+    );
+  }
+
+  /** The line of `--print-endpoints json`. */
+  ready(): Promise<Endpoints> {
+    return new Promise((resolve, reject) => {
+      this.child.stdout?.on('data', () => {
+        if (this.stdout.includes('\n')) resolve(JSON.parse(this.stdout) as Endpoints);
+      });
+      this.child.once('close', () => reject(new Error(this.stderr)));
+    });
+  }
+}
+
+interface Endpoints {
+  readonly url: string;
+  readonly servicesJson: string;
+  readonly servicesBinary: string;
+  readonly topicDataWs: string;
+  readonly pid: number;
+}
+
+const quiet = ['--port', '0', '--legacy-ports', 'off', '--print-endpoints', 'json'];
+
+function start(flags: readonly string[] = []): Program {
+  return new Program([...quiet, ...flags]);
+}
+
+async function takePort(): Promise<number> {
+  const server = createServer();
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  onTestFinished(() => void server.close());
+  return (server.address() as AddressInfo).port;
+}
+
+describe('the master as a process', () => {
+  it('prints one line of JSON when it is ready, and everything else on standard error', async () => {
+    const master = start();
+    const endpoints = await master.ready();
+    expect(endpoints.pid).toBe(master.child.pid);
+    expect(endpoints.url).toMatch(/^http:\/\/localhost:\d+$/);
+    expect(endpoints.servicesBinary).toBe(`${endpoints.url}/services/binary`);
+    expect(endpoints.topicDataWs).toBe(`${endpoints.url.replace('http', 'ws')}/topicdata`);
+    const reply = await fetch(endpoints.servicesJson, {
+      method: 'POST',
+      body: '{"topic":"/services/server_configuration"}',
+    });
+    expect(await reply.json()).toHaveProperty('server');
+    expect(master.stdout.split('\n')).toEqual([expect.any(String), '']);
+    expect(master.stderr).toContain(endpoints.url);
+  });
+
+  it.each(['SIGTERM', 'SIGINT', 'SIGHUP'] as const)('ends in good order on %s', async (signal) => {
+    const master = start();
+    const { topicDataWs } = await master.ready();
+    const socket = new WebSocket(`${topicDataWs}?clientID=nobody`);
+    await new Promise((resolve) => socket.once('close', resolve));
+    const ended = master.ended();
+    master.child.kill(signal);
+    expect((await ended).code).toBe(0);
+  });
+
+  it('ends with the program that started it', async () => {
+    const master = new Program(quiet, { withChannel: true });
+    await master.ready();
+    const exited = new Promise((resolve) => master.child.once('exit', resolve));
+    master.child.disconnect();
+    expect(await exited).toBe(0);
+  });
+
+  it('shows help and version, whatever else is wrong', async () => {
+    const help = await new Program(['--help', '--port', 'x']).ended();
+    expect(help).toMatchObject({ code: 0, stderr: '' });
+    expect(help.stdout).toContain('--legacy-ports');
+    const { version } = JSON.parse(readFileSync(join(packageFolder, 'package.json'), 'utf8')) as {
+      version: string;
+    };
+    expect(await new Program(['--version']).ended()).toMatchObject({
+      code: 0,
+      stdout: `${version}\n`,
+    });
+  });
+});
+
+describe('a master that cannot start says why in one sentence', () => {
+  async function refusal(flags: readonly string[]): Promise<string> {
+    const { code, stdout, stderr } = await new Program(flags).ended();
+    expect(code).toBe(1);
+    expect(stdout).toBe('');
+    expect(stderr.trimEnd()).not.toContain('\n');
+    return stderr;
+  }
+
+  it('when a flag is unknown or wrong', async () => {
+    expect(await refusal(['--prot', '1'])).toContain('There is no flag --prot');
+    expect(await refusal(['--port', 'x'])).toContain('--port must be a whole number');
+  });
+
+  it('when its port is taken', async () => {
+    const port = await takePort();
+    const message = await refusal(['--port', String(port), '--legacy-ports', 'off']);
+    expect(message).toContain(`Port ${port} (--port) is taken by another program`);
+  });
+
+  it('when a legacy port that was asked for is taken', async () => {
+    const port = await takePort();
+    const message = await refusal(['--port', '0', '--legacy-ports', `0,${port}`]);
+    expect(message).toContain(`Port ${port} (--legacy-ports) is taken`);
+  });
+
+  it('when the data directory cannot be written', async () => {
+    const file = join(newFolder(), 'file');
+    writeFileSync(file, '');
+    expect(await refusal([...quiet, '--data-dir', file])).toContain('there is a file in its place');
+  });
+});
