@@ -28,8 +28,9 @@ export function createMasterStatusStore(
   usePoll(
     async () => {
       try {
+        const sentMs = nowMs();
         const reply = await client.call('masterStatus', { sinceMs: nextSinceMs(view.value) });
-        view.value = mergeMasterStatus(view.value, reply, nowMs());
+        view.value = mergeMasterStatus(view.value, reply, sentMs, nowMs());
         isUnsupported.value = false;
         error.value = undefined;
       } catch (cause) {

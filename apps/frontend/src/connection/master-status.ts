@@ -1,4 +1,5 @@
 import type { MasterStatus, StatusEvent, StatusSample } from '@ubii/proto';
+import { measureClock, type ClockOffset } from './clock-offset.ts';
 
 /** Samples and events are shown this long, milliseconds; the master keeps them as long. [EX-17] */
 export const HISTORY_MS = 10 * 60 * 1000;
@@ -11,8 +12,7 @@ export interface MasterView {
   readonly samples: readonly StatusSample[];
   /** Oldest first. */
   readonly events: readonly StatusEvent[];
-  /** Add it to this machine's clock to get the master's, milliseconds. */
-  readonly clockOffsetMs: number;
+  readonly clock: ClockOffset;
 }
 
 const eventKey = ({ timeMs, kind, clientId, text }: StatusEvent): string =>
@@ -20,11 +20,13 @@ const eventKey = ({ timeMs, kind, clientId, text }: StatusEvent): string =>
 
 /**
  * Adds a reply to what is known. A master that was restarted starts over.
- * @param receivedMs when the reply came, this machine's clock, epoch milliseconds
+ * @param sentMs when the question left, and `receivedMs` when the reply came: this machine's clock,
+ * epoch milliseconds
  */
 export function mergeMasterStatus(
   known: MasterView | undefined,
   reply: MasterStatus,
+  sentMs: number,
   receivedMs: number,
 ): MasterView {
   const isSame =
@@ -40,7 +42,7 @@ export function mergeMasterStatus(
     latest: reply,
     samples: [...samples, ...reply.samples.filter(({ timeMs }) => timeMs > newestSampleMs)],
     events: [...events, ...reply.events.filter((event) => !seen.has(eventKey(event)))],
-    clockOffsetMs: reply.nowMs - receivedMs,
+    clock: measureClock(isSame ? known.clock : undefined, sentMs, receivedMs, reply.nowMs),
   };
 }
 

@@ -2,6 +2,7 @@ import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { ServiceError } from '@ubii/proto';
 import { tryOnScopeDispose } from '@vueuse/core';
 import { computed, shallowRef, triggerRef, type Ref, type ShallowRef } from 'vue';
+import { measureClock, type ClockOffset } from './clock-offset.ts';
 import { createInterest } from './interest.ts';
 import { usePoll } from './poll.ts';
 import { TopicRates, type TopicChanges, type TopicRate } from './topic-rates.ts';
@@ -15,8 +16,8 @@ export interface TopicStatisticsStore {
   readonly rates: Readonly<ShallowRef<ReadonlyMap<string, TopicRate> | undefined>>;
   /** When the newest reply was made: milliseconds since the Unix epoch, master's clock; 0 before. */
   readonly masterTimeMs: Readonly<ShallowRef<number>>;
-  /** The master's clock minus this machine's, milliseconds, as of the newest reply. */
-  readonly clockOffsetMs: Readonly<ShallowRef<number>>;
+  /** The master's clock against this machine's, for the age of values; `undefined` before the first reply. */
+  readonly clock: Readonly<ShallowRef<ClockOffset | undefined>>;
   /** True when this is an original master, which has no such service. */
   readonly isUnsupported: Readonly<ShallowRef<boolean>>;
   /** Why the last question was not answered, when the master refused it. */
@@ -35,7 +36,7 @@ export function createTopicStatisticsStore(
   const topicRates = new TopicRates();
   const rates = shallowRef<ReadonlyMap<string, TopicRate>>();
   const masterTimeMs = shallowRef(0);
-  const clockOffsetMs = shallowRef(0);
+  const clock = shallowRef<ClockOffset>();
   const isUnsupported = shallowRef(false);
   const error = shallowRef<ServiceError>();
   const listeners = new Set<(changes: TopicChanges) => void>();
@@ -43,11 +44,17 @@ export function createTopicStatisticsStore(
 
   async function ask(): Promise<void> {
     try {
+      const sentMs = nowMs();
       const reply = await client.call('topicStatistics', { cursor: topicRates.cursor });
       const changes = topicRates.apply(reply);
       for (const listener of listeners) listener(changes);
       masterTimeMs.value = reply.masterTimeMs;
-      clockOffsetMs.value = reply.masterTimeMs - nowMs();
+      clock.value = measureClock(
+        reply.reset ? undefined : clock.value,
+        sentMs,
+        nowMs(),
+        reply.masterTimeMs,
+      );
       isUnsupported.value = false;
       error.value = undefined;
       rates.value = topicRates.rates;
@@ -69,7 +76,7 @@ export function createTopicStatisticsStore(
   return {
     rates,
     masterTimeMs,
-    clockOffsetMs,
+    clock,
     isUnsupported,
     error,
     watch: (intervalMs) => interest.express(intervalMs),

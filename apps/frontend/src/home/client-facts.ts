@@ -1,17 +1,55 @@
-import { ClientState, type Client } from '@ubii/proto';
+import {
+  ClientState,
+  StatusEventKind,
+  type Client,
+  type StatusEvent,
+  type StatusProblem,
+} from '@ubii/proto';
 import { formatLook } from '../formats/families.ts';
 
 /** More sockets than this are not told apart at a glance. */
 const MAX_SOCKETS = 6;
 
-/** The formats of a client's components, one of each, publishers first. */
-export function clientFormats(client: Pick<Client, 'devices'>): string[] {
-  const formats = client.devices
-    .flatMap(({ components }) => components)
-    .sort((a, b) => a.ioType - b.ioType)
-    .map(({ messageFormat }) => formatLook(messageFormat).text)
-    .filter((format) => format !== '');
-  return [...new Set(formats)].slice(0, MAX_SOCKETS);
+/** One socket for the data formats of a client that look alike. */
+export interface ClientSocket {
+  /** One of the formats, for shape and colour. */
+  readonly format: string;
+  /** All of them by name. */
+  readonly names: string;
+}
+
+/** The sockets of a client's components, one of each shape, publishers first. */
+export function clientSockets(client: Pick<Client, 'devices'>): ClientSocket[] {
+  const names = new Map<string, string[]>();
+  const components = client.devices.flatMap((device) => device.components);
+  for (const { messageFormat } of components.sort((a, b) => a.ioType - b.ioType)) {
+    if (messageFormat === '') continue;
+    const { family, isList, text } = formatLook(messageFormat);
+    const shape = `${family} ${isList}`;
+    const alike = names.get(shape) ?? [];
+    if (!alike.includes(text)) names.set(shape, [...alike, text]);
+  }
+  return [...names.values()]
+    .slice(0, MAX_SOCKETS)
+    .map((alike) => ({ format: alike[0]!, names: alike.join(', ') }));
+}
+
+/**
+ * Since when a client is away, the master's clock, epoch milliseconds; `undefined` when it is here or
+ * nobody knows.
+ * @param events oldest first
+ */
+export function awaySinceMs(
+  clientId: string,
+  problems: readonly StatusProblem[],
+  events: readonly StatusEvent[],
+): number | undefined {
+  const problem = problems.find(
+    (candidate) => candidate.code === 'client_silent' && candidate.clientId === clientId,
+  );
+  if (problem) return problem.sinceMs;
+  const lost = events.findLast((event) => event.clientId === clientId);
+  return lost?.kind === StatusEventKind.CLIENT_LOST ? lost.timeMs : undefined;
 }
 
 /** What a client is, in a few words: what it says of itself, else what can be seen. */

@@ -2,17 +2,18 @@ import type { TopicRate } from '../connection/topic-rates.ts';
 
 /** What one client publishes. */
 export interface PublisherRate {
-  readonly hz: number;
+  /** `undefined` until a rate is known. */
+  readonly hz: number | undefined;
   readonly topics: number;
 }
 
 /** Rates and topics summed by publisher. The master's own topics are left out. */
 export function publisherRates(rates: Iterable<TopicRate>): Map<string, PublisherRate> {
-  const sums = new Map<string, { hz: number; topics: number }>();
+  const sums = new Map<string, { hz: number | undefined; topics: number }>();
   for (const { statistic, hz } of rates) {
     if (statistic.publisherId === '' || statistic.dataFormat === '') continue;
-    const sum = sums.get(statistic.publisherId) ?? { hz: 0, topics: 0 };
-    sum.hz += hz ?? 0;
+    const sum = sums.get(statistic.publisherId) ?? { hz: undefined, topics: 0 };
+    if (hz !== undefined) sum.hz = (sum.hz ?? 0) + hz;
     sum.topics += 1;
     sums.set(statistic.publisherId, sum);
   }

@@ -23,7 +23,8 @@ export function usePublisherRates(): Readonly<
     const before = trends.value;
     const next = new Map<string, PublisherTrend>();
     for (const [id, rate] of publisherRates(rates.values())) {
-      const history = [...(before?.get(id)?.history ?? []), rate.hz].slice(-HISTORY);
+      const past = before?.get(id)?.history ?? [];
+      const history = rate.hz === undefined ? past : [...past, rate.hz].slice(-HISTORY);
       next.set(id, { ...rate, history });
     }
     trends.value = next;
