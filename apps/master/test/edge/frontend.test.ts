@@ -1,9 +1,12 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 
 import { newFolder, send, startEdgeMaster } from './edge-master.ts';
+
+// A whole master each: minutes on a busy machine are no fault of it.
+vi.setConfig({ testTimeout: 60_000 });
 
 const PAGE = '<!doctype html><title>frontend</title>';
 const SCRIPT = 'console.log(1)';

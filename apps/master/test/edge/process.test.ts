@@ -5,10 +5,13 @@ import { createServer } from 'node:net';
 import type { AddressInfo } from 'node:net';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { beforeAll, describe, expect, it, onTestFinished } from 'vitest';
+import { beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { WebSocket } from 'ws';
 
 import { newFolder } from './edge-master.ts';
+
+// A whole master each: minutes on a busy machine are no fault of it.
+vi.setConfig({ testTimeout: 60_000 });
 
 const packageFolder = fileURLToPath(new URL('../..', import.meta.url));
 /** The program as `npm start` runs it, built from the sources as they are now. */

@@ -1,9 +1,12 @@
 import { decode, encode } from '@ubii/proto';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 
 import { DEFAULT_LIMITS } from '../../src/index.ts';
 import { send, startEdgeMaster } from './edge-master.ts';
 import type { EdgeMaster } from './edge-master.ts';
+
+// A whole master each: minutes on a busy machine are no fault of it.
+vi.setConfig({ testTimeout: 60_000 });
 
 const JSON_TYPE = { 'content-type': 'application/json' };
 const BINARY_TYPE = { 'content-type': 'application/octet-stream' };

@@ -1,11 +1,14 @@
 import { decodeTopicData, encodeRecord } from '@ubii/proto';
 import { encodeRecordListFrame, recordFrameHeader } from '@ubii/proto/wire';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { WebSocket } from 'ws';
 
 import { DEFAULT_LIMITS } from '../../src/index.ts';
 import { newFolder, send, startEdgeMaster } from './edge-master.ts';
 import type { EdgeMaster } from './edge-master.ts';
+
+// A whole master each: minutes on a busy machine are no fault of it.
+vi.setConfig({ testTimeout: 60_000 });
 
 /** A registered client's socket, with everything it receives in order. */
 class Socket {

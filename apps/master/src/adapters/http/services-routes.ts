@@ -42,11 +42,8 @@ export function addServices(app: FastifyInstance, options: ServicesOptions): voi
         const refusal = isRefusal(error)
           ? new ServiceError('invalid_argument', error.message)
           : error;
-        return send(
-          reply.code(200),
-          formatFor(request),
-          options.master.refuseServiceRequest(refusal),
-        );
+        const answer = options.master.refuseServiceRequest(refusal);
+        void send(reply.code(200), formatFor(request), answer);
       },
     });
   };

@@ -46,6 +46,18 @@ describe('[SV-8] origins', () => {
     expect(verdict(onLan, origin)).toBe('allowed');
   });
 
+  it('allows the addresses of this machine: programs here call themselves by them', () => {
+    const policy = new OriginPolicy({
+      onLan: false,
+      host: 'localhost',
+      allowedOrigins: [],
+      isOwnAddress: (address) => address === '192.168.1.5',
+    });
+    expect(verdict(policy, 'http://192.168.1.5:8080')).toBe('allowed');
+    expect(verdict(policy, 'http://192.168.1.6:8080')).toBe('refused');
+    expect(verdict(policy, 'http://192.168.1.5.example.org')).toBe('refused');
+  });
+
   it.each([
     'http://192.168.1.5:8080',
     'http://10.0.0.1',

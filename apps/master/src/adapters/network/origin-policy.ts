@@ -7,6 +7,11 @@ export interface OriginPolicyOptions {
   readonly host: string;
   /** Origins of the configuration, see `allowedOrigins` in config.ts. */
   readonly allowedOrigins: readonly string[];
+  /**
+   * Whether an address is one of this machine. Programs here call themselves by what their host name
+   * resolves to (the Python node does), which is no loopback address everywhere. @default never
+   */
+  readonly isOwnAddress?: (address: string) => boolean;
 }
 
 /** What is to happen with a request, by the headers a browser sets and a page cannot. */
@@ -55,7 +60,12 @@ export class OriginPolicy {
     if (this.#patterns.some((pattern) => pattern.test(origin))) return true;
     const name = hostNameOf(origin.replace(/^https?:\/\//, ''));
     if (!/^https?:\/\//.test(origin)) return false;
-    return isLoopbackHost(name) || (this.#options.onLan && isPrivateAddress(name));
+    const { onLan, isOwnAddress } = this.#options;
+    return (
+      isLoopbackHost(name) ||
+      (onLan && isPrivateAddress(name)) ||
+      (isIpAddress(name) && isOwnAddress?.(name) === true)
+    );
   }
 
   /**
