@@ -7,7 +7,7 @@ import { randomIds } from './adapters/ids/random-ids.ts';
 import { isLoopbackHost } from './adapters/network/address-kinds.ts';
 import { Listeners } from './adapters/network/listeners.ts';
 import type { ListeningPorts } from './adapters/network/listeners.ts';
-import { listNetworkAddresses } from './adapters/network/network-addresses.ts';
+import { isOwnAddress, listNetworkAddresses } from './adapters/network/network-addresses.ts';
 import { ALL_NETWORKS } from './adapters/network/open-port.ts';
 import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
@@ -57,6 +57,7 @@ export async function startMaster({
     onLan: !isLoopbackHost(host),
     host,
     allowedOrigins: config.allowedOrigins,
+    isOwnAddress,
   });
   const limits = DEFAULT_LIMITS;
   const reachability = (): Reachability =>
