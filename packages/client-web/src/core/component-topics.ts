@@ -1,5 +1,5 @@
 import type { Component, Device, TopicRecord } from '@ubii/proto';
-import { ComponentIOType } from '@ubii/proto';
+import { ComponentIOType, isMasterTopic } from '@ubii/proto';
 import { matchesProfile } from './component-profile.ts';
 import type { ComponentProfile } from './component-profile.ts';
 
@@ -64,6 +64,7 @@ export class ComponentTopics {
   /** Keeps the record until it is known whether its topic belongs to a profile, if it is not. */
   holdIfUnknown(record: TopicRecord): void {
     if (this.#profiles.size === 0 || this.#foreignTopics.has(record.topic)) return;
+    if (isMasterTopic(record.topic)) return;
     for (const { topics } of this.#profiles.values()) if (topics.has(record.topic)) return;
     this.#heldRecords.push(record);
     if (this.#heldRecords.length > MAX_HELD_RECORDS) this.#heldRecords.shift();
@@ -73,6 +74,7 @@ export class ComponentTopics {
 
   /** A device was announced. */
   handleNewDevice(device: Device): void {
+    if (this.#refreshing !== undefined) this.#isStale = true; // the answer may be older than this
     if (this.#addMatches(device.components)) this.#options.handleChange();
   }
 

@@ -30,8 +30,11 @@ interface Wanted {
 }
 
 interface Held extends Wanted {
-  /** False while the master may or may not have it, such as after a reconnect. */
-  isCertain: boolean;
+  /**
+   * `asked`: a request is under way, or its answer got lost · `stale`: from before a reconnect; it has
+   * to be given up first, because the master sends retained records only with a new subscription.
+   */
+  certainty: 'certain' | 'asked' | 'stale';
 }
 
 interface Step {
@@ -60,7 +63,7 @@ export class SubscriptionSync {
   /** Whether the master is known to have exactly this. */
   isAccepted(key: string): boolean {
     const held = this.#held.get(key);
-    return held?.isCertain === true && held.maxRateHz === this.#wanted.get(key)?.maxRateHz;
+    return held?.certainty === 'certain' && held.maxRateHz === this.#wanted.get(key)?.maxRateHz;
   }
 
   /** @param maxRateHz 0 for every record */
@@ -78,13 +81,14 @@ export class SubscriptionSync {
   }
 
   /**
-   * The link is up: repeats every subscription, because the master may have lost them [TD-23], and
-   * resolves when it has all.
+   * The link is up: makes every subscription anew, because the master may have lost them, and because
+   * what was published meanwhile comes with a new subscription only [TD-24] [TD-33]. Resolves when
+   * the master has all.
    * @throws {ConnectionError | ServiceError} if the link failed, or the master does not know the client
    */
   async resume(link: { isSameClient: boolean; takesComponents: boolean }): Promise<void> {
     if (!link.isSameClient) this.#held.clear();
-    for (const held of this.#held.values()) held.isCertain = false;
+    for (const held of this.#held.values()) held.certainty = 'stale';
     this.#online = { takesComponents: link.takesComponents, isRunning: false };
     await this.#run();
   }
@@ -141,6 +145,8 @@ export class SubscriptionSync {
 
   /** What it takes to get from what is held to what is wanted. */
   #plan(): Step[] {
+    const stale = [...this.#held.values()].filter(({ certainty }) => certainty === 'stale');
+    if (stale.length > 0) return chunks(stale).map(toUnsubscribe);
     const byRate = new Map<number, Wanted[]>();
     for (const wanted of this.#wanted.values()) {
       if (this.isAccepted(wanted.pattern.key)) continue;
@@ -153,17 +159,15 @@ export class SubscriptionSync {
       ({ pattern }) => !this.#wanted.has(pattern.key),
     );
     return [
-      ...[...byRate.values()].flatMap((wanted) =>
-        chunks(wanted).map((subscribe) => ({ subscribe, unsubscribe: [] })),
-      ),
-      ...chunks(surplus).map((unsubscribe) => ({ subscribe: [], unsubscribe })),
+      ...[...byRate.values()].flatMap((wanted) => chunks(wanted).map(toSubscribe)),
+      ...chunks(surplus).map(toUnsubscribe),
     ];
   }
 
   async #perform(step: Step): Promise<void> {
     for (const wanted of step.subscribe) {
       // Noted before the request: should the answer get lost, the master may have it all the same.
-      this.#held.set(wanted.pattern.key, { ...wanted, isCertain: false });
+      this.#held.set(wanted.pattern.key, { ...wanted, certainty: 'asked' });
     }
     const online = this.#online;
     try {
@@ -178,7 +182,7 @@ export class SubscriptionSync {
     for (const { pattern } of step.unsubscribe) this.#held.delete(pattern.key);
     for (const { pattern } of step.subscribe) {
       const held = this.#held.get(pattern.key);
-      if (held !== undefined) held.isCertain = true;
+      if (held !== undefined) held.certainty = 'certain';
       if (this.#wanted.has(pattern.key)) this.#options.handleAccepted(pattern.key);
     }
   }
@@ -186,9 +190,8 @@ export class SubscriptionSync {
   async #handleRefusal(step: Step, error: ServiceError): Promise<void> {
     if (step.subscribe.length + step.unsubscribe.length > 1) {
       // One of them is to blame; each for itself shows which.
-      for (const one of step.subscribe) await this.#perform({ subscribe: [one], unsubscribe: [] });
-      for (const one of step.unsubscribe)
-        await this.#perform({ subscribe: [], unsubscribe: [one] });
+      for (const one of step.subscribe) await this.#perform(toSubscribe([one]));
+      for (const one of step.unsubscribe) await this.#perform(toUnsubscribe([one]));
       return;
     }
     for (const { pattern } of [...step.subscribe, ...step.unsubscribe]) {
@@ -203,6 +206,14 @@ export class SubscriptionSync {
     this.#idle?.resolve();
     this.#idle = undefined;
   }
+}
+
+function toSubscribe(subscribe: readonly Wanted[]): Step {
+  return { subscribe, unsubscribe: [] };
+}
+
+function toUnsubscribe(unsubscribe: readonly Wanted[]): Step {
+  return { subscribe: [], unsubscribe };
 }
 
 /** `undefined` when there is nothing to ask: component profiles are only for masters that take them. [TD-27] */

@@ -72,11 +72,23 @@ export function createMemoryTopicData(master: MemoryMaster): TopicDataTransport 
       const outbox: (() => void)[] = [];
       let connection: MemoryConnection | undefined;
       let isOpen = false;
+      const handleOpenOnce = (): void => {
+        if (isOpen || inbox.isClosed) return;
+        isOpen = true;
+        inbox.deliver(() => handler.handleOpen(), 0);
+      };
       const peer: MemoryPeer = {
-        sendBinary: (bytes) =>
-          inbox.deliver(() => handler.handleBinary(bytes.slice()), bytes.byteLength),
-        sendText: (text) => inbox.deliver(() => handler.handleText(text), text.length),
-        close: (code, reason) => {
+        sendBinary(bytes) {
+          handleOpenOnce();
+          const copy = bytes.slice();
+          inbox.deliver(() => handler.handleBinary(copy), bytes.byteLength);
+        },
+        sendText(text) {
+          handleOpenOnce();
+          inbox.deliver(() => handler.handleText(text), text.length);
+        },
+        close(code, reason) {
+          handleOpenOnce(); // a refusal, too, comes over an open socket
           isOpen = false;
           inbox.close(code, reason);
         },
@@ -94,12 +106,10 @@ export function createMemoryTopicData(master: MemoryMaster): TopicDataTransport 
 
       void Promise.resolve().then(() => {
         if (inbox.isClosed) return;
-        isOpen = true;
-        inbox.deliver(() => handler.handleOpen(), 0);
         connection = master.openConnection(query, peer);
-        if (connection !== undefined) return;
-        isOpen = false;
-        inbox.close(1006, '');
+        if (connection === undefined)
+          inbox.close(1006, ''); // unless it was closed with a code
+        else handleOpenOnce();
       });
 
       return {

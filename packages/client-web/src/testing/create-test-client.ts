@@ -1,0 +1,37 @@
+import type { ClientOptions } from '../core/client-options.ts';
+import type { ConnectionState } from '../core/connection-state.ts';
+import { createUbiiClient } from '../core/create-ubii-client.ts';
+import type { ClientProblem, UbiiClient } from '../core/ubii-client.ts';
+import { createMemoryServices, createMemoryTopicData } from '../transports/memory.ts';
+import type { MemoryMaster } from '../transports/memory.ts';
+import { FakeClock } from './fake-clock.ts';
+
+/** A client on a clock that stands still, with what it reported so far. */
+export interface TestClient {
+  readonly client: UbiiClient;
+  readonly clock: FakeClock;
+  readonly states: ConnectionState[];
+  readonly problems: ClientProblem[];
+}
+
+/** A client of a master in the same process. Jitter is none, unless the options say otherwise. */
+export function createTestClient(
+  master: MemoryMaster,
+  options: Partial<ClientOptions> & { readonly clock?: FakeClock } = {},
+): TestClient {
+  const clock = options.clock ?? new FakeClock();
+  const client = createUbiiClient(
+    { name: 'ada', publishIntervalMs: 0, ...options },
+    {
+      clock,
+      random: options.random ?? (() => 0),
+      services: createMemoryServices(master),
+      topicData: createMemoryTopicData(master),
+    },
+  );
+  const states: ConnectionState[] = [];
+  const problems: ClientProblem[] = [];
+  client.onState((state) => states.push(state));
+  client.onError((problem) => problems.push(problem));
+  return { client, clock, states, problems };
+}
