@@ -2,7 +2,7 @@ import { requireNode } from './lib/node-version.mjs';
 
 requireNode();
 const { launch } = await import('./lib/commands.mjs');
-const { choosePort } = await import('./lib/dev-port.mjs');
+const { choosePort, freePort } = await import('./lib/dev-port.mjs');
 const { ensureInstalled } = await import('./lib/installation.mjs');
 const { inRoot, programFile } = await import('./lib/repository.mjs');
 const { runScript } = await import('./lib/steps.mjs');
@@ -12,7 +12,7 @@ await runScript(async () => {
   await ensureInstalled();
   const flags = process.argv.slice(2);
   const port = await choosePort(flags);
-  const onLan = flags.includes('--lan');
+  const pagesPort = await freePort(5173);
 
   const master = launch(
     process.execPath,
@@ -24,11 +24,15 @@ await runScript(async () => {
       ...flags,
       ...['--port', String(port)],
     ],
-    { show: true, env: { UBII_DEV: '1' } },
+    { show: true, env: { UBII_DEV_FRONTEND_URL: `http://localhost:${pagesPort}` } },
   );
   const frontend = launch(
     process.execPath,
-    [programFile('apps/frontend', 'vite'), ...(onLan ? ['--host'] : [])],
+    [
+      programFile('apps/frontend', 'vite'),
+      ...['--port', String(pagesPort), '--strictPort', '--clearScreen', 'false'],
+      ...(flags.includes('--lan') ? ['--host'] : []),
+    ],
     {
       cwd: inRoot('apps/frontend'),
       show: true,

@@ -15,15 +15,15 @@ export async function choosePort(flags) {
     flags.splice(at, flag === flags[at] ? 2 : 1);
     wanted = value;
   }
-  return Number(wanted) === 0 ? freePort() : Number(wanted);
+  return Number(wanted) === 0 ? freePort(0) : Number(wanted);
 }
 
-/** @returns {Promise<number>} */
-function freePort() {
-  return new Promise((resolve, reject) => {
+/** @param {number} wanted @returns {Promise<number>} `wanted` when it is free, else any other */
+export function freePort(wanted) {
+  return new Promise((resolve) => {
     const server = createServer();
-    server.once('error', reject);
-    server.listen(0, '127.0.0.1', () => {
+    server.once('error', () => resolve(freePort(0)));
+    server.listen(wanted, () => {
       const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
       server.close(() => resolve(port));
     });
