@@ -1,8 +1,9 @@
+import { Reader } from './binary/reader.ts';
+import { writeMessage } from './binary/write-message.ts';
 import { DecodeError } from './decode-error.ts';
 import { CODECS } from './generated/codec.ts';
 import type { MessageTypes } from './generated/messages.ts';
 import type { Init } from './init.ts';
-import { createReader, createWriter } from './protobuf.ts';
 
 /** Full name of a message of the schema, for example `ubii.services.ServiceRequest`. */
 export type MessageType = keyof MessageTypes;
@@ -17,14 +18,12 @@ export function isMessageType(text: string): text is MessageType {
  * platform does, except `ProcessingModule.language: 0`, which existing nodes cannot bear.
  *
  * Numbers and truth values are converted as JavaScript does; `DATA_FORMATS[...].validate` checks.
- * The result may be a part of a larger buffer: copy it before its `.buffer` is transferred.
+ * The result has memory of its own, which may be transferred to a worker.
  *
  * @throws TypeError when text, bytes or a message is expected and something else given
  */
 export function encode<T extends MessageType>(type: T, message: Init<MessageTypes[T]>): Uint8Array {
-  const writer = createWriter();
-  CODECS[type].encode(message, writer);
-  return writer.finish();
+  return writeMessage<Init<MessageTypes[T]>>(CODECS[type].encode, message);
 }
 
 /**
@@ -37,7 +36,7 @@ export function encode<T extends MessageType>(type: T, message: Init<MessageType
  */
 export function decode<T extends MessageType>(type: T, bytes: Uint8Array): MessageTypes[T] {
   try {
-    return CODECS[type].decode(createReader(bytes));
+    return CODECS[type].decode(new Reader(bytes));
   } catch (cause) {
     throw DecodeError.wrap(type, bytes.byteLength, cause);
   }

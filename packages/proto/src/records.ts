@@ -1,4 +1,9 @@
+import { Reader } from './binary/reader.ts';
+import { skipField } from './binary/skip-field.ts';
+import { writeMessage } from './binary/write-message.ts';
+import type { Writer } from './binary/writer.ts';
 import type { DataFormat, DataFormatValues } from './data-formats/data-format-values.ts';
+import type { MessageType } from './codec.ts';
 import { DATA_FORMATS } from './data-formats/data-formats.ts';
 import { DecodeError } from './decode-error.ts';
 import {
@@ -9,17 +14,16 @@ import {
 } from './generated/codec.ts';
 import type { ErrorMessage, TopicDataRecord } from './generated/messages.ts';
 import type { Init } from './init.ts';
-import {
-  createReader,
-  createWriter,
-  open,
-  skip,
-  writeString,
-  type Reader,
-  type Writer,
-} from './protobuf.ts';
 import { timestampFromMs, timestampToMs } from './timestamp.ts';
-import { ERROR_TAG, LIST_ELEMENT_TAG, LIST_TAG, RECORD_TAG } from './wire/tags.ts';
+import {
+  CLIENT_ID_TAG,
+  ERROR_TAG,
+  LIST_ELEMENT_TAG,
+  LIST_TAG,
+  RECORD_TAG,
+  TIMESTAMP_TAG,
+  TOPIC_TAG,
+} from './wire/tags.ts';
 
 /** A value that was published on a topic. Narrow by `format` to get the type of `value`. */
 export type TopicRecord<F extends DataFormat = DataFormat> = F extends DataFormat
@@ -79,16 +83,19 @@ const RECORD_TYPE = 'ubii.topicData.TopicDataRecord';
  * @throws TypeError when the value is missing or has members of the wrong type
  */
 export function encodeRecord(record: RecordInit): Uint8Array {
-  const writer = createWriter();
-  writeString(writer.uint32(10), record.topic);
+  return writeMessage(writeRecord, record);
+}
+
+/** Writes field by field: a `TopicDataRecord` message would have to be looked at for 42 members. */
+function writeRecord(record: RecordInit, writer: Writer): void {
+  writer.string(TOPIC_TAG, record.topic);
   if (record.timestampMs !== undefined) {
-    writer.uint32(18).fork();
+    const opened = writer.open(TIMESTAMP_TAG);
     encodeTimestamp(timestampFromMs(record.timestampMs), writer);
-    writer.ldelim();
+    writer.close(opened);
   }
   if (record.format !== undefined) writeValue(writer, record.format, record.value, record.topic);
-  if (record.clientId) writeString(writer.uint32(266), record.clientId);
-  return writer.finish();
+  if (record.clientId) writer.string(CLIENT_ID_TAG, record.clientId);
 }
 
 function writeValue(writer: Writer, format: DataFormat, value: unknown, topic: string): void {
@@ -99,25 +106,20 @@ function writeValue(writer: Writer, format: DataFormat, value: unknown, topic: s
   const tag = fieldNumber << 3;
   switch (format) {
     case 'double':
-      writer.uint32(tag | 1).double(value as number);
-      return;
+      return writer.double(tag | 1, value as number);
     case 'float':
-      writer.uint32(tag | 5).float(value as number);
-      return;
+      return writer.float(tag | 5, value as number);
     case 'int32':
-      writer.uint32(tag).int32(value as number);
-      return;
+      return writer.int32(tag, value as number);
     case 'bool':
-      writer.uint32(tag).bool(value as boolean);
-      return;
+      return writer.bool(tag, value as boolean);
     case 'string':
-      writeString(writer.uint32(tag | 2), value as string);
-      return;
+      return writer.string(tag | 2, value as string);
     default: {
-      const codec = CODECS[messageType as keyof typeof CODECS];
-      writer.uint32(tag | 2).fork();
-      (codec.encode as (message: unknown, writer: Writer) => void)(value, writer);
-      writer.ldelim();
+      const { encode } = CODECS[messageType as MessageType];
+      const opened = writer.open(tag | 2);
+      (encode as (message: unknown, writer: Writer) => void)(value, writer);
+      writer.close(opened);
     }
   }
 }
@@ -130,7 +132,7 @@ function writeValue(writer: Writer, format: DataFormat, value: unknown, topic: s
  */
 export function decodeRecord(bytes: Uint8Array): TopicRecord | EmptyRecord {
   try {
-    return recordOf(decodeTopicDataRecord(createReader(bytes)));
+    return recordOf(decodeTopicDataRecord(new Reader(bytes)));
   } catch (cause) {
     throw DecodeError.wrap(RECORD_TYPE, bytes.byteLength, cause);
   }
@@ -162,8 +164,8 @@ export function recordOf(message: TopicDataRecord): TopicRecord | EmptyRecord {
 export function decodeTopicData(bytes: Uint8Array): DecodedTopicData {
   const result: DecodedTopicData = { records: [], error: undefined, failed: [] };
   try {
-    const reader = createReader(bytes);
-    while (reader.pos < reader.len) readMember(reader, result);
+    const reader = new Reader(bytes);
+    while (reader.pos < reader.end) readMember(reader, result);
   } catch (cause) {
     result.failed.push(DecodeError.wrap('ubii.topicData.TopicData', bytes.byteLength, cause));
   }
@@ -176,34 +178,34 @@ function readMember(reader: Reader, result: DecodedTopicData): void {
     case RECORD_TAG:
       return readRecord(reader, result);
     case LIST_TAG: {
-      const end = open(reader);
-      while (reader.pos < reader.len) {
+      const outerEnd = reader.enter();
+      while (reader.pos < reader.end) {
         const elementTag = reader.tag();
         if (elementTag === LIST_ELEMENT_TAG) readRecord(reader, result);
-        else skip(reader, elementTag);
+        else skipField(reader, elementTag);
       }
-      reader.len = end;
+      reader.end = outerEnd;
       return;
     }
     case ERROR_TAG: {
-      const end = open(reader);
+      const outerEnd = reader.enter();
       result.error = decodeErrorMessage(reader, result.error);
-      reader.len = end;
+      reader.end = outerEnd;
       return;
     }
     default:
-      skip(reader, tag);
+      skipField(reader, tag);
   }
 }
 
 function readRecord(reader: Reader, result: DecodedTopicData): void {
-  const outerEnd = open(reader);
-  const { pos: start, len: end } = reader;
+  const outerEnd = reader.enter();
+  const { pos: start, end } = reader;
   try {
     result.records.push(recordOf(decodeTopicDataRecord(reader)));
   } catch (cause) {
     result.failed.push(DecodeError.wrap(RECORD_TYPE, end - start, cause));
   }
   reader.pos = end;
-  reader.len = outerEnd;
+  reader.end = outerEnd;
 }

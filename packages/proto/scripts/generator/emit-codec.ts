@@ -28,8 +28,11 @@ const WIRE_TYPE = {
 export function emitCodec(schema: SchemaModel): string {
   return [
     HEADER,
+    "import { only, setMember } from '../binary/oneof.ts';",
+    "import type { Reader } from '../binary/reader.ts';",
+    "import { skipField } from '../binary/skip-field.ts';",
+    "import type { Writer } from '../binary/writer.ts';",
     "import type { Init } from '../init.ts';",
-    "import { only, open, readBytes, readInt64, setMember, skip, writeBytes, writeString, type Reader, type Writer } from '../protobuf.ts';",
     "import type * as T from './messages.ts';",
     '',
     ...schema.messages.flatMap((message) => [emitEncode(message), emitDecode(message)]),
@@ -69,12 +72,8 @@ function emitEncode(message: MessageModel): string {
 function encodeRepeated(field: FieldModel): string[] {
   const member = `m.${field.jsonName}`;
   if (isPackable(field)) {
-    const method = methodOf(field);
-    // The writer's types want a mutable array, which it does not change.
-    const list = `${member} as ${method === 'bool' ? 'boolean' : 'number'}[]`;
-    return [
-      `  if (${member} != null && ${member}.length > 0) w.uint32(${tagOf(field, 2)}).${method}s(${list});`,
-    ];
+    const call = `w.${methodOf(field)}s(${tagOf(field, 2)}, ${member})`;
+    return [`  if (${member} != null && ${member}.length > 0) ${call};`];
   }
   return [`  if (${member} != null) for (const e of ${member}) ${writeValue(field, 'e')}`];
 }
@@ -82,12 +81,9 @@ function encodeRepeated(field: FieldModel): string[] {
 function writeValue(field: FieldModel, value: string): string {
   const tag = tagOf(field, wireTypeOf(field));
   const { type } = field;
-  if (isMessage(type)) {
-    return `{ w.uint32(${tag}).fork(); encode${type.tsName}(${value}, w); w.ldelim(); }`;
-  }
-  if (type === 'bytes') return `writeBytes(w.uint32(${tag}), ${value});`;
-  if (type === 'string') return `writeString(w.uint32(${tag}), ${value});`;
-  return `w.uint32(${tag}).${methodOf(field)}(${value});`;
+  return isMessage(type)
+    ? `{ const at = w.open(${tag}); encode${type.tsName}(${value}, w); w.close(at); }`
+    : `w.${methodOf(field)}(${tag}, ${value});`;
 }
 
 function emitDecode(message: MessageModel): string {
@@ -102,12 +98,12 @@ function emitDecode(message: MessageModel): string {
     ...oneofs.map(
       (oneof) => `  let ${oneof} = into && setMember(into, ${oneofKeys(message, oneof)});`,
     ),
-    '  while (r.pos < r.len) {',
+    '  while (r.pos < r.end) {',
     '    const tag = r.tag();',
     '    switch (tag) {',
   );
   for (const field of fields) lines.push(...decodeCases(field));
-  lines.push('      default: skip(r, tag);', '    }', '  }', '  return m;', '}', '');
+  lines.push('      default: skipField(r, tag);', '    }', '  }', '  return m;', '}', '');
   return lines.join('\n');
 }
 
@@ -123,7 +119,7 @@ function decodeCases(field: FieldModel): string[] {
     const store = field.repeated
       ? `${member}.push(${call}(r));`
       : `${member} = ${call}(r, ${member});`;
-    return [`${single}{ const end = open(r); ${store} r.len = end; break; }`];
+    return [`${single}{ const end = r.enter(); ${store} r.end = end; break; }`];
   }
   if (!field.repeated) return [`${single}${member} = ${readValue(field)}; break;`];
   const cases = [`${single}${member}.push(${readValue(field)}); break;`];
@@ -134,14 +130,11 @@ function decodeCases(field: FieldModel): string[] {
 }
 
 function readValue(field: FieldModel): string {
-  const { type } = field;
-  if (isEnum(type)) return `r.int32() as T.${type.tsName}`;
-  if (type === 'string') return 'r.stringVerify()';
-  if (type === 'bytes') return 'readBytes(r)';
-  if (type === 'int64') return 'readInt64(r)';
-  return `r.${methodOf(field)}()`;
+  const call = `r.${methodOf(field)}()`;
+  return isEnum(field.type) ? `${call} as T.${field.type.tsName}` : call;
 }
 
+/** Reader and writer name their methods after the types of the schema. */
 function methodOf({ type }: FieldModel): string {
   return isEnum(type) ? 'int32' : (type as string);
 }

@@ -1,5 +1,5 @@
 import type { EnumDescriptor, FieldDescriptor, MessageDescriptor } from '../descriptor.ts';
-import { isBytes } from '../protobuf.ts';
+import { isBytes } from '../binary/is-bytes.ts';
 import { validateImage } from './validate-image.ts';
 
 const MIN_INT32 = -(2 ** 31);

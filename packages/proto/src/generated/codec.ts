@@ -1,245 +1,248 @@
 // Made from schema/*.proto by scripts/generate.ts. Change the schema, then run `pnpm generate`.
 
+import { only, setMember } from '../binary/oneof.ts';
+import type { Reader } from '../binary/reader.ts';
+import { skipField } from '../binary/skip-field.ts';
+import type { Writer } from '../binary/writer.ts';
 import type { Init } from '../init.ts';
-import { only, open, readBytes, readInt64, setMember, skip, writeBytes, writeString, type Reader, type Writer } from '../protobuf.ts';
 import type * as T from './messages.ts';
 
 export function encodeClient(m: Init<T.Client>, w: Writer): void {
-  if (m.id != null) writeString(w.uint32(10), m.id);
-  if (m.name != null) writeString(w.uint32(18), m.name);
-  if (m.devices != null) for (const e of m.devices) { w.uint32(26).fork(); encodeDevice(e, w); w.ldelim(); }
-  if (m.tags != null) for (const e of m.tags) writeString(w.uint32(34), e);
-  if (m.description != null) writeString(w.uint32(42), m.description);
-  if (m.processingModules != null) for (const e of m.processingModules) { w.uint32(50).fork(); encodeProcessingModule(e, w); w.ldelim(); }
-  if (m.isDedicatedProcessingNode != null) w.uint32(56).bool(m.isDedicatedProcessingNode);
-  if (m.hostIp != null) writeString(w.uint32(66), m.hostIp);
-  if (m.metadataJson != null) writeString(w.uint32(74), m.metadataJson);
-  if (m.state != null) w.uint32(80).int32(m.state);
-  if (m.latency != null) w.uint32(93).float(m.latency);
-  if (m.extension != null) { w.uint32(8002).fork(); encodeClientExtension(m.extension, w); w.ldelim(); }
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.devices != null) for (const e of m.devices) { const at = w.open(26); encodeDevice(e, w); w.close(at); }
+  if (m.tags != null) for (const e of m.tags) w.string(34, e);
+  if (m.description != null) w.string(42, m.description);
+  if (m.processingModules != null) for (const e of m.processingModules) { const at = w.open(50); encodeProcessingModule(e, w); w.close(at); }
+  if (m.isDedicatedProcessingNode != null) w.bool(56, m.isDedicatedProcessingNode);
+  if (m.hostIp != null) w.string(66, m.hostIp);
+  if (m.metadataJson != null) w.string(74, m.metadataJson);
+  if (m.state != null) w.int32(80, m.state);
+  if (m.latency != null) w.float(93, m.latency);
+  if (m.extension != null) { const at = w.open(8002); encodeClientExtension(m.extension, w); w.close(at); }
 }
 
 export function decodeClient(r: Reader, into?: T.Client): T.Client {
   const m: T.Client = into ?? { id: '', name: '', devices: [], tags: [], description: '', processingModules: [], isDedicatedProcessingNode: false, hostIp: '', metadataJson: '', state: 0, latency: 0, extension: undefined };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.id = r.stringVerify(); break;
-      case 18: m.name = r.stringVerify(); break;
-      case 26: { const end = open(r); m.devices.push(decodeDevice(r)); r.len = end; break; }
-      case 34: m.tags.push(r.stringVerify()); break;
-      case 42: m.description = r.stringVerify(); break;
-      case 50: { const end = open(r); m.processingModules.push(decodeProcessingModule(r)); r.len = end; break; }
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: { const end = r.enter(); m.devices.push(decodeDevice(r)); r.end = end; break; }
+      case 34: m.tags.push(r.string()); break;
+      case 42: m.description = r.string(); break;
+      case 50: { const end = r.enter(); m.processingModules.push(decodeProcessingModule(r)); r.end = end; break; }
       case 56: m.isDedicatedProcessingNode = r.bool(); break;
-      case 66: m.hostIp = r.stringVerify(); break;
-      case 74: m.metadataJson = r.stringVerify(); break;
+      case 66: m.hostIp = r.string(); break;
+      case 74: m.metadataJson = r.string(); break;
       case 80: m.state = r.int32() as T.ClientState; break;
       case 93: m.latency = r.float(); break;
-      case 8002: { const end = open(r); m.extension = decodeClientExtension(r, m.extension); r.len = end; break; }
-      default: skip(r, tag);
+      case 8002: { const end = r.enter(); m.extension = decodeClientExtension(r, m.extension); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeClientList(m: Init<T.ClientList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeClient(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeClient(e, w); w.close(at); }
 }
 
 export function decodeClientList(r: Reader, into?: T.ClientList): T.ClientList {
   const m: T.ClientList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeClient(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeClient(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeNotifyCondition(m: Init<T.NotifyCondition>, w: Writer): void {
-  if (m.id != null) writeString(w.uint32(10), m.id);
-  if (m.name != null) writeString(w.uint32(18), m.name);
-  if (m.evaluationFunctionStringified != null) writeString(w.uint32(26), m.evaluationFunctionStringified);
-  if (m.clientProfilePub != null) { w.uint32(34).fork(); encodeClient(m.clientProfilePub, w); w.ldelim(); }
-  if (m.clientProfileSub != null) { w.uint32(42).fork(); encodeClient(m.clientProfileSub, w); w.ldelim(); }
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.evaluationFunctionStringified != null) w.string(26, m.evaluationFunctionStringified);
+  if (m.clientProfilePub != null) { const at = w.open(34); encodeClient(m.clientProfilePub, w); w.close(at); }
+  if (m.clientProfileSub != null) { const at = w.open(42); encodeClient(m.clientProfileSub, w); w.close(at); }
 }
 
 export function decodeNotifyCondition(r: Reader, into?: T.NotifyCondition): T.NotifyCondition {
   const m: T.NotifyCondition = into ?? { id: '', name: '', evaluationFunctionStringified: '', clientProfilePub: undefined, clientProfileSub: undefined };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.id = r.stringVerify(); break;
-      case 18: m.name = r.stringVerify(); break;
-      case 26: m.evaluationFunctionStringified = r.stringVerify(); break;
-      case 34: { const end = open(r); m.clientProfilePub = decodeClient(r, m.clientProfilePub); r.len = end; break; }
-      case 42: { const end = open(r); m.clientProfileSub = decodeClient(r, m.clientProfileSub); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: m.evaluationFunctionStringified = r.string(); break;
+      case 34: { const end = r.enter(); m.clientProfilePub = decodeClient(r, m.clientProfilePub); r.end = end; break; }
+      case 42: { const end = r.enter(); m.clientProfileSub = decodeClient(r, m.clientProfileSub); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeBoolList(m: Init<T.BoolList>, w: Writer): void {
-  if (m.elements != null && m.elements.length > 0) w.uint32(10).bools(m.elements as boolean[]);
+  if (m.elements != null && m.elements.length > 0) w.bools(10, m.elements);
 }
 
 export function decodeBoolList(r: Reader, into?: T.BoolList): T.BoolList {
   const m: T.BoolList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 8: m.elements.push(r.bool()); break;
       case 10: r.bools(m.elements); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeColor(m: Init<T.Color>, w: Writer): void {
-  if (m.r != null) w.uint32(9).double(m.r);
-  if (m.g != null) w.uint32(17).double(m.g);
-  if (m.b != null) w.uint32(25).double(m.b);
-  if (m.a != null) w.uint32(33).double(m.a);
+  if (m.r != null) w.double(9, m.r);
+  if (m.g != null) w.double(17, m.g);
+  if (m.b != null) w.double(25, m.b);
+  if (m.a != null) w.double(33, m.a);
 }
 
 export function decodeColor(r: Reader, into?: T.Color): T.Color {
   const m: T.Color = into ?? { r: 0, g: 0, b: 0, a: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.r = r.double(); break;
       case 17: m.g = r.double(); break;
       case 25: m.b = r.double(); break;
       case 33: m.a = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeDoubleList(m: Init<T.DoubleList>, w: Writer): void {
-  if (m.elements != null && m.elements.length > 0) w.uint32(10).doubles(m.elements as number[]);
+  if (m.elements != null && m.elements.length > 0) w.doubles(10, m.elements);
 }
 
 export function decodeDoubleList(r: Reader, into?: T.DoubleList): T.DoubleList {
   const m: T.DoubleList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.elements.push(r.double()); break;
       case 10: r.doubles(m.elements); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeFloatList(m: Init<T.FloatList>, w: Writer): void {
-  if (m.elements != null && m.elements.length > 0) w.uint32(10).floats(m.elements as number[]);
+  if (m.elements != null && m.elements.length > 0) w.floats(10, m.elements);
 }
 
 export function decodeFloatList(r: Reader, into?: T.FloatList): T.FloatList {
   const m: T.FloatList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 13: m.elements.push(r.float()); break;
       case 10: r.floats(m.elements); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeImage2D(m: Init<T.Image2D>, w: Writer): void {
-  if (m.width != null) w.uint32(8).int32(m.width);
-  if (m.height != null) w.uint32(16).int32(m.height);
-  if (m.dataFormat != null) w.uint32(24).int32(m.dataFormat);
-  if (m.data != null) writeBytes(w.uint32(34), m.data);
+  if (m.width != null) w.int32(8, m.width);
+  if (m.height != null) w.int32(16, m.height);
+  if (m.dataFormat != null) w.int32(24, m.dataFormat);
+  if (m.data != null) w.bytes(34, m.data);
 }
 
 export function decodeImage2D(r: Reader, into?: T.Image2D): T.Image2D {
   const m: T.Image2D = into ?? { width: 0, height: 0, dataFormat: 0, data: new Uint8Array(0) };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 8: m.width = r.int32(); break;
       case 16: m.height = r.int32(); break;
       case 24: m.dataFormat = r.int32() as T.Image2DDataFormat; break;
-      case 34: m.data = readBytes(r); break;
-      default: skip(r, tag);
+      case 34: m.data = r.bytes(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeImage2DList(m: Init<T.Image2DList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeImage2D(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeImage2D(e, w); w.close(at); }
 }
 
 export function decodeImage2DList(r: Reader, into?: T.Image2DList): T.Image2DList {
   const m: T.Image2DList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeImage2D(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeImage2D(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeInt32List(m: Init<T.Int32List>, w: Writer): void {
-  if (m.elements != null && m.elements.length > 0) w.uint32(10).int32s(m.elements as number[]);
+  if (m.elements != null && m.elements.length > 0) w.int32s(10, m.elements);
 }
 
 export function decodeInt32List(r: Reader, into?: T.Int32List): T.Int32List {
   const m: T.Int32List = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 8: m.elements.push(r.int32()); break;
       case 10: r.int32s(m.elements); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeKeyEvent(m: Init<T.KeyEvent>, w: Writer): void {
-  if (m.type != null) w.uint32(8).int32(m.type);
-  if (m.key != null) writeString(w.uint32(18), m.key);
+  if (m.type != null) w.int32(8, m.type);
+  if (m.key != null) w.string(18, m.key);
 }
 
 export function decodeKeyEvent(r: Reader, into?: T.KeyEvent): T.KeyEvent {
   const m: T.KeyEvent = into ?? { type: 0, key: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 8: m.type = r.int32() as T.ButtonEventType; break;
-      case 18: m.key = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 18: m.key = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeMatrix3x2(m: Init<T.Matrix3x2>, w: Writer): void {
-  if (m.m00 != null) w.uint32(9).double(m.m00);
-  if (m.m01 != null) w.uint32(17).double(m.m01);
-  if (m.m10 != null) w.uint32(25).double(m.m10);
-  if (m.m11 != null) w.uint32(33).double(m.m11);
-  if (m.m20 != null) w.uint32(41).double(m.m20);
-  if (m.m21 != null) w.uint32(49).double(m.m21);
+  if (m.m00 != null) w.double(9, m.m00);
+  if (m.m01 != null) w.double(17, m.m01);
+  if (m.m10 != null) w.double(25, m.m10);
+  if (m.m11 != null) w.double(33, m.m11);
+  if (m.m20 != null) w.double(41, m.m20);
+  if (m.m21 != null) w.double(49, m.m21);
 }
 
 export function decodeMatrix3x2(r: Reader, into?: T.Matrix3x2): T.Matrix3x2 {
   const m: T.Matrix3x2 = into ?? { m00: 0, m01: 0, m10: 0, m11: 0, m20: 0, m21: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.m00 = r.double(); break;
@@ -248,34 +251,34 @@ export function decodeMatrix3x2(r: Reader, into?: T.Matrix3x2): T.Matrix3x2 {
       case 33: m.m11 = r.double(); break;
       case 41: m.m20 = r.double(); break;
       case 49: m.m21 = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeMatrix4x4(m: Init<T.Matrix4x4>, w: Writer): void {
-  if (m.m00 != null) w.uint32(9).double(m.m00);
-  if (m.m01 != null) w.uint32(17).double(m.m01);
-  if (m.m02 != null) w.uint32(25).double(m.m02);
-  if (m.m03 != null) w.uint32(33).double(m.m03);
-  if (m.m10 != null) w.uint32(41).double(m.m10);
-  if (m.m11 != null) w.uint32(49).double(m.m11);
-  if (m.m12 != null) w.uint32(57).double(m.m12);
-  if (m.m13 != null) w.uint32(65).double(m.m13);
-  if (m.m20 != null) w.uint32(73).double(m.m20);
-  if (m.m21 != null) w.uint32(81).double(m.m21);
-  if (m.m22 != null) w.uint32(89).double(m.m22);
-  if (m.m23 != null) w.uint32(97).double(m.m23);
-  if (m.m30 != null) w.uint32(105).double(m.m30);
-  if (m.m31 != null) w.uint32(113).double(m.m31);
-  if (m.m32 != null) w.uint32(121).double(m.m32);
-  if (m.m33 != null) w.uint32(129).double(m.m33);
+  if (m.m00 != null) w.double(9, m.m00);
+  if (m.m01 != null) w.double(17, m.m01);
+  if (m.m02 != null) w.double(25, m.m02);
+  if (m.m03 != null) w.double(33, m.m03);
+  if (m.m10 != null) w.double(41, m.m10);
+  if (m.m11 != null) w.double(49, m.m11);
+  if (m.m12 != null) w.double(57, m.m12);
+  if (m.m13 != null) w.double(65, m.m13);
+  if (m.m20 != null) w.double(73, m.m20);
+  if (m.m21 != null) w.double(81, m.m21);
+  if (m.m22 != null) w.double(89, m.m22);
+  if (m.m23 != null) w.double(97, m.m23);
+  if (m.m30 != null) w.double(105, m.m30);
+  if (m.m31 != null) w.double(113, m.m31);
+  if (m.m32 != null) w.double(121, m.m32);
+  if (m.m33 != null) w.double(129, m.m33);
 }
 
 export function decodeMatrix4x4(r: Reader, into?: T.Matrix4x4): T.Matrix4x4 {
   const m: T.Matrix4x4 = into ?? { m00: 0, m01: 0, m02: 0, m03: 0, m10: 0, m11: 0, m12: 0, m13: 0, m20: 0, m21: 0, m22: 0, m23: 0, m30: 0, m31: 0, m32: 0, m33: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.m00 = r.double(); break;
@@ -294,388 +297,388 @@ export function decodeMatrix4x4(r: Reader, into?: T.Matrix4x4): T.Matrix4x4 {
       case 113: m.m31 = r.double(); break;
       case 121: m.m32 = r.double(); break;
       case 129: m.m33 = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeMouseEventMessage(m: Init<T.MouseEventMessage>, w: Writer): void {
-  if (m.type != null) w.uint32(8).int32(m.type);
-  if (m.button != null) w.uint32(16).int32(m.button);
+  if (m.type != null) w.int32(8, m.type);
+  if (m.button != null) w.int32(16, m.button);
 }
 
 export function decodeMouseEventMessage(r: Reader, into?: T.MouseEventMessage): T.MouseEventMessage {
   const m: T.MouseEventMessage = into ?? { type: 0, button: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 8: m.type = r.int32() as T.ButtonEventType; break;
       case 16: m.button = r.int32(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeMyoEvent(m: Init<T.MyoEvent>, w: Writer): void {
-  if (m.emg != null) { w.uint32(10).fork(); encodeVector8(m.emg, w); w.ldelim(); }
-  if (m.orientation != null) { w.uint32(18).fork(); encodeQuaternion(m.orientation, w); w.ldelim(); }
-  if (m.gyroscope != null) { w.uint32(26).fork(); encodeVector3(m.gyroscope, w); w.ldelim(); }
-  if (m.accelerometer != null) { w.uint32(34).fork(); encodeVector3(m.accelerometer, w); w.ldelim(); }
-  if (m.gesture != null) w.uint32(40).int32(m.gesture);
+  if (m.emg != null) { const at = w.open(10); encodeVector8(m.emg, w); w.close(at); }
+  if (m.orientation != null) { const at = w.open(18); encodeQuaternion(m.orientation, w); w.close(at); }
+  if (m.gyroscope != null) { const at = w.open(26); encodeVector3(m.gyroscope, w); w.close(at); }
+  if (m.accelerometer != null) { const at = w.open(34); encodeVector3(m.accelerometer, w); w.close(at); }
+  if (m.gesture != null) w.int32(40, m.gesture);
 }
 
 export function decodeMyoEvent(r: Reader, into?: T.MyoEvent): T.MyoEvent {
   const m: T.MyoEvent = into ?? { emg: undefined, orientation: undefined, gyroscope: undefined, accelerometer: undefined, gesture: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.emg = decodeVector8(r, m.emg); r.len = end; break; }
-      case 18: { const end = open(r); m.orientation = decodeQuaternion(r, m.orientation); r.len = end; break; }
-      case 26: { const end = open(r); m.gyroscope = decodeVector3(r, m.gyroscope); r.len = end; break; }
-      case 34: { const end = open(r); m.accelerometer = decodeVector3(r, m.accelerometer); r.len = end; break; }
+      case 10: { const end = r.enter(); m.emg = decodeVector8(r, m.emg); r.end = end; break; }
+      case 18: { const end = r.enter(); m.orientation = decodeQuaternion(r, m.orientation); r.end = end; break; }
+      case 26: { const end = r.enter(); m.gyroscope = decodeVector3(r, m.gyroscope); r.end = end; break; }
+      case 34: { const end = r.enter(); m.accelerometer = decodeVector3(r, m.accelerometer); r.end = end; break; }
       case 40: m.gesture = r.int32() as T.HandGestureType; break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeObject2D(m: Init<T.Object2D>, w: Writer): void {
-  if (m.id != null) writeString(w.uint32(10), m.id);
-  if (m.pose != null) { w.uint32(18).fork(); encodePose2D(m.pose, w); w.ldelim(); }
-  if (m.size != null) { w.uint32(26).fork(); encodeVector2(m.size, w); w.ldelim(); }
-  if (m.userDataJson != null) writeString(w.uint32(34), m.userDataJson);
+  if (m.id != null) w.string(10, m.id);
+  if (m.pose != null) { const at = w.open(18); encodePose2D(m.pose, w); w.close(at); }
+  if (m.size != null) { const at = w.open(26); encodeVector2(m.size, w); w.close(at); }
+  if (m.userDataJson != null) w.string(34, m.userDataJson);
 }
 
 export function decodeObject2D(r: Reader, into?: T.Object2D): T.Object2D {
   const m: T.Object2D = into ?? { id: '', pose: undefined, size: undefined, userDataJson: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.id = r.stringVerify(); break;
-      case 18: { const end = open(r); m.pose = decodePose2D(r, m.pose); r.len = end; break; }
-      case 26: { const end = open(r); m.size = decodeVector2(r, m.size); r.len = end; break; }
-      case 34: m.userDataJson = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 10: m.id = r.string(); break;
+      case 18: { const end = r.enter(); m.pose = decodePose2D(r, m.pose); r.end = end; break; }
+      case 26: { const end = r.enter(); m.size = decodeVector2(r, m.size); r.end = end; break; }
+      case 34: m.userDataJson = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeObject2DList(m: Init<T.Object2DList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeObject2D(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeObject2D(e, w); w.close(at); }
 }
 
 export function decodeObject2DList(r: Reader, into?: T.Object2DList): T.Object2DList {
   const m: T.Object2DList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeObject2D(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeObject2D(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeObject3D(m: Init<T.Object3D>, w: Writer): void {
-  if (m.id != null) writeString(w.uint32(10), m.id);
-  if (m.pose != null) { w.uint32(18).fork(); encodePose3D(m.pose, w); w.ldelim(); }
-  if (m.size != null) { w.uint32(26).fork(); encodeVector3(m.size, w); w.ldelim(); }
-  if (m.userDataJson != null) writeString(w.uint32(34), m.userDataJson);
+  if (m.id != null) w.string(10, m.id);
+  if (m.pose != null) { const at = w.open(18); encodePose3D(m.pose, w); w.close(at); }
+  if (m.size != null) { const at = w.open(26); encodeVector3(m.size, w); w.close(at); }
+  if (m.userDataJson != null) w.string(34, m.userDataJson);
 }
 
 export function decodeObject3D(r: Reader, into?: T.Object3D): T.Object3D {
   const m: T.Object3D = into ?? { id: '', pose: undefined, size: undefined, userDataJson: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.id = r.stringVerify(); break;
-      case 18: { const end = open(r); m.pose = decodePose3D(r, m.pose); r.len = end; break; }
-      case 26: { const end = open(r); m.size = decodeVector3(r, m.size); r.len = end; break; }
-      case 34: m.userDataJson = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 10: m.id = r.string(); break;
+      case 18: { const end = r.enter(); m.pose = decodePose3D(r, m.pose); r.end = end; break; }
+      case 26: { const end = r.enter(); m.size = decodeVector3(r, m.size); r.end = end; break; }
+      case 34: m.userDataJson = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeObject3DList(m: Init<T.Object3DList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeObject3D(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeObject3D(e, w); w.close(at); }
 }
 
 export function decodeObject3DList(r: Reader, into?: T.Object3DList): T.Object3DList {
   const m: T.Object3DList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeObject3D(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeObject3D(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodePose2D(m: Init<T.Pose2D>, w: Writer): void {
-  if (m.position != null) { w.uint32(10).fork(); encodeVector2(m.position, w); w.ldelim(); }
-  if (m.direction != null) { w.uint32(18).fork(); encodeVector2(m.direction, w); w.ldelim(); }
-  if (m.angle != null) w.uint32(29).float(m.angle);
+  if (m.position != null) { const at = w.open(10); encodeVector2(m.position, w); w.close(at); }
+  if (m.direction != null) { const at = w.open(18); encodeVector2(m.direction, w); w.close(at); }
+  if (m.angle != null) w.float(29, m.angle);
 }
 
 const Pose2D_orientation = ['direction', 'angle'] as const;
 export function decodePose2D(r: Reader, into?: T.Pose2D): T.Pose2D {
   const m: T.Pose2D = into ?? { position: undefined };
   let orientation = into && setMember(into, Pose2D_orientation);
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.position = decodeVector2(r, m.position); r.len = end; break; }
-      case 18: orientation = only(m, orientation, 'direction'); { const end = open(r); m.direction = decodeVector2(r, m.direction); r.len = end; break; }
+      case 10: { const end = r.enter(); m.position = decodeVector2(r, m.position); r.end = end; break; }
+      case 18: orientation = only(m, orientation, 'direction'); { const end = r.enter(); m.direction = decodeVector2(r, m.direction); r.end = end; break; }
       case 29: orientation = only(m, orientation, 'angle'); m.angle = r.float(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodePose3D(m: Init<T.Pose3D>, w: Writer): void {
-  if (m.position != null) { w.uint32(10).fork(); encodeVector3(m.position, w); w.ldelim(); }
-  if (m.quaternion != null) { w.uint32(18).fork(); encodeQuaternion(m.quaternion, w); w.ldelim(); }
-  if (m.euler != null) { w.uint32(26).fork(); encodeVector3(m.euler, w); w.ldelim(); }
+  if (m.position != null) { const at = w.open(10); encodeVector3(m.position, w); w.close(at); }
+  if (m.quaternion != null) { const at = w.open(18); encodeQuaternion(m.quaternion, w); w.close(at); }
+  if (m.euler != null) { const at = w.open(26); encodeVector3(m.euler, w); w.close(at); }
 }
 
 const Pose3D_orientation = ['quaternion', 'euler'] as const;
 export function decodePose3D(r: Reader, into?: T.Pose3D): T.Pose3D {
   const m: T.Pose3D = into ?? { position: undefined };
   let orientation = into && setMember(into, Pose3D_orientation);
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.position = decodeVector3(r, m.position); r.len = end; break; }
-      case 18: orientation = only(m, orientation, 'quaternion'); { const end = open(r); m.quaternion = decodeQuaternion(r, m.quaternion); r.len = end; break; }
-      case 26: orientation = only(m, orientation, 'euler'); { const end = open(r); m.euler = decodeVector3(r, m.euler); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.position = decodeVector3(r, m.position); r.end = end; break; }
+      case 18: orientation = only(m, orientation, 'quaternion'); { const end = r.enter(); m.quaternion = decodeQuaternion(r, m.quaternion); r.end = end; break; }
+      case 26: orientation = only(m, orientation, 'euler'); { const end = r.enter(); m.euler = decodeVector3(r, m.euler); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeQuaternion(m: Init<T.Quaternion>, w: Writer): void {
-  if (m.x != null) w.uint32(9).double(m.x);
-  if (m.y != null) w.uint32(17).double(m.y);
-  if (m.z != null) w.uint32(25).double(m.z);
-  if (m.w != null) w.uint32(33).double(m.w);
+  if (m.x != null) w.double(9, m.x);
+  if (m.y != null) w.double(17, m.y);
+  if (m.z != null) w.double(25, m.z);
+  if (m.w != null) w.double(33, m.w);
 }
 
 export function decodeQuaternion(r: Reader, into?: T.Quaternion): T.Quaternion {
   const m: T.Quaternion = into ?? { x: 0, y: 0, z: 0, w: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.x = r.double(); break;
       case 17: m.y = r.double(); break;
       case 25: m.z = r.double(); break;
       case 33: m.w = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeQuaternionList(m: Init<T.QuaternionList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeQuaternion(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeQuaternion(e, w); w.close(at); }
 }
 
 export function decodeQuaternionList(r: Reader, into?: T.QuaternionList): T.QuaternionList {
   const m: T.QuaternionList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeQuaternion(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeQuaternion(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeStringList(m: Init<T.StringList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) writeString(w.uint32(10), e);
+  if (m.elements != null) for (const e of m.elements) w.string(10, e);
 }
 
 export function decodeStringList(r: Reader, into?: T.StringList): T.StringList {
   const m: T.StringList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.elements.push(r.stringVerify()); break;
-      default: skip(r, tag);
+      case 10: m.elements.push(r.string()); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTouchEventMessage(m: Init<T.TouchEventMessage>, w: Writer): void {
-  if (m.type != null) w.uint32(8).int32(m.type);
-  if (m.position != null) { w.uint32(18).fork(); encodeVector2(m.position, w); w.ldelim(); }
-  if (m.id != null) writeString(w.uint32(26), m.id);
-  if (m.force != null) w.uint32(37).float(m.force);
+  if (m.type != null) w.int32(8, m.type);
+  if (m.position != null) { const at = w.open(18); encodeVector2(m.position, w); w.close(at); }
+  if (m.id != null) w.string(26, m.id);
+  if (m.force != null) w.float(37, m.force);
 }
 
 export function decodeTouchEventMessage(r: Reader, into?: T.TouchEventMessage): T.TouchEventMessage {
   const m: T.TouchEventMessage = into ?? { type: 0, position: undefined, id: '', force: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 8: m.type = r.int32() as T.TouchEventType; break;
-      case 18: { const end = open(r); m.position = decodeVector2(r, m.position); r.len = end; break; }
-      case 26: m.id = r.stringVerify(); break;
+      case 18: { const end = r.enter(); m.position = decodeVector2(r, m.position); r.end = end; break; }
+      case 26: m.id = r.string(); break;
       case 37: m.force = r.float(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTouchEventList(m: Init<T.TouchEventList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeTouchEventMessage(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeTouchEventMessage(e, w); w.close(at); }
 }
 
 export function decodeTouchEventList(r: Reader, into?: T.TouchEventList): T.TouchEventList {
   const m: T.TouchEventList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeTouchEventMessage(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeTouchEventMessage(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeVector2(m: Init<T.Vector2>, w: Writer): void {
-  if (m.x != null) w.uint32(9).double(m.x);
-  if (m.y != null) w.uint32(17).double(m.y);
+  if (m.x != null) w.double(9, m.x);
+  if (m.y != null) w.double(17, m.y);
 }
 
 export function decodeVector2(r: Reader, into?: T.Vector2): T.Vector2 {
   const m: T.Vector2 = into ?? { x: 0, y: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.x = r.double(); break;
       case 17: m.y = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeVector2List(m: Init<T.Vector2List>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeVector2(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeVector2(e, w); w.close(at); }
 }
 
 export function decodeVector2List(r: Reader, into?: T.Vector2List): T.Vector2List {
   const m: T.Vector2List = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeVector2(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeVector2(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeVector3(m: Init<T.Vector3>, w: Writer): void {
-  if (m.x != null) w.uint32(9).double(m.x);
-  if (m.y != null) w.uint32(17).double(m.y);
-  if (m.z != null) w.uint32(25).double(m.z);
+  if (m.x != null) w.double(9, m.x);
+  if (m.y != null) w.double(17, m.y);
+  if (m.z != null) w.double(25, m.z);
 }
 
 export function decodeVector3(r: Reader, into?: T.Vector3): T.Vector3 {
   const m: T.Vector3 = into ?? { x: 0, y: 0, z: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.x = r.double(); break;
       case 17: m.y = r.double(); break;
       case 25: m.z = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeVector3List(m: Init<T.Vector3List>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeVector3(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeVector3(e, w); w.close(at); }
 }
 
 export function decodeVector3List(r: Reader, into?: T.Vector3List): T.Vector3List {
   const m: T.Vector3List = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeVector3(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeVector3(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeVector4(m: Init<T.Vector4>, w: Writer): void {
-  if (m.x != null) w.uint32(9).double(m.x);
-  if (m.y != null) w.uint32(17).double(m.y);
-  if (m.z != null) w.uint32(25).double(m.z);
-  if (m.w != null) w.uint32(33).double(m.w);
+  if (m.x != null) w.double(9, m.x);
+  if (m.y != null) w.double(17, m.y);
+  if (m.z != null) w.double(25, m.z);
+  if (m.w != null) w.double(33, m.w);
 }
 
 export function decodeVector4(r: Reader, into?: T.Vector4): T.Vector4 {
   const m: T.Vector4 = into ?? { x: 0, y: 0, z: 0, w: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.x = r.double(); break;
       case 17: m.y = r.double(); break;
       case 25: m.z = r.double(); break;
       case 33: m.w = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeVector4List(m: Init<T.Vector4List>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeVector4(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeVector4(e, w); w.close(at); }
 }
 
 export function decodeVector4List(r: Reader, into?: T.Vector4List): T.Vector4List {
   const m: T.Vector4List = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeVector4(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeVector4(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeVector8(m: Init<T.Vector8>, w: Writer): void {
-  if (m.v0 != null) w.uint32(9).double(m.v0);
-  if (m.v1 != null) w.uint32(17).double(m.v1);
-  if (m.v2 != null) w.uint32(25).double(m.v2);
-  if (m.v3 != null) w.uint32(33).double(m.v3);
-  if (m.v4 != null) w.uint32(41).double(m.v4);
-  if (m.v5 != null) w.uint32(49).double(m.v5);
-  if (m.v6 != null) w.uint32(57).double(m.v6);
-  if (m.v7 != null) w.uint32(65).double(m.v7);
+  if (m.v0 != null) w.double(9, m.v0);
+  if (m.v1 != null) w.double(17, m.v1);
+  if (m.v2 != null) w.double(25, m.v2);
+  if (m.v3 != null) w.double(33, m.v3);
+  if (m.v4 != null) w.double(41, m.v4);
+  if (m.v5 != null) w.double(49, m.v5);
+  if (m.v6 != null) w.double(57, m.v6);
+  if (m.v7 != null) w.double(65, m.v7);
 }
 
 export function decodeVector8(r: Reader, into?: T.Vector8): T.Vector8 {
   const m: T.Vector8 = into ?? { v0: 0, v1: 0, v2: 0, v3: 0, v4: 0, v5: 0, v6: 0, v7: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.v0 = r.double(); break;
@@ -686,272 +689,272 @@ export function decodeVector8(r: Reader, into?: T.Vector8): T.Vector8 {
       case 49: m.v5 = r.double(); break;
       case 57: m.v6 = r.double(); break;
       case 65: m.v7 = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeVector8List(m: Init<T.Vector8List>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeVector8(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeVector8(e, w); w.close(at); }
 }
 
 export function decodeVector8List(r: Reader, into?: T.Vector8List): T.Vector8List {
   const m: T.Vector8List = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeVector8(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeVector8(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeComponent(m: Init<T.Component>, w: Writer): void {
-  if (m.topic != null) writeString(w.uint32(10), m.topic);
-  if (m.messageFormat != null) writeString(w.uint32(18), m.messageFormat);
-  if (m.ioType != null) w.uint32(24).int32(m.ioType);
-  if (m.deviceId != null) writeString(w.uint32(34), m.deviceId);
-  if (m.tags != null) for (const e of m.tags) writeString(w.uint32(42), e);
-  if (m.description != null) writeString(w.uint32(50), m.description);
-  if (m.id != null) writeString(w.uint32(58), m.id);
-  if (m.name != null) writeString(w.uint32(66), m.name);
-  if (m.notifyConditionIds != null) for (const e of m.notifyConditionIds) writeString(w.uint32(74), e);
+  if (m.topic != null) w.string(10, m.topic);
+  if (m.messageFormat != null) w.string(18, m.messageFormat);
+  if (m.ioType != null) w.int32(24, m.ioType);
+  if (m.deviceId != null) w.string(34, m.deviceId);
+  if (m.tags != null) for (const e of m.tags) w.string(42, e);
+  if (m.description != null) w.string(50, m.description);
+  if (m.id != null) w.string(58, m.id);
+  if (m.name != null) w.string(66, m.name);
+  if (m.notifyConditionIds != null) for (const e of m.notifyConditionIds) w.string(74, e);
 }
 
 export function decodeComponent(r: Reader, into?: T.Component): T.Component {
   const m: T.Component = into ?? { topic: '', messageFormat: '', ioType: 0, deviceId: '', tags: [], description: '', id: '', name: '', notifyConditionIds: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.topic = r.stringVerify(); break;
-      case 18: m.messageFormat = r.stringVerify(); break;
+      case 10: m.topic = r.string(); break;
+      case 18: m.messageFormat = r.string(); break;
       case 24: m.ioType = r.int32() as T.ComponentIOType; break;
-      case 34: m.deviceId = r.stringVerify(); break;
-      case 42: m.tags.push(r.stringVerify()); break;
-      case 50: m.description = r.stringVerify(); break;
-      case 58: m.id = r.stringVerify(); break;
-      case 66: m.name = r.stringVerify(); break;
-      case 74: m.notifyConditionIds.push(r.stringVerify()); break;
-      default: skip(r, tag);
+      case 34: m.deviceId = r.string(); break;
+      case 42: m.tags.push(r.string()); break;
+      case 50: m.description = r.string(); break;
+      case 58: m.id = r.string(); break;
+      case 66: m.name = r.string(); break;
+      case 74: m.notifyConditionIds.push(r.string()); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeComponentList(m: Init<T.ComponentList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeComponent(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeComponent(e, w); w.close(at); }
 }
 
 export function decodeComponentList(r: Reader, into?: T.ComponentList): T.ComponentList {
   const m: T.ComponentList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeComponent(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeComponent(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeDevice(m: Init<T.Device>, w: Writer): void {
-  if (m.id != null) writeString(w.uint32(10), m.id);
-  if (m.name != null) writeString(w.uint32(18), m.name);
-  if (m.deviceType != null) w.uint32(24).int32(m.deviceType);
-  if (m.components != null) for (const e of m.components) { w.uint32(34).fork(); encodeComponent(e, w); w.ldelim(); }
-  if (m.clientId != null) writeString(w.uint32(42), m.clientId);
-  if (m.tags != null) for (const e of m.tags) writeString(w.uint32(50), e);
-  if (m.description != null) writeString(w.uint32(58), m.description);
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.deviceType != null) w.int32(24, m.deviceType);
+  if (m.components != null) for (const e of m.components) { const at = w.open(34); encodeComponent(e, w); w.close(at); }
+  if (m.clientId != null) w.string(42, m.clientId);
+  if (m.tags != null) for (const e of m.tags) w.string(50, e);
+  if (m.description != null) w.string(58, m.description);
 }
 
 export function decodeDevice(r: Reader, into?: T.Device): T.Device {
   const m: T.Device = into ?? { id: '', name: '', deviceType: 0, components: [], clientId: '', tags: [], description: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.id = r.stringVerify(); break;
-      case 18: m.name = r.stringVerify(); break;
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
       case 24: m.deviceType = r.int32() as T.DeviceType; break;
-      case 34: { const end = open(r); m.components.push(decodeComponent(r)); r.len = end; break; }
-      case 42: m.clientId = r.stringVerify(); break;
-      case 50: m.tags.push(r.stringVerify()); break;
-      case 58: m.description = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 34: { const end = r.enter(); m.components.push(decodeComponent(r)); r.end = end; break; }
+      case 42: m.clientId = r.string(); break;
+      case 50: m.tags.push(r.string()); break;
+      case 58: m.description = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeDeviceList(m: Init<T.DeviceList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeDevice(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeDevice(e, w); w.close(at); }
 }
 
 export function decodeDeviceList(r: Reader, into?: T.DeviceList): T.DeviceList {
   const m: T.DeviceList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeDevice(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeDevice(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicDemux(m: Init<T.TopicDemux>, w: Writer): void {
-  if (m.id != null) writeString(w.uint32(10), m.id);
-  if (m.name != null) writeString(w.uint32(18), m.name);
-  if (m.dataType != null) writeString(w.uint32(26), m.dataType);
-  if (m.outputTopicFormat != null) writeString(w.uint32(34), m.outputTopicFormat);
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.dataType != null) w.string(26, m.dataType);
+  if (m.outputTopicFormat != null) w.string(34, m.outputTopicFormat);
 }
 
 export function decodeTopicDemux(r: Reader, into?: T.TopicDemux): T.TopicDemux {
   const m: T.TopicDemux = into ?? { id: '', name: '', dataType: '', outputTopicFormat: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.id = r.stringVerify(); break;
-      case 18: m.name = r.stringVerify(); break;
-      case 26: m.dataType = r.stringVerify(); break;
-      case 34: m.outputTopicFormat = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: m.dataType = r.string(); break;
+      case 34: m.outputTopicFormat = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicDemuxList(m: Init<T.TopicDemuxList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeTopicDemux(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeTopicDemux(e, w); w.close(at); }
 }
 
 export function decodeTopicDemuxList(r: Reader, into?: T.TopicDemuxList): T.TopicDemuxList {
   const m: T.TopicDemuxList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeTopicDemux(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeTopicDemux(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicMux(m: Init<T.TopicMux>, w: Writer): void {
-  if (m.id != null) writeString(w.uint32(10), m.id);
-  if (m.name != null) writeString(w.uint32(18), m.name);
-  if (m.dataType != null) writeString(w.uint32(26), m.dataType);
-  if (m.topicSelector != null) writeString(w.uint32(34), m.topicSelector);
-  if (m.identityMatchPattern != null) writeString(w.uint32(42), m.identityMatchPattern);
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.dataType != null) w.string(26, m.dataType);
+  if (m.topicSelector != null) w.string(34, m.topicSelector);
+  if (m.identityMatchPattern != null) w.string(42, m.identityMatchPattern);
 }
 
 export function decodeTopicMux(r: Reader, into?: T.TopicMux): T.TopicMux {
   const m: T.TopicMux = into ?? { id: '', name: '', dataType: '', topicSelector: '', identityMatchPattern: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.id = r.stringVerify(); break;
-      case 18: m.name = r.stringVerify(); break;
-      case 26: m.dataType = r.stringVerify(); break;
-      case 34: m.topicSelector = r.stringVerify(); break;
-      case 42: m.identityMatchPattern = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: m.dataType = r.string(); break;
+      case 34: m.topicSelector = r.string(); break;
+      case 42: m.identityMatchPattern = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicMuxList(m: Init<T.TopicMuxList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeTopicMux(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeTopicMux(e, w); w.close(at); }
 }
 
 export function decodeTopicMuxList(r: Reader, into?: T.TopicMuxList): T.TopicMuxList {
   const m: T.TopicMuxList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeTopicMux(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeTopicMux(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeClientExtension(m: Init<T.ClientExtension>, w: Writer): void {
-  if (m.recordLists != null) w.uint32(8).bool(m.recordLists);
-  if (m.resumeToken != null) writeString(w.uint32(18), m.resumeToken);
-  if (m.resumed != null) w.uint32(24).bool(m.resumed);
-  if (m.masterVersion != null) writeString(w.uint32(34), m.masterVersion);
+  if (m.recordLists != null) w.bool(8, m.recordLists);
+  if (m.resumeToken != null) w.string(18, m.resumeToken);
+  if (m.resumed != null) w.bool(24, m.resumed);
+  if (m.masterVersion != null) w.string(34, m.masterVersion);
 }
 
 export function decodeClientExtension(r: Reader, into?: T.ClientExtension): T.ClientExtension {
   const m: T.ClientExtension = into ?? { recordLists: false, resumeToken: '', resumed: false, masterVersion: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 8: m.recordLists = r.bool(); break;
-      case 18: m.resumeToken = r.stringVerify(); break;
+      case 18: m.resumeToken = r.string(); break;
       case 24: m.resumed = r.bool(); break;
-      case 34: m.masterVersion = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 34: m.masterVersion = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeMasterAddress(m: Init<T.MasterAddress>, w: Writer): void {
-  if (m.kind != null) w.uint32(8).int32(m.kind);
-  if (m.interfaceName != null) writeString(w.uint32(18), m.interfaceName);
-  if (m.url != null) writeString(w.uint32(26), m.url);
+  if (m.kind != null) w.int32(8, m.kind);
+  if (m.interfaceName != null) w.string(18, m.interfaceName);
+  if (m.url != null) w.string(26, m.url);
 }
 
 export function decodeMasterAddress(r: Reader, into?: T.MasterAddress): T.MasterAddress {
   const m: T.MasterAddress = into ?? { kind: 0, interfaceName: '', url: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 8: m.kind = r.int32() as T.MasterAddressKind; break;
-      case 18: m.interfaceName = r.stringVerify(); break;
-      case 26: m.url = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 18: m.interfaceName = r.string(); break;
+      case 26: m.url = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeMasterStatus(m: Init<T.MasterStatus>, w: Writer): void {
-  if (m.masterId != null) writeString(w.uint32(10), m.masterId);
-  if (m.name != null) writeString(w.uint32(18), m.name);
-  if (m.version != null) writeString(w.uint32(26), m.version);
-  if (m.startedMs != null) w.uint32(33).double(m.startedMs);
-  if (m.nowMs != null) w.uint32(41).double(m.nowMs);
-  if (m.recordsIn != null) w.uint32(49).double(m.recordsIn);
-  if (m.recordsOut != null) w.uint32(57).double(m.recordsOut);
-  if (m.bytesIn != null) w.uint32(65).double(m.bytesIn);
-  if (m.bytesOut != null) w.uint32(73).double(m.bytesOut);
-  if (m.dropped != null) w.uint32(81).double(m.dropped);
-  if (m.refused != null) w.uint32(89).double(m.refused);
-  if (m.topics != null) w.uint32(96).int32(m.topics);
-  if (m.clientsActive != null) w.uint32(104).int32(m.clientsActive);
-  if (m.clientsInactive != null) w.uint32(112).int32(m.clientsInactive);
-  if (m.clientsUnavailable != null) w.uint32(120).int32(m.clientsUnavailable);
-  if (m.cpuPercent != null) w.uint32(133).float(m.cpuPercent);
-  if (m.memoryBytes != null) w.uint32(137).double(m.memoryBytes);
-  if (m.samples != null) for (const e of m.samples) { w.uint32(146).fork(); encodeStatusSample(e, w); w.ldelim(); }
-  if (m.events != null) for (const e of m.events) { w.uint32(154).fork(); encodeStatusEvent(e, w); w.ldelim(); }
-  if (m.problems != null) for (const e of m.problems) { w.uint32(162).fork(); encodeStatusProblem(e, w); w.ldelim(); }
-  if (m.addresses != null) for (const e of m.addresses) { w.uint32(170).fork(); encodeMasterAddress(e, w); w.ldelim(); }
+  if (m.masterId != null) w.string(10, m.masterId);
+  if (m.name != null) w.string(18, m.name);
+  if (m.version != null) w.string(26, m.version);
+  if (m.startedMs != null) w.double(33, m.startedMs);
+  if (m.nowMs != null) w.double(41, m.nowMs);
+  if (m.recordsIn != null) w.double(49, m.recordsIn);
+  if (m.recordsOut != null) w.double(57, m.recordsOut);
+  if (m.bytesIn != null) w.double(65, m.bytesIn);
+  if (m.bytesOut != null) w.double(73, m.bytesOut);
+  if (m.dropped != null) w.double(81, m.dropped);
+  if (m.refused != null) w.double(89, m.refused);
+  if (m.topics != null) w.int32(96, m.topics);
+  if (m.clientsActive != null) w.int32(104, m.clientsActive);
+  if (m.clientsInactive != null) w.int32(112, m.clientsInactive);
+  if (m.clientsUnavailable != null) w.int32(120, m.clientsUnavailable);
+  if (m.cpuPercent != null) w.float(133, m.cpuPercent);
+  if (m.memoryBytes != null) w.double(137, m.memoryBytes);
+  if (m.samples != null) for (const e of m.samples) { const at = w.open(146); encodeStatusSample(e, w); w.close(at); }
+  if (m.events != null) for (const e of m.events) { const at = w.open(154); encodeStatusEvent(e, w); w.close(at); }
+  if (m.problems != null) for (const e of m.problems) { const at = w.open(162); encodeStatusProblem(e, w); w.close(at); }
+  if (m.addresses != null) for (const e of m.addresses) { const at = w.open(170); encodeMasterAddress(e, w); w.close(at); }
 }
 
 export function decodeMasterStatus(r: Reader, into?: T.MasterStatus): T.MasterStatus {
   const m: T.MasterStatus = into ?? { masterId: '', name: '', version: '', startedMs: 0, nowMs: 0, recordsIn: 0, recordsOut: 0, bytesIn: 0, bytesOut: 0, dropped: 0, refused: 0, topics: 0, clientsActive: 0, clientsInactive: 0, clientsUnavailable: 0, cpuPercent: 0, memoryBytes: 0, samples: [], events: [], problems: [], addresses: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.masterId = r.stringVerify(); break;
-      case 18: m.name = r.stringVerify(); break;
-      case 26: m.version = r.stringVerify(); break;
+      case 10: m.masterId = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: m.version = r.string(); break;
       case 33: m.startedMs = r.double(); break;
       case 41: m.nowMs = r.double(); break;
       case 49: m.recordsIn = r.double(); break;
@@ -966,317 +969,317 @@ export function decodeMasterStatus(r: Reader, into?: T.MasterStatus): T.MasterSt
       case 120: m.clientsUnavailable = r.int32(); break;
       case 133: m.cpuPercent = r.float(); break;
       case 137: m.memoryBytes = r.double(); break;
-      case 146: { const end = open(r); m.samples.push(decodeStatusSample(r)); r.len = end; break; }
-      case 154: { const end = open(r); m.events.push(decodeStatusEvent(r)); r.len = end; break; }
-      case 162: { const end = open(r); m.problems.push(decodeStatusProblem(r)); r.len = end; break; }
-      case 170: { const end = open(r); m.addresses.push(decodeMasterAddress(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 146: { const end = r.enter(); m.samples.push(decodeStatusSample(r)); r.end = end; break; }
+      case 154: { const end = r.enter(); m.events.push(decodeStatusEvent(r)); r.end = end; break; }
+      case 162: { const end = r.enter(); m.problems.push(decodeStatusProblem(r)); r.end = end; break; }
+      case 170: { const end = r.enter(); m.addresses.push(decodeMasterAddress(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeMasterStatusRequest(m: Init<T.MasterStatusRequest>, w: Writer): void {
-  if (m.sinceMs != null) w.uint32(9).double(m.sinceMs);
+  if (m.sinceMs != null) w.double(9, m.sinceMs);
 }
 
 export function decodeMasterStatusRequest(r: Reader, into?: T.MasterStatusRequest): T.MasterStatusRequest {
   const m: T.MasterStatusRequest = into ?? { sinceMs: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.sinceMs = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeStatusEvent(m: Init<T.StatusEvent>, w: Writer): void {
-  if (m.timeMs != null) w.uint32(9).double(m.timeMs);
-  if (m.kind != null) w.uint32(16).int32(m.kind);
-  if (m.text != null) writeString(w.uint32(26), m.text);
-  if (m.clientId != null) writeString(w.uint32(34), m.clientId);
+  if (m.timeMs != null) w.double(9, m.timeMs);
+  if (m.kind != null) w.int32(16, m.kind);
+  if (m.text != null) w.string(26, m.text);
+  if (m.clientId != null) w.string(34, m.clientId);
 }
 
 export function decodeStatusEvent(r: Reader, into?: T.StatusEvent): T.StatusEvent {
   const m: T.StatusEvent = into ?? { timeMs: 0, kind: 0, text: '', clientId: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.timeMs = r.double(); break;
       case 16: m.kind = r.int32() as T.StatusEventKind; break;
-      case 26: m.text = r.stringVerify(); break;
-      case 34: m.clientId = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 26: m.text = r.string(); break;
+      case 34: m.clientId = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeStatusProblem(m: Init<T.StatusProblem>, w: Writer): void {
-  if (m.code != null) writeString(w.uint32(10), m.code);
-  if (m.severity != null) w.uint32(16).int32(m.severity);
-  if (m.text != null) writeString(w.uint32(26), m.text);
-  if (m.clientId != null) writeString(w.uint32(34), m.clientId);
-  if (m.sinceMs != null) w.uint32(41).double(m.sinceMs);
+  if (m.code != null) w.string(10, m.code);
+  if (m.severity != null) w.int32(16, m.severity);
+  if (m.text != null) w.string(26, m.text);
+  if (m.clientId != null) w.string(34, m.clientId);
+  if (m.sinceMs != null) w.double(41, m.sinceMs);
 }
 
 export function decodeStatusProblem(r: Reader, into?: T.StatusProblem): T.StatusProblem {
   const m: T.StatusProblem = into ?? { code: '', severity: 0, text: '', clientId: '', sinceMs: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.code = r.stringVerify(); break;
+      case 10: m.code = r.string(); break;
       case 16: m.severity = r.int32() as T.StatusProblemSeverity; break;
-      case 26: m.text = r.stringVerify(); break;
-      case 34: m.clientId = r.stringVerify(); break;
+      case 26: m.text = r.string(); break;
+      case 34: m.clientId = r.string(); break;
       case 41: m.sinceMs = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeStatusSample(m: Init<T.StatusSample>, w: Writer): void {
-  if (m.timeMs != null) w.uint32(9).double(m.timeMs);
-  if (m.recordsPerSecond != null) w.uint32(21).float(m.recordsPerSecond);
+  if (m.timeMs != null) w.double(9, m.timeMs);
+  if (m.recordsPerSecond != null) w.float(21, m.recordsPerSecond);
 }
 
 export function decodeStatusSample(r: Reader, into?: T.StatusSample): T.StatusSample {
   const m: T.StatusSample = into ?? { timeMs: 0, recordsPerSecond: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.timeMs = r.double(); break;
       case 21: m.recordsPerSecond = r.float(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicStatistic(m: Init<T.TopicStatistic>, w: Writer): void {
-  if (m.topic != null) writeString(w.uint32(10), m.topic);
-  if (m.dataFormat != null) writeString(w.uint32(18), m.dataFormat);
-  if (m.publisherId != null) writeString(w.uint32(26), m.publisherId);
-  if (m.records != null) w.uint32(33).double(m.records);
-  if (m.bytes != null) w.uint32(41).double(m.bytes);
-  if (m.dropped != null) w.uint32(49).double(m.dropped);
-  if (m.publishedMs != null) w.uint32(57).double(m.publishedMs);
-  if (m.subscribers != null) w.uint32(64).int32(m.subscribers);
-  if (m.valueBytes != null) w.uint32(72).int32(m.valueBytes);
+  if (m.topic != null) w.string(10, m.topic);
+  if (m.dataFormat != null) w.string(18, m.dataFormat);
+  if (m.publisherId != null) w.string(26, m.publisherId);
+  if (m.records != null) w.double(33, m.records);
+  if (m.bytes != null) w.double(41, m.bytes);
+  if (m.dropped != null) w.double(49, m.dropped);
+  if (m.publishedMs != null) w.double(57, m.publishedMs);
+  if (m.subscribers != null) w.int32(64, m.subscribers);
+  if (m.valueBytes != null) w.int32(72, m.valueBytes);
 }
 
 export function decodeTopicStatistic(r: Reader, into?: T.TopicStatistic): T.TopicStatistic {
   const m: T.TopicStatistic = into ?? { topic: '', dataFormat: '', publisherId: '', records: 0, bytes: 0, dropped: 0, publishedMs: 0, subscribers: 0, valueBytes: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.topic = r.stringVerify(); break;
-      case 18: m.dataFormat = r.stringVerify(); break;
-      case 26: m.publisherId = r.stringVerify(); break;
+      case 10: m.topic = r.string(); break;
+      case 18: m.dataFormat = r.string(); break;
+      case 26: m.publisherId = r.string(); break;
       case 33: m.records = r.double(); break;
       case 41: m.bytes = r.double(); break;
       case 49: m.dropped = r.double(); break;
       case 57: m.publishedMs = r.double(); break;
       case 64: m.subscribers = r.int32(); break;
       case 72: m.valueBytes = r.int32(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicStatistics(m: Init<T.TopicStatistics>, w: Writer): void {
-  if (m.cursor != null) w.uint32(9).double(m.cursor);
-  if (m.reset != null) w.uint32(16).bool(m.reset);
-  if (m.elements != null) for (const e of m.elements) { w.uint32(26).fork(); encodeTopicStatistic(e, w); w.ldelim(); }
-  if (m.removed != null) for (const e of m.removed) writeString(w.uint32(34), e);
-  if (m.masterTimeMs != null) w.uint32(41).double(m.masterTimeMs);
+  if (m.cursor != null) w.double(9, m.cursor);
+  if (m.reset != null) w.bool(16, m.reset);
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(26); encodeTopicStatistic(e, w); w.close(at); }
+  if (m.removed != null) for (const e of m.removed) w.string(34, e);
+  if (m.masterTimeMs != null) w.double(41, m.masterTimeMs);
 }
 
 export function decodeTopicStatistics(r: Reader, into?: T.TopicStatistics): T.TopicStatistics {
   const m: T.TopicStatistics = into ?? { cursor: 0, reset: false, elements: [], removed: [], masterTimeMs: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.cursor = r.double(); break;
       case 16: m.reset = r.bool(); break;
-      case 26: { const end = open(r); m.elements.push(decodeTopicStatistic(r)); r.len = end; break; }
-      case 34: m.removed.push(r.stringVerify()); break;
+      case 26: { const end = r.enter(); m.elements.push(decodeTopicStatistic(r)); r.end = end; break; }
+      case 34: m.removed.push(r.string()); break;
       case 41: m.masterTimeMs = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicStatisticsRequest(m: Init<T.TopicStatisticsRequest>, w: Writer): void {
-  if (m.cursor != null) w.uint32(9).double(m.cursor);
+  if (m.cursor != null) w.double(9, m.cursor);
 }
 
 export function decodeTopicStatisticsRequest(r: Reader, into?: T.TopicStatisticsRequest): T.TopicStatisticsRequest {
   const m: T.TopicStatisticsRequest = into ?? { cursor: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.cursor = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeErrorMessage(m: Init<T.ErrorMessage>, w: Writer): void {
-  if (m.title != null) writeString(w.uint32(10), m.title);
-  if (m.message != null) writeString(w.uint32(18), m.message);
-  if (m.stack != null) writeString(w.uint32(26), m.stack);
-  if (m.code != null) writeString(w.uint32(8002), m.code);
+  if (m.title != null) w.string(10, m.title);
+  if (m.message != null) w.string(18, m.message);
+  if (m.stack != null) w.string(26, m.stack);
+  if (m.code != null) w.string(8002, m.code);
 }
 
 export function decodeErrorMessage(r: Reader, into?: T.ErrorMessage): T.ErrorMessage {
   const m: T.ErrorMessage = into ?? { title: '', message: '', stack: '', code: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.title = r.stringVerify(); break;
-      case 18: m.message = r.stringVerify(); break;
-      case 26: m.stack = r.stringVerify(); break;
-      case 8002: m.code = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 10: m.title = r.string(); break;
+      case 18: m.message = r.string(); break;
+      case 26: m.stack = r.string(); break;
+      case 8002: m.code = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeErrorList(m: Init<T.ErrorList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeErrorMessage(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeErrorMessage(e, w); w.close(at); }
 }
 
 export function decodeErrorList(r: Reader, into?: T.ErrorList): T.ErrorList {
   const m: T.ErrorList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeErrorMessage(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeErrorMessage(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeSuccess(m: Init<T.Success>, w: Writer): void {
-  if (m.title != null) writeString(w.uint32(10), m.title);
-  if (m.message != null) writeString(w.uint32(18), m.message);
+  if (m.title != null) w.string(10, m.title);
+  if (m.message != null) w.string(18, m.message);
 }
 
 export function decodeSuccess(r: Reader, into?: T.Success): T.Success {
   const m: T.Success = into ?? { title: '', message: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.title = r.stringVerify(); break;
-      case 18: m.message = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 10: m.title = r.string(); break;
+      case 18: m.message = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeSuccessList(m: Init<T.SuccessList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeSuccess(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeSuccess(e, w); w.close(at); }
 }
 
 export function decodeSuccessList(r: Reader, into?: T.SuccessList): T.SuccessList {
   const m: T.SuccessList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeSuccess(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeSuccess(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeLockstepProcessingReply(m: Init<T.LockstepProcessingReply>, w: Writer): void {
-  if (m.processingModuleIds != null) for (const e of m.processingModuleIds) writeString(w.uint32(10), e);
-  if (m.records != null) for (const e of m.records) { w.uint32(18).fork(); encodeTopicDataRecord(e, w); w.ldelim(); }
+  if (m.processingModuleIds != null) for (const e of m.processingModuleIds) w.string(10, e);
+  if (m.records != null) for (const e of m.records) { const at = w.open(18); encodeTopicDataRecord(e, w); w.close(at); }
 }
 
 export function decodeLockstepProcessingReply(r: Reader, into?: T.LockstepProcessingReply): T.LockstepProcessingReply {
   const m: T.LockstepProcessingReply = into ?? { processingModuleIds: [], records: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.processingModuleIds.push(r.stringVerify()); break;
-      case 18: { const end = open(r); m.records.push(decodeTopicDataRecord(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: m.processingModuleIds.push(r.string()); break;
+      case 18: { const end = r.enter(); m.records.push(decodeTopicDataRecord(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeLockstepProcessingRequest(m: Init<T.LockstepProcessingRequest>, w: Writer): void {
-  if (m.processingModuleIds != null) for (const e of m.processingModuleIds) writeString(w.uint32(10), e);
-  if (m.records != null) for (const e of m.records) { w.uint32(18).fork(); encodeTopicDataRecord(e, w); w.ldelim(); }
-  if (m.deltaTimeMs != null) w.uint32(24).int32(m.deltaTimeMs);
+  if (m.processingModuleIds != null) for (const e of m.processingModuleIds) w.string(10, e);
+  if (m.records != null) for (const e of m.records) { const at = w.open(18); encodeTopicDataRecord(e, w); w.close(at); }
+  if (m.deltaTimeMs != null) w.int32(24, m.deltaTimeMs);
 }
 
 export function decodeLockstepProcessingRequest(r: Reader, into?: T.LockstepProcessingRequest): T.LockstepProcessingRequest {
   const m: T.LockstepProcessingRequest = into ?? { processingModuleIds: [], records: [], deltaTimeMs: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.processingModuleIds.push(r.stringVerify()); break;
-      case 18: { const end = open(r); m.records.push(decodeTopicDataRecord(r)); r.len = end; break; }
+      case 10: m.processingModuleIds.push(r.string()); break;
+      case 18: { const end = r.enter(); m.records.push(decodeTopicDataRecord(r)); r.end = end; break; }
       case 24: m.deltaTimeMs = r.int32(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeModuleIO(m: Init<T.ModuleIO>, w: Writer): void {
-  if (m.internalName != null) writeString(w.uint32(10), m.internalName);
-  if (m.messageFormat != null) writeString(w.uint32(18), m.messageFormat);
-  if (m.isRecordList != null) w.uint32(24).bool(m.isRecordList);
+  if (m.internalName != null) w.string(10, m.internalName);
+  if (m.messageFormat != null) w.string(18, m.messageFormat);
+  if (m.isRecordList != null) w.bool(24, m.isRecordList);
 }
 
 export function decodeModuleIO(r: Reader, into?: T.ModuleIO): T.ModuleIO {
   const m: T.ModuleIO = into ?? { internalName: '', messageFormat: '', isRecordList: false };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.internalName = r.stringVerify(); break;
-      case 18: m.messageFormat = r.stringVerify(); break;
+      case 10: m.internalName = r.string(); break;
+      case 18: m.messageFormat = r.string(); break;
       case 24: m.isRecordList = r.bool(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeProcessingMode(m: Init<T.ProcessingMode>, w: Writer): void {
-  if (m.frequency != null) { w.uint32(10).fork(); encodeProcessingModeFrequency(m.frequency, w); w.ldelim(); }
-  if (m.lockstep != null) { w.uint32(18).fork(); encodeProcessingModeLockstep(m.lockstep, w); w.ldelim(); }
-  if (m.triggerOnInput != null) { w.uint32(26).fork(); encodeProcessingModeTriggerOnInput(m.triggerOnInput, w); w.ldelim(); }
-  if (m.free != null) { w.uint32(34).fork(); encodeProcessingModeFree(m.free, w); w.ldelim(); }
+  if (m.frequency != null) { const at = w.open(10); encodeProcessingModeFrequency(m.frequency, w); w.close(at); }
+  if (m.lockstep != null) { const at = w.open(18); encodeProcessingModeLockstep(m.lockstep, w); w.close(at); }
+  if (m.triggerOnInput != null) { const at = w.open(26); encodeProcessingModeTriggerOnInput(m.triggerOnInput, w); w.close(at); }
+  if (m.free != null) { const at = w.open(34); encodeProcessingModeFree(m.free, w); w.close(at); }
 }
 
 const ProcessingMode_mode = ['frequency', 'lockstep', 'triggerOnInput', 'free'] as const;
 export function decodeProcessingMode(r: Reader, into?: T.ProcessingMode): T.ProcessingMode {
   const m: T.ProcessingMode = into ?? {};
   let mode = into && setMember(into, ProcessingMode_mode);
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: mode = only(m, mode, 'frequency'); { const end = open(r); m.frequency = decodeProcessingModeFrequency(r, m.frequency); r.len = end; break; }
-      case 18: mode = only(m, mode, 'lockstep'); { const end = open(r); m.lockstep = decodeProcessingModeLockstep(r, m.lockstep); r.len = end; break; }
-      case 26: mode = only(m, mode, 'triggerOnInput'); { const end = open(r); m.triggerOnInput = decodeProcessingModeTriggerOnInput(r, m.triggerOnInput); r.len = end; break; }
-      case 34: mode = only(m, mode, 'free'); { const end = open(r); m.free = decodeProcessingModeFree(r, m.free); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: mode = only(m, mode, 'frequency'); { const end = r.enter(); m.frequency = decodeProcessingModeFrequency(r, m.frequency); r.end = end; break; }
+      case 18: mode = only(m, mode, 'lockstep'); { const end = r.enter(); m.lockstep = decodeProcessingModeLockstep(r, m.lockstep); r.end = end; break; }
+      case 26: mode = only(m, mode, 'triggerOnInput'); { const end = r.enter(); m.triggerOnInput = decodeProcessingModeTriggerOnInput(r, m.triggerOnInput); r.end = end; break; }
+      case 34: mode = only(m, mode, 'free'); { const end = r.enter(); m.free = decodeProcessingModeFree(r, m.free); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
@@ -1287,720 +1290,720 @@ export function encodeProcessingModeFree(_m: Init<T.ProcessingModeFree>, _w: Wri
 
 export function decodeProcessingModeFree(r: Reader, into?: T.ProcessingModeFree): T.ProcessingModeFree {
   const m: T.ProcessingModeFree = into ?? {};
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeProcessingModeFrequency(m: Init<T.ProcessingModeFrequency>, w: Writer): void {
-  if (m.hertz != null) w.uint32(8).int32(m.hertz);
+  if (m.hertz != null) w.int32(8, m.hertz);
 }
 
 export function decodeProcessingModeFrequency(r: Reader, into?: T.ProcessingModeFrequency): T.ProcessingModeFrequency {
   const m: T.ProcessingModeFrequency = into ?? { hertz: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 8: m.hertz = r.int32(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeProcessingModeLockstep(m: Init<T.ProcessingModeLockstep>, w: Writer): void {
-  if (m.processRequestEndpoint != null) writeString(w.uint32(10), m.processRequestEndpoint);
+  if (m.processRequestEndpoint != null) w.string(10, m.processRequestEndpoint);
 }
 
 export function decodeProcessingModeLockstep(r: Reader, into?: T.ProcessingModeLockstep): T.ProcessingModeLockstep {
   const m: T.ProcessingModeLockstep = into ?? { processRequestEndpoint: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.processRequestEndpoint = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 10: m.processRequestEndpoint = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeProcessingModeTriggerOnInput(m: Init<T.ProcessingModeTriggerOnInput>, w: Writer): void {
-  if (m.minDelayMs != null) w.uint32(8).int32(m.minDelayMs);
-  if (m.allInputsNeedUpdate != null) w.uint32(16).bool(m.allInputsNeedUpdate);
+  if (m.minDelayMs != null) w.int32(8, m.minDelayMs);
+  if (m.allInputsNeedUpdate != null) w.bool(16, m.allInputsNeedUpdate);
 }
 
 export function decodeProcessingModeTriggerOnInput(r: Reader, into?: T.ProcessingModeTriggerOnInput): T.ProcessingModeTriggerOnInput {
   const m: T.ProcessingModeTriggerOnInput = into ?? { minDelayMs: 0, allInputsNeedUpdate: false };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 8: m.minDelayMs = r.int32(); break;
       case 16: m.allInputsNeedUpdate = r.bool(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeProcessingModule(m: Init<T.ProcessingModule>, w: Writer): void {
-  if (m.id != null) writeString(w.uint32(10), m.id);
-  if (m.name != null) writeString(w.uint32(18), m.name);
-  if (m.authors != null) for (const e of m.authors) writeString(w.uint32(26), e);
-  if (m.tags != null) for (const e of m.tags) writeString(w.uint32(34), e);
-  if (m.description != null) writeString(w.uint32(42), m.description);
-  if (m.nodeId != null) writeString(w.uint32(50), m.nodeId);
-  if (m.sessionId != null) writeString(w.uint32(58), m.sessionId);
-  if (m.status != null) w.uint32(64).int32(m.status);
-  if (m.processingMode != null) { w.uint32(74).fork(); encodeProcessingMode(m.processingMode, w); w.ldelim(); }
-  if (m.inputs != null) for (const e of m.inputs) { w.uint32(82).fork(); encodeModuleIO(e, w); w.ldelim(); }
-  if (m.outputs != null) for (const e of m.outputs) { w.uint32(90).fork(); encodeModuleIO(e, w); w.ldelim(); }
-  if (m.language != null && m.language !== 0) w.uint32(96).int32(m.language);
-  if (m.onProcessingStringified != null) writeString(w.uint32(106), m.onProcessingStringified);
-  if (m.onCreatedStringified != null) writeString(w.uint32(114), m.onCreatedStringified);
-  if (m.onHaltedStringified != null) writeString(w.uint32(122), m.onHaltedStringified);
-  if (m.onDestroyedStringified != null) writeString(w.uint32(130), m.onDestroyedStringified);
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.authors != null) for (const e of m.authors) w.string(26, e);
+  if (m.tags != null) for (const e of m.tags) w.string(34, e);
+  if (m.description != null) w.string(42, m.description);
+  if (m.nodeId != null) w.string(50, m.nodeId);
+  if (m.sessionId != null) w.string(58, m.sessionId);
+  if (m.status != null) w.int32(64, m.status);
+  if (m.processingMode != null) { const at = w.open(74); encodeProcessingMode(m.processingMode, w); w.close(at); }
+  if (m.inputs != null) for (const e of m.inputs) { const at = w.open(82); encodeModuleIO(e, w); w.close(at); }
+  if (m.outputs != null) for (const e of m.outputs) { const at = w.open(90); encodeModuleIO(e, w); w.close(at); }
+  if (m.language != null && m.language !== 0) w.int32(96, m.language);
+  if (m.onProcessingStringified != null) w.string(106, m.onProcessingStringified);
+  if (m.onCreatedStringified != null) w.string(114, m.onCreatedStringified);
+  if (m.onHaltedStringified != null) w.string(122, m.onHaltedStringified);
+  if (m.onDestroyedStringified != null) w.string(130, m.onDestroyedStringified);
 }
 
 export function decodeProcessingModule(r: Reader, into?: T.ProcessingModule): T.ProcessingModule {
   const m: T.ProcessingModule = into ?? { id: '', name: '', authors: [], tags: [], description: '', nodeId: '', sessionId: '', status: 0, processingMode: undefined, inputs: [], outputs: [], language: 0, onProcessingStringified: '', onCreatedStringified: '', onHaltedStringified: '', onDestroyedStringified: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.id = r.stringVerify(); break;
-      case 18: m.name = r.stringVerify(); break;
-      case 26: m.authors.push(r.stringVerify()); break;
-      case 34: m.tags.push(r.stringVerify()); break;
-      case 42: m.description = r.stringVerify(); break;
-      case 50: m.nodeId = r.stringVerify(); break;
-      case 58: m.sessionId = r.stringVerify(); break;
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: m.authors.push(r.string()); break;
+      case 34: m.tags.push(r.string()); break;
+      case 42: m.description = r.string(); break;
+      case 50: m.nodeId = r.string(); break;
+      case 58: m.sessionId = r.string(); break;
       case 64: m.status = r.int32() as T.ProcessingModuleStatus; break;
-      case 74: { const end = open(r); m.processingMode = decodeProcessingMode(r, m.processingMode); r.len = end; break; }
-      case 82: { const end = open(r); m.inputs.push(decodeModuleIO(r)); r.len = end; break; }
-      case 90: { const end = open(r); m.outputs.push(decodeModuleIO(r)); r.len = end; break; }
+      case 74: { const end = r.enter(); m.processingMode = decodeProcessingMode(r, m.processingMode); r.end = end; break; }
+      case 82: { const end = r.enter(); m.inputs.push(decodeModuleIO(r)); r.end = end; break; }
+      case 90: { const end = r.enter(); m.outputs.push(decodeModuleIO(r)); r.end = end; break; }
       case 96: m.language = r.int32() as T.ProcessingModuleLanguage; break;
-      case 106: m.onProcessingStringified = r.stringVerify(); break;
-      case 114: m.onCreatedStringified = r.stringVerify(); break;
-      case 122: m.onHaltedStringified = r.stringVerify(); break;
-      case 130: m.onDestroyedStringified = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 106: m.onProcessingStringified = r.string(); break;
+      case 114: m.onCreatedStringified = r.string(); break;
+      case 122: m.onHaltedStringified = r.string(); break;
+      case 130: m.onDestroyedStringified = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeProcessingModuleList(m: Init<T.ProcessingModuleList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeProcessingModule(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeProcessingModule(e, w); w.close(at); }
 }
 
 export function decodeProcessingModuleList(r: Reader, into?: T.ProcessingModuleList): T.ProcessingModuleList {
   const m: T.ProcessingModuleList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeProcessingModule(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeProcessingModule(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeServer(m: Init<T.Server>, w: Writer): void {
-  if (m.id != null) writeString(w.uint32(10), m.id);
-  if (m.name != null) writeString(w.uint32(18), m.name);
-  if (m.ipEthernet != null) writeString(w.uint32(26), m.ipEthernet);
-  if (m.ipWlan != null) writeString(w.uint32(34), m.ipWlan);
-  if (m.portServiceZmq != null) writeString(w.uint32(42), m.portServiceZmq);
-  if (m.portServiceRest != null) writeString(w.uint32(50), m.portServiceRest);
-  if (m.portTopicDataZmq != null) writeString(w.uint32(58), m.portTopicDataZmq);
-  if (m.portTopicDataWs != null) writeString(w.uint32(66), m.portTopicDataWs);
-  if (m.constantsJson != null) writeString(w.uint32(74), m.constantsJson);
-  if (m.externalAddressServiceZmq != null) writeString(w.uint32(82), m.externalAddressServiceZmq);
-  if (m.externalAddressServiceHttpJson != null) writeString(w.uint32(90), m.externalAddressServiceHttpJson);
-  if (m.externalAddressServiceHttpBinary != null) writeString(w.uint32(98), m.externalAddressServiceHttpBinary);
-  if (m.externalAddressTopicDataZmq != null) writeString(w.uint32(106), m.externalAddressTopicDataZmq);
-  if (m.externalAddressTopicDataWs != null) writeString(w.uint32(114), m.externalAddressTopicDataWs);
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.ipEthernet != null) w.string(26, m.ipEthernet);
+  if (m.ipWlan != null) w.string(34, m.ipWlan);
+  if (m.portServiceZmq != null) w.string(42, m.portServiceZmq);
+  if (m.portServiceRest != null) w.string(50, m.portServiceRest);
+  if (m.portTopicDataZmq != null) w.string(58, m.portTopicDataZmq);
+  if (m.portTopicDataWs != null) w.string(66, m.portTopicDataWs);
+  if (m.constantsJson != null) w.string(74, m.constantsJson);
+  if (m.externalAddressServiceZmq != null) w.string(82, m.externalAddressServiceZmq);
+  if (m.externalAddressServiceHttpJson != null) w.string(90, m.externalAddressServiceHttpJson);
+  if (m.externalAddressServiceHttpBinary != null) w.string(98, m.externalAddressServiceHttpBinary);
+  if (m.externalAddressTopicDataZmq != null) w.string(106, m.externalAddressTopicDataZmq);
+  if (m.externalAddressTopicDataWs != null) w.string(114, m.externalAddressTopicDataWs);
 }
 
 export function decodeServer(r: Reader, into?: T.Server): T.Server {
   const m: T.Server = into ?? { id: '', name: '', ipEthernet: '', ipWlan: '', portServiceZmq: '', portServiceRest: '', portTopicDataZmq: '', portTopicDataWs: '', constantsJson: '', externalAddressServiceZmq: '', externalAddressServiceHttpJson: '', externalAddressServiceHttpBinary: '', externalAddressTopicDataZmq: '', externalAddressTopicDataWs: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.id = r.stringVerify(); break;
-      case 18: m.name = r.stringVerify(); break;
-      case 26: m.ipEthernet = r.stringVerify(); break;
-      case 34: m.ipWlan = r.stringVerify(); break;
-      case 42: m.portServiceZmq = r.stringVerify(); break;
-      case 50: m.portServiceRest = r.stringVerify(); break;
-      case 58: m.portTopicDataZmq = r.stringVerify(); break;
-      case 66: m.portTopicDataWs = r.stringVerify(); break;
-      case 74: m.constantsJson = r.stringVerify(); break;
-      case 82: m.externalAddressServiceZmq = r.stringVerify(); break;
-      case 90: m.externalAddressServiceHttpJson = r.stringVerify(); break;
-      case 98: m.externalAddressServiceHttpBinary = r.stringVerify(); break;
-      case 106: m.externalAddressTopicDataZmq = r.stringVerify(); break;
-      case 114: m.externalAddressTopicDataWs = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: m.ipEthernet = r.string(); break;
+      case 34: m.ipWlan = r.string(); break;
+      case 42: m.portServiceZmq = r.string(); break;
+      case 50: m.portServiceRest = r.string(); break;
+      case 58: m.portTopicDataZmq = r.string(); break;
+      case 66: m.portTopicDataWs = r.string(); break;
+      case 74: m.constantsJson = r.string(); break;
+      case 82: m.externalAddressServiceZmq = r.string(); break;
+      case 90: m.externalAddressServiceHttpJson = r.string(); break;
+      case 98: m.externalAddressServiceHttpBinary = r.string(); break;
+      case 106: m.externalAddressTopicDataZmq = r.string(); break;
+      case 114: m.externalAddressTopicDataWs = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeService(m: Init<T.Service>, w: Writer): void {
-  if (m.topic != null) writeString(w.uint32(10), m.topic);
-  if (m.requestMessageFormat != null) writeString(w.uint32(18), m.requestMessageFormat);
-  if (m.responseMessageFormat != null) writeString(w.uint32(26), m.responseMessageFormat);
-  if (m.tags != null) for (const e of m.tags) writeString(w.uint32(34), e);
-  if (m.description != null) writeString(w.uint32(42), m.description);
+  if (m.topic != null) w.string(10, m.topic);
+  if (m.requestMessageFormat != null) w.string(18, m.requestMessageFormat);
+  if (m.responseMessageFormat != null) w.string(26, m.responseMessageFormat);
+  if (m.tags != null) for (const e of m.tags) w.string(34, e);
+  if (m.description != null) w.string(42, m.description);
 }
 
 export function decodeService(r: Reader, into?: T.Service): T.Service {
   const m: T.Service = into ?? { topic: '', requestMessageFormat: '', responseMessageFormat: '', tags: [], description: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.topic = r.stringVerify(); break;
-      case 18: m.requestMessageFormat = r.stringVerify(); break;
-      case 26: m.responseMessageFormat = r.stringVerify(); break;
-      case 34: m.tags.push(r.stringVerify()); break;
-      case 42: m.description = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 10: m.topic = r.string(); break;
+      case 18: m.requestMessageFormat = r.string(); break;
+      case 26: m.responseMessageFormat = r.string(); break;
+      case 34: m.tags.push(r.string()); break;
+      case 42: m.description = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeServiceList(m: Init<T.ServiceList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeService(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeService(e, w); w.close(at); }
 }
 
 export function decodeServiceList(r: Reader, into?: T.ServiceList): T.ServiceList {
   const m: T.ServiceList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeService(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeService(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeServiceReply(m: Init<T.ServiceReply>, w: Writer): void {
-  if (m.success != null) { w.uint32(10).fork(); encodeSuccess(m.success, w); w.ldelim(); }
-  if (m.error != null) { w.uint32(18).fork(); encodeErrorMessage(m.error, w); w.ldelim(); }
-  if (m.client != null) { w.uint32(26).fork(); encodeClient(m.client, w); w.ldelim(); }
-  if (m.device != null) { w.uint32(34).fork(); encodeDevice(m.device, w); w.ldelim(); }
-  if (m.server != null) { w.uint32(42).fork(); encodeServer(m.server, w); w.ldelim(); }
-  if (m.session != null) { w.uint32(50).fork(); encodeSession(m.session, w); w.ldelim(); }
-  if (m.sessionList != null) { w.uint32(58).fork(); encodeSessionList(m.sessionList, w); w.ldelim(); }
-  if (m.processingModule != null) { w.uint32(66).fork(); encodeProcessingModule(m.processingModule, w); w.ldelim(); }
-  if (m.processingModuleList != null) { w.uint32(74).fork(); encodeProcessingModuleList(m.processingModuleList, w); w.ldelim(); }
-  if (m.stringList != null) { w.uint32(82).fork(); encodeStringList(m.stringList, w); w.ldelim(); }
-  if (m.topicMux != null) { w.uint32(90).fork(); encodeTopicMux(m.topicMux, w); w.ldelim(); }
-  if (m.topicMuxList != null) { w.uint32(98).fork(); encodeTopicMuxList(m.topicMuxList, w); w.ldelim(); }
-  if (m.topicDemux != null) { w.uint32(106).fork(); encodeTopicDemux(m.topicDemux, w); w.ldelim(); }
-  if (m.topicDemuxList != null) { w.uint32(114).fork(); encodeTopicDemuxList(m.topicDemuxList, w); w.ldelim(); }
-  if (m.clientList != null) { w.uint32(122).fork(); encodeClientList(m.clientList, w); w.ldelim(); }
-  if (m.deviceList != null) { w.uint32(130).fork(); encodeDeviceList(m.deviceList, w); w.ldelim(); }
-  if (m.service != null) { w.uint32(138).fork(); encodeService(m.service, w); w.ldelim(); }
-  if (m.serviceList != null) { w.uint32(146).fork(); encodeServiceList(m.serviceList, w); w.ldelim(); }
-  if (m.lockstepProcessingReply != null) { w.uint32(154).fork(); encodeLockstepProcessingReply(m.lockstepProcessingReply, w); w.ldelim(); }
-  if (m.component != null) { w.uint32(162).fork(); encodeComponent(m.component, w); w.ldelim(); }
-  if (m.componentList != null) { w.uint32(170).fork(); encodeComponentList(m.componentList, w); w.ldelim(); }
-  if (m.notifyCondition != null) { w.uint32(178).fork(); encodeNotifyCondition(m.notifyCondition, w); w.ldelim(); }
-  if (m.topicStatistics != null) { w.uint32(8002).fork(); encodeTopicStatistics(m.topicStatistics, w); w.ldelim(); }
-  if (m.masterStatus != null) { w.uint32(8010).fork(); encodeMasterStatus(m.masterStatus, w); w.ldelim(); }
+  if (m.success != null) { const at = w.open(10); encodeSuccess(m.success, w); w.close(at); }
+  if (m.error != null) { const at = w.open(18); encodeErrorMessage(m.error, w); w.close(at); }
+  if (m.client != null) { const at = w.open(26); encodeClient(m.client, w); w.close(at); }
+  if (m.device != null) { const at = w.open(34); encodeDevice(m.device, w); w.close(at); }
+  if (m.server != null) { const at = w.open(42); encodeServer(m.server, w); w.close(at); }
+  if (m.session != null) { const at = w.open(50); encodeSession(m.session, w); w.close(at); }
+  if (m.sessionList != null) { const at = w.open(58); encodeSessionList(m.sessionList, w); w.close(at); }
+  if (m.processingModule != null) { const at = w.open(66); encodeProcessingModule(m.processingModule, w); w.close(at); }
+  if (m.processingModuleList != null) { const at = w.open(74); encodeProcessingModuleList(m.processingModuleList, w); w.close(at); }
+  if (m.stringList != null) { const at = w.open(82); encodeStringList(m.stringList, w); w.close(at); }
+  if (m.topicMux != null) { const at = w.open(90); encodeTopicMux(m.topicMux, w); w.close(at); }
+  if (m.topicMuxList != null) { const at = w.open(98); encodeTopicMuxList(m.topicMuxList, w); w.close(at); }
+  if (m.topicDemux != null) { const at = w.open(106); encodeTopicDemux(m.topicDemux, w); w.close(at); }
+  if (m.topicDemuxList != null) { const at = w.open(114); encodeTopicDemuxList(m.topicDemuxList, w); w.close(at); }
+  if (m.clientList != null) { const at = w.open(122); encodeClientList(m.clientList, w); w.close(at); }
+  if (m.deviceList != null) { const at = w.open(130); encodeDeviceList(m.deviceList, w); w.close(at); }
+  if (m.service != null) { const at = w.open(138); encodeService(m.service, w); w.close(at); }
+  if (m.serviceList != null) { const at = w.open(146); encodeServiceList(m.serviceList, w); w.close(at); }
+  if (m.lockstepProcessingReply != null) { const at = w.open(154); encodeLockstepProcessingReply(m.lockstepProcessingReply, w); w.close(at); }
+  if (m.component != null) { const at = w.open(162); encodeComponent(m.component, w); w.close(at); }
+  if (m.componentList != null) { const at = w.open(170); encodeComponentList(m.componentList, w); w.close(at); }
+  if (m.notifyCondition != null) { const at = w.open(178); encodeNotifyCondition(m.notifyCondition, w); w.close(at); }
+  if (m.topicStatistics != null) { const at = w.open(8002); encodeTopicStatistics(m.topicStatistics, w); w.close(at); }
+  if (m.masterStatus != null) { const at = w.open(8010); encodeMasterStatus(m.masterStatus, w); w.close(at); }
 }
 
 const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus'] as const;
 export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceReply {
   const m: T.ServiceReply = into ?? {};
   let type = into && setMember(into, ServiceReply_type);
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: type = only(m, type, 'success'); { const end = open(r); m.success = decodeSuccess(r, m.success); r.len = end; break; }
-      case 18: type = only(m, type, 'error'); { const end = open(r); m.error = decodeErrorMessage(r, m.error); r.len = end; break; }
-      case 26: type = only(m, type, 'client'); { const end = open(r); m.client = decodeClient(r, m.client); r.len = end; break; }
-      case 34: type = only(m, type, 'device'); { const end = open(r); m.device = decodeDevice(r, m.device); r.len = end; break; }
-      case 42: type = only(m, type, 'server'); { const end = open(r); m.server = decodeServer(r, m.server); r.len = end; break; }
-      case 50: type = only(m, type, 'session'); { const end = open(r); m.session = decodeSession(r, m.session); r.len = end; break; }
-      case 58: type = only(m, type, 'sessionList'); { const end = open(r); m.sessionList = decodeSessionList(r, m.sessionList); r.len = end; break; }
-      case 66: type = only(m, type, 'processingModule'); { const end = open(r); m.processingModule = decodeProcessingModule(r, m.processingModule); r.len = end; break; }
-      case 74: type = only(m, type, 'processingModuleList'); { const end = open(r); m.processingModuleList = decodeProcessingModuleList(r, m.processingModuleList); r.len = end; break; }
-      case 82: type = only(m, type, 'stringList'); { const end = open(r); m.stringList = decodeStringList(r, m.stringList); r.len = end; break; }
-      case 90: type = only(m, type, 'topicMux'); { const end = open(r); m.topicMux = decodeTopicMux(r, m.topicMux); r.len = end; break; }
-      case 98: type = only(m, type, 'topicMuxList'); { const end = open(r); m.topicMuxList = decodeTopicMuxList(r, m.topicMuxList); r.len = end; break; }
-      case 106: type = only(m, type, 'topicDemux'); { const end = open(r); m.topicDemux = decodeTopicDemux(r, m.topicDemux); r.len = end; break; }
-      case 114: type = only(m, type, 'topicDemuxList'); { const end = open(r); m.topicDemuxList = decodeTopicDemuxList(r, m.topicDemuxList); r.len = end; break; }
-      case 122: type = only(m, type, 'clientList'); { const end = open(r); m.clientList = decodeClientList(r, m.clientList); r.len = end; break; }
-      case 130: type = only(m, type, 'deviceList'); { const end = open(r); m.deviceList = decodeDeviceList(r, m.deviceList); r.len = end; break; }
-      case 138: type = only(m, type, 'service'); { const end = open(r); m.service = decodeService(r, m.service); r.len = end; break; }
-      case 146: type = only(m, type, 'serviceList'); { const end = open(r); m.serviceList = decodeServiceList(r, m.serviceList); r.len = end; break; }
-      case 154: type = only(m, type, 'lockstepProcessingReply'); { const end = open(r); m.lockstepProcessingReply = decodeLockstepProcessingReply(r, m.lockstepProcessingReply); r.len = end; break; }
-      case 162: type = only(m, type, 'component'); { const end = open(r); m.component = decodeComponent(r, m.component); r.len = end; break; }
-      case 170: type = only(m, type, 'componentList'); { const end = open(r); m.componentList = decodeComponentList(r, m.componentList); r.len = end; break; }
-      case 178: type = only(m, type, 'notifyCondition'); { const end = open(r); m.notifyCondition = decodeNotifyCondition(r, m.notifyCondition); r.len = end; break; }
-      case 8002: type = only(m, type, 'topicStatistics'); { const end = open(r); m.topicStatistics = decodeTopicStatistics(r, m.topicStatistics); r.len = end; break; }
-      case 8010: type = only(m, type, 'masterStatus'); { const end = open(r); m.masterStatus = decodeMasterStatus(r, m.masterStatus); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: type = only(m, type, 'success'); { const end = r.enter(); m.success = decodeSuccess(r, m.success); r.end = end; break; }
+      case 18: type = only(m, type, 'error'); { const end = r.enter(); m.error = decodeErrorMessage(r, m.error); r.end = end; break; }
+      case 26: type = only(m, type, 'client'); { const end = r.enter(); m.client = decodeClient(r, m.client); r.end = end; break; }
+      case 34: type = only(m, type, 'device'); { const end = r.enter(); m.device = decodeDevice(r, m.device); r.end = end; break; }
+      case 42: type = only(m, type, 'server'); { const end = r.enter(); m.server = decodeServer(r, m.server); r.end = end; break; }
+      case 50: type = only(m, type, 'session'); { const end = r.enter(); m.session = decodeSession(r, m.session); r.end = end; break; }
+      case 58: type = only(m, type, 'sessionList'); { const end = r.enter(); m.sessionList = decodeSessionList(r, m.sessionList); r.end = end; break; }
+      case 66: type = only(m, type, 'processingModule'); { const end = r.enter(); m.processingModule = decodeProcessingModule(r, m.processingModule); r.end = end; break; }
+      case 74: type = only(m, type, 'processingModuleList'); { const end = r.enter(); m.processingModuleList = decodeProcessingModuleList(r, m.processingModuleList); r.end = end; break; }
+      case 82: type = only(m, type, 'stringList'); { const end = r.enter(); m.stringList = decodeStringList(r, m.stringList); r.end = end; break; }
+      case 90: type = only(m, type, 'topicMux'); { const end = r.enter(); m.topicMux = decodeTopicMux(r, m.topicMux); r.end = end; break; }
+      case 98: type = only(m, type, 'topicMuxList'); { const end = r.enter(); m.topicMuxList = decodeTopicMuxList(r, m.topicMuxList); r.end = end; break; }
+      case 106: type = only(m, type, 'topicDemux'); { const end = r.enter(); m.topicDemux = decodeTopicDemux(r, m.topicDemux); r.end = end; break; }
+      case 114: type = only(m, type, 'topicDemuxList'); { const end = r.enter(); m.topicDemuxList = decodeTopicDemuxList(r, m.topicDemuxList); r.end = end; break; }
+      case 122: type = only(m, type, 'clientList'); { const end = r.enter(); m.clientList = decodeClientList(r, m.clientList); r.end = end; break; }
+      case 130: type = only(m, type, 'deviceList'); { const end = r.enter(); m.deviceList = decodeDeviceList(r, m.deviceList); r.end = end; break; }
+      case 138: type = only(m, type, 'service'); { const end = r.enter(); m.service = decodeService(r, m.service); r.end = end; break; }
+      case 146: type = only(m, type, 'serviceList'); { const end = r.enter(); m.serviceList = decodeServiceList(r, m.serviceList); r.end = end; break; }
+      case 154: type = only(m, type, 'lockstepProcessingReply'); { const end = r.enter(); m.lockstepProcessingReply = decodeLockstepProcessingReply(r, m.lockstepProcessingReply); r.end = end; break; }
+      case 162: type = only(m, type, 'component'); { const end = r.enter(); m.component = decodeComponent(r, m.component); r.end = end; break; }
+      case 170: type = only(m, type, 'componentList'); { const end = r.enter(); m.componentList = decodeComponentList(r, m.componentList); r.end = end; break; }
+      case 178: type = only(m, type, 'notifyCondition'); { const end = r.enter(); m.notifyCondition = decodeNotifyCondition(r, m.notifyCondition); r.end = end; break; }
+      case 8002: type = only(m, type, 'topicStatistics'); { const end = r.enter(); m.topicStatistics = decodeTopicStatistics(r, m.topicStatistics); r.end = end; break; }
+      case 8010: type = only(m, type, 'masterStatus'); { const end = r.enter(); m.masterStatus = decodeMasterStatus(r, m.masterStatus); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeServiceRequest(m: Init<T.ServiceRequest>, w: Writer): void {
-  if (m.topic != null) writeString(w.uint32(10), m.topic);
-  if (m.client != null) { w.uint32(18).fork(); encodeClient(m.client, w); w.ldelim(); }
-  if (m.device != null) { w.uint32(26).fork(); encodeDevice(m.device, w); w.ldelim(); }
-  if (m.topicSubscription != null) { w.uint32(34).fork(); encodeTopicSubscription(m.topicSubscription, w); w.ldelim(); }
-  if (m.session != null) { w.uint32(42).fork(); encodeSession(m.session, w); w.ldelim(); }
-  if (m.sessionList != null) { w.uint32(50).fork(); encodeSessionList(m.sessionList, w); w.ldelim(); }
-  if (m.processingModule != null) { w.uint32(58).fork(); encodeProcessingModule(m.processingModule, w); w.ldelim(); }
-  if (m.processingModuleList != null) { w.uint32(66).fork(); encodeProcessingModuleList(m.processingModuleList, w); w.ldelim(); }
-  if (m.topicMux != null) { w.uint32(74).fork(); encodeTopicMux(m.topicMux, w); w.ldelim(); }
-  if (m.topicMuxList != null) { w.uint32(82).fork(); encodeTopicMuxList(m.topicMuxList, w); w.ldelim(); }
-  if (m.topicDemux != null) { w.uint32(90).fork(); encodeTopicDemux(m.topicDemux, w); w.ldelim(); }
-  if (m.topicDemuxList != null) { w.uint32(98).fork(); encodeTopicDemuxList(m.topicDemuxList, w); w.ldelim(); }
-  if (m.clientList != null) { w.uint32(106).fork(); encodeClientList(m.clientList, w); w.ldelim(); }
-  if (m.deviceList != null) { w.uint32(114).fork(); encodeDeviceList(m.deviceList, w); w.ldelim(); }
-  if (m.lockstepProcessingRequest != null) { w.uint32(122).fork(); encodeLockstepProcessingRequest(m.lockstepProcessingRequest, w); w.ldelim(); }
-  if (m.component != null) { w.uint32(130).fork(); encodeComponent(m.component, w); w.ldelim(); }
-  if (m.componentList != null) { w.uint32(138).fork(); encodeComponentList(m.componentList, w); w.ldelim(); }
-  if (m.notifyCondition != null) { w.uint32(146).fork(); encodeNotifyCondition(m.notifyCondition, w); w.ldelim(); }
-  if (m.topicStatisticsRequest != null) { w.uint32(8002).fork(); encodeTopicStatisticsRequest(m.topicStatisticsRequest, w); w.ldelim(); }
-  if (m.masterStatusRequest != null) { w.uint32(8010).fork(); encodeMasterStatusRequest(m.masterStatusRequest, w); w.ldelim(); }
+  if (m.topic != null) w.string(10, m.topic);
+  if (m.client != null) { const at = w.open(18); encodeClient(m.client, w); w.close(at); }
+  if (m.device != null) { const at = w.open(26); encodeDevice(m.device, w); w.close(at); }
+  if (m.topicSubscription != null) { const at = w.open(34); encodeTopicSubscription(m.topicSubscription, w); w.close(at); }
+  if (m.session != null) { const at = w.open(42); encodeSession(m.session, w); w.close(at); }
+  if (m.sessionList != null) { const at = w.open(50); encodeSessionList(m.sessionList, w); w.close(at); }
+  if (m.processingModule != null) { const at = w.open(58); encodeProcessingModule(m.processingModule, w); w.close(at); }
+  if (m.processingModuleList != null) { const at = w.open(66); encodeProcessingModuleList(m.processingModuleList, w); w.close(at); }
+  if (m.topicMux != null) { const at = w.open(74); encodeTopicMux(m.topicMux, w); w.close(at); }
+  if (m.topicMuxList != null) { const at = w.open(82); encodeTopicMuxList(m.topicMuxList, w); w.close(at); }
+  if (m.topicDemux != null) { const at = w.open(90); encodeTopicDemux(m.topicDemux, w); w.close(at); }
+  if (m.topicDemuxList != null) { const at = w.open(98); encodeTopicDemuxList(m.topicDemuxList, w); w.close(at); }
+  if (m.clientList != null) { const at = w.open(106); encodeClientList(m.clientList, w); w.close(at); }
+  if (m.deviceList != null) { const at = w.open(114); encodeDeviceList(m.deviceList, w); w.close(at); }
+  if (m.lockstepProcessingRequest != null) { const at = w.open(122); encodeLockstepProcessingRequest(m.lockstepProcessingRequest, w); w.close(at); }
+  if (m.component != null) { const at = w.open(130); encodeComponent(m.component, w); w.close(at); }
+  if (m.componentList != null) { const at = w.open(138); encodeComponentList(m.componentList, w); w.close(at); }
+  if (m.notifyCondition != null) { const at = w.open(146); encodeNotifyCondition(m.notifyCondition, w); w.close(at); }
+  if (m.topicStatisticsRequest != null) { const at = w.open(8002); encodeTopicStatisticsRequest(m.topicStatisticsRequest, w); w.close(at); }
+  if (m.masterStatusRequest != null) { const at = w.open(8010); encodeMasterStatusRequest(m.masterStatusRequest, w); w.close(at); }
 }
 
 const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest'] as const;
 export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.ServiceRequest {
   const m: T.ServiceRequest = into ?? { topic: '' };
   let type = into && setMember(into, ServiceRequest_type);
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.topic = r.stringVerify(); break;
-      case 18: type = only(m, type, 'client'); { const end = open(r); m.client = decodeClient(r, m.client); r.len = end; break; }
-      case 26: type = only(m, type, 'device'); { const end = open(r); m.device = decodeDevice(r, m.device); r.len = end; break; }
-      case 34: type = only(m, type, 'topicSubscription'); { const end = open(r); m.topicSubscription = decodeTopicSubscription(r, m.topicSubscription); r.len = end; break; }
-      case 42: type = only(m, type, 'session'); { const end = open(r); m.session = decodeSession(r, m.session); r.len = end; break; }
-      case 50: type = only(m, type, 'sessionList'); { const end = open(r); m.sessionList = decodeSessionList(r, m.sessionList); r.len = end; break; }
-      case 58: type = only(m, type, 'processingModule'); { const end = open(r); m.processingModule = decodeProcessingModule(r, m.processingModule); r.len = end; break; }
-      case 66: type = only(m, type, 'processingModuleList'); { const end = open(r); m.processingModuleList = decodeProcessingModuleList(r, m.processingModuleList); r.len = end; break; }
-      case 74: type = only(m, type, 'topicMux'); { const end = open(r); m.topicMux = decodeTopicMux(r, m.topicMux); r.len = end; break; }
-      case 82: type = only(m, type, 'topicMuxList'); { const end = open(r); m.topicMuxList = decodeTopicMuxList(r, m.topicMuxList); r.len = end; break; }
-      case 90: type = only(m, type, 'topicDemux'); { const end = open(r); m.topicDemux = decodeTopicDemux(r, m.topicDemux); r.len = end; break; }
-      case 98: type = only(m, type, 'topicDemuxList'); { const end = open(r); m.topicDemuxList = decodeTopicDemuxList(r, m.topicDemuxList); r.len = end; break; }
-      case 106: type = only(m, type, 'clientList'); { const end = open(r); m.clientList = decodeClientList(r, m.clientList); r.len = end; break; }
-      case 114: type = only(m, type, 'deviceList'); { const end = open(r); m.deviceList = decodeDeviceList(r, m.deviceList); r.len = end; break; }
-      case 122: type = only(m, type, 'lockstepProcessingRequest'); { const end = open(r); m.lockstepProcessingRequest = decodeLockstepProcessingRequest(r, m.lockstepProcessingRequest); r.len = end; break; }
-      case 130: type = only(m, type, 'component'); { const end = open(r); m.component = decodeComponent(r, m.component); r.len = end; break; }
-      case 138: type = only(m, type, 'componentList'); { const end = open(r); m.componentList = decodeComponentList(r, m.componentList); r.len = end; break; }
-      case 146: type = only(m, type, 'notifyCondition'); { const end = open(r); m.notifyCondition = decodeNotifyCondition(r, m.notifyCondition); r.len = end; break; }
-      case 8002: type = only(m, type, 'topicStatisticsRequest'); { const end = open(r); m.topicStatisticsRequest = decodeTopicStatisticsRequest(r, m.topicStatisticsRequest); r.len = end; break; }
-      case 8010: type = only(m, type, 'masterStatusRequest'); { const end = open(r); m.masterStatusRequest = decodeMasterStatusRequest(r, m.masterStatusRequest); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: m.topic = r.string(); break;
+      case 18: type = only(m, type, 'client'); { const end = r.enter(); m.client = decodeClient(r, m.client); r.end = end; break; }
+      case 26: type = only(m, type, 'device'); { const end = r.enter(); m.device = decodeDevice(r, m.device); r.end = end; break; }
+      case 34: type = only(m, type, 'topicSubscription'); { const end = r.enter(); m.topicSubscription = decodeTopicSubscription(r, m.topicSubscription); r.end = end; break; }
+      case 42: type = only(m, type, 'session'); { const end = r.enter(); m.session = decodeSession(r, m.session); r.end = end; break; }
+      case 50: type = only(m, type, 'sessionList'); { const end = r.enter(); m.sessionList = decodeSessionList(r, m.sessionList); r.end = end; break; }
+      case 58: type = only(m, type, 'processingModule'); { const end = r.enter(); m.processingModule = decodeProcessingModule(r, m.processingModule); r.end = end; break; }
+      case 66: type = only(m, type, 'processingModuleList'); { const end = r.enter(); m.processingModuleList = decodeProcessingModuleList(r, m.processingModuleList); r.end = end; break; }
+      case 74: type = only(m, type, 'topicMux'); { const end = r.enter(); m.topicMux = decodeTopicMux(r, m.topicMux); r.end = end; break; }
+      case 82: type = only(m, type, 'topicMuxList'); { const end = r.enter(); m.topicMuxList = decodeTopicMuxList(r, m.topicMuxList); r.end = end; break; }
+      case 90: type = only(m, type, 'topicDemux'); { const end = r.enter(); m.topicDemux = decodeTopicDemux(r, m.topicDemux); r.end = end; break; }
+      case 98: type = only(m, type, 'topicDemuxList'); { const end = r.enter(); m.topicDemuxList = decodeTopicDemuxList(r, m.topicDemuxList); r.end = end; break; }
+      case 106: type = only(m, type, 'clientList'); { const end = r.enter(); m.clientList = decodeClientList(r, m.clientList); r.end = end; break; }
+      case 114: type = only(m, type, 'deviceList'); { const end = r.enter(); m.deviceList = decodeDeviceList(r, m.deviceList); r.end = end; break; }
+      case 122: type = only(m, type, 'lockstepProcessingRequest'); { const end = r.enter(); m.lockstepProcessingRequest = decodeLockstepProcessingRequest(r, m.lockstepProcessingRequest); r.end = end; break; }
+      case 130: type = only(m, type, 'component'); { const end = r.enter(); m.component = decodeComponent(r, m.component); r.end = end; break; }
+      case 138: type = only(m, type, 'componentList'); { const end = r.enter(); m.componentList = decodeComponentList(r, m.componentList); r.end = end; break; }
+      case 146: type = only(m, type, 'notifyCondition'); { const end = r.enter(); m.notifyCondition = decodeNotifyCondition(r, m.notifyCondition); r.end = end; break; }
+      case 8002: type = only(m, type, 'topicStatisticsRequest'); { const end = r.enter(); m.topicStatisticsRequest = decodeTopicStatisticsRequest(r, m.topicStatisticsRequest); r.end = end; break; }
+      case 8010: type = only(m, type, 'masterStatusRequest'); { const end = r.enter(); m.masterStatusRequest = decodeMasterStatusRequest(r, m.masterStatusRequest); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicSubscription(m: Init<T.TopicSubscription>, w: Writer): void {
-  if (m.clientId != null) writeString(w.uint32(10), m.clientId);
-  if (m.subscribeTopics != null) for (const e of m.subscribeTopics) writeString(w.uint32(18), e);
-  if (m.unsubscribeTopics != null) for (const e of m.unsubscribeTopics) writeString(w.uint32(26), e);
-  if (m.subscribeTopicRegexp != null) for (const e of m.subscribeTopicRegexp) writeString(w.uint32(34), e);
-  if (m.unsubscribeTopicRegexp != null) for (const e of m.unsubscribeTopicRegexp) writeString(w.uint32(42), e);
-  if (m.subscribeComponents != null) for (const e of m.subscribeComponents) { w.uint32(50).fork(); encodeComponent(e, w); w.ldelim(); }
-  if (m.unsubscribeComponents != null) for (const e of m.unsubscribeComponents) { w.uint32(58).fork(); encodeComponent(e, w); w.ldelim(); }
-  if (m.maxRateHz != null) w.uint32(8001).double(m.maxRateHz);
+  if (m.clientId != null) w.string(10, m.clientId);
+  if (m.subscribeTopics != null) for (const e of m.subscribeTopics) w.string(18, e);
+  if (m.unsubscribeTopics != null) for (const e of m.unsubscribeTopics) w.string(26, e);
+  if (m.subscribeTopicRegexp != null) for (const e of m.subscribeTopicRegexp) w.string(34, e);
+  if (m.unsubscribeTopicRegexp != null) for (const e of m.unsubscribeTopicRegexp) w.string(42, e);
+  if (m.subscribeComponents != null) for (const e of m.subscribeComponents) { const at = w.open(50); encodeComponent(e, w); w.close(at); }
+  if (m.unsubscribeComponents != null) for (const e of m.unsubscribeComponents) { const at = w.open(58); encodeComponent(e, w); w.close(at); }
+  if (m.maxRateHz != null) w.double(8001, m.maxRateHz);
 }
 
 export function decodeTopicSubscription(r: Reader, into?: T.TopicSubscription): T.TopicSubscription {
   const m: T.TopicSubscription = into ?? { clientId: '', subscribeTopics: [], unsubscribeTopics: [], subscribeTopicRegexp: [], unsubscribeTopicRegexp: [], subscribeComponents: [], unsubscribeComponents: [], maxRateHz: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.clientId = r.stringVerify(); break;
-      case 18: m.subscribeTopics.push(r.stringVerify()); break;
-      case 26: m.unsubscribeTopics.push(r.stringVerify()); break;
-      case 34: m.subscribeTopicRegexp.push(r.stringVerify()); break;
-      case 42: m.unsubscribeTopicRegexp.push(r.stringVerify()); break;
-      case 50: { const end = open(r); m.subscribeComponents.push(decodeComponent(r)); r.len = end; break; }
-      case 58: { const end = open(r); m.unsubscribeComponents.push(decodeComponent(r)); r.len = end; break; }
+      case 10: m.clientId = r.string(); break;
+      case 18: m.subscribeTopics.push(r.string()); break;
+      case 26: m.unsubscribeTopics.push(r.string()); break;
+      case 34: m.subscribeTopicRegexp.push(r.string()); break;
+      case 42: m.unsubscribeTopicRegexp.push(r.string()); break;
+      case 50: { const end = r.enter(); m.subscribeComponents.push(decodeComponent(r)); r.end = end; break; }
+      case 58: { const end = r.enter(); m.unsubscribeComponents.push(decodeComponent(r)); r.end = end; break; }
       case 8001: m.maxRateHz = r.double(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeIOMapping(m: Init<T.IOMapping>, w: Writer): void {
-  if (m.processingModuleId != null) writeString(w.uint32(10), m.processingModuleId);
-  if (m.inputMappings != null) for (const e of m.inputMappings) { w.uint32(18).fork(); encodeTopicInputMapping(e, w); w.ldelim(); }
-  if (m.outputMappings != null) for (const e of m.outputMappings) { w.uint32(26).fork(); encodeTopicOutputMapping(e, w); w.ldelim(); }
-  if (m.processingModuleName != null) writeString(w.uint32(34), m.processingModuleName);
+  if (m.processingModuleId != null) w.string(10, m.processingModuleId);
+  if (m.inputMappings != null) for (const e of m.inputMappings) { const at = w.open(18); encodeTopicInputMapping(e, w); w.close(at); }
+  if (m.outputMappings != null) for (const e of m.outputMappings) { const at = w.open(26); encodeTopicOutputMapping(e, w); w.close(at); }
+  if (m.processingModuleName != null) w.string(34, m.processingModuleName);
 }
 
 export function decodeIOMapping(r: Reader, into?: T.IOMapping): T.IOMapping {
   const m: T.IOMapping = into ?? { processingModuleId: '', inputMappings: [], outputMappings: [], processingModuleName: '' };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.processingModuleId = r.stringVerify(); break;
-      case 18: { const end = open(r); m.inputMappings.push(decodeTopicInputMapping(r)); r.len = end; break; }
-      case 26: { const end = open(r); m.outputMappings.push(decodeTopicOutputMapping(r)); r.len = end; break; }
-      case 34: m.processingModuleName = r.stringVerify(); break;
-      default: skip(r, tag);
+      case 10: m.processingModuleId = r.string(); break;
+      case 18: { const end = r.enter(); m.inputMappings.push(decodeTopicInputMapping(r)); r.end = end; break; }
+      case 26: { const end = r.enter(); m.outputMappings.push(decodeTopicOutputMapping(r)); r.end = end; break; }
+      case 34: m.processingModuleName = r.string(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeIOMappingList(m: Init<T.IOMappingList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeIOMapping(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeIOMapping(e, w); w.close(at); }
 }
 
 export function decodeIOMappingList(r: Reader, into?: T.IOMappingList): T.IOMappingList {
   const m: T.IOMappingList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeIOMapping(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeIOMapping(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeSession(m: Init<T.Session>, w: Writer): void {
-  if (m.id != null) writeString(w.uint32(10), m.id);
-  if (m.name != null) writeString(w.uint32(18), m.name);
-  if (m.processingModules != null) for (const e of m.processingModules) { w.uint32(26).fork(); encodeProcessingModule(e, w); w.ldelim(); }
-  if (m.ioMappings != null) for (const e of m.ioMappings) { w.uint32(34).fork(); encodeIOMapping(e, w); w.ldelim(); }
-  if (m.tags != null) for (const e of m.tags) writeString(w.uint32(42), e);
-  if (m.description != null) writeString(w.uint32(50), m.description);
-  if (m.authors != null) for (const e of m.authors) writeString(w.uint32(58), e);
-  if (m.status != null) w.uint32(64).int32(m.status);
-  if (m.editable != null) w.uint32(72).bool(m.editable);
+  if (m.id != null) w.string(10, m.id);
+  if (m.name != null) w.string(18, m.name);
+  if (m.processingModules != null) for (const e of m.processingModules) { const at = w.open(26); encodeProcessingModule(e, w); w.close(at); }
+  if (m.ioMappings != null) for (const e of m.ioMappings) { const at = w.open(34); encodeIOMapping(e, w); w.close(at); }
+  if (m.tags != null) for (const e of m.tags) w.string(42, e);
+  if (m.description != null) w.string(50, m.description);
+  if (m.authors != null) for (const e of m.authors) w.string(58, e);
+  if (m.status != null) w.int32(64, m.status);
+  if (m.editable != null) w.bool(72, m.editable);
 }
 
 export function decodeSession(r: Reader, into?: T.Session): T.Session {
   const m: T.Session = into ?? { id: '', name: '', processingModules: [], ioMappings: [], tags: [], description: '', authors: [], status: 0, editable: false };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.id = r.stringVerify(); break;
-      case 18: m.name = r.stringVerify(); break;
-      case 26: { const end = open(r); m.processingModules.push(decodeProcessingModule(r)); r.len = end; break; }
-      case 34: { const end = open(r); m.ioMappings.push(decodeIOMapping(r)); r.len = end; break; }
-      case 42: m.tags.push(r.stringVerify()); break;
-      case 50: m.description = r.stringVerify(); break;
-      case 58: m.authors.push(r.stringVerify()); break;
+      case 10: m.id = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: { const end = r.enter(); m.processingModules.push(decodeProcessingModule(r)); r.end = end; break; }
+      case 34: { const end = r.enter(); m.ioMappings.push(decodeIOMapping(r)); r.end = end; break; }
+      case 42: m.tags.push(r.string()); break;
+      case 50: m.description = r.string(); break;
+      case 58: m.authors.push(r.string()); break;
       case 64: m.status = r.int32() as T.SessionStatus; break;
       case 72: m.editable = r.bool(); break;
-      default: skip(r, tag);
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeSessionList(m: Init<T.SessionList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeSession(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeSession(e, w); w.close(at); }
 }
 
 export function decodeSessionList(r: Reader, into?: T.SessionList): T.SessionList {
   const m: T.SessionList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeSession(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeSession(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicInputMapping(m: Init<T.TopicInputMapping>, w: Writer): void {
-  if (m.inputName != null) writeString(w.uint32(10), m.inputName);
-  if (m.topic != null) writeString(w.uint32(18), m.topic);
-  if (m.topicMux != null) { w.uint32(26).fork(); encodeTopicMux(m.topicMux, w); w.ldelim(); }
+  if (m.inputName != null) w.string(10, m.inputName);
+  if (m.topic != null) w.string(18, m.topic);
+  if (m.topicMux != null) { const at = w.open(26); encodeTopicMux(m.topicMux, w); w.close(at); }
 }
 
 const TopicInputMapping_topic_source = ['topic', 'topicMux'] as const;
 export function decodeTopicInputMapping(r: Reader, into?: T.TopicInputMapping): T.TopicInputMapping {
   const m: T.TopicInputMapping = into ?? { inputName: '' };
   let topic_source = into && setMember(into, TopicInputMapping_topic_source);
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.inputName = r.stringVerify(); break;
-      case 18: topic_source = only(m, topic_source, 'topic'); m.topic = r.stringVerify(); break;
-      case 26: topic_source = only(m, topic_source, 'topicMux'); { const end = open(r); m.topicMux = decodeTopicMux(r, m.topicMux); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: m.inputName = r.string(); break;
+      case 18: topic_source = only(m, topic_source, 'topic'); m.topic = r.string(); break;
+      case 26: topic_source = only(m, topic_source, 'topicMux'); { const end = r.enter(); m.topicMux = decodeTopicMux(r, m.topicMux); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicInputMappingList(m: Init<T.TopicInputMappingList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeTopicInputMapping(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeTopicInputMapping(e, w); w.close(at); }
 }
 
 export function decodeTopicInputMappingList(r: Reader, into?: T.TopicInputMappingList): T.TopicInputMappingList {
   const m: T.TopicInputMappingList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeTopicInputMapping(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeTopicInputMapping(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicOutputMapping(m: Init<T.TopicOutputMapping>, w: Writer): void {
-  if (m.outputName != null) writeString(w.uint32(10), m.outputName);
-  if (m.topic != null) writeString(w.uint32(18), m.topic);
-  if (m.topicDemux != null) { w.uint32(26).fork(); encodeTopicDemux(m.topicDemux, w); w.ldelim(); }
+  if (m.outputName != null) w.string(10, m.outputName);
+  if (m.topic != null) w.string(18, m.topic);
+  if (m.topicDemux != null) { const at = w.open(26); encodeTopicDemux(m.topicDemux, w); w.close(at); }
 }
 
 const TopicOutputMapping_topic_destination = ['topic', 'topicDemux'] as const;
 export function decodeTopicOutputMapping(r: Reader, into?: T.TopicOutputMapping): T.TopicOutputMapping {
   const m: T.TopicOutputMapping = into ?? { outputName: '' };
   let topic_destination = into && setMember(into, TopicOutputMapping_topic_destination);
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.outputName = r.stringVerify(); break;
-      case 18: topic_destination = only(m, topic_destination, 'topic'); m.topic = r.stringVerify(); break;
-      case 26: topic_destination = only(m, topic_destination, 'topicDemux'); { const end = open(r); m.topicDemux = decodeTopicDemux(r, m.topicDemux); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: m.outputName = r.string(); break;
+      case 18: topic_destination = only(m, topic_destination, 'topic'); m.topic = r.string(); break;
+      case 26: topic_destination = only(m, topic_destination, 'topicDemux'); { const end = r.enter(); m.topicDemux = decodeTopicDemux(r, m.topicDemux); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicOutputMappingList(m: Init<T.TopicOutputMappingList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeTopicOutputMapping(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeTopicOutputMapping(e, w); w.close(at); }
 }
 
 export function decodeTopicOutputMappingList(r: Reader, into?: T.TopicOutputMappingList): T.TopicOutputMappingList {
   const m: T.TopicOutputMappingList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeTopicOutputMapping(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeTopicOutputMapping(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTimestamp(m: Init<T.Timestamp>, w: Writer): void {
-  if (m.seconds != null) w.uint32(8).int64(m.seconds);
-  if (m.nanos != null) w.uint32(16).int32(m.nanos);
-  if (m.millis != null) w.uint32(24).int64(m.millis);
+  if (m.seconds != null) w.int64(8, m.seconds);
+  if (m.nanos != null) w.int32(16, m.nanos);
+  if (m.millis != null) w.int64(24, m.millis);
 }
 
 export function decodeTimestamp(r: Reader, into?: T.Timestamp): T.Timestamp {
   const m: T.Timestamp = into ?? { seconds: 0, nanos: 0, millis: 0 };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 8: m.seconds = readInt64(r); break;
+      case 8: m.seconds = r.int64(); break;
       case 16: m.nanos = r.int32(); break;
-      case 24: m.millis = readInt64(r); break;
-      default: skip(r, tag);
+      case 24: m.millis = r.int64(); break;
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicData(m: Init<T.TopicData>, w: Writer): void {
-  if (m.topicDataRecord != null) { w.uint32(18).fork(); encodeTopicDataRecord(m.topicDataRecord, w); w.ldelim(); }
-  if (m.topicDataRecordList != null) { w.uint32(26).fork(); encodeTopicDataRecordList(m.topicDataRecordList, w); w.ldelim(); }
-  if (m.error != null) { w.uint32(34).fork(); encodeErrorMessage(m.error, w); w.ldelim(); }
+  if (m.topicDataRecord != null) { const at = w.open(18); encodeTopicDataRecord(m.topicDataRecord, w); w.close(at); }
+  if (m.topicDataRecordList != null) { const at = w.open(26); encodeTopicDataRecordList(m.topicDataRecordList, w); w.close(at); }
+  if (m.error != null) { const at = w.open(34); encodeErrorMessage(m.error, w); w.close(at); }
 }
 
 const TopicData_type = ['topicDataRecord', 'topicDataRecordList', 'error'] as const;
 export function decodeTopicData(r: Reader, into?: T.TopicData): T.TopicData {
   const m: T.TopicData = into ?? {};
   let type = into && setMember(into, TopicData_type);
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 18: type = only(m, type, 'topicDataRecord'); { const end = open(r); m.topicDataRecord = decodeTopicDataRecord(r, m.topicDataRecord); r.len = end; break; }
-      case 26: type = only(m, type, 'topicDataRecordList'); { const end = open(r); m.topicDataRecordList = decodeTopicDataRecordList(r, m.topicDataRecordList); r.len = end; break; }
-      case 34: type = only(m, type, 'error'); { const end = open(r); m.error = decodeErrorMessage(r, m.error); r.len = end; break; }
-      default: skip(r, tag);
+      case 18: type = only(m, type, 'topicDataRecord'); { const end = r.enter(); m.topicDataRecord = decodeTopicDataRecord(r, m.topicDataRecord); r.end = end; break; }
+      case 26: type = only(m, type, 'topicDataRecordList'); { const end = r.enter(); m.topicDataRecordList = decodeTopicDataRecordList(r, m.topicDataRecordList); r.end = end; break; }
+      case 34: type = only(m, type, 'error'); { const end = r.enter(); m.error = decodeErrorMessage(r, m.error); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicDataRecord(m: Init<T.TopicDataRecord>, w: Writer): void {
-  if (m.topic != null) writeString(w.uint32(10), m.topic);
-  if (m.timestamp != null) { w.uint32(18).fork(); encodeTimestamp(m.timestamp, w); w.ldelim(); }
-  if (m.double != null) w.uint32(25).double(m.double);
-  if (m.bool != null) w.uint32(32).bool(m.bool);
-  if (m.string != null) writeString(w.uint32(42), m.string);
-  if (m.vector2 != null) { w.uint32(50).fork(); encodeVector2(m.vector2, w); w.ldelim(); }
-  if (m.vector3 != null) { w.uint32(58).fork(); encodeVector3(m.vector3, w); w.ldelim(); }
-  if (m.vector4 != null) { w.uint32(66).fork(); encodeVector4(m.vector4, w); w.ldelim(); }
-  if (m.quaternion != null) { w.uint32(74).fork(); encodeQuaternion(m.quaternion, w); w.ldelim(); }
-  if (m.matrix3x2 != null) { w.uint32(82).fork(); encodeMatrix3x2(m.matrix3x2, w); w.ldelim(); }
-  if (m.matrix4x4 != null) { w.uint32(90).fork(); encodeMatrix4x4(m.matrix4x4, w); w.ldelim(); }
-  if (m.color != null) { w.uint32(98).fork(); encodeColor(m.color, w); w.ldelim(); }
-  if (m.touchEvent != null) { w.uint32(106).fork(); encodeTouchEventMessage(m.touchEvent, w); w.ldelim(); }
-  if (m.keyEvent != null) { w.uint32(114).fork(); encodeKeyEvent(m.keyEvent, w); w.ldelim(); }
-  if (m.mouseEvent != null) { w.uint32(122).fork(); encodeMouseEventMessage(m.mouseEvent, w); w.ldelim(); }
-  if (m.myoEvent != null) { w.uint32(130).fork(); encodeMyoEvent(m.myoEvent, w); w.ldelim(); }
-  if (m.pose2D != null) { w.uint32(138).fork(); encodePose2D(m.pose2D, w); w.ldelim(); }
-  if (m.pose3D != null) { w.uint32(146).fork(); encodePose3D(m.pose3D, w); w.ldelim(); }
-  if (m.object2D != null) { w.uint32(154).fork(); encodeObject2D(m.object2D, w); w.ldelim(); }
-  if (m.object3D != null) { w.uint32(162).fork(); encodeObject3D(m.object3D, w); w.ldelim(); }
-  if (m.object2DList != null) { w.uint32(170).fork(); encodeObject2DList(m.object2DList, w); w.ldelim(); }
-  if (m.object3DList != null) { w.uint32(178).fork(); encodeObject3DList(m.object3DList, w); w.ldelim(); }
-  if (m.int32 != null) w.uint32(184).int32(m.int32);
-  if (m.float != null) w.uint32(197).float(m.float);
-  if (m.int32List != null) { w.uint32(202).fork(); encodeInt32List(m.int32List, w); w.ldelim(); }
-  if (m.floatList != null) { w.uint32(210).fork(); encodeFloatList(m.floatList, w); w.ldelim(); }
-  if (m.doubleList != null) { w.uint32(218).fork(); encodeDoubleList(m.doubleList, w); w.ldelim(); }
-  if (m.stringList != null) { w.uint32(226).fork(); encodeStringList(m.stringList, w); w.ldelim(); }
-  if (m.boolList != null) { w.uint32(234).fork(); encodeBoolList(m.boolList, w); w.ldelim(); }
-  if (m.image2D != null) { w.uint32(242).fork(); encodeImage2D(m.image2D, w); w.ldelim(); }
-  if (m.image2DList != null) { w.uint32(250).fork(); encodeImage2DList(m.image2DList, w); w.ldelim(); }
-  if (m.session != null) { w.uint32(258).fork(); encodeSession(m.session, w); w.ldelim(); }
-  if (m.clientId != null) writeString(w.uint32(266), m.clientId);
-  if (m.touchEventList != null) { w.uint32(274).fork(); encodeTouchEventList(m.touchEventList, w); w.ldelim(); }
-  if (m.vector2List != null) { w.uint32(282).fork(); encodeVector2List(m.vector2List, w); w.ldelim(); }
-  if (m.vector3List != null) { w.uint32(290).fork(); encodeVector3List(m.vector3List, w); w.ldelim(); }
-  if (m.vector4List != null) { w.uint32(298).fork(); encodeVector4List(m.vector4List, w); w.ldelim(); }
-  if (m.quaternionList != null) { w.uint32(306).fork(); encodeQuaternion(m.quaternionList, w); w.ldelim(); }
-  if (m.error != null) { w.uint32(314).fork(); encodeErrorMessage(m.error, w); w.ldelim(); }
-  if (m.device != null) { w.uint32(322).fork(); encodeDevice(m.device, w); w.ldelim(); }
-  if (m.deviceList != null) { w.uint32(330).fork(); encodeDeviceList(m.deviceList, w); w.ldelim(); }
-  if (m.component != null) { w.uint32(338).fork(); encodeComponent(m.component, w); w.ldelim(); }
-  if (m.componentList != null) { w.uint32(346).fork(); encodeComponentList(m.componentList, w); w.ldelim(); }
-  if (m.sessionList != null) { w.uint32(354).fork(); encodeSessionList(m.sessionList, w); w.ldelim(); }
-  if (m.client != null) { w.uint32(8002).fork(); encodeClient(m.client, w); w.ldelim(); }
+  if (m.topic != null) w.string(10, m.topic);
+  if (m.timestamp != null) { const at = w.open(18); encodeTimestamp(m.timestamp, w); w.close(at); }
+  if (m.double != null) w.double(25, m.double);
+  if (m.bool != null) w.bool(32, m.bool);
+  if (m.string != null) w.string(42, m.string);
+  if (m.vector2 != null) { const at = w.open(50); encodeVector2(m.vector2, w); w.close(at); }
+  if (m.vector3 != null) { const at = w.open(58); encodeVector3(m.vector3, w); w.close(at); }
+  if (m.vector4 != null) { const at = w.open(66); encodeVector4(m.vector4, w); w.close(at); }
+  if (m.quaternion != null) { const at = w.open(74); encodeQuaternion(m.quaternion, w); w.close(at); }
+  if (m.matrix3x2 != null) { const at = w.open(82); encodeMatrix3x2(m.matrix3x2, w); w.close(at); }
+  if (m.matrix4x4 != null) { const at = w.open(90); encodeMatrix4x4(m.matrix4x4, w); w.close(at); }
+  if (m.color != null) { const at = w.open(98); encodeColor(m.color, w); w.close(at); }
+  if (m.touchEvent != null) { const at = w.open(106); encodeTouchEventMessage(m.touchEvent, w); w.close(at); }
+  if (m.keyEvent != null) { const at = w.open(114); encodeKeyEvent(m.keyEvent, w); w.close(at); }
+  if (m.mouseEvent != null) { const at = w.open(122); encodeMouseEventMessage(m.mouseEvent, w); w.close(at); }
+  if (m.myoEvent != null) { const at = w.open(130); encodeMyoEvent(m.myoEvent, w); w.close(at); }
+  if (m.pose2D != null) { const at = w.open(138); encodePose2D(m.pose2D, w); w.close(at); }
+  if (m.pose3D != null) { const at = w.open(146); encodePose3D(m.pose3D, w); w.close(at); }
+  if (m.object2D != null) { const at = w.open(154); encodeObject2D(m.object2D, w); w.close(at); }
+  if (m.object3D != null) { const at = w.open(162); encodeObject3D(m.object3D, w); w.close(at); }
+  if (m.object2DList != null) { const at = w.open(170); encodeObject2DList(m.object2DList, w); w.close(at); }
+  if (m.object3DList != null) { const at = w.open(178); encodeObject3DList(m.object3DList, w); w.close(at); }
+  if (m.int32 != null) w.int32(184, m.int32);
+  if (m.float != null) w.float(197, m.float);
+  if (m.int32List != null) { const at = w.open(202); encodeInt32List(m.int32List, w); w.close(at); }
+  if (m.floatList != null) { const at = w.open(210); encodeFloatList(m.floatList, w); w.close(at); }
+  if (m.doubleList != null) { const at = w.open(218); encodeDoubleList(m.doubleList, w); w.close(at); }
+  if (m.stringList != null) { const at = w.open(226); encodeStringList(m.stringList, w); w.close(at); }
+  if (m.boolList != null) { const at = w.open(234); encodeBoolList(m.boolList, w); w.close(at); }
+  if (m.image2D != null) { const at = w.open(242); encodeImage2D(m.image2D, w); w.close(at); }
+  if (m.image2DList != null) { const at = w.open(250); encodeImage2DList(m.image2DList, w); w.close(at); }
+  if (m.session != null) { const at = w.open(258); encodeSession(m.session, w); w.close(at); }
+  if (m.clientId != null) w.string(266, m.clientId);
+  if (m.touchEventList != null) { const at = w.open(274); encodeTouchEventList(m.touchEventList, w); w.close(at); }
+  if (m.vector2List != null) { const at = w.open(282); encodeVector2List(m.vector2List, w); w.close(at); }
+  if (m.vector3List != null) { const at = w.open(290); encodeVector3List(m.vector3List, w); w.close(at); }
+  if (m.vector4List != null) { const at = w.open(298); encodeVector4List(m.vector4List, w); w.close(at); }
+  if (m.quaternionList != null) { const at = w.open(306); encodeQuaternion(m.quaternionList, w); w.close(at); }
+  if (m.error != null) { const at = w.open(314); encodeErrorMessage(m.error, w); w.close(at); }
+  if (m.device != null) { const at = w.open(322); encodeDevice(m.device, w); w.close(at); }
+  if (m.deviceList != null) { const at = w.open(330); encodeDeviceList(m.deviceList, w); w.close(at); }
+  if (m.component != null) { const at = w.open(338); encodeComponent(m.component, w); w.close(at); }
+  if (m.componentList != null) { const at = w.open(346); encodeComponentList(m.componentList, w); w.close(at); }
+  if (m.sessionList != null) { const at = w.open(354); encodeSessionList(m.sessionList, w); w.close(at); }
+  if (m.client != null) { const at = w.open(8002); encodeClient(m.client, w); w.close(at); }
 }
 
 const TopicDataRecord_type = ['double', 'bool', 'string', 'vector2', 'vector3', 'vector4', 'quaternion', 'matrix3x2', 'matrix4x4', 'color', 'touchEvent', 'keyEvent', 'mouseEvent', 'myoEvent', 'pose2D', 'pose3D', 'object2D', 'object3D', 'object2DList', 'object3DList', 'int32', 'float', 'int32List', 'floatList', 'doubleList', 'stringList', 'boolList', 'image2D', 'image2DList', 'session', 'touchEventList', 'vector2List', 'vector3List', 'vector4List', 'quaternionList', 'error', 'device', 'deviceList', 'component', 'componentList', 'sessionList', 'client'] as const;
 export function decodeTopicDataRecord(r: Reader, into?: T.TopicDataRecord): T.TopicDataRecord {
   const m: T.TopicDataRecord = into ?? { topic: '', timestamp: undefined, clientId: '' };
   let type = into && setMember(into, TopicDataRecord_type);
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: m.topic = r.stringVerify(); break;
-      case 18: { const end = open(r); m.timestamp = decodeTimestamp(r, m.timestamp); r.len = end; break; }
+      case 10: m.topic = r.string(); break;
+      case 18: { const end = r.enter(); m.timestamp = decodeTimestamp(r, m.timestamp); r.end = end; break; }
       case 25: type = only(m, type, 'double'); m.double = r.double(); break;
       case 32: type = only(m, type, 'bool'); m.bool = r.bool(); break;
-      case 42: type = only(m, type, 'string'); m.string = r.stringVerify(); break;
-      case 50: type = only(m, type, 'vector2'); { const end = open(r); m.vector2 = decodeVector2(r, m.vector2); r.len = end; break; }
-      case 58: type = only(m, type, 'vector3'); { const end = open(r); m.vector3 = decodeVector3(r, m.vector3); r.len = end; break; }
-      case 66: type = only(m, type, 'vector4'); { const end = open(r); m.vector4 = decodeVector4(r, m.vector4); r.len = end; break; }
-      case 74: type = only(m, type, 'quaternion'); { const end = open(r); m.quaternion = decodeQuaternion(r, m.quaternion); r.len = end; break; }
-      case 82: type = only(m, type, 'matrix3x2'); { const end = open(r); m.matrix3x2 = decodeMatrix3x2(r, m.matrix3x2); r.len = end; break; }
-      case 90: type = only(m, type, 'matrix4x4'); { const end = open(r); m.matrix4x4 = decodeMatrix4x4(r, m.matrix4x4); r.len = end; break; }
-      case 98: type = only(m, type, 'color'); { const end = open(r); m.color = decodeColor(r, m.color); r.len = end; break; }
-      case 106: type = only(m, type, 'touchEvent'); { const end = open(r); m.touchEvent = decodeTouchEventMessage(r, m.touchEvent); r.len = end; break; }
-      case 114: type = only(m, type, 'keyEvent'); { const end = open(r); m.keyEvent = decodeKeyEvent(r, m.keyEvent); r.len = end; break; }
-      case 122: type = only(m, type, 'mouseEvent'); { const end = open(r); m.mouseEvent = decodeMouseEventMessage(r, m.mouseEvent); r.len = end; break; }
-      case 130: type = only(m, type, 'myoEvent'); { const end = open(r); m.myoEvent = decodeMyoEvent(r, m.myoEvent); r.len = end; break; }
-      case 138: type = only(m, type, 'pose2D'); { const end = open(r); m.pose2D = decodePose2D(r, m.pose2D); r.len = end; break; }
-      case 146: type = only(m, type, 'pose3D'); { const end = open(r); m.pose3D = decodePose3D(r, m.pose3D); r.len = end; break; }
-      case 154: type = only(m, type, 'object2D'); { const end = open(r); m.object2D = decodeObject2D(r, m.object2D); r.len = end; break; }
-      case 162: type = only(m, type, 'object3D'); { const end = open(r); m.object3D = decodeObject3D(r, m.object3D); r.len = end; break; }
-      case 170: type = only(m, type, 'object2DList'); { const end = open(r); m.object2DList = decodeObject2DList(r, m.object2DList); r.len = end; break; }
-      case 178: type = only(m, type, 'object3DList'); { const end = open(r); m.object3DList = decodeObject3DList(r, m.object3DList); r.len = end; break; }
+      case 42: type = only(m, type, 'string'); m.string = r.string(); break;
+      case 50: type = only(m, type, 'vector2'); { const end = r.enter(); m.vector2 = decodeVector2(r, m.vector2); r.end = end; break; }
+      case 58: type = only(m, type, 'vector3'); { const end = r.enter(); m.vector3 = decodeVector3(r, m.vector3); r.end = end; break; }
+      case 66: type = only(m, type, 'vector4'); { const end = r.enter(); m.vector4 = decodeVector4(r, m.vector4); r.end = end; break; }
+      case 74: type = only(m, type, 'quaternion'); { const end = r.enter(); m.quaternion = decodeQuaternion(r, m.quaternion); r.end = end; break; }
+      case 82: type = only(m, type, 'matrix3x2'); { const end = r.enter(); m.matrix3x2 = decodeMatrix3x2(r, m.matrix3x2); r.end = end; break; }
+      case 90: type = only(m, type, 'matrix4x4'); { const end = r.enter(); m.matrix4x4 = decodeMatrix4x4(r, m.matrix4x4); r.end = end; break; }
+      case 98: type = only(m, type, 'color'); { const end = r.enter(); m.color = decodeColor(r, m.color); r.end = end; break; }
+      case 106: type = only(m, type, 'touchEvent'); { const end = r.enter(); m.touchEvent = decodeTouchEventMessage(r, m.touchEvent); r.end = end; break; }
+      case 114: type = only(m, type, 'keyEvent'); { const end = r.enter(); m.keyEvent = decodeKeyEvent(r, m.keyEvent); r.end = end; break; }
+      case 122: type = only(m, type, 'mouseEvent'); { const end = r.enter(); m.mouseEvent = decodeMouseEventMessage(r, m.mouseEvent); r.end = end; break; }
+      case 130: type = only(m, type, 'myoEvent'); { const end = r.enter(); m.myoEvent = decodeMyoEvent(r, m.myoEvent); r.end = end; break; }
+      case 138: type = only(m, type, 'pose2D'); { const end = r.enter(); m.pose2D = decodePose2D(r, m.pose2D); r.end = end; break; }
+      case 146: type = only(m, type, 'pose3D'); { const end = r.enter(); m.pose3D = decodePose3D(r, m.pose3D); r.end = end; break; }
+      case 154: type = only(m, type, 'object2D'); { const end = r.enter(); m.object2D = decodeObject2D(r, m.object2D); r.end = end; break; }
+      case 162: type = only(m, type, 'object3D'); { const end = r.enter(); m.object3D = decodeObject3D(r, m.object3D); r.end = end; break; }
+      case 170: type = only(m, type, 'object2DList'); { const end = r.enter(); m.object2DList = decodeObject2DList(r, m.object2DList); r.end = end; break; }
+      case 178: type = only(m, type, 'object3DList'); { const end = r.enter(); m.object3DList = decodeObject3DList(r, m.object3DList); r.end = end; break; }
       case 184: type = only(m, type, 'int32'); m.int32 = r.int32(); break;
       case 197: type = only(m, type, 'float'); m.float = r.float(); break;
-      case 202: type = only(m, type, 'int32List'); { const end = open(r); m.int32List = decodeInt32List(r, m.int32List); r.len = end; break; }
-      case 210: type = only(m, type, 'floatList'); { const end = open(r); m.floatList = decodeFloatList(r, m.floatList); r.len = end; break; }
-      case 218: type = only(m, type, 'doubleList'); { const end = open(r); m.doubleList = decodeDoubleList(r, m.doubleList); r.len = end; break; }
-      case 226: type = only(m, type, 'stringList'); { const end = open(r); m.stringList = decodeStringList(r, m.stringList); r.len = end; break; }
-      case 234: type = only(m, type, 'boolList'); { const end = open(r); m.boolList = decodeBoolList(r, m.boolList); r.len = end; break; }
-      case 242: type = only(m, type, 'image2D'); { const end = open(r); m.image2D = decodeImage2D(r, m.image2D); r.len = end; break; }
-      case 250: type = only(m, type, 'image2DList'); { const end = open(r); m.image2DList = decodeImage2DList(r, m.image2DList); r.len = end; break; }
-      case 258: type = only(m, type, 'session'); { const end = open(r); m.session = decodeSession(r, m.session); r.len = end; break; }
-      case 266: m.clientId = r.stringVerify(); break;
-      case 274: type = only(m, type, 'touchEventList'); { const end = open(r); m.touchEventList = decodeTouchEventList(r, m.touchEventList); r.len = end; break; }
-      case 282: type = only(m, type, 'vector2List'); { const end = open(r); m.vector2List = decodeVector2List(r, m.vector2List); r.len = end; break; }
-      case 290: type = only(m, type, 'vector3List'); { const end = open(r); m.vector3List = decodeVector3List(r, m.vector3List); r.len = end; break; }
-      case 298: type = only(m, type, 'vector4List'); { const end = open(r); m.vector4List = decodeVector4List(r, m.vector4List); r.len = end; break; }
-      case 306: type = only(m, type, 'quaternionList'); { const end = open(r); m.quaternionList = decodeQuaternion(r, m.quaternionList); r.len = end; break; }
-      case 314: type = only(m, type, 'error'); { const end = open(r); m.error = decodeErrorMessage(r, m.error); r.len = end; break; }
-      case 322: type = only(m, type, 'device'); { const end = open(r); m.device = decodeDevice(r, m.device); r.len = end; break; }
-      case 330: type = only(m, type, 'deviceList'); { const end = open(r); m.deviceList = decodeDeviceList(r, m.deviceList); r.len = end; break; }
-      case 338: type = only(m, type, 'component'); { const end = open(r); m.component = decodeComponent(r, m.component); r.len = end; break; }
-      case 346: type = only(m, type, 'componentList'); { const end = open(r); m.componentList = decodeComponentList(r, m.componentList); r.len = end; break; }
-      case 354: type = only(m, type, 'sessionList'); { const end = open(r); m.sessionList = decodeSessionList(r, m.sessionList); r.len = end; break; }
-      case 8002: type = only(m, type, 'client'); { const end = open(r); m.client = decodeClient(r, m.client); r.len = end; break; }
-      default: skip(r, tag);
+      case 202: type = only(m, type, 'int32List'); { const end = r.enter(); m.int32List = decodeInt32List(r, m.int32List); r.end = end; break; }
+      case 210: type = only(m, type, 'floatList'); { const end = r.enter(); m.floatList = decodeFloatList(r, m.floatList); r.end = end; break; }
+      case 218: type = only(m, type, 'doubleList'); { const end = r.enter(); m.doubleList = decodeDoubleList(r, m.doubleList); r.end = end; break; }
+      case 226: type = only(m, type, 'stringList'); { const end = r.enter(); m.stringList = decodeStringList(r, m.stringList); r.end = end; break; }
+      case 234: type = only(m, type, 'boolList'); { const end = r.enter(); m.boolList = decodeBoolList(r, m.boolList); r.end = end; break; }
+      case 242: type = only(m, type, 'image2D'); { const end = r.enter(); m.image2D = decodeImage2D(r, m.image2D); r.end = end; break; }
+      case 250: type = only(m, type, 'image2DList'); { const end = r.enter(); m.image2DList = decodeImage2DList(r, m.image2DList); r.end = end; break; }
+      case 258: type = only(m, type, 'session'); { const end = r.enter(); m.session = decodeSession(r, m.session); r.end = end; break; }
+      case 266: m.clientId = r.string(); break;
+      case 274: type = only(m, type, 'touchEventList'); { const end = r.enter(); m.touchEventList = decodeTouchEventList(r, m.touchEventList); r.end = end; break; }
+      case 282: type = only(m, type, 'vector2List'); { const end = r.enter(); m.vector2List = decodeVector2List(r, m.vector2List); r.end = end; break; }
+      case 290: type = only(m, type, 'vector3List'); { const end = r.enter(); m.vector3List = decodeVector3List(r, m.vector3List); r.end = end; break; }
+      case 298: type = only(m, type, 'vector4List'); { const end = r.enter(); m.vector4List = decodeVector4List(r, m.vector4List); r.end = end; break; }
+      case 306: type = only(m, type, 'quaternionList'); { const end = r.enter(); m.quaternionList = decodeQuaternion(r, m.quaternionList); r.end = end; break; }
+      case 314: type = only(m, type, 'error'); { const end = r.enter(); m.error = decodeErrorMessage(r, m.error); r.end = end; break; }
+      case 322: type = only(m, type, 'device'); { const end = r.enter(); m.device = decodeDevice(r, m.device); r.end = end; break; }
+      case 330: type = only(m, type, 'deviceList'); { const end = r.enter(); m.deviceList = decodeDeviceList(r, m.deviceList); r.end = end; break; }
+      case 338: type = only(m, type, 'component'); { const end = r.enter(); m.component = decodeComponent(r, m.component); r.end = end; break; }
+      case 346: type = only(m, type, 'componentList'); { const end = r.enter(); m.componentList = decodeComponentList(r, m.componentList); r.end = end; break; }
+      case 354: type = only(m, type, 'sessionList'); { const end = r.enter(); m.sessionList = decodeSessionList(r, m.sessionList); r.end = end; break; }
+      case 8002: type = only(m, type, 'client'); { const end = r.enter(); m.client = decodeClient(r, m.client); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicDataRecordList(m: Init<T.TopicDataRecordList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeTopicDataRecord(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeTopicDataRecord(e, w); w.close(at); }
 }
 
 export function decodeTopicDataRecordList(r: Reader, into?: T.TopicDataRecordList): T.TopicDataRecordList {
   const m: T.TopicDataRecordList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeTopicDataRecord(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeTopicDataRecord(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicDataSource(m: Init<T.TopicDataSource>, w: Writer): void {
-  if (m.topic != null) writeString(w.uint32(10), m.topic);
-  if (m.regex != null) writeString(w.uint32(18), m.regex);
-  if (m.component != null) { w.uint32(26).fork(); encodeComponent(m.component, w); w.ldelim(); }
-  if (m.staticRecord != null) { w.uint32(34).fork(); encodeTopicDataRecord(m.staticRecord, w); w.ldelim(); }
+  if (m.topic != null) w.string(10, m.topic);
+  if (m.regex != null) w.string(18, m.regex);
+  if (m.component != null) { const at = w.open(26); encodeComponent(m.component, w); w.close(at); }
+  if (m.staticRecord != null) { const at = w.open(34); encodeTopicDataRecord(m.staticRecord, w); w.close(at); }
 }
 
 const TopicDataSource_type = ['topic', 'regex', 'component', 'staticRecord'] as const;
 export function decodeTopicDataSource(r: Reader, into?: T.TopicDataSource): T.TopicDataSource {
   const m: T.TopicDataSource = into ?? {};
   let type = into && setMember(into, TopicDataSource_type);
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: type = only(m, type, 'topic'); m.topic = r.stringVerify(); break;
-      case 18: type = only(m, type, 'regex'); m.regex = r.stringVerify(); break;
-      case 26: type = only(m, type, 'component'); { const end = open(r); m.component = decodeComponent(r, m.component); r.len = end; break; }
-      case 34: type = only(m, type, 'staticRecord'); { const end = open(r); m.staticRecord = decodeTopicDataRecord(r, m.staticRecord); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: type = only(m, type, 'topic'); m.topic = r.string(); break;
+      case 18: type = only(m, type, 'regex'); m.regex = r.string(); break;
+      case 26: type = only(m, type, 'component'); { const end = r.enter(); m.component = decodeComponent(r, m.component); r.end = end; break; }
+      case 34: type = only(m, type, 'staticRecord'); { const end = r.enter(); m.staticRecord = decodeTopicDataRecord(r, m.staticRecord); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;
 }
 
 export function encodeTopicDataSourceList(m: Init<T.TopicDataSourceList>, w: Writer): void {
-  if (m.elements != null) for (const e of m.elements) { w.uint32(10).fork(); encodeTopicDataSource(e, w); w.ldelim(); }
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeTopicDataSource(e, w); w.close(at); }
 }
 
 export function decodeTopicDataSourceList(r: Reader, into?: T.TopicDataSourceList): T.TopicDataSourceList {
   const m: T.TopicDataSourceList = into ?? { elements: [] };
-  while (r.pos < r.len) {
+  while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
-      case 10: { const end = open(r); m.elements.push(decodeTopicDataSource(r)); r.len = end; break; }
-      default: skip(r, tag);
+      case 10: { const end = r.enter(); m.elements.push(decodeTopicDataSource(r)); r.end = end; break; }
+      default: skipField(r, tag);
     }
   }
   return m;

@@ -1,4 +1,8 @@
+import type { Reader } from '../binary/reader.ts';
+import { skipField } from '../binary/skip-field.ts';
+import { checkUtf8 } from '../binary/utf8.ts';
 import {
+  BYTES,
   FIXED32,
   FIXED64,
   LOW_FIELDS,
@@ -8,9 +12,6 @@ import {
   type FieldCheck,
   type MessageCheck,
 } from './check-table.ts';
-import type { Cursor } from './cursor.ts';
-import { MalformedError } from './malformed-error.ts';
-import { checkUtf8 } from './utf8.ts';
 
 /** The schema's knowledge of a field, if it came with a wire type it may have. */
 export function fieldOf(message: MessageCheck, tag: number): FieldCheck | undefined {
@@ -22,52 +23,55 @@ export function fieldOf(message: MessageCheck, tag: number): FieldCheck | undefi
 }
 
 /**
- * Checks the structure of a message from the cursor to its end: lengths, wire types, UTF-8, nested
- * messages. Unknown fields pass. Recurses along the schema, which does not contain itself. [TD-12]
+ * Checks the structure of a message from the reader's position to its end: lengths, wire types,
+ * UTF-8, nested messages. Unknown fields pass. Recurses along the schema, which does not contain
+ * itself. [TD-12]
  *
  * @throws MalformedError that says where the structure breaks
  */
-export function checkMessage(cursor: Cursor, message: MessageCheck): void {
-  while (cursor.pos < cursor.end) {
-    const tag = cursor.readTag();
+export function checkMessage(reader: Reader, message: MessageCheck): void {
+  while (reader.pos < reader.end) {
+    const tag = reader.tag();
     const field = fieldOf(message, tag);
-    if (field === undefined) cursor.skipField(tag);
-    else checkField(cursor, field, tag & 7);
+    if (field === undefined) skipField(reader, tag);
+    else checkField(reader, field, tag & 7);
   }
 }
 
 /** Checks the value of a field and steps over it. */
-export function checkField(cursor: Cursor, field: FieldCheck, wireType: number): void {
+export function checkField(reader: Reader, field: FieldCheck, wireType: number): void {
   switch (wireType) {
     case 0:
-      return cursor.skipVarint();
+      return reader.skipVarint();
     case 1:
-      return cursor.skipBytes(8);
+      return reader.skip(8);
     case 5:
-      return cursor.skipBytes(4);
+      return reader.skip(4);
   }
-  const length = cursor.readLength();
-  const end = cursor.pos + length;
-  if (field.check === MESSAGE) {
-    const outer = cursor.end;
-    cursor.end = end;
-    checkMessage(cursor, field.message!);
-    cursor.end = outer;
-  } else if (field.check === STRING) {
-    checkUtf8(cursor.bytes, cursor.pos, end);
-    cursor.pos = end;
-  } else if (field.check === VARINT) {
-    const outer = cursor.end;
-    cursor.end = end;
-    while (cursor.pos < end) cursor.skipVarint();
-    cursor.end = outer;
-  } else {
-    const size = field.check === FIXED64 ? 8 : field.check === FIXED32 ? 4 : 1;
-    if (length % size !== 0) {
-      throw new MalformedError(
-        `${length} bytes at ${cursor.pos} are no list of ${size}-byte numbers`,
-      );
+  switch (field.check) {
+    case MESSAGE: {
+      const outerEnd = reader.enter();
+      checkMessage(reader, field.message!);
+      reader.end = outerEnd;
+      return;
     }
-    cursor.pos = end;
+    case STRING: {
+      const length = reader.length();
+      checkUtf8(reader.input, reader.pos, reader.pos + length);
+      return reader.skip(length);
+    }
+    case BYTES:
+      return reader.skip(reader.length());
+    case VARINT: {
+      const outerEnd = reader.enter();
+      while (reader.pos < reader.end) reader.skipVarint();
+      reader.end = outerEnd;
+      return;
+    }
+    case FIXED64:
+      reader.skipFixedList(8);
+      return;
+    case FIXED32:
+      reader.skipFixedList(4);
   }
 }

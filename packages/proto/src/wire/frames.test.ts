@@ -3,7 +3,7 @@ import { decode } from '../codec.ts';
 import { messageDescriptor } from '../descriptor.ts';
 import { encodeRecord } from '../records.ts';
 import { encodeErrorFrame, encodeRecordListFrame, recordFrameHeader } from './frames.ts';
-import { ERROR_TAG, LIST_ELEMENT_TAG, LIST_TAG, RECORD_TAG } from './tags.ts';
+import * as tags from './tags.ts';
 
 const FRAME = 'ubii.topicData.TopicData';
 
@@ -54,9 +54,12 @@ describe('the frames', () => {
   it('use the tags of the schema', () => {
     const tag = (type: string, member: string): number =>
       (messageDescriptor(type).fieldByName.get(member)!.number << 3) | 2;
-    expect(tag(FRAME, 'topicDataRecord')).toBe(RECORD_TAG);
-    expect(tag(FRAME, 'topicDataRecordList')).toBe(LIST_TAG);
-    expect(tag(FRAME, 'error')).toBe(ERROR_TAG);
-    expect(tag('ubii.topicData.TopicDataRecordList', 'elements')).toBe(LIST_ELEMENT_TAG);
+    expect(tag(FRAME, 'topicDataRecord')).toBe(tags.RECORD_TAG);
+    expect(tag(FRAME, 'topicDataRecordList')).toBe(tags.LIST_TAG);
+    expect(tag(FRAME, 'error')).toBe(tags.ERROR_TAG);
+    expect(tag('ubii.topicData.TopicDataRecordList', 'elements')).toBe(tags.LIST_ELEMENT_TAG);
+    expect(tag('ubii.topicData.TopicDataRecord', 'topic')).toBe(tags.TOPIC_TAG);
+    expect(tag('ubii.topicData.TopicDataRecord', 'timestamp')).toBe(tags.TIMESTAMP_TAG);
+    expect(tag('ubii.topicData.TopicDataRecord', 'clientId')).toBe(tags.CLIENT_ID_TAG);
   });
 });

@@ -1,7 +1,8 @@
+import { varintSize, writeVarint } from '../binary/varint.ts';
+import { writeMessage } from '../binary/write-message.ts';
 import { encodeErrorMessage } from '../generated/codec.ts';
 import type { ErrorMessage } from '../generated/messages.ts';
 import type { Init } from '../init.ts';
-import { createWriter } from '../protobuf.ts';
 import { ERROR_TAG, LIST_ELEMENT_TAG, LIST_TAG, RECORD_TAG } from './tags.ts';
 
 /**
@@ -11,7 +12,7 @@ import { ERROR_TAG, LIST_ELEMENT_TAG, LIST_TAG, RECORD_TAG } from './tags.ts';
  * @param recordLength size of the encoded record in bytes
  */
 export function recordFrameHeader(recordLength: number): Uint8Array {
-  const header = new Uint8Array(1 + varintLength(recordLength));
+  const header = new Uint8Array(1 + varintSize(recordLength));
   header[0] = RECORD_TAG;
   writeVarint(header, 1, recordLength);
   return header;
@@ -24,9 +25,9 @@ export function recordFrameHeader(recordLength: number): Uint8Array {
 export function encodeRecordListFrame(records: readonly Uint8Array[]): Uint8Array {
   let listLength = 0;
   for (const record of records) {
-    listLength += 1 + varintLength(record.length) + record.length;
+    listLength += 1 + varintSize(record.length) + record.length;
   }
-  const frame = new Uint8Array(1 + varintLength(listLength) + listLength);
+  const frame = new Uint8Array(1 + varintSize(listLength) + listLength);
   frame[0] = LIST_TAG;
   let pos = writeVarint(frame, 1, listLength);
   for (const record of records) {
@@ -40,26 +41,9 @@ export function encodeRecordListFrame(records: readonly Uint8Array[]): Uint8Arra
 
 /** A frame with an error: `TopicData` with `error`. [TD-17] */
 export function encodeErrorFrame(error: Init<ErrorMessage>): Uint8Array {
-  const writer = createWriter();
-  writer.uint32(ERROR_TAG).fork();
-  encodeErrorMessage(error, writer);
-  return writer.ldelim().finish();
-}
-
-function varintLength(value: number): number {
-  if (value < 0x80) return 1;
-  if (value < 0x4000) return 2;
-  if (value < 0x20_0000) return 3;
-  return value < 0x1000_0000 ? 4 : 5;
-}
-
-function writeVarint(target: Uint8Array, start: number, value: number): number {
-  let pos = start;
-  let rest = value;
-  while (rest >= 0x80) {
-    target[pos++] = (rest & 0x7f) | 0x80;
-    rest >>>= 7;
-  }
-  target[pos++] = rest;
-  return pos;
+  return writeMessage((message: Init<ErrorMessage>, writer) => {
+    const opened = writer.open(ERROR_TAG);
+    encodeErrorMessage(message, writer);
+    writer.close(opened);
+  }, error);
 }

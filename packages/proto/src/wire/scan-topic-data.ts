@@ -1,10 +1,10 @@
+import { MalformedError } from '../binary/malformed-error.ts';
+import { Reader } from '../binary/reader.ts';
+import { skipField } from '../binary/skip-field.ts';
 import { DecodeError } from '../decode-error.ts';
 import { checkField, checkMessage, fieldOf } from './check-message.ts';
 import { messageCheck } from './check-table.ts';
-import { Cursor } from './cursor.ts';
-import { MalformedError } from './malformed-error.ts';
-import { ERROR_TAG, LIST_ELEMENT_TAG, LIST_TAG, RECORD_TAG } from './tags.ts';
-import { readUtf8 } from './utf8.ts';
+import { ERROR_TAG, LIST_ELEMENT_TAG, LIST_TAG, RECORD_TAG, TOPIC_TAG } from './tags.ts';
 
 /** Takes what `scanTopicData` finds. */
 export interface TopicDataSink {
@@ -28,7 +28,6 @@ export interface TopicDataSink {
 
 const RECORD = messageCheck('ubii.topicData.TopicDataRecord');
 const ERROR = messageCheck('ubii.general.Error');
-const TOPIC_TAG = 10;
 
 /**
  * Checks a frame of the topic-data channel and hands over its records without decoding them:
@@ -41,29 +40,9 @@ const TOPIC_TAG = 10;
  * @throws DecodeError at the first record that fails, after those before it were handed over
  */
 export function scanTopicData(frame: Uint8Array, sink: TopicDataSink): void {
-  const cursor = new Cursor(frame, 0, frame.length);
+  const reader = new Reader(frame);
   try {
-    while (cursor.pos < frame.length) {
-      const tag = cursor.readTag();
-      switch (tag) {
-        case RECORD_TAG:
-          scanRecord(cursor, sink);
-          break;
-        case LIST_TAG:
-          scanList(cursor, sink);
-          break;
-        case ERROR_TAG: {
-          const end = enter(cursor);
-          const start = cursor.pos;
-          checkMessage(cursor, ERROR);
-          sink.error(start, cursor.pos);
-          cursor.end = end;
-          break;
-        }
-        default:
-          cursor.skipField(tag);
-      }
-    }
+    while (reader.pos < reader.end) scanMember(reader, sink);
   } catch (cause) {
     throw cause instanceof MalformedError
       ? DecodeError.wrap('ubii.topicData.TopicData', frame.length, cause)
@@ -71,48 +50,56 @@ export function scanTopicData(frame: Uint8Array, sink: TopicDataSink): void {
   }
 }
 
-/** Narrows the cursor to a length-delimited member; returns the end to put back. */
-function enter(cursor: Cursor): number {
-  const outer = cursor.end;
-  const length = cursor.readLength();
-  cursor.end = cursor.pos + length;
-  return outer;
-}
-
-function scanList(cursor: Cursor, sink: TopicDataSink): void {
-  const outer = enter(cursor);
-  while (cursor.pos < cursor.end) {
-    const tag = cursor.readTag();
-    if (tag === LIST_ELEMENT_TAG) scanRecord(cursor, sink);
-    else cursor.skipField(tag);
+function scanMember(reader: Reader, sink: TopicDataSink): void {
+  const tag = reader.tag();
+  switch (tag) {
+    case RECORD_TAG:
+      return scanRecord(reader, sink);
+    case LIST_TAG:
+      return scanList(reader, sink);
+    case ERROR_TAG: {
+      const outerEnd = reader.enter();
+      const start = reader.pos;
+      checkMessage(reader, ERROR);
+      reader.end = outerEnd;
+      return sink.error(start, reader.pos);
+    }
+    default:
+      skipField(reader, tag);
   }
-  cursor.end = outer;
 }
 
-function scanRecord(cursor: Cursor, sink: TopicDataSink): void {
-  const outer = enter(cursor);
-  const start = cursor.pos;
+function scanList(reader: Reader, sink: TopicDataSink): void {
+  const outerEnd = reader.enter();
+  while (reader.pos < reader.end) {
+    const tag = reader.tag();
+    if (tag === LIST_ELEMENT_TAG) scanRecord(reader, sink);
+    else skipField(reader, tag);
+  }
+  reader.end = outerEnd;
+}
+
+function scanRecord(reader: Reader, sink: TopicDataSink): void {
+  const outerEnd = reader.enter();
+  const start = reader.pos;
   let topic = '';
   let valueField = 0;
-  while (cursor.pos < cursor.end) {
-    const tag = cursor.readTag();
+  while (reader.pos < reader.end) {
+    const tag = reader.tag();
     if (tag === TOPIC_TAG) {
-      const length = cursor.readLength();
-      topic = readUtf8(cursor.bytes, cursor.pos, cursor.pos + length);
-      cursor.pos += length;
+      topic = reader.string();
       continue;
     }
     const field = fieldOf(RECORD, tag);
     if (field === undefined) {
-      cursor.skipField(tag);
+      skipField(reader, tag);
       continue;
     }
     if (field.isOneofMember) valueField = field.number;
-    checkField(cursor, field, tag & 7);
+    checkField(reader, field, tag & 7);
   }
-  const end = cursor.pos;
-  cursor.end = outer;
-  sink.record(topic, start, end, valueField);
+  reader.end = outerEnd;
+  sink.record(topic, start, reader.pos, valueField);
 }
 
 /**
@@ -122,14 +109,14 @@ function scanRecord(cursor: Cursor, sink: TopicDataSink): void {
  * @throws DecodeError when the outer structure is broken
  */
 export function recordValueField(record: Uint8Array): number {
-  const cursor = new Cursor(record, 0, record.length);
+  const reader = new Reader(record);
   let valueField = 0;
   try {
-    while (cursor.pos < record.length) {
-      const tag = cursor.readTag();
+    while (reader.pos < reader.end) {
+      const tag = reader.tag();
       const field = fieldOf(RECORD, tag);
       if (field?.isOneofMember === true) valueField = field.number;
-      cursor.skipField(tag);
+      skipField(reader, tag);
     }
   } catch (cause) {
     throw DecodeError.wrap(RECORD.name, record.length, cause);

@@ -1,4 +1,4 @@
-/** Tags (field number and wire type) of the members of `TopicData` and `TopicDataRecordList`. */
+/** Tags (field number and wire type) that are written and read without the generated code. */
 
 /** `TopicData.topic_data_record` */
 export const RECORD_TAG = 18;
@@ -8,3 +8,9 @@ export const LIST_TAG = 26;
 export const ERROR_TAG = 34;
 /** `TopicDataRecordList.elements` */
 export const LIST_ELEMENT_TAG = 10;
+/** `TopicDataRecord.topic` */
+export const TOPIC_TAG = 10;
+/** `TopicDataRecord.timestamp` */
+export const TIMESTAMP_TAG = 18;
+/** `TopicDataRecord.client_id` */
+export const CLIENT_ID_TAG = 266;
