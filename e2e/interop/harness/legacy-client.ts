@@ -3,11 +3,15 @@ import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
+import { isDeepStrictEqual } from 'node:util';
 import { inject } from 'vitest';
 import type { ClientKind } from './client-kind.ts';
 import { EventLog } from './event-log.ts';
 
 const CLIENTS = join(import.meta.dirname, '../clients');
+
+/** How often a value is published that the Python node may have lost. */
+const PUBLISH_AGAIN_MS = 1_000;
 
 /** A record as the client's callback got it. The web node gives no format. */
 export interface RecordEvent {
@@ -154,12 +158,23 @@ export class LegacyClient {
 
   /** The next record of `topic` the client's callback got with the wanted value. */
   async receives(topic: string, value: unknown): Promise<RecordEvent> {
-    const wanted = JSON.stringify(value);
     return this.events.waitFor(
-      `${wanted} on ${topic} at the ${this.kind} client`,
+      `${JSON.stringify(value)} on ${topic} at the ${this.kind} client`,
       (event): event is RecordEvent =>
-        event.event === 'record' && event.topic === topic && JSON.stringify(event.value) === wanted,
+        event.event === 'record' && event.topic === topic && isDeepStrictEqual(event.value, value),
     );
+  }
+
+  /**
+   * Publishes a value for this client and waits until its callback got it. The Python node loses what
+   * comes while its callback runs; for it alone, the value is published again.
+   */
+  async isGiven(topic: string, value: unknown, publish: () => void | Promise<void>): Promise<void> {
+    await publish();
+    const received = this.receives(topic, value);
+    if (this.kind !== 'python') return void (await received);
+    const again = setInterval(() => void publish(), PUBLISH_AGAIN_MS);
+    await received.finally(() => clearInterval(again));
   }
 
   /** Waits until the master has sent `count` pings in all. */

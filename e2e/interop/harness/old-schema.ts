@@ -7,19 +7,19 @@ interface Translator {
   createPayloadFromBuffer(bytes: Uint8Array): Record<string, unknown>;
 }
 
-/** The published message formats, as existing clients compiled them in: independent of our own codec. */
+/** The newest published message formats (0.16.6), as web node 0.3.4 and Unity have them: independent of our own codec. */
 export interface OldSchema {
   readonly request: Translator;
   readonly reply: Translator;
   readonly topicData: Translator;
 }
 
-/** Loads the message formats the nodejs node was published with. */
+/** Loads the message formats, which are installed beside the web node. */
 export function loadOldSchema(): OldSchema {
-  const installation = inject('installations').nodejs;
+  const installation = inject('installations').webbrowser;
   if ('missing' in installation) throw new Error(installation.missing);
   const require = createRequire(join(installation.folder, 'package.json'));
-  const { ProtobufTranslator, MSG_TYPES } = require('@tum-far/ubii-msg-formats') as {
+  const { ProtobufTranslator, MSG_TYPES } = require('msg-formats-0.16.6') as {
     ProtobufTranslator: new (type: string) => Translator;
     MSG_TYPES: Record<string, string>;
   };
