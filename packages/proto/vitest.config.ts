@@ -1,5 +1,10 @@
 import { defineConfig } from 'vitest/config';
 
 export default defineConfig({
-  test: { name: 'proto', include: ['src/**/*.test.ts', 'scripts/**/*.test.ts'] },
+  test: {
+    name: 'proto',
+    include: ['src/**/*.test.ts', 'scripts/**/*.test.ts'],
+    // Tests with random input take seconds on a busy machine; none waits for anything.
+    testTimeout: 60_000,
+  },
 });

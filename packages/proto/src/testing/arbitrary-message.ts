@@ -7,6 +7,19 @@ export interface ArbitraryMessageOptions {
   readonly belowField?: number;
 }
 
+/** Text of characters that take 1, 2, 3 and 4 bytes of UTF-8, the first and last of each among them. */
+const text = fc.oneof(
+  { arbitrary: fc.string({ maxLength: 60 }), weight: 3 },
+  fc
+    .array(
+      fc.constantFrom('\0', 'a', '\x7f', '\x80', 'ä', '\u07ff', '\u0800', '€', '\uffff', '😀'),
+      {
+        maxLength: 12,
+      },
+    )
+    .map((characters) => characters.join('')),
+);
+
 /** Messages as `decode` returns them: all scalars there, at most one member of a oneof. */
 export function arbitraryMessage(
   type: string,
@@ -77,10 +90,7 @@ function valueArbitrary(
     case 'bool':
       return fc.boolean();
     case 'string':
-      return fc.oneof(
-        fc.string({ unit: 'binary', maxLength: 8 }),
-        fc.string({ unit: 'binary-ascii', maxLength: 150 }),
-      );
+      return text;
     case 'bytes':
       return fc.uint8Array({ maxLength: 40 });
   }

@@ -12,10 +12,65 @@ import { ERROR_TAG, LIST_ELEMENT_TAG, LIST_TAG, RECORD_TAG } from './tags.ts';
  * @param recordLength size of the encoded record in bytes
  */
 export function recordFrameHeader(recordLength: number): Uint8Array {
-  const header = new Uint8Array(1 + varintSize(recordLength));
-  header[0] = RECORD_TAG;
-  writeVarint(header, 1, recordLength);
+  const header = new Uint8Array(recordHeaderSize(recordLength));
+  writeRecordHeader(header, 0, recordLength);
   return header;
+}
+
+/** Bytes that `writeRecordHeader` writes for a record of this length. */
+export function recordHeaderSize(recordLength: number): number {
+  return 1 + varintSize(recordLength);
+}
+
+/**
+ * Writes what `recordFrameHeader` returns where the frame is being put together.
+ *
+ * @param start position of the header in `target`
+ * @returns the position after it, where the record belongs
+ */
+export function writeRecordHeader(target: Uint8Array, start: number, recordLength: number): number {
+  target[start] = RECORD_TAG;
+  return writeVarint(target, start + 1, recordLength);
+}
+
+/** Bytes of a list of these records: the records, each with the header of an element. */
+export function recordListSize(records: readonly Uint8Array[]): number {
+  let size = 0;
+  for (let i = 0; i < records.length; i++) {
+    const { length } = records[i]!;
+    size += 1 + varintSize(length) + length;
+  }
+  return size;
+}
+
+/** Bytes that `writeListHeader` writes for a list of this size. */
+export function listHeaderSize(listSize: number): number {
+  return 1 + varintSize(listSize);
+}
+
+/**
+ * Writes what comes before the first element of a `TopicData` with `topic_data_record_list`. Only for
+ * clients that asked for lists. [TD-4]
+ *
+ * @returns the position after it, where the first element belongs
+ */
+export function writeListHeader(target: Uint8Array, start: number, listSize: number): number {
+  target[start] = LIST_TAG;
+  return writeVarint(target, start + 1, listSize);
+}
+
+/**
+ * Writes what comes before a record as an element of a list.
+ *
+ * @returns the position after it, where the record belongs
+ */
+export function writeElementHeader(
+  target: Uint8Array,
+  start: number,
+  recordLength: number,
+): number {
+  target[start] = LIST_ELEMENT_TAG;
+  return writeVarint(target, start + 1, recordLength);
 }
 
 /**
@@ -23,16 +78,11 @@ export function recordFrameHeader(recordLength: number): Uint8Array {
  * Only for clients that asked for lists. [TD-4]
  */
 export function encodeRecordListFrame(records: readonly Uint8Array[]): Uint8Array {
-  let listLength = 0;
+  const listSize = recordListSize(records);
+  const frame = new Uint8Array(listHeaderSize(listSize) + listSize);
+  let pos = writeListHeader(frame, 0, listSize);
   for (const record of records) {
-    listLength += 1 + varintSize(record.length) + record.length;
-  }
-  const frame = new Uint8Array(1 + varintSize(listLength) + listLength);
-  frame[0] = LIST_TAG;
-  let pos = writeVarint(frame, 1, listLength);
-  for (const record of records) {
-    frame[pos] = LIST_ELEMENT_TAG;
-    pos = writeVarint(frame, pos + 1, record.length);
+    pos = writeElementHeader(frame, pos, record.length);
     frame.set(record, pos);
     pos += record.length;
   }

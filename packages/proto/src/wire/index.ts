@@ -1,3 +1,13 @@
 export { DecodeError } from '../decode-error.ts';
-export { encodeErrorFrame, encodeRecordListFrame, recordFrameHeader } from './frames.ts';
+export {
+  encodeErrorFrame,
+  encodeRecordListFrame,
+  listHeaderSize,
+  recordFrameHeader,
+  recordHeaderSize,
+  recordListSize,
+  writeElementHeader,
+  writeListHeader,
+  writeRecordHeader,
+} from './frames.ts';
 export { recordValueField, scanTopicData, type TopicDataSink } from './scan-topic-data.ts';
