@@ -10,7 +10,7 @@ export const DEFAULT_LIMITS = {
 
   /** One WebSocket message or one service request. A raw 4K image (3840 x 2160 RGBA) is 31.6 MiB. */
   frameBytes: 32 * MIB,
-  /** UTF-8 bytes of a topic. Real topics are ids and short names, some 100 bytes; 1024 leaves room and keeps a full topic table in memory. */
+  /** UTF-8 bytes of a topic (MAX_TOPIC_BYTES). Real topics are ids and short names, some 100 bytes; 1024 leaves room and keeps a full topic table in memory. */
   topicBytes: 1024,
   /** Characters of a regular expression. Compiling and the compiled program grow with it. */
   patternLength: 1024,
@@ -51,9 +51,9 @@ export const DEFAULT_LIMITS = {
   patternsPerClient: 1_024,
   /** Different regular expressions of all clients together: bounds what a new topic costs everybody. */
   patterns: 4_096,
-  /** Time that matching the regular expressions of one client may take at once, milliseconds. Ordinary ones take a thousandth for a topic; what is built to be slow may take thirty. */
+  /** Time that matching the regular expressions of one client may take at once, milliseconds (PATTERN_MATCH_MS). Ordinary ones take a thousandth for a topic; what is built to be slow may take thirty. */
   patternMatchMs: 500,
-  /** The same per second in the long run, milliseconds: a twentieth of the master. */
+  /** The same per second in the long run, milliseconds (PATTERN_MATCH_MS_PER_SECOND): a twentieth of the master. */
   patternMatchMsPerSecond: 50,
   /** Component profiles of one client. A registered component is tried against each. */
   profilesPerClient: 256,
@@ -75,7 +75,7 @@ export const DEFAULT_LIMITS = {
 
   // --- What waits for one client ---
 
-  /** Bytes of one write to one client; what is more leaves in the next. Keeps a list frame easy to take for a phone. */
+  /** Bytes of one write to one client (MAX_BATCH_BYTES); what is more leaves in the next. Keeps a list frame easy to take for a phone. */
   batchBytes: 1 * MIB,
   /** Bytes handed to a socket and not taken, beyond which records wait in the client's queue. Some milliseconds of a fast network. */
   connectionQueuedBytes: 2 * MIB,

@@ -14,6 +14,7 @@ import {
   type TopicRecord,
   type TopicSubscription,
 } from '@ubii/proto';
+import { DEFAULT_LIMITS } from '../core/limits.ts';
 import type { ConnectionHandle } from '../core/ports/connection-handle.ts';
 import { RecordingConnection, type Sent } from './recording-connection.ts';
 import type { TestMaster } from './test-master.ts';
@@ -68,13 +69,16 @@ export class TestClient {
     return this.#testMaster.call(request);
   }
 
-  /** Subscribes and unsubscribes. @throws Error with the master's message when it refuses. */
+  /** Subscribes and unsubscribes, and waits for what it is owed. @throws Error with the master's message when it refuses. */
   async subscribe(subscription: Init<TopicSubscription>): Promise<void> {
     const { error } = await this.call({
       topic: '/services/topic_subscription',
       topicSubscription: { clientId: this.id, ...subscription },
     });
     if (error) throw new Error(`${error.code}: ${error.message}`);
+    if (this.registered.extension === undefined) {
+      this.#testMaster.clock.advance(DEFAULT_LIMITS.replayDelayMs);
+    }
   }
 
   /** Publishes one record in a message of its own; the turn goes on. */

@@ -75,7 +75,18 @@ export class TestMaster {
 
   /** Asks a service with a decoded request. */
   async request(request: ServiceRequest): Promise<ServiceReply> {
-    const { reply, afterReply } = await this.master.handleServiceRequest(request);
+    let isAnswered = false;
+    const promise = this.master.handleServiceRequest(request).then((answer) => {
+      isAnswered = true;
+      return answer;
+    });
+    // Long work pauses for other turns: they come, without time passing.
+    for (;;) {
+      for (let i = 0; i < 10; i++) await Promise.resolve();
+      if (isAnswered) break;
+      this.clock.advance(0);
+    }
+    const { reply, afterReply } = await promise;
     afterReply();
     this.clock.endTurn();
     return decode('ubii.services.ServiceReply', encode('ubii.services.ServiceReply', reply));

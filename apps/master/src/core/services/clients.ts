@@ -14,7 +14,9 @@ export const registerClient: ServiceHandler = (core, request, call) => {
   const { client, isResumed, isKnown } = clients.register(message);
   const owed: TopicEntry[] = [];
   try {
-    for (const device of message.devices) owed.push(...devices.register(client, device).owed); // [CL-5]
+    for (const device of message.devices) {
+      for (const entry of devices.register(client, device).owed) owed.push(entry); // [CL-5]
+    }
   } catch (error) {
     // Half a registration is none, unless the client was there before.
     if (!isKnown) clients.handleEvent(client, 'deregistered');

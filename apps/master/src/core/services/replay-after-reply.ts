@@ -8,7 +8,7 @@ import type { ServiceCall } from './handler.ts';
  * clients know the callback only some turns after they read the reply: they are given the time.
  */
 export function replayAfterReply(
-  { topics, clock, limits }: Core,
+  { topics, subscriptions, clock, limits }: Core,
   call: ServiceCall,
   client: Client,
   entries: readonly TopicEntry[],
@@ -16,8 +16,13 @@ export function replayAfterReply(
   if (entries.length === 0) return;
   const sinceSequence = topics.sequence;
   const replay = (): void => {
-    if (client.status === 'removed') return;
-    for (const entry of entries) client.subscriber.outbox.replay(entry, sinceSequence);
+    const { subscriber } = client;
+    for (const entry of entries) {
+      // It may have gone, or changed its mind, in the meantime.
+      if (subscriptions.isSubscribed(subscriber, entry)) {
+        subscriber.outbox.replay(entry, sinceSequence);
+      }
+    }
   };
   call.afterReply(() => {
     if (client.isExtension) replay();

@@ -17,7 +17,7 @@ export const subscribe: ServiceHandler = async (core, request, call) => {
   const owed: TopicEntry[] = [];
   try {
     for (const step of stepsOf(core, message, client.subscriber, rateHz)) {
-      owed.push(...(step() ?? []));
+      for (const entry of step() ?? []) owed.push(entry);
       const pause = call.breathe();
       if (pause !== undefined) await pause;
       if (client.status === 'removed') break;

@@ -114,7 +114,7 @@ export class SubscriptionTable {
     const entry = this.#context.topics.get(topic);
     if (entry === undefined || !subscriber.topics.delete(entry)) return;
     entry.subscribers.delete(subscriber);
-    subscriber.outbox.forgive(entry);
+    if (!this.isSubscribed(subscriber, entry)) subscriber.outbox.forgive(entry);
     this.#context.topics.markSubscribersChanged(entry);
     this.#context.topics.forgetIfUnused(entry);
   }
@@ -185,6 +185,17 @@ export class SubscriptionTable {
     for (const deviceId of [...subscriber.watchers]) this.unwatch(subscriber, deviceId);
   }
 
+  /** Whether any subscription of this client selects the topic. */
+  isSubscribed(subscriber: Subscriber, entry: TopicEntry): boolean {
+    const { topics, patterns, selections, watchers } = subscriber;
+    return (
+      topics.has(entry) ||
+      watchers.size > 0 ||
+      entry.patterns.some((pattern) => patterns.has(pattern)) ||
+      entry.selections.some((selection) => selections.has(selection))
+    );
+  }
+
   /** Topics whose newest record a client is to get when it comes back after a pause [TD-33]. */
   *replayable(subscriber: Subscriber): Iterable<TopicEntry> {
     for (const entry of subscriber.topics) if (this.#reaches(subscriber, entry)) yield entry;
@@ -210,7 +221,7 @@ export class SubscriptionTable {
   #unsubscribe(subscriber: Subscriber, subscribed: Pattern | ComponentSelection): void {
     subscribed.subscribers.delete(subscriber);
     for (const entry of subscribed.entries) {
-      subscriber.outbox.forgive(entry);
+      if (!this.isSubscribed(subscriber, entry)) subscriber.outbox.forgive(entry);
       this.#context.topics.markSubscribersChanged(entry);
     }
   }

@@ -1,0 +1,133 @@
+import { describe, expect, it } from 'vitest';
+import { TestMaster } from '../../testing/index.ts';
+
+async function createPair(maxRateHz: number) {
+  const master = new TestMaster();
+  const ada = await master.legacy('ada');
+  const ben = await master.legacy('ben');
+  await ben.subscribe({ subscribeTopics: ['/a', '/b'], maxRateHz });
+  // Whoever is silent for long is gone; here nobody is.
+  const advance = (durationMs: number): void => {
+    for (let rest = durationMs; rest > 0; rest -= 1000) {
+      master.clock.advance(Math.min(rest, 1000));
+      ada.socket.handleText('PONG');
+      ben.socket.handleText('PONG');
+    }
+  };
+  return { master, ada, ben, advance };
+}
+
+describe('sampled subscriptions', () => {
+  it('deliver the first record at once and then the newest, so often at most [TD-28]', async () => {
+    const { ada, ben, advance } = await createPair(10);
+    for (let i = 0; i < 25; i++) {
+      ada.publish('/a', 'double', i);
+      advance(10);
+    }
+    expect(ben.takeValues()).toEqual([
+      ['/a', 0],
+      ['/a', 9],
+      ['/a', 19],
+    ]);
+  });
+
+  it('never withhold the newest record for good [TD-28]', async () => {
+    const { ada, ben, advance } = await createPair(10);
+    ada.publish('/a', 'double', 1);
+    ada.publish('/a', 'double', 2);
+    ada.publish('/a', 'double', 3);
+    expect(ben.takeValues()).toEqual([['/a', 1]]);
+    advance(99);
+    expect(ben.takeValues()).toEqual([]);
+    advance(1);
+    expect(ben.takeValues()).toEqual([['/a', 3]]);
+    advance(1000);
+    expect(ben.takeValues()).toEqual([]);
+  });
+
+  it('count each topic on its own [TD-28]', async () => {
+    const { ada, ben, advance } = await createPair(10);
+    ada.publish('/a', 'double', 1);
+    advance(50);
+    ada.publish('/b', 'double', 2);
+    ada.publish('/a', 'double', 3);
+    ada.publish('/b', 'double', 4);
+    expect(ben.takeValues()).toEqual([
+      ['/a', 1],
+      ['/b', 2],
+    ]);
+    advance(50);
+    expect(ben.takeValues()).toEqual([['/a', 3]]);
+    advance(50);
+    expect(ben.takeValues()).toEqual([['/b', 4]]);
+  });
+
+  it('wait as long as it takes when the rate is tiny [TD-28]', async () => {
+    const { ada, ben, advance } = await createPair(1 / 300);
+    ada.publish('/a', 'double', 1);
+    ada.publish('/a', 'double', 2);
+    advance(299_000);
+    expect(ben.takeValues()).toEqual([['/a', 1]]);
+    advance(1_000);
+    expect(ben.takeValues()).toEqual([['/a', 2]]);
+  });
+
+  it('let the fastest of several subscriptions count [TD-28]', async () => {
+    const { ada, ben, advance } = await createPair(1);
+    await ben.subscribe({ subscribeTopicRegexp: ['^/a'], maxRateHz: 10 });
+    ada.publish('/a', 'double', 1);
+    ada.publish('/a', 'double', 2);
+    advance(100);
+    expect(ben.takeValues()).toEqual([
+      ['/a', 1],
+      ['/a', 2],
+    ]);
+    await ben.subscribe({ subscribeTopicRegexp: ['/a$'] });
+    ada.publish('/a', 'double', 3);
+    ada.publish('/a', 'double', 4);
+    expect(ben.takeValues()).toEqual([
+      ['/a', 3],
+      ['/a', 4],
+    ]);
+  });
+
+  it('give what they hold back before the first record of a faster subscription [TD-15]', async () => {
+    const { ada, ben } = await createPair(1);
+    ada.publish('/a', 'double', 1);
+    ada.publish('/a', 'double', 2);
+    await ben.subscribe({ subscribeTopics: ['/a'] });
+    ada.publish('/a', 'double', 3);
+    expect(ben.takeValues()).toEqual([
+      ['/a', 1],
+      ['/a', 2],
+      ['/a', 3],
+    ]);
+  });
+
+  it('deliver nothing after they were ended', async () => {
+    const { ada, ben, advance } = await createPair(10);
+    ada.publish('/a', 'double', 1);
+    ada.publish('/a', 'double', 2);
+    ben.takeSent();
+    await ben.subscribe({ unsubscribeTopics: ['/a'] });
+    advance(1000);
+    expect(ben.takeValues()).toEqual([]);
+  });
+
+  it('owe the record they held back when the socket closed [TD-33]', async () => {
+    const { ada, ben, advance } = await createPair(10);
+    ada.publish('/a', 'double', 1);
+    ada.publish('/a', 'double', 2);
+    ben.drop();
+    advance(1000);
+    ben.open();
+    expect(ben.takeValues()).toEqual([['/a', 2]]);
+  });
+
+  it.each([-1, Number.NaN, Number.NEGATIVE_INFINITY])('refuse the rate %d', async (maxRateHz) => {
+    const { ben } = await createPair(10);
+    await expect(ben.subscribe({ subscribeTopics: ['/c'], maxRateHz })).rejects.toThrow(
+      /^invalid_argument: .*max_rate_hz/,
+    );
+  });
+});

@@ -1,0 +1,132 @@
+import { encode } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { TestMaster } from '../src/testing/index.ts';
+
+const text = (value: string): Uint8Array => new TextEncoder().encode(value);
+
+describe('the topic-data socket', () => {
+  it('takes PONG as text and as binary for a sign of life [TD-2]', async () => {
+    const { clock, ...master } = await withAda();
+    for (const pong of [
+      () => master.ada.socket.handleText('PONG'),
+      () => master.ada.socket.handleBinary(text('PONG')),
+    ]) {
+      clock.advance(1_500);
+      expect(master.ada.takeSent()).toContainEqual({ kind: 'PING' });
+      pong();
+      expect(master.ada.takeSent()).toEqual([]);
+      expect(await master.stateOf(master.ada.id)).toBe(0);
+    }
+  });
+
+  it('answers PING with PONG, as text [TD-2] [EX-6]', async () => {
+    const { ada } = await withAda();
+    ada.socket.handleText('PING');
+    expect(ada.takeSent()).toEqual([{ kind: 'PONG' }]);
+  });
+
+  it.each(['ping', 'PONG ', '', '{"topic":"/a"}', 'x'.repeat(100_000)])(
+    'calls other text a protocol error: %.20j [TD-2]',
+    async (other) => {
+      const { ada } = await withAda();
+      ada.socket.handleText(other);
+      expect(ada.takeErrors()).toMatchObject([{ code: 'invalid_argument', stack: '' }]);
+    },
+  );
+
+  it('sends single records to a legacy client, whatever it publishes [TD-3]', async () => {
+    const { master, ada } = await withAda();
+    const ben = await master.legacy('ben');
+    await ben.subscribe({ subscribeTopics: ['/a', '/b'] });
+    ada.send('/a', 'double', 1);
+    ada.send('/b', 'double', 2);
+    ada.publish('/a', 'double', 3);
+    expect(ben.takeSent().map(({ kind }) => kind)).toEqual(['record', 'record', 'record']);
+  });
+
+  it('sends a list to an extension client that takes them [TD-4] [EX-2]', async () => {
+    const { master, ada } = await withAda();
+    const ben = await master.extension('ben');
+    await ben.subscribe({ subscribeTopics: ['/a', '/b'] });
+    ada.send('/a', 'double', 1);
+    ada.send('/b', 'double', 2);
+    ada.publish('/a', 'double', 3);
+    const sent = ben.takeSent();
+    expect(sent.map(({ kind }) => kind)).toEqual(['list']);
+    ben.connection.sent.push(...sent);
+    expect(ben.takeValues()).toEqual([
+      ['/a', 1],
+      ['/b', 2],
+      ['/a', 3],
+    ]);
+  });
+
+  it('sends single records to an extension client that does not take lists [TD-4]', async () => {
+    const { master, ada } = await withAda();
+    const ben = await master.extension('ben', { extension: { recordLists: false } });
+    await ben.subscribe({ subscribeTopics: ['/a'] });
+    ada.send('/a', 'double', 1);
+    ada.publish('/a', 'double', 2);
+    expect(ben.takeSent().map(({ kind }) => kind)).toEqual(['record', 'record']);
+  });
+
+  it('is closed when nobody is registered under its id [TD-6]', async () => {
+    const { master, ada } = await withAda();
+    ada.registered.id = 'nobody';
+    expect(ada.open()).toBe(false);
+    expect(ada.closed).toEqual({ code: 4004, reason: 'unknown client' });
+    ada.registered.id = '';
+    expect(ada.open()).toBe(false);
+    expect(ada.closed).toMatchObject({ code: 4004 });
+    expect(master.master.metrics()).toContainEqual(
+      expect.objectContaining({
+        name: 'ubii_sockets_refused_total',
+        values: [{ labels: {}, value: 2 }],
+      }),
+    );
+  });
+
+  it('takes the place of the one before, with subscriptions and queue [TD-7] [EX-5]', async () => {
+    const { master, ada } = await withAda();
+    const ben = await master.legacy('ben');
+    await ben.subscribe({ subscribeTopics: ['/a', '/key'] });
+    const { connection: first, socket: firstSocket } = ben;
+    first.stall();
+    ada.publish('/a', 'double', 1);
+    ada.publish('/key', 'keyEvent', { type: 1, key: 'x' });
+    ada.publish('/key', 'keyEvent', { type: 0, key: 'x' });
+    ben.open();
+    expect(first.sent.at(-1)).toEqual({ kind: 'close', code: 4001, reason: 'superseded' });
+    expect(ben.takeValues()).toEqual([
+      ['/a', 1],
+      ['/key', { type: 1, key: 'x' }],
+      ['/key', { type: 0, key: 'x' }],
+    ]);
+    // What still comes from the first is nobody's, and its end ends nothing.
+    firstSocket.handleBinary(encode('ubii.topicData.TopicData', {}));
+    firstSocket.handleText('nonsense');
+    firstSocket.handleDrain();
+    firstSocket.handleClose();
+    ada.publish('/a', 'double', 2);
+    expect(ben.takeValues()).toEqual([['/a', 2]]);
+  });
+
+  it('ignores an error that a client sends, and an empty message', async () => {
+    const { ada } = await withAda();
+    ada.socket.handleBinary(
+      encode('ubii.topicData.TopicData', { error: { title: 'a', message: 'b' } }),
+    );
+    ada.socket.handleBinary(new Uint8Array(0));
+    expect(ada.takeSent()).toEqual([]);
+  });
+});
+
+async function withAda() {
+  const master = new TestMaster();
+  const ada = await master.legacy('ada');
+  const stateOf = async (id: string): Promise<number | undefined> => {
+    const { clientList } = await master.call({ topic: '/services/client/get_list' });
+    return clientList?.elements.find((client) => client.id === id)?.state;
+  };
+  return { master, clock: master.clock, ada, stateOf };
+}
