@@ -1,22 +1,25 @@
-import { encodeErrorFrame, encodeRecordListFrame, recordFrameHeader } from '@ubii/proto/wire';
+import {
+  encodeErrorFrame,
+  listHeaderSize,
+  recordHeaderSize,
+  recordListSize,
+  writeElementHeader,
+  writeListHeader,
+  writeRecordHeader,
+} from '@ubii/proto/wire';
 import type { ErrorMessage } from '@ubii/proto';
 
 import type { RecordBatch } from '../../core/ports/index.ts';
+import { JoinedParts, joinedSize, type FrameParts } from './joined-parts.ts';
 
 /*
  * WebSocket frames as a server sends them (RFC 6455, section 5.2): never masked, never fragmented.
  * They are made once and written to the sockets of all who get them.
  */
 
-/** The pieces of one write. */
-export type FrameParts = readonly Buffer[];
-
 /** FIN and the opcode. */
 const TEXT = 0x81;
 const BINARY = 0x82;
-
-/** From this size on a record is handed to the system where it lies instead of being copied. */
-const LARGE_BYTES = 16 * 1024;
 
 export const PING_FRAME = textFrame('PING');
 export const PONG_FRAME = textFrame('PONG');
@@ -29,84 +32,88 @@ export interface FrameEncoder {
 /** One frame for each record. [TD-3] */
 export const singleFrames: FrameEncoder = {
   encode({ records }) {
-    const joined = new JoinedParts();
-    for (const record of records) {
-      const header = recordFrameHeader(record.length);
-      joined.add(frameHeader(BINARY, header.length + record.length));
-      joined.add(header);
-      joined.add(record);
+    let size = 0;
+    for (let i = 0; i < records.length; i++) {
+      const { length } = records[i]!;
+      const payloadLength = recordHeaderSize(length) + length;
+      size += frameHeaderSize(payloadLength) + recordHeaderSize(length) + joinedSize(length);
     }
-    return joined.finish();
+    const parts = new JoinedParts(size);
+    for (let i = 0; i < records.length; i++) {
+      const record = records[i]!;
+      const { length } = record;
+      const payloadLength = recordHeaderSize(length) + length;
+      parts.pos = writeFrameHeader(parts.bytes, parts.pos, BINARY, payloadLength);
+      parts.pos = writeRecordHeader(parts.bytes, parts.pos, length);
+      parts.add(record);
+    }
+    return parts.finish();
   },
 };
 
 /** One frame for all records. [TD-4] */
 export const listFrames: FrameEncoder = {
   encode({ records }) {
-    return binaryFrame(encodeRecordListFrame(records));
+    const listSize = recordListSize(records);
+    const payloadLength = listHeaderSize(listSize) + listSize;
+    let size = frameHeaderSize(payloadLength) + payloadLength;
+    for (let i = 0; i < records.length; i++) {
+      const { length } = records[i]!;
+      size -= length - joinedSize(length);
+    }
+    const parts = new JoinedParts(size);
+    parts.pos = writeFrameHeader(parts.bytes, parts.pos, BINARY, payloadLength);
+    parts.pos = writeListHeader(parts.bytes, parts.pos, listSize);
+    for (let i = 0; i < records.length; i++) {
+      const record = records[i]!;
+      parts.pos = writeElementHeader(parts.bytes, parts.pos, record.length);
+      parts.add(record);
+    }
+    return parts.finish();
   },
 };
 
 /** A frame with an error. [TD-17] */
 export function errorFrame(error: ErrorMessage): FrameParts {
-  return binaryFrame(encodeErrorFrame(error));
-}
-
-function binaryFrame(payload: Uint8Array): FrameParts {
-  const joined = new JoinedParts();
-  joined.add(frameHeader(BINARY, payload.length));
-  joined.add(payload);
-  return joined.finish();
+  return [frame(BINARY, encodeErrorFrame(error))];
 }
 
 function textFrame(text: string): FrameParts {
-  return [Buffer.concat([frameHeader(TEXT, text.length), Buffer.from(text, 'latin1')])];
+  return [frame(TEXT, Buffer.from(text, 'latin1'))];
 }
 
-function frameHeader(firstByte: number, payloadLength: number): Uint8Array {
-  if (payloadLength < 126) return Uint8Array.of(firstByte, payloadLength);
+function frame(firstByte: number, payload: Uint8Array): Buffer {
+  const { length } = payload;
+  const bytes = Buffer.allocUnsafe(frameHeaderSize(length) + length);
+  bytes.set(payload, writeFrameHeader(bytes, 0, firstByte, length));
+  return bytes;
+}
+
+function frameHeaderSize(payloadLength: number): number {
+  if (payloadLength < 126) return 2;
+  return payloadLength < 0x1_0000 ? 4 : 10;
+}
+
+/** Returns the position after the header, where the payload belongs. */
+function writeFrameHeader(
+  target: Buffer,
+  start: number,
+  firstByte: number,
+  payloadLength: number,
+): number {
+  target[start] = firstByte;
+  if (payloadLength < 126) {
+    target[start + 1] = payloadLength;
+    return start + 2;
+  }
   if (payloadLength < 0x1_0000) {
-    return Uint8Array.of(firstByte, 126, payloadLength >>> 8, payloadLength & 0xff);
+    target[start + 1] = 126;
+    target[start + 2] = payloadLength >>> 8;
+    target[start + 3] = payloadLength & 0xff;
+    return start + 4;
   }
-  const header = Buffer.alloc(10);
-  header[0] = firstByte;
-  header[1] = 127;
+  target[start + 1] = 127;
   // The limit on a message is far below 2^32 bytes: the upper half of the length stays 0.
-  header.writeUInt32BE(payloadLength, 6);
-  return header;
-}
-
-/** Joins what is small and keeps what is large as it is, in order. */
-class JoinedParts {
-  readonly #parts: Buffer[] = [];
-  #small: Uint8Array[] = [];
-  #smallBytes = 0;
-
-  add(bytes: Uint8Array): void {
-    if (bytes.length > LARGE_BYTES) {
-      this.#flush();
-      this.#parts.push(Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength));
-    } else {
-      this.#small.push(bytes);
-      this.#smallBytes += bytes.length;
-    }
-  }
-
-  finish(): FrameParts {
-    this.#flush();
-    return this.#parts;
-  }
-
-  #flush(): void {
-    if (this.#smallBytes === 0) return;
-    const joined = Buffer.allocUnsafe(this.#smallBytes);
-    let offset = 0;
-    for (const bytes of this.#small) {
-      joined.set(bytes, offset);
-      offset += bytes.length;
-    }
-    this.#parts.push(joined);
-    this.#small = [];
-    this.#smallBytes = 0;
-  }
+  target.writeUInt32BE(0, start + 2);
+  return target.writeUInt32BE(payloadLength, start + 6);
 }

@@ -4,7 +4,7 @@ import type { WebSocket } from 'ws';
 
 import type { ClientConnection, RecordBatch } from '../../core/ports/index.ts';
 import { PING_FRAME, PONG_FRAME, errorFrame, listFrames, singleFrames } from './frames.ts';
-import type { FrameParts } from './frames.ts';
+import type { FrameParts } from './joined-parts.ts';
 
 /** What the reason of a close frame may take beside its code (RFC 6455, section 5.5.1). */
 const MAX_REASON_BYTES = 123;
@@ -66,9 +66,8 @@ export class WebSocketConnection implements ClientConnection {
   #write(parts: FrameParts): void {
     // Nothing may follow the close frame, and a closed socket takes nothing.
     if (this.#webSocket.readyState !== OPEN || !this.#socket.writable) return;
-    const [only] = parts;
-    if (parts.length === 1 && only !== undefined) {
-      this.#socket.write(only);
+    if (parts.length === 1) {
+      this.#socket.write(parts[0]);
       return;
     }
     this.#socket.cork();
