@@ -1,3 +1,15 @@
+// What both entry points offer beside `createClient`.
+
+export { DecodeError, ServiceError } from '@ubii/proto';
+export type {
+  DataFormat,
+  DataFormatValues,
+  ServiceErrorCode,
+  ServiceName,
+  ServiceReplyOf,
+  ServiceRequestOf,
+  TopicRecord,
+} from '@ubii/proto';
 export type { ClientCounters } from './core/client-counters.ts';
 export type { ClientOptions } from './core/client-options.ts';
 export type { ComponentProfile } from './core/component-profile.ts';
@@ -22,6 +34,7 @@ export type {
   TopicDataSocket,
   TopicDataTransport,
 } from './core/ports/topic-data-transport.ts';
+export { PUBLISH_LIMITS } from './core/publish-buffer.ts';
 export type { PublishOptions } from './core/publish-buffer.ts';
 export { DEFAULT_RECONNECT_POLICY } from './core/reconnect-policy.ts';
 export type { ReconnectPolicy } from './core/reconnect-policy.ts';

@@ -125,6 +125,7 @@ describe('a client whose socket drops [EX-5]', () => {
       await settle();
       const state = states.at(-1);
       if (state?.status !== 'reconnecting') throw new Error('expected reconnecting');
+      expect(state.attempt).toBe(1);
       delaysMs.push(state.nextAttemptMs - clock.nowMs());
       await clock.advance(delaysMs.at(-1)!);
       expect(states.at(-1)?.status).toBe('connected');
@@ -145,7 +146,7 @@ describe('a client whose socket drops [EX-5]', () => {
     master.drop();
     await clock.advance(250);
     expect(refusals).toBe(2);
-    expect(client.state).toMatchObject({ status: 'reconnecting', attempt: 2 });
+    expect(client.state).toMatchObject({ status: 'reconnecting', attempt: 3 });
     master.openConnection = refuse;
     await clock.advance(5_000);
     expect(client.state.status).toBe('connected');

@@ -20,7 +20,7 @@ export type ConnectionState =
     }
   | {
       readonly status: 'reconnecting';
-      /** The attempt that is under way or comes next; 1 is the first after the link failed. */
+      /** The attempt that is under way or comes next, counted from the last connection, the first is 1. */
       readonly attempt: number;
       /** When that attempt starts or started: milliseconds since the Unix epoch. */
       readonly nextAttemptMs: number;

@@ -65,8 +65,10 @@ export class Connection {
   /** Stands for the attempt under way; replaced to abandon it. */
   #attempt: { readonly done: Promise<void> } | undefined;
   #cancelRetry: Cancel | undefined;
-  /** Failed attempts in a row; see `ReconnectPolicy.stableAfterMs`. */
+  /** What the back-off counts: failed attempts, and links that did not hold. See `ReconnectPolicy`. */
   #failedAttempts = 0;
+  /** Attempts since the last connection, the one under way included. */
+  #attemptNumber = 0;
   /** Whether this outage has had its one attempt without delay. */
   #hasHurried = false;
   #connectedSinceMs = 0;
@@ -92,6 +94,7 @@ export class Connection {
   connect(): Promise<void> {
     if (this.#state.status === 'idle' || this.#state.status === 'closed') {
       this.#failedAttempts = 0;
+      this.#attemptNumber = 0;
       this.#hasHurried = false;
       this.#move('connect', { status: 'connecting', attempt: 1 });
       this.#startAttempt();
@@ -145,6 +148,7 @@ export class Connection {
 
   #startAttempt(): void {
     this.#cancelRetry = undefined;
+    this.#attemptNumber += 1;
     const done = new Deferred<void>();
     const attempt = { done: done.promise };
     this.#attempt = attempt;
@@ -194,6 +198,7 @@ export class Connection {
 
   #handleArrival({ membership, previousId }: Arrival): void {
     this.#attempt = undefined;
+    this.#attemptNumber = 0;
     this.#hasHurried = false;
     this.#connectedSinceMs = this.#options.clock.monotonicMs();
     const { clientId } = membership.identity;
@@ -258,7 +263,7 @@ export class Connection {
     this.#cancelRetry = clock.after(waitMs, () => this.#startAttempt());
     this.#move('failed', {
       status: 'reconnecting',
-      attempt: this.#failedAttempts + 1,
+      attempt: this.#attemptNumber + 1,
       nextAttemptMs: clock.nowMs() + waitMs,
       error: failure.error,
     });

@@ -1,7 +1,6 @@
 import { ServiceError } from '@ubii/proto';
 import type { Init, TopicSubscription } from '@ubii/proto';
 import { profileToMessage } from './component-profile.ts';
-import { ConnectionError } from './connection-error.ts';
 import { Deferred } from './deferred.ts';
 import type { Cancel, Clock } from './ports/clock.ts';
 import type { ServerPattern } from './topic-pattern.ts';
