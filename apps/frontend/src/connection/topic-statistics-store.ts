@@ -1,7 +1,7 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { ServiceError } from '@ubii/proto';
 import { tryOnScopeDispose } from '@vueuse/core';
-import { computed, shallowRef, triggerRef, type Ref, type ShallowRef } from 'vue';
+import { computed, shallowRef, triggerRef, type ComputedRef, type Ref, type ShallowRef } from 'vue';
 import { measureClock, type ClockOffset } from './clock-offset.ts';
 import { createInterest } from './interest.ts';
 import { usePoll } from './poll.ts';
@@ -16,8 +16,8 @@ export interface TopicStatisticsStore {
   readonly rates: Readonly<ShallowRef<ReadonlyMap<string, TopicRate> | undefined>>;
   /** When the newest reply was made: milliseconds since the Unix epoch, master's clock; 0 before. */
   readonly masterTimeMs: Readonly<ShallowRef<number>>;
-  /** The master's clock against this machine's, for the age of values; `undefined` before the first reply. */
-  readonly clock: Readonly<ShallowRef<ClockOffset | undefined>>;
+  /** The master's clock minus this machine's, for the age of values, milliseconds; 0 before the first reply. */
+  readonly clockOffsetMs: ComputedRef<number>;
   /** True when this is an original master, which has no such service. */
   readonly isUnsupported: Readonly<ShallowRef<boolean>>;
   /** Why the last question was not answered, when the master refused it. */
@@ -76,7 +76,7 @@ export function createTopicStatisticsStore(
   return {
     rates,
     masterTimeMs,
-    clock,
+    clockOffsetMs: computed(() => clock.value?.offsetMs ?? 0),
     isUnsupported,
     error,
     watch: (intervalMs) => interest.express(intervalMs),

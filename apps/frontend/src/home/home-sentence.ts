@@ -2,7 +2,7 @@
 export interface HomeFacts {
   /** Clients that are there, this page included. */
   readonly active: number;
-  /** Clients that went silent or away. */
+  /** Clients that went silent a moment ago. */
   readonly silent: number;
   readonly errors: number;
   readonly warnings: number;

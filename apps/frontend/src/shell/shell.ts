@@ -1,7 +1,7 @@
 import { inject, shallowRef, type InjectionKey, type ShallowRef } from 'vue';
 
 /** What floats over the page; one at a time. */
-export type ShellDialog = 'palette' | 'connect-phone' | 'shortcuts';
+export type ShellDialog = 'palette' | 'connect-phone' | 'shortcuts' | 'identity';
 
 /** How pages reach the dialogs of the shell. */
 export interface Shell {

@@ -72,7 +72,7 @@ export function useCommands(): ComputedRef<Command[]> {
       kind: 'action',
       title: 'Rename this browser',
       icon: Pencil,
-      run: go('/settings#browser'),
+      run: () => shell.open('identity'),
     },
     ...(
       [

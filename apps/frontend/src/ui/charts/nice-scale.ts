@@ -6,13 +6,15 @@ export interface NiceScale {
 }
 
 /**
- * A scale whose two steps (half and full) are round: 1, 2 or 5 times a power of ten.
+ * A scale whose two steps (half and full) are round: 1, 2, 2.5 or 5 times a power of ten.
  * @param highest the largest value to be shown
  */
 export function niceScale(highest: number): NiceScale {
   const half = Math.max(highest, 1) / 2;
   const power = 10 ** Math.floor(Math.log10(half));
-  const step = [1, 2, 5, 10].map((factor) => factor * power).find((candidate) => candidate >= half);
+  const step = [1, 2, 2.5, 5, 10]
+    .map((factor) => factor * power)
+    .find((candidate) => candidate >= half);
   const round = step ?? half;
   return { max: 2 * round, ticks: [0, round, 2 * round] };
 }
