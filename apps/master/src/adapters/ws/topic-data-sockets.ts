@@ -76,6 +76,7 @@ export class TopicDataSockets {
 
     webSocket.on('message', (data: Buffer, isBinary) => {
       try {
+        // What the library hands over it has read into memory of its own, and forgets.
         if (isBinary) opened.handleBinary(data);
         else opened.handleText(data.toString());
       } catch (error) {

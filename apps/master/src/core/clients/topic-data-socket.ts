@@ -68,11 +68,11 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
     this.#handleSign();
     if (isPong(bytes)) return this.#handlePong(); // [TD-2]
     if (bytes.byteLength > limits.frameBytes) return this.#refuseFrame(bytes.byteLength);
-    publication.frame = plain(bytes);
+    publication.frame = bytes;
     publication.monotonicMs = this.client.lastSignMs;
     publication.nowMs = clock.nowMs();
     try {
-      scanTopicData(publication.frame, this);
+      scanTopicData(bytes, this);
     } catch (error) {
       if (error instanceof DecodeError)
         this.handleProtocolError(`${error.message}.`); // [TD-12]
@@ -222,13 +222,6 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
   #mayTellError(): boolean {
     return this.#errorBudget.take(1, this.#context.clock.monotonicMs());
   }
-}
-
-/** A buffer of the platform slices without copying; the core wants the plain thing. */
-function plain(bytes: Uint8Array): Uint8Array {
-  return bytes.constructor === Uint8Array
-    ? bytes
-    : new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 }
 
 function isPong(bytes: Uint8Array): boolean {

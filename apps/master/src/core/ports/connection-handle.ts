@@ -3,7 +3,7 @@
  * `handleClose`, or once another pipe of the client took over, calls are ignored.
  */
 export interface ConnectionHandle {
-  /** A binary message. `bytes` are borrowed until the call returns: what the master keeps it copies. */
+  /** A binary message. `bytes` are handed over, with the memory they lie in: nobody writes to it any more. */
   handleBinary(bytes: Uint8Array): void;
   /** A text message. */
   handleText(text: string): void;

@@ -111,7 +111,7 @@ function storeAndDeliver(context: PublishContext, publication: Publication): und
   const entry = publication.entry!;
   // Before the value changes: what a change of subscriptions releases is the value before.
   const { direct, sampled } = context.subscriptions.targetsOf(entry);
-  const record = publication.frame.slice(publication.start, publication.end); // [TD-11]
+  const record = publication.keepRecord(); // [TD-11]
   context.topics.store(entry, record, valueField, publication.nowMs);
   entry.publisherId = publication.client?.id ?? '';
   const isEvent = isEventField(valueField);
