@@ -87,7 +87,14 @@ export default ts.config(
   },
   {
     files: ['**/*.{ts,vue}'],
-    ignores: ['**/*.test.ts', 'e2e/**', 'benchmarks/**', 'scripts/**', '**/*.config.ts'],
+    ignores: [
+      '**/*.test.ts',
+      'e2e/**',
+      'benchmarks/**',
+      'scripts/**',
+      '**/*.config.ts',
+      'packages/*/examples/**',
+    ],
     rules: { 'no-console': 'error' },
   },
   { files: ['packages/**'], rules: restrict(noApps, noVue) },

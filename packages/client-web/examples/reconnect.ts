@@ -9,16 +9,13 @@ const client = createClient({
 });
 
 client.onState((state) => {
-  switch (state.status) {
-    case 'connected':
-      console.log(state.resumed ? 'back as the same client' : 'connected as a new client');
-      break;
-    case 'reconnecting':
-      if (state.attempt === 1) console.log('lost the master, trying again');
-      break;
-    case 'closed':
-      // With an error it is final: somebody else uses this identity, or the client gave up.
-      console.log(state.error === undefined ? 'closed' : `closed: ${state.error.reason}`);
+  if (state.status === 'connected') {
+    console.log(state.resumed ? 'back as the same client' : 'connected as a new client');
+  } else if (state.status === 'reconnecting' && state.attempt === 1) {
+    console.log('lost the master, trying again');
+  } else if (state.status === 'closed') {
+    // With an error it is final: somebody else uses this identity, or the client gave up.
+    console.log(state.error === undefined ? 'closed' : `closed: ${state.error.reason}`);
   }
 });
 client.onError((problem) => console.log(problem.message));
