@@ -242,6 +242,16 @@ describe('decode of hostile input', () => {
     );
   });
 
+  it('throws DecodeError for more messages than honest ones hold, which would fill the memory', () => {
+    const empties = (count: number): Uint8Array =>
+      new Uint8Array(2 * count).map((_byte, i) => (i % 2 === 0 ? 0x0a : 0));
+    const points = decode('ubii.dataStructure.Vector2List', empties(640 * 480));
+    expect(points.elements).toHaveLength(640 * 480);
+    expect(() => decode('ubii.clients.ClientList', empties(400_001))).toThrow(
+      'more than 400000 messages within one',
+    );
+  });
+
   it('says what was expected, how much there was and why it failed', () => {
     let error: unknown;
     try {

@@ -1,4 +1,5 @@
 import { MalformedError } from './malformed-error.ts';
+import { MAX_NESTED_MESSAGES } from './max-nested-messages.ts';
 import { readUtf8 } from './utf8.ts';
 
 /** Numbers are put together here, which is cheaper than a DataView over each message. */
@@ -19,6 +20,7 @@ export class Reader {
   pos = 0;
   /** First byte that does not belong to the message being read. */
   end: number;
+  #messagesLeft = MAX_NESTED_MESSAGES;
 
   constructor(input: Uint8Array) {
     this.input =
@@ -46,6 +48,9 @@ export class Reader {
    * @returns the end of the outer message, to be assigned to `end` when the inner one has been read
    */
   enter(): number {
+    if (--this.#messagesLeft < 0) {
+      throw new MalformedError(`more than ${MAX_NESTED_MESSAGES} messages within one`);
+    }
     const outerEnd = this.end;
     const length = this.length();
     this.end = this.pos + length;

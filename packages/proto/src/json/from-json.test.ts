@@ -174,6 +174,16 @@ describe('fromJson [SV-3]', () => {
     );
   });
 
+  it('refuses more messages than honest ones hold', () => {
+    const elements = (count: number): object => ({
+      elements: Array.from({ length: count }, () => ({})),
+    });
+    expect(() => fromJson('ubii.dataStructure.Vector2List', elements(399_999))).not.toThrow();
+    expect(() => fromJson('ubii.dataStructure.Vector2List', elements(400_000))).toThrow(
+      'more than 400000 messages within one',
+    );
+  });
+
   it('throws nothing but DecodeError', () => {
     fc.assert(
       fc.property(fc.constantFrom(...TYPES), fc.jsonValue(), (type, json) => {

@@ -1,4 +1,5 @@
 import type { MessageType } from '../codec.ts';
+import { MAX_NESTED_MESSAGES } from '../binary/max-nested-messages.ts';
 import { DecodeError } from '../decode-error.ts';
 import {
   messageDescriptor,
@@ -25,18 +26,34 @@ const MAX_INT32 = 2 ** 31 - 1;
  * @throws DecodeError that names the member
  */
 export function fromJson<T extends MessageType>(type: T, json: unknown): MessageTypes[T] {
-  const fail = (path: string, expected: string, received: unknown): never => {
-    const where = path === '' ? 'it' : path;
-    throw new DecodeError(type, 0, `${where} must be ${expected}, got ${describe(received)}`);
-  };
-  return readMessage(messageDescriptor(type), json, '', fail) as MessageTypes[T];
+  const context = { type, messagesLeft: MAX_NESTED_MESSAGES };
+  return readMessage(messageDescriptor(type), json, '', context) as MessageTypes[T];
 }
 
-type Fail = (path: string, expected: string, received: unknown) => never;
+interface Context {
+  /** The message that is read, for errors. */
+  readonly type: string;
+  /** As the binary reader counts them. */
+  messagesLeft: number;
+}
 
-function readMessage(type: MessageDescriptor, json: unknown, path: string, fail: Fail): object {
+function fail(context: Context, path: string, expected: string, received: unknown): never {
+  const where = path === '' ? 'it' : path;
+  const reason = `${where} must be ${expected}, got ${describe(received)}`;
+  throw new DecodeError(context.type, 0, reason);
+}
+
+function readMessage(
+  type: MessageDescriptor,
+  json: unknown,
+  path: string,
+  context: Context,
+): object {
   if (typeof json !== 'object' || json === null || Array.isArray(json)) {
-    fail(path, 'an object', json);
+    fail(context, path, 'an object', json);
+  }
+  if (--context.messagesLeft < 0) {
+    throw new DecodeError(context.type, 0, `more than ${MAX_NESTED_MESSAGES} messages within one`);
   }
   const message = emptyMessage(type);
   const chosen = new Map<string, string>();
@@ -45,10 +62,10 @@ function readMessage(type: MessageDescriptor, json: unknown, path: string, fail:
     if (field === undefined || value === null || value === undefined) continue;
     const memberPath = path === '' ? key : `${path}.${key}`;
     if (field.repeated) {
-      message[field.jsonName] = readList(field, value, memberPath, fail);
+      message[field.jsonName] = readList(field, value, memberPath, context);
       continue;
     }
-    message[field.jsonName] = readValue(field.type, value, memberPath, fail);
+    message[field.jsonName] = readValue(field.type, value, memberPath, context);
     if (field.oneof === undefined) continue;
     const other = chosen.get(field.oneof);
     if (other !== undefined && other !== field.jsonName) delete message[other];
@@ -74,12 +91,17 @@ function defaultOf({ repeated, type }: FieldDescriptor): unknown {
   return type === 'bytes' ? new Uint8Array(0) : 0;
 }
 
-function readList(field: FieldDescriptor, json: unknown, path: string, fail: Fail): unknown[] {
-  if (!Array.isArray(json)) fail(path, 'a list', json);
+function readList(
+  field: FieldDescriptor,
+  json: unknown,
+  path: string,
+  context: Context,
+): unknown[] {
+  if (!Array.isArray(json)) fail(context, path, 'a list', json);
   const list: unknown[] = [];
   (json as unknown[]).forEach((element, i) => {
     if (element === null || element === undefined) return;
-    list.push(readValue(field.type, element, `${path}[${i}]`, fail));
+    list.push(readValue(field.type, element, `${path}[${i}]`, context));
   });
   return list;
 }
@@ -88,66 +110,71 @@ function readValue(
   type: FieldDescriptor['type'],
   json: unknown,
   path: string,
-  fail: Fail,
+  context: Context,
 ): unknown {
   if (typeof type === 'object') {
     return type.kind === 'enum'
-      ? readEnum(type, json, path, fail)
-      : readMessage(type, json, path, fail);
+      ? readEnum(type, json, path, context)
+      : readMessage(type, json, path, context);
   }
   switch (type) {
     case 'double':
     case 'float':
-      return readNumber(json, path, fail);
+      return readNumber(json, path, context);
     case 'int32':
     case 'int64':
-      return readInteger(type, json, path, fail);
+      return readInteger(type, json, path, context);
     case 'bool':
       if (json === true || json === 'true' || json === 1) return true;
       if (json === false || json === 'false' || json === 0) return false;
-      return fail(path, 'true or false', json);
+      return fail(context, path, 'true or false', json);
     case 'string':
-      return typeof json === 'string' ? json : readTextFrom(json, path, fail);
+      return typeof json === 'string' ? json : readTextFrom(json, path, context);
     case 'bytes':
-      return readBytes(json, path, fail);
+      return readBytes(json, path, context);
   }
 }
 
 /** Ids and ports that clients send as numbers. */
-function readTextFrom(json: unknown, path: string, fail: Fail): string {
+function readTextFrom(json: unknown, path: string, context: Context): string {
   return typeof json === 'number' || typeof json === 'boolean'
     ? String(json)
-    : fail(path, 'text', json);
+    : fail(context, path, 'text', json);
 }
 
-function readNumber(json: unknown, path: string, fail: Fail): number {
+function readNumber(json: unknown, path: string, context: Context): number {
   if (typeof json === 'number') return json;
   if (json === 'NaN') return NaN;
   const number = typeof json === 'string' && json.trim() !== '' ? Number(json) : NaN;
-  return Number.isNaN(number) ? fail(path, 'a number', json) : number;
+  return Number.isNaN(number) ? fail(context, path, 'a number', json) : number;
 }
 
-function readInteger(type: 'int32' | 'int64', json: unknown, path: string, fail: Fail): number {
-  const number = readNumber(json, path, fail);
+function readInteger(
+  type: 'int32' | 'int64',
+  json: unknown,
+  path: string,
+  context: Context,
+): number {
+  const number = readNumber(json, path, context);
   const isInRange =
     type === 'int32' ? number >= MIN_INT32 && number <= MAX_INT32 : Math.abs(number) <= 2 ** 63;
   return Number.isInteger(number) && isInRange
     ? number
-    : fail(path, `an integer of ${type === 'int32' ? 32 : 64} bits`, json);
+    : fail(context, path, `an integer of ${type === 'int32' ? 32 : 64} bits`, json);
 }
 
-function readEnum(type: EnumDescriptor, json: unknown, path: string, fail: Fail): number {
+function readEnum(type: EnumDescriptor, json: unknown, path: string, context: Context): number {
   const number = typeof json === 'string' ? type.numberByName.get(json) : undefined;
   if (number !== undefined) return number;
   const isNumeric = typeof json === 'number' || (typeof json === 'string' && /^-?\d+$/.test(json));
   return isNumeric
-    ? readInteger('int32', json, path, fail)
-    : fail(path, `one of ${[...type.numberByName.keys()].join(', ')}`, json);
+    ? readInteger('int32', json, path, context)
+    : fail(context, path, `one of ${[...type.numberByName.keys()].join(', ')}`, json);
 }
 
-function readBytes(json: unknown, path: string, fail: Fail): Uint8Array {
+function readBytes(json: unknown, path: string, context: Context): Uint8Array {
   const bytes = typeof json === 'string' ? parseBase64(json) : undefined;
-  return bytes ?? fail(path, 'base64 text', json);
+  return bytes ?? fail(context, path, 'base64 text', json);
 }
 
 function describe(value: unknown): string {

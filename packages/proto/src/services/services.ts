@@ -1,5 +1,8 @@
 import type { ServiceReply, ServiceRequest } from '../generated/messages.ts';
 import { withoutPayload, withOptionalPayload, withPayload } from './define-service.ts';
+import { PROCESSING_MODULE_SERVICES } from './processing-module-services.ts';
+import { SESSION_SERVICES } from './session-services.ts';
+import { TOPIC_MAPPING_SERVICES } from './topic-mapping-services.ts';
 
 /**
  * Every service of the protocol and of ours, one table for master, clients and user interface.
@@ -37,7 +40,6 @@ export const SERVICES = {
     'Lists the clients with their latency in milliseconds.',
     { constant: 'LATENCY_CLIENTS_LIST' },
   ),
-
   clientRegistration: withPayload(
     '/services/client/registration',
     'client',
@@ -59,7 +61,6 @@ export const SERVICES = {
     'Lists the clients that match one of the given profiles, or all.',
     { constant: 'CLIENT_GET_LIST' },
   ),
-
   deviceRegistration: withPayload(
     '/services/device/registration',
     'device',
@@ -95,261 +96,6 @@ export const SERVICES = {
     'Lists the components that match one of the given profiles, or all.',
     { constant: 'COMPONENT_GET_LIST', alternativeRequest: 'component' },
   ),
-
-  processingModuleDatabaseSave: withPayload(
-    '/services/processing_module/database/save',
-    'processingModule',
-    'processingModule',
-    'Stores a processing module.',
-    { constant: 'PM_DATABASE_SAVE' },
-  ),
-  processingModuleDatabaseDelete: withPayload(
-    '/services/processing_module/database/delete',
-    'processingModule',
-    'success',
-    'Deletes a stored processing module.',
-    { constant: 'PM_DATABASE_DELETE' },
-  ),
-  processingModuleDatabaseGet: withPayload(
-    '/services/processing_module/database/get',
-    'processingModule',
-    'processingModuleList',
-    'Returns the stored processing module of the given name, as a list of one.',
-    { constant: 'PM_DATABASE_GET' },
-  ),
-  processingModuleDatabaseGetList: withOptionalPayload(
-    '/services/processing_module/database/get_list',
-    'processingModuleList',
-    'processingModuleList',
-    'Lists stored processing modules and those that clients offer.',
-    { constant: 'PM_DATABASE_GET_LIST' },
-  ),
-  processingModuleDatabaseOnlineGetList: withOptionalPayload(
-    '/services/processing_module/database/online/get_list',
-    'processingModuleList',
-    'processingModuleList',
-    'Lists the processing modules of the online library.',
-    { constant: 'PM_DATABASE_ONLINE_GET_LIST' },
-  ),
-  processingModuleDatabaseLocalGetList: withOptionalPayload(
-    '/services/processing_module/database/local/get_list',
-    'processingModuleList',
-    'processingModuleList',
-    'Lists the processing modules stored at the master.',
-    { constant: 'PM_DATABASE_LOCAL_GET_LIST' },
-  ),
-  processingModuleRuntimeAdd: withPayload(
-    '/services/processing_module/runtime/add',
-    'processingModuleList',
-    'success',
-    'Tells the master that a node has started processing modules.',
-    { constant: 'PM_RUNTIME_ADD' },
-  ),
-  processingModuleRuntimeRemove: withPayload(
-    '/services/processing_module/runtime/remove',
-    'processingModuleList',
-    'success',
-    'Tells the master that a node has stopped processing modules.',
-    { constant: 'PM_RUNTIME_REMOVE' },
-  ),
-  processingModuleRuntimeGet: withPayload(
-    '/services/processing_module/runtime/get',
-    'processingModule',
-    'processingModule',
-    'Returns the running processing module with the given id.',
-    { constant: 'PM_RUNTIME_GET' },
-  ),
-  processingModuleRuntimeGetList: withOptionalPayload(
-    '/services/processing_module/runtime/get_list',
-    'processingModuleList',
-    'processingModuleList',
-    'Lists the running processing modules.',
-    { constant: 'PM_RUNTIME_GET_LIST' },
-  ),
-  processingModuleRegistryAdd: withPayload(
-    '/services/processing_module/registry/add_list',
-    'processingModuleList',
-    'success',
-    'Adds processing modules to those a client offers.',
-    { constant: 'PM_REGISTRY_ADD' },
-  ),
-  processingModuleRegistryRemove: withPayload(
-    '/services/processing_module/registry/remove_list',
-    'processingModuleList',
-    'success',
-    'Removes processing modules from those a client offers.',
-    { constant: 'PM_REGISTRY_REMOVE' },
-  ),
-
-  sessionDatabaseSave: withPayload(
-    '/services/session/database/save',
-    'session',
-    'sessionList',
-    'Stores sessions.',
-    { constant: 'SESSION_DATABASE_SAVE', alternativeRequest: 'sessionList' },
-  ),
-  sessionDatabaseDelete: withPayload(
-    '/services/session/database/delete',
-    'session',
-    'success',
-    'Deletes the stored session with the given id.',
-    { constant: 'SESSION_DATABASE_DELETE' },
-  ),
-  sessionDatabaseGet: withPayload(
-    '/services/session/database/get',
-    'session',
-    'session',
-    'Returns the stored session with the given id.',
-    { constant: 'SESSION_DATABASE_GET' },
-  ),
-  sessionDatabaseGetList: withoutPayload(
-    '/services/session/database/get_list',
-    'sessionList',
-    'Lists the stored sessions.',
-    { constant: 'SESSION_DATABASE_GET_LIST' },
-  ),
-  sessionDatabaseOnlineGetList: withoutPayload(
-    '/services/session/database/online/get_list',
-    'sessionList',
-    'Lists the sessions of the online library.',
-    { constant: 'SESSION_DATABASE_ONLINE_GET_LIST' },
-  ),
-  sessionDatabaseLocalGetList: withoutPayload(
-    '/services/session/database/local/get_list',
-    'sessionList',
-    'Lists the sessions stored at the master.',
-    { constant: 'SESSION_DATABASE_LOCAL_GET_LIST' },
-  ),
-  sessionRuntimeAdd: withPayload(
-    '/services/session/runtime/add',
-    'session',
-    'session',
-    'Creates a session without starting it and gives it an id.',
-    { constant: 'SESSION_RUNTIME_ADD' },
-  ),
-  sessionRuntimeRemove: withPayload(
-    '/services/session/runtime/remove',
-    'session',
-    'success',
-    'Removes a session; it is stopped first.',
-    { constant: 'SESSION_RUNTIME_REMOVE' },
-  ),
-  sessionRuntimeGet: withPayload(
-    '/services/session/runtime/get',
-    'session',
-    'session',
-    'Returns the session with the given id.',
-    { constant: 'SESSION_RUNTIME_GET' },
-  ),
-  sessionRuntimeGetList: withoutPayload(
-    '/services/session/runtime/get_list',
-    'sessionList',
-    'Lists the sessions, stopped ones included.',
-    { constant: 'SESSION_RUNTIME_GET_LIST' },
-  ),
-  sessionRuntimeStart: withPayload(
-    '/services/session/runtime/start',
-    'session',
-    'session',
-    'Starts a session: a known one by id or name, or the one given.',
-    { constant: 'SESSION_RUNTIME_START' },
-  ),
-  sessionRuntimeStop: withPayload(
-    '/services/session/runtime/stop',
-    'session',
-    'success',
-    'Stops the session with the given id.',
-    { constant: 'SESSION_RUNTIME_STOP' },
-  ),
-  sessionRuntimeUpdate: withPayload(
-    '/services/session/runtime/update',
-    'session',
-    'session',
-    'Replaces the specification of a session.',
-    { constant: 'SESSION_RUNTIME_UPDATE' },
-  ),
-
-  topicDemuxDatabaseSave: withPayload(
-    '/services/device/topic_demux/database/save',
-    'topicDemux',
-    'topicDemux',
-    'Stores a demultiplexer.',
-    { constant: 'TOPIC_DEMUX_DATABASE_SAVE' },
-  ),
-  topicDemuxDatabaseDelete: withPayload(
-    '/services/device/topic_demux/database/delete',
-    'topicDemux',
-    'success',
-    'Deletes a stored demultiplexer.',
-    { constant: 'TOPIC_DEMUX_DATABASE_DELETE' },
-  ),
-  topicDemuxDatabaseGet: withPayload(
-    '/services/device/topic_demux/database/get',
-    'topicDemux',
-    'topicDemux',
-    'Returns the stored demultiplexer with the given id.',
-    { constant: 'TOPIC_DEMUX_DATABASE_GET' },
-  ),
-  topicDemuxDatabaseGetList: withoutPayload(
-    '/services/device/topic_demux/database/get_list',
-    'topicDemuxList',
-    'Lists the stored demultiplexers.',
-    { constant: 'TOPIC_DEMUX_DATABASE_GET_LIST' },
-  ),
-  topicDemuxRuntimeGet: withPayload(
-    '/services/device/topic_demux/runtime/get',
-    'topicDemux',
-    'topicDemux',
-    'Returns the demultiplexer in use with the given id.',
-    { constant: 'TOPIC_DEMUX_RUNTIME_GET' },
-  ),
-  topicDemuxRuntimeGetList: withoutPayload(
-    '/services/device/topic_demux/runtime/get_list',
-    'topicDemuxList',
-    'Lists the demultiplexers in use.',
-    { constant: 'TOPIC_DEMUX_RUNTIME_GET_LIST' },
-  ),
-  topicMuxDatabaseSave: withPayload(
-    '/services/device/topic_mux/database/save',
-    'topicMux',
-    'topicMux',
-    'Stores a multiplexer.',
-    { constant: 'TOPIC_MUX_DATABASE_SAVE' },
-  ),
-  topicMuxDatabaseDelete: withPayload(
-    '/services/device/topic_mux/database/delete',
-    'topicMux',
-    'success',
-    'Deletes a stored multiplexer.',
-    { constant: 'TOPIC_MUX_DATABASE_DELETE' },
-  ),
-  topicMuxDatabaseGet: withPayload(
-    '/services/device/topic_mux/database/get',
-    'topicMux',
-    'topicMux',
-    'Returns the stored multiplexer with the given id.',
-    { constant: 'TOPIC_MUX_DATABASE_GET' },
-  ),
-  topicMuxDatabaseGetList: withoutPayload(
-    '/services/device/topic_mux/database/get_list',
-    'topicMuxList',
-    'Lists the stored multiplexers.',
-    { constant: 'TOPIC_MUX_DATABASE_GET_LIST' },
-  ),
-  topicMuxRuntimeGet: withPayload(
-    '/services/device/topic_mux/runtime/get',
-    'topicMux',
-    'topicMux',
-    'Returns the multiplexer in use with the given id.',
-    { constant: 'TOPIC_MUX_RUNTIME_GET' },
-  ),
-  topicMuxRuntimeGetList: withoutPayload(
-    '/services/device/topic_mux/runtime/get_list',
-    'topicMuxList',
-    'Lists the multiplexers in use.',
-    { constant: 'TOPIC_MUX_RUNTIME_GET_LIST' },
-  ),
-
   notifyConditionAdd: withPayload(
     '/services/notify_condition/add',
     'notifyCondition',
@@ -367,7 +113,6 @@ export const SERVICES = {
     'notifyCondition',
     'Returns the conditions; the protocol has no list of them, so only one fits the reply.',
   ),
-
   topicStatistics: withPayload(
     '/services/ubii/topic_statistics',
     'topicStatisticsRequest',
@@ -380,6 +125,9 @@ export const SERVICES = {
     'masterStatus',
     'Returns how the master is: counters, events, problems and addresses.',
   ),
+  ...PROCESSING_MODULE_SERVICES,
+  ...SESSION_SERVICES,
+  ...TOPIC_MAPPING_SERVICES,
 } as const;
 
 /** Name of a service in `SERVICES`. */

@@ -2,7 +2,17 @@ import { describe, expect, it } from 'vitest';
 import { decode } from '../codec.ts';
 import { messageDescriptor } from '../descriptor.ts';
 import { encodeRecord } from '../records.ts';
-import { encodeErrorFrame, encodeRecordListFrame, recordFrameHeader } from './frames.ts';
+import {
+  encodeErrorFrame,
+  encodeRecordListFrame,
+  listHeaderSize,
+  recordFrameHeader,
+  recordHeaderSize,
+  recordListSize,
+  writeElementHeader,
+  writeListHeader,
+  writeRecordHeader,
+} from './frames.ts';
 import * as tags from './tags.ts';
 
 const FRAME = 'ubii.topicData.TopicData';
@@ -35,6 +45,21 @@ describe('the frames', () => {
           elements: records.map((record) => decode('ubii.topicData.TopicDataRecord', record)),
         },
       });
+    },
+  );
+
+  it.each([0, 127, 128, 16_383, 16_384, 3_000_000])(
+    'can be put together in place, records of %i bytes',
+    (length) => {
+      const target = new Uint8Array(20);
+      for (const [write, size] of [
+        [writeRecordHeader, recordHeaderSize],
+        [writeListHeader, listHeaderSize],
+        [writeElementHeader, recordHeaderSize],
+      ] as const) {
+        expect(write(target, 3, length)).toBe(3 + size(length));
+      }
+      expect(recordListSize([new Uint8Array(length)])).toBe(recordHeaderSize(length) + length);
     },
   );
 
