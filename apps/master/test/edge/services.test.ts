@@ -1,3 +1,4 @@
+import { connect } from 'node:net';
 import { decode, encode } from '@ubii/proto';
 import { describe, expect, it, vi } from 'vitest';
 
@@ -112,6 +113,25 @@ describe('services over HTTP', () => {
     expect(reply).toMatchObject({ error: { code: 'resource_exhausted' } });
     const metrics = (await send(master.port, '/metrics')).body.toString();
     expect(metrics).toContain('ubii_refused_total{code="resource_exhausted"} 1');
+  });
+
+  it('go on after a sender that broke off in the middle, without a fault in the log', async () => {
+    const master = await startEdgeMaster();
+    for (const start of [
+      'POST /services/json HTTP/1.1\r\nhost: x\r\ncontent-length: 9\r\n\r\n{"to',
+      'no HTTP at all\r\n\r\n',
+    ]) {
+      const socket = connect(master.port, '127.0.0.1');
+      await new Promise((resolve) => socket.write(start, resolve));
+      // The master has read what came by the time it answers somebody else.
+      await postJson(master, '/services', '{}');
+      socket.destroy();
+      await new Promise((resolve) => socket.once('close', resolve));
+    }
+    await expect
+      .poll(async () => (await send(master.port, '/metrics')).body.toString())
+      .toContain('ubii_refused_total{code="invalid_argument"} 3');
+    expect(master.logged.filter((line) => line.includes('"level":"error"'))).toEqual([]);
   });
 
   it('[SV-4] write defaults, enum names and empty lists', async () => {

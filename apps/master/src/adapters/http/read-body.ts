@@ -1,4 +1,5 @@
 import type { Readable } from 'node:stream';
+import { ServiceError } from '@ubii/proto';
 
 /** A body that is larger than allowed is read on up to this many times the limit, so that its sender hears the answer. */
 const DISCARD_FACTOR = 2;
@@ -7,7 +8,7 @@ const DISCARD_FACTOR = 2;
  * Reads a request's body.
  *
  * @returns the bytes; undefined when there are more than `maxBytes`
- * @throws the stream's error when the sender breaks off
+ * @throws ServiceError when the sender breaks off
  */
 export function readBody(stream: Readable, maxBytes: number): Promise<Buffer | undefined> {
   return new Promise((resolve, reject) => {
@@ -30,7 +31,9 @@ export function readBody(stream: Readable, maxBytes: number): Promise<Buffer | u
       if (size > maxBytes) resolve(undefined);
       else resolve(chunks.length === 1 && only ? only : Buffer.concat(chunks, size));
     });
-    stream.on('error', reject);
-    stream.on('close', () => reject(new Error('the sender broke off')));
+    const breakOff = (): void =>
+      reject(new ServiceError('invalid_argument', 'The request broke off before its end.'));
+    stream.on('error', breakOff);
+    stream.on('close', breakOff);
   });
 }
