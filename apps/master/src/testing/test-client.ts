@@ -59,13 +59,14 @@ export class TestClient {
     return this.#handle !== undefined;
   }
 
-  /** Its network goes away: the socket closes. */
+  /** Its network goes away: the socket closes, and the turn ends. */
   drop(): void {
     this.socket.handleClose();
+    this.#testMaster.clock.endTurn();
   }
 
   /** Calls a service as this client; the reply leaves, and the turn ends. */
-  call(request: Init<ServiceRequest>): Promise<Init<ServiceReply>> {
+  call(request: Init<ServiceRequest>): Promise<ServiceReply> {
     return this.#testMaster.call(request);
   }
 
