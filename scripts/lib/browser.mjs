@@ -4,7 +4,7 @@ import { createRequire } from 'node:module';
 import { delimiter, join } from 'node:path';
 
 import { run } from './commands.mjs';
-import { inRoot } from './repository.mjs';
+import { inRoot, readJson } from './repository.mjs';
 import { StepFailed, commandStep } from './steps.mjs';
 
 const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome'];
@@ -12,10 +12,12 @@ const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-s
 /** Chromium and the fonts its pages need, as Debian calls them. */
 const debianPackages = ['chromium', 'fonts-liberation'];
 
+const playwright = readJson(inRoot('e2e/package.json')).devDependencies['@playwright/test'];
+
 const notFound = `The end-to-end tests need Chromium or Chrome, and none was found. Install one:
   Debian, Ubuntu   apt-get install chromium
   macOS, Windows   https://www.google.com/chrome
-  anywhere         npx playwright@<version of @playwright/test in e2e/package.json> install chromium
+  anywhere         npx playwright@${playwright} install chromium
 or give the path of one in UBII_CHROMIUM.`;
 
 /**

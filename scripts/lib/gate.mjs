@@ -1,7 +1,7 @@
 import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { runNode } from './commands.mjs';
+import { run, runNode } from './commands.mjs';
 import { fingerprint } from './fingerprint.mjs';
 import { findUndocumentedErrors } from './documented-errors.mjs';
 import { inRoot, programFile, readJson, root } from './repository.mjs';
@@ -30,6 +30,9 @@ export async function runGate() {
       if (failed.length > 0) throw new StepFailed(failed.map(({ output }) => output).join('\n'));
     });
   }
+  await commandStep('tests of the scripts', () =>
+    run(process.execPath, ['--test', ...scriptTests()]),
+  );
   await commandStep('lint', () => runNode(programFile('', 'eslint'), ['.', '--max-warnings', '0']));
   return step('unit tests', runUnitTests);
 }
@@ -62,6 +65,13 @@ function packagesWithTypes() {
     .filter((folder) => existsSync(inRoot(folder, 'package.json')))
     .map((folder) => ({ folder, ...readJson(inRoot(folder, 'package.json')) }))
     .filter(({ scripts }) => scripts?.typecheck !== undefined);
+}
+
+/** One by one: what `node --test` makes of a folder differs between versions of Node. */
+function scriptTests() {
+  return readdirSync(inRoot('scripts/lib'))
+    .filter((name) => name.endsWith('.test.mjs'))
+    .map((name) => join('scripts', 'lib', name));
 }
 
 /** Runs a package's own type check. @param {string} folder */
