@@ -23,6 +23,8 @@ export default defineConfig({
   },
   test: {
     environment: 'happy-dom',
+    // Else style sheets read as text are empty (styles/tokens.test.ts)
+    css: true,
     include: ['src/**/*.test.ts'],
   },
 });

@@ -1,5 +1,6 @@
 const MINUS = '−';
-const GROUP = ' ';
+/** Keeps a number on one line. */
+const GROUP = '\u00a0';
 
 /**
  * Fixed decimals, a real minus, groups of three from 1 000 on. A value that rounds to zero has no
