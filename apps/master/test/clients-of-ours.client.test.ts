@@ -1,8 +1,8 @@
 import { ClientState } from '@ubii/proto';
 import type { TopicRecord } from '@ubii/proto';
+import { createMemoryIdentity } from '@ubii/client-web/node';
 import type { Subscription, UbiiClient } from '@ubii/client-web/node';
 import { describe, expect, it } from 'vitest';
-import { DEFAULT_LIMITS } from '../src/index.ts';
 import { RecordingConnection } from '../src/testing/index.ts';
 import { ClientWorld } from './client-world.ts';
 
@@ -161,14 +161,14 @@ describe('a client of ours whose link drops', () => {
     const { world, ada, ben } = await setupTwo();
     const records = collect(ben.client.subscribe('/a'));
     await world.pass(0);
-    const { connect } = { connect: world.openConnection.bind(world) };
+    const open = world.openConnection.bind(world);
     world.openConnection = (query, peer) =>
-      query.clientId === ben.client.id ? undefined : connect(query, peer);
+      query.clientId === ben.client.id ? undefined : open(query, peer);
     await world.drop();
     await world.pass(30_000);
     expect(ben.client.state.status).toBe('reconnecting');
     expect(await stateOf(world, ben.client)).toBe(ClientState.UNAVAILABLE);
-    world.openConnection = connect;
+    world.openConnection = open;
     await world.pass(6_000);
     expect(ben.states.at(-1)).toMatchObject({ status: 'connected', resumed: true });
     ada.client.publish('/a', 'int32', 1);
@@ -177,19 +177,18 @@ describe('a client of ours whose link drops', () => {
   });
 
   it('is the same client after the master has removed it [CL-14] [CL-3]', async () => {
-    const { world, ada } = await setupTwo();
-    const { id } = ada.client;
-    await ada.client.registerDevice(mouse);
-    await world.drop();
+    const world = new ClientWorld({ unavailableRetentionMs: 5_000 });
+    const { client, states } = await world.connect('ada');
+    const { id } = client;
+    await client.registerDevice(mouse);
     world.isDown = true;
-    // Not the client's clock: a removal is what it meets, however long that takes.
-    world.clock.spend(DEFAULT_LIMITS.unavailableRetentionMs + 20_000);
-    await world.pass(2_000);
+    await world.drop();
+    await world.pass(20_000);
+    expect(await stateOf(world, client)).toBeUndefined();
     world.isDown = false;
-    expect(await stateOf(world, ada.client)).toBeUndefined();
-    await world.pass(10_000);
-    expect(ada.states.at(-1)).toMatchObject({ status: 'connected', clientId: id, resumed: true });
-    expect((await ada.client.call('deviceGetList')).elements).toMatchObject([{ clientId: id }]);
+    await world.pass(6_000);
+    expect(states.at(-1)).toMatchObject({ status: 'connected', clientId: id, resumed: true });
+    expect((await client.call('deviceGetList')).elements).toMatchObject([{ clientId: id }]);
   });
 
   it('stops when another socket takes its identity [TD-7] [EX-5]', async () => {
@@ -264,21 +263,40 @@ describe('a client of ours that leaves', () => {
 
   it('leaves nothing of an earlier run behind when it is started again', async () => {
     const { world, ada } = await setupTwo();
-    let kept: Parameters<import('@ubii/client-web/node').IdentityStorage['save']>[0];
-    const identity = { load: () => kept, save: (next: typeof kept) => void (kept = next) };
-    const first = await world.connect('cleo', { identity });
+    const identity = createMemoryIdentity();
+    const first = await world.connect('cleo', {
+      identity,
+      reconnect: { giveUpAfterAttempts: 0 }, // a crash: it does not come back
+    });
+    const { id } = first.client;
     await first.client.registerDevice(mouse);
     first.client.subscribe({ glob: '/**' });
     await world.pass(50);
-    const second = await world.connect('cleo', { identity: { ...identity } });
-    expect(second.states.at(-1)).toMatchObject({
-      status: 'connected',
-      clientId: first.client.id,
-      resumed: true,
-    });
+    await world.drop();
+    await world.pass(2_000);
+
+    const { client, states } = await world.connect('cleo', { identity });
+    expect(states.at(-1)).toMatchObject({ status: 'connected', clientId: id, resumed: true });
     expect((await ada.client.call('deviceGetList')).elements).toEqual([]);
     ada.client.publish('/a', 'int32', 1);
     await world.pass(50);
-    expect(second.client.counters.recordsIn).toBe(0);
+    expect(client.counters.recordsIn).toBe(0);
+  });
+
+  it('does not fight for ever with a second program of the same identity', async () => {
+    const world = new ClientWorld();
+    const identity = createMemoryIdentity();
+    const first = await world.connect('cleo', { identity });
+    const second = await world.connect('cleo', { identity });
+    await world.pass(60_000);
+    expect([first.client.state.status, second.client.state.status].sort()).toEqual([
+      'closed',
+      'connected',
+    ]);
+    expect([...first.states, ...second.states]).toContainEqual(
+      expect.objectContaining({
+        error: expect.objectContaining({ reason: 'superseded' }) as unknown,
+      }),
+    );
   });
 });

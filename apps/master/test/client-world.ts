@@ -1,0 +1,180 @@
+import { createClient } from '@ubii/client-web/node';
+import type {
+  ClientOptions,
+  ClientProblem,
+  ConnectionState,
+  UbiiClient,
+} from '@ubii/client-web/node';
+import { createMemoryServices, createMemoryTopicData, settle } from '@ubii/client-web/testing';
+import type { MemoryConnection, MemoryMaster, MemoryPeer } from '@ubii/client-web/testing';
+import { encodeErrorFrame, encodeRecordListFrame, recordFrameHeader } from '@ubii/proto/wire';
+import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
+import type { ClientConnection, ConnectionHandle, Limits } from '../src/index.ts';
+import { FakeClock, TestMaster } from '../src/testing/index.ts';
+
+/** Time passes in steps of this size, with a turn for promises after each, milliseconds. */
+const STEP_MS = 50;
+
+/** A client of the library, with what it reported so far. */
+export interface WorldClient {
+  readonly client: UbiiClient;
+  readonly states: ConnectionState[];
+  readonly problems: ClientProblem[];
+}
+
+/** A whole master and whole clients of our library in memory, on one clock. */
+export class ClientWorld implements MemoryMaster {
+  readonly clock = new FakeClock();
+  /** While true nobody is there. */
+  isDown = false;
+  readonly #limits: Partial<Limits>;
+  #test: TestMaster;
+  readonly #open = new Set<{ peer: MemoryPeer; handle: ConnectionHandle }>();
+
+  constructor(limits: Partial<Limits> = {}) {
+    this.#limits = limits;
+    this.#test = new TestMaster({ clock: this.clock, limits });
+  }
+
+  /** The master of this moment. */
+  get test(): TestMaster {
+    return this.#test;
+  }
+
+  /** A connected client. Waits for the connection, unless told otherwise. */
+  async connect(name: string, options: Partial<ClientOptions> = {}): Promise<WorldClient> {
+    const client = createClient({
+      name,
+      publishIntervalMs: 0,
+      clock: this.clock,
+      random: () => 0,
+      transports: { services: createMemoryServices(this), topicData: createMemoryTopicData(this) },
+      ...options,
+    });
+    const states: ConnectionState[] = [];
+    const problems: ClientProblem[] = [];
+    client.onState((state) => states.push(state));
+    client.onError((problem) => problems.push(problem));
+    const connected = client.connect();
+    connected.catch(() => undefined);
+    await this.pass(0);
+    await connected;
+    return { client, states, problems };
+  }
+
+  /** Lets time pass, for master and clients. */
+  async pass(durationMs: number): Promise<void> {
+    await settle();
+    this.clock.advance(0);
+    await settle();
+    for (let passedMs = 0; passedMs < durationMs; passedMs += STEP_MS) {
+      this.clock.advance(Math.min(STEP_MS, durationMs - passedMs));
+      await settle();
+    }
+  }
+
+  /** Breaks every link, as a network does. */
+  async drop(): Promise<void> {
+    for (const { peer, handle } of this.#open) {
+      peer.close(1006, '');
+      handle.handleClose();
+    }
+    this.#open.clear();
+    await settle();
+  }
+
+  /** The master's process ends and another one starts with the same data directory. */
+  async restart(): Promise<void> {
+    this.#test.master.close();
+    await this.drop();
+    this.#test = new TestMaster({ clock: this.clock, limits: this.#limits });
+  }
+
+  async handleServiceRequest(request: ServiceRequest): Promise<Init<ServiceReply>> {
+    if (this.isDown) throw new Error('nobody is there');
+    const { reply, afterReply } = await this.#test.master.handleServiceRequest(request);
+    void Promise.resolve().then(() => {
+      afterReply();
+      this.clock.endTurn();
+    });
+    return reply;
+  }
+
+  openConnection(
+    query: { clientId: string; resumeToken: string | undefined },
+    peer: MemoryPeer,
+  ): MemoryConnection | undefined {
+    if (this.isDown) return undefined;
+    const handle = this.#test.master.openConnection(
+      { clientId: query.clientId, token: query.resumeToken },
+      new PeerConnection(peer),
+    );
+    this.clock.endTurn();
+    if (handle === undefined) return undefined;
+    const open = { peer, handle };
+    this.#open.add(open);
+    return {
+      handleBinary: (bytes) => {
+        handle.handleBinary(bytes);
+        this.clock.endTurn();
+      },
+      handleText: (text) => {
+        handle.handleText(text);
+        this.clock.endTurn();
+      },
+      handleClose: () => {
+        this.#open.delete(open);
+        handle.handleClose();
+        this.clock.endTurn();
+      },
+    };
+  }
+}
+
+/** The master's end of a pipe in memory: what adapters/ws does over a WebSocket. */
+class PeerConnection implements ClientConnection {
+  readonly #peer: MemoryPeer;
+  #takesLists = false;
+
+  constructor(peer: MemoryPeer) {
+    this.#peer = peer;
+  }
+
+  get queuedBytes(): number {
+    return this.#peer.queuedBytes;
+  }
+
+  send({ records }: Parameters<ClientConnection['send']>[0]): void {
+    if (this.#takesLists) {
+      this.#peer.sendBinary(encodeRecordListFrame(records));
+      return;
+    }
+    for (const record of records) {
+      const header = recordFrameHeader(record.byteLength);
+      const frame = new Uint8Array(header.byteLength + record.byteLength);
+      frame.set(header);
+      frame.set(record, header.byteLength);
+      this.#peer.sendBinary(frame);
+    }
+  }
+
+  sendError(error: Parameters<ClientConnection['sendError']>[0]): void {
+    this.#peer.sendBinary(encodeErrorFrame(error));
+  }
+
+  sendPing(): void {
+    this.#peer.sendText('PING');
+  }
+
+  sendPong(): void {
+    this.#peer.sendText('PONG');
+  }
+
+  close(code: number, reason: string): void {
+    this.#peer.close(code, reason);
+  }
+
+  setRecordLists(on: boolean): void {
+    this.#takesLists = on;
+  }
+}
