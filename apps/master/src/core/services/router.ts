@@ -13,18 +13,17 @@ const LONGEST_BREATH_MS = 8;
 export function answerRequest(core: Core, request: ServiceRequest): Promise<ServiceAnswer> {
   core.counters.countRequest(request.topic);
   const call = new Call(core);
+  const { serviceTimeoutMs } = core.limits;
   return new Promise((resolve) => {
-    const { serviceTimeoutMs } = core.limits;
     const cancel = core.clock.after(serviceTimeoutMs, () => {
       const text = `The service ${quote(request.topic)} gave no answer within ${serviceTimeoutMs} ms; ask again.`;
       resolve(refuse(core, new ServiceError('deadline_exceeded', text), call));
     });
-    handle(core, request, call)
-      .catch((error: unknown) => refuse(core, error, call))
-      .then((answer) => {
-        cancel();
-        resolve(answer);
-      });
+    const answer = (answered: ServiceAnswer): void => {
+      cancel();
+      resolve(answered);
+    };
+    handle(core, request, call).then(answer, (error: unknown) => answer(refuse(core, error, call)));
   });
 }
 

@@ -2,7 +2,7 @@ import { ServiceError, type TopicSubscription } from '@ubii/proto';
 import type { Core } from '../core.ts';
 import type { Subscriber } from '../topics/subscriber.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
-import type { ServiceCall, ServiceHandler } from './handler.ts';
+import type { ServiceHandler } from './handler.ts';
 import { requireElements } from './list-limits.ts';
 import { replayAfterReply } from './replay-after-reply.ts';
 

@@ -46,17 +46,16 @@ export class BatchNode implements RecordBatch {
   }
 
   get records(): readonly Uint8Array[] {
-    return (this.#records ??= this.nodes().map((node) => node.record!));
+    return (this.#records ??=
+      // One record is what a turn has in it as long as nothing is in a hurry.
+      this.count === 1 ? [this.record!] : this.nodes().map((node) => node.record!));
   }
 
   /** The nodes of this chain that hold a record, oldest first. */
   nodes(): BatchNode[] {
     const nodes = new Array<BatchNode>(this.count);
-    let node: BatchNode = this;
-    for (let i = this.count - 1; i >= 0; i--) {
-      nodes[i] = node;
-      node = node.previous!;
-    }
+    if (this.count > 0) nodes[this.count - 1] = this;
+    for (let i = this.count - 2; i >= 0; i--) nodes[i] = nodes[i + 1]!.previous!;
     return nodes;
   }
 

@@ -18,7 +18,7 @@ async function createPair(maxRateHz: number) {
 }
 
 describe('sampled subscriptions', () => {
-  it('deliver the first record at once and then the newest, so often at most [TD-28]', async () => {
+  it('deliver the first record at once and then the newest, so often at most [TD-28] [EX-8]', async () => {
     const { ada, ben, advance } = await createPair(10);
     for (let i = 0; i < 25; i++) {
       ada.publish('/a', 'double', i);
