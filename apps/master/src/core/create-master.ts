@@ -1,4 +1,5 @@
 import { StatusEventKind, type ServiceRequest } from '@ubii/proto';
+import { TextCache } from '@ubii/proto/wire';
 import { ClientRegistry } from './clients/client-registry.ts';
 import { CLOSE } from './clients/close-codes.ts';
 import { Liveness } from './clients/liveness.ts';
@@ -98,6 +99,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
   const sockets = new SocketAdmission({
     ...ports,
     ...publishing,
+    topicTexts: new TextCache(),
     limitWatch,
     clients,
     onSign: (client) => clients.handleSign(client),

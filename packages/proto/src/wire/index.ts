@@ -1,3 +1,4 @@
+export { TextCache } from '../binary/text-cache.ts';
 export { DecodeError } from '../decode-error.ts';
 export {
   encodeErrorFrame,

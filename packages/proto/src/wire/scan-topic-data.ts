@@ -1,6 +1,7 @@
 import { MalformedError } from '../binary/malformed-error.ts';
 import { Reader } from '../binary/reader.ts';
 import { skipField } from '../binary/skip-field.ts';
+import type { TextCache } from '../binary/text-cache.ts';
 import { DecodeError } from '../decode-error.ts';
 import { checkField, checkMessage, fieldOf } from './check-message.ts';
 import { messageCheck } from './check-table.ts';
@@ -37,12 +38,13 @@ const ERROR = messageCheck('ubii.general.Error');
  * Differs from decoding the frame as one `TopicData` in that each occurrence of a member counts,
  * where decoding would merge or replace them.
  *
+ * @param topics remembers topics from frame to frame, for whoever scans many
  * @throws DecodeError at the first record that fails, after those before it were handed over
  */
-export function scanTopicData(frame: Uint8Array, sink: TopicDataSink): void {
+export function scanTopicData(frame: Uint8Array, sink: TopicDataSink, topics?: TextCache): void {
   const reader = new Reader(frame);
   try {
-    while (reader.pos < reader.end) scanMember(reader, sink);
+    while (reader.pos < reader.end) scanMember(reader, sink, topics);
   } catch (cause) {
     throw cause instanceof MalformedError
       ? DecodeError.wrap('ubii.topicData.TopicData', frame.length, cause)
@@ -50,13 +52,13 @@ export function scanTopicData(frame: Uint8Array, sink: TopicDataSink): void {
   }
 }
 
-function scanMember(reader: Reader, sink: TopicDataSink): void {
+function scanMember(reader: Reader, sink: TopicDataSink, topics?: TextCache): void {
   const tag = reader.tag();
   switch (tag) {
     case RECORD_TAG:
-      return scanRecord(reader, sink);
+      return scanRecord(reader, sink, topics);
     case LIST_TAG:
-      return scanList(reader, sink);
+      return scanList(reader, sink, topics);
     case ERROR_TAG: {
       const outerEnd = reader.enter();
       const start = reader.pos;
@@ -69,17 +71,17 @@ function scanMember(reader: Reader, sink: TopicDataSink): void {
   }
 }
 
-function scanList(reader: Reader, sink: TopicDataSink): void {
+function scanList(reader: Reader, sink: TopicDataSink, topics?: TextCache): void {
   const outerEnd = reader.enter();
   while (reader.pos < reader.end) {
     const tag = reader.tag();
-    if (tag === LIST_ELEMENT_TAG) scanRecord(reader, sink);
+    if (tag === LIST_ELEMENT_TAG) scanRecord(reader, sink, topics);
     else skipField(reader, tag);
   }
   reader.end = outerEnd;
 }
 
-function scanRecord(reader: Reader, sink: TopicDataSink): void {
+function scanRecord(reader: Reader, sink: TopicDataSink, topics?: TextCache): void {
   const outerEnd = reader.enter();
   const start = reader.pos;
   let topic = '';
@@ -87,7 +89,7 @@ function scanRecord(reader: Reader, sink: TopicDataSink): void {
   while (reader.pos < reader.end) {
     const tag = reader.tag();
     if (tag === TOPIC_TAG) {
-      topic = reader.string();
+      topic = readTopic(reader, topics);
       continue;
     }
     const field = fieldOf(RECORD, tag);
@@ -100,6 +102,14 @@ function scanRecord(reader: Reader, sink: TopicDataSink): void {
   }
   reader.end = outerEnd;
   sink.record(topic, start, reader.pos, valueField);
+}
+
+function readTopic(reader: Reader, topics: TextCache | undefined): string {
+  if (topics === undefined) return reader.string();
+  const length = reader.length();
+  const start = reader.pos;
+  reader.pos = start + length;
+  return topics.read(reader.input, start, reader.pos);
 }
 
 /**

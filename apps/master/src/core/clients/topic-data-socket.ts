@@ -1,5 +1,5 @@
 import { DecodeError, ServiceError, type ServiceErrorCode } from '@ubii/proto';
-import { scanTopicData, type TopicDataSink } from '@ubii/proto/wire';
+import { scanTopicData, type TextCache, type TopicDataSink } from '@ubii/proto/wire';
 import type { LimitName } from '../limits.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { Clock } from '../ports/clock.ts';
@@ -17,6 +17,8 @@ import { CLOSE } from './close-codes.ts';
 export interface SocketContext extends PublishContext {
   readonly clock: Clock;
   readonly log: Log;
+  /** Topics that came lately, of all clients. */
+  readonly topicTexts: TextCache;
   readonly limitWatch: LimitWatch;
   readonly counters: Counters;
   /** The client gave a sign of life. */
@@ -63,7 +65,7 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
 
   handleBinary(bytes: Uint8Array): void {
     if (!this.#isOpen) return;
-    const { clock, log, limits } = this.#context;
+    const { clock, log, limits, topicTexts } = this.#context;
     const publication = this.#publication;
     this.#handleSign();
     if (isPong(bytes)) return this.#handlePong(); // [TD-2]
@@ -72,7 +74,7 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
     publication.monotonicMs = this.client.lastSignMs;
     publication.nowMs = clock.nowMs();
     try {
-      scanTopicData(bytes, this);
+      scanTopicData(bytes, this, topicTexts);
     } catch (error) {
       if (error instanceof DecodeError)
         this.handleProtocolError(`${error.message}.`); // [TD-12]
