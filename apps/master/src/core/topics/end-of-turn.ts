@@ -10,7 +10,6 @@ export interface Flushable {
 export class EndOfTurn {
   readonly #clock: Clock;
   #touched: Flushable[] = [];
-  #flushing: Flushable[] = [];
   #root = BatchNode.empty();
 
   constructor(clock: Clock) {
@@ -30,11 +29,9 @@ export class EndOfTurn {
 
   readonly #flush = (): void => {
     const flushables = this.#touched;
-    this.#touched = this.#flushing;
-    this.#flushing = flushables;
+    this.#touched = [];
     // A new root lets go of the records of this turn.
     this.#root = BatchNode.empty();
     for (let i = 0; i < flushables.length; i++) flushables[i]!.flush();
-    flushables.length = 0;
   };
 }
