@@ -1,9 +1,17 @@
-import type { RouteRecordRaw } from 'vue-router';
+import type { RouteLocationRaw, RouteRecordRaw } from 'vue-router';
+
+/**
+ * Where a topic is shown. The address can be shared; topics may hold any character. Dots are written
+ * as `%2E`, or a topic that ends like a file name would be looked for among the files of the master.
+ */
+export function topicLocation(topic: string): RouteLocationRaw {
+  return { path: `/topics/${encodeURIComponent(topic).replaceAll('.', '%2E')}` };
+}
 
 export const topicsRoutes: readonly RouteRecordRaw[] = [
   {
-    // The topic itself stands in the query: topics may hold any character. `/topics?topic=/a/b`
-    path: '/topics',
+    // Also `/topics?topic=/a/b` and `/topics?client=<client id>`, for links that are made by hand.
+    path: '/topics/:topic?',
     component: () => import('./TopicsPage.vue'),
     meta: { title: 'Topics' },
   },

@@ -1,5 +1,6 @@
 import type { DataFormat, TopicRecord } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
+import { formatNumber } from '../../ui/readouts/format-number.ts';
 import { MAX_LINES, TopicHistory } from './topic-history.ts';
 
 const record = (format: DataFormat, value: unknown, timestampMs?: number): TopicRecord =>
@@ -12,7 +13,7 @@ describe('TopicHistory', () => {
     const lines = history.lines();
     expect(lines).toHaveLength(MAX_LINES);
     expect(lines.map(({ number }) => number).slice(0, 3)).toEqual([1000, 999, 998]);
-    expect(lines[0]).toMatchObject({ text: '1 000.00', numbers: [1000], deltaMs: 10 });
+    expect(lines[0]).toMatchObject({ text: formatNumber(1000, 2), numbers: [1000], deltaMs: 10 });
     expect(history.count).toBe(1000);
   });
 

@@ -1,9 +1,8 @@
 import type { TopicRecord } from '@ubii/proto';
 import { formatValue } from '../values/format-value.ts';
-import { summaryNumber } from '../values/value-series.ts';
+import { sparkNumbers } from '../values/value-series.ts';
+import { NO_SPARK, SPARK_SAMPLES, Sparkline, type SparkLine } from './sparkline.ts';
 
-/** Samples of a sparkline: 5 s at 8 a second. */
-export const SPARK_SAMPLES = 40;
 /** Below this rate a line over 5 s says nothing, Hz. */
 const MIN_SPARK_HZ = 0.5;
 /** An update after this much silence is news and flashes, milliseconds. */
@@ -15,8 +14,11 @@ const REMINDER_MS = 4000;
 export class RowValue {
   #record: TopicRecord | undefined;
   #text: string | undefined;
-  #number: number | undefined;
-  #samples: (number | undefined)[] = [];
+  #numbers: readonly number[] = [];
+  readonly #sparkline = new Sparkline();
+  #spark: SparkLine | undefined;
+  /** Samples since the last one that was not a gap. */
+  #gap = SPARK_SAMPLES;
   #records: number;
   #flashes = 0;
   #flashedMs = -Infinity;
@@ -39,9 +41,10 @@ export class RowValue {
     return (this.#text ??= formatValue(record.format, record.value as never));
   }
 
-  /** The last 5 s, oldest first. A new array with every sample. */
-  get samples(): readonly (number | undefined)[] {
-    return this.#samples;
+  /** The last 5 s. */
+  get spark(): SparkLine {
+    return (this.#spark ??=
+      this.#gap >= SPARK_SAMPLES ? NO_SPARK : this.#sparkline.line(this.#numbers.length === 0));
   }
 
   /** Counts up with every flash; 0 for none yet. */
@@ -52,14 +55,16 @@ export class RowValue {
   handleRecord(record: TopicRecord): void {
     this.#record = record;
     this.#text = undefined;
-    this.#number = summaryNumber(record.format, record.value);
+    this.#numbers = sparkNumbers(record.format, record.value);
   }
 
   /** The topic holds no value any more; the last one would be a lie. */
   clear(): void {
     this.#record = undefined;
     this.#text = undefined;
-    this.#samples = [];
+    this.#sparkline.clear();
+    this.#spark = NO_SPARK;
+    this.#gap = SPARK_SAMPLES;
   }
 
   /**
@@ -72,13 +77,12 @@ export class RowValue {
     nowMs: number,
   ): void {
     this.#noteGrowth(counted.records, nowMs);
-    const isAlive = (counted.hz ?? 0) >= MIN_SPARK_HZ;
-    const sample = isAlive ? (this.#number ?? counted.hz) : undefined;
-    if (sample === undefined && this.#samples.every((other) => other === undefined)) {
-      if (this.#samples.length > 0) this.#samples = [];
-      return;
-    }
-    this.#samples = [...this.#samples.slice(1 - SPARK_SAMPLES), sample];
+    const isAlive = counted.hz !== undefined && counted.hz >= MIN_SPARK_HZ;
+    if (!isAlive && this.#gap >= SPARK_SAMPLES) return;
+    this.#gap = isAlive ? 0 : this.#gap + 1;
+    const activity = isAlive ? [counted.hz!] : undefined;
+    this.#sparkline.add(isAlive && this.#numbers.length > 0 ? this.#numbers : activity);
+    this.#spark = undefined;
   }
 
   #noteGrowth(records: number, nowMs: number): void {

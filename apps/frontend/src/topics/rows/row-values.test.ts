@@ -1,7 +1,7 @@
 import type { TopicRecord } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import type { TopicRate } from '../../connection/topic-rates.ts';
-import { SPARK_SAMPLES } from './row-value.ts';
+import { SPARK_SAMPLES } from './sparkline.ts';
 import { RowValues } from './row-values.ts';
 
 const rateOf = (
@@ -135,9 +135,9 @@ describe('the sparkline of a row', () => {
       publish('/live', i);
       values.sample(i * 125);
     }
-    expect(values.get('/live')?.samples).toHaveLength(SPARK_SAMPLES);
-    expect(values.get('/live')?.samples.at(-1)).toBe(59);
-    expect(values.get('/rests')?.samples).toEqual([]);
+    expect(values.get('/live')?.spark.values).toHaveLength(SPARK_SAMPLES);
+    expect(values.get('/live')?.spark.values.at(-1)).toBe(59);
+    expect(values.get('/rests')?.spark.values).toEqual([]);
   });
 
   it('shows activity for what is not a number', () => {
@@ -147,7 +147,7 @@ describe('the sparkline of a row', () => {
       .get('/text')
       ?.emit({ ...recordOf('/text', 0), format: 'string', value: 'x' } as TopicRecord);
     values.sample(0);
-    expect(values.get('/text')?.samples).toEqual([3]);
+    expect(values.get('/text')?.spark.values).toEqual([3]);
   });
 });
 

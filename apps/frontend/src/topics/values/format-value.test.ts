@@ -1,5 +1,6 @@
 import { DATA_FORMATS, type DataFormat } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
+import { formatNumber } from '../../ui/readouts/format-number.ts';
 import { formatFixed, formatValue } from './format-value.ts';
 
 const line = (format: DataFormat, value: unknown): string => formatValue(format, value as never);
@@ -11,7 +12,7 @@ describe('formatValue', () => {
     ['double', -0.5, '−0.50'],
     ['double', 0.00012, '1.2e−4'],
     ['double', Number.NaN, 'NaN'],
-    ['int32', -1842, '−1 842'],
+    ['int32', -1842, `−${formatNumber(1842)}`],
     ['bool', true, 'true'],
     ['string', '{\n  "stage": "2m"\n}', '{ "stage": "2m" }'],
     ['string', '', '""'],

@@ -1,6 +1,6 @@
 import { DATA_FORMATS, type DataFormat } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { seriesOf, summaryNumber } from './value-series.ts';
+import { seriesOf, sparkNumbers } from './value-series.ts';
 
 describe('seriesOf', () => {
   it('reads a number for each name', () => {
@@ -17,17 +17,15 @@ describe('seriesOf', () => {
   });
 });
 
-describe('summaryNumber', () => {
-  it.each<[DataFormat, unknown, number | undefined]>([
-    ['double', 4.5, 4.5],
-    ['bool', true, 1],
-    ['vector2', { x: 3, y: 4 }, 5],
-    ['quaternion', { x: 0, y: 0, z: 1, w: 0 }, 180],
-    ['doubleList', { elements: [7, 8] }, 7],
-    ['doubleList', { elements: [] }, undefined],
-    ['double', Number.NaN, undefined],
-    ['string', 'x', undefined],
-  ])('%s', (format, value, number) => {
-    expect(summaryNumber(format, value)).toBe(number);
+describe('sparkNumbers', () => {
+  it.each<[DataFormat, unknown, readonly number[]]>([
+    ['double', 4.5, [4.5]],
+    ['bool', true, [1]],
+    ['vector2', { x: 3, y: 4 }, [3, 4]],
+    ['doubleList', { elements: [7, 8] }, [7]],
+    ['doubleList', { elements: [] }, []],
+    ['string', 'x', []],
+  ])('%s', (format, value, numbers) => {
+    expect(sparkNumbers(format, value)).toEqual(numbers);
   });
 });

@@ -1,0 +1,29 @@
+import { Image2DDataFormat } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { rgbaPixels } from './image-pixels.ts';
+
+const pixelsOf = (dataFormat: Image2DDataFormat, bytes: readonly number[], width = 2, height = 1) =>
+  rgbaPixels({ width, height, dataFormat, data: Uint8Array.from(bytes) });
+
+describe('rgbaPixels', () => {
+  it('spreads grey over three channels', () => {
+    expect([...pixelsOf(Image2DDataFormat.GRAY8, [7, 9])!]).toEqual([7, 7, 7, 255, 9, 9, 9, 255]);
+  });
+
+  it('adds opacity to colours', () => {
+    expect([...pixelsOf(Image2DDataFormat.RGB8, [1, 2, 3, 4, 5, 6])!]).toEqual([
+      1, 2, 3, 255, 4, 5, 6, 255,
+    ]);
+  });
+
+  it('takes colours with opacity as they are', () => {
+    const bytes = [1, 2, 3, 4, 5, 6, 7, 8];
+    expect([...pixelsOf(Image2DDataFormat.RGBA8, bytes)!]).toEqual(bytes);
+  });
+
+  it('ignores bytes too many and refuses bytes too few', () => {
+    expect(pixelsOf(Image2DDataFormat.GRAY8, [1, 2, 3])).toHaveLength(8);
+    expect(pixelsOf(Image2DDataFormat.RGB8, [1, 2, 3])).toBeUndefined();
+    expect(pixelsOf(Image2DDataFormat.RGB8, [], 0, 0)).toBeUndefined();
+  });
+});

@@ -1,0 +1,28 @@
+import type { RecordLine } from '../history/topic-history.ts';
+
+/** A distance this much longer than usual is marked. */
+const OUTLIER = 1.8;
+/** Shorter distances vary by themselves, milliseconds. */
+const NOISE_MS = 4;
+
+/** What counts as late in these records, milliseconds; `undefined` while there are too few to tell. */
+export function lateAfterMs(lines: readonly RecordLine[]): number | undefined {
+  const deltas = lines.flatMap(({ deltaMs }) => (deltaMs === undefined ? [] : [deltaMs]));
+  if (deltas.length < 8) return undefined;
+  const median = deltas.sort((a, b) => a - b)[deltas.length >> 1]!;
+  return Math.max(OUTLIER * median, median + NOISE_MS);
+}
+
+const two = (value: number): string => String(value).padStart(2, '0');
+
+/** Hours and minutes, this machine's time zone: `12:41`. */
+export function formatMinute(timeMs: number): string {
+  const time = new Date(timeMs);
+  return `${two(time.getHours())}:${two(time.getMinutes())}`;
+}
+
+/** Seconds within the minute: `07.218`. */
+export function formatSecond(timeMs: number): string {
+  const time = new Date(timeMs);
+  return `${two(time.getSeconds())}.${String(time.getMilliseconds()).padStart(3, '0')}`;
+}

@@ -1,0 +1,56 @@
+import type { TopicRate } from '../../connection/topic-rates.ts';
+import { formatBytes } from '../../ui/readouts/format-bytes.ts';
+import { formatNumber } from '../../ui/readouts/format-number.ts';
+import { formatRate } from '../../ui/readouts/format-rate.ts';
+import { formatAge } from '../../ui/readouts/format-time.ts';
+import { NO_VALUE, type Readout } from '../../ui/readouts/readout.ts';
+
+/** What the master counts of one topic, as text. */
+export interface TopicFacts {
+  readonly rate: Readout;
+  readonly age: Readout;
+  readonly bandwidth: Readout;
+  /** Records slow subscribers did not get, since the topic appeared. */
+  readonly dropped: Readout;
+  readonly isDropping: boolean;
+  readonly subscribers: Readout;
+  readonly publisherId: string;
+}
+
+const NOTHING: TopicFacts = {
+  rate: NO_VALUE,
+  age: NO_VALUE,
+  bandwidth: NO_VALUE,
+  dropped: NO_VALUE,
+  isDropping: false,
+  subscribers: NO_VALUE,
+  publisherId: '',
+};
+
+/** @param nowMs milliseconds since the Unix epoch, master's clock */
+export function topicFacts(rate: TopicRate | undefined, nowMs: number): TopicFacts {
+  if (rate === undefined) return NOTHING;
+  const { statistic, hz, bytesPerSecond, droppedPerSecond } = rate;
+  return {
+    rate: hz === undefined ? NO_VALUE : { digits: formatRate(hz), unit: 'Hz' },
+    age: statistic.publishedMs === 0 ? NO_VALUE : formatAge(nowMs - statistic.publishedMs),
+    bandwidth: bytesPerSecond === undefined ? NO_VALUE : formatBytes(bytesPerSecond, 'B/s'),
+    dropped: { digits: formatNumber(statistic.dropped) },
+    isDropping: (droppedPerSecond ?? 0) > 0,
+    subscribers: { digits: formatNumber(statistic.subscribers) },
+    publisherId: statistic.publisherId,
+  };
+}
+
+/** How a topic stands from the reader's side. */
+export type TopicLife = 'waiting' | 'live' | 'ended';
+
+/**
+ * @param rate what the master says now; `undefined` when it does not know the topic
+ * @param hasRecord whether a record was seen here
+ */
+export function lifeOf(rate: TopicRate | undefined, hasRecord: boolean): TopicLife {
+  const hasValue = rate !== undefined && rate.statistic.dataFormat !== '';
+  if (hasValue) return 'live';
+  return hasRecord ? 'ended' : 'waiting';
+}

@@ -1,0 +1,50 @@
+import { formatBytes } from '../../ui/readouts/format-bytes.ts';
+import { formatRate } from '../../ui/readouts/format-rate.ts';
+import { formatAge } from '../../ui/readouts/format-time.ts';
+import { NO_VALUE, type Readout } from '../../ui/readouts/readout.ts';
+import type { FindPublisher, Publisher } from '../tree/publisher.ts';
+import type { TopicNode } from '../tree/topic-node.ts';
+import { rootLabel } from '../tree/topic-path.ts';
+import { isStale } from './staleness.ts';
+
+/** What a row says, as text. */
+export interface RowView {
+  readonly name: string;
+  /** The client the row stands for; roots only. */
+  readonly publisher: Publisher | undefined;
+  readonly hz: string;
+  readonly bandwidth: Readout;
+  readonly age: Readout;
+  /** Of the newest record, milliseconds; `undefined` when there never was one. */
+  readonly ageMs: number | undefined;
+  readonly isStale: boolean;
+  readonly isResting: boolean;
+}
+
+/** @param nowMs milliseconds since the Unix epoch, master's clock */
+export function rowView(node: TopicNode, findPublisher: FindPublisher, nowMs: number): RowView {
+  const publisher = node.level === 1 ? findPublisher(node.label) : undefined;
+  const ageMs = node.publishedMs === 0 ? undefined : Math.max(0, nowMs - node.publishedMs);
+  const isRateKnown = node.isBranch || node.rate?.hz !== undefined;
+  return {
+    name: publisher?.name ?? (node.label === '' ? '(no name)' : node.label),
+    publisher,
+    hz: isRateKnown ? formatRate(node.hz) : NO_VALUE.digits,
+    bandwidth: isRateKnown ? formatBytes(node.bytesPerSecond, '') : NO_VALUE,
+    age: ageMs === undefined ? NO_VALUE : formatAge(ageMs),
+    ageMs,
+    isStale: isNodeStale(node, findPublisher, nowMs),
+    isResting: node.hz < 0.05,
+  };
+}
+
+/** A topic by its own habit; a branch only when its client is away. */
+function isNodeStale(node: TopicNode, findPublisher: FindPublisher, nowMs: number): boolean {
+  const isRootAway = findPublisher(rootLabel(node.key))?.isAway ?? false;
+  if (node.rate === undefined || node.isBranch) {
+    return isRootAway && node.publishedMs > 0 && nowMs - node.publishedMs > 5000;
+  }
+  const { publisherId } = node.rate.statistic;
+  const isAway = isRootAway || (findPublisher(publisherId)?.isAway ?? false);
+  return isStale(node.rate, isAway, nowMs);
+}

@@ -1,0 +1,16 @@
+import { ClientState } from '@ubii/proto';
+import { computed } from 'vue';
+import { useConnection } from '../connection/useConnection.ts';
+import type { FindPublisher } from './tree/publisher.ts';
+
+/** Clients by id, as the tree needs them; also those that are gone, as long as their topics are shown. */
+export function useFindPublisher(): FindPublisher {
+  const { clients } = useConnection();
+  const present = computed(() => new Set(clients.list.value?.map(({ id }) => id)));
+  return (clientId) => {
+    const client = clients.find(clientId);
+    if (client === undefined) return undefined;
+    const isAway = client.state !== ClientState.ACTIVE || !present.value.has(clientId);
+    return { name: client.name, isAway };
+  };
+}

@@ -1,0 +1,176 @@
+import { useRafFn } from '@vueuse/core';
+import {
+  effectScope,
+  onScopeDispose,
+  shallowRef,
+  watch,
+  type EffectScope,
+  type Ref,
+  type ShallowRef,
+} from 'vue';
+import type { TopicChanges } from '../connection/topic-rates.ts';
+import { useConnection } from '../connection/useConnection.ts';
+import { RowValues } from './rows/row-values.ts';
+import type { FindPublisher } from './tree/publisher.ts';
+import { parseTopicFilter } from './tree/topic-filter.ts';
+import type { TopicNode } from './tree/topic-node.ts';
+import type { TopicOrder } from './tree/topic-order.ts';
+import { TopicsModel } from './tree/topics-model.ts';
+import { useFindPublisher } from './useFindPublisher.ts';
+
+/** How often the counters of all topics are asked for, milliseconds. */
+const STATISTICS_MS = 250;
+/** How often rows are drawn, Hz: as fast as digits can be read. */
+const DRAW_HZ = 8;
+
+/** What is searched for and how it is ordered; set by the page. */
+export interface TopicTreeWishes {
+  readonly search: Ref<string>;
+  /** A data format's short name; empty for all. */
+  readonly format: Ref<string>;
+  readonly order: Ref<TopicOrder>;
+  /** Freezes the rows. Counters are totals, so nothing is lost. */
+  readonly isPaused: Ref<boolean>;
+}
+
+/** The topic tree, live. */
+export interface TopicTreeView {
+  /** Changed in place; look again when `tick` counts up. */
+  readonly model: TopicsModel;
+  readonly values: RowValues;
+  readonly findPublisher: FindPublisher;
+  readonly rows: Readonly<ShallowRef<readonly TopicNode[]>>;
+  /** Counts up whenever rows are to be drawn, at most `DRAW_HZ` times a second. */
+  readonly tick: Readonly<ShallowRef<number>>;
+  /** The moment the rows show: milliseconds since the Unix epoch, master's clock. */
+  readonly nowMs: Readonly<ShallowRef<number>>;
+  setExpanded(node: TopicNode, expanded: boolean): void;
+  expandSiblings(node: TopicNode): void;
+  setAllExpanded(expanded: boolean): void;
+  /** Opens what is above a topic. */
+  reveal(topic: string): void;
+}
+
+/** Feeds the model from the master's counters and draws it a few times a second while the page is seen. */
+export function useTopicTree({ search, format, order, isPaused }: TopicTreeWishes): TopicTreeView {
+  const { client, clients, topics, isConnected } = useConnection();
+  const findPublisher = useFindPublisher();
+  const model = new TopicsModel(findPublisher);
+  const values = new RowValues((topic, maxRateHz, onRecord) => {
+    const subscription = client.subscribe(topic, { maxRateHz }).onRecord(onRecord);
+    // Refused by the master: the client tells, and the row shows no value.
+    subscription.ready.catch(() => undefined);
+    return () => void subscription.close();
+  });
+  const rows = shallowRef<readonly TopicNode[]>([]);
+  const tick = shallowRef(0);
+  const nowMs = shallowRef(0);
+  let isStatisticsNew = true;
+
+  function draw(): void {
+    model.refresh(performance.now());
+    nowMs.value = topics.masterTimeMs.value;
+    rows.value = model.rows;
+    tick.value += 1;
+  }
+
+  const waiting: TopicChanges[] = [];
+  topics.onChanges((changes) => {
+    if (isPaused.value) waiting.push(changes);
+    else model.apply(changes);
+  });
+  watch(topics.rates, () => (isStatisticsNew = true), { flush: 'sync' });
+  model.apply({ added: [...(topics.rates.value?.values() ?? [])], removed: [] });
+
+  useRafFn(
+    () => {
+      if (isPaused.value || !isConnected.value) return;
+      values.sample(performance.now());
+      if (isStatisticsNew) {
+        isStatisticsNew = false;
+        draw();
+      } else {
+        tick.value += 1;
+      }
+    },
+    { fpsLimit: DRAW_HZ },
+  );
+
+  let asking: EffectScope | undefined;
+  watch(
+    isPaused,
+    (paused) => {
+      values.setPaused(paused);
+      if (paused) {
+        asking?.stop();
+        return;
+      }
+      for (const changes of waiting.splice(0)) model.apply(changes);
+      asking = effectScope();
+      asking.run(() => topics.watch(STATISTICS_MS));
+    },
+    { immediate: true },
+  );
+  watch(clients.list, () => {
+    model.handlePublishers();
+    if (!isPaused.value) draw();
+  });
+
+  // What a person asks for shows at once, also while paused.
+  watch(
+    search,
+    (text) => {
+      model.setFilter(parseTopicFilter(text));
+      draw();
+    },
+    { immediate: true },
+  );
+  watch(
+    format,
+    (name) => {
+      model.setFormat(name === '' ? undefined : name);
+      draw();
+    },
+    { immediate: true },
+  );
+  watch(
+    order,
+    (next) => {
+      model.setOrder(next);
+      draw();
+    },
+    { immediate: true },
+  );
+
+  onScopeDispose(() => {
+    asking?.stop();
+    values.close();
+  });
+
+  function setExpanded(node: TopicNode, expanded: boolean): void {
+    model.setExpanded(node, expanded);
+    draw();
+  }
+
+  return {
+    model,
+    values,
+    findPublisher,
+    rows,
+    tick,
+    nowMs,
+    setExpanded,
+    expandSiblings(node) {
+      for (const sibling of node.parent?.children.values() ?? []) model.setExpanded(sibling, true);
+      draw();
+    },
+    setAllExpanded(expanded) {
+      model.setAllExpanded(expanded);
+      draw();
+    },
+    reveal(topic) {
+      model.reveal(topic);
+      draw();
+    },
+  };
+}
