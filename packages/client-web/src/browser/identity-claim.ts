@@ -22,15 +22,17 @@ export function claimIdentity(clientId: string): Promise<Release | undefined> {
 }
 
 function claimByLock(name: string): Promise<Release | undefined> {
+  let release: Release = () => undefined;
+  const held = new Promise<void>((resolve) => {
+    release = resolve;
+  });
   return new Promise((resolve) => {
-    const held = new Promise<void>((release) => {
-      navigator.locks
-        .request(name, { signal: AbortSignal.timeout(LOCK_WAIT_MS) }, () => {
-          resolve(() => release());
-          return held;
-        })
-        .catch(() => resolve(undefined)); // timed out: the lock is taken
-    });
+    navigator.locks
+      .request(name, { signal: AbortSignal.timeout(LOCK_WAIT_MS) }, () => {
+        resolve(release);
+        return held;
+      })
+      .catch(() => resolve(undefined)); // timed out: the lock is taken
   });
 }
 
