@@ -40,6 +40,12 @@ describe('a hostile client', () => {
     );
   });
 
+  it('may ask without reading the answers', () => {
+    mallory.connection.stall();
+    for (let i = 0; i < 1000; i++) mallory.socket.handleText('PING');
+    expect(mallory.takeSent()).toEqual([]);
+  });
+
   it('may send any text', () => {
     fc.assert(
       fc.property(fc.string({ unit: 'binary' }), (text) => {

@@ -164,6 +164,18 @@ describe('liveness', () => {
     expect(await state()).toBe(ACTIVE);
   });
 
+  it('lets those make room first who never had a socket [CL-14]', async () => {
+    const { master, clock, ada, state } = await createAda({ clients: 2 });
+    ada.drop();
+    clock.advance(500);
+    await master.register({ name: 'stranger' });
+    clock.advance(11_000);
+    await master.register({ name: 'ben' });
+    const { clientList } = await master.call({ topic: '/services/client/get_list' });
+    expect(clientList?.elements.map(({ name }) => name)).toEqual(['ada', 'ben']);
+    expect(await state()).toBe(UNAVAILABLE);
+  });
+
   it('measures latency from the last PING to its PONG [CL-15]', async () => {
     const { master, clock, ada } = await createAda();
     const latency = async () => {

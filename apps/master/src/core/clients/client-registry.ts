@@ -158,17 +158,15 @@ export class ClientRegistry {
     client.socket?.setRecordLists(client.takesRecordLists);
   }
 
-  /** When the house is full, whoever has been away longest makes room. */
+  /** When the house is full, whoever has been away longest makes room, those first who never had a socket. */
   #makeRoom(): boolean {
-    let longestAway: Client | undefined;
+    let goes: Client | undefined;
     for (const client of this.#clients.values()) {
       if (client.status !== 'unavailable') continue;
-      if (longestAway === undefined || client.statusSinceMs < longestAway.statusSinceMs) {
-        longestAway = client;
-      }
+      if (goes === undefined || isLessMissed(client, goes)) goes = client;
     }
-    if (longestAway === undefined) return false;
-    this.handleEvent(longestAway, 'expired');
+    if (goes === undefined) return false;
+    this.handleEvent(goes, 'expired');
     return true;
   }
 
@@ -191,6 +189,12 @@ export class ClientRegistry {
   #endTopics(client: Client): void {
     for (const entry of [...client.ownedTopics]) this.#context.topics.deleteValue(entry);
   }
+}
+
+function isLessMissed(client: Client, other: Client): boolean {
+  const isStranger = client.heardSequence === undefined;
+  const isOtherStranger = other.heardSequence === undefined;
+  return isStranger === isOtherStranger ? client.statusSinceMs < other.statusSinceMs : isStranger;
 }
 
 function sizeOf(spec: ClientSpec): number {

@@ -89,8 +89,7 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
     if (!this.#isOpen) return;
     this.#handleSign();
     if (text === 'PONG') this.#handlePong();
-    else if (text === 'PING')
-      this.#connection.sendPong(); // [EX-6]
+    else if (text === 'PING') this.#handlePing();
     else this.handleProtocolError('A text message is PING or PONG, but another was received.');
   }
 
@@ -191,6 +190,14 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
   #handleSign(): void {
     this.client.heardSequence = this.#context.topics.sequence;
     this.#context.onSign(this.client);
+  }
+
+  /** [TD-2] [EX-6] */
+  #handlePing(): void {
+    // Who asks without reading the answers gets no more of them.
+    if (this.#connection.queuedBytes <= this.#context.limits.connectionQueuedBytes) {
+      this.#connection.sendPong();
+    }
   }
 
   #handlePong(): void {
