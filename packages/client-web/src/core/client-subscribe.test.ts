@@ -127,6 +127,32 @@ describe('client.subscribe()', () => {
     expect(requestsOf(master)).toHaveLength(1);
   });
 
+  it('gives the retained record to a second subscriber who wants it at another rate', async () => {
+    const { master, client } = await setup();
+    master.publish({ topic: '/a', format: 'double', value: 1 });
+    const first = collect(client.subscribe('/a', { maxRateHz: 8 }));
+    await settle();
+    const faster = client.subscribe('/a');
+    const second = collect(faster);
+    await faster.ready;
+    expect(first).toHaveLength(1);
+    expect(second).toHaveLength(1);
+  });
+
+  it('gives the retained record to who subscribes in the turn in which the last one leaves', async () => {
+    const { master, client } = await setup();
+    master.publish({ topic: '/a', format: 'double', value: 1 });
+    const first = client.subscribe('/a');
+    collect(first);
+    await settle();
+    const closed = first.close();
+    const second = collect(client.subscribe('/a'));
+    await closed;
+    await settle();
+    expect(second).toHaveLength(1);
+    expect(master.holds(client.id).topics).toEqual(['/a']);
+  });
+
   it('keeps what comes before the first consumer for him', async () => {
     const { master, client } = await setup();
     master.publish({ topic: '/a', format: 'double', value: 1 });

@@ -65,8 +65,17 @@ export class SubscriptionSync {
     return held?.certainty === 'certain' && held.maxRateHz === this.#wanted.get(key)?.maxRateHz;
   }
 
+  /** True while the master has the subscription or is being asked for it, at whatever rate. */
+  isHeld(key: string): boolean {
+    const held = this.#held.get(key);
+    return this.#online !== undefined && held !== undefined && held.certainty !== 'stale';
+  }
+
   /** @param maxRateHz 0 for every record */
   want(pattern: ServerPattern, maxRateHz: number): void {
+    const held = this.#held.get(pattern.key);
+    // Given up, and wanted again before the master was told: made anew for its retained records. [TD-24]
+    if (held !== undefined && !this.#wanted.has(pattern.key)) held.certainty = 'stale';
     this.#wanted.set(pattern.key, { pattern, maxRateHz });
     this.#schedule();
   }

@@ -154,8 +154,10 @@ export class TopicSubscriptions {
     this.#routes.clear();
     if (isFirst && pattern.kind === 'component') this.#addProfile(pattern.key, pattern.profile);
     this.#sync.want(pattern, rateOf(group));
-    if (isFirst || !this.#sync.isAccepted(pattern.key)) return;
-    subscription.handleAccepted();
+    if (isFirst) return;
+    // With another rate the master has yet to accept it, and will not send its retained records again.
+    if (this.#sync.isAccepted(pattern.key)) subscription.handleAccepted();
+    if (!this.#sync.isHeld(pattern.key)) return;
     for (const record of this.#newest.values()) {
       if (this.#selects(pattern, record.topic)) subscription.handleRecord(record);
     }
