@@ -76,7 +76,7 @@ export function usePointerExample() {
   watch(
     clients.list,
     (list) => {
-      pointers.setClients((list ?? []).map(toPointerClient));
+      pointers.setClients((list ?? []).filter(isHere).map(toPointerClient));
       people.value = pointers.list();
     },
     { immediate: true },
@@ -128,6 +128,11 @@ export function usePointerExample() {
         .publish({ x, y }, { timestampMs, immediate: settings.value.immediate });
     },
   };
+}
+
+/** The master remembers a client for a while after it went; its topics have ended by then. [CL-13] */
+function isHere({ state }: Client): boolean {
+  return state !== ClientState.UNAVAILABLE;
 }
 
 function toPointerClient({ id, name, state, devices }: Client): PointerClient {
