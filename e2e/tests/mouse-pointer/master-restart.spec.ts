@@ -36,7 +36,7 @@ test('the master is restarted: everybody comes back as who they were, without a 
   }
 
   await master.startAgain();
-  for (const shell of shells) await expect(shell.disconnectedStrip).toBeHidden({ timeout: 30_000 });
+  for (const shell of shells) await expect(shell.disconnectedStrip).toBeHidden({ timeout: 60_000 });
 
   for (const [index, page] of pages.entries()) {
     await page.pointTo({ x: 0.5 + index / 10, y: 0.6 });

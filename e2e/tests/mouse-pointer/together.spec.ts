@@ -12,7 +12,7 @@ test('two people at desks and one with a phone see each other’s pointers, by n
   ];
   const pages = people.map((person) => new MousePointerPage(person));
   await Promise.all(pages.map((page) => page.open()));
-  const [anna, , carla] = pages as [MousePointerPage, MousePointerPage, MousePointerPage];
+  const [anna, ben, carla] = pages as [MousePointerPage, MousePointerPage, MousePointerPage];
 
   const places = [
     { x: 0.2, y: 0.3 },
@@ -27,16 +27,17 @@ test('two people at desks and one with a phone see each other’s pointers, by n
     }
   }
 
-  await test.step('who leaves takes the pointer along', async () => {
-    await people[1]!.page.close();
-    for (const page of [anna, carla]) {
-      await expect(page.pointerOf('Ben')).toHaveCount(0);
+  await test.step('who goes to another page takes the pointer along', async () => {
+    await anna.page.getByRole('link', { name: 'Topics', exact: true }).click();
+    for (const page of [ben, carla]) {
+      await expect(page.pointerOf('Anna')).toHaveCount(0);
       await expect(page.otherPointers).toHaveCount(1);
     }
   });
 
-  await test.step('who goes to another page of the tool as well', async () => {
-    await anna.page.getByRole('link', { name: 'Topics', exact: true }).click();
+  await test.step('who closes the page is away at once, and gone when no sign of life came for 10 s [CL-13]', async () => {
+    await ben.page.close();
+    await expect(carla.pointerOf('Ben')).toHaveClass(/away/);
     await expect(carla.otherPointers).toHaveCount(0);
   });
 });

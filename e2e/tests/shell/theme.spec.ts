@@ -10,3 +10,15 @@ for (const colorScheme of ['dark', 'light'] as const) {
     await expect(new Shell(page).navigation).toHaveCSS('background-color', BACKGROUND[colorScheme]);
   });
 }
+
+test('a theme that was chosen stays, whatever the system says', async ({ room }) => {
+  const { page } = await room.atDesk(undefined, { colorScheme: 'dark' });
+  await page.goto('/settings');
+  await page.getByRole('radio', { name: 'Light' }).click();
+  const { navigation } = new Shell(page);
+  await expect(navigation).toHaveCSS('background-color', BACKGROUND.light);
+  await page.reload();
+  await expect(navigation).toHaveCSS('background-color', BACKGROUND.light);
+  await page.getByRole('radio', { name: 'System' }).click();
+  await expect(navigation).toHaveCSS('background-color', BACKGROUND.dark);
+});
