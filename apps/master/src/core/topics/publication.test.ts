@@ -23,6 +23,31 @@ describe.each([false, true])('Publication, with a buffer of the platform: %s', (
     expect([...record]).toEqual([...frame.subarray(start, end)]);
     expect(record.constructor).toBe(Uint8Array);
     expect(record.buffer === frame.buffer).toBe(stays);
-    if (!stays) expect(record.buffer.byteLength).toBe(end - start);
+    expect(record.buffer.byteLength).toBeLessThanOrEqual(2048);
+  });
+});
+
+describe('Publication', () => {
+  const keep = (publication: Publication, frame: Uint8Array, start: number, end: number) => {
+    Object.assign(publication, { frame, start, end });
+    return publication.keepRecord();
+  };
+
+  it('keeps small records of a list next to each other, and each whole', () => {
+    const publication = new Publication();
+    const list = Uint8Array.from({ length: 10_000 }, (_, i) => i & 0xff);
+    const records = Array.from({ length: 100 }, (_, i) =>
+      keep(publication, list, i * 100, i * 100 + 99),
+    );
+    list.fill(0);
+    records.forEach((record, i) => {
+      expect([...record]).toEqual(Array.from({ length: 99 }, (_, k) => (i * 100 + k) & 0xff));
+    });
+    expect(new Set(records.map(({ buffer }) => buffer)).size).toBe(5);
+  });
+
+  it('gives a large record of a list memory of its own', () => {
+    const record = keep(new Publication(), new Uint8Array(10_000), 0, 600);
+    expect(record.buffer.byteLength).toBe(600);
   });
 });

@@ -9,6 +9,10 @@ export interface PublishingClient extends TopicOwner {
 
 /** The most memory a kept record may take, as a multiple of its length. */
 const MOST_MEMORY = 2;
+/** Small records share pieces of memory of this size, bytes: at worst, one of them keeps all of it. */
+const SHARED_BYTES = 2048;
+/** Records up to this length are small, bytes. */
+const SMALL_BYTES = 512;
 
 /** A record on its way into its topic. One object serves every record of a publisher, one after the other. */
 export class Publication {
@@ -24,20 +28,32 @@ export class Publication {
   monotonicMs = 0;
   nowMs = 0;
   entry: TopicEntry | undefined = undefined;
+  /** Where the copy of the next small record goes. */
+  #shared: ArrayBuffer | undefined = undefined;
+  #sharedLength = 0;
 
   get byteLength(): number {
     return this.end - this.start;
   }
 
   /**
-   * The bytes of the record, to be kept. Those that are most of the memory they lie in stay there: for
-   * an image it is the copy, for a small record the allocation, that publishing would cost most. Others
-   * are copied, or one record would keep the memory of a whole list.
+   * The bytes of the record, to be kept. Those that are most of the memory they lie in stay there, for
+   * which an image need not be copied. Others are copied, or one record would keep the memory of a
+   * whole list; small ones next to each other, because getting memory costs more than ten copies.
    */
   keepRecord(): Uint8Array {
     const { frame, start, byteLength } = this;
     const { buffer, byteOffset } = frame;
     const record = new Uint8Array(buffer, byteOffset + start, byteLength);
-    return buffer.byteLength <= MOST_MEMORY * byteLength ? record : record.slice();
+    if (buffer.byteLength <= MOST_MEMORY * byteLength) return record;
+    if (byteLength > SMALL_BYTES) return record.slice();
+    if (this.#shared === undefined || this.#sharedLength + byteLength > SHARED_BYTES) {
+      this.#shared = new ArrayBuffer(SHARED_BYTES);
+      this.#sharedLength = 0;
+    }
+    const copy = new Uint8Array(this.#shared, this.#sharedLength, byteLength);
+    copy.set(record);
+    this.#sharedLength += byteLength;
+    return copy;
   }
 }
