@@ -10,6 +10,7 @@ import {
 } from 'vue';
 import type { TopicChanges } from '../connection/topic-rates.ts';
 import { useConnection } from '../connection/useConnection.ts';
+import { nameOf } from './rows/row-view.ts';
 import { RowValues } from './rows/row-values.ts';
 import type { FindPublisher } from './tree/publisher.ts';
 import { parseTopicFilter } from './tree/topic-filter.ts';
@@ -44,6 +45,8 @@ export interface TopicTreeView {
   readonly tick: Readonly<ShallowRef<number>>;
   /** The moment the rows show: milliseconds since the Unix epoch, master's clock. */
   readonly nowMs: Readonly<ShallowRef<number>>;
+  /** What a row is called. */
+  nameOf(node: TopicNode): string;
   setExpanded(node: TopicNode, expanded: boolean): void;
   expandSiblings(node: TopicNode): void;
   setAllExpanded(expanded: boolean): void;
@@ -159,6 +162,7 @@ export function useTopicTree({ search, format, order, isPaused }: TopicTreeWishe
     rows,
     tick,
     nowMs,
+    nameOf: (node) => nameOf(node, findPublisher),
     setExpanded,
     expandSiblings(node) {
       for (const sibling of node.parent?.children.values() ?? []) model.setExpanded(sibling, true);

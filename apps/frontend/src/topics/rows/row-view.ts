@@ -21,13 +21,22 @@ export interface RowView {
   readonly isResting: boolean;
 }
 
+/** A level may be empty. */
+const NO_NAME = '(no name)';
+
+/** What a row is called: a root by the name of its client, if it is one. */
+export function nameOf(node: TopicNode, findPublisher: FindPublisher): string {
+  const publisher = node.level === 1 ? findPublisher(node.label) : undefined;
+  return publisher?.name ?? (node.label || NO_NAME);
+}
+
 /** @param nowMs milliseconds since the Unix epoch, master's clock */
 export function rowView(node: TopicNode, findPublisher: FindPublisher, nowMs: number): RowView {
   const publisher = node.level === 1 ? findPublisher(node.label) : undefined;
   const ageMs = node.publishedMs === 0 ? undefined : Math.max(0, nowMs - node.publishedMs);
   const isRateKnown = node.isBranch || node.rate?.hz !== undefined;
   return {
-    name: publisher?.name ?? (node.label === '' ? '(no name)' : node.label),
+    name: nameOf(node, findPublisher),
     publisher,
     hz: isRateKnown ? formatRate(node.hz) : NO_VALUE.digits,
     bandwidth: isRateKnown ? formatBytes(node.bytesPerSecond, '') : NO_VALUE,

@@ -82,7 +82,14 @@ function leaf(value: string | number | boolean | null): Pick<JsonRow, 'kind' | '
   if (value === null) return { kind: 'null', text: 'null' };
   if (typeof value === 'string')
     return { kind: 'string', text: JSON.stringify(cut(value, MAX_TEXT)) };
-  return { kind: typeof value as 'number' | 'boolean', text: String(value).replace('-', '−') };
+  if (typeof value === 'boolean') return { kind: 'boolean', text: String(value) };
+  return { kind: 'number', text: numberText(value) };
+}
+
+/** Numbers of single precision have seven digits; the rest is what is left over from the format. */
+function numberText(value: number): string {
+  const isSingle = Math.fround(value) === value && !Number.isInteger(value);
+  return String(isSingle ? Number(value.toPrecision(7)) : value).replaceAll('-', '−');
 }
 
 const cut = (text: string, length: number): string =>

@@ -61,6 +61,12 @@ describe('jsonRows', () => {
     ]);
   });
 
+  it('writes single precision with the digits it has', () => {
+    expect(lines(Math.fround(0.4) as never)).toEqual(['1  0.4']);
+    expect(lines(0.7998723649947398 as never)).toEqual(['1  0.7998723649947398']);
+    expect(lines(-1e-9 as never)).toEqual(['1  −1e−9']);
+  });
+
   it('writes a value that is not in another', () => {
     expect(lines(4.5 as never)).toEqual(['1  4.5']);
     expect(lines([] as never)).toEqual(['1  []']);
