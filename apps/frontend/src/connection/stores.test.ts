@@ -1,0 +1,182 @@
+import { ConnectionError, type UbiiClient } from '@ubii/client-web';
+import { ClientState, ServiceError, type Client } from '@ubii/proto';
+import { flushPromises } from '@vue/test-utils';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { effectScope, nextTick, ref, type EffectScope } from 'vue';
+import { createClientsStore } from './clients-store.ts';
+import { createMasterStatusStore } from './master-status-store.ts';
+import { createTopicStatisticsStore } from './topic-statistics-store.ts';
+
+const person = (id: string, state: Client['state'] = ClientState.ACTIVE): Client =>
+  ({ id, name: id, state }) as unknown as Client;
+
+/** A client whose master answers what the test says. */
+function fakeClient() {
+  const call = vi.fn<(service: string, request?: object) => Promise<unknown>>();
+  let announce: (record: { value: Client }) => void = () => undefined;
+  const subscribe = vi.fn(() => ({
+    onRecord: (fn: typeof announce) => {
+      announce = fn;
+    },
+  }));
+  return {
+    client: { call, subscribe } as unknown as UbiiClient,
+    call,
+    subscribe,
+    announce: (value: Client) => announce({ value }),
+  };
+}
+
+let scope: EffectScope;
+beforeEach(() => {
+  vi.useFakeTimers();
+  scope = effectScope();
+});
+afterEach(() => {
+  scope.stop();
+  vi.useRealTimers();
+});
+
+/** Lets answers arrive and the next frame be drawn. */
+async function settle(): Promise<void> {
+  await vi.advanceTimersByTimeAsync(20);
+  await nextTick();
+}
+
+describe('clients store', () => {
+  function setup(...lists: Client[][]) {
+    const fake = fakeClient();
+    for (const elements of lists) fake.call.mockResolvedValueOnce({ elements });
+    fake.call.mockResolvedValue({ elements: lists.at(-1) ?? [] });
+    const isConnected = ref(true);
+    const store = scope.run(() => createClientsStore(fake.client, isConnected))!;
+    const names = () => store.list.value?.map(({ id, state }) => `${id} ${state}`);
+    return { ...fake, store, names, isConnected };
+  }
+
+  it('starts with the list, then follows what is announced [CL-31]', async () => {
+    const { store, names, announce, subscribe } = setup([person('a')]);
+    expect(store.list.value).toBeUndefined();
+    expect(subscribe).toHaveBeenCalledWith({ glob: '/ubii/client/*' }, { format: 'client' });
+    await settle();
+    expect(names()).toEqual(['a 0']);
+    announce(person('b'));
+    announce(person('a', ClientState.INACTIVE));
+    await settle();
+    expect(names()).toEqual(['a 1', 'b 0']);
+  });
+
+  it('asks whether a client that became unavailable is away or gone', async () => {
+    const gone = ClientState.UNAVAILABLE;
+    const { names, announce, store } = setup(
+      [person('a'), person('b')],
+      [person('a'), person('b', gone)],
+      [person('a')],
+    );
+    await settle();
+    announce(person('b', gone));
+    await settle();
+    expect(names()).toEqual(['a 0', 'b 2']);
+    announce(person('b', gone));
+    await settle();
+    expect(names()).toEqual(['a 0']);
+    expect(store.find('b')?.name, 'its topics keep a name').toBe('b');
+  });
+
+  it('an announcement that comes while a list is on its way is newer than the list', async () => {
+    const { names, announce, isConnected, call } = setup([person('a')]);
+    await settle();
+    let answer: (list: unknown) => void = () => undefined;
+    call.mockReturnValueOnce(new Promise((resolve) => (answer = resolve)));
+    isConnected.value = false;
+    await nextTick();
+    isConnected.value = true;
+    await nextTick();
+    announce(person('a', ClientState.INACTIVE));
+    answer({ elements: [person('a')] });
+    await settle();
+    expect(names()).toEqual(['a 1']);
+  });
+
+  it('keeps round trips fresh only while someone looks', async () => {
+    const { store, call } = setup([person('a')]);
+    await settle();
+    expect(call).toHaveBeenCalledTimes(1);
+    const viewer = effectScope();
+    viewer.run(() => store.keepFresh(2000));
+    await settle();
+    expect(call).toHaveBeenCalledTimes(2);
+    await vi.advanceTimersByTimeAsync(2000);
+    expect(call).toHaveBeenCalledTimes(3);
+    viewer.stop();
+    await vi.advanceTimersByTimeAsync(10_000);
+    expect(call).toHaveBeenCalledTimes(3);
+  });
+});
+
+describe('master status store', () => {
+  const reply = (nowMs: number) => ({
+    masterId: 'm',
+    startedMs: 1,
+    nowMs,
+    samples: [],
+    events: [],
+  });
+
+  it('asks once a second from where it was [EX-16]', async () => {
+    const { client, call } = fakeClient();
+    call.mockResolvedValueOnce(reply(5000)).mockResolvedValue(reply(6000));
+    const store = scope.run(() => createMasterStatusStore(client, ref(true), () => 0))!;
+    await settle();
+    expect(store.view.value?.latest.nowMs).toBe(5000);
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(call.mock.calls).toEqual([
+      ['masterStatus', { sinceMs: 0 }],
+      ['masterStatus', { sinceMs: 4999 }],
+    ]);
+  });
+
+  it('keeps what it knows when the link fails, and knows an original master by its answer', async () => {
+    const { client, call } = fakeClient();
+    call
+      .mockResolvedValueOnce(reply(5000))
+      .mockRejectedValueOnce(new ConnectionError('closed', 'Gone.'))
+      .mockRejectedValueOnce(new ServiceError('unimplemented', 'No such service.'));
+    const store = scope.run(() => createMasterStatusStore(client, ref(true), () => 0))!;
+    await settle();
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(store.view.value?.latest.nowMs).toBe(5000);
+    expect(store.isUnsupported.value).toBe(false);
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(store.isUnsupported.value).toBe(true);
+  });
+});
+
+describe('topic statistics store', () => {
+  it('asks nothing until someone looks, then from the last cursor', async () => {
+    const { client, call } = fakeClient();
+    call.mockImplementation(async (_service, request) => {
+      const { cursor } = request as { cursor: number };
+      return {
+        cursor: cursor + 7,
+        reset: cursor === 0,
+        elements: [],
+        removed: [],
+        masterTimeMs: 1,
+      };
+    });
+    const store = scope.run(() => createTopicStatisticsStore(client, ref(true), () => 0))!;
+    await vi.advanceTimersByTimeAsync(5000);
+    expect(call).not.toHaveBeenCalled();
+    expect(store.rates.value).toBeUndefined();
+    scope.run(() => store.watch(250));
+    await settle();
+    await vi.advanceTimersByTimeAsync(250);
+    expect(call.mock.calls).toEqual([
+      ['topicStatistics', { cursor: 0 }],
+      ['topicStatistics', { cursor: 7 }],
+    ]);
+    expect(store.rates.value?.size).toBe(0);
+    await flushPromises();
+  });
+});
