@@ -97,6 +97,7 @@ export default ts.config(
     ],
     rules: { 'no-console': 'error' },
   },
+  { files: ['**/*.test.ts'], rules: { 'vue/one-component-per-file': 'off' } },
   { files: ['packages/**'], rules: restrict(noApps, noVue) },
   { files: ['packages/proto/**'], rules: restrict(noApps, noVue, noClient) },
   { files: ['apps/master/src/adapters/**', 'apps/master/src/*.ts'], rules: restrict(noClient) },
