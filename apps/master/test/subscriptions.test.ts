@@ -300,6 +300,15 @@ describe('subscriptions', () => {
     await ben.subscribe({ subscribeTopicRegexp: ['(other)'] });
   });
 
+  it('are not ended because the machine stood still while a topic was matched [TD-29]', async () => {
+    const clock = new FakeClock();
+    const { ada, ben } = await createPair({ clock, patterns: slowPatterns(clock) });
+    await ben.subscribe({ subscribeTopicRegexp: ['(stalled)'] });
+    ada.publish('/stalled', 'bool', true);
+    expect(ben.takeValues()).toEqual([['/stalled', true]]);
+    expect(ben.takeErrors()).toEqual([]);
+  });
+
   it('that make new topics slow are ended, and the client is told [TD-29]', async () => {
     const clock = new FakeClock();
     const { master, ada, ben } = await createPair({ clock, patterns: slowPatterns(clock) });
@@ -321,7 +330,8 @@ describe('subscriptions', () => {
 });
 
 /**
- * Patterns that find their text anywhere; `(slow)` takes 20 ms for a topic. In parentheses, because
+ * Patterns that find their text anywhere; `(slow)` takes 20 ms for a topic, during
+ * `(stalled)` something else has the machine. In parentheses, because
  * the master looks for plain text itself.
  */
 function slowPatterns(clock: FakeClock) {
@@ -329,6 +339,7 @@ function slowPatterns(clock: FakeClock) {
     compile: (source: string) => ({
       test: (text: string) => {
         if (source === '(slow)') clock.spend(20);
+        if (source === '(stalled)') clock.spend(5_000);
         return text.includes(source.slice(1, -1));
       },
     }),

@@ -8,6 +8,13 @@ import type { TopicMatching } from './topic-table.ts';
 /** Tests of a pattern are charged together once they took this long, milliseconds: cheap ones stay cheap. */
 const CHARGED_MS = 1;
 
+/**
+ * What one test, or one look at many topics, is charged at most, milliseconds: what the worst pattern
+ * within the limits takes for a topic. When the clock says more, the machine was busy with something
+ * else, which no client may lose its patterns for.
+ */
+const LONGEST_MS = 30;
+
 /** What a pattern table works with. */
 export interface PatternContext {
   readonly compiler: PatternCompiler;
@@ -50,7 +57,8 @@ export class PatternTable implements TopicMatching {
       if (pattern.test(entry)) pattern.entries.add(entry);
       const nowMs = clock.monotonicMs();
       if (nowMs - chargedMs < CHARGED_MS) continue;
-      if (!payer.patternBudget.spend(nowMs - chargedMs, nowMs)) return undefined;
+      const spentMs = Math.min(nowMs - chargedMs, LONGEST_MS);
+      if (!payer.patternBudget.spend(spentMs, nowMs)) return undefined;
       chargedMs = nowMs;
     }
     for (const entry of pattern.entries) entry.patterns.push(pattern);
@@ -86,7 +94,7 @@ export class PatternTable implements TopicMatching {
     const startedMs = clock.monotonicMs();
     const matches = pattern.test(entry);
     const nowMs = clock.monotonicMs();
-    pattern.unchargedMs += nowMs - startedMs;
+    pattern.unchargedMs += Math.min(nowMs - startedMs, LONGEST_MS);
     if (pattern.unchargedMs < CHARGED_MS) return matches;
     for (const subscriber of [...pattern.subscribers.keys()]) {
       if (!subscriber.patternBudget.spend(pattern.unchargedMs, nowMs)) onOverdrawn(subscriber);
