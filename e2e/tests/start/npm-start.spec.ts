@@ -9,6 +9,8 @@ import type { MasterAddresses } from '../../fixtures/master-process.ts';
 
 const REPOSITORY = join(import.meta.dirname, '../../..');
 
+// One after the other: each may build what is stale, in the same folders.
+test.describe.configure({ mode: 'default' });
 test.skip(process.platform === 'win32', 'signals');
 
 let dataDir: string;
