@@ -26,6 +26,8 @@ const BREAK_MS = 2 * WINDOW_MS;
 const LOWEST_HZ = 0.05;
 /** A topic has stopped when it is silent for this many of its usual gaps. */
 const STOPPED_GAPS = 3;
+/** Fewer records than this in the window are too coarse to count. */
+const FEW = 4;
 /** Replies remembered: the window at eight a second. */
 const SLOTS = 16;
 
@@ -163,7 +165,7 @@ export class TopicRates {
     const { statistic, gapMs } = track;
     const count = statistic.records - track.records[oldest]!;
     track.droppedPerSecond = (statistic.dropped - track.dropped[oldest]!) / seconds;
-    if (count < 2 && gapMs !== undefined) {
+    if (count < FEW && gapMs !== undefined) {
       // Too few in the window to count: the time between two records says it better.
       const silenceMs = nowMs - statistic.publishedMs;
       const slowHz = 1000 / Math.max(gapMs, silenceMs, 1);
@@ -183,7 +185,9 @@ export class TopicRates {
 function noteGap(track: Track, { records, publishedMs }: TopicStatistic): void {
   const before = track.statistic;
   if (records > before.records && before.publishedMs > 0) {
-    track.gapMs = (publishedMs - before.publishedMs) / (records - before.records);
+    const gapMs = (publishedMs - before.publishedMs) / (records - before.records);
+    // Half of what was before: presses of a button come as they like.
+    track.gapMs = track.gapMs === undefined ? gapMs : (track.gapMs + gapMs) / 2;
   } else if (records < before.records) {
     track.gapMs = undefined; // another run of the master
   }

@@ -1,5 +1,7 @@
-import { useElementSize, useRafFn } from '@vueuse/core';
+import type { DataFormatFamily } from '@ubii/proto';
+import { useElementSize, usePreferredContrast, useRafFn } from '@vueuse/core';
 import { computed, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
+import { useIsDark } from '../../theme/useTheme.ts';
 import type { TopicHistory } from '../history/topic-history.ts';
 import { nowMs } from '../history/useTopicHistory.ts';
 import { formatFixed } from '../values/format-value.ts';
@@ -17,6 +19,7 @@ export interface PlotSource {
   /** Vertical lines of the grid, both edges included. */
   readonly columns: number;
   readonly isStepped: boolean;
+  readonly family: DataFormatFamily;
 }
 
 /** What it is drawn on. */
@@ -90,6 +93,16 @@ export function usePlot(
     },
   );
   watch([source, width, height, cursorX], () => (isDirty = true));
+  // Asking the browser for a colour makes it work out all styles, so it is asked only after a change.
+  const [isDark, contrast] = [useIsDark(), usePreferredContrast()];
+  watch(
+    [() => source.value.family, isDark, contrast],
+    () => {
+      colors = undefined;
+      isDirty = true;
+    },
+    { flush: 'post' },
+  );
 
   useRafFn(() => {
     const { frozenMs, windowMs } = source.value;
@@ -111,7 +124,7 @@ export function usePlot(
     const startMs = endMs - windowMs;
     const range = axis.follow(valuesWithin(ring, startMs, endMs), endMs);
     const ticks = ticksOf(range, Math.max(2, height.value / TICK_GAP));
-    if (withWords || !colors) colors = readColors(swatch.value);
+    colors ??= readColors(swatch.value);
     const x = cursorX.value;
     const point =
       x === undefined ? undefined : pointNear(ring, startMs + (x / width.value) * windowMs, endMs);
