@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
 import { describeAgent } from './agent-description.ts';
-import { clientLetters } from './client-letters.ts';
 import { friendlyName } from './friendly-name.ts';
 
 it('a generated name is two words, whatever the dice say', () => {
@@ -26,22 +25,5 @@ describe('describeAgent', () => {
     ['', 'Browser'],
   ])('%s', (agent, expected) => {
     expect(describeAgent(agent)).toBe(expected);
-  });
-});
-
-describe('clientLetters', () => {
-  const letters = (...names: string[]) => clientLetters(names.map((name) => ({ name })));
-
-  it('takes the first letter of the name that is still free', () => {
-    expect(letters('Mara', 'Mia', 'Mam')).toEqual(['M', 'I', 'A']);
-  });
-
-  it('falls back to the alphabet, and repeats when all are taken', () => {
-    expect(letters('M', 'M', '')).toEqual(['M', 'A', 'B']);
-    expect(letters(...Array.from({ length: 27 }, () => 'M')).at(-1)).toBe('M');
-  });
-
-  it('a name without letters still gets one', () => {
-    expect(letters('–', 'Ödön')).toEqual(['A', 'Ö']);
   });
 });

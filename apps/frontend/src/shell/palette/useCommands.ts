@@ -3,9 +3,9 @@ import { useClipboard } from '@vueuse/core';
 import { computed, type ComputedRef } from 'vue';
 import { useRouter } from 'vue-router';
 import { bestAddress } from '../../connect-phone/addresses.ts';
-import { clientLetters } from '../../connection/client-letters.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { EXAMPLES } from '../../examples/catalogue.ts';
+import { playerIdentity } from '../../players/player-identity.ts';
 import { useThemeChoice } from '../../theme/useTheme.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import { PAGES, SETTINGS_PAGE } from '../pages.ts';
@@ -105,18 +105,16 @@ export function useCommands(): ComputedRef<Command[]> {
     run: connect,
   };
 
-  const people = computed(() => {
-    const list = clients.list.value ?? [];
-    const letters = clientLetters(list);
-    return list.map(({ id, name, description }, index): Command => ({
+  const people = computed(() =>
+    (clients.list.value ?? []).map(({ id, name, description }): Command => ({
       id: `client ${id}`,
       kind: 'client',
       title: name || id,
       detail: description,
-      letter: letters[index]!,
+      letter: playerIdentity(id, name).letter,
       run: go(`/topics?client=${encodeURIComponent(id)}`),
-    }));
-  });
+    })),
+  );
 
   const streams = computed(() =>
     [...(topics.rates.value?.values() ?? [])].map(({ statistic }): Command => ({
