@@ -3,6 +3,7 @@ import { createUbiiClient } from './core/create-ubii-client.ts';
 import type { UbiiClient } from './core/ubii-client.ts';
 import { resolveEndpoints } from './endpoints.ts';
 import { systemClock } from './system-clock.ts';
+import { systemUuid } from './system-uuid.ts';
 import { createHttpServices } from './transports/http.ts';
 import { createWebSocketTopicData } from './transports/websocket.ts';
 import type { OpenWebSocket } from './transports/websocket.ts';
@@ -15,12 +16,13 @@ export function createClientOver(
 ): UbiiClient {
   const { clock = systemClock, random = Math.random, transports } = options;
   if (transports !== undefined) {
-    return createUbiiClient(options, { clock, random, ...transports });
+    return createUbiiClient(options, { clock, random, uuid: systemUuid, ...transports });
   }
   const { servicesUrl, topicDataUrl } = resolveEndpoints(options, defaultUrl);
   return createUbiiClient(options, {
     clock,
     random,
+    uuid: systemUuid,
     services: createHttpServices({ url: servicesUrl }),
     topicData: createWebSocketTopicData(topicDataUrl, openWebSocket),
   });

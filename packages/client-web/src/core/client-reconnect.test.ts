@@ -12,6 +12,12 @@ async function setup(options: Parameters<typeof createTestClient>[1] = {}) {
   return { master, ...all };
 }
 
+const SILENT_CONNECTION = {
+  handleBinary: () => undefined,
+  handleText: () => undefined,
+  handleClose: () => undefined,
+};
+
 function registrations(master: FakeMaster): number {
   return master.requests.filter(({ topic }) => topic === '/services/client/registration').length;
 }
@@ -172,6 +178,26 @@ describe('a client whose socket drops [EX-5]', () => {
     expect(client.state.status).toBe('connected');
     await clock.advance(10_000);
     expect(client.state.status).toBe('connected');
+  });
+
+  it('gives an attempt up that hangs when it is told to try, but not a fresh one', async () => {
+    const { master, client, clock } = await setup();
+    const open = master.openConnection.bind(master);
+    let opened = 0;
+    master.openConnection = (query, peer) => {
+      opened += 1;
+      return opened > 1 ? open(query, peer) : SILENT_CONNECTION;
+    };
+    master.drop();
+    await clock.advance(500);
+    client.retryNow();
+    await clock.advance(0);
+    expect(opened).toBe(1);
+    await clock.advance(1_000);
+    client.retryNow();
+    await clock.advance(0);
+    expect(opened).toBe(2);
+    expect(client.state).toMatchObject({ status: 'connected', clientId: 'client-1' });
   });
 
   it('notices a master that fell silent', async () => {

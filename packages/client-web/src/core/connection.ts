@@ -1,10 +1,10 @@
-import { ServiceError } from '@ubii/proto';
 import { ConnectionError } from './connection-error.ts';
 import { next } from './connection-state.ts';
 import type { ConnectionEvent, ConnectionState } from './connection-state.ts';
 import { Deferred } from './deferred.ts';
 import { Link } from './link.ts';
-import type { LinkFailure } from './link.ts';
+import { BROKEN, failureOf, isTold, remedyFor, unknownClient } from './link-failure.ts';
+import type { LinkFailure } from './link-failure.ts';
 import { Listeners } from './listeners.ts';
 import type { Cancel, Clock } from './ports/clock.ts';
 import type { RandomSource } from './ports/random.ts';
@@ -16,8 +16,6 @@ import type { Membership, Registration } from './registration.ts';
 /** How an attempt found the client at the master. */
 export interface Arrival {
   readonly membership: Membership;
-  /** `standing`: the master kept the client, only the socket is new. */
-  readonly kind: 'standing' | 'registered';
   /** The id before this arrival; empty for the first one. */
   readonly previousId: string;
 }
@@ -38,19 +36,8 @@ export interface ConnectionOptions {
   readonly restore: (arrival: Arrival) => Promise<void>;
 }
 
-const SUPERSEDED = 4001;
-const NOT_THIS_CLIENT = 4003;
-const UNKNOWN_CLIENT = 4004;
-/** The master deregistered the client, on whose behalf ever. [CL-16] */
-const DEREGISTERED = 1000;
-
-/** Errors of a registration that trying again does not cure. */
-const TERMINAL_CODES: ReadonlySet<string> = new Set([
-  'invalid_argument',
-  'permission_denied',
-  'unauthenticated',
-  'unimplemented',
-]);
+/** An attempt younger than this is left alone by `retryNow`, milliseconds. */
+const FRESH_ATTEMPT_MS = 1_000;
 
 /** Thrown inside an attempt that was given up meanwhile; goes no further. */
 const ABANDONED = Symbol('abandoned');
@@ -63,14 +50,18 @@ export class Connection {
   #connected: Deferred<void> | undefined;
   #link: Link | undefined;
   /** Stands for the attempt under way; replaced to abandon it. */
-  #attempt: { readonly done: Promise<void> } | undefined;
+  #attempt: { readonly done: Promise<void>; readonly startedMs: number } | undefined;
   #cancelRetry: Cancel | undefined;
+  /** The id of the last connection, or of an earlier run; empty when there was none. */
+  #lastId: string | undefined;
   /** What the back-off counts: failed attempts, and links that did not hold. See `ReconnectPolicy`. */
   #failedAttempts = 0;
   /** Attempts since the last connection, the one under way included. */
   #attemptNumber = 0;
   /** Whether this outage has had its one attempt without delay. */
   #hasHurried = false;
+  /** The next attempt is to start without delay. */
+  #mustHurry = false;
   #connectedSinceMs = 0;
 
   constructor(options: ConnectionOptions) {
@@ -96,6 +87,7 @@ export class Connection {
       this.#failedAttempts = 0;
       this.#attemptNumber = 0;
       this.#hasHurried = false;
+      this.#mustHurry = false;
       this.#move('connect', { status: 'connecting', attempt: 1 });
       this.#startAttempt();
     }
@@ -118,19 +110,29 @@ export class Connection {
     }
   }
 
-  /** Tries at once when waiting to try again; when connected, makes sure that the link is alive. */
+  /**
+   * Tries at once when waiting to try again, and anew when the socket of an attempt has been opening
+   * for a while: the network it was opened on may be gone. When connected, makes sure that the link
+   * is alive.
+   */
   retryNow(): void {
     if (this.#state.status === 'connected') {
       this.#link?.probe();
     } else if (this.#cancelRetry !== undefined) {
       this.#cancelRetry();
       this.#startAttempt();
+    } else if (this.#attempt !== undefined && this.#link?.isUp === false) {
+      const ageMs = this.#options.clock.monotonicMs() - this.#attempt.startedMs;
+      if (ageMs < FRESH_ATTEMPT_MS) return;
+      this.#mustHurry = true;
+      this.#link.close();
     }
   }
 
   /** Ends the link of a connected client as failed, as if it had broken. */
   drop(error: ConnectionError): void {
-    if (this.#state.status === 'connected') this.#handleFailure({ error, code: 1006, wasUp: true });
+    if (this.#state.status === 'connected')
+      this.#handleFailure({ error, code: BROKEN, wasUp: true });
   }
 
   /**
@@ -150,7 +152,7 @@ export class Connection {
     this.#cancelRetry = undefined;
     this.#attemptNumber += 1;
     const done = new Deferred<void>();
-    const attempt = { done: done.promise };
+    const attempt = { done: done.promise, startedMs: this.#options.clock.monotonicMs() };
     this.#attempt = attempt;
     const isCurrent = (): boolean => this.#attempt === attempt;
     this.#arrive(isCurrent)
@@ -163,13 +165,15 @@ export class Connection {
   async #arrive(isCurrent: () => boolean): Promise<void> {
     const { registration } = this.#options;
     await registration.load();
-    const previousId = registration.clientId;
-    const kind = await registration.ensure();
+    // An attempt that failed half-way may have changed the id already.
+    this.#lastId ??= registration.clientId;
+    const previousId = this.#lastId;
+    const membership = await registration.ensure();
     if (!isCurrent()) throw ABANDONED;
-    const membership = registration.membership!;
     const link = this.#openLink(membership);
     await link.up;
-    const arrival: Arrival = { membership, kind, previousId };
+    if (!membership.isExtended && !(await registration.isKnown())) throw unknownClient();
+    const arrival: Arrival = { membership, previousId };
     await Promise.race([this.#options.restore(arrival), link.ended]);
     if (!isCurrent()) throw ABANDONED;
     if (link.failure !== undefined) throw link.failure; // ended in the turn between
@@ -202,6 +206,7 @@ export class Connection {
     this.#hasHurried = false;
     this.#connectedSinceMs = this.#options.clock.monotonicMs();
     const { clientId } = membership.identity;
+    this.#lastId = clientId;
     const connected = this.#connected;
     this.#connected = undefined;
     this.#move('established', {
@@ -219,40 +224,24 @@ export class Connection {
     this.#attempt = undefined;
     this.#link?.close();
     this.#link = undefined;
-    let mayHurry = false;
-    switch (failure.code) {
-      case SUPERSEDED: // [EX-5] trying again would take the identity back, and so on for ever
-        registration.invalidate();
-        this.#stop(
-          'ended',
-          new ConnectionError('superseded', failure.error.message, { cause: failure.error }),
-        );
-        return;
-      case NOT_THIS_CLIENT:
-        registration.forget();
-        mayHurry = true;
-        break;
-      case UNKNOWN_CLIENT:
-      case DEREGISTERED:
-        registration.invalidate();
-        mayHurry = true;
-        break;
-      default:
-        // A socket that opens and then says nothing: whatever is there now does not know us.
-        if (!failure.wasUp && failure.error.reason === 'timeout') registration.invalidate();
-        if (isUnknownClient(failure.error)) registration.invalidate();
-    }
-    if (isTerminal(failure.error)) {
+    const remedy = remedyFor(failure);
+    if (remedy === 'stop') {
+      // Not ours any more, so `close()` must not deregister it; `connect()` may take it back.
+      if (failure.error.reason === 'superseded') registration.invalidate();
       this.#stop('ended', failure.error);
       return;
     }
+    if (remedy === 'register-as-new') registration.forget();
+    if (remedy === 'register-again') registration.invalidate();
 
-    const hurries = mayHurry && !this.#hasHurried;
+    // The master is there and said what to do: once in an outage that is done without delay.
+    const hurries = this.#mustHurry || (isTold(failure) && !this.#hasHurried);
+    this.#mustHurry = false;
     if (hurries) this.#hasHurried = true;
     else if (this.#state.status !== 'connected') this.#failedAttempts += 1;
-    else if (clock.monotonicMs() - this.#connectedSinceMs >= policy.stableAfterMs)
+    else if (clock.monotonicMs() - this.#connectedSinceMs >= policy.stableAfterMs) {
       this.#failedAttempts = 0;
-    else this.#failedAttempts += 1;
+    } else this.#failedAttempts += 1;
 
     const delayMs = reconnectDelayMs(policy, this.#failedAttempts, random);
     if (delayMs === undefined) {
@@ -287,29 +276,4 @@ export class Connection {
     this.#state = state;
     this.#stateListeners.emit(state);
   }
-}
-
-function failureOf(cause: unknown): LinkFailure {
-  if (isLinkFailure(cause)) return cause;
-  if (cause instanceof ConnectionError) return { error: cause, code: 1006, wasUp: false };
-  const error = ServiceError.from(cause);
-  return {
-    error: new ConnectionError('refused', `The master refused the client: ${error.message}`, {
-      cause: error,
-    }),
-    code: 1006,
-    wasUp: false,
-  };
-}
-
-function isLinkFailure(cause: unknown): cause is LinkFailure {
-  return typeof cause === 'object' && cause !== null && 'wasUp' in cause;
-}
-
-function isUnknownClient(error: ConnectionError): boolean {
-  return error.cause instanceof ServiceError && error.cause.code === 'not_found';
-}
-
-function isTerminal(error: ConnectionError): boolean {
-  return error.cause instanceof ServiceError && TERMINAL_CODES.has(error.cause.code);
 }

@@ -1,9 +1,8 @@
-import { DATA_FORMATS, ServiceError, encodeRecord } from '@ubii/proto';
+import { ServiceError } from '@ubii/proto';
 import type {
   DataFormat,
   DataFormatValues,
   Init,
-  RecordInit,
   ServiceName,
   ServiceReplyOf,
   ServiceRequestOf,
@@ -19,11 +18,14 @@ import { DeviceRegistry } from './device-registry.ts';
 import type { ComponentInit, DeviceInit, RegisteredDevice } from './devices.ts';
 import { createMemoryIdentity } from './identity.ts';
 import type { Link } from './link.ts';
+import { unknownClient } from './link-failure.ts';
 import { Listeners } from './listeners.ts';
 import type { Clock } from './ports/clock.ts';
+import type { IdSource } from './ports/id-source.ts';
 import type { RandomSource } from './ports/random.ts';
 import type { ServiceTransport } from './ports/service-transport.ts';
 import type { TopicDataTransport } from './ports/topic-data-transport.ts';
+import { toWaitingRecord } from './publication.ts';
 import { PublishBuffer } from './publish-buffer.ts';
 import type { PublishOptions } from './publish-buffer.ts';
 import { DEFAULT_RECONNECT_POLICY } from './reconnect-policy.ts';
@@ -32,6 +34,7 @@ import { RoundTripWindow } from './round-trip.ts';
 import type { RoundTrip } from './round-trip.ts';
 import { ServiceCalls } from './service-calls.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';
+import { within } from './time-limit.ts';
 import { TopicDataInbox } from './topic-data-inbox.ts';
 import type { TopicPattern } from './topic-pattern.ts';
 import { TopicSubscriptions } from './topic-subscriptions.ts';
@@ -47,6 +50,7 @@ import type {
 export interface ClientPorts {
   readonly clock: Clock;
   readonly random: RandomSource;
+  readonly uuid: IdSource;
   readonly services: ServiceTransport;
   readonly topicData: TopicDataTransport;
 }
@@ -87,7 +91,7 @@ class Client implements UbiiClient {
   #bytesOut = 0;
   #closing: Promise<void> | undefined;
 
-  constructor(options: ClientOptions, { clock, random, services, topicData }: ClientPorts) {
+  constructor(options: ClientOptions, { clock, random, uuid, services, topicData }: ClientPorts) {
     this.#clock = clock;
     this.#timeoutMs = options.serviceTimeoutMs ?? DEFAULT_SERVICE_TIMEOUT_MS;
     this.#calls = new ServiceCalls(services, clock, this.#timeoutMs);
@@ -103,19 +107,18 @@ class Client implements UbiiClient {
       },
     );
     const handleProblem = (problem: ClientProblem): void => this.#problemListeners.emit(problem);
+    const handleUnknownClient = (cause: ServiceError): void => {
+      this.#connection.drop(new ConnectionError('refused', cause.message, { cause }));
+    };
     this.#subscriptions = new TopicSubscriptions({
       clock,
-      callTopicSubscription: (request) => this.#callNow('topicSubscription', request),
+      callTopicSubscription: (request) => this.#callAsMember('topicSubscription', request),
       listComponents: async (profiles) => {
         const elements = profiles.map(profileToMessage);
         return (await this.#callNow('componentGetList', { elements })).elements;
       },
       handleProblem,
-      handleUnknownClient: (error) => {
-        this.#connection.drop(
-          new ConnectionError('refused', 'The master does not know this client', { cause: error }),
-        );
-      },
+      handleUnknownClient,
     });
     this.#inbox = new TopicDataInbox({
       handleRecord: (record) => this.#subscriptions.handleRecord(record),
@@ -124,13 +127,15 @@ class Client implements UbiiClient {
     });
     this.#devices = new DeviceRegistry({
       clock,
+      uuid,
       clientId: () => this.id,
-      registerDevice: (device) => this.#callNow('deviceRegistration', device),
-      deregisterDevice: (device) => this.#callNow('deviceDeregistration', device),
+      registerDevice: (device) => this.#callAsMember('deviceRegistration', device),
+      deregisterDevice: (device) => this.#callAsMember('deviceDeregistration', device),
       publish: (topic, format, value, publishOptions) =>
         this.#publish(topic, format, value, publishOptions),
       subscribe: (topic, subscribeOptions) => this.subscribe(topic, subscribeOptions),
       handleProblem,
+      handleUnknownClient,
     });
     this.#connection = new Connection({
       clock,
@@ -143,6 +148,7 @@ class Client implements UbiiClient {
       handleUnknownText: (text) => this.#inbox.handleUnknownText(text),
       handleRoundTrip: (roundTripMs) => {
         this.#roundTripListeners.emit(this.#roundTrips.add(roundTripMs));
+        if (this.state.status === 'connected') this.#updateProfileInPassing();
       },
       restore: (arrival) => this.#restore(arrival),
     });
@@ -218,13 +224,8 @@ class Client implements UbiiClient {
   }
 
   async rename(name: string): Promise<void> {
-    const idBefore = this.id;
-    await this.#registration.rename(name, this.state.status === 'connected');
-    if (this.id !== idBefore) {
-      this.#connection.drop(
-        new ConnectionError('closed', 'The master gave the client another id when it was renamed'),
-      );
-    }
+    this.#registration.rename(name);
+    if (this.state.status === 'connected') await this.#updateProfile();
   }
 
   publish<F extends DataFormat>(
@@ -255,7 +256,14 @@ class Client implements UbiiClient {
     ...[request]: ServiceCallArguments<S>
   ): Promise<ServiceReplyOf<S>> {
     const deadlineMs = this.#clock.monotonicMs() + this.#timeoutMs;
-    await this.#whenConnected(service);
+    if (this.state.status !== 'connected') {
+      await within(this.#clock, this.#timeoutMs, this.#connection.whenConnected(), () => {
+        throw new ConnectionError(
+          'timeout',
+          `Expected a connection for "${service}" within ${this.#timeoutMs} ms`,
+        );
+      });
+    }
     return this.#callNow(
       service,
       request as Init<ServiceRequestOf<S>> | undefined,
@@ -271,22 +279,11 @@ class Client implements UbiiClient {
   }
 
   #publish(topic: string, format: DataFormat, value: unknown, options: PublishOptions = {}): void {
-    if (typeof topic !== 'string' || topic === '') {
-      throw new TypeError(`Expected a topic to publish on, received ${JSON.stringify(topic)}`);
-    }
-    const info = Object.hasOwn(DATA_FORMATS, format) ? DATA_FORMATS[format] : undefined;
-    if (info === undefined) throw new TypeError(`Expected a data format, received "${format}"`);
-    const problem = info.validate(value);
-    if (problem !== undefined) throw new TypeError(`${topic}: ${problem}`);
-    // Encoded now, so that the caller may go on changing his value.
-    const bytes = encodeRecord({
-      topic,
-      format,
-      value,
-      timestampMs: options.timestampMs ?? this.#clock.nowMs(),
-      clientId: this.id,
-    } as RecordInit);
-    this.#publishes.add({ topic, bytes, isEvent: info.isEvent }, options.immediate === true);
+    const timestampMs = options.timestampMs ?? this.#clock.nowMs();
+    this.#publishes.add(
+      toWaitingRecord({ topic, format, value, timestampMs, clientId: this.id }),
+      options.immediate === true,
+    );
   }
 
   /** Calls without waiting for the connection: what makes the connection uses this. */
@@ -298,42 +295,54 @@ class Client implements UbiiClient {
     return this.#calls.call(service, this.#withClientId(service, request), timeoutMs);
   }
 
+  /** Calls a service that fails for a client the master does not know, and makes sure to tell that apart. */
+  async #callAsMember<S extends ServiceName>(
+    service: S,
+    request: Init<ServiceRequestOf<S>>,
+  ): Promise<ServiceReplyOf<S>> {
+    try {
+      return await this.#callNow(service, request);
+    } catch (error) {
+      if (!(error instanceof ServiceError) || this.#isExtended) throw error;
+      throw (await this.#registration.isKnown()) ? error : unknownClient(error);
+    }
+  }
+
   #withClientId<R>(service: ServiceName, request: R): R {
     if (!SERVICES_WITH_CLIENT_ID.has(service) || typeof request !== 'object') return request;
     const { clientId } = request as { clientId?: string };
     return clientId ? request : { ...request, clientId: this.id };
   }
 
-  async #whenConnected(service: ServiceName): Promise<void> {
-    if (this.state.status === 'connected') return;
-    let cancel = (): void => undefined;
-    const timeout = new Promise<never>((_, reject) => {
-      cancel = this.#clock.after(this.#timeoutMs, () =>
-        reject(
-          new ConnectionError(
-            'timeout',
-            `Expected a connection for "${service}" within ${this.#timeoutMs} ms`,
-          ),
-        ),
-      );
-    });
-    try {
-      await Promise.race([this.#connection.whenConnected(), timeout]);
-    } finally {
-      cancel();
-    }
+  /** Whether the master is, or was when last met, one of ours. */
+  get #isExtended(): boolean {
+    return this.#registration.membership?.isExtended ?? true;
   }
 
-  async #restore({ membership, kind, previousId }: Arrival): Promise<void> {
-    const { identity, isExtended } = membership;
+  async #updateProfile(): Promise<void> {
+    const idBefore = this.id;
+    await this.#registration.update();
+    if (this.id === idBefore) return;
+    this.#connection.drop(
+      new ConnectionError('closed', 'The master gave the client another id when it was renamed'),
+    );
+  }
+
+  /** For a name that did not get through: nobody waits for it, and it is tried again with every PING. */
+  #updateProfileInPassing(): void {
+    this.#updateProfile().catch(() => undefined);
+  }
+
+  async #restore({ membership, previousId }: Arrival): Promise<void> {
+    const { identity, isExtended, serial } = membership;
     this.#inbox.handleMaster(isExtended);
-    const isSameClient = identity.clientId === previousId;
+    const { clientId } = identity;
     await Promise.all([
-      this.#devices.resume({ isStanding: kind === 'standing', canKeepIds: isExtended }),
-      this.#subscriptions.resume({ isSameClient, takesComponents: isExtended }),
+      this.#devices.resume({ serial, canKeepIds: isExtended }),
+      this.#subscriptions.resume({ clientId, takesComponents: isExtended }),
     ]);
-    if (previousId !== '' && !isSameClient) {
-      this.#identityListeners.emit({ previousId, clientId: identity.clientId });
+    if (previousId !== '' && previousId !== clientId) {
+      this.#identityListeners.emit({ previousId, clientId });
     }
   }
 
@@ -341,6 +350,7 @@ class Client implements UbiiClient {
     switch (state.status) {
       case 'connected':
         this.#publishes.flush();
+        this.#updateProfileInPassing(); // renamed while it was connecting
         return;
       case 'reconnecting':
         this.#pause();
@@ -371,9 +381,9 @@ class Client implements UbiiClient {
     this.#subscriptions.closeAll();
     this.#devices.clear(new ConnectionError('closed', 'The client was closed'));
     // Deregistering goes another way and would overtake the last records. [TD-40]
-    if (link !== undefined) await this.#within(FAREWELL_TIMEOUT_MS, link.handled());
+    if (link !== undefined) await within(this.#clock, FAREWELL_TIMEOUT_MS, link.handled());
     // An attempt that was under way may be registering the client this moment.
-    await this.#within(FAREWELL_TIMEOUT_MS, attemptDone);
+    await within(this.#clock, FAREWELL_TIMEOUT_MS, attemptDone);
     try {
       await this.#registration.deregister(FAREWELL_TIMEOUT_MS);
     } catch (error) {
@@ -381,15 +391,6 @@ class Client implements UbiiClient {
       if (!(error instanceof ServiceError) && !(error instanceof ConnectionError)) throw error;
     }
     link?.close();
-  }
-
-  async #within(timeoutMs: number, promise: Promise<void>): Promise<void> {
-    let cancel = (): void => undefined;
-    const timeout = new Promise<void>((resolve) => {
-      cancel = this.#clock.after(timeoutMs, resolve);
-    });
-    await Promise.race([promise, timeout]);
-    cancel();
   }
 
   #createSink() {

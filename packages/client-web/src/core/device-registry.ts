@@ -9,13 +9,16 @@ import type {
   RegisteredComponent,
   RegisteredDevice,
 } from './devices.ts';
+import { isUnknownClient } from './link-failure.ts';
 import type { Cancel, Clock } from './ports/clock.ts';
+import type { IdSource } from './ports/id-source.ts';
 import type { PublishOptions } from './publish-buffer.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';
 
 /** What devices need from the client they belong to. */
 export interface DeviceRegistryOptions {
   readonly clock: Clock;
+  readonly uuid: IdSource;
   readonly clientId: () => string;
   readonly registerDevice: (device: Init<Device>) => Promise<Device>;
   readonly deregisterDevice: (device: Init<Device>) => Promise<unknown>;
@@ -29,6 +32,7 @@ export interface DeviceRegistryOptions {
   readonly subscribe: (topic: string, options: SubscribeOptions) => Subscription;
   /** The master did not take a device back after a reconnect. */
   readonly handleProblem: (error: ServiceError) => void;
+  readonly handleUnknownClient: (error: ServiceError) => void;
 }
 
 /** How long to wait after a request that did not get through though the link is up, milliseconds. */
@@ -37,6 +41,15 @@ const RETRY_MS = 1_000;
 /** A device of the program, registered or about to be. */
 interface Entry {
   readonly init: DeviceInit;
+  /**
+   * Chosen here, so that a registration whose answer got lost can be repeated, or undone, without
+   * leaving a second device behind. An original master refuses an id it has, so there it is not sent.
+   */
+  id: string;
+  /** Whether the master may have it. */
+  wasAsked: boolean;
+  /** The registration of the client it was registered under; after another one the master may have lost it. */
+  serial: number | undefined;
   /** What the master answered last. */
   registered: Device | undefined;
   /** Settles when the device is registered for the first time. */
@@ -52,6 +65,7 @@ export class DeviceRegistry {
   readonly #retries = new Set<Cancel>();
   #isOnline = false;
   #canKeepIds = false;
+  #serial = 0;
 
   constructor(options: DeviceRegistryOptions) {
     this.#options = options;
@@ -63,26 +77,34 @@ export class DeviceRegistry {
    */
   async register(init: DeviceInit): Promise<RegisteredDevice> {
     checkNames(init);
-    const entry: Entry = { init, registered: undefined, first: new Deferred() };
+    const entry: Entry = {
+      init,
+      id: this.#options.uuid(),
+      wasAsked: false,
+      serial: undefined,
+      registered: undefined,
+      first: new Deferred(),
+    };
     this.#entries.add(entry);
-    if (this.#isOnline) await this.#registerFirst(entry);
+    if (this.#isOnline) await this.#registerWhileOnline(entry);
     await entry.first.promise;
     return this.#toRegisteredDevice(entry);
   }
 
   /**
    * The link is up.
-   * @param link `isStanding`: the master kept the devices; `canKeepIds`: it takes a device back under its id [DV-2]
-   * @throws {ConnectionError} if the link failed
+   * @param link `serial`: the client's registration; `canKeepIds`: it takes a device back under its id [DV-2]
+   * @throws {ConnectionError | ServiceError} if the link failed, or the master does not know the client
    */
-  async resume(link: { isStanding: boolean; canKeepIds: boolean }): Promise<void> {
+  async resume(link: { serial: number; canKeepIds: boolean }): Promise<void> {
     this.#isOnline = true;
     this.#canKeepIds = link.canKeepIds;
+    this.#serial = link.serial;
     await this.#deregisterLeftBehind();
     await Promise.all(
       [...this.#entries].map(async (entry) => {
         if (entry.registered === undefined) await this.#registerFirst(entry);
-        else if (!link.isStanding) await this.#registerAgain(entry);
+        else if (entry.serial !== link.serial) await this.#registerAgain(entry);
       }),
     );
   }
@@ -102,14 +124,26 @@ export class DeviceRegistry {
     this.#leftBehind.clear();
   }
 
+  async #registerWhileOnline(entry: Entry): Promise<void> {
+    try {
+      await this.#registerFirst(entry);
+    } catch (error) {
+      this.#options.handleUnknownClient(error as ServiceError);
+    }
+  }
+
+  /** @throws {ServiceError} only if the master does not know the client; all else goes to who waits for the device */
   async #registerFirst(entry: Entry): Promise<void> {
     try {
-      await this.#register(entry, undefined);
+      await this.#register(entry);
       entry.first.resolve();
     } catch (error) {
+      if (isUnknownClient(error)) throw error; // the next `resume` tries again
       if (error instanceof ConnectionError && error.reason !== 'protocol') {
-        // When the link failed the next `resume` tries again; the caller waits for it.
-        if (this.#isOnline) this.#retryLater(entry);
+        // The caller waits for it.
+        this.#retryLater(async () => {
+          if (this.#entries.has(entry)) await this.#registerWhileOnline(entry);
+        });
         return;
       }
       this.#entries.delete(entry);
@@ -117,39 +151,52 @@ export class DeviceRegistry {
     }
   }
 
-  #retryLater(entry: Entry): void {
+  /** For a request that did not get through though the link is up; when it is not, `resume` does it. */
+  #retryLater(retry: () => Promise<void>): void {
+    if (!this.#isOnline) return;
     const cancel = this.#options.clock.after(RETRY_MS, () => {
       this.#retries.delete(cancel);
-      if (this.#entries.has(entry)) void this.#registerFirst(entry);
+      void retry();
     });
     this.#retries.add(cancel);
   }
 
   async #registerAgain(entry: Entry): Promise<void> {
-    const earlier = this.#canKeepIds ? entry.registered : undefined;
     try {
-      await this.#register(entry, earlier);
+      await this.#register(entry);
     } catch (error) {
-      if (!(error instanceof ServiceError)) throw error;
-      if (error.code === 'already_exists' && earlier !== undefined) {
-        await this.#register(entry, undefined);
-        return;
-      }
+      if (!(error instanceof ServiceError) || isUnknownClient(error)) throw error;
       this.#options.handleProblem(error);
     }
   }
 
-  async #register(entry: Entry, earlier: Device | undefined): Promise<void> {
-    entry.registered = await this.#options.registerDevice(
-      toMessage(entry.init, this.#options.clientId(), earlier),
-    );
-    // Closed while the request was under way.
-    if (!this.#entries.has(entry)) await this.#deregister(entry.registered.id);
+  async #register(entry: Entry): Promise<void> {
+    const serial = this.#serial;
+    entry.wasAsked = true;
+    try {
+      entry.registered = await this.#ask(entry);
+      entry.id = entry.registered.id;
+      entry.serial = serial;
+    } finally {
+      // Closed while the request was under way, which may have overtaken the closing, or not.
+      if (!this.#entries.has(entry)) await this.#deregister(entry.id);
+    }
+  }
+
+  async #ask(entry: Entry): Promise<Device> {
+    const { clientId, registerDevice, uuid } = this.#options;
+    const ask = () => registerDevice(toMessage(entry, clientId(), this.#canKeepIds));
+    try {
+      return await ask();
+    } catch (error) {
+      if (!(error instanceof ServiceError) || error.code !== 'already_exists') throw error;
+      entry.id = uuid(); // another client has this id by now
+      return ask();
+    }
   }
 
   async #close(entry: Entry): Promise<void> {
-    if (!this.#entries.delete(entry) || entry.registered === undefined) return;
-    await this.#deregister(entry.registered.id);
+    if (this.#entries.delete(entry) && entry.wasAsked) await this.#deregister(entry.id);
   }
 
   async #deregister(id: string): Promise<void> {
@@ -162,7 +209,10 @@ export class DeviceRegistry {
       try {
         await this.#options.deregisterDevice({ id, clientId: this.#options.clientId() });
       } catch (error) {
-        if (!(error instanceof ServiceError)) return; // stays for the next `resume`
+        if (!(error instanceof ServiceError)) {
+          this.#retryLater(() => this.#deregisterLeftBehind());
+          return;
+        }
       }
       this.#leftBehind.delete(id);
     }
@@ -177,7 +227,7 @@ export class DeviceRegistry {
     );
     return {
       get id() {
-        return entry.registered!.id;
+        return entry.id;
       },
       name: entry.init.name,
       component: (name) => {
@@ -214,16 +264,22 @@ export class DeviceRegistry {
   }
 }
 
-function toMessage(init: DeviceInit, clientId: string, earlier: Device | undefined): Init<Device> {
+function toMessage(
+  { init, id, registered }: Entry,
+  clientId: string,
+  keepsIds: boolean,
+): Init<Device> {
   return {
-    ...(earlier === undefined ? {} : { id: earlier.id }),
+    ...(keepsIds ? { id } : {}),
     clientId,
     name: init.name,
     deviceType: init.type === 'watcher' ? DeviceType.WATCHER : DeviceType.PARTICIPANT,
     ...(init.tags?.length ? { tags: [...init.tags] } : {}),
     ...(init.description ? { description: init.description } : {}),
     components: init.components.map((component, index) => ({
-      ...(earlier?.components[index]?.id ? { id: earlier.components[index].id } : {}),
+      ...(keepsIds && registered?.components[index]?.id
+        ? { id: registered.components[index].id }
+        : {}),
       name: component.name,
       topic: component.topic ?? componentTopic(clientId, init.name, component.name),
       messageFormat: messageFormatOf(component.format),

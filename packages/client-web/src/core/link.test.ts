@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { FakeClock } from '../testing/fake-clock.ts';
 import { Link, PING_INTERVAL_MS } from './link.ts';
-import type { LinkFailure } from './link.ts';
+import type { LinkFailure } from './link-failure.ts';
 import type { TopicDataHandler } from './ports/topic-data-transport.ts';
 
 function setup({ canPing = true } = {}) {

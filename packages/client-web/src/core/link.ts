@@ -1,5 +1,7 @@
 import { ConnectionError } from './connection-error.ts';
 import { Deferred } from './deferred.ts';
+import { BROKEN, failureOfClose } from './link-failure.ts';
+import type { LinkFailure } from './link-failure.ts';
 import type { Cancel, Clock } from './ports/clock.ts';
 import type {
   TopicDataQuery,
@@ -17,15 +19,6 @@ export const PING_INTERVAL_MS = 2_000;
 const SILENT_PINGS = 3;
 /** How long a probe waits for a sign of life, milliseconds. */
 const PROBE_TIMEOUT_MS = 2_000;
-
-/** Why a link ended. */
-export interface LinkFailure {
-  readonly error: ConnectionError;
-  /** WebSocket close code; 1006 when the link broke, never came up or fell silent. */
-  readonly code: number;
-  /** Whether the master ever answered, or the socket opened where answers cannot be asked for. */
-  readonly wasUp: boolean;
-}
 
 /** What a link is made of. */
 export interface LinkOptions {
@@ -73,19 +66,15 @@ export class Link {
     this.up = this.#up.promise;
     this.ended = this.#ended.promise;
     this.#cancelOpenTimer = options.clock.after(options.openTimeoutMs, () =>
-      this.#end(
-        new ConnectionError(
-          'timeout',
-          `Expected the topic-data socket to open and answer within ${options.openTimeoutMs} ms`,
-        ),
-        1006,
+      this.#endWithTimeout(
+        `Expected the topic-data socket to open and answer within ${options.openTimeoutMs} ms`,
       ),
     );
     this.#socket = options.transport.open(options.query, {
       handleOpen: () => this.#handleOpen(),
       handleBinary: (bytes) => this.#handleBinary(bytes),
       handleText: (text) => this.#handleText(text),
-      handleClose: (code, reason) => this.#end(closeError(code, reason), code),
+      handleClose: (code, reason) => this.#end(failureOfClose(code, reason, this.#isUp)),
     });
   }
 
@@ -129,7 +118,7 @@ export class Link {
     if (this.#failure !== undefined) return;
     this.#finish({
       error: new ConnectionError('closed', 'The link was closed'),
-      code,
+      code: BROKEN, // a code in a failure is the master's word
       wasUp: this.#isUp,
     });
     this.#socket.close(code, reason);
@@ -191,18 +180,19 @@ export class Link {
   }
 
   #endSilent(waited: string): void {
-    this.#end(
-      new ConnectionError(
-        'timeout',
-        `Expected a sign of life from the master, received none for ${waited}`,
-      ),
-      1006,
-    );
+    this.#endWithTimeout(`Expected a sign of life from the master, received none for ${waited}`);
   }
 
-  #end(error: ConnectionError, code: number): void {
+  #endWithTimeout(message: string): void {
+    this.#end({
+      error: new ConnectionError('timeout', message),
+      code: BROKEN,
+      wasUp: this.#isUp,
+    });
+  }
+
+  #end(failure: LinkFailure): void {
     if (this.#failure !== undefined) return;
-    const failure = { error, code, wasUp: this.#isUp };
     this.#finish(failure);
     this.#socket.close();
     this.#options.handleEnd(failure);
@@ -218,10 +208,4 @@ export class Link {
     this.#up.reject(failure);
     this.#ended.reject(failure);
   }
-}
-
-function closeError(code: number, reason: string): ConnectionError {
-  const why = reason === '' ? '' : `: ${reason}`;
-  if (code === 1006) return new ConnectionError('closed', `The link to the master broke${why}`);
-  return new ConnectionError('closed', `The master closed the link with code ${code}${why}`);
 }

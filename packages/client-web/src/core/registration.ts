@@ -18,6 +18,8 @@ export interface Membership {
   readonly isExtended: boolean;
   /** Semantic version; `undefined` for an original master. */
   readonly masterVersion: string | undefined;
+  /** Another number after each registration with which the master may have lost what it knew of us. */
+  readonly serial: number;
 }
 
 /** Who we are at the master: registers, comes back as the same client, deregisters. */
@@ -31,6 +33,8 @@ export class Registration {
   #clientId = '';
   /** The master has an older profile. */
   #isProfileNew = false;
+  #updating: Promise<void> | undefined;
+  #serial = 0;
 
   constructor(calls: ServiceCalls, storage: IdentityStorage, profile: ClientProfile) {
     this.#calls = calls;
@@ -76,17 +80,31 @@ export class Registration {
   }
 
   /**
-   * Makes sure that the master knows this client: `standing` when it probably still does, because
-   * a dropped socket alone is no reason to register again [EX-5], else `registered`.
+   * Makes sure that the master knows this client. Does nothing when it probably still does: a dropped
+   * socket alone is no reason to register again. [EX-5]
    * @throws {ServiceError | ConnectionError} if it could not be done
    */
-  async ensure(): Promise<'standing' | 'registered'> {
-    const membership = this.#membership;
-    if (membership !== undefined && !this.#isProfileNew && (await this.#isKnown(membership))) {
-      return 'standing';
-    }
-    await this.#register();
-    return 'registered';
+  async ensure(): Promise<Membership> {
+    const mustTell = this.#isProfileNew && this.#membership?.isExtended === true;
+    if (this.#membership !== undefined && !mustTell) return this.#membership;
+    this.#serial += 1;
+    return this.#register();
+  }
+
+  /**
+   * Asks the master whether it still knows this client. One of ours says so by itself, with a close
+   * code or an error code; an original one takes any socket, drops what comes over it, and gives the
+   * same answer to every error.
+   * @throws {ServiceError | ConnectionError} if it could not be asked
+   */
+  async isKnown(): Promise<boolean> {
+    if (this.#membership === undefined) return false;
+    const { clientId } = this.#membership.identity;
+    const list = await this.#calls.call('clientGetList', { elements: [{ id: clientId }] });
+    // UNAVAILABLE is final there: the topics are deleted and no PING comes any more.
+    return list.elements.some(
+      ({ id, state }) => id === clientId && state !== ClientState.UNAVAILABLE,
+    );
   }
 
   /** The master does not know us any more: register again, as the same client where possible. [EX-5] */
@@ -101,15 +119,23 @@ export class Registration {
     this.#save(undefined);
   }
 
-  /**
-   * Changes the name: now, when connected to a master of ours, else when the client comes back; an
-   * original master learns it when it has to register the client anew.
-   */
-  async rename(name: string, isConnected: boolean): Promise<void> {
+  /** Changes the name. The master learns it with `update`, or when the client registers anew. */
+  rename(name: string): void {
     this.#profile = { ...this.#profile, name };
-    // Registering with id and token is no new client, and the only way to tell the master. [CL-3]
-    this.#isProfileNew = this.#membership?.isExtended === true;
-    if (this.#isProfileNew && isConnected) await this.#register();
+    this.#isProfileNew = true;
+  }
+
+  /**
+   * Tells a master of ours the profile, if it has an older one; an original master keeps what it has.
+   * Registering with id and token makes no new client, and is the only way to tell. [CL-3]
+   * @throws {ServiceError | ConnectionError} if it could not be done
+   */
+  async update(): Promise<void> {
+    // One at a time, so that no older name overtakes a newer one.
+    this.#updating ??= this.#registerUntilCurrent().finally(() => {
+      this.#updating = undefined;
+    });
+    await this.#updating;
   }
 
   /** Leaves the master, and forgets who we were. [CL-16] */
@@ -120,8 +146,13 @@ export class Registration {
     await this.#calls.call('clientDeregistration', { id: membership.identity.clientId }, timeoutMs);
   }
 
-  async #register(): Promise<void> {
-    const { name, description, tags } = this.#profile;
+  async #registerUntilCurrent(): Promise<void> {
+    while (this.#isProfileNew && this.#membership?.isExtended === true) await this.#register();
+  }
+
+  async #register(): Promise<Membership> {
+    const profile = this.#profile;
+    const { name, description, tags } = profile;
     const resumeToken = this.#identity?.resumeToken;
     const client = await this.#calls.call('clientRegistration', {
       name,
@@ -143,13 +174,16 @@ export class Registration {
     const { extension } = client;
     this.#clientId = client.id;
     this.#identity = { clientId: client.id, resumeToken: extension?.resumeToken || undefined };
-    this.#membership = {
+    const membership: Membership = {
       identity: this.#identity,
       isExtended: extension !== undefined, // [EX-1]
       masterVersion: extension?.masterVersion || undefined,
+      serial: this.#serial,
     };
-    this.#isProfileNew = false;
+    this.#membership = membership;
+    this.#isProfileNew = this.#profile !== profile;
     this.#save(this.#identity);
+    return membership;
   }
 
   /** A storage that fails costs the identity of the next run, not the connection of this one. */
@@ -168,19 +202,5 @@ export class Registration {
     } catch (error) {
       void Promise.reject(error);
     }
-  }
-
-  /**
-   * A master of ours closes the socket of a client it does not know. An original master takes any
-   * socket and drops what comes over it, so it has to be asked.
-   */
-  async #isKnown({ identity, isExtended }: Membership): Promise<boolean> {
-    if (isExtended) return true;
-    const { clientId } = identity;
-    const list = await this.#calls.call('clientGetList', { elements: [{ id: clientId }] });
-    // UNAVAILABLE is final there: the topics are deleted and no PING comes any more.
-    return list.elements.some(
-      ({ id, state }) => id === clientId && state !== ClientState.UNAVAILABLE,
-    );
   }
 }

@@ -2,6 +2,7 @@ import { ServiceError } from '@ubii/proto';
 import type { Init, TopicSubscription } from '@ubii/proto';
 import { profileToMessage } from './component-profile.ts';
 import { Deferred } from './deferred.ts';
+import { isUnknownClient } from './link-failure.ts';
 import type { Cancel, Clock } from './ports/clock.ts';
 import type { ServerPattern } from './topic-pattern.ts';
 
@@ -50,6 +51,8 @@ export class SubscriptionSync {
   readonly #wanted = new Map<string, Wanted>();
   /** What the master has, or may have. */
   readonly #held = new Map<string, Held>();
+  /** Whose subscriptions those are. */
+  #clientId = '';
   /** Replaced when the link comes or goes; an answer to a request of an earlier one decides nothing. */
   #online: { readonly takesComponents: boolean; isRunning: boolean } | undefined;
   #idle: Deferred<void> | undefined;
@@ -94,8 +97,9 @@ export class SubscriptionSync {
    * the master has all.
    * @throws {ConnectionError | ServiceError} if the link failed, or the master does not know the client
    */
-  async resume(link: { isSameClient: boolean; takesComponents: boolean }): Promise<void> {
-    if (!link.isSameClient) this.#held.clear();
+  async resume(link: { clientId: string; takesComponents: boolean }): Promise<void> {
+    if (link.clientId !== this.#clientId) this.#held.clear();
+    this.#clientId = link.clientId;
     for (const held of this.#held.values()) held.certainty = 'stale';
     this.#online = { takesComponents: link.takesComponents, isRunning: false };
     await this.#run();
@@ -182,7 +186,7 @@ export class SubscriptionSync {
       const request = toRequest(step, online?.takesComponents === true);
       if (request !== undefined) await this.#options.call(request);
     } catch (error) {
-      if (!(error instanceof ServiceError) || error.code === 'not_found') throw error;
+      if (!(error instanceof ServiceError) || isUnknownClient(error)) throw error;
       await this.#handleRefusal(step, error);
       return;
     }

@@ -108,7 +108,7 @@ export class TopicSubscriptions {
    * The link is up: makes the master have all subscriptions.
    * @throws {ConnectionError | ServiceError} if that failed
    */
-  async resume(link: { isSameClient: boolean; takesComponents: boolean }): Promise<void> {
+  async resume(link: { clientId: string; takesComponents: boolean }): Promise<void> {
     this.#takesComponents = link.takesComponents;
     await this.#sync.resume(link);
     try {

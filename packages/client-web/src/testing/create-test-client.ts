@@ -2,6 +2,7 @@ import type { ClientOptions } from '../core/client-options.ts';
 import type { ConnectionState } from '../core/connection-state.ts';
 import { createUbiiClient } from '../core/create-ubii-client.ts';
 import type { ClientProblem, UbiiClient } from '../core/ubii-client.ts';
+import { systemUuid } from '../system-uuid.ts';
 import { createMemoryServices, createMemoryTopicData } from '../transports/memory.ts';
 import type { MemoryMaster } from '../transports/memory.ts';
 import { FakeClock } from './fake-clock.ts';
@@ -25,6 +26,7 @@ export function createTestClient(
     {
       clock,
       random: options.random ?? (() => 0),
+      uuid: systemUuid,
       services: createMemoryServices(master),
       topicData: createMemoryTopicData(master),
     },

@@ -63,7 +63,7 @@ export function describeTopicDataTransport(
         handleClose: (code, reason) => client.note(`close ${code} ${reason}`.trim()),
       };
       const socket = world.transport.open(query, handler);
-      return { server, client, socket };
+      return { server, client, socket, notesAtReturn: [...client.notes] };
     }
 
     async function openBoth(query = ADA) {
@@ -76,6 +76,12 @@ export function describeTopicDataTransport(
     it('says who the socket belongs to [EX-4]', async () => {
       const { serverSocket } = await openBoth();
       expect(serverSocket.query).toEqual(ADA);
+    });
+
+    it('calls nobody before open() has returned', async () => {
+      const { client, notesAtReturn } = await open();
+      await client.until('open');
+      expect(notesAtReturn).toEqual([]);
     });
 
     it('sends no token when there is none', async () => {

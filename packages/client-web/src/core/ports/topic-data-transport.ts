@@ -34,6 +34,9 @@ export interface TopicDataQuery {
 
 /** Opens sockets of the topic-data channel to one master. */
 export interface TopicDataTransport {
-  /** Starts to open a socket. Never throws; failures arrive as `handleClose`. */
+  /**
+   * Starts to open a socket. Never throws; failures arrive as `handleClose`. The handler is not called
+   * before this has returned.
+   */
   open(query: TopicDataQuery, handler: TopicDataHandler): TopicDataSocket;
 }

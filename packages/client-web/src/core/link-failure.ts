@@ -1,0 +1,90 @@
+import { ServiceError } from '@ubii/proto';
+import { ConnectionError } from './connection-error.ts';
+
+/** Why a link ended, or did not come about. */
+export interface LinkFailure {
+  readonly error: ConnectionError;
+  /** WebSocket close code; 1006 when the link broke, never came up or fell silent. */
+  readonly code: number;
+  /** Whether the master ever answered, or the socket opened where answers cannot be asked for. */
+  readonly wasUp: boolean;
+}
+
+/** What the client does about a failure. */
+export type Remedy = 'stop' | 'register-as-new' | 'register-again' | 'retry';
+
+/** No close code of the master: the link broke. */
+export const BROKEN = 1006;
+
+/** What the master says with a close code. [EX-5] Every other code: try again, with back-off. */
+const REMEDIES: ReadonlyMap<number, Remedy> = new Map([
+  [4001, 'stop'], // superseded: trying again would take the identity back, and so on for ever
+  [4003, 'register-as-new'], // not this client
+  [4004, 'register-again'], // unknown client
+  [1000, 'register-again'], // deregistered, on whose behalf ever [CL-16]
+]);
+
+/** Errors of a registration that trying again does not cure. */
+const FINAL_CODES: ReadonlySet<string> = new Set([
+  'invalid_argument',
+  'permission_denied',
+  'unauthenticated',
+  'unimplemented',
+]);
+
+/** What to do about a failure. */
+export function remedyFor({ code, error, wasUp }: LinkFailure): Remedy {
+  const told = REMEDIES.get(code);
+  if (told !== undefined) return told;
+  if (error.cause instanceof ServiceError) {
+    if (FINAL_CODES.has(error.cause.code)) return 'stop';
+    if (isUnknownClient(error.cause)) return 'register-again';
+  }
+  // A socket that opens and then says nothing: whatever is there now does not know us.
+  if (!wasUp && error.reason === 'timeout') return 'register-again';
+  return 'retry';
+}
+
+/** Whether the master is there and said itself what to do, so that there is nothing to wait for. */
+export function isTold({ code, error }: LinkFailure): boolean {
+  return REMEDIES.has(code) || isUnknownClient(error.cause);
+}
+
+/** What the master answers to a client it does not know. */
+export function unknownClient(cause?: unknown): ServiceError {
+  return new ServiceError('not_found', 'The master does not know this client', { cause });
+}
+
+/** Whether this is the answer to a client the master does not know. */
+export function isUnknownClient(error: unknown): error is ServiceError {
+  return error instanceof ServiceError && error.code === 'not_found';
+}
+
+/** The failure that a close code stands for. */
+export function failureOfClose(code: number, reason: string, wasUp: boolean): LinkFailure {
+  const why = reason === '' ? '' : `: ${reason}`;
+  const message =
+    code === BROKEN
+      ? `The link to the master broke${why}`
+      : `The master closed the link with code ${code}${why}`;
+  const error = new ConnectionError(code === 4001 ? 'superseded' : 'closed', message);
+  return { error, code, wasUp };
+}
+
+/** Turns what an attempt threw into a failure. */
+export function failureOf(cause: unknown): LinkFailure {
+  if (isLinkFailure(cause)) return cause;
+  if (cause instanceof ConnectionError) return { error: cause, code: BROKEN, wasUp: false };
+  const error = ServiceError.from(cause);
+  return {
+    error: new ConnectionError('refused', `The master refused the client: ${error.message}`, {
+      cause: error,
+    }),
+    code: BROKEN,
+    wasUp: false,
+  };
+}
+
+function isLinkFailure(cause: unknown): cause is LinkFailure {
+  return typeof cause === 'object' && cause !== null && 'wasUp' in cause;
+}

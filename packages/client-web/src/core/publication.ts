@@ -1,0 +1,30 @@
+import { DATA_FORMATS, encodeRecord } from '@ubii/proto';
+import type { DataFormat, RecordInit } from '@ubii/proto';
+import type { WaitingRecord } from './publish-buffer.ts';
+
+/** What a program publishes. */
+export interface Publication {
+  readonly topic: string;
+  readonly format: DataFormat;
+  readonly value: unknown;
+  /** Milliseconds since the Unix epoch. */
+  readonly timestampMs: number;
+  /** Empty before the first connection. */
+  readonly clientId: string;
+}
+
+/**
+ * Checks and encodes a publication, at once, so that the program may go on changing its value.
+ * @throws {TypeError} if the topic is empty, or the value does not fit the format
+ */
+export function toWaitingRecord(publication: Publication): WaitingRecord {
+  const { topic, format, value } = publication;
+  if (typeof topic !== 'string' || topic === '') {
+    throw new TypeError(`Expected a topic to publish on, received ${JSON.stringify(topic)}`);
+  }
+  const info = Object.hasOwn(DATA_FORMATS, format) ? DATA_FORMATS[format] : undefined;
+  if (info === undefined) throw new TypeError(`Expected a data format, received "${format}"`);
+  const problem = info.validate(value);
+  if (problem !== undefined) throw new TypeError(`${topic}: ${problem}`);
+  return { topic, bytes: encodeRecord(publication as RecordInit), isEvent: info.isEvent };
+}

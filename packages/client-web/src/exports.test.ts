@@ -1,0 +1,45 @@
+import { expect, it } from 'vitest';
+import * as page from './index.ts';
+import * as node from './node.ts';
+import * as testing from './testing/index.ts';
+
+it('the names of the entry points are these', () => {
+  expect({
+    page: Object.keys(page).sort(),
+    node: Object.keys(node).sort(),
+    testing: Object.keys(testing).sort(),
+  }).toMatchInlineSnapshot(`
+    {
+      "node": [
+        "ConnectionError",
+        "DEFAULT_RECONNECT_POLICY",
+        "DecodeError",
+        "PUBLISH_LIMITS",
+        "ServiceError",
+        "createClient",
+        "createMemoryIdentity",
+      ],
+      "page": [
+        "ConnectionError",
+        "DEFAULT_RECONNECT_POLICY",
+        "DecodeError",
+        "PUBLISH_LIMITS",
+        "ServiceError",
+        "createClient",
+        "createMemoryIdentity",
+        "createTabIdentity",
+      ],
+      "testing": [
+        "FakeClock",
+        "FakeMaster",
+        "createMemoryServices",
+        "createMemoryTopicData",
+        "createTestClient",
+        "describeIdentityStorage",
+        "describeServiceTransport",
+        "describeTopicDataTransport",
+        "settle",
+      ],
+    }
+  `);
+});
