@@ -217,6 +217,18 @@ describe('client.rename()', () => {
     expect(master.holds(client.id).name).toBe('Ada Lovelace');
   });
 
+  it('does not reject when the master cannot be reached, and tells it later', async () => {
+    const master = new FakeMaster();
+    const { client, clock } = createTestClient(master);
+    await client.connect();
+    master.isDown = true; // the socket stays
+    await client.rename('Ada Lovelace');
+    master.isDown = false;
+    await clock.advance(2_000);
+    expect(master.holds(client.id).name).toBe('Ada Lovelace');
+    expect(client.state.status).toBe('connected');
+  });
+
   it('is the name of the first registration when called before it', async () => {
     const master = new FakeMaster();
     const { client } = createTestClient(master);

@@ -225,7 +225,12 @@ class Client implements UbiiClient {
 
   async rename(name: string): Promise<void> {
     this.#registration.rename(name);
-    if (this.state.status === 'connected') await this.#updateProfile();
+    if (this.state.status !== 'connected') return;
+    try {
+      await this.#updateProfile();
+    } catch (error) {
+      if (!(error instanceof ConnectionError)) throw error; // else it is told later
+    }
   }
 
   publish<F extends DataFormat>(

@@ -50,7 +50,10 @@ export interface UbiiClient {
   readonly id: string;
   /** Name for people. */
   readonly name: string;
-  /** Changes the name; the master learns it now or at the next connection. */
+  /**
+   * Changes the name. The master learns it now, or as soon as it can be reached; an original master
+   * when the client registers anew. Rejects with the `ServiceError` when the master refuses it.
+   */
   rename(name: string): Promise<void>;
   /** Calls `fn` after the master gave the client another id. */
   onIdentityChange(fn: (change: IdentityChange) => void): Unsubscribe;
