@@ -261,7 +261,7 @@ describe('a client of ours that leaves', () => {
     ]);
   });
 
-  it('leaves nothing of an earlier run behind when it is started again', async () => {
+  it('leaves nothing of an earlier run behind when it is started again [EX-7]', async () => {
     const { world, ada } = await setupTwo();
     const identity = createMemoryIdentity();
     const first = await world.connect('cleo', {

@@ -143,7 +143,7 @@ describe('client.connect()', () => {
 });
 
 describe('client.connect() with the identity of an earlier run', () => {
-  it('ends what the earlier run left behind and comes back under its id [CL-3]', async () => {
+  it('ends what the earlier run left behind and comes back under its id [CL-3] [EX-7]', async () => {
     const master = new FakeMaster();
     const identity = createMemoryIdentity();
     const earlier = createTestClient(master, { identity });

@@ -67,7 +67,7 @@ export class Registration {
     if (this.#identity === undefined) return;
     this.#clientId = this.#identity.clientId;
     // An earlier run of this program left its devices and subscriptions behind. Nothing here knows
-    // them, so the master would send their records for ever: the earlier run is ended first.
+    // them, so the master would send their records for ever: the earlier run is ended first. [EX-7]
     try {
       await this.#calls.call('clientDeregistration', { id: this.#identity.clientId });
     } catch (error) {
