@@ -87,7 +87,10 @@ export function useTopicTree({ search, format, order, isPaused }: TopicTreeWishe
 
   useRafFn(
     () => {
-      if (isPaused.value || !isConnected.value) return;
+      if (isPaused.value || !isConnected.value) {
+        if (values.takeFirst()) tick.value += 1;
+        return;
+      }
       values.sample(performance.now());
       if (isStatisticsNew) {
         isStatisticsNew = false;

@@ -9,6 +9,7 @@ const MIN_SPARK_HZ = 0.5;
 const NEWS_MS = 400;
 /** A topic that never rests flashes this often: that it lives, its numbers show. */
 const REMINDER_MS = 4000;
+const SPREAD = 16;
 
 /** What a row shows of its topic's newest record. Kept for rows that are or lately were on screen. */
 export class RowValue {
@@ -21,8 +22,9 @@ export class RowValue {
   #gap = SPARK_SAMPLES;
   #records: number;
   #flashes = 0;
-  #flashedMs = -Infinity;
-  #grownMs = -Infinity;
+  #flashedMs = 0;
+  /** When the count of records grew last; `undefined` before the first sample. */
+  #grownMs: number | undefined;
 
   /** @param records counted for the topic so far */
   constructor(records: number) {
@@ -78,7 +80,7 @@ export class RowValue {
   ): void {
     this.#noteGrowth(counted.records, nowMs);
     const isAlive = counted.hz !== undefined && counted.hz >= MIN_SPARK_HZ;
-    if (!isAlive && this.#gap >= SPARK_SAMPLES) return;
+    if (this.#record === undefined || (!isAlive && this.#gap >= SPARK_SAMPLES)) return;
     this.#gap = isAlive ? 0 : this.#gap + 1;
     const activity = isAlive ? [counted.hz!] : undefined;
     this.#sparkline.add(isAlive && this.#numbers.length > 0 ? this.#numbers : activity);
@@ -86,6 +88,11 @@ export class RowValue {
   }
 
   #noteGrowth(records: number, nowMs: number): void {
+    if (this.#grownMs === undefined) {
+      // Coming on screen is no news, and the reminders of many rows are spread over their time.
+      this.#grownMs = nowMs;
+      this.#flashedMs = nowMs - ((records % SPREAD) / SPREAD) * REMINDER_MS;
+    }
     if (records === this.#records) return;
     const isNews = nowMs - this.#grownMs >= NEWS_MS || nowMs - this.#flashedMs >= REMINDER_MS;
     if (isNews && records > this.#records) {

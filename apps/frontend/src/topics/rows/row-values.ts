@@ -32,6 +32,7 @@ export class RowValues {
   /** Least lately shown first. */
   readonly #values = new Map<string, RowValue>();
   #isPaused = false;
+  #hasFirst = false;
   /** Newest records that came during a pause. */
   readonly #waiting = new Map<string, TopicRecord>();
 
@@ -76,6 +77,13 @@ export class RowValues {
     this.#waiting.clear();
   }
 
+  /** Whether a row got its first value since this was asked last; such a row shows it even while paused. */
+  takeFirst(): boolean {
+    const hasFirst = this.#hasFirst;
+    this.#hasFirst = false;
+    return hasFirst;
+  }
+
   close(): void {
     for (const { unsubscribe } of this.#shown.values()) unsubscribe();
     this.#shown.clear();
@@ -89,8 +97,10 @@ export class RowValues {
     this.#values.set(topic, value);
     const maxRateHz = rate.statistic.valueBytes > LARGE_BYTES ? LARGE_RATE_HZ : ROW_RATE_HZ;
     const unsubscribe = this.#subscribe(topic, maxRateHz, (record) => {
-      if (this.#isPaused && value.record !== undefined) this.#waiting.set(topic, record);
+      const isFirst = value.record === undefined;
+      if (this.#isPaused && !isFirst) this.#waiting.set(topic, record);
       else value.handleRecord(record);
+      this.#hasFirst ||= isFirst;
     });
     this.#shown.set(topic, { rate, unsubscribe });
   }

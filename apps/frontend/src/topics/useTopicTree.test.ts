@@ -1,0 +1,146 @@
+import type { TopicRecord } from '@ubii/proto';
+import { mount } from '@vue/test-utils';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { defineComponent, h, nextTick, ref, shallowRef, triggerRef } from 'vue';
+import { CONNECTION, type Connection } from '../connection/connection.ts';
+import type { TopicChanges, TopicRate } from '../connection/topic-rates.ts';
+import type { TopicOrder } from './tree/topic-order.ts';
+import { useTopicTree, type TopicTreeView } from './useTopicTree.ts';
+
+const rateOf = (topic: string): TopicRate => ({
+  statistic: {
+    topic,
+    dataFormat: 'double',
+    publisherId: '',
+    records: 1,
+    bytes: 0,
+    dropped: 0,
+    publishedMs: 0,
+    subscribers: 0,
+    valueBytes: 8,
+  },
+  hz: 1,
+  bytesPerSecond: 8,
+  droppedPerSecond: 0,
+  usualHz: 1,
+});
+
+/** A connection whose statistics the test hands over itself. */
+function setUp(first: readonly TopicRate[] = []) {
+  const rates = shallowRef(new Map(first.map((rate) => [rate.statistic.topic, rate])));
+  const isConnected = ref(true);
+  const listeners = new Set<(changes: TopicChanges) => void>();
+  const asked: number[] = [];
+  const emitters = new Map<string, (record: TopicRecord) => void>();
+  const connection = {
+    client: {
+      subscribe: (topic: string) => ({
+        ready: Promise.resolve(),
+        onRecord(fn: (record: TopicRecord) => void) {
+          emitters.set(topic, fn);
+          return this;
+        },
+        close: async () => void emitters.delete(topic),
+      }),
+    },
+    isConnected,
+    clients: { list: shallowRef([]), find: () => undefined },
+    topics: {
+      rates,
+      masterTimeMs: shallowRef(0),
+      watch: (intervalMs: number) => asked.push(intervalMs),
+      onChanges: (fn: (changes: TopicChanges) => void) => listeners.add(fn),
+    },
+  } as unknown as Connection;
+
+  const search = ref('');
+  const format = ref('');
+  const order = ref<TopicOrder>('name');
+  const isPaused = ref(false);
+  let view!: TopicTreeView;
+  const wrapper = mount(
+    defineComponent(() => {
+      view = useTopicTree({ search, format, order, isPaused });
+      return () => h('div');
+    }),
+    { global: { provide: { [CONNECTION as symbol]: connection } } },
+  );
+  const reply = (changes: Partial<TopicChanges>) => {
+    for (const rate of changes.removed ?? []) rates.value.delete(rate.statistic.topic);
+    for (const rate of changes.added ?? []) rates.value.set(rate.statistic.topic, rate);
+    for (const listener of listeners) listener({ added: [], removed: [], ...changes });
+    triggerRef(rates);
+  };
+  return { view, wrapper, reply, search, isPaused, isConnected, asked, emitters };
+}
+
+const keys = (view: TopicTreeView) => view.rows.value.map(({ key }) => key);
+const frames = (count: number) => vi.advanceTimersByTime(count * 16);
+
+beforeEach(() => {
+  vi.useFakeTimers({ toFake: ['requestAnimationFrame', 'cancelAnimationFrame', 'performance'] });
+});
+afterEach(() => {
+  vi.useRealTimers();
+});
+
+describe('useTopicTree', () => {
+  it('shows at once what was known before the page was opened', () => {
+    expect(keys(setUp([rateOf('/a')]).view)).toEqual(['/a']);
+  });
+
+  it('draws new statistics a few times a second, not with every reply', () => {
+    const { view, reply } = setUp();
+    frames(20);
+    const before = view.tick.value;
+    for (let i = 0; i < 62; i++) {
+      reply({ added: [rateOf(`/${i}`)] });
+      frames(1);
+    }
+    expect(view.tick.value - before).toBeLessThanOrEqual(9);
+    frames(10);
+    expect(view.rows.value).toHaveLength(62);
+  });
+
+  it('stands still while paused and has lost nothing afterwards', async () => {
+    const { view, reply, isPaused, asked } = setUp([rateOf('/a')]);
+    expect(asked).toHaveLength(1);
+    isPaused.value = true;
+    await nextTick();
+    const tick = view.tick.value;
+    reply({ added: [rateOf('/b')] });
+    frames(60);
+    expect(keys(view)).toEqual(['/a']);
+    expect(view.tick.value).toBe(tick);
+    isPaused.value = false;
+    await nextTick();
+    frames(60);
+    expect(keys(view)).toEqual(['/a', '/b']);
+    expect(asked).toHaveLength(2);
+  });
+
+  it('answers a search also while paused', async () => {
+    const { view, search, isPaused } = setUp([rateOf('/a'), rateOf('/b')]);
+    isPaused.value = true;
+    search.value = 'b';
+    await nextTick();
+    expect(keys(view)).toEqual(['/b']);
+  });
+
+  it('keeps what it shows while disconnected', () => {
+    const { view, isConnected } = setUp([rateOf('/a')]);
+    isConnected.value = false;
+    const tick = view.tick.value;
+    frames(60);
+    expect(keys(view)).toEqual(['/a']);
+    expect(view.tick.value).toBe(tick);
+  });
+
+  it('ends its subscriptions with the page', () => {
+    const { view, wrapper, emitters } = setUp([rateOf('/a')]);
+    view.values.show([rateOf('/a')]);
+    expect([...emitters.keys()]).toEqual(['/a']);
+    wrapper.unmount();
+    expect(emitters.size).toBe(0);
+  });
+});
