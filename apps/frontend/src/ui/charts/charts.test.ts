@@ -6,8 +6,8 @@ import { nearestPoint, withGaps } from './with-gaps.ts';
 
 describe('niceScale', () => {
   it.each([
-    [0, 1],
-    [3, 4],
+    [0, 10],
+    [13, 20],
     [450, 500],
     [1842, 2000],
     [2100, 4000],

@@ -5,12 +5,15 @@ export interface NiceScale {
   readonly ticks: readonly number[];
 }
 
+/** Below this an axis would be about fractions. */
+const LOWEST_MAX = 10;
+
 /**
  * A scale whose two steps (half and full) are round: 1, 2, 2.5 or 5 times a power of ten.
  * @param highest the largest value to be shown
  */
 export function niceScale(highest: number): NiceScale {
-  const half = Math.max(highest, 1) / 2;
+  const half = Math.max(highest, LOWEST_MAX) / 2;
   const power = 10 ** Math.floor(Math.log10(half));
   const step = [1, 2, 2.5, 5, 10]
     .map((factor) => factor * power)
