@@ -8,9 +8,11 @@ export function useFindPublisher(): FindPublisher {
   const { clients } = useConnection();
   const present = computed(() => new Set(clients.list.value?.map(({ id }) => id)));
   return (clientId) => {
+    // Read in any case: whoever asks for a client that is not known yet asks again when it comes.
+    const isPresent = present.value.has(clientId);
     const client = clients.find(clientId);
     if (client === undefined) return undefined;
-    const isAway = client.state !== ClientState.ACTIVE || !present.value.has(clientId);
+    const isAway = client.state !== ClientState.ACTIVE || !isPresent;
     return { name: client.name, isAway };
   };
 }

@@ -49,8 +49,10 @@ const NARROW_RIGHT = 68;
 const BOTTOM = 26;
 /** Below this width names and values stand closer. */
 const NARROW = 480;
-/** A frame is drawn when the lines have moved this far, pixels. */
-const STEP = 0.5;
+/** A frame is drawn when the lines have moved this far, pixels, */
+const STEP = 1.5;
+/** or after this long, milliseconds. */
+const MAX_WAIT_MS = 50;
 /** Words are renewed this often, milliseconds: as fast as digits can be read. */
 const WORDS_MS = 125;
 /** Between the names of two lines, pixels. */
@@ -109,7 +111,8 @@ export function usePlot(
     const endMs = frozenMs ?? nowMs();
     const moved = ((endMs - drawnMs) / windowMs) * width.value;
     if (width.value === 0 || height.value === 0) return;
-    if (!isDirty && Math.abs(moved) < STEP) return;
+    const isWaiting = frozenMs === undefined && endMs - drawnMs >= MAX_WAIT_MS;
+    if (!isDirty && !isWaiting && Math.abs(moved) < STEP) return;
     drawnMs = endMs;
     const isTimeForWords = isDirty || Math.abs(endMs - wordsMs) >= WORDS_MS;
     isDirty = false;

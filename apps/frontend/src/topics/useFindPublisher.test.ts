@@ -1,0 +1,52 @@
+import { ClientState, type Client } from '@ubii/proto';
+import { mount } from '@vue/test-utils';
+import { describe, expect, it } from 'vitest';
+import { computed, defineComponent, shallowRef } from 'vue';
+import { CONNECTION, type Connection } from '../connection/connection.ts';
+import { useFindPublisher } from './useFindPublisher.ts';
+
+const clientOf = (id: string, state: ClientState): Client =>
+  ({ id, name: `Name of ${id}`, state }) as Client;
+
+/** Shows what is found for `id`, and lets the list change. */
+function setUp() {
+  const list = shallowRef<readonly Client[]>();
+  const known = new Map<string, Client>();
+  const connection = {
+    clients: { list, find: (id: string) => known.get(id) },
+  } as unknown as Connection;
+  const wrapper = mount(
+    defineComponent(() => {
+      const find = useFindPublisher();
+      const found = computed(() => find('id'));
+      return () =>
+        found.value ? `${found.value.name}, ${found.value.isAway ? 'away' : 'here'}` : 'nobody';
+    }),
+    { global: { provide: { [CONNECTION as symbol]: connection } } },
+  );
+  const announce = async (clients: readonly Client[]) => {
+    for (const client of clients) known.set(client.id, client);
+    list.value = clients;
+    await wrapper.vm.$nextTick();
+  };
+  return { wrapper, announce };
+}
+
+describe('useFindPublisher', () => {
+  it('finds a client that is announced after it was asked for', async () => {
+    const { wrapper, announce } = setUp();
+    expect(wrapper.text()).toBe('nobody');
+    await announce([clientOf('id', ClientState.ACTIVE)]);
+    expect(wrapper.text()).toBe('Name of id, here');
+  });
+
+  it('says who is away, and still knows who left', async () => {
+    const { wrapper, announce } = setUp();
+    await announce([clientOf('id', ClientState.INACTIVE)]);
+    expect(wrapper.text()).toBe('Name of id, away');
+    await announce([clientOf('id', ClientState.ACTIVE)]);
+    expect(wrapper.text()).toBe('Name of id, here');
+    await announce([]);
+    expect(wrapper.text()).toBe('Name of id, away');
+  });
+});
