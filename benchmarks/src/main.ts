@@ -10,8 +10,6 @@ import { WORKLOADS } from './workloads/index.ts';
 
 const GROUPS = [...new Set(WORKLOADS.map(({ group }) => group))];
 const RESULTS_DIR = join(import.meta.dirname, '..', 'results');
-/** Above this load something else is running, and a share of the figures is about that. */
-const BUSY_LOAD = 0.7;
 
 /** A path as the caller means it: npm runs scripts in the directory of the package. */
 function fromCaller(path: string): string {
@@ -39,9 +37,6 @@ async function main(): Promise<number> {
 
 async function run(options: RunOptions): Promise<number> {
   const loadBefore = loadAverage();
-  if (loadBefore > BUSY_LOAD) {
-    console.error(`The machine is busy (load ${loadBefore}): expect the rounds to disagree.`);
-  }
   const startedAt = new Date().toISOString();
   const workloads = WORKLOADS.filter(({ group }) => options.groups.includes(group));
   const paths = {

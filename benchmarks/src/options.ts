@@ -10,6 +10,8 @@ export interface RunOptions {
   readonly rounds: number;
   readonly warmUpMs: number;
   readonly measureMs: number;
+  /** How long, in all, the run may wait for other processes to be quiet. */
+  readonly waitMs: number;
   /** Where the JSON goes; undefined: `benchmarks/results/<time>.json`. */
   readonly out: string | undefined;
   /** Main file of the master to measure; undefined: the one that is built here. */
@@ -30,6 +32,7 @@ const MIN_ROUNDS = 3;
 const MAX_ROUNDS = 50;
 const MIN_SECONDS = 0.1;
 const MAX_SECONDS = 60;
+const MAX_WAIT_SECONDS = 3600;
 
 /** The text of `--help`. */
 export function helpText(groups: readonly string[]): string {
@@ -42,6 +45,7 @@ export function helpText(groups: readonly string[]): string {
   --quick            ${QUICK.rounds} rounds of ${QUICK.measureMs / 1000} s: to see that it works, not to judge by
   --rounds <n>       measurements of each broker, interleaved; the median counts (default ${DEFAULTS.rounds}, at least ${MIN_ROUNDS})
   --seconds <s>      length of one measurement (default ${DEFAULTS.measureMs / 1000})
+  --wait <s>         wait for other processes before a measurement, in all so long (default 0)
   --out <file>       where the JSON goes (default benchmarks/results/<time>.json)
   --master <file>    another build of the master, to compare two of them
   --profile <dir>    write CPU profiles of the brokers; the figures of such a run do not count
@@ -76,6 +80,7 @@ export function parseOptions(args: readonly string[], groups: readonly string[])
     measureMs:
       1000 *
       numberOf('--seconds', values.seconds, base.measureMs / 1000, MIN_SECONDS, MAX_SECONDS, false),
+    waitMs: 1000 * numberOf('--wait', values.wait, 0, 0, MAX_WAIT_SECONDS, false),
     out: values.out,
     master: values.master,
     profileDir: values.profile,
@@ -92,6 +97,7 @@ function parse(args: readonly string[]) {
         quick: { type: 'boolean' },
         rounds: { type: 'string' },
         seconds: { type: 'string' },
+        wait: { type: 'string' },
         out: { type: 'string' },
         master: { type: 'string' },
         profile: { type: 'string' },

@@ -3,6 +3,7 @@ import { startRawWs } from './brokers/raw-ws.ts';
 import { BUILT_MASTER, startUbii } from './brokers/ubii.ts';
 import { placeProcesses } from './cpu-placement.ts';
 import type { RunOptions } from './options.ts';
+import { Patience } from './quiet-machine.ts';
 import type { WorkloadResult } from './report/results.ts';
 import type { Measurement, Workload } from './workloads/workload.ts';
 
@@ -18,6 +19,7 @@ export async function runWorkloads(
   say: (line: string) => void,
 ): Promise<WorkloadResult[]> {
   const brokers: Broker[] = [];
+  const patience = new Patience(options.waitMs, say);
   try {
     brokers.push(await startRawWs(options.profileDir));
     brokers.push(await startUbii(options.master ?? BUILT_MASTER, options.profileDir));
@@ -33,6 +35,7 @@ export async function runWorkloads(
     for (let round = 0; round < options.rounds; round += 1) {
       for (const { workload, ring, rounds } of prepared) {
         for (const target of rotated(targets, round)) {
+          await patience.waitForQuiet();
           placeProcesses(workload.placement, [process.pid, target.pid]);
           const measurement = await workload.measure(target, ring, options);
           rounds[target.name].push(measurement);

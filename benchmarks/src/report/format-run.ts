@@ -1,6 +1,15 @@
 import { REFERENCE } from '../brokers/target.ts';
 import { formatNumber, formatTable } from './format-table.ts';
-import { compareWithReference, faultsOf, type Comparison, type RunResult } from './results.ts';
+import {
+  compareWithReference,
+  faultsOf,
+  otherCpuOf,
+  type Comparison,
+  type RunResult,
+} from './results.ts';
+
+/** Above this, in cores, other processes are part of what was measured. */
+const BUSY_SHARE = 0.15;
 
 /** The run as text: ratios first, then the values they come from, then what went wrong. */
 export function formatRun(run: RunResult): string {
@@ -10,11 +19,16 @@ export function formatRun(run: RunResult): string {
     return `${workload.title}\n${formatTable(header, compareWithReference(workload).map(row))}`;
   });
   const faults = faultsOf(run);
+  const otherCpu = otherCpuOf(run);
   return [
     `Ratios to ${REFERENCE} in the same run, median of ${parameters.rounds} rounds of ` +
       `${parameters.measureMs / 1000} s (commit ${commit.hash.slice(0, 9)}${commit.isDirty ? ' and changes' : ''}, ` +
       `Node ${machine.node}, ${machine.cores} cores, load ${machine.loadAverage.join(' -> ')})`,
     ...sections,
+    `Other processes used ${otherCpu.median.toFixed(2)} cores (median), at most ${otherCpu.max.toFixed(2)}.` +
+      (otherCpu.median > BUSY_SHARE
+        ? ' THE MACHINE WAS BUSY: the figures are partly about that.'
+        : ''),
     faults.length === 0
       ? 'Every record arrived at every subscriber, once, in order, unaltered.'
       : `NOT EVERYTHING ARRIVED AS SENT, the figures do not count:\n${faults.map((fault) => `  ${fault}`).join('\n')}`,

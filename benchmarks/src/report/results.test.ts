@@ -5,7 +5,7 @@ import { formatRun } from './format-run.ts';
 import { compareWithReference, faultsOf, type RunResult } from './results.ts';
 
 const rounds = (values: readonly number[]): Measurement[] =>
-  values.map((p50Us) => ({ figures: { p50Us }, deliveries: 10, faults: [] }));
+  values.map((p50Us) => ({ figures: { p50Us }, deliveries: 10, otherCpuShare: 0.1, faults: [] }));
 
 function runWith(legacy: readonly number[]): RunResult {
   return {
@@ -48,6 +48,18 @@ describe('formatRun', () => {
     run.workloads[0]!.rounds['ubii-legacy']![1]!.faults.push('3 records lost');
     expect(faultsOf(run)).toEqual(['round-trip, ubii-legacy, round 2: 3 records lost']);
     expect(formatRun(run)).toContain('do not count');
+  });
+
+  it('says so when the machine was busy', () => {
+    const run = runWith([22, 44, 22]);
+    expect(formatRun(run)).not.toContain('BUSY');
+    for (const measurement of run.workloads[0]!.rounds['raw-ws']!) {
+      Object.assign(measurement, { otherCpuShare: 0.9 });
+    }
+    for (const measurement of run.workloads[0]!.rounds['ubii-legacy']!) {
+      Object.assign(measurement, { otherCpuShare: 0.9 });
+    }
+    expect(formatRun(run)).toContain('BUSY');
   });
 });
 

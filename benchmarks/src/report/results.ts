@@ -85,6 +85,14 @@ export function compareWithReference(result: WorkloadResult): Comparison[] {
   });
 }
 
+/** Cores that other processes used while it was measured: median and largest. */
+export function otherCpuOf(result: RunResult): { median: number; max: number } {
+  const shares = result.workloads
+    .flatMap(({ rounds }) => Object.values(rounds))
+    .flatMap((measurements) => measurements.map(({ otherCpuShare }) => otherCpuShare));
+  return { median: median(shares), max: Math.max(...shares) };
+}
+
 /** What was lost, altered or unexpected anywhere in the run, one sentence each. */
 export function faultsOf(result: RunResult): string[] {
   return result.workloads.flatMap(({ name, rounds }) =>

@@ -115,6 +115,7 @@ async function measure(
       cpuUs: lap.brokerCpuUs / deliveries,
       loadCpu: lap.loadCpuShare,
     },
+    otherCpuShare: lap.otherCpuShare,
     deliveries,
     faults,
   };

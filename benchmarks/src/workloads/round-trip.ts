@@ -113,6 +113,7 @@ async function measure(
       cpuUs: lap.brokerCpuUs / sampleCount,
       loadCpu: lap.loadCpuShare,
     },
+    otherCpuShare: lap.otherCpuShare,
     deliveries: sampleCount,
     faults: describeFaults([verifier.faults]),
   };

@@ -24,6 +24,8 @@ export interface Measurement {
   readonly figures: Record<string, number>;
   /** Records delivered while the clock ran. */
   readonly deliveries: number;
+  /** CPU time of what else ran on the machine, as a share of the time: 1 is a whole core. */
+  readonly otherCpuShare: number;
   /** Everything that was not as it should be; empty is the only good value. */
   readonly faults: string[];
 }

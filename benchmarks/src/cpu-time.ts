@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 
-/** Length of a clock tick in /proc/<pid>/stat: USER_HZ is 100 on every Linux that Node runs on. */
+/** Length of a clock tick in /proc: USER_HZ is 100 on every Linux that Node runs on. */
 const TICK_US = 10_000;
 
 /** Fields after the command's closing bracket, where utime and stime are (proc(5), 14 and 15). */
@@ -15,4 +15,13 @@ export function processCpuUs(pid: number): number {
   const stat = readFileSync(`/proc/${pid}/stat`, 'latin1');
   const fields = stat.slice(stat.lastIndexOf(')') + 2).split(' ');
   return (Number(fields[UTIME_INDEX]) + Number(fields[STIME_INDEX])) * TICK_US;
+}
+
+/** Fields of the first line of /proc/stat that count work (proc(5)); the fourth and fifth are idleness. */
+const BUSY_FIELDS = [1, 2, 3, 6, 7, 8];
+
+/** CPU time that all processes have used so far on all cores, microseconds. Resolution 10 ms. */
+export function machineCpuUs(): number {
+  const fields = readFileSync('/proc/stat', 'latin1').split('\n', 1)[0]!.split(/ +/);
+  return BUSY_FIELDS.reduce((sum, index) => sum + Number(fields[index]), 0) * TICK_US;
 }
