@@ -6,7 +6,7 @@ export interface TopicFilter {
   readonly isEmpty: boolean;
   /**
    * @param topic the topic
-   * @param names of the clients it may be called by: whose id it begins with, and who publishes
+   * @param names and ids of the clients it may be called by: whose id it begins with, and who publishes
    */
   accepts(topic: string, names: readonly string[]): boolean;
 }
@@ -17,7 +17,7 @@ export const EMPTY_FILTER: TopicFilter = { isEmpty: true, accepts: () => true };
 
 /**
  * Reads the search field. Words are text anywhere in the topic or in its client's name, in any case;
- * words with `*` or `?` are globs over levels; `client:name` looks at names only. Words are separated
+ * words with `*` or `?` are globs over levels; `client:name` looks at clients only. Words are separated
  * by spaces; quotes keep them together.
  */
 export function parseTopicFilter(search: string): TopicFilter {

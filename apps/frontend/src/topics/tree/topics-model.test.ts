@@ -141,11 +141,13 @@ describe('TopicsModel', () => {
     expect(keys(model)).toEqual(['/id-1', '/studio']); // as it was before the search
   });
 
-  it('finds topics by the name of who publishes them', () => {
+  it('finds topics by the name and the id of who publishes them', () => {
     const { model } = modelOf([rateOf('/studio/radius', { publisherId: 'id-3' }), '/studio/x']);
-    model.setFilter(parseTopicFilter('theo'));
-    model.refresh(0);
-    expect(keys(model)).toEqual(['/studio', '/studio/radius']);
+    for (const search of ['theo', 'client:theo', 'client:id-3']) {
+      model.setFilter(parseTopicFilter(search));
+      model.refresh(0);
+      expect(keys(model)).toEqual(['/studio', '/studio/radius']);
+    }
   });
 
   it('filters by data format, also when the format of a topic changes', () => {

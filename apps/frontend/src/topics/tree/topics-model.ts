@@ -201,9 +201,10 @@ export class TopicsModel {
       return;
     }
     const { topic, publisherId } = node.rate!.statistic;
-    const names = [rootLabel(topic), publisherId].flatMap(
-      (id) => this.#findPublisher(id)?.name ?? [],
-    );
+    const names = [rootLabel(topic), publisherId].flatMap((id) => [
+      id,
+      this.#findPublisher(id)?.name ?? '',
+    ]);
     node.isFound = this.#filter.accepts(topic, names);
   }
 }
