@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { SeriesRing } from '../history/series-ring.ts';
-import { pointNear, valuesWithin } from './read-plot.ts';
+import { pointAt, pointNear, valuesWithin } from './read-plot.ts';
 
 function ringOf(points: readonly (readonly [number, ...number[]])[]): SeriesRing {
   const ring = new SeriesRing(points[0]!.length - 1);
@@ -45,5 +45,19 @@ describe('pointNear', () => {
 
   it('finds nothing where there is nothing', () => {
     expect(pointNear(new SeriesRing(1), 0, 1)).toBeUndefined();
+  });
+});
+
+describe('pointAt', () => {
+  const ring = ringOf(Array.from({ length: 20 }, (_, i) => [i < 10 ? i * 10 : 5000 + i * 10, i]));
+
+  it('reads the nearest point, and the newest one until now', () => {
+    expect(pointAt(ring, 42, 9000)?.values).toEqual([4]);
+    expect(pointAt(ring, 8000, 9000)?.values).toEqual([19]);
+  });
+
+  it('reads nothing in a gap and before the first point', () => {
+    expect(pointAt(ring, 2500, 9000)).toBeUndefined();
+    expect(pointAt(ring, -2000, 9000)).toBeUndefined();
   });
 });

@@ -1,4 +1,5 @@
 import type { SeriesRing } from '../history/series-ring.ts';
+import { gapOf } from './trace-line.ts';
 import type { Range } from './value-axis.ts';
 
 /** The lowest and the highest value of all lines in a window, with the one value held into it. */
@@ -35,4 +36,15 @@ export function pointNear(ring: SeriesRing, timeMs: number, endMs: number): Plot
     timeMs: ring.timeAt(nearest),
     values: Array.from({ length: ring.lines }, (_, line) => ring.valueAt(line, nearest)),
   };
+}
+
+/**
+ * What the lines say at a moment: the nearest point, unless the moment lies in a gap or before the
+ * first point. The newest value holds until `endMs`.
+ */
+export function pointAt(ring: SeriesRing, timeMs: number, endMs: number): PlotPoint | undefined {
+  const point = pointNear(ring, timeMs, endMs);
+  if (point === undefined) return undefined;
+  const isHeld = timeMs >= ring.timeAt(ring.size - 1);
+  return isHeld || Math.abs(point.timeMs - timeMs) <= gapOf(ring) / 2 ? point : undefined;
 }

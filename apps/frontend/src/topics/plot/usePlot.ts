@@ -7,7 +7,7 @@ import { nowMs } from '../history/useTopicHistory.ts';
 import { formatFixed } from '../values/format-value.ts';
 import { drawPlot, toY, type PlotColors } from './draw-plot.ts';
 import { placeLabels } from './place-labels.ts';
-import { pointNear, valuesWithin, type PlotPoint } from './read-plot.ts';
+import { pointAt, pointNear, valuesWithin, type PlotPoint } from './read-plot.ts';
 import { ticksOf, ValueAxis, type Range, type Tick } from './value-axis.ts';
 
 /** What is drawn. */
@@ -129,8 +129,8 @@ export function usePlot(
     const ticks = ticksOf(range, Math.max(2, height.value / TICK_GAP));
     colors ??= readColors(swatch.value);
     const x = cursorX.value;
-    const point =
-      x === undefined ? undefined : pointNear(ring, startMs + (x / width.value) * windowMs, endMs);
+    const cursorMs = x === undefined ? undefined : startMs + (x / width.value) * windowMs;
+    const point = cursorMs === undefined ? undefined : pointAt(ring, cursorMs, endMs);
     drawPlot(context, {
       ring,
       window: { startMs, endMs, width: width.value },
