@@ -1,0 +1,32 @@
+/** A callback of a module; empty when something went wrong outside of them. */
+export type ModulePhase = '' | 'onCreated' | 'onProcessing' | 'onHalted' | 'onDestroyed';
+
+/**
+ * User code failed. A value, never thrown across the runtime's border:
+ * `syntax` does not parse, `missing` lacks onProcessing, `threw` an exception, `timeout` and `memory`
+ * killed for it, `output` cannot be published, `flood` over a rate, `library` not offered by the node,
+ * `crashed` its worker ended, `record` an input does not fit.
+ */
+export type ModuleFaultKind =
+  | 'syntax'
+  | 'missing'
+  | 'threw'
+  | 'timeout'
+  | 'memory'
+  | 'output'
+  | 'flood'
+  | 'library'
+  | 'crashed'
+  | 'record';
+
+/** What went wrong in a module, and where. */
+export interface ModuleFault {
+  readonly kind: ModuleFaultKind;
+  readonly phase: ModulePhase;
+  /** One sentence. */
+  readonly message: string;
+  /** Line in the source of the callback, from 1. */
+  readonly line?: number | undefined;
+  /** Column in that line, from 1. */
+  readonly column?: number | undefined;
+}

@@ -1,0 +1,118 @@
+import type { DataFormat } from '@ubii/proto';
+import type { ModuleFault } from './module-fault.ts';
+
+/** Source text of the callbacks: each evaluates, as an expression, to a function. [PM-2] */
+export interface ModuleSource {
+  readonly onCreated?: string | undefined;
+  readonly onProcessing: string;
+  readonly onHalted?: string | undefined;
+  readonly onDestroyed?: string | undefined;
+}
+
+/** What one instance may use. */
+export interface SandboxLimits {
+  /** A call that takes longer ends the instance, milliseconds. [PM-53] */
+  readonly callTimeoutMs: number;
+  /** Memory of the instance, bytes. [PM-52] */
+  readonly memoryBytes: number;
+  /** Bytes of all outputs of one run. */
+  readonly outputBytes: number;
+}
+
+/** Who is to be run, and how. */
+export interface SandboxRequest {
+  readonly instanceId: string;
+  readonly moduleName: string;
+  readonly source: ModuleSource;
+  /** True: the operator vouches for the code, so it runs at full speed and with libraries. [PM-51] */
+  readonly isTrusted: boolean;
+  /** Names of the libraries it gets in `state.modules`. [PM-4] */
+  readonly libraries: readonly string[];
+  /** Its outputs; a format that is not known takes the one member the module set. */
+  readonly outputs: readonly { readonly name: string; readonly format: DataFormat | undefined }[];
+  readonly limits: SandboxLimits;
+}
+
+/** What a sandbox tells without being asked. */
+export interface SandboxEvents {
+  /** The module wrote to its console. [PM-14] */
+  onLog(line: { readonly level: string; readonly text: string }): void;
+  /** The instance is gone; what was pending has rejected with the same fault. [PM-53] */
+  onKilled(fault: ModuleFault): void;
+}
+
+/** One encoded record on its way into an instance. */
+export interface SandboxRecord {
+  readonly bytes: Uint8Array;
+  /** True: the buffer may be transferred. */
+  readonly isOwned?: boolean | undefined;
+  /** Of an element of a muxer. [PM-43] */
+  readonly identity?: string | undefined;
+}
+
+/** Value of one input. */
+export type SandboxInput =
+  | { readonly name: string; readonly record: SandboxRecord | undefined }
+  | { readonly name: string; readonly elements: readonly SandboxRecord[] };
+
+/** One run. */
+export interface SandboxCall {
+  readonly deltaTimeMs: number;
+  readonly inputs: readonly SandboxInput[];
+  /** Names of the inputs that caused it, for `state.inputTriggerNames`. [PM-12] */
+  readonly triggers?: readonly string[] | undefined;
+}
+
+/** One value that was put out: an encoded `TopicDataRecord` with the value, and a timestamp if the module gave one. */
+export interface SandboxValue {
+  readonly bytes: Uint8Array;
+  /** Number of the value member. */
+  readonly valueField: number;
+  readonly hasTimestamp: boolean;
+}
+
+/** Value of one output. */
+export type SandboxOutput =
+  | { readonly name: string; readonly value: SandboxValue }
+  | {
+      readonly name: string;
+      readonly elements: readonly {
+        readonly value: SandboxValue;
+        /** Undefined when the element has none. [PM-46] */
+        readonly params: readonly string[] | undefined;
+        readonly identity: string | undefined;
+        /** Place in the list the module gave. */
+        readonly index: number;
+      }[];
+    };
+
+/** What one run gave. */
+export interface SandboxResult {
+  readonly outputs: readonly SandboxOutput[];
+  /** Outputs that were refused. [PM-33] [PM-56] */
+  readonly faults: readonly ModuleFault[];
+  /** Time in the module's code, milliseconds. */
+  readonly durationMs: number;
+}
+
+/** One instance in its sandbox. One call at a time; every rejection is a `ModuleFault`. */
+export interface Sandbox {
+  /** Loads the code and calls onCreated. */
+  create(): Promise<void>;
+  run(call: SandboxCall): Promise<SandboxResult>;
+  /** Calls onHalted. */
+  halt(): Promise<void>;
+  /** Calls onDestroyed and frees everything. */
+  destroy(): Promise<void>;
+  /** Frees everything at once; what is pending rejects. */
+  terminate(): void;
+}
+
+/** Where code runs. */
+export interface SandboxFactory {
+  open(request: SandboxRequest, events: SandboxEvents): Sandbox;
+  /** Whether the source parses and its callbacks are functions. Runs none of it on the calling thread. */
+  check(source: ModuleSource): Promise<ModuleFault | undefined>;
+  /** Ends all workers. */
+  close(): Promise<void>;
+}
