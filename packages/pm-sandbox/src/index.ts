@@ -14,12 +14,7 @@ export type {
   SandboxResult,
   SandboxValue,
 } from './ports/sandbox.ts';
-export type {
-  EncodedRecord,
-  TopicListener,
-  TopicPort,
-  TopicSelector,
-} from './ports/topic-port.ts';
+export type { EncodedRecord, TopicListener, TopicPort, TopicSelector } from './ports/topic-port.ts';
 export type {
   InstanceSpec,
   ModuleRuntime,
