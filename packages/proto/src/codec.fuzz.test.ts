@@ -23,6 +23,14 @@ reference.loadSync(
   ),
 );
 
+// In a message without fields protobufjs takes the tag for the field number, and so misses field
+// number 0 and the ends of groups. A field that is never sent keeps it from that.
+for (const type of TYPES.map((name) => reference.lookupType(name))) {
+  if (type.fieldsArray.length > 0) continue;
+  const unsent = new protobuf.Field('unsent', 536_870_911, 'bool');
+  type.add(new protobuf.OneOf('never').add(unsent));
+}
+
 /** Absent members left out, bytes plain: protobufjs marks absence with null. */
 function comparable(value: unknown): unknown {
   if (value instanceof Uint8Array) return [...value];

@@ -49,6 +49,8 @@ export {
   INFO_TOPICS,
   isExtensionTopic,
   isMasterTopic,
+  moduleEventTopic,
+  sessionStatisticsTopic,
   UUID_PATTERN,
 } from './topics.ts';
 export { LEGACY_CONSTANTS } from './legacy-constants.ts';

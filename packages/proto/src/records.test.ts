@@ -1,10 +1,15 @@
 import { describe, expect, expectTypeOf, it } from 'vitest';
 import { decode, encode } from './codec.ts';
 import { DecodeError } from './decode-error.ts';
-import type { Vector2 } from './generated/messages.ts';
+import { ModuleEventKind, type Vector2 } from './generated/messages.ts';
 import { decodeRecord, decodeTopicData, encodeRecord, type TopicRecord } from './records.ts';
 import { fromHex, toHex } from './testing/hex.ts';
-import { encodeErrorFrame, encodeRecordListFrame, recordFrameHeader } from './wire/index.ts';
+import {
+  encodeErrorFrame,
+  encodeNodeMessageFrame,
+  encodeRecordListFrame,
+  recordFrameHeader,
+} from './wire/index.ts';
 
 const RECORD = 'ubii.topicData.TopicDataRecord';
 
@@ -96,6 +101,28 @@ describe('decodeTopicData', () => {
     const { error, records } = decodeTopicData(encodeErrorFrame({ title: 't', code: 'not_found' }));
     expect(error).toEqual({ title: 't', message: '', stack: '', code: 'not_found' });
     expect(records).toEqual([]);
+  });
+
+  it('[EX-20] reads node messages, and a broken one loses nothing else', () => {
+    const report = encodeNodeMessageFrame({
+      moduleReports: { events: [{ sessionId: 's', moduleName: 'm', message: 'it failed' }] },
+    });
+    const broken = fromHex('c23e06 0a04 0a02c328');
+    const single = [...recordFrameHeader(good.length), ...good];
+    const { records, nodeMessages, failed, error } = decodeTopicData(
+      Uint8Array.from([...report, ...broken, ...report, ...single]),
+    );
+    expect(nodeMessages).toHaveLength(2);
+    expect(nodeMessages[1]?.moduleReports?.events).toMatchObject([
+      { sessionId: 's', moduleName: 'm', message: 'it failed', kind: ModuleEventKind.ERROR },
+    ]);
+    expect(records.map(({ topic }) => topic)).toEqual(['/good']);
+    expect(failed).toMatchObject([{ messageType: 'ubii.extension.NodeMessage', byteLength: 6 }]);
+    expect(error).toBeUndefined();
+  });
+
+  it('has no node messages in other frames', () => {
+    expect(decodeTopicData(encodeRecordListFrame([good])).nodeMessages).toEqual([]);
   });
 
   it('keeps the records before the frame breaks, and says that it broke', () => {

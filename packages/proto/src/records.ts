@@ -9,10 +9,11 @@ import { DecodeError } from './decode-error.ts';
 import {
   CODECS,
   decodeErrorMessage,
+  decodeNodeMessage,
   decodeTopicDataRecord,
   encodeTimestamp,
 } from './generated/codec.ts';
-import type { ErrorMessage, TopicDataRecord } from './generated/messages.ts';
+import type { ErrorMessage, NodeMessage, TopicDataRecord } from './generated/messages.ts';
 import type { Init } from './init.ts';
 import { timestampFromMs, timestampToMs } from './timestamp.ts';
 import {
@@ -20,6 +21,7 @@ import {
   ERROR_TAG,
   LIST_ELEMENT_TAG,
   LIST_TAG,
+  NODE_MESSAGE_TAG,
   RECORD_TAG,
   TIMESTAMP_TAG,
   TOPIC_TAG,
@@ -71,11 +73,14 @@ export interface DecodedTopicData {
   records: (TopicRecord | EmptyRecord)[];
   /** Present when the master refused something. */
   error: ErrorMessage | undefined;
-  /** One for each record that could not be decoded, and one when the frame itself is broken. */
+  /** What the master and a node tell each other; empty for everybody else. [EX-20] */
+  nodeMessages: NodeMessage[];
+  /** One for each record or node message that fails, and one when the frame itself is broken. */
   failed: DecodeError[];
 }
 
 const RECORD_TYPE = 'ubii.topicData.TopicDataRecord';
+const NODE_MESSAGE_TYPE = 'ubii.extension.NodeMessage';
 
 /**
  * Encodes a record as a `TopicDataRecord`.
@@ -162,7 +167,7 @@ export function recordOf(message: TopicDataRecord): TopicRecord | EmptyRecord {
  * @param bytes borrowed: the data of pictures is a view of it
  */
 export function decodeTopicData(bytes: Uint8Array): DecodedTopicData {
-  const result: DecodedTopicData = { records: [], error: undefined, failed: [] };
+  const result: DecodedTopicData = { records: [], error: undefined, nodeMessages: [], failed: [] };
   try {
     const reader = new Reader(bytes);
     while (reader.pos < reader.end) readMember(reader, result);
@@ -193,6 +198,8 @@ function readMember(reader: Reader, result: DecodedTopicData): void {
       reader.end = outerEnd;
       return;
     }
+    case NODE_MESSAGE_TAG:
+      return readNodeMessage(reader, result);
     default:
       skipField(reader, tag);
   }
@@ -205,6 +212,18 @@ function readRecord(reader: Reader, result: DecodedTopicData): void {
     result.records.push(recordOf(decodeTopicDataRecord(reader)));
   } catch (cause) {
     result.failed.push(DecodeError.wrap(RECORD_TYPE, end - start, cause));
+  }
+  reader.pos = end;
+  reader.end = outerEnd;
+}
+
+function readNodeMessage(reader: Reader, result: DecodedTopicData): void {
+  const outerEnd = reader.enter();
+  const { pos: start, end } = reader;
+  try {
+    result.nodeMessages.push(decodeNodeMessage(reader));
+  } catch (cause) {
+    result.failed.push(DecodeError.wrap(NODE_MESSAGE_TYPE, end - start, cause));
   }
   reader.pos = end;
   reader.end = outerEnd;

@@ -7,6 +7,8 @@ import {
   INFO_TOPICS,
   isExtensionTopic,
   isMasterTopic,
+  moduleEventTopic,
+  sessionStatisticsTopic,
   UUID_PATTERN,
 } from './topics.ts';
 
@@ -39,6 +41,15 @@ describe('topics', () => {
 
   it('of components have three levels by convention', () => {
     expect(componentTopic('c', 'smart-device', 'touch')).toBe('/c/smart-device/touch');
+  });
+
+  it('[EX-23] of sessions carry their id, and are ours', () => {
+    expect(sessionStatisticsTopic('s')).toBe('/ubii/session/s/statistics');
+    expect(moduleEventTopic('s')).toBe('/ubii/session/s/events');
+    for (const topic of [sessionStatisticsTopic('s'), moduleEventTopic('s')]) {
+      expect(isExtensionTopic(topic)).toBe(true);
+      expect(isMasterTopic(topic)).toBe(true);
+    }
   });
 
   it('[CL-31] of clients carry their id', () => {

@@ -41,6 +41,16 @@ export function clientTopic(clientId: string): string {
   return `${EXTENSION_PREFIX}client/${clientId}`;
 }
 
+/** The topic on which the master publishes how a running session does, a few times a second. [SE-50] */
+export function sessionStatisticsTopic(sessionId: string): string {
+  return `${EXTENSION_PREFIX}session/${sessionId}/statistics`;
+}
+
+/** The topic of what the modules of a session do: errors, log lines, restarts. [SE-51] */
+export function moduleEventTopic(sessionId: string): string {
+  return `${EXTENSION_PREFIX}session/${sessionId}/events`;
+}
+
 /**
  * The topic a component publishes on by convention: `/<client id>/<device>/<component>`.
  *

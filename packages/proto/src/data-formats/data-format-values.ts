@@ -15,6 +15,7 @@ import type {
   KeyEvent,
   Matrix3x2,
   Matrix4x4,
+  ModuleEvent,
   MouseEventMessage,
   MyoEvent,
   Object2D,
@@ -26,6 +27,7 @@ import type {
   Quaternion,
   Session,
   SessionList,
+  SessionStatistics,
   StringList,
   TouchEventList,
   TouchEventMessage,
@@ -91,6 +93,10 @@ export interface DataFormatValues {
   error: ErrorMessage;
   /** Extension of ours: news about a client on `/ubii/client/<client id>`. */
   client: Client;
+  /** Extension of ours: how a running session does, on `/ubii/session/<session id>/statistics`. [SE-50] */
+  sessionStatistics: SessionStatistics;
+  /** Extension of ours: what a running module did, on `/ubii/session/<session id>/events`. [SE-51] */
+  moduleEvent: ModuleEvent;
 }
 
 /** Short name of a data format, for example `vector2`. */

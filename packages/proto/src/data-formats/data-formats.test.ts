@@ -47,12 +47,19 @@ describe('the data formats', () => {
     expect(INFOS.every(({ family }) => family.length > 0)).toBe(true);
   });
 
-  it('[TD-31] count touch, key, mouse and Myo events one by one', () => {
+  it('[TD-31] [EX-23] count touch, key, mouse, Myo and module events one by one', () => {
     expect(
       INFOS.filter(({ isEvent }) => isEvent)
         .map(({ format }) => format)
         .sort(),
-    ).toEqual(['keyEvent', 'mouseEvent', 'myoEvent', 'touchEvent', 'touchEventList']);
+    ).toEqual([
+      'keyEvent',
+      'moduleEvent',
+      'mouseEvent',
+      'myoEvent',
+      'touchEvent',
+      'touchEventList',
+    ]);
   });
 
   it.each(INFOS)(

@@ -68,6 +68,8 @@ const FAMILIES: { readonly [F in DataFormat]: DataFormatFamily } = {
   componentList: 'system',
   error: 'system',
   client: 'system',
+  sessionStatistics: 'system',
+  moduleEvent: 'system',
 };
 
 /** A `bool` shows like an event, but its newest value is all that matters. */
@@ -77,6 +79,7 @@ const EVENTS: ReadonlySet<string> = new Set([
   'keyEvent',
   'mouseEvent',
   'myoEvent',
+  'moduleEvent',
 ]);
 
 const RECORD = messageDescriptor('ubii.topicData.TopicDataRecord');

@@ -847,10 +847,14 @@ export function encodeTopicMux(m: Init<T.TopicMux>, w: Writer): void {
   if (m.dataType != null) w.string(26, m.dataType);
   if (m.topicSelector != null) w.string(34, m.topicSelector);
   if (m.identityMatchPattern != null) w.string(42, m.identityMatchPattern);
+  if (m.topicGlob != null) w.string(8002, m.topicGlob);
+  if (m.component != null) { const at = w.open(8010); encodeComponent(m.component, w); w.close(at); }
+  if (m.identitySource != null) w.int32(8016, m.identitySource);
+  if (m.identityGroup != null) w.int32(8024, m.identityGroup);
 }
 
 export function decodeTopicMux(r: Reader, into?: T.TopicMux): T.TopicMux {
-  const m: T.TopicMux = into ?? { id: '', name: '', dataType: '', topicSelector: '', identityMatchPattern: '' };
+  const m: T.TopicMux = into ?? { id: '', name: '', dataType: '', topicSelector: '', identityMatchPattern: '', topicGlob: '', component: undefined, identitySource: 0, identityGroup: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -859,6 +863,10 @@ export function decodeTopicMux(r: Reader, into?: T.TopicMux): T.TopicMux {
       case 26: m.dataType = r.string(); break;
       case 34: m.topicSelector = r.string(); break;
       case 42: m.identityMatchPattern = r.string(); break;
+      case 8002: m.topicGlob = r.string(); break;
+      case 8010: { const end = r.enter(); m.component = decodeComponent(r, m.component); r.end = end; break; }
+      case 8016: m.identitySource = r.int32() as T.MuxIdentity; break;
+      case 8024: m.identityGroup = r.int32(); break;
       default: skipField(r, tag);
     }
   }
@@ -886,10 +894,11 @@ export function encodeClientExtension(m: Init<T.ClientExtension>, w: Writer): vo
   if (m.resumeToken != null) w.string(18, m.resumeToken);
   if (m.resumed != null) w.bool(24, m.resumed);
   if (m.masterVersion != null) w.string(34, m.masterVersion);
+  if (m.node != null) { const at = w.open(42); encodeNodeExtension(m.node, w); w.close(at); }
 }
 
 export function decodeClientExtension(r: Reader, into?: T.ClientExtension): T.ClientExtension {
-  const m: T.ClientExtension = into ?? { recordLists: false, resumeToken: '', resumed: false, masterVersion: '' };
+  const m: T.ClientExtension = into ?? { recordLists: false, resumeToken: '', resumed: false, masterVersion: '', node: undefined };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -897,6 +906,7 @@ export function decodeClientExtension(r: Reader, into?: T.ClientExtension): T.Cl
       case 18: m.resumeToken = r.string(); break;
       case 24: m.resumed = r.bool(); break;
       case 34: m.masterVersion = r.string(); break;
+      case 42: { const end = r.enter(); m.node = decodeNodeExtension(r, m.node); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -989,6 +999,304 @@ export function decodeMasterStatusRequest(r: Reader, into?: T.MasterStatusReques
     const tag = r.tag();
     switch (tag) {
       case 9: m.sinceMs = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeModuleEvent(m: Init<T.ModuleEvent>, w: Writer): void {
+  if (m.sessionId != null) w.string(10, m.sessionId);
+  if (m.moduleId != null) w.string(18, m.moduleId);
+  if (m.moduleName != null) w.string(26, m.moduleName);
+  if (m.nodeId != null) w.string(34, m.nodeId);
+  if (m.kind != null) w.int32(40, m.kind);
+  if (m.timeMs != null) w.double(49, m.timeMs);
+  if (m.phase != null) w.string(58, m.phase);
+  if (m.message != null) w.string(66, m.message);
+  if (m.line != null) w.int32(72, m.line);
+  if (m.column != null) w.int32(80, m.column);
+  if (m.level != null) w.string(90, m.level);
+  if (m.suppressed != null) w.int32(96, m.suppressed);
+}
+
+export function decodeModuleEvent(r: Reader, into?: T.ModuleEvent): T.ModuleEvent {
+  const m: T.ModuleEvent = into ?? { sessionId: '', moduleId: '', moduleName: '', nodeId: '', kind: 0, timeMs: 0, phase: '', message: '', line: 0, column: 0, level: '', suppressed: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.sessionId = r.string(); break;
+      case 18: m.moduleId = r.string(); break;
+      case 26: m.moduleName = r.string(); break;
+      case 34: m.nodeId = r.string(); break;
+      case 40: m.kind = r.int32() as T.ModuleEventKind; break;
+      case 49: m.timeMs = r.double(); break;
+      case 58: m.phase = r.string(); break;
+      case 66: m.message = r.string(); break;
+      case 72: m.line = r.int32(); break;
+      case 80: m.column = r.int32(); break;
+      case 90: m.level = r.string(); break;
+      case 96: m.suppressed = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeModuleExtension(m: Init<T.ModuleExtension>, w: Writer): void {
+  if (m.version != null) w.string(10, m.version);
+  if (m.libraries != null) for (const e of m.libraries) w.string(18, e);
+  if (m.replaceable != null) w.bool(24, m.replaceable);
+}
+
+export function decodeModuleExtension(r: Reader, into?: T.ModuleExtension): T.ModuleExtension {
+  const m: T.ModuleExtension = into ?? { version: '', libraries: [], replaceable: false };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.version = r.string(); break;
+      case 18: m.libraries.push(r.string()); break;
+      case 24: m.replaceable = r.bool(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeModuleReports(m: Init<T.ModuleReports>, w: Writer): void {
+  if (m.statistics != null) for (const e of m.statistics) { const at = w.open(10); encodeModuleStatistics(e, w); w.close(at); }
+  if (m.events != null) for (const e of m.events) { const at = w.open(18); encodeModuleEvent(e, w); w.close(at); }
+}
+
+export function decodeModuleReports(r: Reader, into?: T.ModuleReports): T.ModuleReports {
+  const m: T.ModuleReports = into ?? { statistics: [], events: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.statistics.push(decodeModuleStatistics(r)); r.end = end; break; }
+      case 18: { const end = r.enter(); m.events.push(decodeModuleEvent(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeModuleStatistics(m: Init<T.ModuleStatistics>, w: Writer): void {
+  if (m.moduleId != null) w.string(10, m.moduleId);
+  if (m.moduleName != null) w.string(18, m.moduleName);
+  if (m.nodeId != null) w.string(26, m.nodeId);
+  if (m.status != null) w.int32(32, m.status);
+  if (m.runs != null) w.double(41, m.runs);
+  if (m.runsPerSecond != null) w.double(49, m.runsPerSecond);
+  if (m.runP50Ms != null) w.double(57, m.runP50Ms);
+  if (m.runP95Ms != null) w.double(65, m.runP95Ms);
+  if (m.overruns != null) w.double(73, m.overruns);
+  if (m.errors != null) w.double(81, m.errors);
+  if (m.restarts != null) w.double(89, m.restarts);
+  if (m.outputs != null) w.double(97, m.outputs);
+  if (m.outputsRefused != null) w.double(105, m.outputsRefused);
+  if (m.waiting != null) w.int32(112, m.waiting);
+}
+
+export function decodeModuleStatistics(r: Reader, into?: T.ModuleStatistics): T.ModuleStatistics {
+  const m: T.ModuleStatistics = into ?? { moduleId: '', moduleName: '', nodeId: '', status: 0, runs: 0, runsPerSecond: 0, runP50Ms: 0, runP95Ms: 0, overruns: 0, errors: 0, restarts: 0, outputs: 0, outputsRefused: 0, waiting: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.moduleId = r.string(); break;
+      case 18: m.moduleName = r.string(); break;
+      case 26: m.nodeId = r.string(); break;
+      case 32: m.status = r.int32() as T.ProcessingModuleStatus; break;
+      case 41: m.runs = r.double(); break;
+      case 49: m.runsPerSecond = r.double(); break;
+      case 57: m.runP50Ms = r.double(); break;
+      case 65: m.runP95Ms = r.double(); break;
+      case 73: m.overruns = r.double(); break;
+      case 81: m.errors = r.double(); break;
+      case 89: m.restarts = r.double(); break;
+      case 97: m.outputs = r.double(); break;
+      case 105: m.outputsRefused = r.double(); break;
+      case 112: m.waiting = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeExtension(m: Init<T.NodeExtension>, w: Writer): void {
+  if (m.kind != null) w.int32(8, m.kind);
+  if (m.runsJavascript != null) w.bool(16, m.runsJavascript);
+  if (m.acceptsWork != null) w.bool(24, m.acceptsWork);
+  if (m.libraries != null) for (const e of m.libraries) w.string(34, e);
+  if (m.capacity != null) w.int32(40, m.capacity);
+}
+
+export function decodeNodeExtension(r: Reader, into?: T.NodeExtension): T.NodeExtension {
+  const m: T.NodeExtension = into ?? { kind: 0, runsJavascript: false, acceptsWork: false, libraries: [], capacity: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.kind = r.int32() as T.NodeExtensionKind; break;
+      case 16: m.runsJavascript = r.bool(); break;
+      case 24: m.acceptsWork = r.bool(); break;
+      case 34: m.libraries.push(r.string()); break;
+      case 40: m.capacity = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeInfo(m: Init<T.NodeInfo>, w: Writer): void {
+  if (m.clientId != null) w.string(10, m.clientId);
+  if (m.name != null) w.string(18, m.name);
+  if (m.node != null) { const at = w.open(26); encodeNodeExtension(m.node, w); w.close(at); }
+  if (m.moduleNames != null) for (const e of m.moduleNames) w.string(34, e);
+  if (m.instances != null) w.int32(40, m.instances);
+  if (m.available != null) w.bool(48, m.available);
+  if (m.dedicated != null) w.bool(56, m.dedicated);
+}
+
+export function decodeNodeInfo(r: Reader, into?: T.NodeInfo): T.NodeInfo {
+  const m: T.NodeInfo = into ?? { clientId: '', name: '', node: undefined, moduleNames: [], instances: 0, available: false, dedicated: false };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.clientId = r.string(); break;
+      case 18: m.name = r.string(); break;
+      case 26: { const end = r.enter(); m.node = decodeNodeExtension(r, m.node); r.end = end; break; }
+      case 34: m.moduleNames.push(r.string()); break;
+      case 40: m.instances = r.int32(); break;
+      case 48: m.available = r.bool(); break;
+      case 56: m.dedicated = r.bool(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeList(m: Init<T.NodeList>, w: Writer): void {
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeNodeInfo(e, w); w.close(at); }
+}
+
+export function decodeNodeList(r: Reader, into?: T.NodeList): T.NodeList {
+  const m: T.NodeList = into ?? { elements: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.elements.push(decodeNodeInfo(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeNodeMessage(m: Init<T.NodeMessage>, w: Writer): void {
+  if (m.lockstepRequest != null) { const at = w.open(10); encodeLockstepProcessingRequest(m.lockstepRequest, w); w.close(at); }
+  if (m.lockstepReply != null) { const at = w.open(18); encodeLockstepProcessingReply(m.lockstepReply, w); w.close(at); }
+  if (m.moduleReports != null) { const at = w.open(26); encodeModuleReports(m.moduleReports, w); w.close(at); }
+}
+
+const NodeMessage_type = ['lockstepRequest', 'lockstepReply', 'moduleReports'] as const;
+export function decodeNodeMessage(r: Reader, into?: T.NodeMessage): T.NodeMessage {
+  const m: T.NodeMessage = into ?? {};
+  let type = into && setMember(into, NodeMessage_type);
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: type = only(m, type, 'lockstepRequest'); { const end = r.enter(); m.lockstepRequest = decodeLockstepProcessingRequest(r, m.lockstepRequest); r.end = end; break; }
+      case 18: type = only(m, type, 'lockstepReply'); { const end = r.enter(); m.lockstepReply = decodeLockstepProcessingReply(r, m.lockstepReply); r.end = end; break; }
+      case 26: type = only(m, type, 'moduleReports'); { const end = r.enter(); m.moduleReports = decodeModuleReports(r, m.moduleReports); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeSessionExtension(m: Init<T.SessionExtension>, w: Writer): void {
+  if (m.state != null) w.int32(8, m.state);
+  if (m.problems != null) for (const e of m.problems) { const at = w.open(18); encodeSessionProblem(e, w); w.close(at); }
+  if (m.startWithMaster != null) w.bool(24, m.startWithMaster);
+  if (m.lockstepHertz != null) w.double(33, m.lockstepHertz);
+  if (m.editorJson != null) w.string(42, m.editorJson);
+  if (m.revision != null) w.int32(48, m.revision);
+  if (m.stored != null) w.bool(56, m.stored);
+}
+
+export function decodeSessionExtension(r: Reader, into?: T.SessionExtension): T.SessionExtension {
+  const m: T.SessionExtension = into ?? { state: 0, problems: [], startWithMaster: false, lockstepHertz: 0, editorJson: '', revision: 0, stored: false };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.state = r.int32() as T.SessionState; break;
+      case 18: { const end = r.enter(); m.problems.push(decodeSessionProblem(r)); r.end = end; break; }
+      case 24: m.startWithMaster = r.bool(); break;
+      case 33: m.lockstepHertz = r.double(); break;
+      case 42: m.editorJson = r.string(); break;
+      case 48: m.revision = r.int32(); break;
+      case 56: m.stored = r.bool(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeSessionProblem(m: Init<T.SessionProblem>, w: Writer): void {
+  if (m.isError != null) w.bool(8, m.isError);
+  if (m.code != null) w.string(18, m.code);
+  if (m.message != null) w.string(26, m.message);
+  if (m.path != null) w.string(34, m.path);
+  if (m.moduleId != null) w.string(42, m.moduleId);
+  if (m.moduleName != null) w.string(50, m.moduleName);
+  if (m.nodeId != null) w.string(58, m.nodeId);
+  if (m.line != null) w.int32(64, m.line);
+  if (m.column != null) w.int32(72, m.column);
+}
+
+export function decodeSessionProblem(r: Reader, into?: T.SessionProblem): T.SessionProblem {
+  const m: T.SessionProblem = into ?? { isError: false, code: '', message: '', path: '', moduleId: '', moduleName: '', nodeId: '', line: 0, column: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.isError = r.bool(); break;
+      case 18: m.code = r.string(); break;
+      case 26: m.message = r.string(); break;
+      case 34: m.path = r.string(); break;
+      case 42: m.moduleId = r.string(); break;
+      case 50: m.moduleName = r.string(); break;
+      case 58: m.nodeId = r.string(); break;
+      case 64: m.line = r.int32(); break;
+      case 72: m.column = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeSessionStatistics(m: Init<T.SessionStatistics>, w: Writer): void {
+  if (m.sessionId != null) w.string(10, m.sessionId);
+  if (m.state != null) w.int32(16, m.state);
+  if (m.timeMs != null) w.double(25, m.timeMs);
+  if (m.modules != null) for (const e of m.modules) { const at = w.open(34); encodeModuleStatistics(e, w); w.close(at); }
+  if (m.passesPerSecond != null) w.double(41, m.passesPerSecond);
+  if (m.passP50Ms != null) w.double(49, m.passP50Ms);
+  if (m.passP95Ms != null) w.double(57, m.passP95Ms);
+  if (m.lateAnswers != null) w.double(65, m.lateAnswers);
+}
+
+export function decodeSessionStatistics(r: Reader, into?: T.SessionStatistics): T.SessionStatistics {
+  const m: T.SessionStatistics = into ?? { sessionId: '', state: 0, timeMs: 0, modules: [], passesPerSecond: 0, passP50Ms: 0, passP95Ms: 0, lateAnswers: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.sessionId = r.string(); break;
+      case 16: m.state = r.int32() as T.SessionState; break;
+      case 25: m.timeMs = r.double(); break;
+      case 34: { const end = r.enter(); m.modules.push(decodeModuleStatistics(r)); r.end = end; break; }
+      case 41: m.passesPerSecond = r.double(); break;
+      case 49: m.passP50Ms = r.double(); break;
+      case 57: m.passP95Ms = r.double(); break;
+      case 65: m.lateAnswers = r.double(); break;
       default: skipField(r, tag);
     }
   }
@@ -1206,15 +1514,19 @@ export function decodeSuccessList(r: Reader, into?: T.SuccessList): T.SuccessLis
 export function encodeLockstepProcessingReply(m: Init<T.LockstepProcessingReply>, w: Writer): void {
   if (m.processingModuleIds != null) for (const e of m.processingModuleIds) w.string(10, e);
   if (m.records != null) for (const e of m.records) { const at = w.open(18); encodeTopicDataRecord(e, w); w.close(at); }
+  if (m.pass != null) w.int32(8000, m.pass);
+  if (m.sessionId != null) w.string(8010, m.sessionId);
 }
 
 export function decodeLockstepProcessingReply(r: Reader, into?: T.LockstepProcessingReply): T.LockstepProcessingReply {
-  const m: T.LockstepProcessingReply = into ?? { processingModuleIds: [], records: [] };
+  const m: T.LockstepProcessingReply = into ?? { processingModuleIds: [], records: [], pass: 0, sessionId: '' };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 10: m.processingModuleIds.push(r.string()); break;
       case 18: { const end = r.enter(); m.records.push(decodeTopicDataRecord(r)); r.end = end; break; }
+      case 8000: m.pass = r.int32(); break;
+      case 8010: m.sessionId = r.string(); break;
       default: skipField(r, tag);
     }
   }
@@ -1225,16 +1537,22 @@ export function encodeLockstepProcessingRequest(m: Init<T.LockstepProcessingRequ
   if (m.processingModuleIds != null) for (const e of m.processingModuleIds) w.string(10, e);
   if (m.records != null) for (const e of m.records) { const at = w.open(18); encodeTopicDataRecord(e, w); w.close(at); }
   if (m.deltaTimeMs != null) w.int32(24, m.deltaTimeMs);
+  if (m.pass != null) w.int32(8000, m.pass);
+  if (m.sessionId != null) w.string(8010, m.sessionId);
+  if (m.deltaTime != null) w.double(8017, m.deltaTime);
 }
 
 export function decodeLockstepProcessingRequest(r: Reader, into?: T.LockstepProcessingRequest): T.LockstepProcessingRequest {
-  const m: T.LockstepProcessingRequest = into ?? { processingModuleIds: [], records: [], deltaTimeMs: 0 };
+  const m: T.LockstepProcessingRequest = into ?? { processingModuleIds: [], records: [], deltaTimeMs: 0, pass: 0, sessionId: '', deltaTime: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 10: m.processingModuleIds.push(r.string()); break;
       case 18: { const end = r.enter(); m.records.push(decodeTopicDataRecord(r)); r.end = end; break; }
       case 24: m.deltaTimeMs = r.int32(); break;
+      case 8000: m.pass = r.int32(); break;
+      case 8010: m.sessionId = r.string(); break;
+      case 8017: m.deltaTime = r.double(); break;
       default: skipField(r, tag);
     }
   }
@@ -1366,10 +1684,11 @@ export function encodeProcessingModule(m: Init<T.ProcessingModule>, w: Writer): 
   if (m.onCreatedStringified != null) w.string(114, m.onCreatedStringified);
   if (m.onHaltedStringified != null) w.string(122, m.onHaltedStringified);
   if (m.onDestroyedStringified != null) w.string(130, m.onDestroyedStringified);
+  if (m.extension != null) { const at = w.open(8002); encodeModuleExtension(m.extension, w); w.close(at); }
 }
 
 export function decodeProcessingModule(r: Reader, into?: T.ProcessingModule): T.ProcessingModule {
-  const m: T.ProcessingModule = into ?? { id: '', name: '', authors: [], tags: [], description: '', nodeId: '', sessionId: '', status: 0, processingMode: undefined, inputs: [], outputs: [], language: 0, onProcessingStringified: '', onCreatedStringified: '', onHaltedStringified: '', onDestroyedStringified: '' };
+  const m: T.ProcessingModule = into ?? { id: '', name: '', authors: [], tags: [], description: '', nodeId: '', sessionId: '', status: 0, processingMode: undefined, inputs: [], outputs: [], language: 0, onProcessingStringified: '', onCreatedStringified: '', onHaltedStringified: '', onDestroyedStringified: '', extension: undefined };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1389,6 +1708,7 @@ export function decodeProcessingModule(r: Reader, into?: T.ProcessingModule): T.
       case 114: m.onCreatedStringified = r.string(); break;
       case 122: m.onHaltedStringified = r.string(); break;
       case 130: m.onDestroyedStringified = r.string(); break;
+      case 8002: { const end = r.enter(); m.extension = decodeModuleExtension(r, m.extension); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -1518,9 +1838,10 @@ export function encodeServiceReply(m: Init<T.ServiceReply>, w: Writer): void {
   if (m.notifyCondition != null) { const at = w.open(178); encodeNotifyCondition(m.notifyCondition, w); w.close(at); }
   if (m.topicStatistics != null) { const at = w.open(8002); encodeTopicStatistics(m.topicStatistics, w); w.close(at); }
   if (m.masterStatus != null) { const at = w.open(8010); encodeMasterStatus(m.masterStatus, w); w.close(at); }
+  if (m.nodeList != null) { const at = w.open(8018); encodeNodeList(m.nodeList, w); w.close(at); }
 }
 
-const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus'] as const;
+const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList'] as const;
 export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceReply {
   const m: T.ServiceReply = into ?? {};
   let type = into && setMember(into, ServiceReply_type);
@@ -1551,6 +1872,7 @@ export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceR
       case 178: type = only(m, type, 'notifyCondition'); { const end = r.enter(); m.notifyCondition = decodeNotifyCondition(r, m.notifyCondition); r.end = end; break; }
       case 8002: type = only(m, type, 'topicStatistics'); { const end = r.enter(); m.topicStatistics = decodeTopicStatistics(r, m.topicStatistics); r.end = end; break; }
       case 8010: type = only(m, type, 'masterStatus'); { const end = r.enter(); m.masterStatus = decodeMasterStatus(r, m.masterStatus); r.end = end; break; }
+      case 8018: type = only(m, type, 'nodeList'); { const end = r.enter(); m.nodeList = decodeNodeList(r, m.nodeList); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -1691,10 +2013,11 @@ export function encodeSession(m: Init<T.Session>, w: Writer): void {
   if (m.authors != null) for (const e of m.authors) w.string(58, e);
   if (m.status != null) w.int32(64, m.status);
   if (m.editable != null) w.bool(72, m.editable);
+  if (m.extension != null) { const at = w.open(8002); encodeSessionExtension(m.extension, w); w.close(at); }
 }
 
 export function decodeSession(r: Reader, into?: T.Session): T.Session {
-  const m: T.Session = into ?? { id: '', name: '', processingModules: [], ioMappings: [], tags: [], description: '', authors: [], status: 0, editable: false };
+  const m: T.Session = into ?? { id: '', name: '', processingModules: [], ioMappings: [], tags: [], description: '', authors: [], status: 0, editable: false, extension: undefined };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1707,6 +2030,7 @@ export function decodeSession(r: Reader, into?: T.Session): T.Session {
       case 58: m.authors.push(r.string()); break;
       case 64: m.status = r.int32() as T.SessionStatus; break;
       case 72: m.editable = r.bool(); break;
+      case 8002: { const end = r.enter(); m.extension = decodeSessionExtension(r, m.extension); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -1733,11 +2057,12 @@ export function encodeTopicInputMapping(m: Init<T.TopicInputMapping>, w: Writer)
   if (m.inputName != null) w.string(10, m.inputName);
   if (m.topic != null) w.string(18, m.topic);
   if (m.topicMux != null) { const at = w.open(26); encodeTopicMux(m.topicMux, w); w.close(at); }
+  if (m.constantJson != null) w.string(8002, m.constantJson);
 }
 
 const TopicInputMapping_topic_source = ['topic', 'topicMux'] as const;
 export function decodeTopicInputMapping(r: Reader, into?: T.TopicInputMapping): T.TopicInputMapping {
-  const m: T.TopicInputMapping = into ?? { inputName: '' };
+  const m: T.TopicInputMapping = into ?? { inputName: '', constantJson: '' };
   let topic_source = into && setMember(into, TopicInputMapping_topic_source);
   while (r.pos < r.end) {
     const tag = r.tag();
@@ -1745,6 +2070,7 @@ export function decodeTopicInputMapping(r: Reader, into?: T.TopicInputMapping): 
       case 10: m.inputName = r.string(); break;
       case 18: topic_source = only(m, topic_source, 'topic'); m.topic = r.string(); break;
       case 26: topic_source = only(m, topic_source, 'topicMux'); { const end = r.enter(); m.topicMux = decodeTopicMux(r, m.topicMux); r.end = end; break; }
+      case 8002: m.constantJson = r.string(); break;
       default: skipField(r, tag);
     }
   }
@@ -1829,9 +2155,10 @@ export function encodeTopicData(m: Init<T.TopicData>, w: Writer): void {
   if (m.topicDataRecord != null) { const at = w.open(18); encodeTopicDataRecord(m.topicDataRecord, w); w.close(at); }
   if (m.topicDataRecordList != null) { const at = w.open(26); encodeTopicDataRecordList(m.topicDataRecordList, w); w.close(at); }
   if (m.error != null) { const at = w.open(34); encodeErrorMessage(m.error, w); w.close(at); }
+  if (m.nodeMessage != null) { const at = w.open(8002); encodeNodeMessage(m.nodeMessage, w); w.close(at); }
 }
 
-const TopicData_type = ['topicDataRecord', 'topicDataRecordList', 'error'] as const;
+const TopicData_type = ['topicDataRecord', 'topicDataRecordList', 'error', 'nodeMessage'] as const;
 export function decodeTopicData(r: Reader, into?: T.TopicData): T.TopicData {
   const m: T.TopicData = into ?? {};
   let type = into && setMember(into, TopicData_type);
@@ -1841,6 +2168,7 @@ export function decodeTopicData(r: Reader, into?: T.TopicData): T.TopicData {
       case 18: type = only(m, type, 'topicDataRecord'); { const end = r.enter(); m.topicDataRecord = decodeTopicDataRecord(r, m.topicDataRecord); r.end = end; break; }
       case 26: type = only(m, type, 'topicDataRecordList'); { const end = r.enter(); m.topicDataRecordList = decodeTopicDataRecordList(r, m.topicDataRecordList); r.end = end; break; }
       case 34: type = only(m, type, 'error'); { const end = r.enter(); m.error = decodeErrorMessage(r, m.error); r.end = end; break; }
+      case 8002: type = only(m, type, 'nodeMessage'); { const end = r.enter(); m.nodeMessage = decodeNodeMessage(r, m.nodeMessage); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -1893,9 +2221,11 @@ export function encodeTopicDataRecord(m: Init<T.TopicDataRecord>, w: Writer): vo
   if (m.componentList != null) { const at = w.open(346); encodeComponentList(m.componentList, w); w.close(at); }
   if (m.sessionList != null) { const at = w.open(354); encodeSessionList(m.sessionList, w); w.close(at); }
   if (m.client != null) { const at = w.open(8002); encodeClient(m.client, w); w.close(at); }
+  if (m.sessionStatistics != null) { const at = w.open(8010); encodeSessionStatistics(m.sessionStatistics, w); w.close(at); }
+  if (m.moduleEvent != null) { const at = w.open(8018); encodeModuleEvent(m.moduleEvent, w); w.close(at); }
 }
 
-const TopicDataRecord_type = ['double', 'bool', 'string', 'vector2', 'vector3', 'vector4', 'quaternion', 'matrix3x2', 'matrix4x4', 'color', 'touchEvent', 'keyEvent', 'mouseEvent', 'myoEvent', 'pose2D', 'pose3D', 'object2D', 'object3D', 'object2DList', 'object3DList', 'int32', 'float', 'int32List', 'floatList', 'doubleList', 'stringList', 'boolList', 'image2D', 'image2DList', 'session', 'touchEventList', 'vector2List', 'vector3List', 'vector4List', 'quaternionList', 'error', 'device', 'deviceList', 'component', 'componentList', 'sessionList', 'client'] as const;
+const TopicDataRecord_type = ['double', 'bool', 'string', 'vector2', 'vector3', 'vector4', 'quaternion', 'matrix3x2', 'matrix4x4', 'color', 'touchEvent', 'keyEvent', 'mouseEvent', 'myoEvent', 'pose2D', 'pose3D', 'object2D', 'object3D', 'object2DList', 'object3DList', 'int32', 'float', 'int32List', 'floatList', 'doubleList', 'stringList', 'boolList', 'image2D', 'image2DList', 'session', 'touchEventList', 'vector2List', 'vector3List', 'vector4List', 'quaternionList', 'error', 'device', 'deviceList', 'component', 'componentList', 'sessionList', 'client', 'sessionStatistics', 'moduleEvent'] as const;
 export function decodeTopicDataRecord(r: Reader, into?: T.TopicDataRecord): T.TopicDataRecord {
   const m: T.TopicDataRecord = into ?? { topic: '', timestamp: undefined, clientId: '' };
   let type = into && setMember(into, TopicDataRecord_type);
@@ -1947,6 +2277,8 @@ export function decodeTopicDataRecord(r: Reader, into?: T.TopicDataRecord): T.To
       case 346: type = only(m, type, 'componentList'); { const end = r.enter(); m.componentList = decodeComponentList(r, m.componentList); r.end = end; break; }
       case 354: type = only(m, type, 'sessionList'); { const end = r.enter(); m.sessionList = decodeSessionList(r, m.sessionList); r.end = end; break; }
       case 8002: type = only(m, type, 'client'); { const end = r.enter(); m.client = decodeClient(r, m.client); r.end = end; break; }
+      case 8010: type = only(m, type, 'sessionStatistics'); { const end = r.enter(); m.sessionStatistics = decodeSessionStatistics(r, m.sessionStatistics); r.end = end; break; }
+      case 8018: type = only(m, type, 'moduleEvent'); { const end = r.enter(); m.moduleEvent = decodeModuleEvent(r, m.moduleEvent); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -2062,6 +2394,17 @@ export const CODECS: {
   'ubii.extension.MasterAddress': { encode: encodeMasterAddress, decode: decodeMasterAddress },
   'ubii.extension.MasterStatus': { encode: encodeMasterStatus, decode: decodeMasterStatus },
   'ubii.extension.MasterStatusRequest': { encode: encodeMasterStatusRequest, decode: decodeMasterStatusRequest },
+  'ubii.extension.ModuleEvent': { encode: encodeModuleEvent, decode: decodeModuleEvent },
+  'ubii.extension.ModuleExtension': { encode: encodeModuleExtension, decode: decodeModuleExtension },
+  'ubii.extension.ModuleReports': { encode: encodeModuleReports, decode: decodeModuleReports },
+  'ubii.extension.ModuleStatistics': { encode: encodeModuleStatistics, decode: decodeModuleStatistics },
+  'ubii.extension.NodeExtension': { encode: encodeNodeExtension, decode: decodeNodeExtension },
+  'ubii.extension.NodeInfo': { encode: encodeNodeInfo, decode: decodeNodeInfo },
+  'ubii.extension.NodeList': { encode: encodeNodeList, decode: decodeNodeList },
+  'ubii.extension.NodeMessage': { encode: encodeNodeMessage, decode: decodeNodeMessage },
+  'ubii.extension.SessionExtension': { encode: encodeSessionExtension, decode: decodeSessionExtension },
+  'ubii.extension.SessionProblem': { encode: encodeSessionProblem, decode: decodeSessionProblem },
+  'ubii.extension.SessionStatistics': { encode: encodeSessionStatistics, decode: decodeSessionStatistics },
   'ubii.extension.StatusEvent': { encode: encodeStatusEvent, decode: decodeStatusEvent },
   'ubii.extension.StatusProblem': { encode: encodeStatusProblem, decode: decodeStatusProblem },
   'ubii.extension.StatusSample': { encode: encodeStatusSample, decode: decodeStatusSample },

@@ -125,6 +125,86 @@ export type MasterAddressKind = (typeof MasterAddressKind)[keyof typeof MasterAd
 /**
  * What happened.
  *
+ * `ubii.extension.ModuleEvent.Kind`
+ */
+export const ModuleEventKind = {
+  /** Its code failed. */
+  ERROR: 0,
+  /** It wrote to its console. */
+  LOG: 1,
+  /** It was killed: over its time or its memory. */
+  KILLED: 2,
+  /** It was started again. */
+  RESTARTED: 3,
+  /** It was given up after too many restarts. */
+  FAILED: 4,
+  /** Outputs were refused. */
+  REFUSED: 5,
+  /** Its runs take longer than its mode leaves them. */
+  OVERRUN: 6,
+} as const;
+export type ModuleEventKind = (typeof ModuleEventKind)[keyof typeof ModuleEventKind];
+
+/**
+ * What tells the elements of a multiplexer apart. Rule PM-43.
+ *
+ * `ubii.extension.MuxIdentity`
+ */
+export const MuxIdentity = {
+  /** What TopicMux.identity_match_pattern finds in the topic; without a pattern, what can be deduced. */
+  MUX_IDENTITY_PATTERN: 0,
+  /** Id of the client that published the record. */
+  MUX_IDENTITY_CLIENT_ID: 1,
+  /** Id of the device whose component has the topic. */
+  MUX_IDENTITY_DEVICE_ID: 2,
+  /** The whole topic. */
+  MUX_IDENTITY_TOPIC: 3,
+} as const;
+export type MuxIdentity = (typeof MuxIdentity)[keyof typeof MuxIdentity];
+
+/**
+ * What kind of program runs the modules.
+ *
+ * `ubii.extension.NodeExtension.Kind`
+ */
+export const NodeExtensionKind = {
+  /** Not said: a client that knows nothing of this, or none that runs modules. */
+  EXTERNAL: 0,
+  /** The master itself. */
+  MASTER: 1,
+  /** A dedicated Node process. */
+  NODE: 2,
+  /** A browser tab. */
+  BROWSER: 3,
+} as const;
+export type NodeExtensionKind = (typeof NodeExtensionKind)[keyof typeof NodeExtensionKind];
+
+/**
+ * Where a session is in its life, finer than SessionStatus. Rule SE-10.
+ *
+ * `ubii.extension.SessionState`
+ */
+export const SessionState = {
+  /** Known, not started. */
+  SESSION_CREATED: 0,
+  /** Its modules are being made. */
+  SESSION_STARTING: 1,
+  /** All its modules run. */
+  SESSION_RUNNING: 2,
+  /** It runs, but not all of its modules do. */
+  SESSION_DEGRADED: 3,
+  /** Held; the modules keep their state. */
+  SESSION_PAUSED: 4,
+  /** Its modules are being ended. */
+  SESSION_STOPPING: 5,
+  /** Over; it can be started again. */
+  SESSION_STOPPED: 6,
+} as const;
+export type SessionState = (typeof SessionState)[keyof typeof SessionState];
+
+/**
+ * What happened.
+ *
  * `ubii.extension.StatusEvent.Kind`
  */
 export const StatusEventKind = {
@@ -821,6 +901,14 @@ export interface TopicMux {
   topicSelector: string;
   /** Regular expression; what it matches in a topic tells the elements apart. */
   identityMatchPattern: string;
+  /** Glob that selects the topics, in place of the regular expression. Rule PM-41. */
+  topicGlob: string;
+  /** Selects the topics of the components that match it, in place of an expression. Rule PM-41. */
+  component: Component | undefined;
+  /** Where the identity comes from. Rule PM-43. */
+  identitySource: MuxIdentity;
+  /** Capture group of the identity pattern, from 1; 0 is the whole match. */
+  identityGroup: number;
 }
 
 /**
@@ -853,6 +941,8 @@ export interface ClientExtension {
   resumed: boolean;
   /** Master to client: version of the master, semantic versioning. */
   masterVersion: string;
+  /** Client to master: what it is as a node; absent when it runs no modules. Rule PM-60. */
+  node: NodeExtension | undefined;
 }
 
 /**
@@ -933,6 +1023,242 @@ export interface MasterStatusRequest {
    * clock; 0 asks for all that is kept (10 minutes).
    */
   sinceMs: number;
+}
+
+/**
+ * Something a running module did that people want to know. Rule PM-81.
+ *
+ * `ubii.extension.ModuleEvent`
+ */
+export interface ModuleEvent {
+  /** Id of the session. */
+  sessionId: string;
+  /** Id of the instance. */
+  moduleId: string;
+  /** Name of the module. */
+  moduleName: string;
+  /** Id of the node. */
+  nodeId: string;
+  /** What happened. */
+  kind: ModuleEventKind;
+  /** Milliseconds since the Unix epoch, clock of the node. */
+  timeMs: number;
+  /** Callback it happened in, such as onProcessing; empty when in none. */
+  phase: string;
+  /** One sentence, or the text of the log line. */
+  message: string;
+  /** Line in the source of the callback, from 1; 0 when not known. */
+  line: number;
+  /** Column in that line, from 1; 0 when not known. */
+  column: number;
+  /** Of a log line: log, info, warn, error or debug. */
+  level: string;
+  /** Equal events left out since the one before, because there were too many. */
+  suppressed: number;
+}
+
+/**
+ * What existing nodes do not know of a module. Rule EX-22.
+ *
+ * `ubii.extension.ModuleExtension`
+ */
+export interface ModuleExtension {
+  /** Semantic versioning; empty when the author gave none. */
+  version: string;
+  /** Names of external libraries it needs of its node, as in state.modules. Rule PM-4. */
+  libraries: string[];
+  /**
+   * True: the master chose the node and may choose another one when it goes away. Set by
+   * the master. Rule SE-31.
+   */
+  replaceable: boolean;
+}
+
+/**
+ * How the modules of a node do, and what they have to say.
+ *
+ * `ubii.extension.ModuleReports`
+ */
+export interface ModuleReports {
+  /** One entry a module. */
+  statistics: ModuleStatistics[];
+  /** In the order they happened. */
+  events: ModuleEvent[];
+}
+
+/**
+ * How one running module did since the report before. Rule PM-80.
+ *
+ * `ubii.extension.ModuleStatistics`
+ */
+export interface ModuleStatistics {
+  /** Id of the instance. */
+  moduleId: string;
+  /** Name of the module. */
+  moduleName: string;
+  /** Id of the node it runs on. */
+  nodeId: string;
+  /** Where it is in its life. */
+  status: ProcessingModuleStatus;
+  /** Runs since it was created. */
+  runs: number;
+  /** Runs per second since the report before. */
+  runsPerSecond: number;
+  /** Median duration of a run since the report before, milliseconds; 0 when there was none. */
+  runP50Ms: number;
+  /** 95th percentile of it, milliseconds. */
+  runP95Ms: number;
+  /** Runs that took longer than their mode leaves them, since it was created. */
+  overruns: number;
+  /** Runs that failed since it was created. */
+  errors: number;
+  /** How often it was started again after it was killed. */
+  restarts: number;
+  /** Records put out since it was created. */
+  outputs: number;
+  /** Outputs that were refused: over a limit, of a wrong format, or without their parameters. */
+  outputsRefused: number;
+  /** Triggers that wait for the run under way or the minimal delay. */
+  waiting: number;
+}
+
+/**
+ * What a client says of itself as a node, at registration. Rule PM-60.
+ *
+ * `ubii.extension.NodeExtension`
+ */
+export interface NodeExtension {
+  /** What kind of program it is. */
+  kind: NodeExtensionKind;
+  /** True: runs any module that comes with JavaScript code, and takes part in lockstep passes. */
+  runsJavascript: boolean;
+  /** True: the master may choose it by itself; false: only sessions that name it. */
+  acceptsWork: boolean;
+  /** Names of the external libraries it offers its modules. */
+  libraries: string[];
+  /** How many modules it likes to run at once; 0 when it does not say. */
+  capacity: number;
+}
+
+/**
+ * A node as the master sees it. Rule PM-61.
+ *
+ * `ubii.extension.NodeInfo`
+ */
+export interface NodeInfo {
+  /** Id of the client, or of the master. */
+  clientId: string;
+  /** For people. */
+  name: string;
+  /** What it said of itself. */
+  node: NodeExtension | undefined;
+  /** Names of the modules it has code for. */
+  moduleNames: string[];
+  /** Modules of sessions it runs now. */
+  instances: number;
+  /** True when it can be given modules now. */
+  available: boolean;
+  /** True when it exists to run modules for others. */
+  dedicated: boolean;
+}
+
+/**
+ * Nodes, the master first.
+ *
+ * `ubii.extension.NodeList`
+ */
+export interface NodeList {
+  /** The master first, then by name. */
+  elements: NodeInfo[];
+}
+
+/**
+ * What the master and a node of this project tell each other over the topic-data channel. Rule EX-20.
+ *
+ * `ubii.extension.NodeMessage`
+ */
+export interface NodeMessage {
+  /** Master to node: run one lockstep pass. Rule SE-40. */
+  lockstepRequest?: LockstepProcessingRequest | undefined;
+  /** Node to master: the outputs of that pass. Rule SE-41. */
+  lockstepReply?: LockstepProcessingReply | undefined;
+  /** Node to master: how its modules do. Rules PM-80 and PM-81. */
+  moduleReports?: ModuleReports | undefined;
+}
+
+/**
+ * What existing clients do not know of a session. Rule EX-22.
+ *
+ * `ubii.extension.SessionExtension`
+ */
+export interface SessionExtension {
+  /** Where it is in its life. Set by the master. Rule SE-10. */
+  state: SessionState;
+  /** What is wrong with it now, errors first. Set by the master. Rule SE-3. */
+  problems: SessionProblem[];
+  /** True: the master starts it again after a restart, if it ran before. Rule SE-24. */
+  startWithMaster: boolean;
+  /** Lockstep passes per second at most; 0 means 60. Rule SE-40. */
+  lockstepHertz: number;
+  /** What graph editors keep: positions, comments, frames; JSON text that the master does not read. */
+  editorJson: string;
+  /**
+   * Grows with every change of the specification. In an update, when not 0: the revision it was made from.
+   * Rule SE-15.
+   */
+  revision: number;
+  /** True when it is also stored. Rule SE-21. */
+  stored: boolean;
+}
+
+/**
+ * Something wrong with a session, and where. Rules SE-3 and SE-12.
+ *
+ * `ubii.extension.SessionProblem`
+ */
+export interface SessionProblem {
+  /** True: it cannot run like this; false: it can, but people should know. */
+  isError: boolean;
+  /** Stable reason from a closed list. */
+  code: string;
+  /** One sentence: what is wrong and what to do. */
+  message: string;
+  /** Where in the session, such as ioMappings[0].inputMappings[1].topic; empty when nowhere special. */
+  path: string;
+  /** Id of the module it is about, if any. */
+  moduleId: string;
+  /** Name of the module it is about, if any. */
+  moduleName: string;
+  /** Id of the node it is about, if any. */
+  nodeId: string;
+  /** Line in the source of the callback, from 1; 0 when not known. */
+  line: number;
+  /** Column in that line, from 1; 0 when not known. */
+  column: number;
+}
+
+/**
+ * How a running session does. Rule SE-50.
+ *
+ * `ubii.extension.SessionStatistics`
+ */
+export interface SessionStatistics {
+  /** Id of the session. */
+  sessionId: string;
+  /** Where it is in its life. */
+  state: SessionState;
+  /** Milliseconds since the Unix epoch, master's clock. */
+  timeMs: number;
+  /** Its modules. */
+  modules: ModuleStatistics[];
+  /** Lockstep passes per second since the report before. */
+  passesPerSecond: number;
+  /** Median duration of a pass since the report before, milliseconds. */
+  passP50Ms: number;
+  /** 95th percentile of it, milliseconds. */
+  passP95Ms: number;
+  /** Answers of nodes that came too late for their pass, since the session started. */
+  lateAnswers: number;
 }
 
 /**
@@ -1094,6 +1420,10 @@ export interface LockstepProcessingReply {
   processingModuleIds: string[];
   /** Outputs of all of them, told apart by topic. */
   records: TopicDataRecord[];
+  /** Number of the pass this answers. Rule SE-41. */
+  pass: number;
+  /** Id of the session. */
+  sessionId: string;
 }
 
 /**
@@ -1108,6 +1438,12 @@ export interface LockstepProcessingRequest {
   records: TopicDataRecord[];
   /** Since the pass before, milliseconds. */
   deltaTimeMs: number;
+  /** Number of the pass in this session. Rule SE-40. */
+  pass: number;
+  /** Id of the session. */
+  sessionId: string;
+  /** Since the pass before, milliseconds, with fractions. */
+  deltaTime: number;
 }
 
 /**
@@ -1218,6 +1554,8 @@ export interface ProcessingModule {
   onHaltedStringified: string;
   /** Source of the function that is called before it is gone: (state). */
   onDestroyedStringified: string;
+  /** What existing nodes do not know of it. Rule EX-22. */
+  extension: ModuleExtension | undefined;
 }
 
 /**
@@ -1348,6 +1686,8 @@ export interface ServiceReply {
   topicStatistics?: TopicStatistics | undefined;
   /** How the master is. Rule EX-16. */
   masterStatus?: MasterStatus | undefined;
+  /** The nodes that can run modules. Rule PM-61. */
+  nodeList?: NodeList | undefined;
 }
 
 /**
@@ -1473,6 +1813,8 @@ export interface Session {
   status: SessionStatus;
   /** False when people should not change it. */
   editable: boolean;
+  /** What existing clients do not know of it. Rule EX-22. */
+  extension: SessionExtension | undefined;
 }
 
 /**
@@ -1497,6 +1839,11 @@ export interface TopicInputMapping {
   topic?: string | undefined;
   /** The newest records of many topics, as a list. */
   topicMux?: TopicMux | undefined;
+  /**
+   * A value that never changes, in place of a topic: JSON text of the record's member, such as
+   * {"vector2":{"x":1,"y":0}}. Rules EX-19 and PM-34.
+   */
+  constantJson: string;
 }
 
 /**
@@ -1560,6 +1907,8 @@ export interface TopicData {
   topicDataRecordList?: TopicDataRecordList | undefined;
   /** Why something was refused. Rule TD-17. */
   error?: ErrorMessage | undefined;
+  /** Between the master and its nodes; never to or from existing clients. Rule EX-20. */
+  nodeMessage?: NodeMessage | undefined;
 }
 
 /**
@@ -1658,6 +2007,10 @@ export interface TopicDataRecord {
   sessionList?: SessionList | undefined;
   /** News of a client. Rule CL-31. */
   client?: Client | undefined;
+  /** How a running session does. Rules EX-23 and SE-50. */
+  sessionStatistics?: SessionStatistics | undefined;
+  /** Something a running module did. An event: every record counts. Rules EX-23 and SE-51. */
+  moduleEvent?: ModuleEvent | undefined;
 }
 
 /**
@@ -1744,6 +2097,17 @@ export interface MessageTypes {
   'ubii.extension.MasterAddress': MasterAddress;
   'ubii.extension.MasterStatus': MasterStatus;
   'ubii.extension.MasterStatusRequest': MasterStatusRequest;
+  'ubii.extension.ModuleEvent': ModuleEvent;
+  'ubii.extension.ModuleExtension': ModuleExtension;
+  'ubii.extension.ModuleReports': ModuleReports;
+  'ubii.extension.ModuleStatistics': ModuleStatistics;
+  'ubii.extension.NodeExtension': NodeExtension;
+  'ubii.extension.NodeInfo': NodeInfo;
+  'ubii.extension.NodeList': NodeList;
+  'ubii.extension.NodeMessage': NodeMessage;
+  'ubii.extension.SessionExtension': SessionExtension;
+  'ubii.extension.SessionProblem': SessionProblem;
+  'ubii.extension.SessionStatistics': SessionStatistics;
   'ubii.extension.StatusEvent': StatusEvent;
   'ubii.extension.StatusProblem': StatusProblem;
   'ubii.extension.StatusSample': StatusSample;

@@ -39,6 +39,32 @@ enum ubii.extension.MasterAddress.Kind
 1 WIFI
 2 ETHERNET
 3 VIRTUAL
+enum ubii.extension.ModuleEvent.Kind
+0 ERROR
+1 LOG
+2 KILLED
+3 RESTARTED
+4 FAILED
+5 REFUSED
+6 OVERRUN
+enum ubii.extension.MuxIdentity
+0 MUX_IDENTITY_PATTERN
+1 MUX_IDENTITY_CLIENT_ID
+2 MUX_IDENTITY_DEVICE_ID
+3 MUX_IDENTITY_TOPIC
+enum ubii.extension.NodeExtension.Kind
+0 EXTERNAL
+1 MASTER
+2 NODE
+3 BROWSER
+enum ubii.extension.SessionState
+0 SESSION_CREATED
+1 SESSION_STARTING
+2 SESSION_RUNNING
+3 SESSION_DEGRADED
+4 SESSION_PAUSED
+5 SESSION_STOPPING
+6 SESSION_STOPPED
 enum ubii.extension.StatusEvent.Kind
 0 CLIENT_JOINED
 1 CLIENT_LEFT
@@ -245,6 +271,10 @@ message ubii.devices.TopicMux
 3 data_type string
 4 topic_selector string
 5 identity_match_pattern string
+1000 topic_glob string
+1001 component ubii.devices.Component
+1002 identity_source ubii.extension.MuxIdentity
+1003 identity_group int32
 message ubii.devices.TopicMuxList
 1 elements ubii.devices.TopicMux *
 message ubii.extension.ClientExtension
@@ -252,6 +282,7 @@ message ubii.extension.ClientExtension
 2 resume_token string
 3 resumed bool
 4 master_version string
+5 node ubii.extension.NodeExtension
 message ubii.extension.MasterAddress
 1 kind ubii.extension.MasterAddress.Kind
 2 interface_name string
@@ -280,6 +311,88 @@ message ubii.extension.MasterStatus
 21 addresses ubii.extension.MasterAddress *
 message ubii.extension.MasterStatusRequest
 1 since_ms double
+message ubii.extension.ModuleEvent
+1 session_id string
+2 module_id string
+3 module_name string
+4 node_id string
+5 kind ubii.extension.ModuleEvent.Kind
+6 time_ms double
+7 phase string
+8 message string
+9 line int32
+10 column int32
+11 level string
+12 suppressed int32
+message ubii.extension.ModuleExtension
+1 version string
+2 libraries string *
+3 replaceable bool
+message ubii.extension.ModuleReports
+1 statistics ubii.extension.ModuleStatistics *
+2 events ubii.extension.ModuleEvent *
+message ubii.extension.ModuleStatistics
+1 module_id string
+2 module_name string
+3 node_id string
+4 status ubii.processing.ProcessingModule.Status
+5 runs double
+6 runs_per_second double
+7 run_p50_ms double
+8 run_p95_ms double
+9 overruns double
+10 errors double
+11 restarts double
+12 outputs double
+13 outputs_refused double
+14 waiting int32
+message ubii.extension.NodeExtension
+1 kind ubii.extension.NodeExtension.Kind
+2 runs_javascript bool
+3 accepts_work bool
+4 libraries string *
+5 capacity int32
+message ubii.extension.NodeInfo
+1 client_id string
+2 name string
+3 node ubii.extension.NodeExtension
+4 module_names string *
+5 instances int32
+6 available bool
+7 dedicated bool
+message ubii.extension.NodeList
+1 elements ubii.extension.NodeInfo *
+message ubii.extension.NodeMessage
+1 lockstep_request ubii.processing.LockstepProcessingRequest type
+2 lockstep_reply ubii.processing.LockstepProcessingReply type
+3 module_reports ubii.extension.ModuleReports type
+message ubii.extension.SessionExtension
+1 state ubii.extension.SessionState
+2 problems ubii.extension.SessionProblem *
+3 start_with_master bool
+4 lockstep_hertz double
+5 editor_json string
+6 revision int32
+7 stored bool
+message ubii.extension.SessionProblem
+1 is_error bool
+2 code string
+3 message string
+4 path string
+5 module_id string
+6 module_name string
+7 node_id string
+8 line int32
+9 column int32
+message ubii.extension.SessionStatistics
+1 session_id string
+2 state ubii.extension.SessionState
+3 time_ms double
+4 modules ubii.extension.ModuleStatistics *
+5 passes_per_second double
+6 pass_p50_ms double
+7 pass_p95_ms double
+8 late_answers double
 message ubii.extension.StatusEvent
 1 time_ms double
 2 kind ubii.extension.StatusEvent.Kind
@@ -327,10 +440,15 @@ message ubii.general.SuccessList
 message ubii.processing.LockstepProcessingReply
 1 processing_module_ids string *
 2 records ubii.topicData.TopicDataRecord *
+1000 pass int32
+1001 session_id string
 message ubii.processing.LockstepProcessingRequest
 1 processing_module_ids string *
 2 records ubii.topicData.TopicDataRecord *
 3 delta_time_ms int32
+1000 pass int32
+1001 session_id string
+1002 delta_time double
 message ubii.processing.ModuleIO
 1 internal_name string
 2 message_format string
@@ -365,6 +483,7 @@ message ubii.processing.ProcessingModule
 14 on_created_stringified string
 15 on_halted_stringified string
 16 on_destroyed_stringified string
+1000 extension ubii.extension.ModuleExtension
 message ubii.processing.ProcessingModuleList
 1 elements ubii.processing.ProcessingModule *
 message ubii.servers.Server
@@ -415,6 +534,7 @@ message ubii.services.ServiceReply
 22 notify_condition ubii.conditions.NotifyCondition type
 1000 topic_statistics ubii.extension.TopicStatistics type
 1001 master_status ubii.extension.MasterStatus type
+1002 node_list ubii.extension.NodeList type
 message ubii.services.ServiceRequest
 1 topic string
 2 client ubii.clients.Client type
@@ -462,12 +582,14 @@ message ubii.sessions.Session
 7 authors string *
 8 status ubii.sessions.SessionStatus
 9 editable bool
+1000 extension ubii.extension.SessionExtension
 message ubii.sessions.SessionList
 1 elements ubii.sessions.Session *
 message ubii.sessions.TopicInputMapping
 1 input_name string
 2 topic string topic_source
 3 topic_mux ubii.devices.TopicMux topic_source
+1000 constant_json string
 message ubii.sessions.TopicInputMappingList
 1 elements ubii.sessions.TopicInputMapping *
 message ubii.sessions.TopicOutputMapping
@@ -484,6 +606,7 @@ message ubii.topicData.TopicData
 2 topic_data_record ubii.topicData.TopicDataRecord type
 3 topic_data_record_list ubii.topicData.TopicDataRecordList type
 4 error ubii.general.Error type
+1000 node_message ubii.extension.NodeMessage type
 message ubii.topicData.TopicDataRecord
 1 topic string
 2 timestamp ubii.topicData.Timestamp
@@ -530,6 +653,8 @@ message ubii.topicData.TopicDataRecord
 43 component_list ubii.devices.ComponentList type
 44 session_list ubii.sessions.SessionList type
 1000 client ubii.clients.Client type
+1001 session_statistics ubii.extension.SessionStatistics type
+1002 module_event ubii.extension.ModuleEvent type
 message ubii.topicData.TopicDataRecordList
 1 elements ubii.topicData.TopicDataRecord *
 message ubii.topicData.TopicDataSource

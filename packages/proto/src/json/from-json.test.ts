@@ -95,6 +95,7 @@ describe('fromJson [SV-3]', () => {
     expect(fromJson('ubii.sessions.TopicInputMapping', mapping)).toEqual({
       inputName: '',
       topic: '/a',
+      constantJson: '',
     });
   });
 
@@ -211,13 +212,17 @@ describe('the legacy form of mappings', () => {
     [{ topicSource: 'topicMux' }, {}],
     [{ topicSource: 5 }, {}],
     [{ topicDestination: '/a' }, {}],
+    [{ constantJson: '{"double":1}' }, { constantJson: '{"double":1}' }],
   ])('%j maps an input', (json, expected) => {
     expect(fromJson('ubii.sessions.TopicInputMapping', { inputName: 'i', ...json })).toMatchObject({
       inputName: 'i',
       ...expected,
     });
     if (Object.keys(expected).length === 0) {
-      expect(Object.keys(fromJson('ubii.sessions.TopicInputMapping', json))).toEqual(['inputName']);
+      expect(fromJson('ubii.sessions.TopicInputMapping', json)).toEqual({
+        inputName: '',
+        constantJson: '',
+      });
     }
   });
 

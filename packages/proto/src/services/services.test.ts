@@ -32,7 +32,22 @@ describe('the service table', () => {
     expect(INFOS.filter(({ isExtension }) => isExtension).map(({ topic }) => topic)).toEqual([
       '/services/ubii/topic_statistics',
       '/services/ubii/master_status',
+      '/services/ubii/node_list',
+      '/services/ubii/session_pause',
+      '/services/ubii/session_resume',
     ]);
+  });
+
+  it('[EX-21] lists nodes without a payload, and holds a session by what starts one', () => {
+    const { sessionRuntimeStart, sessionPause, sessionResume, nodeList } = SERVICES;
+    expect(nodeList).toMatchObject({ request: undefined, reply: 'nodeList' });
+    for (const service of [sessionPause, sessionResume]) {
+      expect(service).toMatchObject({
+        request: sessionRuntimeStart.request,
+        requestRequired: true,
+        reply: 'session',
+      });
+    }
   });
 
   it('[SV-9] has every topic once', () => {

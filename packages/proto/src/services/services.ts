@@ -125,6 +125,23 @@ export const SERVICES = {
     'masterStatus',
     'Returns how the master is: counters, events, problems and addresses.',
   ),
+  nodeList: withoutPayload(
+    '/services/ubii/node_list',
+    'nodeList',
+    'Lists the nodes that can run processing modules, the master first.',
+  ),
+  sessionPause: withPayload(
+    '/services/ubii/session_pause',
+    'session',
+    'session',
+    'Holds the running session with the given id; its modules keep their state.',
+  ),
+  sessionResume: withPayload(
+    '/services/ubii/session_resume',
+    'session',
+    'session',
+    'Lets the held session with the given id run on.',
+  ),
   ...PROCESSING_MODULE_SERVICES,
   ...SESSION_SERVICES,
   ...TOPIC_MAPPING_SERVICES,

@@ -8,20 +8,30 @@ export interface ScannedRecord {
   readonly valueField: number;
 }
 
+/** Any other member as `scanTopicData` hands it over. */
+export interface ScannedMessage {
+  readonly start: number;
+  readonly end: number;
+}
+
 /** A sink that keeps everything. */
 export interface CollectingSink extends TopicDataSink {
   readonly records: ScannedRecord[];
-  readonly errors: { readonly start: number; readonly end: number }[];
+  readonly errors: ScannedMessage[];
+  readonly nodeMessages: ScannedMessage[];
 }
 
 /** A sink that keeps everything. */
 export function createCollectingSink(): CollectingSink {
   const records: ScannedRecord[] = [];
-  const errors: { start: number; end: number }[] = [];
+  const errors: ScannedMessage[] = [];
+  const nodeMessages: ScannedMessage[] = [];
   return {
     records,
     errors,
+    nodeMessages,
     record: (topic, start, end, valueField) => void records.push({ topic, start, end, valueField }),
     error: (start, end) => void errors.push({ start, end }),
+    nodeMessage: (start, end) => void nodeMessages.push({ start, end }),
   };
 }

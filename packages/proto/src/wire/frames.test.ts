@@ -1,9 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { decode } from '../codec.ts';
+import { decode, encode } from '../codec.ts';
 import { messageDescriptor } from '../descriptor.ts';
 import { encodeRecord } from '../records.ts';
 import {
   encodeErrorFrame,
+  encodeNodeMessageFrame,
   encodeRecordListFrame,
   listHeaderSize,
   recordFrameHeader,
@@ -68,6 +69,23 @@ describe('the frames', () => {
     expect(decode(FRAME, encodeErrorFrame(error))).toEqual({ error });
   });
 
+  it.each([0, 200, 20_000])(
+    '[EX-20] a node message is a TopicData with node_message, record of %i characters',
+    (textLength) => {
+      const nodeMessage = {
+        lockstepRequest: {
+          pass: 7,
+          sessionId: 's',
+          processingModuleIds: ['m'],
+          records: [{ topic: '/t', string: 'x'.repeat(textLength) }],
+        },
+      };
+      const frame = encodeNodeMessageFrame(nodeMessage);
+      expect(frame).toEqual(encode(FRAME, { nodeMessage }));
+      expect(decode(FRAME, frame)).toMatchObject({ nodeMessage });
+    },
+  );
+
   it('have lengths of 1 to 5 bytes', () => {
     expect(
       [0x7f, 0x80, 0x3fff, 0x4000, 0x1f_ffff, 0x20_0000, 0xfff_ffff, 0x1000_0000].map(
@@ -82,6 +100,7 @@ describe('the frames', () => {
     expect(tag(FRAME, 'topicDataRecord')).toBe(tags.RECORD_TAG);
     expect(tag(FRAME, 'topicDataRecordList')).toBe(tags.LIST_TAG);
     expect(tag(FRAME, 'error')).toBe(tags.ERROR_TAG);
+    expect(tag(FRAME, 'nodeMessage')).toBe(tags.NODE_MESSAGE_TAG);
     expect(tag('ubii.topicData.TopicDataRecordList', 'elements')).toBe(tags.LIST_ELEMENT_TAG);
     expect(tag('ubii.topicData.TopicDataRecord', 'topic')).toBe(tags.TOPIC_TAG);
     expect(tag('ubii.topicData.TopicDataRecord', 'timestamp')).toBe(tags.TIMESTAMP_TAG);

@@ -1,9 +1,9 @@
 import { varintSize, writeVarint } from '../binary/varint.ts';
 import { writeMessage } from '../binary/write-message.ts';
-import { encodeErrorMessage } from '../generated/codec.ts';
-import type { ErrorMessage } from '../generated/messages.ts';
+import { encodeErrorMessage, encodeNodeMessage } from '../generated/codec.ts';
+import type { ErrorMessage, NodeMessage } from '../generated/messages.ts';
 import type { Init } from '../init.ts';
-import { ERROR_TAG, LIST_ELEMENT_TAG, LIST_TAG, RECORD_TAG } from './tags.ts';
+import { ERROR_TAG, LIST_ELEMENT_TAG, LIST_TAG, NODE_MESSAGE_TAG, RECORD_TAG } from './tags.ts';
 
 /**
  * The bytes that make an encoded record a frame: header followed by record is a `TopicData` with
@@ -96,4 +96,13 @@ export function encodeErrorFrame(error: Init<ErrorMessage>): Uint8Array {
     encodeErrorMessage(message, writer);
     writer.close(opened);
   }, error);
+}
+
+/** A frame with a message between the master and a node: `TopicData` with `node_message`. [EX-20] */
+export function encodeNodeMessageFrame(message: Init<NodeMessage>): Uint8Array {
+  return writeMessage((content: Init<NodeMessage>, writer) => {
+    const opened = writer.open(NODE_MESSAGE_TAG);
+    encodeNodeMessage(content, writer);
+    writer.close(opened);
+  }, message);
 }

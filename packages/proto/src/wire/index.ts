@@ -2,6 +2,7 @@ export { TextCache } from '../binary/text-cache.ts';
 export { DecodeError } from '../decode-error.ts';
 export {
   encodeErrorFrame,
+  encodeNodeMessageFrame,
   encodeRecordListFrame,
   listHeaderSize,
   recordFrameHeader,

@@ -14,6 +14,7 @@ import { recordValueField, scanTopicData } from './scan-topic-data.ts';
 
 const FRAME = 'ubii.topicData.TopicData';
 const RECORD = 'ubii.topicData.TopicDataRecord';
+const NODE_MESSAGE = 'ubii.extension.NodeMessage';
 
 function valueFieldOf(record: TopicDataRecord): number {
   const formats = Object.keys(DATA_FORMATS) as DataFormat[];
@@ -57,7 +58,7 @@ describe('scanTopicData', () => {
         const frame = encode(FRAME, message);
         const sink = createCollectingSink();
         scanTopicData(frame, sink);
-        const { error, topicDataRecord, topicDataRecordList } = decode(FRAME, frame);
+        const { error, nodeMessage, topicDataRecord, topicDataRecordList } = decode(FRAME, frame);
         const expected =
           topicDataRecordList?.elements ?? (topicDataRecord ? [topicDataRecord] : []);
         expect(
@@ -68,6 +69,11 @@ describe('scanTopicData', () => {
           expected.map(valueFieldOf),
         );
         expect(sink.errors).toHaveLength(error === undefined ? 0 : 1);
+        expect(
+          sink.nodeMessages.map(({ start, end }) =>
+            decode(NODE_MESSAGE, frame.subarray(start, end)),
+          ),
+        ).toEqual(nodeMessage === undefined ? [] : [nodeMessage]);
       }),
       { numRuns: 300 },
     );
@@ -127,10 +133,38 @@ describe('scanTopicData', () => {
     ['numbers of the wrong size', '1205 da0102 0a01'],
     ['groups without end', '1204 9b069b06'],
     ['field number 0', '1202 0000'],
+    ['a node message longer than the frame', 'c23e05 0a'],
+    ['a node message with text that is not UTF-8', 'c23e06 0a04 0a02c328'],
+    ['a broken record in a node message', 'c23e07 0a05 1203 0a0561'],
   ])('throws DecodeError for %s', (_what, bytes) => {
     const frame = fromHex(bytes);
     expect(() => scanTopicData(frame, createCollectingSink())).toThrow(DecodeError);
     expect(() => decode(FRAME, frame)).toThrow(DecodeError);
+  });
+
+  it('[EX-20] [TD-12] accepts exactly the node messages that decode accepts', () => {
+    const frames = damagedBytes(
+      arbitraryMessage(NODE_MESSAGE).map((nodeMessage) => encode(FRAME, { nodeMessage })),
+    );
+    fc.assert(
+      fc.property(frames, (frame) => {
+        expect(isAccepted(() => scanTopicData(frame, createCollectingSink()))).toBe(
+          isAccepted(() => decode(FRAME, frame)),
+        );
+      }),
+      { numRuns: 500 },
+    );
+  });
+
+  it('[EX-20] checks a node message also for a sink that has no use for it', () => {
+    const records: string[] = [];
+    const sink = {
+      record: (topic: string) => void records.push(topic),
+      error: () => undefined,
+    };
+    scanTopicData(fromHex('c23e02 0a00 1203 0a0161'), sink);
+    expect(records).toEqual(['a']);
+    expect(() => scanTopicData(fromHex('c23e06 0a04 0a02c328'), sink)).toThrow(DecodeError);
   });
 
   it('does not recurse along hostile nesting', () => {

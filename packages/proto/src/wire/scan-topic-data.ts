@@ -5,7 +5,14 @@ import type { TextCache } from '../binary/text-cache.ts';
 import { DecodeError } from '../decode-error.ts';
 import { checkField, checkMessage, fieldOf } from './check-message.ts';
 import { messageCheck } from './check-table.ts';
-import { ERROR_TAG, LIST_ELEMENT_TAG, LIST_TAG, RECORD_TAG, TOPIC_TAG } from './tags.ts';
+import {
+  ERROR_TAG,
+  LIST_ELEMENT_TAG,
+  LIST_TAG,
+  NODE_MESSAGE_TAG,
+  RECORD_TAG,
+  TOPIC_TAG,
+} from './tags.ts';
 
 /** Takes what `scanTopicData` finds. */
 export interface TopicDataSink {
@@ -25,10 +32,18 @@ export interface TopicDataSink {
    * @param end first byte after it
    */
   error(start: number, end: number): void;
+  /**
+   * A message between the master and a node. [EX-20] A sink without this steps over it.
+   *
+   * @param start first byte of the encoded `NodeMessage` within the frame
+   * @param end first byte after it
+   */
+  nodeMessage?(start: number, end: number): void;
 }
 
 const RECORD = messageCheck('ubii.topicData.TopicDataRecord');
 const ERROR = messageCheck('ubii.general.Error');
+const NODE_MESSAGE = messageCheck('ubii.extension.NodeMessage');
 
 /**
  * Checks a frame of the topic-data channel and hands over its records without decoding them:
@@ -65,6 +80,13 @@ function scanMember(reader: Reader, sink: TopicDataSink, topics?: TextCache): vo
       checkMessage(reader, ERROR);
       reader.end = outerEnd;
       return sink.error(start, reader.pos);
+    }
+    case NODE_MESSAGE_TAG: {
+      const outerEnd = reader.enter();
+      const start = reader.pos;
+      checkMessage(reader, NODE_MESSAGE);
+      reader.end = outerEnd;
+      return sink.nodeMessage?.(start, reader.pos);
     }
     default:
       skipField(reader, tag);

@@ -6,6 +6,8 @@ export const RECORD_TAG = 18;
 export const LIST_TAG = 26;
 /** `TopicData.error` */
 export const ERROR_TAG = 34;
+/** `TopicData.node_message` */
+export const NODE_MESSAGE_TAG = 8002;
 /** `TopicDataRecordList.elements` */
 export const LIST_ELEMENT_TAG = 10;
 /** `TopicDataRecord.topic` */

@@ -45,6 +45,12 @@ describe('formatValue', () => {
       '2×2 RGBA8, 16 B',
     ],
     ['error', { title: 'Refused', message: 'No room' }, 'Refused: No room'],
+    ['sessionStatistics', { modules: [{ moduleName: 'smooth' }] }, '1 module: smooth'],
+    [
+      'moduleEvent',
+      { moduleName: 'smooth', moduleId: 'm', kind: 2, message: 'Out of time' },
+      'smooth killed: Out of time',
+    ],
   ])('%s', (format, value, text) => {
     expect(line(format, value)).toBe(text);
   });

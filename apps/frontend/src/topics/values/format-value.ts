@@ -2,6 +2,7 @@ import {
   ButtonEventType,
   HandGestureType,
   Image2DDataFormat,
+  ModuleEventKind,
   TouchEventType,
   isCompressedImage,
   type DataFormat,
@@ -181,4 +182,14 @@ const FORMATTERS: { readonly [F in DataFormat]: Formatter<F> } = {
     ),
   error: ({ title, message }) => text([title, message].filter(Boolean).join(': ')),
   client: ({ name, id }) => text(name || id),
+  sessionStatistics: ({ modules }) =>
+    named(
+      'module',
+      'modules',
+      modules.map(({ moduleName }) => moduleName),
+    ),
+  moduleEvent: ({ moduleName, moduleId, kind, message }) => {
+    const what = [moduleName || moduleId, nameOf(ModuleEventKind, kind)].filter(Boolean).join(' ');
+    return text([what, message].filter(Boolean).join(': '));
+  },
 };
