@@ -70,6 +70,7 @@ describe('services', () => {
       message: expect.stringMatching(/^[A-Z].*\.$/),
       stack: '',
       code: 'unimplemented',
+      problems: [],
     });
   });
 

@@ -99,7 +99,7 @@ describe('decodeTopicData', () => {
 
   it('reads an error', () => {
     const { error, records } = decodeTopicData(encodeErrorFrame({ title: 't', code: 'not_found' }));
-    expect(error).toEqual({ title: 't', message: '', stack: '', code: 'not_found' });
+    expect(error).toEqual({ title: 't', message: '', stack: '', code: 'not_found', problems: [] });
     expect(records).toEqual([]);
   });
 

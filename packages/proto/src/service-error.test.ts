@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { decode, encode } from './codec.ts';
 import { DecodeError } from './decode-error.ts';
 import { SERVICE_ERROR_CODES, ServiceError } from './service-error.ts';
 
@@ -9,11 +10,31 @@ describe('ServiceError', () => {
       title: expect.stringMatching(/^[A-Z]/) as string,
       message: 'The topic is empty; give one.',
       stack: '',
+      problems: [],
       code,
     });
     const received = ServiceError.fromWire(error.toWire());
     expect(received).toMatchObject({ code, title: error.title, message: error.message });
     expect(received.details).toEqual({});
+  });
+
+  it('[EX-24] carries the problems of a session that was refused', () => {
+    const problem = {
+      isError: true,
+      code: 'unknown_input',
+      message: 'The module Mirror has no input "pos".',
+      path: 'ioMappings[0].inputMappings[0].inputName',
+      moduleId: '',
+      moduleName: 'Mirror',
+      nodeId: '',
+      line: 0,
+      column: 0,
+    };
+    const details = { problems: [problem], name: 'stays here' };
+    const error = new ServiceError('invalid_argument', 'It cannot run.', { details });
+    const bytes = encode('ubii.general.Error', error.toWire());
+    const received = ServiceError.fromWire(decode('ubii.general.Error', bytes));
+    expect(received.details).toEqual({ problems: [problem] });
   });
 
   it('[SV-5] gives nothing away of errors that are not ours', () => {

@@ -1,4 +1,4 @@
-import type { ErrorMessage } from './generated/messages.ts';
+import type { ErrorMessage, SessionProblem } from './generated/messages.ts';
 
 /** The closed list of reasons for which a request or a record is refused. */
 export const SERVICE_ERROR_CODES = [
@@ -39,7 +39,10 @@ const TITLES: { readonly [C in ServiceErrorCode]: string } = {
 export interface ServiceErrorOptions {
   /** A few words; default: the title of the code. */
   readonly title?: string;
-  /** Facts for programs, for example the name of the member that is wrong. Stay in the process. */
+  /**
+   * Facts for programs, for example the name of the member that is wrong. Stay in the process, except
+   * `problems`: the list of `SessionProblem`s of a session that was refused. [EX-24]
+   */
   readonly details?: Readonly<Record<string, unknown>>;
   readonly cause?: unknown;
 }
@@ -76,16 +79,26 @@ export class ServiceError extends Error {
 
   /** The message for the wire. The stack never leaves the process. [SV-5] */
   toWire(): ErrorMessage {
-    return { title: this.title, message: this.message, stack: '', code: this.code };
+    const { problems } = this.details;
+    return {
+      title: this.title,
+      message: this.message,
+      stack: '',
+      code: this.code,
+      problems: Array.isArray(problems) ? (problems as SessionProblem[]) : [],
+    };
   }
 
   /**
    * Reads an error of a master. Original masters send no code: theirs is `internal`.
    */
-  static fromWire(error: ErrorMessage): ServiceError {
+  static fromWire(error: Omit<ErrorMessage, 'problems'> & Partial<ErrorMessage>): ServiceError {
     const code = isServiceErrorCode(error.code) ? error.code : 'internal';
     const message = error.message.trim() || error.title.trim() || 'The master gave no reason.';
-    return new ServiceError(code, message, error.title === '' ? {} : { title: error.title });
+    return new ServiceError(code, message, {
+      ...(error.title === '' ? {} : { title: error.title }),
+      ...((error.problems ?? []).length === 0 ? {} : { details: { problems: error.problems } }),
+    });
   }
 }
 

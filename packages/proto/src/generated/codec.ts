@@ -1444,10 +1444,11 @@ export function encodeErrorMessage(m: Init<T.ErrorMessage>, w: Writer): void {
   if (m.message != null) w.string(18, m.message);
   if (m.stack != null) w.string(26, m.stack);
   if (m.code != null) w.string(8002, m.code);
+  if (m.problems != null) for (const e of m.problems) { const at = w.open(8010); encodeSessionProblem(e, w); w.close(at); }
 }
 
 export function decodeErrorMessage(r: Reader, into?: T.ErrorMessage): T.ErrorMessage {
-  const m: T.ErrorMessage = into ?? { title: '', message: '', stack: '', code: '' };
+  const m: T.ErrorMessage = into ?? { title: '', message: '', stack: '', code: '', problems: [] };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1455,6 +1456,7 @@ export function decodeErrorMessage(r: Reader, into?: T.ErrorMessage): T.ErrorMes
       case 18: m.message = r.string(); break;
       case 26: m.stack = r.string(); break;
       case 8002: m.code = r.string(); break;
+      case 8010: { const end = r.enter(); m.problems.push(decodeSessionProblem(r)); r.end = end; break; }
       default: skipField(r, tag);
     }
   }

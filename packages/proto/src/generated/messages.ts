@@ -1376,6 +1376,8 @@ export interface ErrorMessage {
   stack: string;
   /** Stable reason from the closed list of error codes. Rule EX-9. */
   code: string;
+  /** Of a session that was refused: all that is wrong with it. Rules SE-3 and EX-24. */
+  problems: SessionProblem[];
 }
 
 /**

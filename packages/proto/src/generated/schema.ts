@@ -430,6 +430,7 @@ message ubii.general.Error
 2 message string
 3 stack string
 1000 code string
+1001 problems ubii.extension.SessionProblem *
 message ubii.general.ErrorList
 1 elements ubii.general.Error *
 message ubii.general.Success

@@ -65,7 +65,7 @@ describe('the frames', () => {
   );
 
   it('[TD-17] an error is a TopicData with error', () => {
-    const error = { title: 't', message: 'm', stack: '', code: 'permission_denied' };
+    const error = { title: 't', message: 'm', stack: '', code: 'permission_denied', problems: [] };
     expect(decode(FRAME, encodeErrorFrame(error))).toEqual({ error });
   });
 
