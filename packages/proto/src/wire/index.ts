@@ -12,4 +12,12 @@ export {
   writeListHeader,
   writeRecordHeader,
 } from './frames.ts';
+export {
+  encodeLockstepReplyFrame,
+  encodeLockstepRequestFrame,
+  readNodeMessage,
+  type EncodedNodeMessage,
+  type LockstepMessage,
+} from './node-messages.ts';
+export { readRecordHead, type RecordHead } from './record-head.ts';
 export { recordValueField, scanTopicData, type TopicDataSink } from './scan-topic-data.ts';

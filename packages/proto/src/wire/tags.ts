@@ -16,3 +16,11 @@ export const TOPIC_TAG = 10;
 export const TIMESTAMP_TAG = 18;
 /** `TopicDataRecord.client_id` */
 export const CLIENT_ID_TAG = 266;
+/** `NodeMessage.lockstep_request` */
+export const LOCKSTEP_REQUEST_TAG = 10;
+/** `NodeMessage.lockstep_reply` */
+export const LOCKSTEP_REPLY_TAG = 18;
+/** `NodeMessage.module_reports` */
+export const MODULE_REPORTS_TAG = 26;
+/** `LockstepProcessingRequest.records` and `LockstepProcessingReply.records` */
+export const LOCKSTEP_RECORD_TAG = 18;

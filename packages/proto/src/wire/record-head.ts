@@ -1,0 +1,56 @@
+import { Reader } from '../binary/reader.ts';
+import { skipField } from '../binary/skip-field.ts';
+import type { TextCache } from '../binary/text-cache.ts';
+import { DecodeError } from '../decode-error.ts';
+import { messageCheck } from './check-table.ts';
+import { fieldOf } from './check-message.ts';
+import { CLIENT_ID_TAG, TOPIC_TAG } from './tags.ts';
+
+/** What an encoded record says beside its value. */
+export interface RecordHead {
+  /** Empty when it has none. */
+  readonly topic: string;
+  /** Number of the value member, 0 when there is none. */
+  readonly valueField: number;
+  /** Who published it, as far as the publisher said; empty when it did not. */
+  readonly clientId: string;
+}
+
+const RECORD = messageCheck('ubii.topicData.TopicDataRecord');
+
+/**
+ * Reads what an encoded record says beside its value, which is stepped over.
+ *
+ * @param record a record that was checked before
+ * @param texts remembers topics and ids, for whoever reads many
+ * @throws DecodeError when the outer structure is broken
+ */
+export function readRecordHead(record: Uint8Array, texts?: TextCache): RecordHead {
+  const reader = new Reader(record);
+  let topic = '';
+  let valueField = 0;
+  let clientId = '';
+  try {
+    while (reader.pos < reader.end) {
+      const tag = reader.tag();
+      if (tag === TOPIC_TAG) topic = readText(reader, texts);
+      else if (tag === CLIENT_ID_TAG) clientId = readText(reader, texts);
+      else {
+        const field = fieldOf(RECORD, tag);
+        if (field?.isOneofMember === true) valueField = field.number;
+        skipField(reader, tag);
+      }
+    }
+  } catch (cause) {
+    throw DecodeError.wrap(RECORD.name, record.length, cause);
+  }
+  return { topic, valueField, clientId };
+}
+
+function readText(reader: Reader, texts: TextCache | undefined): string {
+  if (texts === undefined) return reader.string();
+  const length = reader.length();
+  const start = reader.pos;
+  reader.pos = start + length;
+  return texts.read(reader.input, start, reader.pos);
+}
