@@ -5,11 +5,13 @@ import type { RecordBatch } from '../../core/ports/index.ts';
 import { PING_FRAME, PONG_FRAME, errorFrame, listFrames, singleFrames } from './frames.ts';
 
 function batchOf(records: readonly Uint8Array[]): RecordBatch {
-  return {
+  const batch: RecordBatch = {
     records,
+    count: records.length,
     byteLength: records.reduce((sum, { length }) => sum + length, 0),
-    memo: (_key, make) => make(),
+    memo: (encoder) => encoder.encode(batch),
   };
+  return batch;
 }
 
 function record(topic: string, text: string): Uint8Array {

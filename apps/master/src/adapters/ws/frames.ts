@@ -9,7 +9,7 @@ import {
 } from '@ubii/proto/wire';
 import type { ErrorMessage } from '@ubii/proto';
 
-import type { RecordBatch } from '../../core/ports/index.ts';
+import type { BatchEncoder } from '../../core/ports/index.ts';
 import { JoinedParts, joinedSize, type FrameParts } from './joined-parts.ts';
 
 /*
@@ -24,10 +24,8 @@ const BINARY = 0x82;
 export const PING_FRAME = textFrame('PING');
 export const PONG_FRAME = textFrame('PONG');
 
-/** Makes the frames of a batch. It is its own key in the batch's memo. */
-export interface FrameEncoder {
-  encode(batch: RecordBatch): FrameParts;
-}
+/** Makes the frames of a batch. */
+export type FrameEncoder = BatchEncoder<FrameParts>;
 
 /** One frame for each record. [TD-3] */
 export const singleFrames: FrameEncoder = {

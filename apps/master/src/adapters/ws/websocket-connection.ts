@@ -33,8 +33,8 @@ export class WebSocketConnection implements ClientConnection {
   }
 
   send(batch: RecordBatch): void {
-    const encoder = this.#recordLists && batch.records.length > 1 ? listFrames : singleFrames;
-    this.#write(batch.memo(encoder, () => encoder.encode(batch)));
+    const encoder = this.#recordLists && batch.count > 1 ? listFrames : singleFrames;
+    this.#write(batch.memo(encoder));
   }
 
   sendError(error: ErrorMessage): void {
@@ -64,8 +64,9 @@ export class WebSocketConnection implements ClientConnection {
   }
 
   #write(parts: FrameParts): void {
-    // Nothing may follow the close frame, and a closed socket takes nothing.
-    if (this.#webSocket.readyState !== OPEN || !this.#socket.writable) return;
+    // Nothing may follow the close frame. What is written to a socket that broke a moment ago, before
+    // the library heard of it, is lost without a word.
+    if (this.#webSocket.readyState !== OPEN) return;
     if (parts.length === 1) {
       this.#socket.write(parts[0]);
       return;

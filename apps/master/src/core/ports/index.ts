@@ -4,6 +4,6 @@ export type { ResumeTokens } from './resume-tokens.ts';
 export type { Log, LogFields } from './log.ts';
 export type { CompiledPattern, PatternCompiler } from './pattern-compiler.ts';
 export type { ResourceUsage } from './resource-usage.ts';
-export type { RecordBatch } from './record-batch.ts';
+export type { BatchEncoder, RecordBatch } from './record-batch.ts';
 export type { ClientConnection } from './client-connection.ts';
 export type { ConnectionHandle } from './connection-handle.ts';

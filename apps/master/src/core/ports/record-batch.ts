@@ -1,3 +1,8 @@
+/** Makes of a batch what an adapter writes. */
+export interface BatchEncoder<T> {
+  encode(batch: RecordBatch): T;
+}
+
 /**
  * Records that leave together, in publishing order. One batch is handed to every connection that is
  * owed exactly these records, so what is made of it should be made once: see `memo`.
@@ -5,11 +10,10 @@
 export interface RecordBatch {
   /** At least one encoded `TopicDataRecord` each. Shared and kept by the master: never write to them. */
   readonly records: readonly Uint8Array[];
+  /** How many records these are. */
+  readonly count: number;
   /** Sum of the records' lengths, bytes. */
   readonly byteLength: number;
-  /**
-   * What `make` returned the first time this batch was asked with this `key` (compared by identity).
-   * An encoder uses itself as the key and gets its frame bytes made once for all connections.
-   */
-  memo<T>(key: object, make: () => T): T;
+  /** What this encoder makes of the batch: made the first time, kept for all other connections. */
+  memo<T>(encoder: BatchEncoder<T>): T;
 }

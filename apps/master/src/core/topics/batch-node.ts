@@ -1,4 +1,4 @@
-import type { RecordBatch } from '../ports/record-batch.ts';
+import type { BatchEncoder, RecordBatch } from '../ports/record-batch.ts';
 import type { TopicEntry } from './topic-entry.ts';
 
 /**
@@ -16,9 +16,9 @@ export class BatchNode implements RecordBatch {
   readonly byteLength: number;
   #next: BatchNode | undefined = undefined;
   #records: readonly Uint8Array[] | undefined = undefined;
-  #memoKey: object | undefined = undefined;
-  #memoValue: unknown = undefined;
-  #memos: Map<object, unknown> | undefined = undefined;
+  #encoder: BatchEncoder<unknown> | undefined = undefined;
+  #encoded: unknown = undefined;
+  #otherEncoded: Map<BatchEncoder<unknown>, unknown> | undefined = undefined;
 
   private constructor(
     previous: BatchNode | undefined,
@@ -59,17 +59,17 @@ export class BatchNode implements RecordBatch {
     return nodes;
   }
 
-  memo<T>(key: object, make: () => T): T {
-    if (this.#memoKey === key) return this.#memoValue as T;
-    if (this.#memoKey === undefined) {
-      const value = make();
-      this.#memoKey = key;
-      this.#memoValue = value;
-      return value;
+  memo<T>(encoder: BatchEncoder<T>): T {
+    if (this.#encoder === encoder) return this.#encoded as T;
+    if (this.#encoder === undefined) {
+      const encoded = encoder.encode(this);
+      this.#encoder = encoder;
+      this.#encoded = encoded;
+      return encoded;
     }
     // A second kind of encoder at work on the same batch: rare enough for a map.
-    this.#memos ??= new Map();
-    if (!this.#memos.has(key)) this.#memos.set(key, make());
-    return this.#memos.get(key) as T;
+    this.#otherEncoded ??= new Map();
+    if (!this.#otherEncoded.has(encoder)) this.#otherEncoded.set(encoder, encoder.encode(this));
+    return this.#otherEncoded.get(encoder) as T;
   }
 }

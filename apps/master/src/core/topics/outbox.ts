@@ -21,26 +21,21 @@ export interface OutboxContext {
 /** Everything on its way to one client: what leaves at the end of this turn, and what waits for its socket. */
 export class Outbox implements Flushable {
   readonly #context: OutboxContext;
-  readonly #waiting: WaitingRecords;
-  readonly #owed = new Set<TopicEntry>();
+  // What every record touches comes first and lies together: with many subscribers, each further cache
+  // line is a trip to slower memory.
   #connection: ClientConnection | undefined = undefined;
   #batch: BatchNode | undefined = undefined;
   #isTouched = false;
-  #openedSequence = 0;
   #handedBytes = 0;
+  /** Undefined while nothing waits, which is nearly always. */
+  #waiting: WaitingRecords | undefined = undefined;
+  readonly #owed = new Set<TopicEntry>();
+  #openedSequence = 0;
   /** Records that were dropped because the client was too slow [TD-34]. */
   readonly drops = new Streak();
 
   constructor(context: OutboxContext) {
     this.#context = context;
-    this.#waiting = new WaitingRecords({
-      maxBytes: context.limits.queueBytes,
-      maxEventsPerTopic: context.limits.queuedEventsPerTopic,
-      onDropped: (entry) => {
-        this.drops.add(context.clock.monotonicMs());
-        context.onDropped(entry);
-      },
-    });
   }
 
   get isOpen(): boolean {
@@ -49,7 +44,7 @@ export class Outbox implements Flushable {
 
   /** Records that wait because the socket cannot take more. */
   get waitingCount(): number {
-    return this.#waiting.count;
+    return this.#waiting?.count ?? 0;
   }
 
   /** Bytes of records handed to connections so far. */
@@ -67,7 +62,7 @@ export class Outbox implements Flushable {
     this.#connection = connection;
     this.#openedSequence = sequence;
     for (const entry of this.#owed) {
-      if (entry.record !== undefined && !this.#waiting.has(entry)) this.#deliverRetained(entry);
+      if (entry.record !== undefined && !this.#waiting?.has(entry)) this.#deliverRetained(entry);
     }
     this.#owed.clear();
     this.handleDrain();
@@ -77,9 +72,9 @@ export class Outbox implements Flushable {
   close(): void {
     this.#connection = undefined;
     for (const node of this.#batch?.nodes() ?? []) this.#owed.add(node.entry!);
-    for (const entry of this.#waiting.topics()) this.#owed.add(entry);
+    for (const entry of this.#waiting?.topics() ?? []) this.#owed.add(entry);
     this.#batch = undefined;
-    this.#waiting.clear();
+    this.#waiting = undefined;
   }
 
   /** Everything on its way is void: the client is gone. */
@@ -134,13 +129,14 @@ export class Outbox implements Flushable {
 
   /** The connection can take more: what waits leaves, in pieces, as far as it goes. */
   handleDrain(): void {
-    while (this.#waiting.count > 0 && this.#canSend()) {
+    while (this.#waiting !== undefined && this.#canSend()) {
       let batch = this.#context.endOfTurn.emptyBatch;
       while (batch.byteLength < this.#context.limits.batchBytes) {
         const taken = this.#waiting.take();
         if (taken === undefined) break;
         batch = batch.append(taken.entry, taken.record, taken.isEvent);
       }
+      if (this.#waiting.count === 0) this.#waiting = undefined;
       this.#hand(batch);
     }
   }
@@ -148,7 +144,7 @@ export class Outbox implements Flushable {
   #send(): void {
     const batch = this.#batch;
     if (batch === undefined) return;
-    if (this.#waiting.count === 0 && this.#canSend()) {
+    if (this.#waiting === undefined && this.#canSend()) {
       this.#batch = undefined;
       this.#hand(batch);
     } else {
@@ -160,9 +156,23 @@ export class Outbox implements Flushable {
   #moveBatchToWaiting(): void {
     const nodes = this.#batch?.nodes() ?? [];
     this.#batch = undefined;
+    if (nodes.length === 0) return;
+    this.#waiting ??= this.#createWaiting();
     for (const { entry, record, isEvent } of nodes) {
       this.#waiting.push(entry!, record!, isEvent); // [TD-31]
     }
+  }
+
+  #createWaiting(): WaitingRecords {
+    const { clock, limits, onDropped } = this.#context;
+    return new WaitingRecords({
+      maxBytes: limits.queueBytes,
+      maxEventsPerTopic: limits.queuedEventsPerTopic,
+      onDropped: (entry) => {
+        this.drops.add(clock.monotonicMs());
+        onDropped(entry);
+      },
+    });
   }
 
   #deliverRetained(entry: TopicEntry): void {
