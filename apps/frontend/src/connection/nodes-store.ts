@@ -1,0 +1,47 @@
+import { ConnectionError, type UbiiClient } from '@ubii/client-web';
+import { ServiceError, type NodeInfo } from '@ubii/proto';
+import { computed, shallowRef, type Ref, type ShallowRef } from 'vue';
+import { createInterest } from './interest.ts';
+import { usePoll } from './poll.ts';
+
+/** Who can run modules; asked for only while someone looks. [PM-61] */
+export interface NodesStore {
+  /** The master first; `undefined` until the first list. */
+  readonly list: Readonly<ShallowRef<readonly NodeInfo[] | undefined>>;
+  /** By id; remembers nodes that are gone, so that what ran there keeps a name. */
+  find(id: string): NodeInfo | undefined;
+  /** Wants the list this often while the calling component or scope lives, milliseconds. */
+  watch(intervalMs: number): void;
+  /** Asks at once. */
+  refresh(): Promise<void>;
+}
+
+export function createNodesStore(client: UbiiClient, isConnected: Ref<boolean>): NodesStore {
+  const list = shallowRef<readonly NodeInfo[]>();
+  const known = new Map<string, NodeInfo>();
+  const interest = createInterest();
+
+  async function refresh(): Promise<void> {
+    try {
+      const { elements } = await client.call('nodeList');
+      for (const node of elements) known.set(node.clientId, node);
+      list.value = elements;
+    } catch (cause) {
+      // An original master has no such list; a failed link is shown elsewhere.
+      if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
+    }
+  }
+
+  usePoll(
+    refresh,
+    () => interest.intervalMs.value ?? 0,
+    computed(() => isConnected.value && interest.intervalMs.value !== undefined),
+  );
+
+  return {
+    list,
+    find: (id) => list.value?.find(({ clientId }) => clientId === id) ?? known.get(id),
+    watch: (intervalMs) => interest.express(intervalMs),
+    refresh,
+  };
+}

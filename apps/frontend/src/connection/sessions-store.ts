@@ -1,0 +1,81 @@
+import { ConnectionError, type UbiiClient } from '@ubii/client-web';
+import { INFO_TOPICS, ServiceError, type Session } from '@ubii/proto';
+import { useTimeoutFn } from '@vueuse/core';
+import { shallowRef, watch, type Ref, type ShallowRef } from 'vue';
+import { perFrame } from './per-frame.ts';
+
+const ANNOUNCEMENTS = '/info/session/*';
+/** After an announcement the list is asked for anew: what was retained of long ago may have come, too. */
+const SETTLE_MS = 300;
+
+/** Every session the master knows, as it announces them. [SE-8] */
+export interface SessionsStore {
+  /** In the order in which the master lists them; `undefined` until the first list. */
+  readonly list: Readonly<ShallowRef<readonly Session[] | undefined>>;
+  /** Why there is no list, when the master refused it: an original master may know no sessions. */
+  readonly error: Readonly<ShallowRef<ServiceError | undefined>>;
+  find(id: string): Session | undefined;
+  /** Takes what a service answered, so that nobody waits for the announcement of it. */
+  take(session: Session): void;
+  /** Takes one out that a service has removed. */
+  drop(id: string): void;
+}
+
+export function createSessionsStore(client: UbiiClient, isConnected: Ref<boolean>): SessionsStore {
+  const list = shallowRef<readonly Session[]>();
+  const error = shallowRef<ServiceError>();
+  const known = new Map<string, Session>();
+  /** Heard of while a list was on its way: newer than the list. `undefined` for one that is gone. */
+  const heard = new Map<string, Session | undefined>();
+  let hasList = false;
+
+  const draw = perFrame(() => {
+    if (hasList) list.value = [...known.values()];
+  });
+
+  function apply(id: string, session: Session | undefined): void {
+    if (session === undefined) known.delete(id);
+    else known.set(id, session);
+  }
+
+  async function refresh(): Promise<void> {
+    heard.clear();
+    try {
+      const { elements } = await client.call('sessionRuntimeGetList');
+      known.clear();
+      for (const element of elements) known.set(element.id, element);
+      for (const [id, session] of heard) apply(id, session);
+      error.value = undefined;
+      hasList = true;
+      draw();
+    } catch (cause) {
+      if (cause instanceof ConnectionError) return; // shown elsewhere, and asked again after it
+      if (!(cause instanceof ServiceError)) throw cause;
+      error.value = cause;
+    }
+  }
+  const { start: refreshSoon } = useTimeoutFn(() => void refresh(), SETTLE_MS, {
+    immediate: false,
+  });
+
+  function hear(id: string, session: Session | undefined): void {
+    if (id === '') return;
+    heard.set(id, session);
+    apply(id, session);
+    draw();
+  }
+
+  client.subscribe({ glob: ANNOUNCEMENTS }, { format: 'session' }).onRecord(({ topic, value }) => {
+    hear(value.id, topic === INFO_TOPICS.deleteSession ? undefined : value);
+    refreshSoon();
+  });
+  watch(isConnected, (connected) => connected && void refresh(), { immediate: true });
+
+  return {
+    list,
+    error,
+    find: (id) => known.get(id),
+    take: (session) => hear(session.id, session),
+    drop: (id) => hear(id, undefined),
+  };
+}

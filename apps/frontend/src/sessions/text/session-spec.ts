@@ -1,0 +1,67 @@
+import type { Init, ProcessingModule, Session } from '@ubii/proto';
+
+/**
+ * What people make of a session, without what the master adds: its life, its problems, where modules
+ * were put by the master's own choice.
+ */
+export function sessionSpec(session: Session): Init<Session> {
+  const { name, description, tags, authors, editable, ioMappings, extension } = session;
+  return {
+    name,
+    description,
+    tags,
+    authors,
+    editable,
+    processingModules: session.processingModules.map(moduleSpec),
+    ioMappings,
+    extension: {
+      startWithMaster: extension?.startWithMaster ?? false,
+      lockstepHertz: extension?.lockstepHertz ?? 0,
+      editorJson: extension?.editorJson ?? '',
+    },
+  };
+}
+
+/** What people make of a module. */
+export function moduleSpec(module: ProcessingModule): Init<ProcessingModule> {
+  const { sessionId: _session, status: _status, nodeId, extension, ...rest } = module;
+  return {
+    ...rest,
+    nodeId: extension?.replaceable === true ? '' : nodeId,
+    extension: { version: extension?.version ?? '', libraries: extension?.libraries ?? [] },
+  };
+}
+
+/**
+ * The same session once more: modules get ids of their own, and mappings follow them.
+ * @param uuid gives a new UUID
+ */
+export function sessionCopy(spec: Init<Session>, uuid: () => string): Init<Session> {
+  const ids = new Map<string, string>();
+  const processingModules = (spec.processingModules ?? []).map((module) => {
+    const id = uuid();
+    if (module.id) ids.set(module.id, id);
+    return { ...module, id };
+  });
+  const ioMappings = (spec.ioMappings ?? []).map((mapping) => ({
+    ...mapping,
+    processingModuleId:
+      ids.get(mapping.processingModuleId ?? '') ?? mapping.processingModuleId ?? '',
+  }));
+  return { ...spec, id: '', processingModules, ioMappings };
+}
+
+/** Takes the places off its modules: nodes of here are not there. */
+export function withoutPlaces(spec: Init<Session>): Init<Session> {
+  const modules = spec.processingModules ?? [];
+  return { ...spec, processingModules: modules.map((module) => ({ ...module, nodeId: '' })) };
+}
+
+/** `Name copy`, `Name copy 2`, … whichever is free. */
+export function copyName(name: string, taken: ReadonlySet<string>): string {
+  const base = name.replace(/ copy(?: \d+)?$/, '');
+  for (let number = 1; ; number += 1) {
+    const candidate = number === 1 ? `${base} copy` : `${base} copy ${number}`;
+    if (!taken.has(candidate)) return candidate;
+  }
+}

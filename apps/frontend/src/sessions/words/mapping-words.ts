@@ -1,0 +1,120 @@
+import {
+  MuxIdentity,
+  type Session,
+  type ProcessingModule,
+  type TopicDemux,
+  type TopicInputMapping,
+  type TopicMux,
+  type TopicOutputMapping,
+} from '@ubii/proto';
+
+/** What is at the other end of an input or an output. */
+export type MappingEnd =
+  | { readonly kind: 'topic'; readonly topic: string }
+  /** Many topics: which, and what tells their records apart. */
+  | { readonly kind: 'muxer'; readonly pattern: string; readonly words: string }
+  | { readonly kind: 'demuxer'; readonly pattern: string; readonly words: string }
+  | { readonly kind: 'constant'; readonly json: string }
+  | { readonly kind: 'none' };
+
+/** One input or output of a module, with what flows there. */
+export interface MappedIO {
+  readonly name: string;
+  readonly format: string;
+  readonly isList: boolean;
+  /** False: the mapping names it, the module does not know it. [SE-4] */
+  readonly isDeclared: boolean;
+  readonly end: MappingEnd;
+}
+
+const IDENTITIES: Readonly<Record<MuxIdentity, string>> = {
+  [MuxIdentity.MUX_IDENTITY_PATTERN]: 'told apart by who publishes',
+  [MuxIdentity.MUX_IDENTITY_CLIENT_ID]: 'told apart by client',
+  [MuxIdentity.MUX_IDENTITY_DEVICE_ID]: 'told apart by device',
+  [MuxIdentity.MUX_IDENTITY_TOPIC]: 'told apart by topic',
+};
+
+function muxPattern({ component, topicGlob, topicSelector }: TopicMux): string {
+  if (component) {
+    const wanted = [
+      component.messageFormat,
+      component.name && `named ${component.name}`,
+      component.tags.length > 0 ? `tagged ${component.tags.join(', ')}` : '',
+    ].filter((word) => word !== '');
+    return wanted.length > 0 ? `components: ${wanted.join(', ')}` : 'all components';
+  }
+  return topicGlob || topicSelector;
+}
+
+/** [PM-41, PM-43] */
+function muxWords(mux: TopicMux): string {
+  const { identitySource, identityMatchPattern } = mux;
+  if (identitySource === MuxIdentity.MUX_IDENTITY_PATTERN && identityMatchPattern !== '') {
+    return `told apart by ${identityMatchPattern}`;
+  }
+  return IDENTITIES[identitySource] ?? '';
+}
+
+const inputEnd = (mapping: TopicInputMapping | undefined): MappingEnd => {
+  if (mapping?.topic) return { kind: 'topic', topic: mapping.topic };
+  const mux = mapping?.topicMux;
+  if (mux) return { kind: 'muxer', pattern: muxPattern(mux), words: muxWords(mux) };
+  if (mapping?.constantJson) return { kind: 'constant', json: mapping.constantJson };
+  return { kind: 'none' };
+};
+
+const demuxEnd = ({ outputTopicFormat }: TopicDemux): MappingEnd => ({
+  kind: 'demuxer',
+  pattern: outputTopicFormat,
+  words: 'one topic for each element',
+});
+
+const outputEnd = (mapping: TopicOutputMapping | undefined): MappingEnd => {
+  if (mapping?.topic) return { kind: 'topic', topic: mapping.topic };
+  return mapping?.topicDemux ? demuxEnd(mapping.topicDemux) : { kind: 'none' };
+};
+
+/** Inputs and outputs of a module of a session: all it declares, then what else is mapped. */
+export interface MappedModule {
+  readonly inputs: readonly MappedIO[];
+  readonly outputs: readonly MappedIO[];
+}
+
+export function mappedModule(
+  module: ProcessingModule,
+  { ioMappings }: Pick<Session, 'ioMappings'>,
+): MappedModule {
+  const mapping = ioMappings.find(({ processingModuleId }) => processingModuleId === module.id);
+  const inputs = mapping?.inputMappings ?? [];
+  const outputs = mapping?.outputMappings ?? [];
+  return {
+    inputs: join(module.inputs, inputs, ({ inputName }) => inputName, inputEnd),
+    outputs: join(module.outputs, outputs, ({ outputName }) => outputName, outputEnd),
+  };
+}
+
+function join<M>(
+  declared: ProcessingModule['inputs'],
+  mappings: readonly M[],
+  nameOf: (mapping: M) => string,
+  endOf: (mapping: M | undefined) => MappingEnd,
+): MappedIO[] {
+  const known = declared.map(({ internalName, messageFormat, isRecordList }) => ({
+    name: internalName,
+    format: messageFormat,
+    isList: isRecordList,
+    isDeclared: true,
+    end: endOf(mappings.find((mapping) => nameOf(mapping) === internalName)),
+  }));
+  const names = new Set(known.map(({ name }) => name));
+  const unknown = mappings
+    .filter((mapping) => !names.has(nameOf(mapping)))
+    .map((mapping) => ({
+      name: nameOf(mapping),
+      format: '',
+      isList: false,
+      isDeclared: false,
+      end: endOf(mapping),
+    }));
+  return [...known, ...unknown];
+}

@@ -1,0 +1,39 @@
+import { NodeExtensionKind, type NodeInfo } from '@ubii/proto';
+
+const KINDS: Readonly<Record<NodeExtensionKind, string>> = {
+  [NodeExtensionKind.EXTERNAL]: 'other program',
+  [NodeExtensionKind.MASTER]: 'master',
+  [NodeExtensionKind.NODE]: 'Node process',
+  [NodeExtensionKind.BROWSER]: 'browser tab',
+};
+
+/** What a node is, and what it is short of: `browser tab, 2 modules`. */
+export function nodeHint(node: NodeInfo): string {
+  const kind = KINDS[node.node?.kind ?? NodeExtensionKind.EXTERNAL] ?? KINDS[0];
+  if (!node.available) return `${kind}, away`;
+  const count = node.instances;
+  return count === 0 ? kind : `${kind}, ${count} ${count === 1 ? 'module' : 'modules'}`;
+}
+
+/** The name of a node as people see it; its id when nobody knows it. */
+export function nodeName(
+  id: string,
+  find: (id: string) => Pick<NodeInfo, 'name' | 'node'> | undefined,
+  selfId: string,
+): string {
+  if (id === '') return 'none yet';
+  if (id === selfId) return 'This tab';
+  const node = find(id);
+  if (node?.node?.kind === NodeExtensionKind.MASTER) return 'Master';
+  return node?.name || `${id.slice(0, 8)}…`;
+}
+
+/** True when the node can be given this module now. [SE-30] */
+export function canRun(
+  node: NodeInfo,
+  module: { readonly name: string; readonly onProcessingStringified: string },
+): boolean {
+  if (!node.available) return false;
+  if (node.moduleNames.includes(module.name)) return true;
+  return module.onProcessingStringified !== '' && node.node?.runsJavascript === true;
+}
