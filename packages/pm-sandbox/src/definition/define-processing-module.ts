@@ -1,0 +1,87 @@
+import type { IoInits, ModuleInputs, ModuleOutputs } from './io-types.ts';
+
+/** When a module runs; nothing means 30 Hz. */
+export type ModeInit =
+  /** At fixed intervals. [PM-21] */
+  | { readonly frequency: { readonly hertz: number } }
+  /** When any input was updated, or all of them; not more often than the delay allows. [PM-23] */
+  | {
+      readonly triggerOnInput: {
+        readonly minDelayMs?: number;
+        readonly allInputsNeedUpdate?: boolean;
+      };
+    }
+  /** In the passes of its session. [PM-27] */
+  | { readonly lockstep: Readonly<Record<string, never>> }
+  /** Again and again. [PM-28] */
+  | { readonly free: Readonly<Record<string, never>> };
+
+/** What the node puts into the state of an instance. [PM-12] */
+export interface NodeState {
+  /** The external libraries the module asked for, by name. */
+  readonly modules: Readonly<Record<string, unknown>>;
+  /** With the mode trigger-on-input: inputs that were updated since the run before. */
+  inputTriggerNames: readonly string[];
+}
+
+/** State of an instance: its own members and those of the node. */
+export type ModuleState<S> = S & NodeState;
+
+/** What `onProcessing` may return. [PM-11] */
+export interface ProcessingResult<O extends IoInits, S> {
+  readonly outputs?: ModuleOutputs<O> | undefined;
+  /** Replaces the state. */
+  readonly state?: S | undefined;
+}
+
+type MaybePromise<T> = T | Promise<T>;
+
+/**
+ * A processing module as its author writes it. The callbacks may be taken to another place as text:
+ * they see their parameters, `console` and what the language offers, and nothing else. [PM-2]
+ */
+export interface ModuleDefinition<
+  I extends IoInits = IoInits,
+  O extends IoInits = IoInits,
+  S extends object = Record<string, unknown>,
+> {
+  readonly name: string;
+  readonly description?: string;
+  readonly tags?: readonly string[];
+  readonly authors?: readonly string[];
+  /** Semantic versioning. */
+  readonly version?: string;
+  /** What it needs in `state.modules`; a node that lacks one cannot run it. [PM-4] */
+  readonly libraries?: readonly string[];
+  readonly inputs: I;
+  readonly outputs: O;
+  /** Default: 30 Hz. */
+  readonly mode?: ModeInit;
+  /** The first state; called once, before `onCreated`. It gives the state its type. */
+  createState?(): S;
+  onCreated?(state: ModuleState<S>): MaybePromise<void>;
+  /** @param deltaTimeMs milliseconds since the previous start of a run, 0 in the first */
+  onProcessing(
+    deltaTimeMs: number,
+    inputs: ModuleInputs<I>,
+    state: ModuleState<S>,
+  ): MaybePromise<ProcessingResult<O, NoInfer<S>> | void>;
+  onHalted?(state: ModuleState<S>): MaybePromise<void>;
+  onDestroyed?(state: ModuleState<S>): MaybePromise<void>;
+}
+
+/** A definition of whatever types, as lists of modules hold them. */
+// eslint-disable-next-line @typescript-eslint/no-explicit-any -- the callbacks' parameters are of any type
+export type AnyModuleDefinition = ModuleDefinition<any, any, any>;
+
+/**
+ * Checks a definition's types and returns it: inputs, outputs and state of the callbacks follow from
+ * the declared formats.
+ */
+export function defineProcessingModule<
+  const I extends IoInits,
+  const O extends IoInits,
+  S extends object = Record<string, unknown>,
+>(definition: ModuleDefinition<I, O, S>): ModuleDefinition<I, O, S> {
+  return definition;
+}
