@@ -22,6 +22,7 @@ export type {
   RegisteredComponent,
   RegisteredDevice,
 } from './core/devices.ts';
+export type { EncodedListener, EncodedRecord } from './core/encoded-record.ts';
 export { createMemoryIdentity } from './core/identity.ts';
 export type { Identity } from './core/identity.ts';
 export type { Cancel, Clock } from './core/ports/clock.ts';
@@ -38,6 +39,7 @@ export { PUBLISH_LIMITS } from './core/publish-buffer.ts';
 export type { PublishOptions } from './core/publish-buffer.ts';
 export { DEFAULT_RECONNECT_POLICY } from './core/reconnect-policy.ts';
 export type { ReconnectPolicy } from './core/reconnect-policy.ts';
+export type { ClientProfile } from './core/registration.ts';
 export type { RoundTrip } from './core/round-trip.ts';
 export type { SubscribeOptions, Subscription } from './core/subscription.ts';
 export type { TopicPattern } from './core/topic-pattern.ts';

@@ -1,3 +1,4 @@
+import type { Init, NodeExtension, ProcessingModule } from '@ubii/proto';
 import type { Clock } from './ports/clock.ts';
 import type { IdentityStorage } from './ports/identity-storage.ts';
 import type { RandomSource } from './ports/random.ts';
@@ -17,6 +18,12 @@ export interface ClientOptions {
   readonly name: string;
   readonly description?: string;
   readonly tags?: readonly string[];
+  /** What the client is as a node; a client that runs no modules leaves it out. [PM-60] */
+  readonly node?: Init<NodeExtension>;
+  /** The modules it has code for; their code need not be told. [PM-60] */
+  readonly processingModules?: readonly Init<ProcessingModule>[];
+  /** True when it exists to run modules for others. @default false */
+  readonly isDedicatedNode?: boolean;
   /** Where the identity is kept between runs. @default in memory */
   readonly identity?: IdentityStorage;
   /** Records are collected this long and sent as one frame, milliseconds; 0: until the end of the turn. @default 15 */

@@ -1,7 +1,8 @@
-import type { Component, Device, TopicRecord } from '@ubii/proto';
+import type { Component, Device } from '@ubii/proto';
 import { ComponentIOType, isMasterTopic } from '@ubii/proto';
 import { matchesProfile } from './component-profile.ts';
 import type { ComponentProfile } from './component-profile.ts';
+import type { ReceivedRecord } from './received-record.ts';
 
 /** Records that wait for an answer to what topics there are; more are let go, oldest first. */
 const MAX_HELD_RECORDS = 256;
@@ -15,7 +16,7 @@ export interface ComponentTopicsOptions {
   /** The topics of a profile changed. */
   readonly handleChange: () => void;
   /** A record came before it was known whether its topic belongs to a profile. It is known now. */
-  readonly handleRecord: (record: TopicRecord) => void;
+  readonly handleRecord: (record: ReceivedRecord) => void;
 }
 
 /**
@@ -28,7 +29,7 @@ export class ComponentTopics {
   readonly #options: ComponentTopicsOptions;
   readonly #profiles = new Map<string, { profile: ComponentProfile; topics: Set<string> }>();
   readonly #foreignTopics = new Set<string>();
-  #heldRecords: TopicRecord[] = [];
+  #heldRecords: ReceivedRecord[] = [];
   #refreshing: Promise<void> | undefined;
   #isStale = false;
 
@@ -61,11 +62,16 @@ export class ComponentTopics {
     return new Set([...this.#profiles.values()].flatMap(({ topics }) => [...topics]));
   }
 
-  /** Keeps the record until it is known whether its topic belongs to a profile, if it is not. */
-  holdIfUnknown(record: TopicRecord): void {
-    if (this.#profiles.size === 0 || this.#foreignTopics.has(record.topic)) return;
-    if (isMasterTopic(record.topic)) return;
-    for (const { topics } of this.#profiles.values()) if (topics.has(record.topic)) return;
+  /** Whether it is not known yet if the topic belongs to a profile. */
+  isUnknown(topic: string): boolean {
+    if (this.#profiles.size === 0 || this.#foreignTopics.has(topic)) return false;
+    if (isMasterTopic(topic)) return false;
+    for (const { topics } of this.#profiles.values()) if (topics.has(topic)) return false;
+    return true;
+  }
+
+  /** Keeps a record of an unknown topic until it is known whether it belongs to a profile. */
+  hold(record: ReceivedRecord): void {
     this.#heldRecords.push(record);
     if (this.#heldRecords.length > MAX_HELD_RECORDS) this.#heldRecords.shift();
     if (this.#refreshing !== undefined && this.#isStale) return;
@@ -104,7 +110,7 @@ export class ComponentTopics {
    * Hands out what belongs to a profile. Of the rest, those up to `lastAsked` came before the
    * question was asked, so the answer says that they belong to none.
    */
-  #releaseRecords(lastAsked: TopicRecord | undefined): void {
+  #releaseRecords(lastAsked: ReceivedRecord | undefined): void {
     const topics = this.topics();
     const records = this.#heldRecords;
     const asked = lastAsked === undefined ? -1 : records.lastIndexOf(lastAsked);

@@ -7,6 +7,7 @@ import type {
   ServiceReplyOf,
   ServiceRequestOf,
 } from '@ubii/proto';
+import type { EncodedNodeMessage } from '@ubii/proto/wire';
 import type { ClientCounters } from './client-counters.ts';
 import type { ClientOptions } from './client-options.ts';
 import { profileToMessage } from './component-profile.ts';
@@ -16,6 +17,7 @@ import { Connection } from './connection.ts';
 import type { Arrival } from './connection.ts';
 import { DeviceRegistry } from './device-registry.ts';
 import type { ComponentInit, DeviceInit, RegisteredDevice } from './devices.ts';
+import type { EncodedListener } from './encoded-record.ts';
 import { createMemoryIdentity } from './identity.ts';
 import type { Link } from './link.ts';
 import { unknownClient } from './link-failure.ts';
@@ -25,11 +27,12 @@ import type { IdSource } from './ports/id-source.ts';
 import type { RandomSource } from './ports/random.ts';
 import type { ServiceTransport } from './ports/service-transport.ts';
 import type { TopicDataTransport } from './ports/topic-data-transport.ts';
-import { toWaitingRecord } from './publication.ts';
+import { toWaitingRecord, waitingRecordOf } from './publication.ts';
 import { PublishBuffer } from './publish-buffer.ts';
 import type { PublishOptions } from './publish-buffer.ts';
 import { DEFAULT_RECONNECT_POLICY } from './reconnect-policy.ts';
 import { Registration } from './registration.ts';
+import type { ClientProfile } from './registration.ts';
 import { RoundTripWindow } from './round-trip.ts';
 import type { RoundTrip } from './round-trip.ts';
 import { ServiceCalls } from './service-calls.ts';
@@ -87,6 +90,7 @@ class Client implements UbiiClient {
   readonly #roundTripListeners = new Listeners<RoundTrip>();
   readonly #problemListeners = new Listeners<ClientProblem>();
   readonly #identityListeners = new Listeners<IdentityChange>();
+  readonly #nodeListeners = new Listeners<EncodedNodeMessage>();
   #recordsOut = 0;
   #bytesOut = 0;
   #closing: Promise<void> | undefined;
@@ -104,6 +108,9 @@ class Client implements UbiiClient {
         name: options.name,
         description: options.description ?? '',
         tags: options.tags ?? [],
+        node: options.node,
+        processingModules: options.processingModules ?? [],
+        isDedicatedNode: options.isDedicatedNode ?? false,
       },
     );
     const handleProblem = (problem: ClientProblem): void => this.#problemListeners.emit(problem);
@@ -122,6 +129,8 @@ class Client implements UbiiClient {
     });
     this.#inbox = new TopicDataInbox({
       handleRecord: (record) => this.#subscriptions.handleRecord(record),
+      handleNodeMessage: (message) => this.#nodeListeners.emit(message),
+      takesEncoded: () => this.#subscriptions.hasEncoded || this.#nodeListeners.size > 0,
       handleProblem,
       countAtMaster: (topic) => this.#subscriptions.countAtMaster(topic),
     });
@@ -148,7 +157,7 @@ class Client implements UbiiClient {
       handleUnknownText: (text) => this.#inbox.handleUnknownText(text),
       handleRoundTrip: (roundTripMs) => {
         this.#roundTripListeners.emit(this.#roundTrips.add(roundTripMs));
-        if (this.state.status === 'connected') this.#updateProfileInPassing();
+        if (this.state.status === 'connected') this.#tellProfileInPassing();
       },
       restore: (arrival) => this.#restore(arrival),
     });
@@ -223,11 +232,15 @@ class Client implements UbiiClient {
     return this.#closing;
   }
 
-  async rename(name: string): Promise<void> {
-    this.#registration.rename(name);
+  rename(name: string): Promise<void> {
+    return this.updateProfile({ name });
+  }
+
+  async updateProfile(change: Partial<ClientProfile>): Promise<void> {
+    this.#registration.describe(change);
     if (this.state.status !== 'connected') return;
     try {
-      await this.#updateProfile();
+      await this.#tellProfile();
     } catch (error) {
       if (!(error instanceof ConnectionError)) throw error; // else it is told later
     }
@@ -254,6 +267,31 @@ class Client implements UbiiClient {
       typeof pattern === 'string' ? { topic: pattern } : pattern,
       options,
     );
+  }
+
+  subscribeEncoded(pattern: string | TopicPattern, listener: EncodedListener): Unsubscribe {
+    return this.#subscriptions.subscribeEncoded(
+      typeof pattern === 'string' ? { topic: pattern } : pattern,
+      listener,
+    );
+  }
+
+  publishEncoded(topic: string, record: Uint8Array, valueField: number): void {
+    this.#publishes.add(waitingRecordOf(topic, record, valueField), false);
+    this.#publishes.flushSoon();
+  }
+
+  onNodeMessage(fn: (message: EncodedNodeMessage) => void): Unsubscribe {
+    return this.#nodeListeners.add(fn);
+  }
+
+  sendNodeMessage(frame: Uint8Array): boolean {
+    const { link } = this.#connection;
+    if (link === undefined || !this.#isExtended) return false;
+    this.#publishes.flush();
+    link.sendBinary(frame);
+    this.#bytesOut += frame.byteLength;
+    return true;
   }
 
   async call<S extends ServiceName>(
@@ -324,7 +362,7 @@ class Client implements UbiiClient {
     return this.#registration.membership?.isExtended ?? true;
   }
 
-  async #updateProfile(): Promise<void> {
+  async #tellProfile(): Promise<void> {
     const idBefore = this.id;
     await this.#registration.update();
     if (this.id === idBefore) return;
@@ -334,8 +372,8 @@ class Client implements UbiiClient {
   }
 
   /** For a name that did not get through: nobody waits for it, and it is tried again with every PING. */
-  #updateProfileInPassing(): void {
-    this.#updateProfile().catch(() => undefined);
+  #tellProfileInPassing(): void {
+    this.#tellProfile().catch(() => undefined);
   }
 
   async #restore({ membership, previousId }: Arrival): Promise<void> {
@@ -355,7 +393,7 @@ class Client implements UbiiClient {
     switch (state.status) {
       case 'connected':
         this.#publishes.flush();
-        this.#updateProfileInPassing(); // renamed while it was connecting
+        this.#tellProfileInPassing(); // renamed while it was connecting
         return;
       case 'reconnecting':
         this.#pause();

@@ -4,6 +4,8 @@ import { Deferred } from './deferred.ts';
 import { Listeners } from './listeners.ts';
 import type { Clock } from './ports/clock.ts';
 import { RateLimit } from './rate-limit.ts';
+import type { ReceivedRecord } from './received-record.ts';
+import type { Receiver } from './receiver.ts';
 import { RecordBuffer } from './record-buffer.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';
 import type { ServerPattern, TopicPattern } from './topic-pattern.ts';
@@ -11,7 +13,8 @@ import type { ServerPattern, TopicPattern } from './topic-pattern.ts';
 const DEFAULT_BUFFER_SIZE = 1_000;
 
 /** One subscription of the program: filters, limits and hands on the records it is given. */
-export class LocalSubscription implements Subscription {
+export class LocalSubscription implements Subscription, Receiver {
+  readonly takesBuffers = false;
   readonly pattern: TopicPattern;
   readonly serverPattern: ServerPattern;
   /** Records of a topic per second; `Infinity` for all. */
@@ -90,12 +93,16 @@ export class LocalSubscription implements Subscription {
     await this.#close(this);
   }
 
-  handleRecord(record: TopicRecord): void {
+  handleRecord(received: ReceivedRecord): void {
     if (this.#end !== undefined) return;
+    const record = received.decoded;
     if (this.#format !== undefined && record.format !== this.#format) return;
     if (this.#rateLimit === undefined) this.#deliver(record);
     else this.#rateLimit.handle(record);
   }
+
+  /** A record without a value says nothing that a subscription could hand on. [TD-13] */
+  handleGone(): void {}
 
   /** The master has accepted it. */
   handleAccepted(): void {

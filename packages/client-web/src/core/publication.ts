@@ -1,4 +1,4 @@
-import { DATA_FORMATS, encodeRecord } from '@ubii/proto';
+import { DATA_FORMATS, dataFormatOfField, encodeRecord } from '@ubii/proto';
 import type { DataFormat, RecordInit } from '@ubii/proto';
 import type { WaitingRecord } from './publish-buffer.ts';
 
@@ -27,4 +27,14 @@ export function toWaitingRecord(publication: Publication): WaitingRecord {
   const problem = info.validate(value);
   if (problem !== undefined) throw new TypeError(`${topic}: ${problem}`);
   return { topic, bytes: encodeRecord(publication as RecordInit), isEvent: info.isEvent };
+}
+
+/** A record that was encoded elsewhere, and is not looked at. */
+export function waitingRecordOf(
+  topic: string,
+  bytes: Uint8Array,
+  valueField: number,
+): WaitingRecord {
+  const format = dataFormatOfField(valueField);
+  return { topic, bytes, isEvent: format !== undefined && DATA_FORMATS[format].isEvent };
 }

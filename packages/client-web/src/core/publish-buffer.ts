@@ -71,6 +71,7 @@ export class PublishBuffer {
   #dropped = 0;
   #lastFlushMs = -Infinity;
   #cancelFlush: Cancel | undefined;
+  #isFlushingSoon = false;
 
   constructor(clock: Clock, sink: PublishSink, intervalMs: number) {
     this.#clock = clock;
@@ -99,6 +100,16 @@ export class PublishBuffer {
       this.#waitingBytes > 1.25 * PUBLISH_LIMITS.waitingBytes;
     if (isImmediate || isMuch) this.flush();
     else this.#schedule();
+  }
+
+  /** Sends what waits at the end of this turn. */
+  flushSoon(): void {
+    if (this.#isFlushingSoon) return;
+    this.#isFlushingSoon = true;
+    void Promise.resolve().then(() => {
+      this.#isFlushingSoon = false;
+      this.flush();
+    });
   }
 
   /** Sends what waits, as far as the socket takes it. */

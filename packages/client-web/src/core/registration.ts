@@ -1,4 +1,5 @@
 import { ClientState, ServiceError } from '@ubii/proto';
+import type { Init, NodeExtension, ProcessingModule } from '@ubii/proto';
 import { ConnectionError } from './connection-error.ts';
 import type { Identity } from './identity.ts';
 import type { IdentityStorage } from './ports/identity-storage.ts';
@@ -9,6 +10,10 @@ export interface ClientProfile {
   readonly name: string;
   readonly description: string;
   readonly tags: readonly string[];
+  /** `undefined` when it runs no modules. [PM-60] */
+  readonly node: Init<NodeExtension> | undefined;
+  readonly processingModules: readonly Init<ProcessingModule>[];
+  readonly isDedicatedNode: boolean;
 }
 
 /** What the master made of it. */
@@ -119,9 +124,9 @@ export class Registration {
     this.#save(undefined);
   }
 
-  /** Changes the name. The master learns it with `update`, or when the client registers anew. */
-  rename(name: string): void {
-    this.#profile = { ...this.#profile, name };
+  /** Changes the profile. The master learns it with `update`, or when the client registers anew. */
+  describe(change: Partial<ClientProfile>): void {
+    this.#profile = { ...this.#profile, ...change };
     this.#isProfileNew = true;
   }
 
@@ -152,17 +157,20 @@ export class Registration {
 
   async #register(): Promise<Membership> {
     const profile = this.#profile;
-    const { name, description, tags } = profile;
+    const { name, description, tags, node, processingModules, isDedicatedNode } = profile;
     const resumeToken = this.#identity?.resumeToken;
     const client = await this.#calls.call('clientRegistration', {
       name,
       ...(description === '' ? {} : { description }),
       ...(tags.length === 0 ? {} : { tags: [...tags] }),
+      ...(processingModules.length === 0 ? {} : { processingModules: [...processingModules] }),
+      ...(isDedicatedNode ? { isDedicatedProcessingNode: true } : {}),
       // An id without a token proves nothing, and an original master refuses the id of a client it still has.
       ...(resumeToken === undefined ? {} : { id: this.#identity!.clientId }),
       extension: {
         recordLists: true, // [EX-2]
         ...(resumeToken === undefined ? {} : { resumeToken }), // [EX-3]
+        ...(node === undefined ? {} : { node }), // [PM-60]
       },
     });
     if (client.id === '') {

@@ -83,6 +83,14 @@ export class SubscriptionSync {
     this.#schedule();
   }
 
+  /** Has the master send the retained records once more, which takes a new subscription. [TD-24] */
+  renew(key: string): void {
+    const held = this.#held.get(key);
+    if (held?.certainty !== 'certain') return; // they are still to come
+    held.certainty = 'stale';
+    this.#schedule();
+  }
+
   /** Resolves once the master knows, or the link is gone. */
   async unwant(key: string): Promise<void> {
     this.#wanted.delete(key);

@@ -1,10 +1,16 @@
 import { DecodeError, ServiceError, decodeTopicData } from '@ubii/proto';
-import type { TopicRecord } from '@ubii/proto';
+import type { EncodedNodeMessage } from '@ubii/proto/wire';
 import { ClassicDuplicates } from './classic-duplicates.ts';
+import { ReceivedRecord } from './received-record.ts';
+import { scanFrame } from './scan-frame.ts';
+import type { ScannedFrame } from './scan-frame.ts';
 
 /** Whom the inbox tells. */
 export interface TopicDataInboxOptions {
-  readonly handleRecord: (record: TopicRecord) => void;
+  readonly handleRecord: (record: ReceivedRecord) => void;
+  readonly handleNodeMessage: (message: EncodedNodeMessage) => void;
+  /** Whether anybody takes records or node messages as they travel. */
+  readonly takesEncoded: () => boolean;
   /** Something in a frame cannot be decoded, or the master refused something. */
   readonly handleProblem: (problem: DecodeError | ServiceError) => void;
   /** How many subscriptions at the master match a topic. */
@@ -31,15 +37,38 @@ export class TopicDataInbox {
 
   handleBinary(keptFrame: Uint8Array): void {
     this.bytesIn += keptFrame.byteLength;
+    const scanned = this.#options.takesEncoded() ? this.#scan(keptFrame) : undefined;
+    if (scanned === undefined) this.#decode(keptFrame);
+    else {
+      for (const record of scanned.records) this.#handleRecord(keptFrame, record);
+      for (const message of scanned.nodeMessages) this.#options.handleNodeMessage(message);
+      for (const error of scanned.errors) this.#options.handleProblem(error);
+    }
+  }
+
+  /** `undefined` when anything in the frame is broken: decoding finds what is not. */
+  #scan(keptFrame: Uint8Array): ScannedFrame | undefined {
+    try {
+      return scanFrame(keptFrame);
+    } catch (error) {
+      if (error instanceof DecodeError) return undefined;
+      throw error;
+    }
+  }
+
+  #decode(keptFrame: Uint8Array): void {
     const { records, error, failed } = decodeTopicData(keptFrame);
     for (const record of records) {
-      this.recordsIn += 1;
-      if (this.#duplicates?.isCopy(keptFrame, this.#options.countAtMaster(record.topic))) continue;
-      // A record without a value says nothing that a subscription could hand on. [TD-13]
-      if (record.format !== undefined) this.#options.handleRecord(record);
+      this.#handleRecord(keptFrame, ReceivedRecord.fromDecoded(record));
     }
     if (error !== undefined) this.#options.handleProblem(ServiceError.fromWire(error));
     for (const problem of failed) this.#handleDecodeError(problem);
+  }
+
+  #handleRecord(keptFrame: Uint8Array, record: ReceivedRecord): void {
+    this.recordsIn += 1;
+    if (this.#duplicates?.isCopy(keptFrame, this.#options.countAtMaster(record.topic))) return;
+    this.#options.handleRecord(record);
   }
 
   handleUnknownText(text: string): void {

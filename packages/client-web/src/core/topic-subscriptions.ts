@@ -1,9 +1,13 @@
 import { INFO_TOPICS, ServiceError } from '@ubii/proto';
-import type { Component, DataFormat, Init, TopicRecord, TopicSubscription } from '@ubii/proto';
+import type { Component, DataFormat, Init, TopicSubscription } from '@ubii/proto';
 import type { ComponentProfile } from './component-profile.ts';
 import { ComponentTopics } from './component-topics.ts';
+import type { EncodedListener } from './encoded-record.ts';
+import { EncodedSubscription } from './encoded-subscription.ts';
 import { LocalSubscription } from './local-subscription.ts';
 import type { Clock } from './ports/clock.ts';
+import type { ReceivedRecord } from './received-record.ts';
+import type { Receiver } from './receiver.ts';
 import { SubscriptionSync } from './subscription-sync.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';
 import { toServerPattern } from './topic-pattern.ts';
@@ -24,14 +28,14 @@ export interface TopicSubscriptionsOptions {
 
 /** Where the records of one topic go. */
 interface Route {
-  readonly receivers: readonly LocalSubscription[];
+  readonly receivers: readonly Receiver[];
   /** Subscriptions at the master that match the topic, profiles left out. */
   readonly countAtMaster: number;
 }
 
 interface Group {
   readonly pattern: ServerPattern;
-  readonly members: Set<LocalSubscription>;
+  readonly members: Set<Receiver>;
 }
 
 /**
@@ -48,7 +52,10 @@ export class TopicSubscriptions {
    * The newest record of each received topic. The master sends its own only with the first
    * subscription of a pattern; a second one in this program gets it from here.
    */
-  readonly #newest = new Map<string, TopicRecord>();
+  readonly #newest = new Map<string, ReceivedRecord>();
+  /** Topics whose newest record cannot be had from there, because its buffer was given away. */
+  readonly #handedOver = new Set<string>();
+  #encodedCount = 0;
   /** Tell of devices that come and go, as long as there are component profiles. */
   #deviceNews: readonly Subscription<'device'>[] = [];
   /** Where the master takes no profiles: subscriptions by topic in their place. */
@@ -91,12 +98,44 @@ export class TopicSubscriptions {
     return subscription as unknown as Subscription<F>;
   }
 
+  /**
+   * Subscribes to records as they travel: they are decoded only if somebody else wants them decoded.
+   * @returns ends it
+   * @throws {TypeError} if the pattern is empty or not a regular expression
+   */
+  subscribeEncoded(pattern: TopicPattern, listener: EncodedListener): () => void {
+    const subscription = new EncodedSubscription(toServerPattern(pattern), listener);
+    this.#encodedCount += 1;
+    this.#add(subscription);
+    return () => {
+      subscription.end();
+      void this.#remove(subscription);
+    };
+  }
+
+  /** Whether anybody takes records as they travel. */
+  get hasEncoded(): boolean {
+    return this.#encodedCount > 0;
+  }
+
   /** Hands a record to everyone who subscribed to it, to each once. */
-  handleRecord(record: TopicRecord): void {
-    const { receivers } = this.#routeOf(record.topic);
-    for (const receiver of receivers) receiver.handleRecord(record);
-    if (receivers.length > 0) this.#remember(record);
-    this.#componentTopics.holdIfUnknown(record);
+  handleRecord(record: ReceivedRecord): void {
+    const { topic } = record;
+    const { receivers } = this.#routeOf(topic);
+    if (!record.hasValue) {
+      this.#forget(topic);
+      for (const receiver of receivers) receiver.handleGone(topic);
+      return;
+    }
+    const isUnknown = this.#componentTopics.isUnknown(topic);
+    const isHandedOver =
+      record.isTransferable && !isUnknown && receivers.length === 1 && receivers[0]!.takesBuffers;
+    for (const receiver of receivers) receiver.handleRecord(record, isHandedOver);
+    if (isHandedOver) {
+      this.#newest.delete(topic);
+      if (this.#handedOver.size < MAX_REMEMBERED_TOPICS) this.#handedOver.add(topic);
+    } else if (receivers.length > 0) this.#remember(record);
+    if (isUnknown) this.#componentTopics.hold(record);
   }
 
   /** How many subscriptions at the master match a topic, profiles left out. */
@@ -130,6 +169,8 @@ export class TopicSubscriptions {
     this.#groups.clear();
     this.#routes.clear();
     this.#newest.clear();
+    this.#handedOver.clear();
+    this.#encodedCount = 0;
     this.#substitutes.clear();
     this.#deviceNews = [];
     this.#componentTopics.clear();
@@ -144,7 +185,7 @@ export class TopicSubscriptions {
     }
   }
 
-  #add(subscription: LocalSubscription): void {
+  #add(subscription: Receiver): void {
     const { serverPattern: pattern } = subscription;
     let group = this.#groups.get(pattern.key);
     const isFirst = group === undefined;
@@ -159,14 +200,20 @@ export class TopicSubscriptions {
     if (this.#sync.isAccepted(pattern.key)) subscription.handleAccepted();
     if (!this.#sync.isHeld(pattern.key)) return;
     for (const record of this.#newest.values()) {
-      if (this.#selects(pattern, record.topic)) subscription.handleRecord(record);
+      if (this.#selects(pattern, record.topic)) subscription.handleRecord(record, false);
+    }
+    for (const topic of this.#handedOver) {
+      if (!this.#selects(pattern, topic)) continue;
+      this.#sync.renew(pattern.key);
+      return;
     }
   }
 
-  async #remove(subscription: LocalSubscription): Promise<void> {
+  async #remove(subscription: Receiver): Promise<void> {
     const { serverPattern: pattern } = subscription;
     const group = this.#groups.get(pattern.key);
     if (group === undefined || !group.members.delete(subscription)) return;
+    if (subscription.takesBuffers) this.#encodedCount -= 1;
     this.#routes.clear();
     if (group.members.size > 0) {
       this.#sync.want(pattern, rateOf(group));
@@ -177,6 +224,9 @@ export class TopicSubscriptions {
     // What nobody receives any more grows old here.
     for (const topic of this.#newest.keys()) {
       if (this.#routeOf(topic).receivers.length === 0) this.#newest.delete(topic);
+    }
+    for (const topic of this.#handedOver) {
+      if (this.#routeOf(topic).receivers.length === 0) this.#handedOver.delete(topic);
     }
     await this.#sync.unwant(pattern.key);
   }
@@ -195,14 +245,17 @@ export class TopicSubscriptions {
     this.#groups.delete(key);
     this.#routes.clear();
     if (group.pattern.kind === 'component') this.#removeProfile(key);
-    for (const member of group.members) member.end(error);
+    for (const member of group.members) {
+      if (member.takesBuffers) this.#encodedCount -= 1;
+      member.end(error);
+    }
     this.#options.handleProblem(error);
   }
 
   /** Those who subscribed by topic or regular expression have the record already. */
-  #handleLateRecord(record: TopicRecord): void {
+  #handleLateRecord(record: ReceivedRecord): void {
     for (const receiver of this.#routeOf(record.topic).receivers) {
-      if (receiver.serverPattern.kind === 'component') receiver.handleRecord(record);
+      if (receiver.serverPattern.kind === 'component') receiver.handleRecord(record, false);
     }
     this.#remember(record);
   }
@@ -229,7 +282,13 @@ export class TopicSubscriptions {
     return this.#componentTopics.has(pattern.key, topic);
   }
 
-  #remember(record: TopicRecord): void {
+  #forget(topic: string): void {
+    this.#newest.delete(topic);
+    this.#handedOver.delete(topic);
+  }
+
+  #remember(record: ReceivedRecord): void {
+    this.#handedOver.delete(record.topic);
     if (this.#newest.size >= MAX_REMEMBERED_TOPICS && !this.#newest.has(record.topic)) {
       const [oldest] = this.#newest.keys();
       if (oldest !== undefined) this.#newest.delete(oldest);

@@ -9,10 +9,13 @@ import type {
   ServiceRequestOf,
   SERVICES,
 } from '@ubii/proto';
+import type { EncodedNodeMessage } from '@ubii/proto/wire';
 import type { ClientCounters } from './client-counters.ts';
 import type { ConnectionState } from './connection-state.ts';
 import type { ComponentInit, DeviceInit, RegisteredDevice } from './devices.ts';
+import type { EncodedListener } from './encoded-record.ts';
 import type { PublishOptions } from './publish-buffer.ts';
+import type { ClientProfile } from './registration.ts';
 import type { RoundTrip } from './round-trip.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';
 import type { TopicPattern } from './topic-pattern.ts';
@@ -55,6 +58,11 @@ export interface UbiiClient {
    * when the client registers anew. Rejects with the `ServiceError` when the master refuses it.
    */
   rename(name: string): Promise<void>;
+  /**
+   * Changes what the master knows of the client: name, description, tags, and what it is as a node.
+   * The master learns it as with `rename`.
+   */
+  updateProfile(change: Partial<ClientProfile>): Promise<void>;
   /** Calls `fn` after the master gave the client another id. */
   onIdentityChange(fn: (change: IdentityChange) => void): Unsubscribe;
 
@@ -92,6 +100,30 @@ export interface UbiiClient {
     pattern: string | TopicPattern,
     options?: SubscribeOptions<F>,
   ): Subscription<F>;
+
+  /**
+   * Subscribes to records as they travel, for whoever forwards them or decodes them elsewhere: they
+   * are decoded here only if an ordinary subscription wants them, too. A large record that nobody else
+   * receives comes with its buffer (`isOwned`), uncopied. Records without a value come as `onGone`.
+   * @returns ends the subscription
+   * @throws {TypeError} if the pattern is empty or not a regular expression
+   */
+  subscribeEncoded(pattern: string | TopicPattern, listener: EncodedListener): Unsubscribe;
+  /**
+   * Publishes an encoded `TopicDataRecord`, unchecked. It leaves at the end of the turn, in the order
+   * of the calls; else as with `publish`.
+   * @param record of this topic; not changed later
+   * @param valueField number of the value member, 0 when there is none
+   */
+  publishEncoded(topic: string, record: Uint8Array, valueField: number): void;
+  /** Calls `fn` for what the master tells its nodes. [EX-20] */
+  onNodeMessage(fn: (message: EncodedNodeMessage) => void): Unsubscribe;
+  /**
+   * Tells the master something as a node. Records published before arrive before it.
+   * @param frame of `encodeNodeMessageFrame` or `encodeLockstepReplyFrame` of `@ubii/proto/wire`
+   * @returns false when there is no connection to a master of ours
+   */
+  sendNodeMessage(frame: Uint8Array): boolean;
 
   /**
    * Calls a service of the master. Waits for the connection while there is none, as part of the

@@ -12,6 +12,7 @@ import type {
   Component,
   Device,
   Init,
+  NodeMessage,
   RecordInit,
   ServiceReply,
   ServiceRequest,
@@ -43,6 +44,10 @@ export class FakeMaster implements MemoryMaster {
   readonly requests: ServiceRequest[] = [];
   /** Every record clients published, in order. */
   readonly published: TopicRecord[] = [];
+  /** Every node message it was sent, in order. */
+  readonly nodeMessages: NodeMessage[] = [];
+  /** Services beyond its own, by topic. */
+  readonly services = new Map<string, (request: ServiceRequest) => Init<ServiceReply>>();
   /** How many records each received frame held. */
   readonly frameSizes: number[] = [];
   /** While true nobody is there: services fail, sockets do not open. */
@@ -154,8 +159,9 @@ export class FakeMaster implements MemoryMaster {
         if (text === 'PING' && !this.isSilent && !this.isOriginal) peer.sendText('PONG');
       },
       handleBinary: (bytes) => {
-        const { records } = decodeTopicData(bytes);
-        this.frameSizes.push(records.length);
+        const { records, nodeMessages } = decodeTopicData(bytes);
+        this.nodeMessages.push(...nodeMessages);
+        if (records.length > 0) this.frameSizes.push(records.length);
         for (const record of records) {
           if (record.format === undefined) continue;
           this.published.push(record);
@@ -192,11 +198,14 @@ export class FakeMaster implements MemoryMaster {
         return { componentList: { elements: this.#components() } };
       case SERVICES.topicList.topic:
         return { stringList: { elements: [...this.#retained.keys()] } };
-      default:
+      default: {
+        const service = this.services.get(request.topic);
+        if (service !== undefined) return service(request);
         throw new ServiceError(
           'unimplemented',
           `The fake master has no service "${request.topic}"`,
         );
+      }
     }
   }
 

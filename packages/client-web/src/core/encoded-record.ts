@@ -1,0 +1,19 @@
+/** A record as it travels, for whoever forwards it or decodes it elsewhere. */
+export interface EncodedRecord {
+  readonly topic: string;
+  /** The encoded `TopicDataRecord`. Nobody changes it; it may be kept. */
+  readonly bytes: Uint8Array;
+  /** Number of the value member. */
+  readonly valueField: number;
+  /** Id of the client that published it, as far as the publisher said; else empty. */
+  readonly publisherId: string;
+  /** True: nobody else reads the buffer of `bytes`, so it may be transferred to a worker. */
+  readonly isOwned: boolean;
+}
+
+/** Takes the records of an encoded subscription. */
+export interface EncodedListener {
+  onRecord(record: EncodedRecord): void;
+  /** The topic has no value any more. [TD-42] */
+  onGone(topic: string): void;
+}

@@ -1,0 +1,21 @@
+import type { ReceivedRecord } from './received-record.ts';
+import type { ServerPattern } from './topic-pattern.ts';
+
+/** A subscription of the program, as the table of subscriptions sees it. */
+export interface Receiver {
+  readonly serverPattern: ServerPattern;
+  /** Records of a topic per second; `Infinity` for all. */
+  readonly maxRateHz: number;
+  /** Whether it may keep the buffer of a record for itself, when nobody else receives it. */
+  readonly takesBuffers: boolean;
+  /** @param isSole true: the buffer of the record is the receiver's, if it is transferable */
+  handleRecord(record: ReceivedRecord, isSole: boolean): void;
+  /** The topic has no value any more. */
+  handleGone(topic: string): void;
+  /** The master has accepted it. */
+  handleAccepted(): void;
+  /** Ends it, with the error if there is one. */
+  end(error: Error | undefined): void;
+  /** The client stopped for good, but may connect again. */
+  failIterators(error: Error): void;
+}
