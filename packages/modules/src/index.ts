@@ -1,1 +1,24 @@
-export {};
+export { clock } from './clock/clock.ts';
+export { httpPoller } from './http-poller/http-poller.ts';
+export { loadGenerator } from './load-generator/load-generator.ts';
+export {
+  lowPass,
+  lowPassQuaternion,
+  lowPassVector2,
+  lowPassVector3,
+  lowPassVector4,
+} from './low-pass/low-pass.ts';
+export { mapRange } from './map-range/map-range.ts';
+export { mergeVector2, mergeVector3, mergeVector4 } from './merge-vector/merge-vector.ts';
+export { mirrorPointer } from './mirror-pointer/mirror-pointer.ts';
+export { MODULES, moduleLibrary } from './module-library.ts';
+export {
+  oneEuroFilter,
+  oneEuroFilterQuaternion,
+  oneEuroFilterVector2,
+  oneEuroFilterVector3,
+  oneEuroFilterVector4,
+} from './one-euro-filter/one-euro-filter.ts';
+export { statistics } from './statistics/statistics.ts';
+export { threshold } from './threshold/threshold.ts';
+export { touchProximity } from './touch-proximity/touch-proximity.ts';

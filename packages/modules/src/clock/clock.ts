@@ -1,0 +1,75 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type { NumberRecord } from '../number-record.ts';
+
+/** A source of signals: counter, time, ticks and waves, as often as its mode says. */
+export const clock = defineProcessingModule({
+  name: 'clock',
+  description:
+    'Gives a counter, the time that passed, ticks, and sine, square, triangle and saw waves.',
+  tags: ['source', 'generator', 'time', 'number'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: {
+    waveHz: 'double',
+    amplitude: 'double',
+    offset: 'double',
+    phase: 'double',
+    dutyCycle: 'double',
+  },
+  outputs: {
+    count: 'int32',
+    elapsedMs: 'double',
+    tick: 'bool',
+    sine: 'double',
+    square: 'double',
+    triangle: 'double',
+    saw: 'double',
+  },
+  mode: { frequency: { hertz: 30 } },
+  createState: () => ({ runs: 0, elapsedMs: 0, turns: 0 }),
+  onProcessing(deltaTimeMs, inputs, state) {
+    const read = {
+      value(record: NumberRecord | undefined) {
+        return record?.double ?? record?.float ?? record?.int32;
+      },
+      // What is no finite number counts as not there.
+      number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
+        const value = this.value(record);
+        return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
+      },
+    };
+    const waveHz = read.number(inputs.waveHz, 1, 0, 1000);
+    const amplitude = read.number(inputs.amplitude, 1, -1e150, 1e150);
+    const offset = read.number(inputs.offset, 0, -1e150, 1e150);
+    const phase = read.number(inputs.phase, 0, -1e6, 1e6);
+    const dutyCycle = read.number(inputs.dutyCycle, 0.5, 0, 1);
+
+    const isFirst = state.runs === 0;
+    state.elapsedMs += deltaTimeMs;
+    // Turns are added up, not computed from the time, so that another frequency makes no jump; whole
+    // turns are dropped, so that precision does not wear off over days.
+    const turns = state.turns + (waveHz * deltaTimeMs) / 1000;
+    const tick = isFirst || turns >= 1;
+    state.turns = turns % 1;
+    const count = state.runs;
+    state.runs = (state.runs + 1) % 2 ** 31;
+
+    const at = (((state.turns + phase) % 1) + 1) % 1;
+    const wave = {
+      out(level: number) {
+        return { double: offset + amplitude * level };
+      },
+    };
+    return {
+      outputs: {
+        count: { int32: count },
+        elapsedMs: { double: state.elapsedMs },
+        tick: tick ? { bool: true } : undefined,
+        sine: wave.out(Math.sin(2 * Math.PI * at)),
+        square: wave.out(at < dutyCycle ? 1 : -1),
+        triangle: wave.out(at < 0.25 ? 4 * at : at < 0.75 ? 2 - 4 * at : 4 * at - 4),
+        saw: wave.out(2 * at - 1),
+      },
+    };
+  },
+});

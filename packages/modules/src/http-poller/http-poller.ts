@@ -1,0 +1,151 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type { NumberRecord } from '../number-record.ts';
+
+/** The library a node offers to get pages of the origins its operator allows. */
+interface HttpLibrary {
+  /** Rejects when there is no answer, or when the origin is not allowed. */
+  get(url: string): Promise<{ status: number; text: string }>;
+}
+
+interface PollerState {
+  /** Milliseconds since the first run. */
+  nowMs: number;
+  /** When the next request is due, in the same time. */
+  dueMs: number;
+  /** The request under way, and what came of it; undefined when there is none. */
+  request: { url: string; sinceMs: number; answer: PollerAnswer | undefined } | undefined;
+  /** The newest problem that was put out; empty when all is well. */
+  error: string;
+}
+
+type PollerAnswer = { status: number; text: string } | { reason: string };
+
+/**
+ * Asks a web service again and again and puts out one value of its JSON answer: a way in for things
+ * that know nothing of this platform. Requests do not hold up its runs: each run starts one, or looks
+ * whether the one under way is answered.
+ */
+export const httpPoller = defineProcessingModule({
+  name: 'http-poller',
+  description: 'Asks a web service at intervals and puts out one value of its JSON answer.',
+  tags: ['source', 'http', 'json', 'rest', 'iot'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  libraries: ['http'],
+  inputs: { url: 'string', path: 'string', intervalMs: 'double', timeoutMs: 'double' },
+  outputs: { number: 'double', text: 'string', status: 'int32', error: 'string' },
+  mode: { frequency: { hertz: 10 } },
+  createState: (): PollerState => ({ nowMs: 0, dueMs: 0, request: undefined, error: '' }),
+  onCreated(state) {
+    if (typeof (state.modules as { http?: Partial<HttpLibrary> }).http?.get !== 'function') {
+      throw new Error(
+        'This node does not offer the library "http": its operator has to allow origins with --allow-fetch.',
+      );
+    }
+  },
+  onProcessing(deltaTimeMs, inputs, state) {
+    const read = {
+      value(record: NumberRecord | undefined) {
+        return record?.double ?? record?.float ?? record?.int32;
+      },
+      // What is no finite number counts as not there.
+      number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
+        const value = this.value(record);
+        return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
+      },
+      /** The value at the path in the answer, or what is wrong. */
+      answer(answer: PollerAnswer, path: string): { value: unknown } | { reason: string } {
+        if ('reason' in answer) return answer;
+        if (answer.status < 200 || answer.status > 299) {
+          return { reason: `The service answered with status ${answer.status}.` };
+        }
+        let value: unknown;
+        try {
+          value = JSON.parse(answer.text);
+        } catch {
+          // Without a path plain text is fine.
+          if (path === '') return { value: answer.text.trim() };
+          return { reason: `The answer is no JSON, so it has no "${path}".` };
+        }
+        // sensors[0].value and sensors.0.value are the same; a leading $ is the whole answer.
+        const keys = path.replace(/\[(\d+)\]/g, '.$1').split('.');
+        for (const key of keys) {
+          if (key === '' || key === '$') continue;
+          if (typeof value !== 'object' || value === null || !Object.hasOwn(value, key)) {
+            return { reason: `The answer has no "${path}": there is no "${key}".` };
+          }
+          value = (value as { [key: string]: unknown })[key];
+        }
+        return { value };
+      },
+    };
+    const intervalMs = read.number(inputs.intervalMs, 1000, 100, 86_400_000);
+    const timeoutMs = read.number(inputs.timeoutMs, 10_000, 100, 600_000);
+    const url = inputs.url?.string.trim() ?? '';
+    state.nowMs += deltaTimeMs;
+
+    let result: ReturnType<typeof read.answer> | undefined;
+    let status = 0;
+    // Nobody wants to know any more what the address of before has to say.
+    if (state.request !== undefined && state.request.url !== url) {
+      state.request = undefined;
+      state.dueMs = state.nowMs;
+    }
+    const request = state.request;
+    if (request?.answer !== undefined) {
+      state.request = undefined;
+      if ('status' in request.answer) status = request.answer.status;
+      result = read.answer(request.answer, inputs.path?.string.trim() ?? '');
+    } else if (request !== undefined && state.nowMs - request.sinceMs >= timeoutMs) {
+      // A late answer goes to the old object, where nobody looks.
+      state.request = undefined;
+      result = { reason: `The service did not answer within ${timeoutMs} ms.` };
+    }
+
+    if (state.request === undefined && url !== '' && state.nowMs >= state.dueMs) {
+      // In step with the interval, unless that fell behind.
+      state.dueMs = Math.max(state.dueMs + intervalMs, state.nowMs + intervalMs / 2);
+      if (/^https?:\/\//i.test(url)) {
+        const next: NonNullable<PollerState['request']> = {
+          url,
+          sinceMs: state.nowMs,
+          answer: undefined,
+        };
+        state.request = next;
+        (state.modules as { http: HttpLibrary }).http.get(url).then(
+          (answer) => {
+            next.answer = { status: answer.status, text: answer.text };
+          },
+          (error: unknown) => {
+            const reason = (error as { message?: unknown } | null)?.message ?? error;
+            next.answer = { reason: `The request failed: ${String(reason)}` };
+          },
+        );
+      } else {
+        result = { reason: `"${url}" is no address: it has to start with http:// or https://.` };
+      }
+    }
+    if (result === undefined) return undefined;
+
+    const error = 'reason' in result ? result.reason : '';
+    const hasNewError = error !== state.error;
+    state.error = error;
+    const value = 'value' in result ? result.value : undefined;
+    const isNumeric =
+      typeof value === 'number' ||
+      typeof value === 'boolean' ||
+      (typeof value === 'string' && value.trim() !== '');
+    const number = isNumeric ? Number(value) : NaN;
+    return {
+      outputs: {
+        number: Number.isFinite(number) ? { double: number } : undefined,
+        text:
+          'value' in result
+            ? { string: typeof value === 'string' ? value : JSON.stringify(value) }
+            : undefined,
+        status: status > 0 ? { int32: status } : undefined,
+        error: hasNewError ? { string: error } : undefined,
+      },
+    };
+  },
+});

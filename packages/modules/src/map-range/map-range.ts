@@ -1,0 +1,52 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type { NumberRecord } from '../number-record.ts';
+
+/** Maps a number from one range to another: scale, offset, clamp, invert, curve. */
+export const mapRange = defineProcessingModule({
+  name: 'map-range',
+  description: 'Maps a number from one range to another, with clamping, inversion and a curve.',
+  tags: ['number', 'scale', 'clamp'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: {
+    value: 'double',
+    inMin: 'double',
+    inMax: 'double',
+    outMin: 'double',
+    outMax: 'double',
+    clamp: 'bool',
+    invert: 'bool',
+    exponent: 'double',
+  },
+  outputs: { mapped: 'double' },
+  mode: { triggerOnInput: {} },
+  onProcessing(_deltaTimeMs, inputs) {
+    const read = {
+      value(record: NumberRecord | undefined) {
+        return record?.double ?? record?.float ?? record?.int32;
+      },
+      // What is no finite number counts as not there.
+      number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
+        const value = this.value(record);
+        return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
+      },
+    };
+    const value = read.value(inputs.value);
+    if (value === undefined || Number.isNaN(value)) return undefined;
+    const inMin = read.number(inputs.inMin, 0, -1e150, 1e150);
+    const inMax = read.number(inputs.inMax, 1, -1e150, 1e150);
+    const outMin = read.number(inputs.outMin, 0, -1e150, 1e150);
+    const outMax = read.number(inputs.outMax, 1, -1e150, 1e150);
+    const exponent = read.number(inputs.exponent, 1, 0.01, 100);
+
+    // An empty range is a step: below it 0, from it on 1.
+    let share = inMin === inMax ? (value < inMin ? 0 : 1) : (value - inMin) / (inMax - inMin);
+    if (inputs.clamp?.bool ?? true) share = Math.min(1, Math.max(0, share));
+    // The curve goes on beyond the range as its mirror image, so that it stays monotonic.
+    if (exponent !== 1) share = Math.sign(share) * Math.abs(share) ** exponent;
+    if (inputs.invert?.bool) share = 1 - share;
+    // In this form both ends of the range are met exactly.
+    const mapped = outMin * (1 - share) + outMax * share;
+    return Number.isFinite(mapped) ? { outputs: { mapped: { double: mapped } } } : undefined;
+  },
+});

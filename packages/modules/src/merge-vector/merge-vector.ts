@@ -1,0 +1,62 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type { NumberRecord } from '../number-record.ts';
+
+/** Two numbers become one vector. A part without a record yet is 0. */
+export const mergeVector2 = defineProcessingModule({
+  name: 'merge-vector2',
+  description: 'Merges two numbers into a vector.',
+  tags: ['vector', 'number', 'merge'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: { x: 'double', y: 'double' },
+  outputs: { vector: 'vector2' },
+  mode: { triggerOnInput: {} },
+  onProcessing(_deltaTimeMs, inputs) {
+    if (!inputs.x && !inputs.y) return undefined;
+    const [x = 0, y = 0] = [inputs.x, inputs.y].map(
+      (record?: NumberRecord) => record?.double ?? record?.float ?? record?.int32,
+    );
+    if (![x, y].every(Number.isFinite)) return undefined;
+    return { outputs: { vector: { vector2: { x, y } } } };
+  },
+});
+
+/** Three numbers become one vector. A part without a record yet is 0. */
+export const mergeVector3 = defineProcessingModule({
+  name: 'merge-vector3',
+  description: 'Merges three numbers into a vector.',
+  tags: ['vector', 'number', 'merge'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: { x: 'double', y: 'double', z: 'double' },
+  outputs: { vector: 'vector3' },
+  mode: { triggerOnInput: {} },
+  onProcessing(_deltaTimeMs, inputs) {
+    if (!inputs.x && !inputs.y && !inputs.z) return undefined;
+    const [x = 0, y = 0, z = 0] = [inputs.x, inputs.y, inputs.z].map(
+      (record?: NumberRecord) => record?.double ?? record?.float ?? record?.int32,
+    );
+    if (![x, y, z].every(Number.isFinite)) return undefined;
+    return { outputs: { vector: { vector3: { x, y, z } } } };
+  },
+});
+
+/** Four numbers become one vector. A part without a record yet is 0. */
+export const mergeVector4 = defineProcessingModule({
+  name: 'merge-vector4',
+  description: 'Merges four numbers into a vector.',
+  tags: ['vector', 'number', 'merge'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: { x: 'double', y: 'double', z: 'double', w: 'double' },
+  outputs: { vector: 'vector4' },
+  mode: { triggerOnInput: {} },
+  onProcessing(_deltaTimeMs, inputs) {
+    if (!inputs.x && !inputs.y && !inputs.z && !inputs.w) return undefined;
+    const [x = 0, y = 0, z = 0, w = 0] = [inputs.x, inputs.y, inputs.z, inputs.w].map(
+      (record?: NumberRecord) => record?.double ?? record?.float ?? record?.int32,
+    );
+    if (![x, y, z, w].every(Number.isFinite)) return undefined;
+    return { outputs: { vector: { vector4: { x, y, z, w } } } };
+  },
+});

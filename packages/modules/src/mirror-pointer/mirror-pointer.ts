@@ -1,0 +1,37 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+
+/**
+ * Mirrors a position on a surface around its centre, in x, in y, in both or not at all: the module of
+ * the mouse-pointer example. Positions are from 0 to 1 of width and height; what is outside is mirrored
+ * to the other outside.
+ */
+export const mirrorPointer = defineProcessingModule({
+  name: 'mirror-pointer',
+  description: 'Mirrors a position from 0 to 1 around the centre, in x, in y, or in both.',
+  tags: ['pointer', 'vector', 'example'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: { pointer: 'vector2', mirrorX: 'bool', mirrorY: 'bool' },
+  outputs: { mirrored: 'vector2' },
+  mode: { triggerOnInput: {} },
+  onProcessing(_deltaTimeMs, inputs, state) {
+    const pointer = inputs.pointer;
+    if (pointer === undefined) return undefined;
+    const { x, y } = pointer.vector2;
+    if (!Number.isFinite(x) || !Number.isFinite(y)) return undefined;
+    const vector2 = {
+      x: inputs.mirrorX?.bool ? 1 - x : x,
+      y: inputs.mirrorY?.bool ? 1 - y : y,
+    };
+    // The mirrored position is of the moment of the original one, so that a round trip can be told.
+    // After a switch alone it is new, and the node says when.
+    const triggers = state.inputTriggerNames ?? [];
+    const isNew = triggers.length === 0 || triggers.includes('pointer');
+    return {
+      outputs: {
+        mirrored:
+          isNew && pointer.timestamp ? { vector2, timestamp: pointer.timestamp } : { vector2 },
+      },
+    };
+  },
+});

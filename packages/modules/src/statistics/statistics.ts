@@ -1,0 +1,132 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type { NumberRecord } from '../number-record.ts';
+
+/** What is known of some numbers that follow one another. `m2` is the sum of squared deviations from the mean. */
+interface Aggregate {
+  count: number;
+  mean: number;
+  m2: number;
+  min: number;
+  max: number;
+}
+
+interface StatisticsState {
+  /** Time of the newest run, milliseconds since the first. */
+  nowMs: number;
+  /** Older samples, newest first: each with the aggregate of itself and all newer ones in here. */
+  older: { atMs: number; aggregate: Aggregate }[];
+  /** Newer samples, oldest first, and the aggregate of them all. */
+  newer: { atMs: number; value: number }[];
+  newerAggregate: Aggregate;
+}
+
+/**
+ * Statistics of the newest values of a number: of a time, of a count, or of both, whichever holds less.
+ *
+ * Nothing is ever subtracted from a sum, so an outlier leaves no trace once it left the window. Two stacks
+ * make a queue: aggregates of the newer samples are built while they come, those of the older ones when
+ * they change stacks, and the two are merged as Chan, Golub and LeVeque do ("Updating Formulae and a
+ * Pairwise Algorithm for Computing Sample Variances", 1979). A run costs the same for every window on average.
+ */
+export const statistics = defineProcessingModule({
+  name: 'statistics',
+  description:
+    'Count, mean, minimum, maximum, standard deviation and root mean square of the newest values.',
+  tags: ['number', 'statistics', 'window'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: { value: 'double', windowMs: 'double', windowCount: 'int32' },
+  outputs: {
+    count: 'int32',
+    mean: 'double',
+    min: 'double',
+    max: 'double',
+    standardDeviation: 'double',
+    rms: 'double',
+  },
+  mode: { triggerOnInput: {} },
+  createState: (): StatisticsState => ({
+    nowMs: 0,
+    older: [],
+    newer: [],
+    newerAggregate: { count: 0, mean: 0, m2: 0, min: Infinity, max: -Infinity },
+  }),
+  onProcessing(deltaTimeMs, inputs, state) {
+    const read = {
+      value(record: NumberRecord | undefined) {
+        return record?.double ?? record?.float ?? record?.int32;
+      },
+      // What is no finite number counts as not there.
+      number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
+        const value = this.value(record);
+        return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
+      },
+    };
+    const aggregate = {
+      none(): Aggregate {
+        return { count: 0, mean: 0, m2: 0, min: Infinity, max: -Infinity };
+      },
+      one(value: number): Aggregate {
+        return { count: 1, mean: value, m2: 0, min: value, max: value };
+      },
+      merge(a: Aggregate, b: Aggregate): Aggregate {
+        if (a.count === 0) return b;
+        if (b.count === 0) return a;
+        const count = a.count + b.count;
+        const delta = b.mean - a.mean;
+        return {
+          count,
+          mean: a.mean + (delta * b.count) / count,
+          m2: a.m2 + b.m2 + (delta * delta * a.count * b.count) / count,
+          min: Math.min(a.min, b.min),
+          max: Math.max(a.max, b.max),
+        };
+      },
+    };
+    const windowMs = read.number(inputs.windowMs, 1000, 0, Number.MAX_VALUE);
+    const windowCount = Math.floor(read.number(inputs.windowCount, 0, 0, 10_000)) || 10_000;
+
+    state.nowMs += deltaTimeMs;
+    const value = read.value(inputs.value);
+    // With larger ones the squares would be infinite.
+    const isUsable = value !== undefined && Math.abs(value) <= 1e140;
+    // A run that only a parameter caused brings no new sample.
+    const triggers = state.inputTriggerNames ?? [];
+    const isNew = triggers.length === 0 || triggers.includes('value');
+    if (isUsable && isNew) {
+      state.newer.push({ atMs: state.nowMs, value });
+      state.newerAggregate = aggregate.merge(state.newerAggregate, aggregate.one(value));
+    }
+
+    for (;;) {
+      if (state.older.length === 0) {
+        let merged = aggregate.none();
+        for (const { atMs, value: sample } of state.newer.reverse()) {
+          merged = aggregate.merge(aggregate.one(sample), merged);
+          state.older.push({ atMs, aggregate: merged });
+        }
+        state.newer = [];
+        state.newerAggregate = aggregate.none();
+      }
+      const oldest = state.older.at(-1);
+      if (oldest === undefined) break;
+      const isTooOld = windowMs > 0 && state.nowMs - oldest.atMs >= windowMs;
+      if (!isTooOld && state.older.length + state.newer.length <= windowCount) break;
+      state.older.pop();
+    }
+
+    const oldest = state.older.at(-1);
+    const all = aggregate.merge(oldest?.aggregate ?? aggregate.none(), state.newerAggregate);
+    if (all.count === 0) return { outputs: { count: { int32: 0 } } };
+    return {
+      outputs: {
+        count: { int32: all.count },
+        mean: { double: all.mean },
+        min: { double: all.min },
+        max: { double: all.max },
+        standardDeviation: { double: all.count > 1 ? Math.sqrt(all.m2 / (all.count - 1)) : 0 },
+        rms: { double: Math.sqrt(all.mean * all.mean + all.m2 / all.count) },
+      },
+    };
+  },
+});

@@ -1,0 +1,134 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type { NumberRecord } from '../number-record.ts';
+
+/** What is remembered of one who touches. */
+interface Toucher {
+  isNear: boolean;
+  /** Until then the one who vibrates is left alone, in module time, milliseconds. */
+  quietUntilMs: number;
+}
+
+interface TouchProximityState {
+  /** Milliseconds since the first run. */
+  nowMs: number;
+  /** By identity. */
+  touchers: { [identity: string]: Toucher };
+  /** By topic: what the newest record looked like, and since when. */
+  seen: { [topic: string]: { stamp: string; sinceMs: number } };
+}
+
+/**
+ * Lets those feel each other who touch near one another: the muxer example of the paper on Ubi-Interact
+ * (section 5.6). Positions of many phones come from a muxer that tells whose they are; the answers go
+ * back to each of them through a demuxer.
+ */
+export const touchProximity = defineProcessingModule({
+  name: 'touch-proximity',
+  description:
+    'Finds touches of different people that are near one another, and lets their phones vibrate.',
+  tags: ['touch', 'muxer', 'demuxer', 'example'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: {
+    touches: { format: 'vector2', list: true },
+    distance: 'double',
+    hysteresis: 'double',
+    vibrationMs: 'double',
+    maxAgeMs: 'double',
+  },
+  outputs: {
+    vibration: { format: 'double', list: true },
+    isNear: { format: 'bool', list: true },
+    nearCount: 'int32',
+  },
+  mode: { frequency: { hertz: 20 } },
+  createState: (): TouchProximityState => ({
+    nowMs: 0,
+    touchers: Object.create(null) as TouchProximityState['touchers'],
+    seen: Object.create(null) as TouchProximityState['seen'],
+  }),
+  onProcessing(deltaTimeMs, inputs, state) {
+    const read = {
+      value(record: NumberRecord | undefined) {
+        return record?.double ?? record?.float ?? record?.int32;
+      },
+      // What is no finite number counts as not there.
+      number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
+        const value = this.value(record);
+        return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
+      },
+    };
+    const distance = read.number(inputs.distance, 0.1, 0, 1e9);
+    const farDistance = distance + read.number(inputs.hysteresis, 0.02, 0, 1e9);
+    const vibrationMs = read.number(inputs.vibrationMs, 100, 0, 10_000);
+    const maxAgeMs = read.number(inputs.maxAgeMs, 2000, 0, Number.MAX_VALUE);
+    state.nowMs += deltaTimeMs;
+
+    // Who touches where. The clocks of phones differ, so a touch ages from when it arrived here.
+    const touches: { identity: string; x: number; y: number }[] = [];
+    const seen = Object.create(null) as TouchProximityState['seen'];
+    for (const element of inputs.touches.elements) {
+      const { identity, topic, timestamp, vector2 } = element;
+      if (identity === undefined || identity === '') continue;
+      if (!Number.isFinite(vector2.x) || !Number.isFinite(vector2.y)) continue;
+      const { seconds, nanos, millis } = timestamp ?? { seconds: 0, nanos: 0, millis: 0 };
+      const stamp = [seconds, nanos, millis, vector2.x, vector2.y].join();
+      const before = state.seen[topic];
+      const sinceMs = before?.stamp === stamp ? before.sinceMs : state.nowMs;
+      seen[topic] = { stamp, sinceMs };
+      if (maxAgeMs > 0 && state.nowMs - sinceMs > maxAgeMs) continue;
+      touches.push({ identity, x: vector2.x, y: vector2.y });
+    }
+    state.seen = seen;
+
+    // Sorted by x, each touch has to be compared only with those that follow closely.
+    touches.sort((a, b) => a.x - b.x);
+    const near = Object.create(null) as { [identity: string]: true };
+    for (const [index, a] of touches.entries()) {
+      for (let other = index + 1; other < touches.length; other++) {
+        const b = touches[other]!;
+        if (b.x - a.x > farDistance) break;
+        if (a.identity === b.identity) continue;
+        const apart = Math.hypot(b.x - a.x, b.y - a.y);
+        const wereNear =
+          state.touchers[a.identity]?.isNear === true &&
+          state.touchers[b.identity]?.isNear === true;
+        if (apart > (wereNear ? farDistance : distance)) continue;
+        near[a.identity] = true;
+        near[b.identity] = true;
+      }
+    }
+
+    const touchers = Object.create(null) as TouchProximityState['touchers'];
+    const changed: { bool: boolean; outputTopicParams: string[] }[] = [];
+    const vibrating: { double: number; outputTopicParams: string[] }[] = [];
+    for (const identity of new Set(touches.map((touch) => touch.identity))) {
+      const before = state.touchers[identity];
+      const isNear = near[identity] === true;
+      let quietUntilMs = before?.quietUntilMs ?? 0;
+      if (isNear !== (before?.isNear ?? false)) {
+        changed.push({ bool: isNear, outputTopicParams: [identity] });
+      }
+      if (isNear && vibrationMs > 0 && state.nowMs >= quietUntilMs) {
+        vibrating.push({ double: vibrationMs, outputTopicParams: [identity] });
+        quietUntilMs = state.nowMs + vibrationMs;
+      }
+      touchers[identity] = { isNear, quietUntilMs };
+    }
+    // Who lifted the finger or left is near nobody any more.
+    for (const [identity, toucher] of Object.entries(state.touchers)) {
+      if (toucher.isNear && touchers[identity] === undefined) {
+        changed.push({ bool: false, outputTopicParams: [identity] });
+      }
+    }
+    state.touchers = touchers;
+
+    return {
+      outputs: {
+        vibration: { elements: vibrating },
+        isNear: { elements: changed },
+        nearCount: { int32: Object.keys(near).length },
+      },
+    };
+  },
+});
