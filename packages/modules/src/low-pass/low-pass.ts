@@ -59,7 +59,7 @@ function smooth(deltaTimeMs: number, inputs: LowPassInputs, state: ModuleState<L
     // The exact answer of a first-order low-pass to a value held for this long, so two short steps are
     // one long one.
     const share = -Math.expm1((-2 * Math.PI * cutoffHz * state.waitedMs) / 1000);
-    smoothed = before.map((b, i) => b + share * (sign * parts[i]! - b));
+    smoothed = before.map((b, i) => (1 - share) * b + share * sign * parts[i]!);
     if (isRotation) {
       const length = Math.hypot(...smoothed);
       smoothed = smoothed.map((part) => part / length);

@@ -82,7 +82,7 @@ function smooth(deltaTimeMs: number, inputs: OneEuroInputs, state: ModuleState<O
     // A unit quaternion changes by half of the angle.
     const speed = Math.hypot(...state.speed) * (isRotation ? 2 : 1);
     const share = read.share(minCutoffHz + beta * speed, seconds);
-    smoothed = before.map((b, i) => b + share * (sign * parts[i]! - b));
+    smoothed = before.map((b, i) => (1 - share) * b + share * sign * parts[i]!);
     if (isRotation) {
       const length = Math.hypot(...smoothed);
       smoothed = smoothed.map((part) => part / length);
