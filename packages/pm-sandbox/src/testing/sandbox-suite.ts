@@ -1,0 +1,543 @@
+import { decode, decodeRecord, type Image2D } from '@ubii/proto';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { SandboxFactory } from '../ports/sandbox.ts';
+import {
+  elementsInput,
+  faultFrom,
+  openSandbox,
+  recordInput,
+  valuesOf,
+  type OpenSandbox,
+  type SandboxInit,
+} from './sandbox-fixture.ts';
+
+/** One kind of sandbox under test. */
+export interface SandboxSuite {
+  createSandboxes(): SandboxFactory | Promise<SandboxFactory>;
+  readonly isTrusted: boolean;
+  /** False: the code runs on the test's own thread, so nothing can end it. */
+  readonly hasLimits: boolean;
+}
+
+/** What every implementation of the port `SandboxFactory` must do. */
+export function describeSandboxes(name: string, suite: SandboxSuite): void {
+  describe(`sandboxes: ${name}`, () => {
+    let factory: SandboxFactory;
+    beforeAll(async () => {
+      factory = await suite.createSandboxes();
+    });
+    afterAll(() => factory.close());
+
+    const open = (init: SandboxInit): OpenSandbox => openSandbox(factory, init, suite.isTrusted);
+    const create = async (init: SandboxInit): Promise<OpenSandbox> => {
+      const opened = open(init);
+      await opened.sandbox.create();
+      return opened;
+    };
+    /** Runs a body that returns a text once. */
+    const textOf = async (body: string, init: SandboxInit = {}): Promise<unknown> => {
+      const onProcessing = `(dt, inputs, state) => ({ outputs: { out: { string: String((() => { ${body} })()) } } })`;
+      const { run, sandbox } = await create({ ...init, onProcessing });
+      const { outputs, faults } = await run();
+      await sandbox.destroy();
+      return faults[0] ?? valuesOf(outputs)['out'];
+    };
+
+    describe('sources [PM-2]', () => {
+      it.each([
+        ['an arrow function', '() => ({ outputs: { out: { string: "x" } } })'],
+        ['a function expression', 'function () { return { outputs: { out: { string: "x" } } } }'],
+        ['a method', '({ go() { return { outputs: { out: { string: "x" } } } } }).go'],
+        ['an async function', 'async () => ({ outputs: { out: { string: "x" } } })'],
+        ['one that ends in a comment', '() => ({ outputs: { out: { string: "x" } } }) // x'],
+      ])('runs %s', async (_, onProcessing) => {
+        const { run, sandbox } = await create({ onProcessing });
+        const result = await run();
+        expect(valuesOf(result.outputs)).toEqual({ out: 'x' });
+        expect(result.faults).toEqual([]);
+        await sandbox.destroy();
+      });
+
+      it('does not see variables of the place it runs in', async () => {
+        for (const name of ['phase', 'request', 'source', 'text', 'instance']) {
+          expect(await textOf(`return typeof ${name}`)).toBe('undefined');
+        }
+      });
+
+      it('says what does not parse, without ending', async () => {
+        const fault = await factory.check({ onProcessing: '() => {\n  const a = ;\n}' });
+        expect(fault).toMatchObject({ kind: 'syntax', phase: 'onProcessing' });
+        expect(await factory.check({ onProcessing: '() => {}' })).toBeUndefined();
+      });
+
+      it('says what is no function', async () => {
+        expect(await factory.check({ onProcessing: '7' })).toMatchObject({ kind: 'missing' });
+        const { sandbox } = open({ onProcessing: '({})' });
+        expect(await faultFrom(sandbox.create())).toMatchObject({
+          kind: 'missing',
+          phase: 'onProcessing',
+        });
+      });
+
+      it('refuses a source of 10 MB [PM-57]', async () => {
+        const onProcessing = `() => {}//${'x'.repeat(10_000_000)}`;
+        expect(await factory.check({ onProcessing })).toMatchObject({ kind: 'syntax' });
+      });
+    });
+
+    describe('life [PM-10]', () => {
+      it('calls onCreated, onProcessing, onHalted and onDestroyed with the state [PM-12]', async () => {
+        const { sandbox, run, lines } = await create({
+          onCreated: '(state) => { state.count = 1; console.log("created", state.count) }',
+          onProcessing:
+            '(dt, inputs, state) => { state.count++; console.log("run", dt, state.count) }',
+          onHalted: 'async (state) => { await null; console.log("halted", state.count) }',
+          onDestroyed: '(state) => { console.log("destroyed", state.count) }',
+        });
+        await run({ deltaTimeMs: 0 });
+        await run({ deltaTimeMs: 33.5 });
+        await sandbox.halt();
+        await run({ deltaTimeMs: 1 });
+        await sandbox.destroy();
+        expect(lines).toEqual([
+          'log: created 1',
+          'log: run 0 2',
+          'log: run 33.5 3',
+          'log: halted 3',
+          'log: run 1 4',
+          'log: destroyed 4',
+        ]);
+      });
+
+      it('takes callbacks that are missing for empty ones', async () => {
+        const { sandbox, run } = await create({});
+        expect((await run()).outputs).toEqual([]);
+        await sandbox.halt();
+        await sandbox.destroy();
+      });
+
+      it('replaces the state by one that is returned, and keeps the modules [PM-12]', async () => {
+        const { run, lines } = await create({
+          onProcessing: `(dt, inputs, state) => {
+            try { state.modules = 1 } catch {}
+            console.log(state.n, typeof state.modules);
+            return { state: Object.freeze({ n: (state.n ?? 0) + 1 }) };
+          }`,
+        });
+        await run();
+        await run();
+        await run();
+        expect(lines).toEqual(['log: undefined object', 'log: 1 object', 'log: 2 object']);
+      });
+
+      it('tells the inputs that triggered [PM-12]', async () => {
+        const { run, lines } = await create({
+          onProcessing: '(dt, inputs, state) => console.log(state.inputTriggerNames)',
+        });
+        await run({ triggers: ['a', 'b'] });
+        expect(lines).toEqual(['log: ["a","b"]']);
+      });
+
+      it('rejects everything after terminate, and what was pending', async () => {
+        const { sandbox, run } = await create({
+          onProcessing: 'async () => { await new Promise(() => {}) }',
+        });
+        const pending = faultFrom(run());
+        sandbox.terminate();
+        expect(await pending).toHaveProperty('kind');
+        expect(await faultFrom(run())).toHaveProperty('kind');
+      });
+    });
+
+    describe('console [PM-14]', () => {
+      it('writes lines with levels', async () => {
+        const { lines } = await create({
+          onCreated: `() => {
+            console.log('a', 1, { b: [2] }, undefined, null, true);
+            console.info('i'); console.warn('w'); console.error(new TypeError('e')); console.debug('d');
+            const circle = {}; circle.self = circle; console.log(circle);
+          }`,
+        });
+        expect(lines.slice(0, 5)).toEqual([
+          'log: a 1 {"b":[2]} undefined null true',
+          'info: i',
+          'warn: w',
+          'error: TypeError: e',
+          'debug: d',
+        ]);
+        expect(lines).toHaveLength(6);
+      });
+
+      it('cuts a flood of lines within one call', async () => {
+        const { lines, run } = await create({
+          onProcessing: '() => { for (let i = 0; i < 1000; i++) console.log(i) }',
+        });
+        await run();
+        await run();
+        expect(lines.length).toBeLessThan(250);
+        expect(lines.some((line) => line.includes('900 more log lines'))).toBe(true);
+      });
+    });
+
+    describe('inputs', () => {
+      it('are whole records with type [PM-30]', async () => {
+        const { run, lines } = await create({
+          onProcessing: '(dt, inputs) => console.log(inputs)',
+        });
+        const record = {
+          topic: '/a',
+          format: 'vector2',
+          value: { x: 0.25, y: -3 },
+          timestampMs: 1_700_000_000_000,
+          clientId: 'me',
+        } as const;
+        await run({ inputs: [recordInput('p', record), { name: 'none', record: undefined }] });
+        expect(JSON.parse(lines[0]!.slice('log: '.length))).toEqual({
+          p: {
+            topic: '/a',
+            timestamp: { seconds: 1_700_000_000, nanos: 0, millis: 1_700_000_000_000 },
+            vector2: { x: 0.25, y: -3 },
+            clientId: 'me',
+            type: 'vector2',
+          },
+        });
+      });
+
+      it('are lists of records with identity for muxers [PM-40]', async () => {
+        const { run, lines } = await create({
+          onProcessing:
+            '(dt, { m, e }) => console.log(e, m.elements.map(({ topic, type, double, identity }) => [topic, type, double, identity ?? "-"]))',
+        });
+        const elements = [
+          { topic: '/1', format: 'double', value: 1, identity: 'one' },
+          { topic: '/2', format: 'double', value: 2 },
+        ] as const;
+        await run({ inputs: [elementsInput('m', elements), elementsInput('e', [])] });
+        expect(lines).toEqual([
+          'log: {"elements":[]} [["/1","double",1,"one"],["/2","double",2,"-"]]',
+        ]);
+      });
+
+      it('carry every number, text and byte through [PM-36]', async () => {
+        const { run } = await create({
+          outputs: { list: 'doubleList', text: 'string', image: 'image2D' },
+          onProcessing: `(dt, { list, text, image }) => {
+            if (!(image.image2D.data instanceof Uint8Array)) throw new Error('no bytes');
+            return { outputs: { list, text, image } };
+          }`,
+        });
+        const doubles = { elements: [NaN, Infinity, -Infinity, -0, 0.1, 1e300, 2 ** 53] };
+        const text = 'ä€😀\u2028"\\\n\u0000';
+        const image: Image2D = {
+          width: 2,
+          height: 2,
+          dataFormat: 2,
+          data: new Uint8Array(16).map((_, i) => i * 17),
+        };
+        const { outputs, faults } = await run({
+          inputs: [
+            recordInput('list', { topic: '/l', format: 'doubleList', value: doubles }),
+            recordInput('text', { topic: '/t', format: 'string', value: text }),
+            recordInput('image', { topic: '/i', format: 'image2D', value: image }),
+          ],
+        });
+        expect(faults).toEqual([]);
+        expect(valuesOf(outputs)).toEqual({ list: doubles, text, image });
+      });
+
+      it('survive names of the language itself', async () => {
+        const { run, lines } = await create({
+          onProcessing: `(dt, inputs) => console.log(Object.keys(inputs), inputs['__proto__'].double, {}.double)`,
+        });
+        await run({
+          inputs: [recordInput('__proto__', { topic: '/', format: 'double', value: 5 })],
+        });
+        expect(lines).toEqual(['log: ["__proto__"] 5 undefined']);
+      });
+    });
+
+    describe('outputs', () => {
+      it('0, false and empty text are values; undefined is none [PM-32]', async () => {
+        const { run } = await create({
+          outputs: { a: 'double', b: 'bool', c: 'string', d: 'int32', e: 'int32' },
+          onProcessing:
+            '() => ({ outputs: { a: { double: 0 }, b: { bool: false }, c: { string: "" }, d: undefined } })',
+        });
+        const { outputs } = await run();
+        expect(valuesOf(outputs)).toEqual({ a: 0, b: false, c: '' });
+      });
+
+      it('come in the order they are declared [PM-35]', async () => {
+        const { run } = await create({
+          outputs: { z: 'double', a: 'double', m: 'double' },
+          onProcessing:
+            '() => ({ outputs: { a: { double: 1 }, m: { double: 2 }, z: { double: 3 }, other: { double: 4 } } })',
+        });
+        expect((await run()).outputs.map(({ name }) => name)).toEqual(['z', 'a', 'm']);
+      });
+
+      it('keep a timestamp that is given [PM-32]', async () => {
+        const { run } = await create({
+          outputs: { a: 'double', b: 'double' },
+          onProcessing:
+            '() => ({ outputs: { a: { double: 1, timestamp: { millis: 1700000000000.5 } }, b: { double: 1 } } })',
+        });
+        const [a, b] = (await run()).outputs;
+        if (!a || !b || !('value' in a) || !('value' in b)) throw new Error('expected two values');
+        expect(a.value.hasTimestamp).toBe(true);
+        expect(decodeRecord(a.value.bytes).timestampMs).toBe(1_700_000_000_000);
+        expect(b.value.hasTimestamp).toBe(false);
+        expect(decode('ubii.topicData.TopicDataRecord', b.value.bytes).timestamp).toBeUndefined();
+        expect(b.value.valueField).toBe(3);
+      });
+
+      it('of a wrong format are refused, the others not [PM-33]', async () => {
+        const { run } = await create({
+          outputs: { a: 'vector2', b: 'double', c: 'double', d: 'image2D' },
+          onProcessing: `() => ({ outputs: {
+            a: { vector2: { x: 'left' } }, b: { vector2: { x: 1 } }, c: { double: 3 },
+            d: { image2D: { width: 2, height: 2, data: new Uint8Array(3) } },
+          } })`,
+        });
+        const { outputs, faults } = await run();
+        expect(valuesOf(outputs)).toEqual({ c: 3 });
+        expect(faults.map(({ kind }) => kind)).toEqual(['output', 'output', 'output']);
+        expect(faults[0]!.message).toContain('"a"');
+        expect(faults[0]!.message).toContain('vector2.x must be a number');
+        expect(faults[1]!.message).toContain('double');
+      });
+
+      it('of an unknown format take the member that is there [PM-3]', async () => {
+        const { run } = await create({
+          outputs: { a: undefined, b: undefined },
+          onProcessing: '() => ({ outputs: { a: { bool: true }, b: { what: 1 } } })',
+        });
+        const { outputs, faults } = await run();
+        expect(valuesOf(outputs)).toEqual({ a: true });
+        expect(faults).toHaveLength(1);
+      });
+
+      it('for demuxers are elements with parameters [PM-45] [PM-46] [PM-48]', async () => {
+        const { run } = await create({
+          outputs: { each: 'double' },
+          onProcessing: `() => ({ outputs: { each: { elements: [
+            { double: 1, outputTopicParams: ['a', 2] },
+            { double: 2, output_params: ['b'] },
+            { double: 3, identity: 'me' },
+            { double: 'four' },
+            { double: 5, outputTopicParams: [{}] },
+            null,
+            { double: 7 },
+          ] } } })`,
+        });
+        const { outputs, faults } = await run();
+        expect(valuesOf(outputs)['each']).toEqual([
+          { value: 1, params: ['a', '2'], identity: undefined, index: 0 },
+          { value: 2, params: ['b'], identity: undefined, index: 1 },
+          { value: 3, params: undefined, identity: 'me', index: 2 },
+          { value: 7, params: undefined, identity: undefined, index: 6 },
+        ]);
+        expect(faults.map(({ message }) => /element (\d)/.exec(message)?.[1])).toEqual([
+          '3',
+          '4',
+          '5',
+        ]);
+      });
+
+      it('that are lists have a member of their own', async () => {
+        const { run } = await create({
+          outputs: { list: 'vector2List', floats: 'floatList' },
+          onProcessing: `() => ({ outputs: {
+            list: { vector2List: { elements: [{ x: 1, y: 2 }] } },
+            floats: { floatList: { elements: new Float32Array([0.5, NaN]) } },
+          } })`,
+        });
+        const { outputs, faults } = await run();
+        expect(faults).toEqual([]);
+        expect(valuesOf(outputs)).toEqual({
+          list: { elements: [{ x: 1, y: 2 }] },
+          floats: { elements: [0.5, NaN] },
+        });
+      });
+
+      it('that cannot cross are refused [PM-56]', async () => {
+        const { run } = await create({
+          outputs: { a: 'double', b: 'vector2', c: 'vector2', d: 'string', e: 'double' },
+          onProcessing: `() => {
+            const circle = { x: 1 }; circle.y = circle;
+            return { outputs: {
+              a: { double: () => 1 }, b: { vector2: circle }, c: { get vector2() { throw new Error('no') } },
+              d: { string: Symbol('x') }, e: { double: 5 },
+            } };
+          }`,
+        });
+        const { outputs, faults } = await run();
+        expect(valuesOf(outputs)).toEqual({ e: 5 });
+        expect(faults).toHaveLength(4);
+      });
+
+      it('have at most so many bytes in a run [PM-55]', async () => {
+        const { run } = await create({
+          limits: { outputBytes: 1000 },
+          outputs: { a: 'string', b: 'string', c: 'double' },
+          onProcessing:
+            '() => ({ outputs: { a: { string: "x".repeat(600) }, b: { string: "x".repeat(600) }, c: { double: 1 } } })',
+        });
+        const { outputs, faults } = await run();
+        expect(outputs.map(({ name }) => name)).toEqual(['a', 'c']);
+        expect(faults).toMatchObject([{ kind: 'flood' }]);
+      });
+
+      it('of something that is no result are refused', async () => {
+        const { run } = await create({ onProcessing: '() => 7' });
+        expect((await run()).faults).toMatchObject([{ kind: 'output', phase: 'onProcessing' }]);
+      });
+    });
+
+    describe('faults [PM-13]', () => {
+      const MULTILINE = {
+        'arrow function':
+          '(dt, inputs, state) => {\n  const a = 1;\n    throw new Error("here");\n}',
+        'one line': '() => { throw new Error("here") }',
+        method: '({\n  go() {\n    const a = 1;\n    throw new Error("here");\n  }\n}).go',
+        'async function': 'async () => {\n  await null;\n    throw new Error("here");\n}',
+        'inner function':
+          'function () {\n  const inner = () => {\n    throw new Error("here");\n  };\n  inner();\n}',
+      };
+      const LINES = {
+        'arrow function': 3,
+        'one line': 1,
+        method: 4,
+        'async function': 3,
+        'inner function': 3,
+      };
+
+      it.each(Object.entries(MULTILINE))('tell line and column: %s', async (kind, onProcessing) => {
+        const { run } = await create({ onProcessing });
+        const fault = await faultFrom(run());
+        expect(fault).toMatchObject({ kind: 'threw', phase: 'onProcessing', message: 'here' });
+        expect(fault.line).toBe(LINES[kind as keyof typeof LINES]);
+        const line = onProcessing.split('\n')[fault.line! - 1]!;
+        // Engines point at the throw, the new or the bracket.
+        const start = line.indexOf('throw');
+        expect(fault.column).toBeGreaterThanOrEqual(start + 1);
+        expect(fault.column).toBeLessThanOrEqual(start + 'throw new Error('.length + 1);
+      });
+
+      it('do not end the instance', async () => {
+        const { run } = await create({
+          onProcessing:
+            '(dt, inputs, state) => { state.n = (state.n ?? 0) + 1; if (state.n === 1) throw 7; return { outputs: { out: { string: "n" + state.n } } } }',
+        });
+        expect(await faultFrom(run())).toMatchObject({ kind: 'threw', message: '7' });
+        expect(valuesOf((await run()).outputs)).toEqual({ out: 'n2' });
+      });
+
+      it('of onCreated are those of create', async () => {
+        const { sandbox } = open({ onCreated: '() => {\n undefined.x\n}' });
+        expect(await faultFrom(sandbox.create())).toMatchObject({
+          kind: 'threw',
+          phase: 'onCreated',
+          line: 2,
+        });
+      });
+
+      it('of things that cannot even be shown are faults', async () => {
+        const { run } = await create({
+          onProcessing: '() => { throw { get message() { throw 1 }, toString() { throw 2 } } }',
+        });
+        expect(await faultFrom(run())).toMatchObject({ kind: 'threw' });
+      });
+
+      it('name a library the node lacks [PM-4]', async () => {
+        const { sandbox } = open({ libraries: ['nowhere'] });
+        const fault = await faultFrom(sandbox.create());
+        expect(fault.kind).toBe('library');
+        expect(fault.message).toContain('nowhere');
+      });
+    });
+
+    it('runs many instances, each with its own state', async () => {
+      const instances = await Promise.all(
+        Array.from({ length: 12 }, (_, i) =>
+          create({
+            onCreated: `(state) => { state.n = ${i} }`,
+            onProcessing: `(dt, inputs, state) => ({ outputs: { out: { string: String(state.n += 100) } } })`,
+          }),
+        ),
+      );
+      const results = await Promise.all(instances.map(({ run }) => run()));
+      expect(results.map(({ outputs }) => valuesOf(outputs)['out'])).toEqual(
+        instances.map((_, i) => String(100 + i)),
+      );
+      await Promise.all(instances.map(({ sandbox }) => sandbox.destroy()));
+    });
+
+    if (suite.hasLimits) describeLimits(create, open);
+  });
+}
+
+/** Of code that does not end by itself. [PM-53] */
+function describeLimits(
+  create: (init: SandboxInit) => Promise<OpenSandbox>,
+  open: (init: SandboxInit) => OpenSandbox,
+): void {
+  const ENDLESS = {
+    'a loop': '() => { for (;;) {} }',
+    'a loop after an await': 'async () => { await null; for (;;) {} }',
+    'a chain of promises':
+      '() => { const next = () => Promise.resolve().then(next); next(); return new Promise(() => {}) }',
+    'a getter of the result': '() => ({ get outputs() { for (;;) {} } })',
+    'a regular expression': '() => /^(a+)+$/.test("a".repeat(40) + "!")',
+  };
+
+  describe('limits [PM-53]', () => {
+    it.each(Object.entries(ENDLESS))('end %s and name it', async (_, onProcessing) => {
+      const { run, killed } = await create({ onProcessing });
+      const fault = await faultFrom(run());
+      expect(fault).toMatchObject({ kind: 'timeout', phase: 'onProcessing' });
+      expect(await killed).toEqual(fault);
+    });
+
+    it('end a loop in onCreated', async () => {
+      const { sandbox, killed } = open({
+        onCreated: '() => {\n  for (;;) { Math.sqrt(2) }\n}',
+        limits: {},
+      });
+      expect(await faultFrom(sandbox.create())).toMatchObject({ kind: 'timeout' });
+      expect(await killed).toMatchObject({ kind: 'timeout', phase: 'onCreated' });
+    });
+
+    it('end what takes too much memory', async () => {
+      const { run, killed } = await create({
+        onProcessing:
+          '() => { const all = []; for (;;) all.push(new Array(1000).fill(all.length)) }',
+        limits: { callTimeoutMs: 20_000 },
+      });
+      const fault = await faultFrom(run());
+      expect(fault).toMatchObject({ kind: 'memory', phase: 'onProcessing' });
+      expect(await killed).toEqual(fault);
+    });
+
+    it('survive deep recursion', async () => {
+      const { run } = await create({
+        onProcessing:
+          '(dt) => { const deep = () => deep() + 1; if (dt === 1) deep(); return { outputs: { out: { string: "well" } } } }',
+      });
+      expect(await faultFrom(run({ deltaTimeMs: 1 }))).toMatchObject({ kind: 'threw' });
+      expect(valuesOf((await run()).outputs)).toEqual({ out: 'well' });
+    });
+
+    it('let an instance that was killed start again', async () => {
+      const init = {
+        instanceId: 'again',
+        onProcessing:
+          '(dt) => { while (dt === 1); return { outputs: { out: { string: "back" } } } }',
+      };
+      const first = await create(init);
+      await faultFrom(first.run({ deltaTimeMs: 1 }));
+      const second = await create(init);
+      expect(valuesOf((await second.run()).outputs)).toEqual({ out: 'back' });
+    });
+  });
+}

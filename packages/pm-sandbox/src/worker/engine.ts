@@ -1,0 +1,55 @@
+import type { ModulePhase } from '../ports/module-fault.ts';
+import type { ModuleSource, SandboxLimits } from '../ports/sandbox.ts';
+import type { RawOutput } from './encode-outputs.ts';
+import type { InputValues } from './module-records.ts';
+
+/** A value that may come later. Engines answer at once where they can: a promise costs a turn. */
+export type MaybePromise<T> = T | Promise<T>;
+
+/** What an engine tells and asks while code runs. */
+export interface EngineHooks {
+  onLog(level: string, text: string): void;
+  /** Calls a method of a library that the host runs; rejects with a sentence. */
+  callHost(library: string, method: string, args: readonly unknown[]): Promise<unknown>;
+  /** The module's code is about to go on, outside of a call. */
+  onResume(): void;
+}
+
+/** What an engine is to load. */
+export interface EngineRequest {
+  readonly source: ModuleSource;
+  readonly limits: SandboxLimits;
+  /** Names of the outputs, in order. */
+  readonly outputNames: readonly string[];
+  /** Libraries that are loaded where the code runs. */
+  readonly modules: Readonly<Record<string, unknown>>;
+  /** Methods of the libraries that the host runs. */
+  readonly hostLibraries: Readonly<Record<string, readonly string[]>>;
+}
+
+/** What `onProcessing` gave. */
+export interface RawResult {
+  readonly outputs: readonly RawOutput[];
+  /** What was wrong with the result as a whole: a sentence. */
+  readonly problem: string | undefined;
+}
+
+/** The code of one instance in its engine. What it throws and rejects with are `ModuleError`s. */
+export interface EngineInstance {
+  /** Calls a callback with the state; nothing when the module has none of that name. */
+  call(phase: Exclude<ModulePhase, '' | 'onProcessing'>): MaybePromise<void>;
+  /** Calls `onProcessing`. [PM-11] */
+  process(
+    deltaTimeMs: number,
+    inputs: InputValues,
+    triggers: readonly string[] | undefined,
+  ): MaybePromise<RawResult>;
+  /** Frees what it holds; no call may follow. */
+  free(): void;
+}
+
+/** Something that runs source text. */
+export interface Engine {
+  /** @throws ModuleError of kind `syntax` or `missing` */
+  open(request: EngineRequest, hooks: EngineHooks): EngineInstance;
+}

@@ -1,0 +1,144 @@
+import type { ModulePhase } from '../ports/module-fault.ts';
+import type { SandboxCall, SandboxRequest, SandboxResult } from '../ports/sandbox.ts';
+import { MAX_LOG_LINES_PER_CALL } from '../sandbox-limits.ts';
+import { encodeOutputs } from './encode-outputs.ts';
+import type { Engine, EngineHooks, EngineInstance, EngineRequest, MaybePromise } from './engine.ts';
+import { cutText, faultOf, ModuleError, moduleFault } from './module-error.ts';
+import { decodeInputs } from './module-records.ts';
+
+/** What surrounds an instance: its worker, or the thread of a test. */
+export interface InstanceHost {
+  readonly engine: Engine;
+  /** The libraries it asked for. Rejects with a `ModuleError` of kind `library`. */
+  loadLibraries(
+    names: readonly string[],
+  ): MaybePromise<Pick<EngineRequest, 'modules' | 'hostLibraries'>>;
+  nowMs(): number;
+}
+
+/** What an instance tells its surroundings. */
+export type InstanceHooks = EngineHooks;
+
+/**
+ * One module in its engine: turns records into inputs, calls the callbacks, turns what they put out
+ * into records. Every engine and every kind of worker goes through here. All it throws and rejects
+ * with are `ModuleFault`s.
+ */
+export class Instance {
+  readonly #request: SandboxRequest;
+  readonly #host: InstanceHost;
+  readonly #hooks: InstanceHooks;
+  #code: EngineInstance | undefined;
+  #logLines = 0;
+
+  constructor(request: SandboxRequest, host: InstanceHost, hooks: InstanceHooks) {
+    this.#request = request;
+    this.#host = host;
+    this.#hooks = hooks;
+  }
+
+  /** Loads the code and calls onCreated. [PM-10] */
+  create(): MaybePromise<void> {
+    return this.#guard('onCreated', () => {
+      const libraries = this.#host.loadLibraries(this.#request.libraries);
+      return libraries instanceof Promise
+        ? libraries.then((loaded) => this.#open(loaded))
+        : this.#open(libraries);
+    });
+  }
+
+  /** Calls onProcessing. */
+  run(call: SandboxCall): MaybePromise<SandboxResult> {
+    const startMs = this.#host.nowMs();
+    return this.#guard('onProcessing', () => {
+      const inputs = decodeInputs(call.inputs);
+      const raw = this.#loaded().process(call.deltaTimeMs, inputs, call.triggers);
+      return raw instanceof Promise
+        ? raw.then((result) => this.#result(result, startMs))
+        : this.#result(raw, startMs);
+    });
+  }
+
+  /** Calls onHalted. */
+  halt(): MaybePromise<void> {
+    return this.#guard('onHalted', () => this.#loaded().call('onHalted'));
+  }
+
+  /** Calls onDestroyed and frees everything, also when the callback throws. */
+  destroy(): MaybePromise<void> {
+    const guarded = this.#guard('onDestroyed', () => {
+      try {
+        const called = this.#code?.call('onDestroyed');
+        if (called instanceof Promise) return called.finally(() => this.free());
+      } catch (thrown) {
+        this.free();
+        throw thrown;
+      }
+      this.free();
+    });
+    return guarded;
+  }
+
+  /** Frees everything. */
+  free(): void {
+    const code = this.#code;
+    this.#code = undefined;
+    code?.free();
+  }
+
+  #open(libraries: Pick<EngineRequest, 'modules' | 'hostLibraries'>): MaybePromise<void> {
+    const { source, limits, outputs } = this.#request;
+    if (source.onProcessing.trim() === '') {
+      const message = 'The module has no onProcessing, and no code that could run.';
+      throw new ModuleError(moduleFault('missing', 'onProcessing', message));
+    }
+    const request = { source, limits, outputNames: outputs.map(({ name }) => name), ...libraries };
+    this.#code = this.#host.engine.open(request, {
+      ...this.#hooks,
+      onLog: (level, text) => this.#log(level, text),
+    });
+    return this.#code.call('onCreated');
+  }
+
+  #loaded(): EngineInstance {
+    if (this.#code === undefined) throw new Error('the instance is not created');
+    return this.#code;
+  }
+
+  #result(raw: Awaited<ReturnType<EngineInstance['process']>>, startMs: number): SandboxResult {
+    const durationMs = this.#host.nowMs() - startMs;
+    const { outputs, limits } = this.#request;
+    const { outputs: encoded, faults } = encodeOutputs(outputs, raw.outputs, limits.outputBytes);
+    if (raw.problem !== undefined) {
+      const message = `The result of onProcessing is refused: ${raw.problem}`;
+      faults.unshift(moduleFault('output', 'onProcessing', message));
+    }
+    return { outputs: encoded, faults, durationMs };
+  }
+
+  /** A loop that logs must not fill the way to the host. */
+  #log(level: string, text: string): void {
+    this.#logLines++;
+    if (this.#logLines <= MAX_LOG_LINES_PER_CALL) this.#hooks.onLog(level, cutText(text));
+  }
+
+  #guard<T>(phase: ModulePhase, call: () => MaybePromise<T>): MaybePromise<T> {
+    const fail = (thrown: unknown): never => {
+      // The port says that plain faults reject.
+      throw faultOf(thrown, phase);
+    };
+    this.#endLog();
+    try {
+      const returned = call();
+      return returned instanceof Promise ? returned.catch(fail) : returned;
+    } catch (thrown) {
+      return fail(thrown);
+    }
+  }
+
+  #endLog(): void {
+    const left = this.#logLines - MAX_LOG_LINES_PER_CALL;
+    this.#logLines = 0;
+    if (left > 0) this.#hooks.onLog('warn', `${left} more log lines of this call are left out.`);
+  }
+}

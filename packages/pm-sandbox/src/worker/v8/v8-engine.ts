@@ -1,0 +1,190 @@
+import type { ModulePhase } from '../../ports/module-fault.ts';
+import type { RawOutput } from '../encode-outputs.ts';
+import type {
+  Engine,
+  EngineHooks,
+  EngineInstance,
+  EngineRequest,
+  MaybePromise,
+  RawResult,
+} from '../engine.ts';
+import { createModuleConsole } from '../module-console.ts';
+import { describeThrown, ModuleError, moduleFault } from '../module-error.ts';
+import type { InputValues } from '../module-records.ts';
+import { evaluateCallback, FIRST_LINE_OFFSET } from './evaluate-callback.ts';
+import { createHostModules } from './host-modules.ts';
+
+type Phase = Exclude<ModulePhase, ''>;
+type Callback = (this: object, ...args: unknown[]) => unknown;
+type State = Record<string, unknown>;
+
+/** A place in a callback's source, both from 1. */
+export interface SourcePosition {
+  readonly line: number;
+  readonly column: number;
+}
+
+/** What a platform adds to the engine. */
+export interface V8EngineOptions {
+  /** Where a text does not parse; engines do not say it by themselves. */
+  readonly locateSyntaxError?: (text: string) => SourcePosition | undefined;
+}
+
+const PHASES: readonly Phase[] = ['onCreated', 'onProcessing', 'onHalted', 'onDestroyed'];
+
+/** Runs trusted code in the engine that runs this program: full speed, and no wall around it. [PM-51] */
+export function createV8Engine(options: V8EngineOptions = {}): Engine {
+  let opened = 0;
+  return { open: (request, hooks) => new V8Instance(request, hooks, ++opened, options) };
+}
+
+class V8Instance implements EngineInstance {
+  readonly #callbacks = new Map<Phase, Callback>();
+  /** `this` of the callbacks. */
+  readonly #self = {};
+  readonly #outputNames: readonly string[];
+  readonly #modules: object;
+  readonly #urlOf: (phase: Phase) => string;
+  #state: State;
+
+  constructor(
+    request: EngineRequest,
+    hooks: EngineHooks,
+    number: number,
+    { locateSyntaxError }: V8EngineOptions,
+  ) {
+    this.#outputNames = request.outputNames;
+    this.#modules = Object.freeze({ ...request.modules, ...createHostModules(request, hooks) });
+    this.#urlOf = (phase) => `ubii-module-${number}-${phase}.js`;
+    const console = createModuleConsole((level, text) => hooks.onLog(level, text));
+    for (const phase of PHASES) {
+      const source = request.source[phase];
+      if (source === undefined || source.trim() === '') continue;
+      this.#callbacks.set(phase, this.#load(phase, source, console, locateSyntaxError));
+    }
+    this.#state = this.#withModules({});
+  }
+
+  call(phase: Exclude<Phase, 'onProcessing'>): MaybePromise<void> {
+    if (!this.#callbacks.has(phase)) return;
+    return this.#invoke(phase, [this.#state], () => undefined);
+  }
+
+  process(
+    deltaTimeMs: number,
+    inputs: InputValues,
+    triggers: readonly string[] | undefined,
+  ): MaybePromise<RawResult> {
+    if (triggers !== undefined) Reflect.set(this.#state, 'inputTriggerNames', [...triggers]);
+    return this.#invoke('onProcessing', [deltaTimeMs, inputs, this.#state], (returned) =>
+      this.#take(returned),
+    );
+  }
+
+  free(): void {
+    this.#callbacks.clear();
+  }
+
+  #load(
+    phase: Phase,
+    source: string,
+    console: object,
+    locate: V8EngineOptions['locateSyntaxError'],
+  ): Callback {
+    let callback: unknown;
+    try {
+      callback = evaluateCallback(source, this.#urlOf(phase), console);
+    } catch (thrown) {
+      const kind = thrown instanceof SyntaxError ? 'syntax' : 'threw';
+      const position = this.#positionOf(thrown) ?? locate?.(`(${source}\n)`);
+      throw new ModuleError(moduleFault(kind, phase, describeThrown(thrown), position));
+    }
+    if (typeof callback === 'function') return callback as Callback;
+    const message = `The source of ${phase} must be a function, got ${callback === null ? 'null' : typeof callback}.`;
+    throw new ModuleError(moduleFault('missing', phase, message));
+  }
+
+  #invoke<T>(phase: Phase, args: unknown[], take: (returned: unknown) => T): MaybePromise<T> {
+    const fail = (thrown: unknown): never => {
+      if (thrown instanceof ModuleError) throw thrown;
+      const message = describeThrown(thrown);
+      throw new ModuleError(moduleFault('threw', phase, message, this.#positionOf(thrown)));
+    };
+    try {
+      const returned = Reflect.apply(this.#callbacks.get(phase)!, this.#self, args) as unknown;
+      if (!isThenable(returned)) return take(returned);
+      return Promise.resolve(returned).then(take).catch(fail);
+    } catch (thrown) {
+      return fail(thrown);
+    }
+  }
+
+  /** [PM-11] [PM-12] */
+  #take(returned: unknown): RawResult {
+    if (returned === undefined || returned === null) return { outputs: [], problem: undefined };
+    if (typeof returned !== 'object') {
+      return { outputs: [], problem: `expected { outputs, state }, got a ${typeof returned}.` };
+    }
+    const { outputs, state } = returned as { outputs?: unknown; state?: unknown };
+    if (typeof state === 'object' && state !== null && state !== this.#state) {
+      this.#state = this.#withModules(state as State);
+    }
+    if (outputs === undefined || outputs === null) return { outputs: [], problem: undefined };
+    if (typeof outputs !== 'object') {
+      return { outputs: [], problem: `expected an object of outputs, got a ${typeof outputs}.` };
+    }
+    return {
+      outputs: this.#outputNames.flatMap((name) => readOutput(outputs, name)),
+      problem: undefined,
+    };
+  }
+
+  /** A state that cannot take the libraries is copied into one that can. [PM-12] */
+  #withModules(state: State): State {
+    const property = { value: this.#modules, enumerable: false, writable: false };
+    if (Reflect.defineProperty(state, 'modules', property)) return state;
+    const { modules: _, ...copy } = state;
+    return Object.defineProperty(copy, 'modules', property);
+  }
+
+  /** The innermost place in the author's text that a stack tells of. [PM-13] */
+  #positionOf(thrown: unknown): SourcePosition | undefined {
+    const stack = stackOf(thrown);
+    for (const [, phase, lineText, columnText] of stack.matchAll(
+      /ubii-module-\d+-(\w+)\.js:(\d+):(\d+)/g,
+    )) {
+      if (!stack.includes(`${this.#urlOf(phase as Phase)}:${lineText}`)) continue;
+      const line = Number(lineText);
+      const column = Number(columnText) - (line === 1 ? FIRST_LINE_OFFSET : 0);
+      if (column > 0) return { line, column };
+    }
+    return undefined;
+  }
+}
+
+function readOutput(outputs: object, name: string): RawOutput[] {
+  try {
+    const value = (outputs as Record<string, unknown>)[name];
+    return value === undefined ? [] : [{ name, value }];
+  } catch (thrown) {
+    return [{ name, problem: describeThrown(thrown) }];
+  }
+}
+
+function stackOf(thrown: unknown): string {
+  try {
+    const { stack } = thrown as { stack?: unknown };
+    return typeof stack === 'string' ? stack : '';
+  } catch {
+    return '';
+  }
+}
+
+function isThenable(value: unknown): value is PromiseLike<unknown> {
+  return (
+    typeof value === 'object' &&
+    value !== null &&
+    'then' in value &&
+    typeof value.then === 'function'
+  );
+}
