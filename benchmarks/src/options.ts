@@ -25,7 +25,7 @@ export type Options =
   | { readonly command: 'help' }
   | { readonly command: 'compare'; readonly before: string; readonly after: string };
 
-const DEFAULTS = { rounds: 5, measureMs: 1500, warmUpMs: 500 };
+const DEFAULTS = { rounds: 15, measureMs: 600, warmUpMs: 300 };
 const QUICK = { rounds: 3, measureMs: 500, warmUpMs: 200 };
 /** Fewer have no median worth the name. */
 const MIN_ROUNDS = 3;
