@@ -28,8 +28,11 @@ export {
   type ParsedMode,
   type ParsedModule,
 } from './definition/parse-module.ts';
+export { DEFAULT_RUNTIME_LIMITS, type RuntimeLimits } from './limits.ts';
+export { REGEXP_PATTERNS } from './patterns/regexp-patterns.ts';
 export type { Cancel, Clock } from './ports/clock.ts';
 export type { ModuleFault, ModuleFaultKind, ModulePhase } from './ports/module-fault.ts';
+export type { MatchPattern, PatternPort } from './ports/pattern-port.ts';
 export type {
   ModuleSource,
   Sandbox,
@@ -45,6 +48,20 @@ export type {
   SandboxValue,
 } from './ports/sandbox.ts';
 export type { EncodedRecord, TopicListener, TopicPort, TopicSelector } from './ports/topic-port.ts';
+export { constantRecord, type ConstantRecord } from './runtime/binding/constant-record.ts';
+export {
+  demuxTopic,
+  hasPlaceholder,
+  parseDemuxFormat,
+  type DemuxFormat,
+  type DemuxTopic,
+} from './runtime/binding/demux-topic.ts';
+export { formatsFit } from './runtime/binding/formats-fit.ts';
+export { InputBinding } from './runtime/binding/input-binding.ts';
+export type { SlotContext, Snapshot } from './runtime/binding/input-slot.ts';
+export { identityOf, identityRule, type IdentityRule } from './runtime/binding/mux-identity.ts';
+export { muxSelector } from './runtime/binding/mux-selector.ts';
+export { createModuleRuntime, type ModuleRuntimeOptions } from './runtime/create-module-runtime.ts';
 export type {
   InstanceSpec,
   ModuleRuntime,

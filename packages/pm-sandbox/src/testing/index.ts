@@ -9,3 +9,20 @@ export {
   type SandboxInit,
 } from './sandbox-fixture.ts';
 export { describeSandboxes, type SandboxSuite } from './sandbox-suite.ts';
+export { FakeClock, settle } from './fake-clock.ts';
+export {
+  EMPTY_RESULT,
+  FakeSandbox,
+  FakeSandboxes,
+  inputValues,
+  sandboxOutput,
+  sandboxValue,
+} from './fake-sandboxes.ts';
+export { FakeTopics, type FakeComponent } from './fake-topics.ts';
+export {
+  createModuleWorld,
+  instanceSpec,
+  ioMapping,
+  type ModuleSketch,
+  type ModuleWorld,
+} from './module-world.ts';

@@ -1,0 +1,69 @@
+const KIB = 1024;
+const MIB = 1024 * KIB;
+
+/** Limits of a node's modules. Units are in the names; rates are those of one instance. */
+export interface RuntimeLimits {
+  /** Frequency of a module, runs a second. [PM-20] */
+  readonly maxFrequencyHz: number;
+  /** Runs a second of a module in free mode. [PM-28] */
+  readonly maxFreeHz: number;
+  /** How long a run under way may go on when its instance is halted, and onHalted and onDestroyed each. [PM-29] */
+  readonly haltTimeoutMs: number;
+  /** Topics in the list of one muxer. [PM-44] */
+  readonly maxMuxElements: number;
+  /** Records put out. [PM-55] */
+  readonly maxOutputsPerSecond: number;
+  /** Bytes of the records put out. [PM-55] */
+  readonly maxOutputBytesPerSecond: number;
+  /** Lines written to the console. [PM-55] */
+  readonly maxLogLinesPerSecond: number;
+  /** Different events in a second; what is beyond is only counted. [PM-81] */
+  readonly maxEventsPerSecond: number;
+  /** Restarts of a killed instance within `restartWindowMs`. [PM-54] */
+  readonly maxRestarts: number;
+  /** What `maxRestarts` counts. */
+  readonly restartWindowMs: number;
+  /** Delay of the first restart; each further one in the window waits twice as long. [PM-54] */
+  readonly restartDelayMs: number;
+  /** Longest delay of a restart. */
+  readonly maxRestartDelayMs: number;
+  /** A call that takes longer ends the instance. [PM-53] */
+  readonly callTimeoutMs: number;
+  /** Memory of one instance. [PM-52] */
+  readonly memoryBytes: number;
+  /** Bytes of all outputs of one run. */
+  readonly outputBytes: number;
+}
+
+/** What a node takes unless told otherwise. */
+export const DEFAULT_RUNTIME_LIMITS: RuntimeLimits = {
+  // Timers of browsers and Node have a resolution of 1 ms, and a run crosses two threads: beyond this
+  // the intervals are noise.
+  maxFrequencyHz: 240,
+  // As fast as the fastest screens; leaves a forwarding thread that also serves others its turns.
+  maxFreeHz: 240,
+  // Stopping a session waits for it, and a master waits 10 s for its nodes (SE-13).
+  haltTimeoutMs: 2_000,
+  // As many players as a master takes clients, with room for their list in one message.
+  maxMuxElements: 4_096,
+  // A tenth of what a master forwards for everybody.
+  maxOutputsPerSecond: 20_000,
+  // Raw full-HD pictures at 15 Hz.
+  maxOutputBytesPerSecond: 128 * MIB,
+  // One a run at 30 Hz, and bursts; more nobody reads.
+  maxLogLinesPerSecond: 50,
+  // Equal ones are one; so many different ones are made by a loop.
+  maxEventsPerSecond: 100,
+  // A module that is killed once a minute by an unlucky input recovers; one that always is does not.
+  maxRestarts: 5,
+  restartWindowMs: 60_000,
+  // With doubling, five restarts take 250 ms to 4 s: the window sees them all.
+  restartDelayMs: 250,
+  maxRestartDelayMs: 10_000,
+  // A second is what PM-53 promises from the loop to its end.
+  callTimeoutMs: 500,
+  // A full-HD picture decoded and some copies.
+  memoryBytes: 64 * MIB,
+  // One raw 4K picture, what one frame of the master may hold.
+  outputBytes: 32 * MIB,
+};

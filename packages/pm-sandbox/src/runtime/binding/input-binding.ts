@@ -1,0 +1,124 @@
+import type { IOMapping, TopicInputMapping } from '@ubii/proto';
+import type { ParsedIo } from '../../definition/parse-module.ts';
+import type { SandboxInput } from '../../ports/sandbox.ts';
+import type { EncodedRecord } from '../../ports/topic-port.ts';
+import type { InputMarks } from '../drivers/trigger-driver.ts';
+import { ConstantSlot } from './constant-slot.ts';
+import type { InputSlot, SlotContext, SlotSpec, Snapshot } from './input-slot.ts';
+import { MuxSlot } from './mux-slot.ts';
+import { TopicSlot } from './topic-slot.ts';
+
+interface BoundSlot {
+  /** Says what it is mapped to: a mapping with an equal key needs no other slot. */
+  readonly key: string;
+  readonly slot: InputSlot;
+}
+
+/** The mapped inputs of one instance, kept up to date. */
+export class InputBinding implements InputMarks {
+  readonly #inputs: readonly ParsedIo[];
+  readonly #context: SlotContext;
+  #bound: readonly BoundSlot[] = [];
+  #slots: readonly InputSlot[] = [];
+
+  constructor(inputs: readonly ParsedIo[], mapping: IOMapping, context: SlotContext) {
+    this.#inputs = inputs;
+    this.#context = context;
+    this.rebind(mapping);
+  }
+
+  /** Maps the inputs otherwise. What did not change keeps its value and its subscription. */
+  rebind(mapping: IOMapping): void {
+    const before = new Map(this.#bound.map((bound) => [bound.key, bound]));
+    const bound: BoundSlot[] = [];
+    for (const spec of slotSpecs(this.#inputs, mapping)) {
+      const key = slotKey(spec);
+      const kept = before.get(key);
+      before.delete(key);
+      const slot = kept?.slot ?? this.#open(spec);
+      if (slot !== undefined) bound.push({ key, slot });
+    }
+    this.#bound = bound;
+    this.#slots = bound.map(({ slot }) => slot);
+    // After the new ones are open, so that a topic used by both is not given up in between.
+    for (const { slot } of before.values()) slot.close();
+  }
+
+  /** Values of all mapped inputs for a run that starts now. */
+  read(): SandboxInput[] {
+    return this.#slots.map((slot) => slot.read());
+  }
+
+  /** Values of all mapped inputs for a run of a pass. */
+  readFrom(snapshot: Snapshot): SandboxInput[] {
+    return this.#slots.map((slot) => slot.readFrom(snapshot));
+  }
+
+  /** The newest records of all topics that are mapped. */
+  *records(): Iterable<EncodedRecord> {
+    for (const slot of this.#slots) yield* slot.records();
+  }
+
+  markValues(): void {
+    for (const slot of this.#slots) slot.isMarked = slot.hasValue;
+  }
+
+  /** Constants are marked at the start only, and never waited for. */
+  isDue(allInputsNeedUpdate: boolean): boolean {
+    let isAnyMarked = false;
+    for (const slot of this.#slots) {
+      if (slot.isMarked) isAnyMarked = true;
+      else if (allInputsNeedUpdate && slot.isLive) return false;
+    }
+    return isAnyMarked;
+  }
+
+  takeMarks(): string[] {
+    const names: string[] = [];
+    for (const slot of this.#slots) {
+      if (slot.isMarked) names.push(slot.name);
+      slot.isMarked = false;
+    }
+    return names;
+  }
+
+  close(): void {
+    for (const slot of this.#slots) slot.close();
+    this.#bound = [];
+    this.#slots = [];
+  }
+
+  #open(spec: SlotSpec): InputSlot | undefined {
+    const { topic, topicMux, constantJson } = spec.mapping;
+    try {
+      if (topicMux !== undefined) return new MuxSlot(spec, topicMux, this.#context);
+      if (topic) return new TopicSlot(spec, topic, this.#context);
+      if (constantJson !== '') return new ConstantSlot(spec, this.#context);
+    } catch (error) {
+      this.#context.onProblem(spec.name, error instanceof Error ? error.message : String(error));
+    }
+    return undefined;
+  }
+}
+
+/** One for each input that is mapped; of two mappings of one input the first counts. */
+function slotSpecs(inputs: readonly ParsedIo[], mapping: IOMapping): SlotSpec[] {
+  const specs = new Map<string, SlotSpec>();
+  for (const inputMapping of mapping.inputMappings) {
+    const name = inputMapping.inputName;
+    if (specs.has(name)) continue;
+    const format = inputs.find((input) => input.name === name)?.format;
+    specs.set(name, { name, format, mapping: inputMapping });
+  }
+  return [...specs.values()];
+}
+
+/** Ids and names of muxers say nothing of what they select. */
+function slotKey({ name, mapping }: SlotSpec): string {
+  return JSON.stringify([name, sourceOf(mapping)]);
+}
+
+function sourceOf({ topicMux, topic, constantJson }: TopicInputMapping): unknown {
+  if (topicMux !== undefined) return { ...topicMux, id: '', name: '' };
+  return topic ? topic : { constantJson };
+}

@@ -1,0 +1,43 @@
+import type { DataFormat, TopicInputMapping } from '@ubii/proto';
+import type { PatternPort } from '../../ports/pattern-port.ts';
+import type { SandboxInput } from '../../ports/sandbox.ts';
+import type { EncodedRecord, TopicPort } from '../../ports/topic-port.ts';
+
+/** The records of a lockstep pass, by topic. */
+export type Snapshot = ReadonlyMap<string, EncodedRecord>;
+
+/** One mapped input of an instance. */
+export interface InputSlot {
+  readonly name: string;
+  /** True: it waits for records; false: it has what it ever gets. */
+  readonly isLive: boolean;
+  readonly hasValue: boolean;
+  /** It was updated since the run before. [PM-23] */
+  isMarked: boolean;
+  /** What a run that starts now gets: the same object until something changes. */
+  read(): SandboxInput;
+  /** What a run of a pass gets. [PM-27] */
+  readFrom(snapshot: Snapshot): SandboxInput;
+  /** The newest records of its topics. [SE-40] */
+  records(): Iterable<EncodedRecord>;
+  close(): void;
+}
+
+/** What slots need and tell. */
+export interface SlotContext {
+  readonly topics: TopicPort;
+  readonly patterns: PatternPort;
+  readonly maxMuxElements: number;
+  /** A slot was marked. */
+  onMark(): void;
+  /** Something does not fit; a sentence without the name of the input. */
+  onProblem(inputName: string, problem: string): void;
+}
+
+/** What a slot is made of. */
+export interface SlotSpec {
+  readonly name: string;
+  /** Undefined: any record. */
+  readonly format: DataFormat | undefined;
+  readonly mapping: TopicInputMapping;
+}

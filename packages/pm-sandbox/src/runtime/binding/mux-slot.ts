@@ -1,0 +1,100 @@
+import { parseDataFormat, type TopicMux } from '@ubii/proto';
+import type { Cancel } from '../../ports/clock.ts';
+import type { MatchPattern } from '../../ports/pattern-port.ts';
+import type { SandboxInput } from '../../ports/sandbox.ts';
+import type { EncodedRecord, TopicListener } from '../../ports/topic-port.ts';
+import { fieldFits } from './formats-fit.ts';
+import type { InputSlot, SlotContext, SlotSpec, Snapshot } from './input-slot.ts';
+import { identityRule, type IdentityRule } from './mux-identity.ts';
+import { MuxList } from './mux-list.ts';
+import { muxSelector, selectorSource } from './mux-selector.ts';
+
+/** An input mapped to a muxer: the newest records of many topics. [PM-40] to [PM-44] */
+export class MuxSlot implements InputSlot, TopicListener {
+  readonly name: string;
+  readonly isLive = true;
+  isMarked = false;
+  readonly #fits: (valueField: number) => boolean;
+  readonly #context: SlotContext;
+  readonly #rule: IdentityRule;
+  readonly #list: MuxList;
+  readonly #source: string | undefined;
+  readonly #cancel: Cancel;
+  #pattern: MatchPattern | undefined;
+  #input: SandboxInput & { readonly elements: readonly unknown[] };
+
+  /** @throws Error with a sentence when the muxer selects nothing, or an expression is refused */
+  constructor(spec: SlotSpec, mux: TopicMux, context: SlotContext) {
+    this.name = spec.name;
+    this.#context = context;
+    // [PM-42]
+    this.#fits = fieldFits(parseDataFormat(mux.dataType) ?? spec.format);
+    const selector = muxSelector(mux);
+    if (selector === undefined) throw new Error('the muxer selects no topics');
+    this.#source = selectorSource(selector);
+    this.#rule = identityRule(mux, context.patterns);
+    this.#list = new MuxList(this.#rule, context.maxMuxElements);
+    this.#input = { name: spec.name, elements: this.#list.read() };
+    this.#cancel = context.topics.subscribe(selector, this);
+  }
+
+  get hasValue(): boolean {
+    return this.#list.size > 0;
+  }
+
+  onRecord(record: EncodedRecord): void {
+    // [PM-42] A muxer selects; what it does not select is no mistake.
+    if (!this.#fits(record.valueField)) return;
+    if (!this.#list.set(record)) {
+      const { maxMuxElements } = this.#context;
+      return this.#context.onProblem(
+        this.name,
+        `more than ${maxMuxElements} topics match; the others are left out`,
+      );
+    }
+    this.isMarked = true;
+    this.#context.onMark();
+  }
+
+  onGone(topic: string): void {
+    this.#list.delete(topic);
+  }
+
+  read(): SandboxInput {
+    const elements = this.#list.read();
+    if (elements !== this.#input.elements) this.#input = { name: this.name, elements };
+    return this.#input;
+  }
+
+  /** In the order known here, then what the snapshot has beyond that. */
+  readFrom(snapshot: Snapshot): SandboxInput {
+    const list = new MuxList(this.#rule, this.#context.maxMuxElements);
+    for (const known of this.#list.records()) {
+      const record = snapshot.get(known.topic);
+      if (record === undefined || !this.#fits(record.valueField)) continue;
+      // A snapshot that came over the wire does not say all that is known here.
+      const publisherId = record.publisherId || known.publisherId;
+      const deviceId = record.deviceId ?? known.deviceId;
+      list.set({ ...record, publisherId, ...(deviceId === undefined ? {} : { deviceId }) });
+    }
+    for (const record of snapshot.values()) {
+      if (this.#list.get(record.topic) !== undefined || !this.#fits(record.valueField)) continue;
+      if (this.#selects(record.topic)) list.set(record);
+    }
+    return { name: this.name, elements: list.read() };
+  }
+
+  records(): Iterable<EncodedRecord> {
+    return this.#list.records();
+  }
+
+  close(): void {
+    this.#cancel();
+  }
+
+  #selects(topic: string): boolean {
+    if (this.#source === undefined) return false;
+    this.#pattern ??= this.#context.patterns.compile(this.#source);
+    return this.#pattern.match(topic) !== undefined;
+  }
+}

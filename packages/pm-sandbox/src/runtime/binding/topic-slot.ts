@@ -1,0 +1,83 @@
+import type { Cancel } from '../../ports/clock.ts';
+import type { SandboxInput } from '../../ports/sandbox.ts';
+import type { EncodedRecord, TopicListener } from '../../ports/topic-port.ts';
+import { describeField, fieldFits } from './formats-fit.ts';
+import type { InputSlot, SlotContext, SlotSpec, Snapshot } from './input-slot.ts';
+
+/** An input mapped to a topic: the newest record that fits. [PM-30] [PM-31] */
+export class TopicSlot implements InputSlot, TopicListener {
+  readonly name: string;
+  readonly isLive = true;
+  isMarked = false;
+  readonly #topic: string;
+  readonly #fits: (valueField: number) => boolean;
+  readonly #spec: SlotSpec;
+  readonly #context: SlotContext;
+  readonly #cancel: Cancel;
+  #record: EncodedRecord | undefined;
+  #input: SandboxInput;
+  #isMisfitReported = false;
+
+  /** @throws Error with a sentence when the topic is refused */
+  constructor(spec: SlotSpec, topic: string, context: SlotContext) {
+    this.name = spec.name;
+    this.#topic = topic;
+    this.#fits = fieldFits(spec.format);
+    this.#spec = spec;
+    this.#context = context;
+    this.#input = { name: spec.name, record: undefined };
+    this.#cancel = context.topics.subscribe({ kind: 'topic', topic }, this);
+  }
+
+  get hasValue(): boolean {
+    return this.#record !== undefined;
+  }
+
+  onRecord(record: EncodedRecord): void {
+    if (!this.#fits(record.valueField)) return this.#reportMisfit(record);
+    this.#record = record;
+    this.#input = inputOf(this.name, record);
+    this.isMarked = true;
+    this.#context.onMark();
+  }
+
+  onGone(): void {
+    this.#record = undefined;
+    this.#input = { name: this.name, record: undefined };
+  }
+
+  read(): SandboxInput {
+    return this.#input;
+  }
+
+  readFrom(snapshot: Snapshot): SandboxInput {
+    const record = snapshot.get(this.#topic);
+    if (record === undefined || !this.#fits(record.valueField)) {
+      return { name: this.name, record: undefined };
+    }
+    return inputOf(this.name, record);
+  }
+
+  records(): Iterable<EncodedRecord> {
+    return this.#record === undefined ? [] : [this.#record];
+  }
+
+  close(): void {
+    this.#cancel();
+  }
+
+  #reportMisfit(record: EncodedRecord): void {
+    if (this.#isMisfitReported) return;
+    this.#isMisfitReported = true;
+    const came = describeField(record.valueField);
+    this.#context.onProblem(
+      this.name,
+      `a record on ${this.#topic} was left out: it has ${came}, the input takes ${this.#spec.format}`,
+    );
+  }
+}
+
+// The buffer is not given away even if it could be: the next run may need the record again. [PM-36]
+function inputOf(name: string, record: EncodedRecord): SandboxInput {
+  return { name, record: { bytes: record.bytes } };
+}

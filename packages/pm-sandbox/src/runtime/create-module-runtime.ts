@@ -1,0 +1,136 @@
+import type { ModuleEvent, ProcessingModuleStatus } from '@ubii/proto';
+import { DEFAULT_RUNTIME_LIMITS, type RuntimeLimits } from '../limits.ts';
+import type { Clock } from '../ports/clock.ts';
+import type { ModuleFault } from '../ports/module-fault.ts';
+import type { PatternPort } from '../ports/pattern-port.ts';
+import type { SandboxFactory } from '../ports/sandbox.ts';
+import type { EncodedRecord, TopicPort } from '../ports/topic-port.ts';
+import { RecordCompletion } from './binding/record-completion.ts';
+import { EndOfTurn } from './end-of-turn.ts';
+import { ModuleInstance } from './module-instance.ts';
+import type { InstanceSpec, ModuleRuntime, PassReply, PassRequest } from './module-runtime.ts';
+import type { RuntimeContext } from './runtime-context.ts';
+
+/** What a runtime is made of. */
+export interface ModuleRuntimeOptions {
+  /** Id of the client or master it is: the client id of all that its modules put out. */
+  readonly nodeId: string;
+  readonly clock: Clock;
+  readonly topics: TopicPort;
+  readonly patterns: PatternPort;
+  /** Stays open when the runtime is closed. */
+  readonly sandboxes: SandboxFactory;
+  /** @default DEFAULT_RUNTIME_LIMITS */
+  readonly limits?: Partial<RuntimeLimits> | undefined;
+  /** Names of the libraries the sandboxes offer. @default none */
+  readonly libraries?: readonly string[] | undefined;
+  /** [PM-81] */
+  onEvent(event: ModuleEvent): void;
+  /**
+   * The status of an instance changed: INITIALIZED with a fault when it was killed and waits to be
+   * created anew, CREATED, PROCESSING, HALTED, DESTROYED; the last with a fault when it has failed for
+   * good, and is there until `destroy`.
+   */
+  onStatus(instanceId: string, status: ProcessingModuleStatus, fault?: ModuleFault): void;
+}
+
+/** Makes the runtime of one node. */
+export function createModuleRuntime(options: ModuleRuntimeOptions): ModuleRuntime {
+  return new NodeModuleRuntime(options);
+}
+
+class NodeModuleRuntime implements ModuleRuntime {
+  readonly #context: RuntimeContext;
+  readonly #instances = new Map<string, ModuleInstance>();
+
+  constructor(options: ModuleRuntimeOptions) {
+    const { nodeId, clock, topics, patterns, sandboxes } = options;
+    this.#context = {
+      nodeId,
+      clock,
+      topics,
+      patterns,
+      sandboxes,
+      limits: { ...DEFAULT_RUNTIME_LIMITS, ...options.limits },
+      libraries: options.libraries ?? [],
+      endOfTurn: new EndOfTurn(clock),
+      completion: new RecordCompletion(nodeId),
+      onEvent: (event) => options.onEvent(event),
+      onStatus: (instanceId, status, fault) => options.onStatus(instanceId, status, fault),
+    };
+  }
+
+  get instanceCount(): number {
+    return this.#instances.size;
+  }
+
+  async create(spec: InstanceSpec): Promise<void> {
+    const { id } = spec.module;
+    if (this.#instances.has(id)) throw new Error(`the instance ${id} exists already`);
+    const instance = new ModuleInstance(spec, this.#context);
+    this.#instances.set(id, instance);
+    const fault = await instance.create();
+    if (fault === undefined) return;
+    if (this.#instances.get(id) === instance) this.#instances.delete(id);
+    await instance.destroy();
+    // eslint-disable-next-line @typescript-eslint/only-throw-error -- A fault is a value, not an Error.
+    throw fault;
+  }
+
+  start(instanceId: string): void {
+    this.#instances.get(instanceId)?.start();
+  }
+
+  async halt(instanceId: string): Promise<void> {
+    await this.#instances.get(instanceId)?.halt();
+  }
+
+  async destroy(instanceId: string): Promise<void> {
+    const instance = this.#instances.get(instanceId);
+    if (instance === undefined) return;
+    await instance.destroy();
+    if (this.#instances.get(instanceId) === instance) this.#instances.delete(instanceId);
+  }
+
+  remap(instanceId: string, mapping: InstanceSpec['mapping']): void {
+    this.#instances.get(instanceId)?.remap(mapping);
+  }
+
+  setMode(instanceId: string, mode: InstanceSpec['module']['processingMode']): void {
+    this.#instances.get(instanceId)?.setMode(mode);
+  }
+
+  lockstepInputs(instanceIds: readonly string[]): EncodedRecord[] {
+    const records = new Map<string, EncodedRecord>();
+    for (const instanceId of instanceIds) {
+      for (const record of this.#instances.get(instanceId)?.records() ?? []) {
+        records.set(record.topic, record);
+      }
+    }
+    return [...records.values()];
+  }
+
+  async runPass(pass: PassRequest): Promise<PassReply> {
+    const snapshot = new Map(pass.records.map((record) => [record.topic, record]));
+    // All start before any ends: none sees what another one of the pass puts out.
+    const runs = pass.instanceIds.map((instanceId) =>
+      this.#instances.get(instanceId)?.runOnce(snapshot, pass.deltaTimeMs),
+    );
+    const outputs = await Promise.all(runs);
+    const instanceIds = pass.instanceIds.filter((_id, index) => outputs[index] !== undefined);
+    const records = outputs.flatMap((records) => records?.map(({ bytes }) => bytes) ?? []);
+    return { instanceIds, records };
+  }
+
+  has(instanceId: string): boolean {
+    return this.#instances.has(instanceId);
+  }
+
+  statistics() {
+    return [...this.#instances.values()].map((instance) => instance.statistics());
+  }
+
+  async close(): Promise<void> {
+    await Promise.all([...this.#instances.keys()].map((id) => this.destroy(id)));
+  }
+}

@@ -1,0 +1,76 @@
+import type { Cancel } from '../../ports/clock.ts';
+import type { ModeDriver, RunHost } from './mode-driver.ts';
+
+/**
+ * Runs at fixed moments: run n is due n/hertz after the start, whatever happened to those before.
+ * [PM-21] [PM-22]
+ */
+export class FrequencyDriver implements ModeDriver {
+  readonly #host: RunHost;
+  readonly #intervalMs: number;
+  #startMs = 0;
+  /** Number of the run the timer waits for. */
+  #next = 0;
+  #cancel: Cancel | undefined;
+  /** Waits for the end of a run that is late. */
+  #isOverrun = false;
+
+  constructor(host: RunHost, hertz: number) {
+    this.#host = host;
+    this.#intervalMs = 1000 / hertz;
+  }
+
+  get waiting(): number {
+    return 0;
+  }
+
+  start(): void {
+    this.stop();
+    this.#startMs = this.#host.monotonicMs();
+    this.#next = 0;
+    // A run of another mode may be under way; that is nobody's overrun.
+    if (this.#host.isBusy) this.#wait();
+    else this.#handleDue();
+  }
+
+  stop(): void {
+    this.#cancel?.();
+    this.#cancel = undefined;
+    this.#isOverrun = false;
+  }
+
+  handleRunEnd(): void {
+    if (!this.#isOverrun) return;
+    this.#isOverrun = false;
+    this.#wait();
+  }
+
+  handleMark(): void {}
+
+  readonly #handleDue = (): void => {
+    this.#cancel = undefined;
+    if (this.#host.isBusy) {
+      this.#isOverrun = true;
+      this.#host.countOverrun();
+      return;
+    }
+    this.#wait();
+    this.#host.run();
+  };
+
+  /** Sets the timer for the first run that is due after now. */
+  #wait(): void {
+    const nowMs = this.#host.monotonicMs();
+    // Timers may fire a little early; the run they were set for is not due again then.
+    const least = this.#next + 1;
+    const passed = Math.floor((nowMs - this.#startMs) / this.#intervalMs);
+    let next = Math.max(least, passed);
+    while (this.#dueMs(next) <= nowMs) next++;
+    this.#next = next;
+    this.#cancel = this.#host.after(this.#dueMs(next) - nowMs, this.#handleDue);
+  }
+
+  #dueMs(run: number): number {
+    return this.#startMs + run * this.#intervalMs;
+  }
+}

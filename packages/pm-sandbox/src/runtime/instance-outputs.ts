@@ -1,0 +1,63 @@
+import type { IOMapping } from '@ubii/proto';
+import type { ParsedIo } from '../definition/parse-module.ts';
+import type { SandboxResult } from '../ports/sandbox.ts';
+import { OutputBinding, type OutputRecord, type OutputSink } from './binding/output-binding.ts';
+import type { InstanceReports } from './reports/instance-reports.ts';
+import { TokenBucket } from './reports/token-bucket.ts';
+import type { RuntimeContext } from './runtime-context.ts';
+
+/** What an instance puts out: completed, limited and counted. [PM-32] to [PM-35], [PM-55] */
+export class InstanceOutputs {
+  readonly #context: RuntimeContext;
+  readonly #reports: InstanceReports;
+  readonly #binding: OutputBinding;
+  readonly #recordBudget: TokenBucket;
+  readonly #byteBudget: TokenBucket;
+
+  constructor(
+    declared: readonly ParsedIo[],
+    mapping: IOMapping,
+    context: RuntimeContext,
+    reports: InstanceReports,
+  ) {
+    this.#context = context;
+    this.#reports = reports;
+    this.#binding = new OutputBinding(declared, mapping, context.completion);
+    const nowMs = context.clock.monotonicMs();
+    this.#recordBudget = new TokenBucket(context.limits.maxOutputsPerSecond, nowMs);
+    this.#byteBudget = new TokenBucket(context.limits.maxOutputBytesPerSecond, nowMs);
+  }
+
+  rebind(mapping: IOMapping): void {
+    this.#binding.rebind(mapping);
+  }
+
+  /** The complete records of a run. Refused ones are reported. */
+  collect(result: SandboxResult): OutputRecord[] {
+    for (const fault of result.faults) this.#reports.countRefused(fault.message, 1);
+    if (result.outputs.length === 0) return [];
+    const records: OutputRecord[] = [];
+    const sink: OutputSink = {
+      admits: this.#admits,
+      onRecord: (record) => void records.push(record),
+      onRefused: (reason, count) => this.#reports.countRefused(reason, count),
+    };
+    this.#binding.route(result.outputs, this.#context.clock.nowMs(), sink);
+    return records;
+  }
+
+  /** Publishes them in one turn. [PM-35] */
+  publish(records: readonly OutputRecord[]): void {
+    for (const { topic, bytes, valueField } of records) {
+      const refusal = this.#context.topics.publish(topic, bytes, valueField);
+      if (refusal === undefined) this.#reports.outputs++;
+      else this.#reports.countRefused(refusal, 1);
+    }
+  }
+
+  readonly #admits = (sizeBytes: number): boolean => {
+    const nowMs = this.#context.clock.monotonicMs();
+    if (!this.#byteBudget.has(sizeBytes, nowMs)) return false;
+    return this.#recordBudget.take(1, nowMs) && this.#byteBudget.take(sizeBytes, nowMs);
+  };
+}

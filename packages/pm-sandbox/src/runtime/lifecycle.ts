@@ -1,0 +1,58 @@
+import { ProcessingModuleStatus } from '@ubii/proto';
+
+/** Where an instance is in its life, finer than the wire's status. [PM-10] [PM-54] */
+export type InstanceStatus =
+  | 'creating'
+  | 'created'
+  | 'processing'
+  | 'halting'
+  | 'halted'
+  /** Its sandbox is gone; it waits to be created anew. */
+  | 'killed'
+  | 'recreating'
+  /** Given up. */
+  | 'failed'
+  | 'destroying'
+  | 'destroyed';
+
+/** What moves an instance on. */
+export type InstanceMove =
+  'created' | 'start' | 'halt' | 'halted' | 'kill' | 'recreate' | 'fail' | 'destroy' | 'destroyed';
+
+const MOVES: {
+  readonly [S in InstanceStatus]: { readonly [M in InstanceMove]?: InstanceStatus };
+} = {
+  creating: { created: 'created', fail: 'failed', destroy: 'destroying' },
+  created: { start: 'processing', kill: 'killed', destroy: 'destroying' },
+  processing: { halt: 'halting', kill: 'killed' },
+  halting: { halted: 'halted', kill: 'killed' },
+  halted: { start: 'processing', kill: 'killed', destroy: 'destroying' },
+  killed: { recreate: 'recreating', fail: 'failed', destroy: 'destroying' },
+  recreating: { created: 'created', kill: 'killed', destroy: 'destroying' },
+  failed: { destroy: 'destroying' },
+  destroying: { destroyed: 'destroyed' },
+  destroyed: {},
+};
+
+/** The status after a move, or undefined when the move is not legal there. */
+export function nextStatus(status: InstanceStatus, move: InstanceMove): InstanceStatus | undefined {
+  return MOVES[status][move];
+}
+
+const WIRE_STATUS: { readonly [S in InstanceStatus]: ProcessingModuleStatus } = {
+  creating: ProcessingModuleStatus.INITIALIZED,
+  created: ProcessingModuleStatus.CREATED,
+  processing: ProcessingModuleStatus.PROCESSING,
+  halting: ProcessingModuleStatus.PROCESSING,
+  halted: ProcessingModuleStatus.HALTED,
+  killed: ProcessingModuleStatus.INITIALIZED,
+  recreating: ProcessingModuleStatus.INITIALIZED,
+  failed: ProcessingModuleStatus.DESTROYED,
+  destroying: ProcessingModuleStatus.HALTED,
+  destroyed: ProcessingModuleStatus.DESTROYED,
+};
+
+/** The status as it is told to others. */
+export function wireStatus(status: InstanceStatus): ProcessingModuleStatus {
+  return WIRE_STATUS[status];
+}

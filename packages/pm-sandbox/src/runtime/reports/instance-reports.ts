@@ -1,0 +1,139 @@
+import { ModuleEventKind, type ModuleEvent, type ModuleStatistics } from '@ubii/proto';
+import type { RuntimeLimits } from '../../limits.ts';
+import type { Clock } from '../../ports/clock.ts';
+import type { ModuleFault } from '../../ports/module-fault.ts';
+import { EventThrottle } from './event-throttle.ts';
+import { RunDurations } from './run-durations.ts';
+import { TokenBucket } from './token-bucket.ts';
+
+/** Who is reported on. */
+export interface ReportSubject {
+  readonly sessionId: string;
+  readonly moduleId: string;
+  readonly moduleName: string;
+  readonly nodeId: string;
+}
+
+/** Characters of one event's text; the rest is cut. A stack of calls or a small object fits. */
+const MAX_MESSAGE_LENGTH = 4096;
+
+/** What one instance did: counts and events. [PM-80] [PM-81] */
+export class InstanceReports {
+  runs = 0;
+  overruns = 0;
+  errors = 0;
+  restarts = 0;
+  outputs = 0;
+  refused = 0;
+  readonly #subject: ReportSubject;
+  readonly #clock: Clock;
+  readonly #throttle: EventThrottle;
+  readonly #logLines: TokenBucket;
+  readonly #durations = new RunDurations();
+  #lastRuns = 0;
+  #lastTakenMs: number;
+
+  constructor(
+    subject: ReportSubject,
+    clock: Clock,
+    limits: RuntimeLimits,
+    onEvent: (event: ModuleEvent) => void,
+  ) {
+    this.#subject = subject;
+    this.#clock = clock;
+    this.#throttle = new EventThrottle(clock, limits.maxEventsPerSecond, onEvent);
+    this.#lastTakenMs = clock.monotonicMs();
+    this.#logLines = new TokenBucket(limits.maxLogLinesPerSecond, this.#lastTakenMs);
+  }
+
+  /** A run ended, however it ended. */
+  countRun(durationMs: number): void {
+    this.#durations.add(durationMs);
+  }
+
+  countError(fault: ModuleFault): void {
+    this.errors++;
+    this.fault(ModuleEventKind.ERROR, fault);
+  }
+
+  countOverrun(): void {
+    this.overruns++;
+    const message = 'a run was still under way when the next one was due, which was left out';
+    this.#tell({ kind: ModuleEventKind.OVERRUN, phase: 'onProcessing', message });
+  }
+
+  /** @param count records that were not published */
+  countRefused(message: string, count: number): void {
+    this.refused += count;
+    this.#tell({ kind: ModuleEventKind.REFUSED, phase: 'onProcessing', message });
+  }
+
+  countRestart(): void {
+    this.restarts++;
+    const message = 'the module was started again with an empty state';
+    this.#tell({ kind: ModuleEventKind.RESTARTED, message });
+  }
+
+  /** Something does not fit that is no error of the code. */
+  problem(message: string): void {
+    this.#tell({ kind: ModuleEventKind.ERROR, message });
+  }
+
+  fault(kind: ModuleEventKind, { phase, message, line, column }: ModuleFault): void {
+    this.#tell({ kind, phase, message, line: line ?? 0, column: column ?? 0 });
+  }
+
+  /** [PM-14] [PM-55] */
+  log(level: string, text: string): void {
+    if (this.#logLines.take(1, this.#clock.monotonicMs())) {
+      return this.#tell({ kind: ModuleEventKind.LOG, level, message: text });
+    }
+    const message = 'more log lines than allowed in a second; the others are left out';
+    this.#tell({ kind: ModuleEventKind.REFUSED, message });
+  }
+
+  /** Since the call before. */
+  takeStatistics(status: ModuleStatistics['status'], waiting: number): ModuleStatistics {
+    const nowMs = this.#clock.monotonicMs();
+    const elapsedMs = nowMs - this.#lastTakenMs;
+    const runs = this.runs - this.#lastRuns;
+    this.#lastTakenMs = nowMs;
+    this.#lastRuns = this.runs;
+    const { p50Ms, p95Ms } = this.#durations.take();
+    return {
+      moduleId: this.#subject.moduleId,
+      moduleName: this.#subject.moduleName,
+      nodeId: this.#subject.nodeId,
+      status,
+      runs: this.runs,
+      runsPerSecond: elapsedMs > 0 ? (runs * 1000) / elapsedMs : 0,
+      runP50Ms: p50Ms,
+      runP95Ms: p95Ms,
+      overruns: this.overruns,
+      errors: this.errors,
+      restarts: this.restarts,
+      outputs: this.outputs,
+      outputsRefused: this.refused,
+      waiting,
+    };
+  }
+
+  /** Tells what was left out so far. */
+  close(): void {
+    this.#throttle.close();
+  }
+
+  #tell(event: Partial<ModuleEvent> & Pick<ModuleEvent, 'kind' | 'message'>): void {
+    this.#throttle.push({
+      ...this.#subject,
+      timeMs: this.#clock.nowMs(),
+      phase: '',
+      line: 0,
+      column: 0,
+      level: '',
+      suppressed: 0,
+      ...event,
+      message: event.message.slice(0, MAX_MESSAGE_LENGTH),
+    });
+  }
+}

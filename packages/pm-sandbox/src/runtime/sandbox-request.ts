@@ -1,0 +1,37 @@
+import { parseModule } from '../definition/parse-module.ts';
+import type { RuntimeLimits } from '../limits.ts';
+import type { ModuleFault } from '../ports/module-fault.ts';
+import type { SandboxRequest } from '../ports/sandbox.ts';
+import type { InstanceSpec } from './module-runtime.ts';
+
+/**
+ * What a sandbox has to know of an instance; or why the node cannot run it, as far as that shows
+ * without its code. [PM-1] [PM-4]
+ *
+ * @param offered libraries of the node
+ */
+export function sandboxRequest(
+  spec: InstanceSpec,
+  limits: RuntimeLimits,
+  offered: readonly string[],
+): SandboxRequest | { readonly fault: ModuleFault } {
+  const { name, source, libraries, outputs } = parseModule(spec.module);
+  if (source === undefined) {
+    return { fault: { kind: 'missing', phase: '', message: 'the module has no onProcessing' } };
+  }
+  const lacking = libraries.filter((library) => !offered.includes(library));
+  if (lacking.length > 0) {
+    const message = `the node does not have what the module needs: ${lacking.join(', ')}`;
+    return { fault: { kind: 'library', phase: '', message } };
+  }
+  const { callTimeoutMs, memoryBytes, outputBytes } = limits;
+  return {
+    instanceId: spec.module.id,
+    moduleName: name,
+    source,
+    isTrusted: spec.isTrusted,
+    libraries,
+    outputs: outputs.map(({ name: outputName, format }) => ({ name: outputName, format })),
+    limits: { callTimeoutMs, memoryBytes, outputBytes },
+  };
+}

@@ -1,0 +1,115 @@
+import {
+  fromJson,
+  type IOMapping,
+  type ModuleEvent,
+  type ProcessingMode,
+  type ProcessingModule,
+  type ProcessingModuleStatus,
+} from '@ubii/proto';
+import type { RuntimeLimits } from '../limits.ts';
+import { REGEXP_PATTERNS } from '../patterns/regexp-patterns.ts';
+import type { ModuleFault } from '../ports/module-fault.ts';
+import { createModuleRuntime } from '../runtime/create-module-runtime.ts';
+import type { InstanceSpec, ModuleRuntime } from '../runtime/module-runtime.ts';
+import { FakeClock } from './fake-clock.ts';
+import { FakeSandboxes } from './fake-sandboxes.ts';
+import { FakeTopics } from './fake-topics.ts';
+
+/** A module in few words. */
+export interface ModuleSketch {
+  readonly id?: string;
+  readonly name?: string;
+  readonly mode?: ProcessingMode;
+  readonly libraries?: readonly string[];
+  /** Data formats by name. */
+  readonly inputs?: Readonly<Record<string, string>>;
+  readonly outputs?: Readonly<Record<string, string>>;
+  /** A topic, a muxer, or `{ constant }`, by input. */
+  readonly from?: Readonly<Record<string, string | { constant: unknown } | object>>;
+  /** A topic or a demuxer, by output. */
+  readonly to?: Readonly<Record<string, string | object>>;
+}
+
+/** A runtime with fakes around it, and what it told. */
+export interface ModuleWorld {
+  readonly clock: FakeClock;
+  readonly topics: FakeTopics;
+  readonly sandboxes: FakeSandboxes;
+  readonly runtime: ModuleRuntime;
+  readonly events: ModuleEvent[];
+  readonly statuses: { id: string; status: ProcessingModuleStatus; fault?: ModuleFault }[];
+  /** Creates and starts an instance, and ends the turn. */
+  begin(sketch?: ModuleSketch): Promise<void>;
+}
+
+/** Makes one. */
+export function createModuleWorld(
+  limits: Partial<RuntimeLimits> = {},
+  libraries: readonly string[] = [],
+): ModuleWorld {
+  const clock = new FakeClock();
+  const topics = new FakeTopics('node-1');
+  const sandboxes = new FakeSandboxes();
+  const events: ModuleEvent[] = [];
+  const statuses: ModuleWorld['statuses'] = [];
+  const runtime = createModuleRuntime({
+    nodeId: 'node-1',
+    clock,
+    topics,
+    sandboxes,
+    limits,
+    libraries,
+    patterns: REGEXP_PATTERNS,
+    onEvent: (event) => events.push(event),
+    onStatus: (id, status, fault) =>
+      statuses.push(fault === undefined ? { id, status } : { id, status, fault }),
+  });
+  const begin = async (sketch: ModuleSketch = {}): Promise<void> => {
+    const spec = instanceSpec(sketch);
+    await runtime.create(spec);
+    runtime.start(spec.module.id);
+    await clock.endTurn();
+  };
+  return { clock, topics, sandboxes, runtime, events, statuses, begin };
+}
+
+/** The complete specification of a sketch. */
+export function instanceSpec(sketch: ModuleSketch = {}): InstanceSpec {
+  const { id = 'pm-1', name = 'module', inputs = {}, outputs = {}, libraries = [] } = sketch;
+  const ios = (formats: Readonly<Record<string, string>>) =>
+    Object.entries(formats).map(([internalName, messageFormat]) => ({
+      internalName,
+      messageFormat,
+    }));
+  const module: ProcessingModule = fromJson('ubii.processing.ProcessingModule', {
+    id,
+    name,
+    sessionId: 'session-1',
+    inputs: ios(inputs),
+    outputs: ios(outputs),
+    onProcessingStringified: '() => {}',
+    extension: { libraries },
+  });
+  return {
+    module: { ...module, processingMode: sketch.mode },
+    mapping: ioMapping(sketch),
+    isTrusted: false,
+  };
+}
+
+/** The mapping of a sketch. */
+export function ioMapping({ id = 'pm-1', from = {}, to = {} }: ModuleSketch): IOMapping {
+  return fromJson('ubii.sessions.IOMapping', {
+    processingModuleId: id,
+    inputMappings: Object.entries(from).map(([inputName, source]) => {
+      if (typeof source === 'string') return { inputName, topic: source };
+      if ('constant' in source) return { inputName, constantJson: JSON.stringify(source.constant) };
+      return { inputName, topicMux: source };
+    }),
+    outputMappings: Object.entries(to).map(([outputName, destination]) =>
+      typeof destination === 'string'
+        ? { outputName, topic: destination }
+        : { outputName, topicDemux: destination },
+    ),
+  });
+}
