@@ -1,7 +1,9 @@
 import { driveDirectly, driveStringified, type Drive } from './drive-module.ts';
+import { driveSandboxed } from './drive-sandboxed.ts';
 
 /** Every test of a module runs in each of these ways, for `describe.each`. */
 export const WAYS: readonly (readonly [name: string, drive: Drive])[] = [
   ['called directly', driveDirectly],
   ['as text in a bare context', driveStringified],
+  ['in a sandbox', driveSandboxed],
 ];

@@ -21,7 +21,9 @@ describe.each(WAYS)('load-generator %s', (_way, drive) => {
     const module = await drive(loadGenerator);
     const { result } = await module.run(0, { iterations: 1000 });
     expect((await module.run(16, { iterations: undefined })).result).toBe(result);
-    expect((await module.run(16, { iterations: NaN })).result).toBe(result);
+    expect((await module.run(16, { iterations: new Sample(NaN, { type: 'double' }) })).result).toBe(
+      result,
+    );
   });
 
   it('takes no steps for fewer than none', async () => {
