@@ -73,7 +73,6 @@ class NodeModuleRuntime implements ModuleRuntime {
     if (fault === undefined) return;
     if (this.#instances.get(id) === instance) this.#instances.delete(id);
     await instance.destroy();
-    // eslint-disable-next-line @typescript-eslint/only-throw-error -- A fault is a value, not an Error.
     throw fault;
   }
 
@@ -113,8 +112,10 @@ class NodeModuleRuntime implements ModuleRuntime {
   async runPass(pass: PassRequest): Promise<PassReply> {
     const snapshot = new Map(pass.records.map((record) => [record.topic, record]));
     // All start before any ends: none sees what another one of the pass puts out.
-    const runs = pass.instanceIds.map((instanceId) =>
-      this.#instances.get(instanceId)?.runOnce(snapshot, pass.deltaTimeMs),
+    const runs = pass.instanceIds.map(
+      (instanceId) =>
+        this.#instances.get(instanceId)?.runOnce(snapshot, pass.deltaTimeMs) ??
+        Promise.resolve(undefined),
     );
     const outputs = await Promise.all(runs);
     const instanceIds = pass.instanceIds.filter((_id, index) => outputs[index] !== undefined);

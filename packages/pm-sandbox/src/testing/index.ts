@@ -26,3 +26,4 @@ export {
   type ModuleSketch,
   type ModuleWorld,
 } from './module-world.ts';
+export { describeTopicPort, type TopicPortWorld } from './topic-port-suite.ts';

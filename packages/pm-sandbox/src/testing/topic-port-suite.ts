@@ -1,0 +1,213 @@
+import { decodeRecord, encodeRecord, type DataFormat, type RecordInit } from '@ubii/proto';
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import type { Cancel } from '../ports/clock.ts';
+import type { EncodedRecord, TopicPort, TopicSelector } from '../ports/topic-port.ts';
+
+/** A port, and somebody at the other side of the topics. */
+export interface TopicPortWorld {
+  readonly port: TopicPort;
+  /** Who publishes with `put`. */
+  readonly publisherId: string;
+  /** Somebody else publishes. */
+  put(record: RecordInit & { readonly format: DataFormat }): void;
+  /** What is on its way has arrived, at the port and at others. */
+  settle(): Promise<void>;
+  /** The newest record others see on a topic. */
+  seenByOthers(topic: string): Uint8Array | undefined;
+  /** The value of a topic is deleted. Undefined where the port cannot learn of it. */
+  readonly delete?: (topic: string) => void;
+  /**
+   * Somebody registers a device with one component, a vector2 with the tag `stick`, that publishes.
+   * Resolves with the component's topic and its device's id.
+   */
+  readonly addStick?: () => Promise<{ readonly topic: string; readonly deviceId: string }>;
+  close(): Promise<void>;
+}
+
+const STICKS: TopicSelector = {
+  kind: 'component',
+  profile: {
+    topic: '',
+    messageFormat: '',
+    ioType: 0,
+    deviceId: '',
+    tags: ['stick'],
+    description: '',
+    id: '',
+    name: '',
+    notifyConditionIds: [],
+  },
+};
+
+/** What every port to topics does. An adapter's test calls this with a way to set up the adapter. */
+export function describeTopicPort(name: string, setup: () => Promise<TopicPortWorld>): void {
+  describe(`${name} as a port to topics`, () => {
+    let world: TopicPortWorld;
+    beforeEach(async () => {
+      world = await setup();
+    });
+    afterEach(() => world.close());
+
+    const put = (topic: string, value: number) => world.put({ topic, format: 'double', value });
+
+    it('hands over records of a topic as they travel', async () => {
+      const log = listen(world.port, { kind: 'topic', topic: '/a' });
+      await world.settle();
+      put('/a', 1);
+      put('/b', 2);
+      await world.settle();
+      expect(log.values()).toEqual(['/a=1']);
+      const [record] = log.records;
+      expect(record).toMatchObject({ valueField: 3, publisherId: world.publisherId });
+      expect(decodeRecord(record!.bytes).topic).toBe('/a');
+    });
+
+    it('[PM-26] hands over the value that is there', async () => {
+      put('/a', 1);
+      await world.settle();
+      const log = listen(world.port, { kind: 'topic', topic: '/a' });
+      await world.settle();
+      expect(log.values()).toEqual(['/a=1']);
+    });
+
+    it('hands over the newest value last, and leaves what it gave alone', async () => {
+      const log = listen(world.port, { kind: 'topic', topic: '/a' });
+      await world.settle();
+      put('/a', 1);
+      await world.settle();
+      const [first] = log.records;
+      for (const value of [2, 3, 4]) put('/a', value);
+      await world.settle();
+      expect(log.values().at(-1)).toBe('/a=4');
+      expect(decodeRecord(first!.bytes).value).toBe(1);
+    });
+
+    it('serves several subscriptions of one topic, each until it ends', async () => {
+      const first = listen(world.port, { kind: 'topic', topic: '/a' });
+      const second = listen(world.port, { kind: 'topic', topic: '/a' });
+      await world.settle();
+      put('/a', 1);
+      await world.settle();
+      first.cancel();
+      first.cancel();
+      put('/a', 2);
+      await world.settle();
+      expect(first.values()).toEqual(['/a=1']);
+      expect(second.values()).toEqual(['/a=1', '/a=2']);
+    });
+
+    it('hands over the value to a later subscription of the same topic, too', async () => {
+      listen(world.port, { kind: 'topic', topic: '/a' });
+      await world.settle();
+      put('/a', 1);
+      await world.settle();
+      const later = listen(world.port, { kind: 'topic', topic: '/a' });
+      await world.settle();
+      expect(later.values()).toEqual(['/a=1']);
+    });
+
+    it('lets a listener end its subscription from within', async () => {
+      let count = 0;
+      const cancel: Cancel = world.port.subscribe(
+        { kind: 'topic', topic: '/a' },
+        {
+          onRecord() {
+            count++;
+            cancel();
+          },
+          onGone() {},
+        },
+      );
+      await world.settle();
+      put('/a', 1);
+      await world.settle();
+      put('/a', 2);
+      await world.settle();
+      expect(count).toBe(1);
+    });
+
+    it.each<[string, TopicSelector]>([
+      ['an expression, unanchored', { kind: 'regex', source: 'game/[0-9]+/x' }],
+      ['a glob, for the whole topic', { kind: 'glob', glob: '/game/*/x*' }],
+    ])('[PM-41] selects topics by %s, those that are there and later ones', async (_, selector) => {
+      put('/game/1/x', 1);
+      put('/game/a/y', 2);
+      await world.settle();
+      const log = listen(world.port, selector);
+      await world.settle();
+      put('/game/2/x', 3);
+      put('/other/2/x', 4);
+      await world.settle();
+      expect(log.values()).toEqual(['/game/1/x=1', '/game/2/x=3']);
+    });
+
+    it('refuses an expression that is none', () => {
+      const listener = { onRecord() {}, onGone() {} };
+      expect(() => world.port.subscribe({ kind: 'regex', source: '(' }, listener)).toThrow(Error);
+    });
+
+    it('[PM-41] selects components by a profile, those that are there and later ones', async (context) => {
+      const { addStick } = world;
+      if (addStick === undefined) return context.skip();
+      const early = await addStick();
+      const log = listen(world.port, STICKS);
+      await world.settle();
+      const late = await addStick();
+      await world.settle();
+      for (const { topic } of [early, late]) {
+        world.put({ topic, format: 'vector2', value: { x: 1, y: 2 } });
+      }
+      put('/a', 1);
+      await world.settle();
+      expect(log.records.map(({ topic }) => topic)).toEqual([early.topic, late.topic]);
+      const devices = log.records.map(({ deviceId }) => deviceId);
+      expect(devices).toEqual([early.deviceId, late.deviceId]);
+    });
+
+    it('[PM-44] tells when a value was deleted', async (context) => {
+      if (world.delete === undefined) return context.skip();
+      const log = listen(world.port, { kind: 'topic', topic: '/a' });
+      const all = listen(world.port, { kind: 'glob', glob: '/*' });
+      await world.settle();
+      put('/a', 1);
+      await world.settle();
+      world.delete('/a');
+      await world.settle();
+      expect(log.gone).toEqual(['/a']);
+      expect(all.gone).toEqual(['/a']);
+      put('/a', 2);
+      await world.settle();
+      expect(log.values()).toEqual(['/a=1', '/a=2']);
+    });
+
+    it('publishes for others and for itself', async () => {
+      const log = listen(world.port, { kind: 'topic', topic: '/out' });
+      await world.settle();
+      const bytes = encodeRecord({ topic: '/out', format: 'double', value: 5, clientId: 'me' });
+      expect(world.port.publish('/out', bytes, 3)).toBeUndefined();
+      await world.settle();
+      const seen = world.seenByOthers('/out');
+      expect(seen && decodeRecord(seen)).toMatchObject({ topic: '/out', value: 5, clientId: 'me' });
+      expect(log.values()).toEqual(['/out=5']);
+    });
+
+    it('[PM-47] refuses topics only the master publishes on, with a sentence', async () => {
+      const bytes = encodeRecord({ topic: '/info/x', format: 'double', value: 5 });
+      expect(world.port.publish('/info/x', bytes, 3)).toMatch(/\w+ \w+/);
+      await world.settle();
+      expect(world.seenByOthers('/info/x')).toBeUndefined();
+    });
+  });
+}
+
+function listen(port: TopicPort, selector: TopicSelector) {
+  const records: EncodedRecord[] = [];
+  const gone: string[] = [];
+  const cancel = port.subscribe(selector, {
+    onRecord: (record) => records.push(record),
+    onGone: (topic) => gone.push(topic),
+  });
+  const values = () =>
+    records.map(({ topic, bytes }) => `${topic}=${String(decodeRecord(bytes).value)}`);
+  return { records, gone, values, cancel };
+}
