@@ -1047,16 +1047,18 @@ export function encodeModuleExtension(m: Init<T.ModuleExtension>, w: Writer): vo
   if (m.version != null) w.string(10, m.version);
   if (m.libraries != null) for (const e of m.libraries) w.string(18, e);
   if (m.replaceable != null) w.bool(24, m.replaceable);
+  if (m.origin != null) w.int32(32, m.origin);
 }
 
 export function decodeModuleExtension(r: Reader, into?: T.ModuleExtension): T.ModuleExtension {
-  const m: T.ModuleExtension = into ?? { version: '', libraries: [], replaceable: false };
+  const m: T.ModuleExtension = into ?? { version: '', libraries: [], replaceable: false, origin: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 10: m.version = r.string(); break;
       case 18: m.libraries.push(r.string()); break;
       case 24: m.replaceable = r.bool(); break;
+      case 32: m.origin = r.int32() as T.ModuleOrigin; break;
       default: skipField(r, tag);
     }
   }

@@ -146,6 +146,25 @@ export const ModuleEventKind = {
 export type ModuleEventKind = (typeof ModuleEventKind)[keyof typeof ModuleEventKind];
 
 /**
+ * Where the master has a module from.
+ *
+ * `ubii.extension.ModuleOrigin`
+ */
+export const ModuleOrigin = {
+  /** Not said. */
+  MODULE_ORIGIN_UNKNOWN: 0,
+  /** It came with the program. */
+  MODULE_ORIGIN_BUILT_IN: 1,
+  /** From the operator's folder of modules. */
+  MODULE_ORIGIN_FOLDER: 2,
+  /** Stored through a service, or as a file in the data directory. */
+  MODULE_ORIGIN_STORED: 3,
+  /** A node has it. */
+  MODULE_ORIGIN_NODE: 4,
+} as const;
+export type ModuleOrigin = (typeof ModuleOrigin)[keyof typeof ModuleOrigin];
+
+/**
  * What tells the elements of a multiplexer apart. Rule PM-43.
  *
  * `ubii.extension.MuxIdentity`
@@ -1072,6 +1091,8 @@ export interface ModuleExtension {
    * the master. Rule SE-31.
    */
   replaceable: boolean;
+  /** Where the master has it from. Set by the master when it lists modules. Rule SE-22. */
+  origin: ModuleOrigin;
 }
 
 /**

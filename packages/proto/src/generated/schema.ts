@@ -47,6 +47,12 @@ enum ubii.extension.ModuleEvent.Kind
 4 FAILED
 5 REFUSED
 6 OVERRUN
+enum ubii.extension.ModuleOrigin
+0 MODULE_ORIGIN_UNKNOWN
+1 MODULE_ORIGIN_BUILT_IN
+2 MODULE_ORIGIN_FOLDER
+3 MODULE_ORIGIN_STORED
+4 MODULE_ORIGIN_NODE
 enum ubii.extension.MuxIdentity
 0 MUX_IDENTITY_PATTERN
 1 MUX_IDENTITY_CLIENT_ID
@@ -328,6 +334,7 @@ message ubii.extension.ModuleExtension
 1 version string
 2 libraries string *
 3 replaceable bool
+4 origin ubii.extension.ModuleOrigin
 message ubii.extension.ModuleReports
 1 statistics ubii.extension.ModuleStatistics *
 2 events ubii.extension.ModuleEvent *
