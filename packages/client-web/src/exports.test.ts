@@ -32,6 +32,7 @@ it('the names of the entry points are these', () => {
       "testing": [
         "FakeClock",
         "FakeMaster",
+        "FakeSessions",
         "createMemoryServices",
         "createMemoryTopicData",
         "createTestClient",

@@ -2,6 +2,7 @@ export { createTestClient } from './create-test-client.ts';
 export type { TestClient } from './create-test-client.ts';
 export { FakeClock, settle } from './fake-clock.ts';
 export { FakeMaster } from './fake-master.ts';
+export { FakeSessions } from './fake-sessions.ts';
 export { describeIdentityStorage } from './identity-storage-suite.ts';
 export type { IdentityStorageWorld } from './identity-storage-suite.ts';
 export { describeServiceTransport } from './service-transport-suite.ts';

@@ -1,0 +1,333 @@
+import { ModuleEventKind, NodeExtensionKind } from '@ubii/proto';
+import type { Init, ModuleEvent, ProcessingModule, Session } from '@ubii/proto';
+import { REGEXP_PATTERNS, createModuleRuntime } from '@ubii/pm-sandbox';
+import type {
+  Clock,
+  ModuleFault,
+  ModuleRuntime,
+  ModuleRuntimeOptions,
+  PatternPort,
+  RuntimeLimits,
+  SandboxFactory,
+} from '@ubii/pm-sandbox';
+import { Listeners } from '../core/listeners.ts';
+import type { UbiiClient, Unsubscribe } from '../core/ubii-client.ts';
+import { ClientTopicPort } from './client-topic-port.ts';
+import { DeviceTopics } from './device-topics.ts';
+import { InstanceKeeper } from './instance-keeper.ts';
+import { runShare } from './lockstep-shares.ts';
+import { ModuleCatalog } from './module-catalog.ts';
+import { ModuleReports } from './module-reports.ts';
+import type { NodeInstance } from './node-instance.ts';
+import { activityOf, modulesFor } from './session-modules.ts';
+import type { AssignedModule, SessionActivity } from './session-modules.ts';
+import { SessionWatch } from './session-watch.ts';
+import { processingClock } from './processing-clock.ts';
+
+/** How often statistics are reported, milliseconds. [PM-80] */
+export const STATISTICS_INTERVAL_MS = 250;
+
+/** How a node is set up. */
+export interface ProcessingNodeOptions {
+  /** Where the code runs. The node does not close it. */
+  readonly sandboxes: SandboxFactory;
+  /** What kind of program it is in. */
+  readonly kind: 'browser' | 'node';
+  /** Modules it has code for. Whoever gives them vouches for them. [PM-51] @default none */
+  readonly modules?: readonly Init<ProcessingModule>[];
+  /** Whether the master may choose this node by itself. @default true */
+  readonly acceptsWork?: boolean;
+  /** True when the program exists to run modules for others. @default false */
+  readonly isDedicated?: boolean;
+  /** Names of the libraries the sandboxes offer in `state.modules`. @default none */
+  readonly libraries?: readonly string[];
+  /** How many modules it likes to run at once; 0 when it does not say. @default 0 */
+  readonly capacity?: number;
+  readonly limits?: Partial<RuntimeLimits>;
+  /** @default the system's */
+  readonly clock?: Clock;
+  /** @default the platform's regular expressions */
+  readonly patterns?: PatternPort;
+  /** Makes the runtime, for tests. @default createModuleRuntime of `@ubii/pm-sandbox` */
+  readonly createRuntime?: (options: ModuleRuntimeOptions) => ModuleRuntime;
+}
+
+/** A client that runs processing modules of sessions. */
+export interface ProcessingNode {
+  /**
+   * Takes part from now on: as soon as the client is connected, and again after every reconnect.
+   * Rejects with the `ServiceError` when the master refuses what the node says of itself.
+   */
+  start(): Promise<void>;
+  /** Ends all modules, tells the master, and takes part no longer; may be started again. */
+  stop(): Promise<void>;
+  readonly isStarted: boolean;
+  /** Other modules to offer from now on. Those that run keep their code until their session starts anew. */
+  setModules(modules: readonly Init<ProcessingModule>[]): Promise<void>;
+  /** Whether the master may choose this node by itself, from now on. */
+  setAcceptsWork(acceptsWork: boolean): Promise<void>;
+  /** The modules of sessions that are here, in the order they came. */
+  readonly instances: readonly NodeInstance[];
+  /** Calls `fn` after `instances` changed, at most once a turn. */
+  onChange(fn: (instances: readonly NodeInstance[]) => void): Unsubscribe;
+  /** Calls `fn` for what the modules do that people want to know: errors, log lines, restarts. */
+  onEvent(fn: (event: ModuleEvent) => void): Unsubscribe;
+}
+
+/** A node on the given client, which may be connected or not. Does nothing before `start()`. */
+export function createProcessingNode(
+  client: UbiiClient,
+  options: ProcessingNodeOptions,
+): ProcessingNode {
+  return new Node(client, options);
+}
+
+class Node implements ProcessingNode {
+  readonly #client: UbiiClient;
+  readonly #options: ProcessingNodeOptions;
+  readonly #clock: Clock;
+  readonly #devices: DeviceTopics;
+  readonly #reports: ModuleReports;
+  readonly #keepers = new Map<string, InstanceKeeper>();
+  readonly #changeListeners = new Listeners<readonly NodeInstance[]>();
+  readonly #eventListeners = new Listeners<ModuleEvent>();
+  #catalog: ModuleCatalog;
+  #acceptsWork: boolean;
+  /** From the first module on, and as long as the client has the same id. */
+  #runtime: ModuleRuntime | undefined;
+  /** Ends everything that `start` began. */
+  #started: { readonly watch: SessionWatch; end(): void } | undefined;
+  #cancelStatistics: (() => void) | undefined;
+  #isChanging = false;
+  /** The connection is new: the master may have forgotten what was reported. [PM-63] */
+  #mustReportAgain = false;
+
+  constructor(client: UbiiClient, options: ProcessingNodeOptions) {
+    this.#client = client;
+    this.#options = options;
+    this.#clock = options.clock ?? processingClock;
+    this.#catalog = new ModuleCatalog(options.modules ?? []);
+    this.#acceptsWork = options.acceptsWork ?? true;
+    this.#devices = new DeviceTopics(client);
+    this.#reports = new ModuleReports(client, {
+      handleUnknown: () => this.#started?.watch.refresh(),
+    });
+  }
+
+  get isStarted(): boolean {
+    return this.#started !== undefined;
+  }
+
+  get instances(): readonly NodeInstance[] {
+    return [...this.#keepers.values()].map(({ shown }) => shown);
+  }
+
+  onChange(fn: (instances: readonly NodeInstance[]) => void): Unsubscribe {
+    return this.#changeListeners.add(fn);
+  }
+
+  onEvent(fn: (event: ModuleEvent) => void): Unsubscribe {
+    return this.#eventListeners.add(fn);
+  }
+
+  async start(): Promise<void> {
+    if (this.#started !== undefined) return;
+    // Before anything else is said: the master sends node messages only to nodes. [EX-20]
+    const told = this.#tellProfile(true);
+    const watch = new SessionWatch(this.#client, {
+      handleSession: (session, activity) => this.#handleSession(session, activity),
+      handleStart: (session) => {
+        this.#handleSession(session, 'active');
+        this.#reportAgain(({ sessionId }) => sessionId === session.id);
+      },
+      handleAll: (sessions) => this.#handleAll(sessions),
+    });
+    const stopMessages = this.#client.onNodeMessage(({ lockstepRequest }) => {
+      if (lockstepRequest === undefined) return;
+      void runShare(lockstepRequest, this.#runtime).then((frame) =>
+        this.#client.sendNodeMessage(frame),
+      );
+    });
+    const stopState = this.#client.onState(({ status }) => {
+      if (status !== 'connected') return;
+      this.#mustReportAgain = true;
+      this.#reports.resume();
+    });
+    const stopIdentity = this.#client.onIdentityChange(() => void this.#endAll());
+    this.#started = {
+      watch,
+      end: () => {
+        watch.close();
+        stopMessages();
+        stopState();
+        stopIdentity();
+      },
+    };
+    await told;
+  }
+
+  async stop(): Promise<void> {
+    const started = this.#started;
+    if (started === undefined) return;
+    this.#started = undefined;
+    started.end();
+    await this.#endAll();
+    await this.#reports.settled();
+    await this.#tellProfile(false);
+  }
+
+  async setModules(modules: readonly Init<ProcessingModule>[]): Promise<void> {
+    this.#catalog = new ModuleCatalog(modules);
+    if (this.isStarted) await this.#tellProfile(true);
+  }
+
+  async setAcceptsWork(acceptsWork: boolean): Promise<void> {
+    this.#acceptsWork = acceptsWork;
+    if (this.isStarted) await this.#tellProfile(true);
+  }
+
+  /** [PM-60] */
+  #tellProfile(isNode: boolean): Promise<void> {
+    const { kind, libraries = [], capacity = 0, isDedicated = false } = this.#options;
+    return this.#client.updateProfile({
+      node: isNode
+        ? {
+            kind: kind === 'browser' ? NodeExtensionKind.BROWSER : NodeExtensionKind.NODE,
+            runsJavascript: true,
+            acceptsWork: this.#acceptsWork,
+            libraries: [...libraries],
+            capacity,
+          }
+        : undefined,
+      processingModules: isNode ? this.#catalog.offers() : [],
+      isDedicatedNode: isNode && isDedicated,
+    });
+  }
+
+  #handleSession(session: Session, activity: SessionActivity): void {
+    const assigned = modulesFor(session, this.#client.id, activity);
+    const ids = new Set(assigned.map(({ module }) => module.id));
+    for (const keeper of this.#keepers.values()) {
+      if (keeper.sessionId === session.id && !ids.has(keeper.id)) keeper.unwant();
+    }
+    for (const module of assigned) this.#want(module);
+  }
+
+  #handleAll(sessions: readonly Session[]): void {
+    const known = new Set(sessions.map(({ id }) => id));
+    for (const keeper of this.#keepers.values()) {
+      if (!known.has(keeper.sessionId)) keeper.unwant();
+    }
+    for (const session of sessions) {
+      const activity = activityOf(session);
+      if (activity !== undefined) this.#handleSession(session, activity);
+    }
+    if (!this.#mustReportAgain) return;
+    this.#mustReportAgain = false;
+    this.#reportAgain(() => true);
+  }
+
+  #reportAgain(isMeant: (keeper: InstanceKeeper) => boolean): void {
+    for (const keeper of this.#keepers.values()) {
+      if (keeper.reported !== undefined && isMeant(keeper)) this.#reports.started(keeper.reported);
+    }
+  }
+
+  #want(assigned: AssignedModule): void {
+    const { id } = assigned.module;
+    let keeper = this.#keepers.get(id);
+    if (keeper === undefined) {
+      keeper = this.#createKeeper(id);
+      this.#keepers.set(id, keeper);
+    }
+    keeper.want(assigned);
+  }
+
+  #createKeeper(id: string): InstanceKeeper {
+    return new InstanceKeeper(id, {
+      runtime: this.#runtimeNow(),
+      catalog: () => this.#catalog,
+      handleStarted: (assigned) => this.#reports.started(assigned),
+      handleEnded: (assigned) => this.#reports.ended(assigned),
+      handleFailed: (assigned, fault) => this.#handleFailed(assigned, fault),
+      handleChange: () => this.#handleChange(),
+    });
+  }
+
+  #runtimeNow(): ModuleRuntime {
+    if (this.#runtime !== undefined) return this.#runtime;
+    const { sandboxes, libraries, limits, patterns = REGEXP_PATTERNS } = this.#options;
+    const { createRuntime = createModuleRuntime } = this.#options;
+    this.#runtime = createRuntime({
+      nodeId: this.#client.id,
+      clock: this.#clock,
+      topics: new ClientTopicPort(this.#client, this.#devices),
+      patterns,
+      sandboxes,
+      libraries,
+      limits,
+      onEvent: (event) => this.#handleEvent(event),
+      onStatus: (id, status, fault) => this.#keepers.get(id)?.handleStatus(status, fault),
+    });
+    this.#cancelStatistics = this.#clock.every(STATISTICS_INTERVAL_MS, () =>
+      this.#reportStatistics(),
+    );
+    return this.#runtime;
+  }
+
+  #reportStatistics(): void {
+    const statistics = this.#runtime?.statistics() ?? [];
+    if (statistics.length === 0) return;
+    for (const entry of statistics) this.#keepers.get(entry.moduleId)?.handleStatistics(entry);
+    this.#reports.statistics(statistics);
+  }
+
+  #handleEvent(event: ModuleEvent): void {
+    this.#reports.event(event);
+    this.#eventListeners.emit(event);
+  }
+
+  /** It could not be made: the session has to know, and nobody else says so. [SE-12] */
+  #handleFailed({ module, sessionId }: AssignedModule, fault: ModuleFault): void {
+    this.#handleEvent({
+      sessionId,
+      moduleId: module.id,
+      moduleName: module.name,
+      nodeId: this.#client.id,
+      kind: ModuleEventKind.FAILED,
+      timeMs: this.#clock.nowMs(),
+      phase: fault.phase,
+      message: fault.message,
+      line: fault.line ?? 0,
+      column: fault.column ?? 0,
+      level: '',
+      suppressed: 0,
+    });
+  }
+
+  /** What runs under the client's id of now, or of before, ends; what comes later is made anew. */
+  async #endAll(): Promise<void> {
+    const keepers = [...this.#keepers.values()];
+    const runtime = this.#runtime;
+    this.#keepers.clear();
+    this.#runtime = undefined;
+    this.#cancelStatistics?.();
+    this.#cancelStatistics = undefined;
+    for (const keeper of keepers) keeper.unwant();
+    this.#handleChange();
+    await Promise.all(keepers.map((keeper) => keeper.settled()));
+    await runtime?.close();
+  }
+
+  #handleChange(): void {
+    if (this.#isChanging) return;
+    this.#isChanging = true;
+    void Promise.resolve().then(() => {
+      this.#isChanging = false;
+      for (const keeper of [...this.#keepers.values()]) {
+        if (keeper.isGone) this.#keepers.delete(keeper.id);
+      }
+      this.#changeListeners.emit(this.instances);
+    });
+  }
+}

@@ -1,0 +1,73 @@
+import { INFO_TOPICS } from '@ubii/proto';
+import type { Component } from '@ubii/proto';
+import type { Subscription } from '../core/subscription.ts';
+import type { UbiiClient } from '../core/ubii-client.ts';
+
+/** What the watch needs of a client. */
+export type DeviceClient = Pick<UbiiClient, 'subscribe' | 'call' | 'onState' | 'state'>;
+
+/** Which device has the component with a topic, for as long as somebody wants to know. [PM-43] */
+export class DeviceTopics {
+  readonly #client: DeviceClient;
+  readonly #devices = new Map<string, string>();
+  #watchers = 0;
+  #stopWatching: (() => void) | undefined;
+
+  constructor(client: DeviceClient) {
+    this.#client = client;
+  }
+
+  /** `undefined` when there is none, or none that is known yet. */
+  deviceOf(topic: string): string | undefined {
+    return this.#devices.get(topic);
+  }
+
+  watch(): void {
+    this.#watchers += 1;
+    if (this.#watchers === 1) this.#stopWatching = this.#start();
+  }
+
+  unwatch(): void {
+    this.#watchers -= 1;
+    if (this.#watchers > 0) return;
+    this.#stopWatching?.();
+    this.#stopWatching = undefined;
+    this.#devices.clear();
+  }
+
+  #start(): () => void {
+    const added = this.#client.subscribe(INFO_TOPICS.newDevice, { format: 'device' });
+    const removed = this.#client.subscribe(INFO_TOPICS.deleteDevice, { format: 'device' });
+    added.onRecord(({ value }) => this.#add(value.components));
+    removed.onRecord(({ value }) => {
+      for (const { topic } of value.components) {
+        if (this.#devices.get(topic) === value.id) this.#devices.delete(topic);
+      }
+    });
+    const stopListening = this.#client.onState(({ status }) => {
+      if (status === 'connected') this.#readAll();
+    });
+    if (this.#client.state.status === 'connected') this.#readAll();
+    const subscriptions: Subscription<'device'>[] = [added, removed];
+    return () => {
+      stopListening();
+      for (const subscription of subscriptions) void subscription.close();
+    };
+  }
+
+  /** Devices that are there already. What was missed is asked for again with the next connection. */
+  #readAll(): void {
+    this.#client.call('componentGetList').then(
+      ({ elements }) => {
+        if (this.#watchers > 0) this.#add(elements);
+      },
+      () => undefined,
+    );
+  }
+
+  #add(components: readonly Component[]): void {
+    for (const { topic, deviceId } of components) {
+      if (topic !== '' && deviceId !== '') this.#devices.set(topic, deviceId);
+    }
+  }
+}

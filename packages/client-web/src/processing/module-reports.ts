@@ -1,0 +1,106 @@
+import { ProcessingModuleStatus, ServiceError } from '@ubii/proto';
+import type { Init, ModuleEvent, ModuleStatistics, ProcessingModule } from '@ubii/proto';
+import { encodeNodeMessageFrame } from '@ubii/proto/wire';
+import type { UbiiClient } from '../core/ubii-client.ts';
+import type { AssignedModule } from './session-modules.ts';
+
+/** What the reports need of a client. */
+export type ReportClient = Pick<UbiiClient, 'call' | 'sendNodeMessage' | 'state'>;
+
+/** Whom the reports tell. */
+export interface ModuleReportsOptions {
+  /** The master knows nothing of a module that was reported. */
+  readonly handleUnknown: () => void;
+}
+
+/**
+ * Tells the master what became of the modules of this node: one request at a time, so that none
+ * overtakes another, and everything of one turn in one request. [PM-62]
+ */
+export class ModuleReports {
+  readonly #client: ReportClient;
+  readonly #options: ModuleReportsOptions;
+  readonly #started = new Map<string, Init<ProcessingModule>>();
+  readonly #ended = new Map<string, Init<ProcessingModule>>();
+  #events: ModuleEvent[] = [];
+  #isTelling: Promise<void> | undefined;
+
+  constructor(client: ReportClient, options: ModuleReportsOptions) {
+    this.#client = client;
+    this.#options = options;
+  }
+
+  started({ module, sessionId, isPaused }: AssignedModule): void {
+    const status = isPaused ? ProcessingModuleStatus.HALTED : ProcessingModuleStatus.PROCESSING;
+    const { id, name, nodeId } = module;
+    this.#started.set(id, { id, name, nodeId, sessionId, status });
+    this.#tell();
+  }
+
+  ended({ module, sessionId }: AssignedModule): void {
+    const { id, name, nodeId } = module;
+    // One that ended before the start was told needs both: the session waits for either.
+    this.#ended.set(id, { id, name, nodeId, sessionId, status: ProcessingModuleStatus.DESTROYED });
+    this.#started.delete(id);
+    this.#tell();
+  }
+
+  /** [PM-80] */
+  statistics(statistics: readonly ModuleStatistics[]): void {
+    this.#client.sendNodeMessage(
+      encodeNodeMessageFrame({ moduleReports: { statistics: [...statistics] } }),
+    );
+  }
+
+  /** Those of one turn travel together. [PM-81] */
+  event(event: ModuleEvent): void {
+    if (this.#events.push(event) > 1) return;
+    void Promise.resolve().then(() => {
+      const events = this.#events;
+      this.#events = [];
+      this.#client.sendNodeMessage(encodeNodeMessageFrame({ moduleReports: { events } }));
+    });
+  }
+
+  /** Tells what could not be told before. */
+  resume(): void {
+    this.#tell();
+  }
+
+  /** Resolves when everything was told, or cannot be. */
+  async settled(): Promise<void> {
+    while (this.#isTelling !== undefined) await this.#isTelling;
+  }
+
+  #tell(): void {
+    this.#isTelling ??= this.#tellAll().finally(() => {
+      this.#isTelling = undefined;
+    });
+  }
+
+  async #tellAll(): Promise<void> {
+    await Promise.resolve(); // everything of one turn is one request
+    while (this.#client.state.status === 'connected') {
+      // What ended comes first: it may have been started again since.
+      const isEnd = this.#ended.size > 0;
+      const waiting = isEnd ? this.#ended : this.#started;
+      if (waiting.size === 0) return;
+      const told = new Map(waiting);
+      waiting.clear();
+      try {
+        await this.#client.call(
+          isEnd ? 'processingModuleRuntimeRemove' : 'processingModuleRuntimeAdd',
+          { elements: [...told.values()] },
+        );
+      } catch (error) {
+        if (error instanceof ServiceError) {
+          if (!isEnd) this.#options.handleUnknown();
+          continue;
+        }
+        // It did not get through. What was said since is newer.
+        for (const [id, module] of told) if (!waiting.has(id)) waiting.set(id, module);
+        return;
+      }
+    }
+  }
+}

@@ -1,0 +1,91 @@
+import { INFO_TOPICS } from '@ubii/proto';
+import type { Session } from '@ubii/proto';
+import type { Subscription } from '../core/subscription.ts';
+import type { UbiiClient } from '../core/ubii-client.ts';
+import { activityOf } from './session-modules.ts';
+import type { SessionActivity } from './session-modules.ts';
+
+/** What the watch needs of a client. */
+export type SessionClient = Pick<UbiiClient, 'subscribe' | 'call' | 'onState' | 'state'>;
+
+/** Whom the watch tells. */
+export interface SessionWatchOptions {
+  /** A session is, or wants to be, as said here. */
+  readonly handleSession: (session: Session, activity: SessionActivity) => void;
+  /** A session starts, whether or not something of it runs already. */
+  readonly handleStart: (session: Session) => void;
+  /** All sessions there are; those that are missing are no more. */
+  readonly handleAll: (sessions: readonly Session[]) => void;
+}
+
+/**
+ * Keeps track of the sessions of the master: by its announcements, and by its list at every
+ * connection. Announcements that come while the list is on its way may be newer or older than it: the
+ * master sends the last one of each topic again, however long ago it was. So the list is asked for
+ * again until nothing comes in between. [PM-62]
+ */
+export class SessionWatch {
+  readonly #client: SessionClient;
+  readonly #options: SessionWatchOptions;
+  readonly #subscriptions: readonly Subscription<'session'>[];
+  readonly #stopListening: () => void;
+  /** The list is on its way. */
+  #isReading = false;
+  /** Something came meanwhile. */
+  #isStale = false;
+  #isClosed = false;
+
+  constructor(client: SessionClient, options: SessionWatchOptions) {
+    this.#client = client;
+    this.#options = options;
+    const on = (topic: string, handle: (session: Session) => void) =>
+      client.subscribe(topic, { format: 'session' }).onRecord(({ value }) => {
+        if (this.#isReading) this.#isStale = true;
+        // What comes while the connection is being made is followed by the list.
+        else if (!this.#isClosed && client.state.status === 'connected') handle(value);
+      });
+    const { handleSession, handleStart } = options;
+    this.#subscriptions = [
+      on(INFO_TOPICS.startSession, handleStart),
+      on(INFO_TOPICS.changeSession, (session) => {
+        const activity = activityOf(session);
+        if (activity !== undefined) handleSession(session, activity);
+      }),
+      on(INFO_TOPICS.stopSession, (session) => handleSession(session, 'over')),
+      on(INFO_TOPICS.deleteSession, (session) => handleSession(session, 'over')),
+    ];
+    this.#stopListening = client.onState(({ status }) => {
+      if (status === 'connected') this.refresh();
+    });
+    if (client.state.status === 'connected') this.refresh();
+  }
+
+  /** Reads the list of sessions. */
+  refresh(): void {
+    this.#isStale = true;
+    if (this.#isReading || this.#isClosed) return;
+    this.#isReading = true;
+    void this.#read().finally(() => {
+      this.#isReading = false;
+    });
+  }
+
+  close(): void {
+    this.#isClosed = true;
+    this.#stopListening();
+    for (const subscription of this.#subscriptions) void subscription.close();
+  }
+
+  async #read(): Promise<void> {
+    while (this.#isStale && !this.#isClosed) {
+      this.#isStale = false;
+      try {
+        await Promise.all(this.#subscriptions.map(({ ready }) => ready));
+        const { elements } = await this.#client.call('sessionRuntimeGetList');
+        if (!this.#isClosed) this.#options.handleAll(elements);
+      } catch {
+        return; // the next connection brings another try
+      }
+    }
+  }
+}
