@@ -1,4 +1,5 @@
 export { clock } from './clock/clock.ts';
+export { EXAMPLE_SESSIONS } from './examples/example-sessions.ts';
 export { httpPoller } from './http-poller/http-poller.ts';
 export { loadGenerator } from './load-generator/load-generator.ts';
 export {

@@ -1,0 +1,23 @@
+import type { Init, Session } from '@ubii/proto';
+
+/**
+ * The mouse-pointer example of the paper on Ubi-Interact (section 7.1): a position goes in, and comes
+ * back mirrored as two switches say.
+ */
+export const mirrorPointerSession = {
+  name: 'mirror-pointer',
+  description: 'Mirrors the position on one topic, and puts it on another one.',
+  tags: ['example'],
+  processingModules: [{ name: 'mirror-pointer' }],
+  ioMappings: [
+    {
+      processingModuleName: 'mirror-pointer',
+      inputMappings: [
+        { inputName: 'pointer', topic: '/examples/mirror-pointer/pointer' },
+        { inputName: 'mirrorX', topic: '/examples/mirror-pointer/mirror_x' },
+        { inputName: 'mirrorY', topic: '/examples/mirror-pointer/mirror_y' },
+      ],
+      outputMappings: [{ outputName: 'mirrored', topic: '/examples/mirror-pointer/mirrored' }],
+    },
+  ],
+} satisfies Init<Session>;

@@ -1,0 +1,55 @@
+import type { Init, Session } from '@ubii/proto';
+
+/**
+ * Four modules in a row: a clock makes a square wave, which is mapped to another range, smoothed, and
+ * summed up. It needs nothing from outside, so it can be started anywhere to see values flow.
+ */
+export const smoothingChainSession = {
+  name: 'smoothing-chain',
+  description: 'A square wave, mapped to 0 to 100, smoothed by a 1€ filter, and its statistics.',
+  tags: ['example'],
+  processingModules: [
+    { name: 'clock', processingMode: { frequency: { hertz: 60 } } },
+    { name: 'map-range' },
+    { name: 'one-euro-filter' },
+    { name: 'statistics' },
+  ],
+  ioMappings: [
+    {
+      processingModuleName: 'clock',
+      inputMappings: [{ inputName: 'waveHz', constantJson: '{"double":0.5}' }],
+      outputMappings: [{ outputName: 'square', topic: '/examples/smoothing-chain/wave' }],
+    },
+    {
+      processingModuleName: 'map-range',
+      inputMappings: [
+        { inputName: 'value', topic: '/examples/smoothing-chain/wave' },
+        { inputName: 'inMin', constantJson: '{"double":-1}' },
+        { inputName: 'outMax', constantJson: '{"double":100}' },
+      ],
+      outputMappings: [{ outputName: 'mapped', topic: '/examples/smoothing-chain/mapped' }],
+    },
+    {
+      processingModuleName: 'one-euro-filter',
+      inputMappings: [
+        { inputName: 'value', topic: '/examples/smoothing-chain/mapped' },
+        { inputName: 'minCutoffHz', topic: '/examples/smoothing-chain/min_cutoff_hz' },
+        { inputName: 'beta', constantJson: '{"double":0.001}' },
+      ],
+      outputMappings: [{ outputName: 'smoothed', topic: '/examples/smoothing-chain/smoothed' }],
+    },
+    {
+      processingModuleName: 'statistics',
+      inputMappings: [
+        { inputName: 'value', topic: '/examples/smoothing-chain/smoothed' },
+        { inputName: 'windowMs', constantJson: '{"double":2000}' },
+      ],
+      outputMappings: [
+        { outputName: 'mean', topic: '/examples/smoothing-chain/mean' },
+        { outputName: 'min', topic: '/examples/smoothing-chain/min' },
+        { outputName: 'max', topic: '/examples/smoothing-chain/max' },
+        { outputName: 'standardDeviation', topic: '/examples/smoothing-chain/deviation' },
+      ],
+    },
+  ],
+} satisfies Init<Session>;

@@ -1,0 +1,48 @@
+import { UUID_PATTERN, type Init, type Session } from '@ubii/proto';
+
+/**
+ * The muxer example of the paper on Ubi-Interact (section 5.6): whoever opens the touch page of a phone
+ * takes part, whoever closes it does not any more, and those who touch near one another feel it.
+ */
+export const touchProximitySession = {
+  name: 'touch-proximity',
+  description: 'Lets the phones of those vibrate who touch their screens at nearly the same place.',
+  tags: ['example'],
+  processingModules: [{ name: 'touch-proximity' }],
+  ioMappings: [
+    {
+      processingModuleName: 'touch-proximity',
+      inputMappings: [
+        {
+          inputName: 'touches',
+          topicMux: {
+            name: 'touches of all phones',
+            dataType: 'vector2',
+            topicSelector: '^/[^/]+/smartphone/touch_position$',
+            identityMatchPattern: UUID_PATTERN,
+          },
+        },
+        { inputName: 'distance', topic: '/examples/touch-proximity/distance' },
+      ],
+      outputMappings: [
+        {
+          outputName: 'vibration',
+          topicDemux: {
+            name: 'vibration of each phone',
+            dataType: 'double',
+            outputTopicFormat: '/{{#0}}/smartphone/vibrate',
+          },
+        },
+        {
+          outputName: 'isNear',
+          topicDemux: {
+            name: 'news for each phone',
+            dataType: 'bool',
+            outputTopicFormat: '/{{#0}}/smartphone/is_near',
+          },
+        },
+        { outputName: 'nearCount', topic: '/examples/touch-proximity/near_count' },
+      ],
+    },
+  ],
+} satisfies Init<Session>;

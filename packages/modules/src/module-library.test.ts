@@ -1,0 +1,146 @@
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import {
+  moduleProblems,
+  moduleToWire,
+  parseModule,
+  type AnyModuleDefinition,
+  type IoInit,
+} from '@ubii/pm-sandbox';
+import { fromJson, parseDataFormat, toJson, type ProcessingModule } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { formatOf, isList } from '../test/drive-module.ts';
+import { freeNames } from '../test/free-names.ts';
+import { expectKnownNames } from '../test/known-names.ts';
+import { WAYS } from '../test/ways.ts';
+import * as library from './index.ts';
+
+const { MODULES, moduleLibrary } = library;
+const FORMAT = 'ubii.processing.ProcessingModule';
+const FOLDERS = readdirSync(import.meta.dirname, { withFileTypes: true })
+  .filter((entry) => entry.isDirectory() && entry.name !== 'examples')
+  .map(({ name }) => name);
+
+function isDefinition(value: unknown): value is AnyModuleDefinition {
+  return typeof value === 'object' && value !== null && 'onProcessing' in value;
+}
+
+describe('the library', () => {
+  it('has every module that is exported, once, from a to z', () => {
+    const names = MODULES.map(({ name }) => name);
+    expect(names).toEqual([...new Set(names)].sort());
+    expect(new Set(MODULES)).toEqual(new Set(Object.values(library).filter(isDefinition)));
+  });
+
+  it.each(MODULES.map((module) => [module.name, module] as const))(
+    'has %s described, in the list of the library and in its own page',
+    (name, module) => {
+      expect(module).toMatchObject({ version: expect.stringMatching(/^\d+\.\d+\.\d+$/) });
+      expect(module.description?.length).toBeGreaterThan(20);
+      expect(module.tags?.length).toBeGreaterThan(0);
+      expect(readFileSync(`${import.meta.dirname}/../README.md`, 'utf8')).toContain(`\`${name}\``);
+      const folder = FOLDERS.find((folder) => name.startsWith(folder))!;
+      const page = readFileSync(`${import.meta.dirname}/${folder}/README.md`, 'utf8');
+      expect(page).toContain(`\`${name}\``);
+      for (const io of Object.keys({ ...module.inputs, ...module.outputs })) {
+        expect(page, io).toContain(`\`${io}\``);
+      }
+    },
+  );
+
+  it.each(FOLDERS)('has a page and tests in %s', (folder) => {
+    expect(existsSync(`${import.meta.dirname}/${folder}/README.md`)).toBe(true);
+    expect(existsSync(`${import.meta.dirname}/${folder}/${folder}.test.ts`)).toBe(true);
+  });
+});
+
+describe('the pages of the library', () => {
+  it.each(FOLDERS)('map what the module has, in the example of %s', (folder) => {
+    const page = readFileSync(`${import.meta.dirname}/${folder}/README.md`, 'utf8');
+    const [, json = ''] = /```json\n([^]*?)```/.exec(page) ?? [];
+    expectKnownNames(fromJson('ubii.sessions.Session', JSON.parse(json)));
+  });
+});
+
+describe.each(MODULES.map((module) => [module.name, module] as const))('%s', (_name, module) => {
+  it('is the same after a journey as JSON [PM-1] [PM-2]', () => {
+    const wire = moduleToWire(module);
+    const text = JSON.stringify(toJson(FORMAT, wire));
+    const arrived = fromJson(FORMAT, JSON.parse(text));
+    expect(moduleProblems(arrived)).toEqual([]);
+
+    const parsed = parseModule(arrived);
+    const ios = (inits: Readonly<Record<string, IoInit>>) =>
+      Object.entries(inits).map(([name, init]) =>
+        expect.objectContaining({ name, format: formatOf(init), isList: isList(init) }),
+      );
+    expect(parsed.name).toBe(module.name);
+    expect(parsed.inputs).toEqual(ios(module.inputs));
+    expect(parsed.outputs).toEqual(ios(module.outputs));
+    expect(parsed.libraries).toEqual(module.libraries ?? []);
+    expect(parsed.version).toBe(module.version);
+    expect(parsed.source?.onProcessing).toBe(wire.onProcessingStringified);
+    expect(parsed).toEqual(parseModule(libraryModule(module.name)));
+  });
+
+  it.each(WAYS)('runs before anything came, %s', async (_way, drive) => {
+    const driven = await drive(module, { http: { get: () => Promise.reject(new Error('none')) } });
+    await driven.run(0);
+    await driven.run(16);
+    await driven.run(16, {}, []);
+  });
+});
+
+describe('the source texts of the library', () => {
+  it('see nothing outside of them but the language [PM-2]', () => {
+    const sources = new Map<string, string>();
+    for (const module of moduleLibrary()) {
+      for (const [callback, text] of sourcesOf(module)) {
+        sources.set(`${module.name}.${callback}`, text);
+      }
+    }
+    expect(sources.size).toBeGreaterThanOrEqual(MODULES.length);
+    const allowed = new Set(['console', 'performance']);
+    for (const [source, names] of freeNames(sources)) {
+      expect(
+        [...names].filter((name) => !allowed.has(name)),
+        source,
+      ).toEqual([]);
+    }
+  });
+
+  it('would be caught with a variable from outside', () => {
+    const source = '(a) => { if (a) return a + Math.PI; return outside + [1].at(-1); }';
+    expect(freeNames(new Map([['fake.onProcessing', source]]))).toEqual(
+      new Map([['fake.onProcessing', new Set(['outside'])]]),
+    );
+  });
+
+  it('are small', () => {
+    for (const module of moduleLibrary()) {
+      const length = [...sourcesOf(module)].reduce((sum, [, text]) => sum + text.length, 0);
+      expect(length, module.name).toBeLessThan(8_192);
+    }
+  });
+
+  it('name formats that every node knows', () => {
+    for (const { inputs, outputs } of moduleLibrary()) {
+      for (const { messageFormat } of [...inputs, ...outputs]) {
+        expect(parseDataFormat(messageFormat)).toBeDefined();
+      }
+    }
+  });
+});
+
+function libraryModule(name: string): ProcessingModule {
+  return moduleLibrary().find((module) => module.name === name)!;
+}
+
+function sourcesOf(module: ProcessingModule): [callback: string, text: string][] {
+  const sources: [string, string][] = [
+    ['onCreated', module.onCreatedStringified],
+    ['onProcessing', module.onProcessingStringified],
+    ['onHalted', module.onHaltedStringified],
+    ['onDestroyed', module.onDestroyedStringified],
+  ];
+  return sources.filter(([, text]) => text !== '');
+}
