@@ -88,12 +88,12 @@ export const touchProximity = defineProcessingModule({
       for (let other = index + 1; other < touches.length; other++) {
         const b = touches[other]!;
         if (b.x - a.x > farDistance) break;
-        if (a.identity === b.identity) continue;
-        const apart = Math.hypot(b.x - a.x, b.y - a.y);
-        const wereNear =
-          state.touchers[a.identity]?.isNear === true &&
-          state.touchers[b.identity]?.isNear === true;
-        if (apart > (wereNear ? farDistance : distance)) continue;
+        const squared = (b.x - a.x) ** 2 + (b.y - a.y) ** 2;
+        if (squared > farDistance ** 2 || a.identity === b.identity) continue;
+        // Who were near stay near up to the farther distance.
+        const needsBefore = squared > distance ** 2;
+        if (needsBefore && !state.touchers[a.identity]?.isNear) continue;
+        if (needsBefore && !state.touchers[b.identity]?.isNear) continue;
         near[a.identity] = true;
         near[b.identity] = true;
       }
