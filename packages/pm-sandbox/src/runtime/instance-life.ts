@@ -1,4 +1,4 @@
-import { ModuleEventKind, type ProcessingModuleStatus } from '@ubii/proto';
+import { ModuleEventKind, ProcessingModuleStatus } from '@ubii/proto';
 import type { Cancel } from '../ports/clock.ts';
 import type { ModuleFault, ModulePhase } from '../ports/module-fault.ts';
 import type { Sandbox } from '../ports/sandbox.ts';
@@ -37,6 +37,7 @@ export class InstanceLife {
   readonly #events: LifeEvents;
   readonly #restarts: RestartPolicy;
   #status: InstanceStatus = 'creating';
+  #toldStatus: ProcessingModuleStatus = ProcessingModuleStatus.INITIALIZED;
   #sandbox: Sandbox | undefined;
   /** It is to process as soon as it can. */
   #wantsRuns = false;
@@ -64,7 +65,7 @@ export class InstanceLife {
   }
 
   get wireStatus(): ProcessingModuleStatus {
-    return wireStatus(this.#status);
+    return wireStatus(this.#status) ?? this.#toldStatus;
   }
 
   /** Resolves with why it cannot start, or with nothing. [PM-13] */
@@ -194,7 +195,7 @@ export class InstanceLife {
     const { clock } = this.#context;
     const delayMs = this.#restarts.next(clock.monotonicMs());
     if (delayMs === undefined) {
-      this.#reports.fault(ModuleEventKind.FAILED, givenUp(fault));
+      this.#reports.tellFailed(fault);
       this.#end(fault);
       return;
     }
@@ -228,16 +229,14 @@ export class InstanceLife {
   }
 
   #move(move: InstanceMove, fault?: ModuleFault): boolean {
-    const before = this.wireStatus;
     const next = nextStatus(this.#status, move);
     if (next === undefined) return false;
     this.#status = next;
-    const after = this.wireStatus;
-    if (after !== before) this.#context.onStatus(this.#spec.module.id, after, fault);
+    const status = this.wireStatus;
+    if (status !== this.#toldStatus) {
+      this.#toldStatus = status;
+      this.#context.onStatus(this.#spec.module.id, status, fault);
+    }
     return true;
   }
-}
-
-function givenUp(fault: ModuleFault): ModuleFault {
-  return { ...fault, message: `given up after too many restarts: ${fault.message}` };
 }

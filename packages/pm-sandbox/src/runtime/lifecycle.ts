@@ -39,7 +39,7 @@ export function nextStatus(status: InstanceStatus, move: InstanceMove): Instance
   return MOVES[status][move];
 }
 
-const WIRE_STATUS: { readonly [S in InstanceStatus]: ProcessingModuleStatus } = {
+const WIRE_STATUS: { readonly [S in InstanceStatus]: ProcessingModuleStatus | undefined } = {
   creating: ProcessingModuleStatus.INITIALIZED,
   created: ProcessingModuleStatus.CREATED,
   processing: ProcessingModuleStatus.PROCESSING,
@@ -48,11 +48,11 @@ const WIRE_STATUS: { readonly [S in InstanceStatus]: ProcessingModuleStatus } = 
   killed: ProcessingModuleStatus.INITIALIZED,
   recreating: ProcessingModuleStatus.INITIALIZED,
   failed: ProcessingModuleStatus.DESTROYED,
-  destroying: ProcessingModuleStatus.HALTED,
+  destroying: undefined,
   destroyed: ProcessingModuleStatus.DESTROYED,
 };
 
-/** The status as it is told to others. */
-export function wireStatus(status: InstanceStatus): ProcessingModuleStatus {
+/** The status as it is told to others; undefined when it is the one before. */
+export function wireStatus(status: InstanceStatus): ProcessingModuleStatus | undefined {
   return WIRE_STATUS[status];
 }

@@ -71,7 +71,6 @@ export class Runner {
       },
       (reason: unknown) => {
         if (sandbox !== this.#sandbox) return outcome.onLost?.();
-        this.#isBusy = false;
         outcome.onFault(toFault(reason, 'onProcessing'));
         this.#handleIdle();
         outcome.onEnd();

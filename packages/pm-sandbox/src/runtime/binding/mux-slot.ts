@@ -1,4 +1,4 @@
-import { parseDataFormat, type TopicMux } from '@ubii/proto';
+import { DATA_FORMATS, parseDataFormat, type DataFormat, type TopicMux } from '@ubii/proto';
 import type { Cancel } from '../../ports/clock.ts';
 import type { MatchPattern } from '../../ports/pattern-port.ts';
 import type { SandboxInput } from '../../ports/sandbox.ts';
@@ -27,8 +27,7 @@ export class MuxSlot implements InputSlot, TopicListener {
   constructor(spec: SlotSpec, mux: TopicMux, context: SlotContext) {
     this.name = spec.name;
     this.#context = context;
-    // [PM-42]
-    this.#fits = fieldFits(parseDataFormat(mux.dataType) ?? spec.format);
+    this.#fits = muxFits(mux, spec.format);
     const selector = muxSelector(mux);
     if (selector === undefined) throw new Error('the muxer selects no topics');
     this.#source = selectorSource(selector);
@@ -97,4 +96,15 @@ export class MuxSlot implements InputSlot, TopicListener {
     this.#pattern ??= this.#context.patterns.compile(this.#source);
     return this.#pattern.match(topic) !== undefined;
   }
+}
+
+/** The muxer's own data format is exact; in its place the input takes what it can read. [PM-42] */
+function muxFits(
+  { dataType }: TopicMux,
+  declared: DataFormat | undefined,
+): (valueField: number) => boolean {
+  const format = parseDataFormat(dataType);
+  if (format === undefined) return fieldFits(declared);
+  const { fieldNumber } = DATA_FORMATS[format];
+  return (valueField) => valueField === fieldNumber;
 }

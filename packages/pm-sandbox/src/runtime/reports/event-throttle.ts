@@ -49,14 +49,21 @@ export class EventThrottle {
     this.#emitCounted(event, 0);
   }
 
-  /** Tells what was left out so far; what comes after that passes. */
-  close(): void {
-    if (this.#isClosed) return;
-    this.#isClosed = true;
-    for (const { cancel, latest, suppressed } of this.#windows.values()) {
-      cancel();
+  /** Tells what was left out so far. */
+  flush(): void {
+    for (const open of this.#windows.values()) {
+      const { latest, suppressed } = open;
+      open.latest = undefined;
+      open.suppressed = 0;
       if (latest !== undefined) this.#emitCounted(latest, suppressed);
     }
+  }
+
+  /** Tells what was left out so far; what comes after that passes. */
+  close(): void {
+    this.#isClosed = true;
+    this.flush();
+    for (const { cancel } of this.#windows.values()) cancel();
     this.#windows.clear();
   }
 

@@ -74,6 +74,13 @@ export class InstanceReports {
     this.#tell({ kind: ModuleEventKind.RESTARTED, message });
   }
 
+  /** The last word: after what is still to be told. [PM-54] */
+  tellFailed(fault: ModuleFault): void {
+    this.#throttle.flush();
+    const message = `given up after too many restarts: ${fault.message}`;
+    this.fault(ModuleEventKind.FAILED, { ...fault, message });
+  }
+
   /** Something does not fit that is no error of the code. */
   problem(message: string): void {
     this.#tell({ kind: ModuleEventKind.ERROR, message });
