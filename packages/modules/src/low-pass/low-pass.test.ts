@@ -55,6 +55,18 @@ describe.each(WAYS)('low-pass %s', (_way, drive) => {
     expect(await step(module, 1000, 2)).toBe(2);
   });
 
+  it('never overshoots, not even by rounding', async () => {
+    const module = await drive(lowPass);
+    await module.run(0, { cutoffHz: 3 });
+    await step(module, 0, 0.3);
+    for (let i = 0; i < 200; i++) {
+      expect(await step(module, 7, 0.9)).toBeLessThanOrEqual(0.9);
+    }
+    for (let i = 0; i < 200; i++) {
+      expect(await step(module, 70, 0.3)).toBeGreaterThanOrEqual(0.3);
+    }
+  });
+
   it('takes 1 Hz for a cut-off that is no number', async () => {
     const wrong = await drive(lowPass);
     const right = await drive(lowPass);

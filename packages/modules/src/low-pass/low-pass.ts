@@ -59,7 +59,11 @@ function smooth(deltaTimeMs: number, inputs: LowPassInputs, state: ModuleState<L
     // The exact answer of a first-order low-pass to a value held for this long, so two short steps are
     // one long one.
     const share = -Math.expm1((-2 * Math.PI * cutoffHz * state.waitedMs) / 1000);
-    smoothed = before.map((b, i) => (1 - share) * b + share * sign * parts[i]!);
+    // From the end that is closer, so that rounding leads beyond neither.
+    smoothed = before.map((b, i) => {
+      const p = sign * parts[i]!;
+      return share < 0.5 ? b + share * (p - b) : p - (1 - share) * (p - b);
+    });
     if (isRotation) {
       const length = Math.hypot(...smoothed);
       smoothed = smoothed.map((part) => part / length);

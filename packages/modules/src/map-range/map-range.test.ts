@@ -21,6 +21,16 @@ describe.each(WAYS)('map-range %s', (_way, drive) => {
     expect(await map({ value: 0.05, ...ranges })).toBeCloseTo(0.4, 12);
   });
 
+  it('never leaves a range that it clamps to, not even by rounding', async () => {
+    const module = await drive(mapRange);
+    await module.run(0, { inMin: 0.1, inMax: 0.7, outMin: 0.3, outMax: 0.9 });
+    for (let i = 0; i <= 600; i++) {
+      const { mapped } = await module.run(1, { value: 0.1 + i / 1000 });
+      expect(mapped).toBeGreaterThanOrEqual(0.3);
+      expect(mapped).toBeLessThanOrEqual(0.9);
+    }
+  });
+
   it('goes beyond the range when it does not clamp', async () => {
     const ranges = { inMin: 0, inMax: 10, outMin: 0, outMax: 100, clamp: false };
     expect(await map({ value: 15, ...ranges })).toBe(150);

@@ -45,8 +45,9 @@ export const mapRange = defineProcessingModule({
     // The curve goes on beyond the range as its mirror image, so that it stays monotonic.
     if (exponent !== 1) share = Math.sign(share) * Math.abs(share) ** exponent;
     if (inputs.invert?.bool) share = 1 - share;
-    // In this form both ends of the range are met exactly.
-    const mapped = outMin * (1 - share) + outMax * share;
+    // From the end that is closer, so that both are met exactly and rounding leads beyond neither.
+    const range = outMax - outMin;
+    const mapped = share < 0.5 ? outMin + range * share : outMax - range * (1 - share);
     return Number.isFinite(mapped) ? { outputs: { mapped: { double: mapped } } } : undefined;
   },
 });

@@ -82,7 +82,11 @@ function smooth(deltaTimeMs: number, inputs: OneEuroInputs, state: ModuleState<O
     // A unit quaternion changes by half of the angle.
     const speed = Math.hypot(...state.speed) * (isRotation ? 2 : 1);
     const share = read.share(minCutoffHz + beta * speed, seconds);
-    smoothed = before.map((b, i) => (1 - share) * b + share * sign * parts[i]!);
+    // From the end that is closer, so that rounding leads beyond neither.
+    smoothed = before.map((b, i) => {
+      const p = sign * parts[i]!;
+      return share < 0.5 ? b + share * (p - b) : p - (1 - share) * (p - b);
+    });
     if (isRotation) {
       const length = Math.hypot(...smoothed);
       smoothed = smoothed.map((part) => part / length);

@@ -1,0 +1,68 @@
+import { createModuleRuntime, REGEXP_PATTERNS, type ModuleRuntime } from '@ubii/pm-sandbox';
+import { createInlineSandboxes, FakeClock, FakeTopics } from '@ubii/pm-sandbox/testing';
+import { decode, encode, type Init, type ModuleEvent, type Session } from '@ubii/proto';
+import { moduleLibrary } from '../src/index.ts';
+
+/** A session that runs on one node, with a clock and topics of the test. */
+export interface SessionWorld {
+  readonly clock: FakeClock;
+  readonly topics: FakeTopics;
+  readonly runtime: ModuleRuntime;
+  /** Errors and log lines of the modules. */
+  readonly events: readonly ModuleEvent[];
+  /** Ids of the instances, by the name of the module. */
+  readonly ids: ReadonlyMap<string, string>;
+  /** Everything that was published on a topic, oldest first. */
+  values(topic: string): unknown[];
+}
+
+const SESSION = 'ubii.sessions.Session';
+
+/** Starts a session as a node does: modules by their names, from the library. */
+export async function startSession(
+  init: Init<Session>,
+  libraries: { readonly [name: string]: unknown } = {},
+): Promise<SessionWorld> {
+  const session = decode(SESSION, encode(SESSION, init));
+  const clock = new FakeClock();
+  const topics = new FakeTopics();
+  const events: ModuleEvent[] = [];
+  const runtime = createModuleRuntime({
+    nodeId: 'node-1',
+    clock,
+    topics,
+    patterns: REGEXP_PATTERNS,
+    sandboxes: createInlineSandboxes({ libraries }),
+    libraries: Object.keys(libraries),
+    onEvent: (event) => events.push(event),
+    onStatus: () => undefined,
+  });
+  const library = moduleLibrary();
+  const ids = new Map<string, string>();
+  for (const [index, { name, processingMode }] of session.processingModules.entries()) {
+    const module = library.find((candidate) => candidate.name === name)!;
+    const id = `module-${index}`;
+    ids.set(name, id);
+    await runtime.create({
+      module: {
+        ...module,
+        id,
+        sessionId: 'session-1',
+        processingMode: processingMode ?? module.processingMode,
+      },
+      mapping: session.ioMappings.find((mapping) => mapping.processingModuleName === name)!,
+      isTrusted: true,
+    });
+  }
+  for (const id of ids.values()) runtime.start(id);
+  await clock.endTurn();
+  return {
+    clock,
+    topics,
+    runtime,
+    events,
+    ids,
+    values: (topic) =>
+      topics.published.filter((record) => record.topic === topic).map(({ value }) => value),
+  };
+}
