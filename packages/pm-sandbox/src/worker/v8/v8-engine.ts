@@ -76,6 +76,8 @@ class V8Instance implements EngineInstance {
     triggers: readonly string[] | undefined,
   ): MaybePromise<RawResult> {
     if (triggers !== undefined) Reflect.set(this.#state, 'inputTriggerNames', [...triggers]);
+    // Names of before mean nothing in another mode.
+    else Reflect.deleteProperty(this.#state, 'inputTriggerNames');
     return this.#invoke('onProcessing', [deltaTimeMs, inputs, this.#state], (returned) =>
       this.#take(returned),
     );
