@@ -1,3 +1,5 @@
+import { moduleLibrary } from '@ubii/modules';
+import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import { createMaster, DEFAULT_LIMITS } from './index.ts';
 import type { Log } from './index.ts';
 import { SystemClock } from './adapters/clock/system-clock.ts';
@@ -13,6 +15,7 @@ import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
 import { Re2Patterns } from './adapters/patterns/re2-patterns.ts';
+import { openStorage } from './adapters/storage/open-storage.ts';
 import { HmacResumeTokens } from './adapters/tokens/hmac-resume-tokens.ts';
 import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
 import { ProcessUsage } from './adapters/usage/process-usage.ts';
@@ -60,6 +63,8 @@ export async function startMaster({
     isOwnAddress,
   });
   const limits = DEFAULT_LIMITS;
+  const storage = openStorage(config.dataDir);
+  const library = moduleLibrary();
   const reachability = (): Reachability =>
     describeReachability(host, listeners.ports, listNetworkAddresses());
 
@@ -71,6 +76,9 @@ export async function startMaster({
       log,
       patterns: new Re2Patterns(limits.patternInstructions),
       usage: new ProcessUsage(),
+      sandboxes: createInlineSandboxes(),
+      storage,
+      library: () => library,
     },
     { name: config.name, version, limits, endpoints: () => reachability().endpoints },
   );
@@ -98,14 +106,14 @@ export async function startMaster({
 
   const close = async (): Promise<void> => {
     const closed = listeners.close();
-    master.close();
+    const ended = master.close();
     const cut = setTimeout(() => {
       sockets.terminate();
       listeners.cut();
     }, CLOSE_GRACE_MS);
     await closed;
     clearTimeout(cut);
-    await app.close();
+    await Promise.all([app.close(), ended, storage.settled()]);
   };
 
   try {

@@ -162,6 +162,10 @@ class PeerConnection implements ClientConnection {
     this.#peer.sendBinary(encodeErrorFrame(error));
   }
 
+  sendFrame(frame: Uint8Array): void {
+    this.#peer.sendBinary(frame);
+  }
+
   sendPing(): void {
     this.#peer.sendText('PING');
   }

@@ -50,6 +50,7 @@ describe('subscriptions', () => {
           tests++;
           return new RegExp(source).test(text);
         },
+        match: () => undefined,
       }),
     };
     const { ada, ben } = await createPair({ patterns });
@@ -342,6 +343,7 @@ function slowPatterns(clock: FakeClock) {
         if (source === '(stalled)') clock.spend(5_000);
         return text.includes(source.slice(1, -1));
       },
+      match: () => undefined,
     }),
   };
 }

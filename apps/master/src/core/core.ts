@@ -3,6 +3,7 @@ import type { SocketAdmission } from './clients/socket-admission.ts';
 import type { DeviceRegistry } from './devices/device-registry.ts';
 import type { InfoTopics } from './info/info-topics.ts';
 import type { Limits } from './limits.ts';
+import type { Processing } from './sessions/create-processing.ts';
 import type { MasterPorts, MasterSettings } from './settings.ts';
 import type { Counters } from './status/counters.ts';
 import type { EventLog } from './status/event-log.ts';
@@ -23,6 +24,7 @@ export interface Core extends MasterPorts {
   readonly sockets: SocketAdmission;
   readonly devices: DeviceRegistry;
   readonly info: InfoTopics;
+  readonly processing: Processing;
   readonly counters: Counters;
   readonly limitWatch: LimitWatch;
   readonly events: EventLog;

@@ -18,6 +18,8 @@ import type { MasterPorts, MasterSettings } from './settings.ts';
 import { Counters } from './status/counters.ts';
 import { EventLog } from './status/event-log.ts';
 import { LimitWatch } from './status/limit-watch.ts';
+import { tellListeners } from './processing/local-topics.ts';
+import { createProcessing, type Processing } from './sessions/create-processing.ts';
 import { readMetrics } from './status/metrics.ts';
 import { Samples } from './status/samples.ts';
 import { PatternTable } from './topics/pattern-table.ts';
@@ -30,6 +32,7 @@ import { TopicTable } from './topics/topic-table.ts';
 export function createMaster(ports: MasterPorts, settings: MasterSettings): Master {
   const core = createCore(ports, { ...DEFAULT_LIMITS, ...settings.limits }, settings);
   const liveness = new Liveness(core.clock, core.clients, core.limits);
+  core.processing.sessions.restore(); // [SE-24]
   return {
     id: core.id,
     handleServiceRequest(request: ServiceRequest): Promise<ServiceAnswer> {
@@ -47,12 +50,13 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     metrics(): MasterMetrics {
       return readMetrics(core);
     },
-    close(): void {
+    async close(): Promise<void> {
       liveness.close();
       core.samples.close();
       for (const { socket } of core.clients.values()) {
         socket?.close(CLOSE.goingAway.code, CLOSE.goingAway.reason);
       }
+      await core.processing.close();
     },
   };
 }
@@ -61,6 +65,7 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
 function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings): Core {
   const { clock, log } = ports;
   const startedMs = clock.nowMs();
+  const id = ports.ids.uuid();
   const counters = new Counters();
   const events = new EventLog(clock);
   const limitWatch = new LimitWatch(limits, clock, log, events);
@@ -77,7 +82,12 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
   });
   const selections = new SelectionTable();
   // A thousand epochs fit into each millisecond that earlier runs of the master lasted.
-  const topics = new TopicTable([patterns, selections], startedMs * 1000, limits.keptRemovals);
+  const topics = new TopicTable(
+    [patterns, selections],
+    startedMs * 1000,
+    limits.keptRemovals,
+    (entry) => tellListeners(publishing, entry),
+  );
   const subscriptions: SubscriptionTable = new SubscriptionTable({
     topics,
     patterns,
@@ -86,7 +96,8 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     components: () => devices.components(),
   });
   const publishing = { topics, subscriptions, limits, counters };
-  const info = new InfoTopics(new MasterPublisher(publishing, clock));
+  const publisher = new MasterPublisher(publishing, clock);
+  const info = new InfoTopics(publisher);
 
   const budget = new RegistrationBudget(limitWatch);
   const shared = { ...ports, limits: limitWatch, events, topics, subscriptions, info, budget };
@@ -95,6 +106,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     ...shared,
     devices,
     createSubscriber: subscriberFactory({ clock, limits, counters, topics, subscriptions }),
+    onPresence: (client) => processing.handlePresence(client.id),
   });
   const sockets = new SocketAdmission({
     ...ports,
@@ -104,12 +116,23 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     clients,
     onSign: (client) => clients.handleSign(client),
     onClosed: (socket) => sockets.handleClosed(socket),
+    onNodeMessage: (client, bytes) => processing.reports.handleMessage(client, bytes),
+  });
+  const processing: Processing = createProcessing({
+    ports,
+    settings,
+    masterId: id,
+    limitWatch,
+    clients,
+    devices,
+    publishing,
+    publisher,
   });
   const samples = new Samples(clock, ports.usage, counters);
   events.add(StatusEventKind.MASTER_STARTED, 'The master started');
   return {
     ...ports,
-    id: ports.ids.uuid(),
+    id,
     startedMs,
     settings,
     limits,
@@ -119,6 +142,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     sockets,
     devices,
     info,
+    processing,
     counters,
     limitWatch,
     events,

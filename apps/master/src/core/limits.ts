@@ -86,6 +86,27 @@ export const DEFAULT_LIMITS = {
   /** A socket that takes nothing for this long is closed, milliseconds (SLOW_SOCKET_TIMEOUT_MS). A raw 4K image in one piece passes at 10 Mbit/s. */
   slowSocketTimeoutMs: 30_000,
 
+  // --- Sessions ---
+
+  /** Sessions the master knows, stopped ones included (MAX_SESSIONS). A workshop has some hundred; one takes tens of KiB. */
+  sessions: 1_024,
+  /** Modules of one session (MAX_MODULES_PER_SESSION). An orchestra of 256 players, each with its own. */
+  modulesPerSession: 256,
+  /** Inputs and outputs mapped in one session (MAX_MAPPINGS_PER_SESSION). Sixteen for each module. */
+  mappingsPerSession: 4_096,
+  /** Bytes of the source of one module (MAX_SOURCE_BYTES), as nodes take it. A bundled library fits. */
+  moduleSourceBytes: 1 * MIB,
+  /** Stored sessions, and stored modules. */
+  storedDocuments: 4_096,
+  /** Looking at the code of a session, milliseconds. A worker that has to be started first takes a fifth. */
+  sourceCheckTimeoutMs: 3_000,
+  /** Time nodes have to say that modules run, milliseconds (START_TIMEOUT_MS). Loading a detector from disk takes some seconds. */
+  startTimeoutMs: 10_000,
+  /** Time nodes have to say that modules ended, milliseconds (STOP_TIMEOUT_MS). */
+  stopTimeoutMs: 10_000,
+  /** What a node may take for its share of a lockstep pass, milliseconds (LOCKSTEP_TIMEOUT_MS). Slower than two a second is no lockstep any more. */
+  lockstepTimeoutMs: 500,
+
   // --- Time ---
 
   /** The answer to a service request, milliseconds (SERVICE_TIMEOUT_MS). Shorter than the 10 s after which clients of ours give up. */

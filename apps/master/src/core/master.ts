@@ -45,6 +45,6 @@ export interface Master {
     connection: ClientConnection,
   ): ConnectionHandle | undefined;
   readonly metrics: () => MasterMetrics;
-  /** Ends every timer and closes every connection with code 1001. */
-  close(): void;
+  /** Ends every timer, closes every connection with code 1001, and ends modules and workers. */
+  close(): Promise<void>;
 }

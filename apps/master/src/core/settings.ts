@@ -1,5 +1,7 @@
-import type { Init, MasterAddress } from '@ubii/proto';
+import type { SandboxFactory } from '@ubii/pm-sandbox';
+import type { Init, MasterAddress, ProcessingModule } from '@ubii/proto';
 import type { Clock } from './ports/clock.ts';
+import type { SessionStorage } from './ports/document-store.ts';
 import type { IdSource } from './ports/id-source.ts';
 import type { Log } from './ports/log.ts';
 import type { PatternCompiler } from './ports/pattern-compiler.ts';
@@ -15,6 +17,11 @@ export interface MasterPorts {
   readonly log: Log;
   readonly patterns: PatternCompiler;
   readonly usage: ResourceUsage;
+  /** Where modules on the master run. Opened when the first of them comes; the core closes it. */
+  readonly sandboxes: SandboxFactory;
+  readonly storage: SessionStorage;
+  /** Trusted modules: those that came with the program, and the operator's [PM-51]. The same list as long as nothing changes. */
+  readonly library: () => readonly ProcessingModule[];
 }
 
 /** Where this master can be reached. */
@@ -39,6 +46,10 @@ export interface MasterSettings {
   readonly version: string;
   /** Asked anew for each reply: ports are known only once the master listens, networks come and go. */
   readonly endpoints: () => MasterEndpoints;
+  /** Names of the libraries that trusted modules find in `state.modules`. Default: none. */
+  readonly libraries?: readonly string[];
+  /** How many modules this master likes to run at once. Default: 100. */
+  readonly capacity?: number;
   /** Limits that differ from `DEFAULT_LIMITS`. */
   readonly limits?: Partial<Limits>;
 }

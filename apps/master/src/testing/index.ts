@@ -1,3 +1,4 @@
+export { MemoryDocuments, MemoryStorage } from './memory-documents.ts';
 export { FakeClock } from './fake-clock.ts';
 export { FixedUsage } from './fixed-usage.ts';
 export { NativePatterns } from './native-patterns.ts';

@@ -7,6 +7,9 @@ export class NativePatterns implements PatternCompiler {
       throw new Error('look-around and back-references are not supported');
     }
     const pattern = new RegExp(source, 'u');
-    return { test: (text) => pattern.test(text) };
+    return {
+      test: (text) => pattern.test(text),
+      match: (text) => pattern.exec(text) ?? undefined,
+    };
   }
 }

@@ -7,6 +7,7 @@ export type Sent =
   | { readonly kind: 'record'; readonly record: Uint8Array }
   | { readonly kind: 'list'; readonly records: readonly Uint8Array[] }
   | { readonly kind: 'error'; readonly error: ErrorMessage }
+  | { readonly kind: 'frame'; readonly frame: Uint8Array }
   | { readonly kind: 'PING' }
   | { readonly kind: 'PONG' }
   | { readonly kind: 'close'; readonly code: number; readonly reason: string };
@@ -42,6 +43,10 @@ export class RecordingConnection implements ClientConnection {
 
   sendError(error: ErrorMessage): void {
     this.#add({ kind: 'error', error });
+  }
+
+  sendFrame(frame: Uint8Array): void {
+    this.#add({ kind: 'frame', frame });
   }
 
   sendPing(): void {

@@ -4,6 +4,7 @@ import {
   fromJson,
   type Client,
   type Init,
+  type ProcessingModule,
   type ServiceReply,
   type ServiceRequest,
 } from '@ubii/proto';
@@ -13,7 +14,10 @@ import type { Master } from '../core/master.ts';
 import type { PatternCompiler } from '../core/ports/pattern-compiler.ts';
 import type { MasterEndpoints } from '../core/settings.ts';
 import { FakeClock } from './fake-clock.ts';
+import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
+import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { FixedUsage } from './fixed-usage.ts';
+import { MemoryStorage } from './memory-documents.ts';
 import { NativePatterns } from './native-patterns.ts';
 import { PlainTokens } from './plain-tokens.ts';
 import { RecordingLog } from './recording-log.ts';
@@ -27,6 +31,12 @@ export interface TestMasterOptions {
   readonly endpoints?: Partial<MasterEndpoints>;
   /** A clock that was there before: for a second run of the master. */
   readonly clock?: FakeClock;
+  /** Default: code runs on the thread of the test. */
+  readonly sandboxes?: SandboxFactory;
+  /** Storage that was there before: for a second run of the master. */
+  readonly storage?: MemoryStorage;
+  /** Trusted modules. Default: none. */
+  readonly library?: readonly ProcessingModule[];
 }
 
 /** A whole master in memory, with fakes all around and clients that talk to it directly. */
@@ -34,10 +44,13 @@ export class TestMaster {
   readonly clock: FakeClock;
   readonly log = new RecordingLog();
   readonly tokens = new PlainTokens();
+  readonly storage: MemoryStorage;
   readonly master: Master;
 
-  constructor({ limits = {}, patterns, endpoints, clock }: TestMasterOptions = {}) {
+  constructor(options: TestMasterOptions = {}) {
+    const { limits = {}, patterns, endpoints, clock, library = [], sandboxes } = options;
     this.clock = clock ?? new FakeClock();
+    this.storage = options.storage ?? new MemoryStorage();
     this.master = createMaster(
       {
         clock: this.clock,
@@ -46,6 +59,9 @@ export class TestMaster {
         log: this.log,
         patterns: patterns ?? new NativePatterns(),
         usage: new FixedUsage(),
+        sandboxes: sandboxes ?? createInlineSandboxes(),
+        storage: this.storage,
+        library: () => library,
       },
       {
         version: '1.2.3',

@@ -19,7 +19,17 @@ export class Re2Patterns implements PatternCompiler {
     // differently (named groups, escapes), it is translated.
     const pattern = RE2JS.compile(RE2JS.translateRegExp(source));
     if (pattern.programSize() > this.#maxInstructions) throw new Error(this.#tooLarge());
-    return pattern;
+    return {
+      test: (text) => pattern.test(text),
+      match(text) {
+        const matcher = pattern.matcher(text);
+        if (!matcher.find()) return undefined;
+        return Array.from(
+          { length: matcher.groupCount() + 1 },
+          (_, group) => matcher.group(group) ?? undefined,
+        );
+      },
+    };
   }
 
   #tooLarge(): string {

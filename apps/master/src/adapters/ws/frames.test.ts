@@ -79,7 +79,13 @@ describe('frames', () => {
   });
 
   it('[TD-17] hold an error', () => {
-    const error = { title: 'Limit reached', message: 'Too many.', stack: '', code: 'internal' };
+    const error = {
+      title: 'Limit reached',
+      message: 'Too many.',
+      stack: '',
+      code: 'internal',
+      problems: [],
+    };
     const [frame] = parseFrames(errorFrame(error));
     expect(decodeTopicData(frame?.payload ?? new Uint8Array()).error).toMatchObject(error);
   });

@@ -76,6 +76,11 @@ export function errorFrame(error: ErrorMessage): FrameParts {
   return [frame(BINARY, encodeErrorFrame(error))];
 }
 
+/** A frame with an encoded `TopicData`. */
+export function binaryFrame(payload: Uint8Array): FrameParts {
+  return [frame(BINARY, payload)];
+}
+
 function textFrame(text: string): FrameParts {
   return [frame(TEXT, Buffer.from(text, 'latin1'))];
 }

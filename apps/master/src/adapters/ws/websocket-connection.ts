@@ -3,7 +3,7 @@ import type { Duplex } from 'node:stream';
 import type { WebSocket } from 'ws';
 
 import type { ClientConnection, RecordBatch } from '../../core/ports/index.ts';
-import { PING_FRAME, PONG_FRAME, errorFrame, listFrames, singleFrames } from './frames.ts';
+import { PING_FRAME, PONG_FRAME, binaryFrame, errorFrame, listFrames, singleFrames } from './frames.ts';
 import type { FrameParts } from './joined-parts.ts';
 
 /** What the reason of a close frame may take beside its code (RFC 6455, section 5.5.1). */
@@ -39,6 +39,10 @@ export class WebSocketConnection implements ClientConnection {
 
   sendError(error: ErrorMessage): void {
     this.#write(errorFrame(error));
+  }
+
+  sendFrame(frame: Uint8Array): void {
+    this.#write(binaryFrame(frame));
   }
 
   // [TD-5]

@@ -7,7 +7,7 @@ import type { ResumeTokens } from '../ports/resume-tokens.ts';
 import type { EventLog } from '../status/event-log.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
-import type { Subscriber } from '../topics/subscriber.ts';
+import type { ClientSubscriber } from '../topics/subscriber.ts';
 import { TokenBucket } from '../topics/token-bucket.ts';
 import { quote } from '../topics/topic-names.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
@@ -27,7 +27,9 @@ export interface ClientContext {
   readonly devices: DeviceRegistry;
   readonly info: InfoTopics;
   readonly budget: RegistrationBudget;
-  readonly createSubscriber: (clientId: string, isExtension: boolean) => Subscriber;
+  readonly createSubscriber: (clientId: string, isExtension: boolean) => ClientSubscriber;
+  /** The client can be reached now, or no longer: as a node it matters [SE-31]. */
+  readonly onPresence: (client: Client) => void;
 }
 
 /** Every registered client, and what becomes of it. */
@@ -93,6 +95,7 @@ export class ClientRegistry {
         client.id,
       );
     }
+    this.#context.onPresence(client);
     return { client, isResumed: earlierId !== undefined, isKnown: known !== undefined };
   }
 
@@ -118,6 +121,7 @@ export class ClientRegistry {
       events.add(StatusEventKind.CLIENT_RETURNED, `${client.label} is back`, client.id);
     }
     info.announceClient(client); // [CL-31]
+    if (status === 'unavailable' || status === 'active') this.#context.onPresence(client);
   }
 
   /** The id this registration may have because it proves to be the one who had it [EX-3]. */
@@ -154,6 +158,7 @@ export class ClientRegistry {
     budget.require(client, growth);
     budget.add(client, growth);
     client.spec = spec;
+    client.node = client.isExtension ? message.extension?.node : undefined; // [PM-60]
     client.takesRecordLists = message.extension?.recordLists ?? false; // [EX-2]
     client.socket?.setRecordLists(client.takesRecordLists);
   }
@@ -184,6 +189,7 @@ export class ClientRegistry {
       events.add(StatusEventKind.CLIENT_LEFT, `${client.label} left`, client.id);
     }
     info.announceClientGone(client); // [CL-31]
+    this.#context.onPresence(client);
   }
 
   #endTopics(client: Client): void {

@@ -1,7 +1,7 @@
-import type { Client as ClientMessage, Device } from '@ubii/proto';
+import type { Client as ClientMessage, Device, NodeExtension } from '@ubii/proto';
 import { Streak } from '../status/streak.ts';
 import type { PublishingClient } from '../topics/publication.ts';
-import type { Subscriber } from '../topics/subscriber.ts';
+import type { ClientSubscriber } from '../topics/subscriber.ts';
 import type { TokenBucket } from '../topics/token-bucket.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import { wireState, type ClientStatus } from './client-states.ts';
@@ -15,7 +15,7 @@ export interface ClientParts {
   readonly id: string;
   readonly spec: ClientSpec;
   readonly isExtension: boolean;
-  readonly subscriber: Subscriber;
+  readonly subscriber: ClientSubscriber;
   readonly recordBudget: TokenBucket;
   readonly byteBudget: TokenBucket;
   readonly nowMs: number;
@@ -26,13 +26,15 @@ export class Client implements PublishingClient {
   readonly id: string;
   /** It sent `Client.extension` at registration [EX-1]. */
   readonly isExtension: boolean;
-  readonly subscriber: Subscriber;
+  readonly subscriber: ClientSubscriber;
   readonly recordBudget: TokenBucket;
   readonly byteBudget: TokenBucket;
   readonly ownedTopics = new Set<TopicEntry>();
   readonly devices = new Map<string, Device>();
 
   spec: ClientSpec;
+  /** What it said of itself as a node; undefined when it is none [PM-60]. */
+  node: NodeExtension | undefined = undefined;
   /** Takes lists of records [EX-2]. */
   takesRecordLists = false;
   /** Encoded bytes of what it registered, devices included. */

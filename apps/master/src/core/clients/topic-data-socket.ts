@@ -23,6 +23,8 @@ export interface SocketContext extends PublishContext {
   readonly counters: Counters;
   /** The client gave a sign of life. */
   readonly onSign: (client: Client) => void;
+  /** A node says something. @throws DecodeError when it cannot be read */
+  readonly onNodeMessage: (client: Client, bytes: Uint8Array) => void;
   /** The socket is closed, from whichever side. Not called for one that was superseded. */
   readonly onClosed: (socket: TopicDataSocket) => void;
 }
@@ -139,7 +141,21 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
     // Nothing is asked of the master by a client's error.
   }
 
+  nodeMessage(start: number, end: number): void {
+    const { frame } = this.#publication;
+    if (this.client.node === undefined) {
+      this.handleProtocolError('A node message was received from a client that is no node.'); // [EX-20]
+      return;
+    }
+    this.#context.onNodeMessage(this.client, frame.subarray(start, end));
+  }
+
   // --- What the master does with it ---
+
+  /** Sends a frame of topic data as it is. */
+  sendFrame(frame: Uint8Array): void {
+    if (this.#isOpen) this.#connection.sendFrame(frame);
+  }
 
   /** Closes the socket from our side. */
   close(code: number, reason: string): void {

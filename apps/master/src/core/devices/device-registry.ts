@@ -32,11 +32,15 @@ interface Registered {
   readonly byteLength: number;
 }
 
+const NO_COMPONENTS: readonly Component[] = [];
+
 /** Every registered device with its components. */
 export class DeviceRegistry {
   readonly #context: DeviceContext;
   readonly #devices = new Map<string, Registered>();
   readonly #componentIds = new Set<string>();
+  /** Components that publish, by topic; made when somebody asks. */
+  #byTopic: Map<string, Component[]> | undefined = undefined;
 
   constructor(context: DeviceContext) {
     this.#context = context;
@@ -60,6 +64,16 @@ export class DeviceRegistry {
   /** Every component that is registered, of clients that are away as well. */
   *components(): Iterable<Component> {
     for (const { device } of this.#devices.values()) yield* device.components;
+  }
+
+  /** Registered components that publish on this topic. */
+  publishersOf(topic: string): readonly Component[] {
+    return this.#publishers().get(topic) ?? NO_COMPONENTS;
+  }
+
+  /** Id of the device that has a component which publishes on this topic. */
+  deviceOfTopic(topic: string): string | undefined {
+    return this.#publishers().get(topic)?.[0]?.deviceId;
   }
 
   /**
@@ -112,6 +126,18 @@ export class DeviceRegistry {
     for (const id of [...client.devices.keys()]) this.deregister(client, id);
   }
 
+  #publishers(): Map<string, Component[]> {
+    if (this.#byTopic !== undefined) return this.#byTopic;
+    const byTopic = new Map<string, Component[]>();
+    for (const component of this.components()) {
+      if (component.ioType === ComponentIOType.SUBSCRIBER || component.topic === '') continue;
+      const others = byTopic.get(component.topic);
+      if (others === undefined) byTopic.set(component.topic, [component]);
+      else others.push(component);
+    }
+    return (this.#byTopic = byTopic);
+  }
+
   #check(
     client: Client,
     message: Device,
@@ -135,6 +161,7 @@ export class DeviceRegistry {
     const { device, client, byteLength } = registered;
     const { subscriptions, info, budget } = this.#context;
     this.#devices.set(device.id, registered);
+    this.#byTopic = undefined;
     client.devices.set(device.id, device);
     budget.add(client, byteLength);
     for (const component of device.components) {
@@ -150,6 +177,7 @@ export class DeviceRegistry {
   #remove({ device, client, byteLength }: Registered): void {
     const { subscriptions, budget } = this.#context;
     this.#devices.delete(device.id);
+    this.#byTopic = undefined;
     client.devices.delete(device.id);
     budget.add(client, -byteLength);
     for (const component of device.components) {

@@ -10,6 +10,8 @@ export interface ClientConnection {
   send(batch: RecordBatch): void;
   /** Sends a `TopicData` that holds this error. */
   sendError(error: ErrorMessage): void;
+  /** Sends one complete encoded `TopicData`. */
+  sendFrame(frame: Uint8Array): void;
   /** Sends the text `PING`. */
   sendPing(): void;
   /** Sends the text `PONG`. */

@@ -6,4 +6,5 @@ export type { CompiledPattern, PatternCompiler } from './pattern-compiler.ts';
 export type { ResourceUsage } from './resource-usage.ts';
 export type { BatchEncoder, RecordBatch } from './record-batch.ts';
 export type { ClientConnection } from './client-connection.ts';
+export type { DocumentStore, SessionStorage, StoredDocument } from './document-store.ts';
 export type { ConnectionHandle } from './connection-handle.ts';

@@ -2,6 +2,8 @@
 export interface CompiledPattern {
   /** Whether the pattern matches anywhere in `text` (unanchored). Time is linear in `text.length`. */
   test(text: string): boolean;
+  /** The first match anywhere in `text` with its capture groups, as `String.match` gives them; undefined when there is none. */
+  match(text: string): readonly (string | undefined)[] | undefined;
 }
 
 /** Compiles regular expressions whose matching time is linear in the text, whatever the pattern. */

@@ -9,6 +9,37 @@ import {
 } from './devices.ts';
 import type { ServiceHandler } from './handler.ts';
 import { describeServer, listServices, masterStatus } from './server.ts';
+import {
+  addRunningModules,
+  deleteModule,
+  getModule,
+  getRunningModule,
+  listLocalModules,
+  listModules,
+  listNodes,
+  listOnlineModules,
+  listRunningModules,
+  removeRunningModules,
+  saveModule,
+} from './modules.ts';
+import {
+  deleteStoredSession,
+  getStoredSession,
+  listOnlineSessions,
+  listStoredSessions,
+  saveSessions,
+} from './session-database.ts';
+import {
+  addSession,
+  getSession,
+  listSessions,
+  pauseSession,
+  removeSession,
+  resumeSession,
+  startSession,
+  stopSession,
+  updateSession,
+} from './sessions.ts';
 import { subscribe } from './topic-subscription.ts';
 import { listTopics, topicStatistics } from './topics.ts';
 
@@ -27,6 +58,32 @@ const DOMAIN_HANDLERS = {
   componentGetList: listComponents,
   topicStatistics,
   masterStatus,
+  nodeList: listNodes,
+  sessionRuntimeAdd: addSession,
+  sessionRuntimeGet: getSession,
+  sessionRuntimeGetList: listSessions,
+  sessionRuntimeStart: startSession,
+  sessionRuntimeStop: stopSession,
+  sessionRuntimeUpdate: updateSession,
+  sessionRuntimeRemove: removeSession,
+  sessionPause: pauseSession,
+  sessionResume: resumeSession,
+  sessionDatabaseSave: saveSessions,
+  sessionDatabaseDelete: deleteStoredSession,
+  sessionDatabaseGet: getStoredSession,
+  sessionDatabaseGetList: listStoredSessions,
+  sessionDatabaseLocalGetList: listStoredSessions,
+  sessionDatabaseOnlineGetList: listOnlineSessions,
+  processingModuleDatabaseSave: saveModule,
+  processingModuleDatabaseDelete: deleteModule,
+  processingModuleDatabaseGet: getModule,
+  processingModuleDatabaseGetList: listModules,
+  processingModuleDatabaseLocalGetList: listLocalModules,
+  processingModuleDatabaseOnlineGetList: listOnlineModules,
+  processingModuleRuntimeAdd: addRunningModules,
+  processingModuleRuntimeRemove: removeRunningModules,
+  processingModuleRuntimeGet: getRunningModule,
+  processingModuleRuntimeGetList: listRunningModules,
 } as const satisfies Partial<Record<ServiceName, ServiceHandler>>;
 
 /** The services that are answered, these two lists of them included. */

@@ -4,7 +4,7 @@ import type { Counters } from '../status/counters.ts';
 import { EndOfTurn } from './end-of-turn.ts';
 import { Outbox, type OutboxContext } from './outbox.ts';
 import { Sampler, type SamplerContext } from './sampler.ts';
-import type { Subscriber } from './subscriber.ts';
+import type { ClientSubscriber } from './subscriber.ts';
 import type { SubscriptionTable } from './subscription-table.ts';
 import { TokenBucket } from './token-bucket.ts';
 import type { TopicTable } from './topic-table.ts';
@@ -21,7 +21,7 @@ export interface SubscriberParts {
 /** Makes the subscriber of each new client; all of them share the end of the turn. */
 export function subscriberFactory(
   parts: SubscriberParts,
-): (clientId: string, isExtension: boolean) => Subscriber {
+): (clientId: string, isExtension: boolean) => ClientSubscriber {
   const { clock, limits, counters, topics, subscriptions } = parts;
   const outboxContext: OutboxContext = {
     clock,

@@ -1,17 +1,19 @@
 import type { ComponentSelection } from './component-selection.ts';
 import type { Outbox } from './outbox.ts';
 import type { Pattern } from './pattern.ts';
+import type { Receiver } from './receiver.ts';
 import type { Sampler } from './sampler.ts';
 import type { TokenBucket } from './token-bucket.ts';
 import type { TopicEntry } from './topic-entry.ts';
 
-/** One client as somebody who subscribes: its subscriptions stand without a socket [TD-20]. */
+/** Somebody who subscribes: a client, or a module on the master. */
 export interface Subscriber {
   readonly clientId: string;
   /** Gets topics under /ubii/, and retained records for patterns and profiles [TD-24] [TD-26]. */
   readonly isExtension: boolean;
-  readonly outbox: Outbox;
-  readonly sampler: Sampler;
+  readonly outbox: Receiver;
+  /** Undefined: gets every record. */
+  readonly sampler: Sampler | undefined;
   /** Milliseconds that matching its patterns may take [TD-29]. */
   readonly patternBudget: TokenBucket;
   readonly topics: Set<TopicEntry>;
@@ -19,4 +21,10 @@ export interface Subscriber {
   readonly selections: Set<ComponentSelection>;
   /** Ids of its devices that watch everything [DV-3]. */
   readonly watchers: Set<string>;
+}
+
+/** One client as somebody who subscribes: its subscriptions stand without a socket [TD-20]. */
+export interface ClientSubscriber extends Subscriber {
+  readonly outbox: Outbox;
+  readonly sampler: Sampler;
 }

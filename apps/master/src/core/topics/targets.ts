@@ -1,4 +1,4 @@
-import type { Outbox } from './outbox.ts';
+import type { Receiver } from './receiver.ts';
 import { SampledTopic, type Sampler } from './sampler.ts';
 import type { Subscriber } from './subscriber.ts';
 import type { TopicEntry } from './topic-entry.ts';
@@ -6,7 +6,7 @@ import type { TopicEntry } from './topic-entry.ts';
 /** Who gets a record of a topic, each client once [TD-14]. */
 export interface Targets {
   /** Get every record. */
-  readonly direct: readonly Outbox[];
+  readonly direct: readonly Receiver[];
   /** Get the newest one, at most so often [TD-28]. */
   readonly sampled: readonly SampledTopic[];
 }
@@ -29,11 +29,15 @@ export function computeTargets(entry: TopicEntry, watchers: Iterable<Subscriber>
   }
   for (const subscriber of watchers) add(subscriber, 0);
 
-  const direct: Outbox[] = [];
+  const direct: Receiver[] = [];
   const sampled: SampledTopic[] = [];
   const before = new Map<Sampler, SampledTopic>();
   for (const sample of entry.targets?.sampled ?? []) before.set(sample.sampler, sample);
   for (const [{ outbox, sampler }, rateHz] of rates) {
+    if (sampler === undefined) {
+      direct.push(outbox);
+      continue;
+    }
     const sample = before.get(sampler);
     before.delete(sampler);
     if (rateHz === 0) {

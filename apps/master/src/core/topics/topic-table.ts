@@ -11,6 +11,7 @@ export class TopicTable {
   readonly #entries = new Map<string, TopicEntry>();
   readonly #matching: readonly TopicMatching[];
   readonly #keptRemovals: number;
+  readonly #onGone: (entry: TopicEntry) => void;
   #removals: { topic: string; epoch: number }[] = [];
   #retainedBytes = 0;
   #sequence = 0;
@@ -21,12 +22,19 @@ export class TopicTable {
    * @param matching Asked in this order.
    * @param firstEpoch Where the epochs of the statistics begin: beyond those of every earlier run.
    * @param keptRemovals Forgotten topics remembered for the statistics.
+   * @param onGone The value of a topic was deleted.
    */
-  constructor(matching: readonly TopicMatching[], firstEpoch: number, keptRemovals: number) {
+  constructor(
+    matching: readonly TopicMatching[],
+    firstEpoch: number,
+    keptRemovals: number,
+    onGone: (entry: TopicEntry) => void = () => undefined,
+  ) {
     this.#matching = matching;
     this.#firstEpoch = firstEpoch;
     this.#epoch = firstEpoch;
     this.#keptRemovals = keptRemovals;
+    this.#onGone = onGone;
   }
 
   get size(): number {
@@ -87,6 +95,7 @@ export class TopicTable {
     entry.owner?.ownedTopics.delete(entry);
     entry.owner = undefined;
     entry.changedEpoch = this.#epoch;
+    this.#onGone(entry);
     this.forgetIfUnused(entry);
   }
 

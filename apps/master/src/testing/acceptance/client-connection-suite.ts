@@ -10,6 +10,7 @@ export type Seen =
   | { readonly kind: 'record'; readonly record: Uint8Array }
   | { readonly kind: 'list'; readonly records: readonly Uint8Array[] }
   | { readonly kind: 'error'; readonly error: ErrorMessage }
+  | { readonly kind: 'frame'; readonly frame: Uint8Array }
   | { readonly kind: 'PING' }
   | { readonly kind: 'PONG' }
   | { readonly kind: 'close'; readonly code: number; readonly reason: string };

@@ -1,0 +1,150 @@
+import { mkdirSync, readdirSync, readFileSync, statSync } from 'node:fs';
+import { rm } from 'node:fs/promises';
+import { join } from 'node:path';
+
+import type { JsonObject } from '@ubii/proto';
+import type { Cancel, DocumentStore, StoredDocument } from '../../core/ports/index.ts';
+import { fileNameOf, keyOfFileName } from './file-names.ts';
+import { FolderWatch } from './folder-watch.ts';
+import { writeAtomically } from './write-atomically.ts';
+
+/** What is no document of ours, or a mistake: a whole session with its code takes some hundred KiB. */
+const MAX_FILE_BYTES = 32 * 1024 * 1024;
+
+interface KnownFile {
+  /** Time, size and number: what a change of the file changes. */
+  readonly stamp: string;
+  readonly key: string;
+  readonly document: StoredDocument;
+}
+
+/** A folder of JSON files, one a document, which people may edit while the master runs [SE-20] [SE-23]. */
+export class FileDocuments implements DocumentStore {
+  readonly #folder: string;
+  readonly #extension: string;
+  readonly #listeners = new Set<(keys: readonly string[]) => void>();
+  readonly #watch: FolderWatch;
+  #files = new Map<string, KnownFile>();
+  #documents = new Map<string, StoredDocument>();
+  /** Writes follow one another: the last one wins, whatever the disk does. */
+  #queue: Promise<void> = Promise.resolve();
+
+  /**
+   * @param folder made when it is missing
+   * @param extension of its files, with the dot
+   */
+  constructor(folder: string, extension: string) {
+    this.#folder = folder;
+    this.#extension = extension;
+    mkdirSync(folder, { recursive: true });
+    this.#scan();
+    this.#watch = new FolderWatch(folder, () => this.#handleChange());
+  }
+
+  documents(): ReadonlyMap<string, StoredDocument> {
+    return this.#documents;
+  }
+
+  describe(key: string): string {
+    return join(this.#folder, this.#fileOf(key));
+  }
+
+  write(key: string, json: JsonObject): Promise<void> {
+    return this.#enqueue(async () => {
+      await writeAtomically(this.describe(key), `${JSON.stringify(json, undefined, 2)}\n`);
+    });
+  }
+
+  delete(key: string): Promise<void> {
+    return this.#enqueue(() => rm(this.describe(key), { force: true }));
+  }
+
+  onChange(fn: (keys: readonly string[]) => void): Cancel {
+    this.#listeners.add(fn);
+    return () => this.#listeners.delete(fn);
+  }
+
+  close(): void {
+    this.#watch.close();
+    this.#listeners.clear();
+  }
+
+  /** What is in the queue is done. */
+  async settled(): Promise<void> {
+    await this.#queue;
+  }
+
+  #enqueue(work: () => Promise<void>): Promise<void> {
+    const done = this.#queue.then(async () => {
+      await work();
+      this.#scan();
+    });
+    this.#queue = done.catch(() => undefined);
+    return done;
+  }
+
+  #handleChange(): void {
+    const changed = this.#scan();
+    if (changed.length === 0) return;
+    for (const listener of this.#listeners) listener(changed);
+  }
+
+  /** Reads what has changed. @returns the keys of it */
+  #scan(): string[] {
+    const files = new Map<string, KnownFile>();
+    const changed: string[] = [];
+    for (const name of this.#names()) {
+      const known = this.#files.get(name);
+      const stamp = this.#stamp(name);
+      if (stamp === undefined) continue;
+      const file = known?.stamp === stamp ? known : this.#read(name, stamp);
+      if (file !== known) changed.push(file.key);
+      files.set(name, file);
+    }
+    for (const [name, { key }] of this.#files) if (!files.has(name)) changed.push(key);
+    this.#files = files;
+    if (changed.length > 0) {
+      this.#documents = new Map([...files.values()].map(({ key, document }) => [key, document]));
+    }
+    return changed;
+  }
+
+  #names(): string[] {
+    try {
+      return readdirSync(this.#folder)
+        .filter((name) => name.endsWith(this.#extension) && !name.startsWith('.'))
+        .sort();
+    } catch {
+      // Somebody removed the folder: nothing is stored, until something is.
+      return [];
+    }
+  }
+
+  #stamp(name: string): string | undefined {
+    try {
+      const stats = statSync(join(this.#folder, name), { bigint: true });
+      return `${stats.mtimeNs} ${stats.size} ${stats.ino}`;
+    } catch {
+      return undefined;
+    }
+  }
+
+  #read(name: string, stamp: string): KnownFile {
+    const key = keyOfFileName(name.slice(0, -this.#extension.length));
+    try {
+      const path = join(this.#folder, name);
+      const { size } = statSync(path);
+      if (size > MAX_FILE_BYTES) return { stamp, key, document: { fault: `it has ${size} bytes` } };
+      return { stamp, key, document: { json: JSON.parse(readFileSync(path, 'utf8')) as unknown } };
+    } catch (error) {
+      const reason = error instanceof Error ? error.message : String(error);
+      return { stamp, key, document: { fault: reason } };
+    }
+  }
+
+  /** The file that has the document of this key, or would have it. */
+  #fileOf(key: string): string {
+    for (const [name, file] of this.#files) if (file.key === key) return name;
+    return `${fileNameOf(key)}${this.#extension}`;
+  }
+}

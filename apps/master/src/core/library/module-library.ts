@@ -1,0 +1,80 @@
+import { ServiceError, toJson, type ProcessingModule } from '@ubii/proto';
+import { quote } from '../topics/topic-names.ts';
+import type { ModuleOffer } from '../sessions/complete-modules.ts';
+import { NO_LANGUAGE } from '../sessions/session-module.ts';
+import type { StoredMessages } from './stored-messages.ts';
+
+/** Modules the master has: those of the program and of its operator, and stored ones [SE-22]. */
+export class ModuleLibrary {
+  readonly #trusted: () => readonly ProcessingModule[];
+  readonly #stored: StoredMessages<'ubii.processing.ProcessingModule'>;
+
+  constructor(
+    trusted: () => readonly ProcessingModule[],
+    stored: StoredMessages<'ubii.processing.ProcessingModule'>,
+  ) {
+    this.#trusted = trusted;
+    this.#stored = stored;
+  }
+
+  /** Of two with one name, the operator's counts [PM-64]. */
+  get(name: string): ModuleOffer | undefined {
+    if (name === '') return undefined;
+    const trusted = this.#trusted().find((module) => module.name === name);
+    if (trusted !== undefined) return { module: trusted, isTrusted: true };
+    const module = this.#stored.get(name);
+    return module === undefined ? undefined : { module, isTrusted: false };
+  }
+
+  list(): ProcessingModule[] {
+    const trusted = this.#trusted();
+    const names = new Set(trusted.map(({ name }) => name));
+    const stored = [...this.#stored.list().values()].map(({ message }) => message);
+    return [...trusted, ...stored.filter(({ name }) => !names.has(name))];
+  }
+
+  /** How many are stored. */
+  get storedCount(): number {
+    return this.#stored.list().size;
+  }
+
+  isStored(name: string): boolean {
+    return this.#stored.get(name) !== undefined;
+  }
+
+  /** @throws ServiceError when the module may not be changed. */
+  async save(module: ProcessingModule): Promise<ProcessingModule> {
+    this.#requireStorable(module.name);
+    const stored = storable(module);
+    const json = toJson('ubii.processing.ProcessingModule', stored);
+    await this.#stored.store.write(this.#stored.keyOf(module.name), json);
+    return this.#stored.get(module.name) ?? stored;
+  }
+
+  /** @throws ServiceError when there is none, or it may not be deleted. */
+  async delete(name: string): Promise<void> {
+    this.#requireStorable(name);
+    if (!this.isStored(name)) throw unknownModule(name);
+    await this.#stored.store.delete(this.#stored.keyOf(name));
+  }
+
+  #requireStorable(name: string): void {
+    if (!this.#trusted().some((module) => module.name === name)) return;
+    throw new ServiceError(
+      'failed_precondition', // [SE-22]
+      `The module ${quote(name)} came with the program or from the folder of its operator, so that it cannot be changed here; save a copy under another name.`,
+    );
+  }
+}
+
+export function unknownModule(name: string): ServiceError {
+  return new ServiceError(
+    'not_found',
+    `No module is named ${quote(name)}; /services/processing_module/database/get_list lists those there are.`,
+  );
+}
+
+/** What is kept of a module: nothing of an instance. */
+function storable(module: ProcessingModule): ProcessingModule {
+  return { ...module, id: '', nodeId: '', sessionId: '', status: 0, language: module.language || NO_LANGUAGE };
+}

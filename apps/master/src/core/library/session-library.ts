@@ -1,0 +1,112 @@
+import { ServiceError, toJson, type Session as SessionMessage } from '@ubii/proto';
+import type { Log } from '../ports/log.ts';
+import type { DocumentStore } from '../ports/document-store.ts';
+import type { Session } from '../sessions/session.ts';
+import { quote } from '../topics/topic-names.ts';
+import type { StoredMessages } from './stored-messages.ts';
+
+/** What a node id in a document says of the master, whose own id changes from run to run [SE-30]. */
+export const MASTER_ALIAS = 'master';
+
+/** Stored sessions, and those that come back with the next master. */
+export class SessionLibrary {
+  readonly #stored: StoredMessages<'ubii.sessions.Session'>;
+  readonly #running: StoredMessages<'ubii.sessions.Session'>;
+  readonly #masterId: string;
+  readonly #log: Log;
+
+  constructor(parts: {
+    readonly stored: StoredMessages<'ubii.sessions.Session'>;
+    readonly running: StoredMessages<'ubii.sessions.Session'>;
+    readonly masterId: string;
+    readonly log: Log;
+  }) {
+    this.#stored = parts.stored;
+    this.#running = parts.running;
+    this.#masterId = parts.masterId;
+    this.#log = parts.log;
+  }
+
+  list(): SessionMessage[] {
+    return [...this.#stored.list().values()].map(({ message }) => withStored(message));
+  }
+
+  get(name: string): SessionMessage | undefined {
+    const message = name === '' ? undefined : this.#stored.get(name);
+    return message === undefined ? undefined : withStored(message);
+  }
+
+  /** The stored session of this id, else of this name. @throws ServiceError when there is none. */
+  require(id: string, name: string): SessionMessage {
+    const found =
+      (id === '' ? undefined : this.list().find((message) => message.id === id)) ?? this.get(name);
+    if (found !== undefined) return found;
+    if (id === '' && name === '') {
+      throw new ServiceError('invalid_argument', 'The request names no session; give its id or its name.');
+    }
+    throw new ServiceError(
+      'not_found',
+      `No stored session has the id ${quote(id)} or the name ${quote(name)}; /services/session/database/get_list lists those there are.`,
+    );
+  }
+
+  async save(session: Session): Promise<void> {
+    const { name } = session.description;
+    await this.#stored.store.write(this.#stored.keyOf(name), this.#toJson(session));
+  }
+
+  async delete(name: string): Promise<void> {
+    await this.#stored.store.delete(this.#stored.keyOf(name));
+  }
+
+  /** Sessions that ran when the master ended [SE-24]. */
+  interrupted(): SessionMessage[] {
+    return this.#running.entries().map(({ key, message }) => ({ ...message, id: key }));
+  }
+
+  /** Remembers, or forgets, that a session is to be started with the next master [SE-24]. */
+  remember(session: Session, isToStart: boolean): void {
+    const { store } = this.#running;
+    const done = isToStart
+      ? store.write(session.id, this.#toJson(session))
+      : store.documents().has(session.id)
+        ? store.delete(session.id)
+        : Promise.resolve();
+    done.catch((error: unknown) => {
+      this.#log.error('what runs could not be written down', {
+        session: session.label,
+        reason: String(error),
+      });
+    });
+  }
+
+  /** The specification alone: nothing of how the session is now. */
+  #toJson(session: Session): ReturnType<typeof toJson> {
+    const message = session.toMessage();
+    const { startWithMaster, lockstepHertz, editorJson } = session.description;
+    return toJson('ubii.sessions.Session', {
+      ...message,
+      status: 0,
+      processingModules: session.modules.map(({ spec, wishedNodeId }) => ({
+        ...spec,
+        nodeId: wishedNodeId === this.#masterId ? MASTER_ALIAS : wishedNodeId,
+        sessionId: '',
+        status: 0,
+      })),
+      extension: { startWithMaster, lockstepHertz, editorJson },
+    });
+  }
+}
+
+function withStored(message: SessionMessage): SessionMessage {
+  const extension = message.extension ?? {
+    startWithMaster: false,
+    lockstepHertz: 0,
+    editorJson: '',
+  };
+  return {
+    ...message,
+    status: 0,
+    extension: { ...extension, state: 0, problems: [], revision: 0, stored: true },
+  };
+}

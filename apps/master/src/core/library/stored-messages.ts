@@ -1,0 +1,87 @@
+import { fromJson, type MessageType, type ProcessingModule, type Session } from '@ubii/proto';
+import type { DocumentStore, StoredDocument } from '../ports/document-store.ts';
+
+/** The messages that are stored. */
+interface StoredTypes {
+  'ubii.sessions.Session': Session;
+  'ubii.processing.ProcessingModule': ProcessingModule;
+}
+
+/** A document that cannot be used, and why [SE-23]. */
+export interface BrokenDocument {
+  readonly key: string;
+  readonly where: string;
+  readonly reason: string;
+}
+
+interface Read<M> {
+  readonly document: StoredDocument;
+  readonly message: M | undefined;
+  readonly reason: string;
+}
+
+/** The documents of a store as messages, found by the name inside [SE-20]. */
+export class StoredMessages<T extends keyof StoredTypes & MessageType> {
+  readonly store: DocumentStore;
+  readonly #type: T;
+  /** What was made of a document, as long as it is the same. */
+  #read = new Map<string, Read<StoredTypes[T]>>();
+
+  constructor(store: DocumentStore, type: T) {
+    this.store = store;
+    this.#type = type;
+  }
+
+  /** Every message that can be read. */
+  entries(): { key: string; message: StoredTypes[T] }[] {
+    return [...this.#refresh()].flatMap(([key, { message }]) =>
+      message === undefined ? [] : [{ key, message }],
+    );
+  }
+
+  /** The same by name; of two with one name the first. */
+  list(): Map<string, { key: string; message: StoredTypes[T] }> {
+    const messages = new Map<string, { key: string; message: StoredTypes[T] }>();
+    for (const entry of this.entries()) {
+      if (!messages.has(entry.message.name)) messages.set(entry.message.name, entry);
+    }
+    return messages;
+  }
+
+  get(name: string): StoredTypes[T] | undefined {
+    return this.list().get(name)?.message;
+  }
+
+  broken(): BrokenDocument[] {
+    return [...this.#refresh()]
+      .filter(([, { message }]) => message === undefined)
+      .map(([key, { reason }]) => ({ key, where: this.store.describe(key), reason }));
+  }
+
+  /** Where a message of this name is, or would be, kept. */
+  keyOf(name: string): string {
+    return this.list().get(name)?.key ?? name;
+  }
+
+  #refresh(): Map<string, Read<StoredTypes[T]>> {
+    const read = new Map<string, Read<StoredTypes[T]>>();
+    for (const [key, document] of this.store.documents()) {
+      const before = this.#read.get(key);
+      read.set(key, before?.document === document ? before : this.#decode(key, document));
+    }
+    return (this.#read = read);
+  }
+
+  #decode(key: string, document: StoredDocument): Read<StoredTypes[T]> {
+    if (document.fault !== undefined) {
+      return { document, message: undefined, reason: document.fault };
+    }
+    try {
+      const message = fromJson<keyof StoredTypes>(this.#type, document.json) as StoredTypes[T];
+      return { document, message: { ...message, name: message.name || key }, reason: '' };
+    } catch (error) {
+      const reason = error instanceof Error ? error.message : String(error);
+      return { document, message: undefined, reason };
+    }
+  }
+}

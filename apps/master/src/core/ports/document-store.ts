@@ -1,0 +1,36 @@
+import type { JsonObject } from '@ubii/proto';
+import type { Cancel } from './clock.ts';
+
+/** A document as it was read, or why it could not be. */
+export type StoredDocument =
+  | { readonly json: unknown; readonly fault?: undefined }
+  | { readonly json?: undefined; readonly fault: string };
+
+/** Named JSON documents of one kind, kept between runs. People may change them by hand at any time. */
+export interface DocumentStore {
+  /** Every document as it is now, by its key. */
+  documents(): ReadonlyMap<string, StoredDocument>;
+  /** Where people find the document of this key, for messages. */
+  describe(key: string): string;
+  /**
+   * Writes a document as a whole or not at all. It counts when the promise is fulfilled.
+   * @param key Any text. Nobody else's document has it unless `documents` says so.
+   */
+  write(key: string, json: JsonObject): Promise<void>;
+  /** Deletes a document. One that is not there is deleted already. */
+  delete(key: string): Promise<void>;
+  /** Calls `fn` with the keys of documents that others added, changed or removed. */
+  onChange(fn: (keys: readonly string[]) => void): Cancel;
+  /** Ends the watching. */
+  close(): void;
+}
+
+/** What a master keeps of sessions and modules [SE-20]. */
+export interface SessionStorage {
+  /** Stored sessions, by name. */
+  readonly sessions: DocumentStore;
+  /** Stored modules, by name. */
+  readonly modules: DocumentStore;
+  /** Sessions that are started again with the next master, by id [SE-24]. */
+  readonly running: DocumentStore;
+}

@@ -1,0 +1,225 @@
+import type { InstanceSpec, ModuleFault, ModuleRuntime } from '@ubii/pm-sandbox';
+import {
+  encode,
+  ProcessingModuleStatus,
+  type IOMapping,
+  type ModuleEvent,
+  type ModuleStatistics,
+  type ProcessingMode,
+} from '@ubii/proto';
+import { hasCodeOf } from '../sessions/complete-modules.ts';
+
+/** What the node tells of its modules. */
+export interface LocalReports {
+  onStarted(moduleId: string): void;
+  onStopped(moduleId: string): void;
+  /** It could not be started, was killed, or was given up. */
+  onFailed(moduleId: string, reason: string, fault: ModuleFault | undefined): void;
+  onEvent(event: ModuleEvent): void;
+}
+
+/** What a runtime tells the node it belongs to. */
+export interface RuntimeHooks {
+  onEvent(event: ModuleEvent): void;
+  onStatus(instanceId: string, status: ProcessingModuleStatus, fault?: ModuleFault): void;
+}
+
+interface Want {
+  readonly spec: InstanceSpec;
+  readonly isPaused: boolean;
+}
+
+interface Instance {
+  readonly id: string;
+  sessionId: string;
+  /** What it is to be; undefined: nothing. */
+  want: Want | undefined;
+  /** What it is. */
+  have: Want | undefined;
+  /** What it could not become. */
+  failed: Want | undefined;
+  isBusy: boolean;
+}
+
+/**
+ * The master as a node: makes the instances of a session what the session says, one step at a time for
+ * each, and tells how it went. The runtime is made when the first module comes.
+ */
+export class LocalNode {
+  readonly #createRuntime: (hooks: RuntimeHooks) => ModuleRuntime;
+  readonly #reports: LocalReports;
+  readonly #instances = new Map<string, Instance>();
+  #runtime: ModuleRuntime | undefined = undefined;
+  #isClosed = false;
+
+  constructor(createRuntime: (hooks: RuntimeHooks) => ModuleRuntime, reports: LocalReports) {
+    this.#createRuntime = createRuntime;
+    this.#reports = reports;
+  }
+
+  /** Undefined as long as no module ran here. */
+  get runtime(): ModuleRuntime | undefined {
+    return this.#runtime;
+  }
+
+  get instanceCount(): number {
+    return this.#runtime?.instanceCount ?? 0;
+  }
+
+  /** These are the modules of this session that run here from now on; all others of it end. */
+  sync(sessionId: string, specs: readonly InstanceSpec[], isPaused: boolean): void {
+    const wanted = new Set<string>();
+    for (const spec of specs) {
+      const { id } = spec.module;
+      wanted.add(id);
+      let instance = this.#instances.get(id);
+      if (instance === undefined) {
+        instance = {
+          id,
+          sessionId,
+          want: undefined,
+          have: undefined,
+          failed: undefined,
+          isBusy: false,
+        };
+        this.#instances.set(id, instance);
+      }
+      instance.sessionId = sessionId;
+      instance.want = keepIfEqual({ spec, isPaused }, instance.want);
+      this.#settle(instance);
+    }
+    for (const instance of this.#instances.values()) {
+      if (instance.sessionId !== sessionId || wanted.has(instance.id)) continue;
+      instance.want = undefined;
+      instance.failed = undefined;
+      this.#settle(instance);
+    }
+  }
+
+  /** Forgets a failed attempt: the next `sync` tries again. */
+  retry(moduleId: string): void {
+    const instance = this.#instances.get(moduleId);
+    if (instance !== undefined) instance.failed = undefined;
+  }
+
+  statistics(): ModuleStatistics[] {
+    return this.#runtime?.statistics() ?? [];
+  }
+
+  async close(): Promise<void> {
+    this.#isClosed = true;
+    await this.#runtime?.close();
+  }
+
+  #settle(instance: Instance): void {
+    if (instance.isBusy || this.#isClosed) return;
+    instance.isBusy = true;
+    void this.#work(instance).finally(() => {
+      instance.isBusy = false;
+      if (instance.have === undefined && instance.want === undefined) {
+        this.#instances.delete(instance.id);
+      }
+    });
+  }
+
+  async #work(instance: Instance): Promise<void> {
+    for (;;) {
+      const { want, have, failed } = instance;
+      if (want === have || (have === undefined && want === failed)) return;
+      if (have === undefined) await this.#create(instance, want!);
+      else if (want === undefined || needsRestart(have, want)) await this.#destroy(instance);
+      else await this.#change(instance, have, want);
+      if (this.#isClosed) return;
+    }
+  }
+
+  async #create(instance: Instance, want: Want): Promise<void> {
+    const runtime = (this.#runtime ??= this.#createRuntime({
+      onEvent: (event) => this.#reports.onEvent(event),
+      onStatus: (id, status, fault) => this.#handleStatus(id, status, fault),
+    }));
+    try {
+      await runtime.create(want.spec);
+    } catch (thrown) {
+      instance.failed = want;
+      const fault = isFault(thrown) ? thrown : undefined;
+      this.#reports.onFailed(instance.id, fault?.message ?? String(thrown), fault);
+      return;
+    }
+    instance.have = want;
+    // Nobody wants it any more: the next step ends it.
+    if (instance.want === undefined) return;
+    if (!want.isPaused) runtime.start(instance.id);
+    this.#reports.onStarted(instance.id);
+  }
+
+  async #destroy(instance: Instance): Promise<void> {
+    await this.#runtime?.destroy(instance.id);
+    instance.have = undefined;
+    if (instance.want === undefined) this.#reports.onStopped(instance.id);
+  }
+
+  async #change(instance: Instance, have: Want, want: Want): Promise<void> {
+    const runtime = this.#runtime!;
+    instance.have = want;
+    if (!isEqualMapping(have.spec.mapping, want.spec.mapping)) {
+      runtime.remap(instance.id, want.spec.mapping);
+    }
+    const mode = want.spec.module.processingMode;
+    if (!isEqualMode(have.spec.module.processingMode, mode)) runtime.setMode(instance.id, mode);
+    if (have.isPaused === want.isPaused) return;
+    if (want.isPaused) await runtime.halt(instance.id);
+    else runtime.start(instance.id);
+  }
+
+  #handleStatus(
+    id: string,
+    status: ProcessingModuleStatus,
+    fault: ModuleFault | undefined,
+  ): void {
+    const instance = this.#instances.get(id);
+    // What is under way tells by itself how it went.
+    if (instance?.have === undefined || instance.want === undefined) return;
+    if (fault !== undefined) this.#reports.onFailed(id, fault.message, fault);
+    else if (status === ProcessingModuleStatus.PROCESSING) this.#reports.onStarted(id);
+  }
+}
+
+function keepIfEqual(want: Want, before: Want | undefined): Want {
+  if (before === undefined || before.isPaused !== want.isPaused) return want;
+  const isEqual =
+    !needsRestart(before, want) &&
+    isEqualMapping(before.spec.mapping, want.spec.mapping) &&
+    isEqualMode(before.spec.module.processingMode, want.spec.module.processingMode);
+  return isEqual ? before : want;
+}
+
+/** Mappings and modes change while a module runs; the rest of it does not [SE-15]. */
+export function needsRestart(have: Want, want: Want): boolean {
+  const [before, after] = [have.spec.module, want.spec.module];
+  return (
+    have.spec.isTrusted !== want.spec.isTrusted ||
+    !hasCodeOf(before, after) ||
+    JSON.stringify([before.inputs, before.outputs, before.extension?.libraries]) !==
+      JSON.stringify([after.inputs, after.outputs, after.extension?.libraries])
+  );
+}
+
+function isEqualMapping(one: IOMapping, other: IOMapping): boolean {
+  return (
+    one === other ||
+    isEqualBytes(encode('ubii.sessions.IOMapping', one), encode('ubii.sessions.IOMapping', other))
+  );
+}
+
+function isEqualMode(one: ProcessingMode | undefined, other: ProcessingMode | undefined): boolean {
+  return JSON.stringify(one) === JSON.stringify(other);
+}
+
+function isEqualBytes(one: Uint8Array, other: Uint8Array): boolean {
+  return one.length === other.length && one.every((byte, i) => byte === other[i]);
+}
+
+function isFault(thrown: unknown): thrown is ModuleFault {
+  return typeof thrown === 'object' && thrown !== null && 'kind' in thrown && 'message' in thrown;
+}

@@ -1,0 +1,89 @@
+import { ServiceError, type Session as SessionMessage } from '@ubii/proto';
+import type { Core } from '../core.ts';
+import type { Session } from '../sessions/session.ts';
+import { quote } from '../topics/topic-names.ts';
+import type { ServiceHandler } from './handler.ts';
+import { requireElements } from './list-limits.ts';
+
+/** `/services/session/database/save` [SE-21] */
+export const saveSessions: ServiceHandler = async (core, request) => {
+  const messages = [
+    ...(request.session === undefined ? [] : [request.session]),
+    ...requireElements(core, request.sessionList?.elements ?? []),
+  ];
+  const elements: SessionMessage[] = [];
+  for (const message of messages) elements.push((await saveSession(core, message)).toMessage());
+  return { sessionList: { elements } };
+};
+
+/** `/services/session/database/delete` [SE-21] */
+export const deleteStoredSession: ServiceHandler = async ({ processing }, request) => {
+  const { sessions, sessionLibrary } = processing;
+  const { id, name } = request.session!;
+  // The id may be that of the session that was made of the stored one.
+  const known = sessions.list().find((session) => session.id === id && session.isStored);
+  const stored = sessionLibrary.require(id, known?.description.name ?? name);
+  const made = sessions
+    .list()
+    .filter(({ isStored, description }) => isStored && description.name === stored.name);
+  const running = made.find(({ isLive }) => isLive);
+  if (running !== undefined) {
+    throw new ServiceError(
+      'failed_precondition',
+      `The session ${quote(running.label)} is ${running.life}, and one that runs is not deleted; stop it first.`,
+    );
+  }
+  await sessionLibrary.delete(stored.name);
+  for (const session of made) sessions.setStored(session, false);
+  return { success: { title: 'Success', message: 'The stored session is deleted.' } };
+};
+
+/** `/services/session/database/get` [SE-21] */
+export const getStoredSession: ServiceHandler = ({ processing }, request) => {
+  const { id, name } = request.session!;
+  return { session: processing.sessionLibrary.require(id, name) };
+};
+
+/** `/services/session/database/get_list` and `local/get_list` [SE-21] */
+export const listStoredSessions: ServiceHandler = ({ processing }) => ({
+  sessionList: { elements: processing.sessionLibrary.list() },
+});
+
+/** `/services/session/database/online/get_list` [SE-25] */
+export const listOnlineSessions: ServiceHandler = () => ({ sessionList: { elements: [] } });
+
+/** Makes a session known, and stores it under its name. */
+async function saveSession(core: Core, message: SessionMessage): Promise<Session> {
+  const { sessions, sessionLibrary } = core.processing;
+  if (message.name === '') {
+    throw new ServiceError(
+      'invalid_argument',
+      'The session has no name; give it one, by which it is stored and found.',
+    );
+  }
+  const isNew = sessionLibrary.get(message.name) === undefined;
+  const { storedDocuments } = core.limits;
+  if (isNew && sessionLibrary.list().length >= storedDocuments) {
+    throw core.limitWatch.refusal('storedDocuments', `more than ${storedDocuments} stored sessions`);
+  }
+  const session = await toSave(core, message);
+  await sessionLibrary.save(session);
+  for (const other of sessions.list()) {
+    if (other.description.name === message.name) sessions.setStored(other, other === session);
+  }
+  return session;
+}
+
+/** The session of the id, or of the stored name, with this specification; a new one when there is none. */
+async function toSave({ processing }: Core, message: SessionMessage): Promise<Session> {
+  const { sessions } = processing;
+  const known = sessions
+    .list()
+    .find(({ id, isStored, description }) =>
+      message.id === '' ? isStored && description.name === message.name : id === message.id,
+    );
+  if (known === undefined) return sessions.add(message);
+  // A name and an id alone mean the session as it is.
+  if (message.processingModules.length > 0) await sessions.update(known, message);
+  return known;
+}

@@ -1,0 +1,66 @@
+import type { Session as SessionMessage, ServiceRequest } from '@ubii/proto';
+import type { Core } from '../core.ts';
+import type { Session } from '../sessions/session.ts';
+import type { ServiceHandler } from './handler.ts';
+
+/** `/services/session/runtime/add` [SE-1] */
+export const addSession: ServiceHandler = async ({ processing }, request) => ({
+  session: (await processing.sessions.add(payloadOf(request))).toMessage(),
+});
+
+/** `/services/session/runtime/get` */
+export const getSession: ServiceHandler = (core, request) => ({
+  session: known(core, request).toMessage(),
+});
+
+/** `/services/session/runtime/get_list` */
+export const listSessions: ServiceHandler = ({ processing }) => ({
+  sessionList: { elements: processing.sessions.list().map((session) => session.toMessage()) },
+});
+
+/** `/services/session/runtime/start` [SE-11] */
+export const startSession: ServiceHandler = async ({ processing }, request) => ({
+  session: (await processing.sessions.start(payloadOf(request))).toMessage(),
+});
+
+/** `/services/session/runtime/stop` [SE-13] */
+export const stopSession: ServiceHandler = (core, request) => {
+  const session = known(core, request);
+  core.processing.sessions.stop(session);
+  return { success: { title: 'Success', message: 'The session is being stopped.' } };
+};
+
+/** `/services/session/runtime/update` [SE-15] */
+export const updateSession: ServiceHandler = async (core, request) => {
+  const session = known(core, request);
+  await core.processing.sessions.update(session, payloadOf(request));
+  return { session: session.toMessage() };
+};
+
+/** `/services/session/runtime/remove` [SE-16] */
+export const removeSession: ServiceHandler = (core, request) => {
+  core.processing.sessions.remove(known(core, request));
+  return { success: { title: 'Success', message: 'The session is removed.' } };
+};
+
+/** `/services/ubii/session_pause` [SE-14] */
+export const pauseSession: ServiceHandler = (core, request) => {
+  const session = known(core, request);
+  core.processing.sessions.pause(session);
+  return { session: session.toMessage() };
+};
+
+/** `/services/ubii/session_resume` [SE-14] */
+export const resumeSession: ServiceHandler = (core, request) => {
+  const session = known(core, request);
+  core.processing.sessions.resume(session);
+  return { session: session.toMessage() };
+};
+
+function known({ processing }: Core, request: ServiceRequest): Session {
+  return processing.sessions.require(payloadOf(request).id);
+}
+
+function payloadOf(request: ServiceRequest): SessionMessage {
+  return request.session!;
+}

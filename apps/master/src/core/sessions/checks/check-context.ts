@@ -1,0 +1,32 @@
+import type { Component, DataFormat, SessionProblem } from '@ubii/proto';
+import type { DraftModule } from '../draft.ts';
+
+/** What the checks need to know of the master around a session. All of it may be asked often. */
+export interface CheckContext {
+  /** Why the text is no regular expression of RE2, in a few words; undefined when it is one. */
+  patternFault(source: string): string | undefined;
+  /** Whether an unanchored regular expression that is one matches. */
+  matches(source: string, text: string): boolean;
+  /** Registered components that publish on this topic. */
+  publishers(topic: string): readonly Component[];
+  /** Data format of the value the topic has now; undefined when it has none, or of no known format. */
+  retainedFormat(topic: string): DataFormat | undefined;
+  hasRecord(topic: string): boolean;
+  /** What stands against running this module on this node; undefined when nothing does. */
+  nodeProblem(draft: DraftModule): Omit<SessionProblem, 'path'> | undefined;
+  /** Somebody has code for a module of this name. */
+  isOffered(name: string): boolean;
+  readonly topicBytes: number;
+  readonly sourceBytes: number;
+}
+
+/** One of the checks: everything it finds in the modules of a session. */
+export type Check = (
+  modules: readonly DraftModule[],
+  context: CheckContext,
+) => Iterable<SessionProblem>;
+
+/** What a problem of a module says of it. */
+export function about({ spec }: DraftModule): { moduleId: string; moduleName: string } {
+  return { moduleId: spec.id, moduleName: spec.name };
+}

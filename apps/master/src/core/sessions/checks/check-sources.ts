@@ -1,0 +1,84 @@
+import type { ModuleSource, SandboxFactory } from '@ubii/pm-sandbox';
+import type { SessionProblem } from '@ubii/proto';
+import { isJavaScript } from '../../processing/node.ts';
+import type { Clock } from '../../ports/clock.ts';
+import { quote } from '../../topics/topic-names.ts';
+import type { DraftModule } from '../draft.ts';
+import { errorProblem, warningProblem } from '../problems.ts';
+import { about } from './check-context.ts';
+import { hasCode } from './check-modules.ts';
+
+/** What the check of sources works on. */
+export interface SourceCheckContext {
+  readonly sandboxes: SandboxFactory;
+  readonly clock: Clock;
+  /** All sources of a session are looked at within this time, milliseconds. */
+  readonly timeoutMs: number;
+}
+
+/** Code that does not parse [SE-4]. What nobody looked at in time is a warning: the node will say. */
+export async function checkSources(
+  modules: readonly DraftModule[],
+  { sandboxes, clock, timeoutMs }: SourceCheckContext,
+): Promise<SessionProblem[]> {
+  const toCheck = modules.filter(
+    (draft) => hasCode(draft) && !draft.isLibraryCode && isJavaScript(draft.spec),
+  );
+  if (toCheck.length === 0) return [];
+  let giveUp = (): void => undefined;
+  const timeout = new Promise<'late'>((resolve) => {
+    giveUp = clock.after(timeoutMs, () => resolve('late'));
+  });
+  const problems = await Promise.all(
+    toCheck.map(async (draft) => {
+      const check = sandboxes.check(sourceOf(draft)).catch(() => 'late' as const);
+      const fault = await Promise.race([check, timeout]);
+      if (fault === 'late') return notChecked(draft);
+      return fault === undefined ? undefined : syntaxProblem(draft, fault);
+    }),
+  );
+  giveUp();
+  return problems.filter((problem) => problem !== undefined);
+}
+
+const MEMBERS = {
+  onCreated: 'onCreatedStringified',
+  onProcessing: 'onProcessingStringified',
+  onHalted: 'onHaltedStringified',
+  onDestroyed: 'onDestroyedStringified',
+} as const;
+
+function sourceOf({ spec }: DraftModule): ModuleSource {
+  return {
+    onProcessing: spec.onProcessingStringified,
+    onCreated: spec.onCreatedStringified || undefined,
+    onHalted: spec.onHaltedStringified || undefined,
+    onDestroyed: spec.onDestroyedStringified || undefined,
+  };
+}
+
+function syntaxProblem(
+  draft: DraftModule,
+  fault: NonNullable<Awaited<ReturnType<SandboxFactory['check']>>>,
+): SessionProblem {
+  const member = fault.phase === '' ? MEMBERS.onProcessing : MEMBERS[fault.phase];
+  const where =
+    fault.line === undefined ? '' : ` (line ${fault.line}, column ${fault.column ?? 1})`;
+  return errorProblem({
+    ...about(draft),
+    code: 'syntax',
+    message: `The code of the module ${quote(draft.spec.name)} cannot be used: ${fault.message}${where}`,
+    path: `${draft.path}.${member}`,
+    line: fault.line ?? 0,
+    column: fault.column ?? 0,
+  });
+}
+
+function notChecked(draft: DraftModule): SessionProblem {
+  return warningProblem({
+    ...about(draft),
+    code: 'not_checked',
+    message: `The code of the module ${quote(draft.spec.name)} could not be looked at in time; its node will tell whether it can be used.`,
+    path: `${draft.path}.onProcessingStringified`,
+  });
+}

@@ -1,0 +1,46 @@
+import { dataFormatOfField } from '@ubii/proto';
+import type { DeviceRegistry } from '../../devices/device-registry.ts';
+import type { Limits } from '../../limits.ts';
+import type { PatternCompiler } from '../../ports/pattern-compiler.ts';
+import { offerOf } from '../../processing/node.ts';
+import type { NodeTable } from '../../processing/node-table.ts';
+import type { TopicTable } from '../../topics/topic-table.ts';
+import type { CheckContext } from './check-context.ts';
+import { nodeProblem } from './node-problem.ts';
+
+/** What the checks see of the master. */
+export interface ChecksParts {
+  readonly patterns: PatternCompiler;
+  readonly devices: DeviceRegistry;
+  readonly nodes: NodeTable;
+  readonly topics: TopicTable;
+  readonly limits: Limits;
+}
+
+export function createChecks(parts: ChecksParts): CheckContext {
+  const { patterns, devices, nodes, topics, limits } = parts;
+  return {
+    patternFault(source) {
+      if (source.length > limits.patternLength) {
+        return `it has more than ${limits.patternLength} characters (limit patternLength)`;
+      }
+      try {
+        patterns.compile(source);
+        return undefined;
+      } catch (error) {
+        return error instanceof Error ? error.message : String(error);
+      }
+    },
+    matches: (source, text) => patterns.compile(source).test(text),
+    publishers: (topic) => devices.publishersOf(topic),
+    retainedFormat(topic) {
+      const entry = topics.get(topic);
+      return entry?.record === undefined ? undefined : dataFormatOfField(entry.valueField);
+    },
+    hasRecord: (topic) => topics.get(topic)?.record !== undefined,
+    nodeProblem: (draft) => nodeProblem(nodes, draft),
+    isOffered: (name) => nodes.list().some((node) => offerOf(node, name) !== undefined),
+    topicBytes: limits.topicBytes,
+    sourceBytes: limits.moduleSourceBytes,
+  };
+}

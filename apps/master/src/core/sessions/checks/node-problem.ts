@@ -1,0 +1,61 @@
+import type { SessionProblem } from '@ubii/proto';
+import { cannotRun, isMaster, type Node } from '../../processing/node.ts';
+import type { NodeTable } from '../../processing/node-table.ts';
+import { chooseNode } from '../../processing/placement.ts';
+import { quote } from '../../topics/topic-names.ts';
+import type { DraftModule } from '../draft.ts';
+import { errorProblem, warningProblem } from '../problems.ts';
+import { about } from './check-context.ts';
+import { hasCode } from './check-modules.ts';
+
+/** What stands against the node of a module, chosen by somebody or by the master [SE-4] [SE-30]. */
+export function nodeProblem(nodes: NodeTable, draft: DraftModule): SessionProblem | undefined {
+  const { spec, wishedNodeId } = draft;
+  if (wishedNodeId === '') return chosenProblem(nodes, draft);
+  const node = nodes.get(wishedNodeId);
+  const found = { ...about(draft), nodeId: wishedNodeId };
+  if (node === undefined) {
+    return errorProblem({
+      ...found,
+      code: 'unknown_node',
+      message: `The module ${quote(spec.name)} is to run on ${quote(wishedNodeId)}, which is the id of no registered client; /services/ubii/node_list lists the nodes.`,
+    });
+  }
+  const reason = isMaster(node) ? masterCannot(node, draft) : cannotRun(node, spec);
+  if (reason !== undefined) return cannot(draft, node, reason);
+  if (node.isAvailable) return undefined;
+  return warningProblem({
+    ...found,
+    code: 'node_unavailable',
+    message: `The node ${quote(node.label)} is not there now; the module ${quote(spec.name)} starts when it is back.`,
+  });
+}
+
+/** Somebody offers it, but nobody that is there can be chosen. */
+function chosenProblem(nodes: NodeTable, draft: DraftModule): SessionProblem | undefined {
+  const { spec } = draft;
+  if (chooseNode(spec, nodes.list(), () => 0) !== undefined) return undefined;
+  if (!hasCode(draft)) return undefined;
+  const reasons = nodes
+    .list()
+    .map((node) => cannotRun(node, spec) ?? 'is not to be chosen')
+    .slice(0, 1);
+  return errorProblem({
+    ...about(draft),
+    code: 'node_cannot_run',
+    message: `No node that is there can run the module ${quote(spec.name)}: the master ${reasons.join('')}; start a node that can, or name one.`,
+  });
+}
+
+function masterCannot(node: Node, draft: DraftModule): string | undefined {
+  return hasCode(draft) ? cannotRun(node, draft.spec) : 'has no code for it';
+}
+
+function cannot(draft: DraftModule, node: Node, reason: string): SessionProblem {
+  return errorProblem({
+    ...about(draft),
+    code: 'node_cannot_run',
+    message: `The node ${quote(node.label)} cannot run the module ${quote(draft.spec.name)}: it ${reason}.`,
+    nodeId: node.id,
+  });
+}

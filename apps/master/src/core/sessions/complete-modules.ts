@@ -1,0 +1,196 @@
+import {
+  UUID_PATTERN,
+  type IOMapping,
+  type ProcessingModule,
+  type Session,
+  type SessionProblem,
+} from '@ubii/proto';
+import type { DraftModule } from './draft.ts';
+import { errorProblem } from './problems.ts';
+import { quote } from '../topics/topic-names.ts';
+
+const UUID = new RegExp(`^${UUID_PATTERN}$`);
+
+/** A module as somebody has it, for what a request leaves out. */
+export interface ModuleOffer {
+  readonly module: ProcessingModule;
+  /** It came with the program or from the operator's folder [PM-51]. */
+  readonly isTrusted: boolean;
+}
+
+/** What completing a specification needs to know. */
+export interface CompletionContext {
+  uuid(): string;
+  /** Another session has a module of this id. */
+  isTaken(moduleId: string): boolean;
+  /** The id of the node that a text in a request means: `master` is this master [SE-30]. */
+  nodeId(text: string): string;
+  /** The module of this name as the library has it. */
+  stored(name: string): ModuleOffer | undefined;
+  /** The module of this name as a node offers it; of any node, when no id is given. */
+  offered(name: string, nodeId: string): ProcessingModule | undefined;
+}
+
+/** Modules and mappings of a request, each complete and with its ids [SE-1] [SE-2]. */
+export function completeModules(
+  message: Session,
+  context: CompletionContext,
+): { modules: DraftModule[]; problems: SessionProblem[] } {
+  const modules: DraftModule[] = [];
+  const taken = new Set<string>();
+  const byGivenId = new Map<string, DraftModule>();
+  message.processingModules.forEach((given, index) => {
+    const draft = completeModule(given, index, context);
+    const isFree = UUID.test(given.id) && !taken.has(given.id) && !context.isTaken(given.id);
+    draft.spec.id = isFree ? given.id : context.uuid();
+    taken.add(draft.spec.id);
+    if (given.id !== '' && !byGivenId.has(given.id)) byGivenId.set(given.id, draft);
+    modules.push(draft);
+  });
+  const problems = assignMappings(message.ioMappings, modules, byGivenId);
+  for (const { spec, mapping } of modules) {
+    mapping.processingModuleId = spec.id;
+    mapping.processingModuleName = spec.name;
+    nameMultiplexers(mapping, context);
+  }
+  return { modules, problems };
+}
+
+function completeModule(
+  given: ProcessingModule,
+  index: number,
+  context: CompletionContext,
+): DraftModule {
+  const wishedNodeId = context.nodeId(given.nodeId);
+  const stored = context.stored(given.name);
+  const offered = context.offered(given.name, wishedNodeId);
+  // Who runs it knows best; without a node, what is stored is what people see in the list.
+  const base = wishedNodeId === '' ? (stored?.module ?? offered) : (offered ?? stored?.module);
+  const spec = mergeModules(given, base);
+  const isLibraryCode = stored !== undefined && stored.isTrusted && hasCodeOf(spec, stored.module);
+  return {
+    spec: { ...spec, nodeId: wishedNodeId },
+    mapping: emptyMapping(),
+    wishedNodeId,
+    path: `processingModules[${index}]`,
+    mappingPath: `ioMappings[${index}]`,
+    isLibraryCode,
+  };
+}
+
+/** What the request says, and for the rest what the base says. */
+function mergeModules(
+  given: ProcessingModule,
+  base: ProcessingModule | undefined,
+): ProcessingModule {
+  if (base === undefined) return { ...given };
+  const code = given.onProcessingStringified === '' ? base : given;
+  return {
+    ...given,
+    authors: given.authors.length > 0 ? given.authors : base.authors,
+    tags: given.tags.length > 0 ? given.tags : base.tags,
+    description: given.description || base.description,
+    processingMode: hasMode(given) ? given.processingMode : base.processingMode,
+    inputs: given.inputs.length > 0 ? given.inputs : base.inputs,
+    outputs: given.outputs.length > 0 ? given.outputs : base.outputs,
+    language: given.language || base.language,
+    onProcessingStringified: code.onProcessingStringified,
+    onCreatedStringified: code.onCreatedStringified,
+    onHaltedStringified: code.onHaltedStringified,
+    onDestroyedStringified: code.onDestroyedStringified,
+    extension: given.extension ?? base.extension,
+  };
+}
+
+/** Mappings go to the module of their id, else to those of their name, in order [SE-2]. */
+function assignMappings(
+  mappings: readonly IOMapping[],
+  modules: readonly DraftModule[],
+  byGivenId: ReadonlyMap<string, DraftModule>,
+): SessionProblem[] {
+  const problems: SessionProblem[] = [];
+  const assigned = new Set<DraftModule>();
+  const byName = mappings.map((mapping, index) => ({ mapping, path: `ioMappings[${index}]` }));
+  const assign = (draft: DraftModule, mapping: IOMapping, path: string): void => {
+    if (!assigned.has(draft)) {
+      draft.mapping = copyMapping(mapping);
+      draft.mappingPath = path;
+    } else {
+      draft.mapping.inputMappings.push(...mapping.inputMappings);
+      draft.mapping.outputMappings.push(...mapping.outputMappings);
+    }
+    assigned.add(draft);
+  };
+  const rest = byName.filter(({ mapping, path }) => {
+    const draft = byGivenId.get(mapping.processingModuleId);
+    if (draft !== undefined) assign(draft, mapping, path);
+    return draft === undefined;
+  });
+  for (const { mapping, path } of rest) {
+    const named = modules.filter(({ spec }) => spec.name === mapping.processingModuleName);
+    const draft = named.find((one) => !assigned.has(one)) ?? (named.length === 1 ? named[0] : undefined);
+    if (draft !== undefined) assign(draft, mapping, path);
+    else problems.push(strayMapping(mapping, path));
+  }
+  return problems;
+}
+
+function strayMapping(mapping: IOMapping, path: string): SessionProblem {
+  const { processingModuleId: moduleId, processingModuleName: moduleName } = mapping;
+  const wanted = moduleName === '' ? `the id ${quote(moduleId)}` : `the name ${quote(moduleName)}`;
+  return errorProblem({
+    code: 'mapping_without_module',
+    message: `The mapping is for a module with ${wanted}, but the session has none that is without a mapping; add the module, or remove the mapping.`,
+    path,
+    moduleId,
+    moduleName,
+  });
+}
+
+/** Existing nodes refuse muxers without an id. */
+function nameMultiplexers(mapping: IOMapping, { uuid }: CompletionContext): void {
+  for (const input of mapping.inputMappings) {
+    if (input.topicMux !== undefined) {
+      input.topicMux = { ...input.topicMux, id: input.topicMux.id || uuid() };
+    }
+  }
+  for (const output of mapping.outputMappings) {
+    if (output.topicDemux !== undefined) {
+      output.topicDemux = { ...output.topicDemux, id: output.topicDemux.id || uuid() };
+    }
+  }
+}
+
+/** The request stays as it is: what is changed here is a copy. */
+function copyMapping(mapping: IOMapping): IOMapping {
+  return {
+    ...mapping,
+    inputMappings: mapping.inputMappings.map((input) => ({ ...input })),
+    outputMappings: mapping.outputMappings.map((output) => ({ ...output })),
+  };
+}
+
+function emptyMapping(): IOMapping {
+  return {
+    processingModuleId: '',
+    processingModuleName: '',
+    inputMappings: [],
+    outputMappings: [],
+  };
+}
+
+function hasMode({ processingMode }: ProcessingModule): boolean {
+  if (processingMode === undefined) return false;
+  const { frequency, lockstep, triggerOnInput, free } = processingMode;
+  return (frequency ?? lockstep ?? triggerOnInput ?? free) !== undefined;
+}
+
+/** Whether both have the same callbacks. */
+export function hasCodeOf(module: ProcessingModule, other: ProcessingModule): boolean {
+  return (
+    module.onProcessingStringified === other.onProcessingStringified &&
+    module.onCreatedStringified === other.onCreatedStringified &&
+    module.onHaltedStringified === other.onHaltedStringified &&
+    module.onDestroyedStringified === other.onDestroyedStringified
+  );
+}

@@ -1,0 +1,212 @@
+import { createModuleRuntime } from '@ubii/pm-sandbox';
+import { readRecordHead } from '@ubii/proto/wire';
+import type { ClientRegistry } from '../clients/client-registry.ts';
+import type { DeviceRegistry } from '../devices/device-registry.ts';
+import type { MasterPublisher } from '../info/master-publisher.ts';
+import { MASTER_ALIAS, SessionLibrary } from '../library/session-library.ts';
+import { ModuleLibrary } from '../library/module-library.ts';
+import { StoredMessages } from '../library/stored-messages.ts';
+import { LocalNode, type RuntimeHooks } from '../processing/local-node.ts';
+import { LocalTopics } from '../processing/local-topics.ts';
+import { masterExtension, NodeTable } from '../processing/node-table.ts';
+import { nameOf, type MasterPorts, type MasterSettings } from '../settings.ts';
+import type { LimitWatch } from '../status/limit-watch.ts';
+import type { PublishContext } from '../topics/publisher.ts';
+import { createChecks } from './checks/create-checks.ts';
+import type { DraftContext } from './draft-maker.ts';
+import type { LifeContext } from './life-context.ts';
+import { Lockstep } from './lockstep/lockstep.ts';
+import { handleFailed, handleStarted, handleStopped } from './module-reports.ts';
+import { handleNodeBack, handleNodeGone } from './node-changes.ts';
+import { NodeReports } from './node-reports.ts';
+import type { Session } from './session.ts';
+import { SessionNews } from './session-news.ts';
+import { SessionTable } from './session-table.ts';
+import { Sessions } from './sessions.ts';
+import { Supervision } from './supervision.ts';
+
+/** What sessions and modules are built on. */
+export interface ProcessingParts {
+  readonly ports: MasterPorts;
+  readonly settings: MasterSettings;
+  readonly masterId: string;
+  readonly limitWatch: LimitWatch;
+  readonly clients: ClientRegistry;
+  readonly devices: DeviceRegistry;
+  readonly publishing: PublishContext;
+  readonly publisher: MasterPublisher;
+}
+
+/** Everything about sessions, processing modules and nodes. */
+export interface Processing {
+  readonly sessions: Sessions;
+  readonly modules: ModuleLibrary;
+  readonly sessionLibrary: SessionLibrary;
+  readonly nodes: NodeTable;
+  readonly localNode: LocalNode;
+  readonly reports: NodeReports;
+  readonly storedSessions: StoredMessages<'ubii.sessions.Session'>;
+  readonly storedModules: StoredMessages<'ubii.processing.ProcessingModule'>;
+  /** A node says that a module runs, or has ended. Returns false when no session has it there [SE-32]. */
+  handleReport(nodeId: string, moduleId: string, isRunning: boolean): boolean;
+  /** A client can be reached, or no longer [SE-31]. */
+  handlePresence(clientId: string): void;
+  /** Ends all modules and workers. */
+  close(): Promise<void>;
+}
+
+/** How many modules a master likes to run: the load the design was measured with. */
+const DEFAULT_CAPACITY = 100;
+
+/** Puts together what sessions and modules need. Nothing runs until a session starts. */
+export function createProcessing(parts: ProcessingParts): Processing {
+  const { ports, settings, masterId, limitWatch, clients, devices, publishing, publisher } = parts;
+  const { clock, log, ids, storage, sandboxes, patterns } = ports;
+  const { limits } = limitWatch;
+  const storedSessions = new StoredMessages(storage.sessions, 'ubii.sessions.Session');
+  const storedModules = new StoredMessages(storage.modules, 'ubii.processing.ProcessingModule');
+  const modules = new ModuleLibrary(ports.library, storedModules);
+  const sessionLibrary = new SessionLibrary({
+    stored: storedSessions,
+    running: new StoredMessages(storage.running, 'ubii.sessions.Session'),
+    masterId,
+    log,
+  });
+
+  const { libraries = [], capacity = DEFAULT_CAPACITY } = settings;
+  const nodes = new NodeTable(
+    {
+      id: masterId,
+      name: nameOf(settings),
+      extension: masterExtension(libraries, capacity),
+      modules: () => modules.list(),
+    },
+    clients,
+  );
+  const localTopics = new LocalTopics({
+    ...publishing,
+    clock,
+    nodeId: masterId,
+    deviceOf: (topic) => devices.deviceOfTopic(topic),
+  });
+  const createRuntime = (hooks: RuntimeHooks) =>
+    createModuleRuntime({
+      nodeId: masterId,
+      clock,
+      topics: localTopics,
+      patterns,
+      sandboxes,
+      libraries,
+      ...hooks,
+    });
+  const table = new SessionTable();
+  const local: LocalNode = new LocalNode(createRuntime, {
+    onStarted: (moduleId) => void handleReport(masterId, moduleId, true),
+    onStopped: (moduleId) => void handleReport(masterId, moduleId, false),
+    onFailed(moduleId, reason, fault) {
+      const found = table.findModule(moduleId);
+      if (found?.module.nodeId !== masterId) return;
+      handleFailed(life, found.session, found.module, reason, fault);
+    },
+    onEvent: (event) => reports.handleEvent(masterId, event),
+  });
+  const { topics, subscriptions } = publishing;
+  const news = new SessionNews({ publisher, topics, subscriptions, clock });
+  const life: LifeContext = {
+    clock,
+    limits,
+    log,
+    clients,
+    nodes,
+    local,
+    news,
+    sessions: () => table.values(),
+    loadOf: (node) => table.loadOf(node.id),
+    onLife(session) {
+      supervision.handleLife(session);
+      lockstep.handleLife(session);
+      rememberIfWished(session);
+    },
+  };
+  const lockstep = new Lockstep({
+    clock,
+    limits,
+    clients,
+    nodes,
+    local,
+    news,
+    topics: localTopics,
+    patterns,
+    publish(record, client) {
+      const { topic, valueField } = readRecordHead(record);
+      localTopics.publishAs(client, topic, record, valueField);
+    },
+  });
+  const reports = new NodeReports({ table, news, lockstep });
+  const drafts: DraftContext = {
+    limits: limitWatch,
+    completion: {
+      uuid: () => ids.uuid(),
+      isTaken: (id) => table.findModule(id) !== undefined,
+      nodeId: (text) => (text === MASTER_ALIAS ? masterId : text),
+      stored: (name) => modules.get(name),
+      offered: (name, nodeId) => nodes.offered(name, nodeId),
+    },
+    checks: createChecks({ patterns, devices, nodes, topics, limits }),
+    sources: { sandboxes, clock, timeoutMs: limits.sourceCheckTimeoutMs },
+  };
+  const sessions = new Sessions({
+    ids,
+    limits: limitWatch,
+    table,
+    drafts,
+    life,
+    library: sessionLibrary,
+  });
+  const supervision = new Supervision(life, {
+    passes: (session) => lockstep.statistics(session),
+    recheck: (session) => sessions.recheck(session),
+  });
+
+  let isClosed = false;
+  /** [SE-24] */
+  function rememberIfWished(session: Session): void {
+    if (isClosed) return;
+    const isKnown = table.get(session.id) === session;
+    sessionLibrary.remember(
+      session,
+      isKnown && session.isLive && session.description.startWithMaster,
+    );
+  }
+  function handleReport(nodeId: string, moduleId: string, isRunning: boolean): boolean {
+    const found = table.findModule(moduleId);
+    if (found?.module.nodeId !== nodeId) return false;
+    if (isRunning) handleStarted(life, found.session, found.module);
+    else handleStopped(life, found.session, found.module);
+    return true;
+  }
+  return {
+    sessions,
+    modules,
+    sessionLibrary,
+    nodes,
+    localNode: local,
+    reports,
+    storedSessions,
+    storedModules,
+    handleReport,
+    handlePresence(clientId) {
+      const node = nodes.get(clientId);
+      if (node?.isAvailable === true) handleNodeBack(life, clientId);
+      else handleNodeGone(life, clientId);
+    },
+    async close() {
+      isClosed = true;
+      supervision.close();
+      lockstep.close();
+      for (const store of [storage.sessions, storage.modules, storage.running]) store.close();
+      await local.close();
+      await sandboxes.close();
+    },
+  };
+}

@@ -1,0 +1,108 @@
+import { ServiceError, type Session as SessionMessage, type SessionProblem } from '@ubii/proto';
+import type { LimitWatch } from '../status/limit-watch.ts';
+import { quote } from '../topics/topic-names.ts';
+import { checkSession } from './checks/check-session.ts';
+import { checkSources, type SourceCheckContext } from './checks/check-sources.ts';
+import type { CheckContext } from './checks/check-context.ts';
+import { completeModules, type CompletionContext } from './complete-modules.ts';
+import { describeSession, type SessionDraft } from './draft.ts';
+import { sortProblems } from './problems.ts';
+import type { Session } from './session.ts';
+
+/** What makes drafts of requests. */
+export interface DraftContext {
+  readonly limits: LimitWatch;
+  readonly completion: CompletionContext;
+  readonly checks: CheckContext;
+  readonly sources: SourceCheckContext;
+}
+
+/**
+ * Makes a complete specification of what a request says, and looks at all of it [SE-1] [SE-3].
+ * @param before The session that is to be replaced by it, if any: its ids are not taken.
+ * @throws ServiceError with every problem when there is an error among them.
+ */
+export async function makeDraft(
+  context: DraftContext,
+  message: SessionMessage,
+  before?: Session,
+): Promise<{ draft: SessionDraft; warnings: SessionProblem[] }> {
+  requireSize(context.limits, message);
+  const { draft, problems: stray } = completeDraft(context, message, before);
+  const problems = sortProblems([
+    ...stray,
+    ...checkSession(draft.modules, context.checks),
+    // A source that is too long is not looked at.
+    ...(await checkSources(
+      draft.modules.filter(({ spec }) => isShort(spec, context.checks.sourceBytes)),
+      context.sources,
+    )),
+  ]);
+  const errors = problems.filter(({ isError }) => isError);
+  if (errors.length > 0) throw invalidSession(message, problems, errors.length);
+  return { draft, warnings: problems };
+}
+
+/** The complete specification, unchecked. */
+export function completeDraft(
+  { completion }: DraftContext,
+  message: SessionMessage,
+  before?: Session,
+): { draft: SessionDraft; problems: SessionProblem[] } {
+  const { modules, problems } = completeModules(message, {
+    ...completion,
+    isTaken: (id) => completion.isTaken(id) && before?.module(id) === undefined,
+  });
+  return { draft: { ...describeSession(message), modules }, problems };
+}
+
+/** The draft of a session that is there, to look at it anew. */
+export function draftOf(session: Session): SessionDraft {
+  return {
+    ...session.description,
+    modules: session.modules.map((module, index) => ({
+      spec: module.spec,
+      mapping: module.mapping,
+      wishedNodeId: module.wishedNodeId,
+      path: `processingModules[${index}]`,
+      mappingPath: `ioMappings[${index}]`,
+      isLibraryCode: module.isTrusted,
+    })),
+  };
+}
+
+function isShort(spec: SessionDraft['modules'][number]['spec'], sourceBytes: number): boolean {
+  return spec.onProcessingStringified.length + spec.onCreatedStringified.length <= sourceBytes;
+}
+
+/** [SE-7] */
+function requireSize(limitWatch: LimitWatch, message: SessionMessage): void {
+  const { limits } = limitWatch;
+  const { processingModules, ioMappings } = message;
+  if (processingModules.length > limits.modulesPerSession) {
+    const text = `more than ${limits.modulesPerSession} modules of one session`;
+    throw limitWatch.refusal('modulesPerSession', text);
+  }
+  const mappings = ioMappings.reduce(
+    (sum, { inputMappings, outputMappings }) => sum + inputMappings.length + outputMappings.length,
+    ioMappings.length,
+  );
+  if (mappings > limits.mappingsPerSession) {
+    const text = `more than ${limits.mappingsPerSession} mappings of one session`;
+    throw limitWatch.refusal('mappingsPerSession', text);
+  }
+}
+
+function invalidSession(
+  { name }: SessionMessage,
+  problems: readonly SessionProblem[],
+  errorCount: number,
+): ServiceError {
+  const first = problems[0]!;
+  const more = errorCount > 1 ? ` (and ${errorCount - 1} more)` : '';
+  return new ServiceError(
+    'invalid_argument',
+    `The session ${name === '' ? '' : `${quote(name)} `}cannot be used: ${first.message}${more}`,
+    { details: { problems } },
+  );
+}

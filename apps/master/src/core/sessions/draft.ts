@@ -1,0 +1,45 @@
+import type { IOMapping, ProcessingModule, Session } from '@ubii/proto';
+
+/** One module of a session on its way into being, with its mapping. */
+export interface DraftModule {
+  /** Complete [SE-1], but for the node the master will choose. */
+  spec: ProcessingModule;
+  /** Its one mapping [SE-2]. */
+  mapping: IOMapping;
+  /** The node somebody asked for; empty when the master is to choose. */
+  wishedNodeId: string;
+  /** Where it stands in the request, such as `processingModules[0]`. */
+  readonly path: string;
+  /** Where its mapping stands in the request; the place it would have, when there is none. */
+  mappingPath: string;
+  /** The source is the library's own: nobody has to look at it [PM-64]. */
+  isLibraryCode: boolean;
+}
+
+/** What a session consists of, before or while it lives. */
+export interface SessionDraft {
+  readonly name: string;
+  readonly tags: readonly string[];
+  readonly description: string;
+  readonly authors: readonly string[];
+  readonly editable: boolean;
+  readonly startWithMaster: boolean;
+  readonly lockstepHertz: number;
+  readonly editorJson: string;
+  readonly modules: readonly DraftModule[];
+}
+
+/** What a request says of the session as a whole. */
+export function describeSession(message: Session): Omit<SessionDraft, 'modules'> {
+  const { name, tags, description, authors, editable, extension } = message;
+  return {
+    name,
+    tags,
+    description,
+    authors,
+    editable,
+    startWithMaster: extension?.startWithMaster ?? false,
+    lockstepHertz: extension?.lockstepHertz ?? 0,
+    editorJson: extension?.editorJson ?? '',
+  };
+}

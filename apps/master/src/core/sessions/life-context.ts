@@ -1,0 +1,26 @@
+import type { ClientRegistry } from '../clients/client-registry.ts';
+import type { Limits } from '../limits.ts';
+import type { Clock } from '../ports/clock.ts';
+import type { Log } from '../ports/log.ts';
+import type { LocalNode } from '../processing/local-node.ts';
+import type { Node } from '../processing/node.ts';
+import type { NodeTable } from '../processing/node-table.ts';
+import type { Session } from './session.ts';
+import type { SessionNews } from './session-news.ts';
+
+/** What the life of sessions works on. */
+export interface LifeContext {
+  readonly clock: Clock;
+  readonly limits: Limits;
+  readonly log: Log;
+  readonly clients: ClientRegistry;
+  readonly nodes: NodeTable;
+  readonly local: LocalNode;
+  readonly news: SessionNews;
+  /** Every session there is. */
+  readonly sessions: () => Iterable<Session>;
+  /** Modules of sessions a node runs now. */
+  readonly loadOf: (node: Node) => number;
+  /** The session came to another state. */
+  readonly onLife: (session: Session) => void;
+}

@@ -1,0 +1,34 @@
+/** Durations kept for percentiles: more than a report sees at 240 Hz. */
+const MOST = 512;
+
+/** Collects durations between two reports. */
+export class Durations {
+  #values: number[] = [];
+  #sinceMs: number;
+
+  constructor(nowMs: number) {
+    this.#sinceMs = nowMs;
+  }
+
+  add(durationMs: number): void {
+    if (this.#values.length < MOST) this.#values.push(durationMs);
+  }
+
+  /** What was collected since the call before. Times are monotonic milliseconds. */
+  take(nowMs: number): { perSecond: number; p50Ms: number; p95Ms: number } {
+    const sorted = this.#values.sort((a, b) => a - b);
+    const seconds = (nowMs - this.#sinceMs) / 1000;
+    this.#values = [];
+    this.#sinceMs = nowMs;
+    return {
+      perSecond: seconds > 0 ? sorted.length / seconds : 0,
+      p50Ms: quantile(sorted, 0.5),
+      p95Ms: quantile(sorted, 0.95),
+    };
+  }
+}
+
+/** Nearest rank. */
+function quantile(sorted: readonly number[], share: number): number {
+  return sorted[Math.max(0, Math.ceil(sorted.length * share) - 1)] ?? 0;
+}

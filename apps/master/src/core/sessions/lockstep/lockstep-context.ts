@@ -1,0 +1,30 @@
+import type { EncodedRecord, PatternPort, TopicPort } from '@ubii/pm-sandbox';
+import type { ClientRegistry } from '../../clients/client-registry.ts';
+import type { Limits } from '../../limits.ts';
+import type { Clock } from '../../ports/clock.ts';
+import type { LocalNode } from '../../processing/local-node.ts';
+import type { NodeTable } from '../../processing/node-table.ts';
+import type { PublishingClient } from '../../topics/publication.ts';
+import type { SessionNews } from '../session-news.ts';
+
+/** What lockstep passes work on. */
+export interface LockstepContext {
+  readonly clock: Clock;
+  readonly limits: Limits;
+  readonly clients: ClientRegistry;
+  readonly nodes: NodeTable;
+  readonly local: LocalNode;
+  readonly news: SessionNews;
+  readonly topics: TopicPort;
+  readonly patterns: PatternPort;
+  /** Publishes a complete record for a node: as the client that put it out, or as the master. */
+  readonly publish: (record: Uint8Array, publisher: PublishingClient | undefined) => void;
+}
+
+/** The share of one node in a pass. */
+export interface PassShare {
+  readonly nodeId: string;
+  readonly moduleIds: readonly string[];
+  /** The snapshot of its inputs. */
+  readonly records: readonly EncodedRecord[];
+}

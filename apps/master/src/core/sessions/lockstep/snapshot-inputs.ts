@@ -1,0 +1,68 @@
+import { InputBinding, parseModule, type EncodedRecord } from '@ubii/pm-sandbox';
+import { DEFAULT_RUNTIME_LIMITS } from '@ubii/pm-sandbox';
+import type { SessionModule } from '../session-module.ts';
+import type { LockstepContext } from './lockstep-context.ts';
+
+interface Bound {
+  readonly binding: InputBinding;
+  /** What it was bound for: other inputs need another binding. */
+  readonly inputs: SessionModule['spec']['inputs'];
+  mapping: SessionModule['mapping'];
+}
+
+/** The inputs of lockstep modules that run elsewhere: the master takes the snapshot for them [SE-40]. */
+export class SnapshotInputs {
+  readonly #context: LockstepContext;
+  readonly #bound = new Map<string, Bound>();
+
+  constructor(context: LockstepContext) {
+    this.#context = context;
+  }
+
+  /** The newest records of all inputs of these modules, each topic once. */
+  take(modules: readonly SessionModule[]): EncodedRecord[] {
+    const records = new Map<string, EncodedRecord>();
+    for (const module of modules) {
+      for (const record of this.#bind(module).records()) records.set(record.topic, record);
+    }
+    return [...records.values()];
+  }
+
+  /** Lets go of modules that are not among these. */
+  keep(modules: readonly SessionModule[]): void {
+    const ids = new Set(modules.map(({ id }) => id));
+    for (const [id, { binding }] of this.#bound) {
+      if (ids.has(id)) continue;
+      binding.close();
+      this.#bound.delete(id);
+    }
+  }
+
+  close(): void {
+    this.keep([]);
+  }
+
+  #bind(module: SessionModule): InputBinding {
+    const { spec, mapping } = module;
+    const bound = this.#bound.get(module.id);
+    if (bound !== undefined && bound.inputs === spec.inputs) {
+      if (bound.mapping !== mapping) {
+        bound.mapping = mapping;
+        bound.binding.rebind(mapping);
+      }
+      return bound.binding;
+    }
+    bound?.binding.close();
+    const { topics, patterns } = this.#context;
+    const binding = new InputBinding(parseModule(spec).inputs, mapping, {
+      topics,
+      patterns,
+      maxMuxElements: DEFAULT_RUNTIME_LIMITS.maxMuxElements,
+      onMark: () => undefined,
+      // The node that runs the module finds the same, and tells it.
+      onProblem: () => undefined,
+    });
+    this.#bound.set(module.id, { binding, inputs: spec.inputs, mapping });
+    return binding;
+  }
+}

@@ -1,0 +1,58 @@
+import type { ModuleEvent, ModuleReports } from '@ubii/proto';
+import { readNodeMessage } from '@ubii/proto/wire';
+import type { Client } from '../clients/client.ts';
+import type { Lockstep } from './lockstep/lockstep.ts';
+import type { SessionNews } from './session-news.ts';
+import type { SessionTable } from './session-table.ts';
+
+/** What node messages are for. */
+export interface NodeReportsContext {
+  readonly table: SessionTable;
+  readonly news: SessionNews;
+  readonly lockstep: Lockstep;
+}
+
+/** Takes what nodes say over their sockets: answers of passes, and how their modules do [EX-20]. */
+export class NodeReports {
+  readonly #context: NodeReportsContext;
+
+  constructor(context: NodeReportsContext) {
+    this.#context = context;
+  }
+
+  /** @throws DecodeError when the bytes are no message of a node */
+  handleMessage(client: Client, bytes: Uint8Array): void {
+    const { lockstepReply, moduleReports } = readNodeMessage(bytes);
+    if (lockstepReply !== undefined) {
+      const { sessionId, pass } = lockstepReply.head;
+      // The frame may be reused for something else before all have answered.
+      const records = lockstepReply.records.map((record) => record.slice());
+      this.#context.lockstep.handleReply(client.id, sessionId, pass, records);
+    }
+    if (moduleReports !== undefined) this.#takeReports(client, moduleReports);
+  }
+
+  /** An event of a module, from whichever node [SE-51]. */
+  handleEvent(nodeId: string, event: ModuleEvent): void {
+    const found = this.#context.table.findModule(event.moduleId);
+    // Nobody speaks for modules of others.
+    if (found === undefined || found.module.nodeId !== nodeId) return;
+    this.#context.news.publishEvent({
+      ...event,
+      sessionId: found.session.id,
+      moduleName: found.module.name,
+      nodeId,
+    });
+  }
+
+  /** [PM-80] [PM-81] */
+  #takeReports(client: Client, { statistics, events }: ModuleReports): void {
+    for (const one of statistics) {
+      const module = this.#context.table.findModule(one.moduleId)?.module;
+      if (module?.nodeId === client.id) {
+        module.statistics = { ...one, nodeId: client.id, moduleName: module.name };
+      }
+    }
+    for (const event of events) this.handleEvent(client.id, event);
+  }
+}

@@ -1,0 +1,65 @@
+import { NO_LANGUAGE, type SessionModule } from './session-module.ts';
+import { ProcessingModuleLanguage, type ProcessingModule } from '@ubii/proto';
+import { quote } from '../topics/topic-names.ts';
+import { chooseNode } from '../processing/placement.ts';
+import { isJavaScript, offerOf, type Node } from '../processing/node.ts';
+import type { LifeContext } from './life-context.ts';
+import { errorProblem } from './problems.ts';
+
+/** Gives a module that is to run to a node; without one it waits until one comes [SE-30] [SE-31]. */
+export function placeModule(context: LifeContext, module: SessionModule): void {
+  const { nodes, clock, loadOf } = context;
+  const { spec, wishedNodeId } = module;
+  const node =
+    wishedNodeId === ''
+      ? chooseNode(spec, nodes.list(), loadOf)
+      : availableNode(nodes.get(wishedNodeId));
+  if (node === undefined) {
+    module.phase = 'away';
+    module.problem = nodeGone(module, nodes.get(module.nodeId));
+    return;
+  }
+  module.spec = specFor(node, spec);
+  module.phase = 'waiting';
+  module.waitingSinceMs = clock.monotonicMs();
+  module.problem = undefined;
+}
+
+/** Shows where a module of a session that does not run would run [SE-30]. */
+export function assignNode({ nodes, loadOf }: LifeContext, module: SessionModule): void {
+  const { spec, wishedNodeId } = module;
+  const node =
+    wishedNodeId === '' ? chooseNode(spec, nodes.list(), loadOf) : nodes.get(wishedNodeId);
+  if (node !== undefined) module.spec = specFor(node, spec);
+}
+
+/** The specification as this node wants it [SE-2]. */
+export function specFor(node: Node, spec: ProcessingModule): ProcessingModule {
+  return { ...spec, nodeId: node.id, language: languageFor(node, spec) };
+}
+
+/** Existing nodes end when they read of a language that is not theirs, so they read of none that they did not name. */
+function languageFor(node: Node, spec: ProcessingModule): ProcessingModuleLanguage {
+  if (node.extension === undefined) return offerOf(node, spec.name)?.language ?? NO_LANGUAGE;
+  const isCode = spec.onProcessingStringified !== '' && isJavaScript(spec);
+  return isCode ? ProcessingModuleLanguage.JS : spec.language;
+}
+
+function availableNode(node: Node | undefined): Node | undefined {
+  return node?.isAvailable === true ? node : undefined;
+}
+
+function nodeGone(module: SessionModule, node: Node | undefined): ReturnType<typeof errorProblem> {
+  const nodeName = node === undefined ? 'its node' : `its node ${quote(node.label)}`;
+  const message =
+    module.wishedNodeId === ''
+      ? `The module ${quote(module.name)} does not run: no node that is there can run it; it starts when one comes.`
+      : `The module ${quote(module.name)} does not run: ${nodeName} is not there; it starts when the node is back.`;
+  return errorProblem({
+    code: 'node_gone',
+    message,
+    moduleId: module.id,
+    moduleName: module.name,
+    nodeId: module.wishedNodeId,
+  });
+}

@@ -1,0 +1,161 @@
+import { ServiceError } from '@ubii/proto';
+import { quote } from '../topics/topic-names.ts';
+import type { LifeContext } from './life-context.ts';
+import { placeModule } from './place-module.ts';
+import { warningProblem } from './problems.ts';
+import type { Session } from './session.ts';
+import { canHappen, nextLife, type SessionEvent } from './session-states.ts';
+
+/** Starts a session: its modules are given to nodes, which are told [SE-11]. @throws ServiceError */
+export function startSession(context: LifeContext, session: Session): void {
+  if (!canHappen(session.life, 'start')) {
+    throw new ServiceError(
+      'failed_precondition',
+      `The session ${quote(session.label)} is ${session.life}, but only one that is created or stopped can be started.`,
+    );
+  }
+  if (session.modules.length === 0) {
+    throw new ServiceError(
+      'failed_precondition',
+      `The session ${quote(session.label)} has no modules, so there is nothing to start; add some by an update.`,
+    );
+  }
+  session.troubles.clear();
+  session.wasRunning = false;
+  session.stoppingSinceMs = undefined;
+  for (const module of session.modules) {
+    module.statistics = undefined;
+    context.local.retry(module.id);
+    placeModule(context, module);
+  }
+  move(context, session, 'start');
+  context.news.announceStart(session);
+  context.news.announceChange(session);
+  syncLocal(context, session);
+  evaluate(context, session);
+}
+
+/** Stops a session; of one that does not run nothing is left to do [SE-13]. */
+export function stopSession(context: LifeContext, session: Session): void {
+  if (!canHappen(session.life, 'stop')) return;
+  move(context, session, 'stop');
+  session.stoppingSinceMs = context.clock.monotonicMs();
+  for (const module of session.modules) {
+    const node = context.nodes.get(module.nodeId);
+    // Who is not there, or was told in vain, is not waited for.
+    const isThere = node !== undefined && node.isAvailable && module.isPlaced;
+    module.phase = isThere ? 'ending' : 'idle';
+  }
+  context.news.announceStop(session);
+  context.news.announceChange(session);
+  syncLocal(context, session);
+  evaluate(context, session);
+}
+
+/** Holds a session: its modules keep their state [SE-14]. @throws ServiceError */
+export function pauseSession(context: LifeContext, session: Session): void {
+  requireLife(session, 'pause', 'only one that runs can be paused');
+  move(context, session, 'pause');
+  for (const module of session.modules) {
+    const node = context.nodes.get(module.nodeId);
+    if (node === undefined || node.extension !== undefined) continue;
+    session.troubles.set(
+      `pause ${node.id}`,
+      warningProblem({
+        code: 'node_cannot_pause',
+        message: `The node ${quote(node.label)} cannot hold its modules; they run on while the session is paused.`,
+        nodeId: node.id,
+      }),
+    );
+  }
+  context.news.announceChange(session);
+  syncLocal(context, session);
+}
+
+/** Lets a session that is held run on [SE-14]. @throws ServiceError */
+export function resumeSession(context: LifeContext, session: Session): void {
+  requireLife(session, 'resume', 'only one that is paused can be resumed');
+  for (const key of [...session.troubles.keys()]) {
+    if (key.startsWith('pause ')) session.troubles.delete(key);
+  }
+  move(context, session, 'resume');
+  evaluate(context, session);
+  context.news.announceChange(session);
+  syncLocal(context, session);
+}
+
+/** Draws the conclusions from how its modules are [SE-12] [SE-13]. */
+export function evaluate(context: LifeContext, session: Session): void {
+  const { modules, life } = session;
+  const count = (phase: Session['modules'][number]['phase']): number =>
+    modules.filter((module) => module.phase === phase).length;
+  if (life === 'stopping') {
+    if (count('ending') > 0) return;
+    move(context, session, 'all ended');
+    context.news.announceChange(session);
+    return;
+  }
+  if (life === 'paused' || !session.isLive) return;
+  if (count('running') === modules.length && modules.length > 0) {
+    if (!moveAndTell(context, session, 'all run') || session.wasRunning) return;
+    session.wasRunning = true;
+    context.news.announceRunning(session);
+    return;
+  }
+  if (life !== 'starting') {
+    moveAndTell(context, session, 'some run');
+    return;
+  }
+  // What is late counts as failed, but may still come.
+  const isHopeless = count('failed') === modules.length || isOverdue(context, session);
+  if (isHopeless && count('running') === 0 && count('away') === 0) stopSession(context, session);
+  else if (count('waiting') === 0 || isOverdue(context, session)) {
+    moveAndTell(context, session, 'some run');
+  }
+}
+
+/** Nodes had their time to start its modules [SE-12]. */
+function isOverdue({ clock, limits }: LifeContext, session: Session): boolean {
+  return session.modules.every(
+    ({ phase, waitingSinceMs }) =>
+      phase !== 'waiting' || clock.monotonicMs() - waitingSinceMs >= limits.startTimeoutMs,
+  );
+}
+
+/** The master's own modules of this session become what the session says. */
+export function syncLocal({ local, nodes }: LifeContext, session: Session): void {
+  const specs = session.isLive
+    ? session
+        .modulesOn(nodes.masterId)
+        .filter((module) => module.isPlaced)
+        .map((module) => ({
+          module: module.toMessage(session.id, session.isPaused),
+          mapping: module.mapping,
+          isTrusted: module.isTrusted,
+        }))
+    : [];
+  local.sync(session.id, specs, session.isPaused);
+}
+
+function requireLife(session: Session, event: SessionEvent, rule: string): void {
+  if (canHappen(session.life, event)) return;
+  throw new ServiceError(
+    'failed_precondition',
+    `The session ${quote(session.label)} is ${session.life}, but ${rule}.`,
+  );
+}
+
+/** Moves it on, and tells everybody if that changed something. */
+function moveAndTell(context: LifeContext, session: Session, event: SessionEvent): boolean {
+  if (!move(context, session, event)) return false;
+  context.news.announceChange(session);
+  return true;
+}
+
+function move({ onLife }: LifeContext, session: Session, event: SessionEvent): boolean {
+  const life = nextLife(session.life, event);
+  if (life === session.life) return false;
+  session.life = life;
+  onLife(session);
+  return true;
+}

@@ -1,0 +1,93 @@
+import {
+  ProcessingModuleLanguage,
+  ProcessingModuleStatus,
+  type IOMapping,
+  type ModuleStatistics,
+  type ProcessingModule,
+  type SessionProblem,
+} from '@ubii/proto';
+
+/** How far one module of a session is. */
+export type ModulePhase =
+  /** Its session does not run. */
+  | 'idle'
+  /** Its node was told to run it, and has not said that it does. */
+  | 'waiting'
+  | 'running'
+  /** It could not be started, or broke later. */
+  | 'failed'
+  /** Its node is gone [SE-31]. */
+  | 'away'
+  /** Its node was told to end it, and has not said that it did. */
+  | 'ending';
+
+/** One module of one session. */
+export class SessionModule {
+  readonly id: string;
+  /** Complete; `nodeId` is that of the node it was given to last. */
+  spec: ProcessingModule;
+  mapping: IOMapping;
+  /** The node somebody asked for; empty when the master chooses. */
+  wishedNodeId: string;
+  /** The source is the library's own [PM-51]. */
+  isTrusted: boolean;
+  phase: ModulePhase = 'idle';
+  /** When it was given to its node last, monotonic milliseconds. */
+  waitingSinceMs = 0;
+  /** Why it does not run as it should. */
+  problem: SessionProblem | undefined = undefined;
+  statistics: ModuleStatistics | undefined = undefined;
+
+  constructor(parts: {
+    readonly spec: ProcessingModule;
+    readonly mapping: IOMapping;
+    readonly wishedNodeId: string;
+    readonly isTrusted: boolean;
+  }) {
+    this.id = parts.spec.id;
+    this.spec = parts.spec;
+    this.mapping = parts.mapping;
+    this.wishedNodeId = parts.wishedNodeId;
+    this.isTrusted = parts.isTrusted;
+  }
+
+  get nodeId(): string {
+    return this.spec.nodeId;
+  }
+
+  get name(): string {
+    return this.spec.name;
+  }
+
+  get isLockstep(): boolean {
+    return this.spec.processingMode?.lockstep !== undefined;
+  }
+
+  /** Whether its node may have an instance of it. */
+  get isPlaced(): boolean {
+    return this.phase === 'waiting' || this.phase === 'running' || this.phase === 'failed';
+  }
+
+  /** The module as others see it. */
+  toMessage(sessionId: string, isPaused: boolean): ProcessingModule {
+    const { version = '', libraries = [], origin = 0 } = this.spec.extension ?? {};
+    return {
+      ...this.spec,
+      sessionId,
+      status: this.#status(isPaused),
+      extension: { version, libraries, origin, replaceable: this.wishedNodeId === '' }, // [EX-22]
+    };
+  }
+
+  #status(isPaused: boolean): ProcessingModuleStatus {
+    if (this.phase === 'running') {
+      return isPaused ? ProcessingModuleStatus.HALTED : ProcessingModuleStatus.PROCESSING;
+    }
+    return this.phase === 'ending' || this.phase === 'failed'
+      ? ProcessingModuleStatus.DESTROYED
+      : ProcessingModuleStatus.INITIALIZED;
+  }
+}
+
+/** No language: written as "not given" [SE-2]. */
+export const NO_LANGUAGE = ProcessingModuleLanguage.CPP;

@@ -1,0 +1,96 @@
+import type { Session as SessionMessage, SessionProblem } from '@ubii/proto';
+import type { SessionDraft } from './draft.ts';
+import { sortProblems } from './problems.ts';
+import { SessionModule } from './session-module.ts';
+import { isLive, wireState, wireStatus, type SessionLife } from './session-states.ts';
+
+/** What a session is called and how it is to run: everything but its modules. */
+export type SessionDescription = Omit<SessionDraft, 'modules'>;
+
+/** Modules that are started and stopped together. */
+export class Session {
+  readonly id: string;
+  description: SessionDescription;
+  modules: SessionModule[];
+  life: SessionLife = 'created';
+  /** Grows with every change of the specification [SE-15]. */
+  revision = 1;
+  /** A stored session has its name [SE-21]. */
+  isStored: boolean;
+  /** What is doubtful about its specification, as it was found last [SE-5]. */
+  warnings: readonly SessionProblem[] = [];
+  /** What went wrong in its life beside its modules, by a key of its own [SE-12]. */
+  readonly troubles = new Map<string, SessionProblem>();
+  /** All its modules ran at once since it was started: `/info/session/running` was published. */
+  wasRunning = false;
+  /** When it was told to stop, monotonic milliseconds. */
+  stoppingSinceMs: number | undefined = undefined;
+
+  constructor(id: string, draft: SessionDraft, isStored: boolean) {
+    const { modules, ...description } = draft;
+    this.id = id;
+    this.description = description;
+    this.modules = modules.map((module) => createModule(module));
+    this.isStored = isStored;
+  }
+
+  get isLive(): boolean {
+    return isLive(this.life);
+  }
+
+  get isPaused(): boolean {
+    return this.life === 'paused';
+  }
+
+  /** Name and id as they stand in messages for people. */
+  get label(): string {
+    const { name } = this.description;
+    return name === '' ? this.id : name;
+  }
+
+  module(id: string): SessionModule | undefined {
+    return this.modules.find((module) => module.id === id);
+  }
+
+  modulesOn(nodeId: string): SessionModule[] {
+    return this.modules.filter((module) => module.nodeId === nodeId);
+  }
+
+  /** What is wrong now, errors first. */
+  problems(): SessionProblem[] {
+    const ofModules = this.modules.flatMap(({ problem }) => problem ?? []);
+    return sortProblems([...ofModules, ...this.troubles.values(), ...this.warnings]);
+  }
+
+  /** The session as others see it. */
+  toMessage(): SessionMessage {
+    const { name, tags, description, authors, editable } = this.description;
+    const { startWithMaster, lockstepHertz, editorJson } = this.description;
+    return {
+      id: this.id,
+      name,
+      processingModules: this.modules.map((module) => module.toMessage(this.id, this.isPaused)),
+      ioMappings: this.modules.map((module) => module.mapping),
+      tags: [...tags],
+      description,
+      authors: [...authors],
+      status: wireStatus(this.life),
+      editable,
+      extension: {
+        state: wireState(this.life),
+        problems: this.problems(),
+        startWithMaster,
+        lockstepHertz,
+        editorJson,
+        revision: this.revision,
+        stored: this.isStored,
+      },
+    };
+  }
+}
+
+/** A module of a session, out of its draft. */
+export function createModule(draft: SessionDraft['modules'][number]): SessionModule {
+  const { spec, mapping, wishedNodeId, isLibraryCode } = draft;
+  return new SessionModule({ spec, mapping, wishedNodeId, isTrusted: isLibraryCode });
+}

@@ -1,0 +1,135 @@
+import type { SessionStatistics } from '@ubii/proto';
+import type { Cancel } from '../ports/clock.ts';
+import { quote } from '../topics/topic-names.ts';
+import type { LifeContext } from './life-context.ts';
+import { errorProblem, warningProblem } from './problems.ts';
+import type { Session } from './session.ts';
+import { evaluate } from './session-life.ts';
+import { wireState } from './session-states.ts';
+
+/** How often sessions that live are looked at and reported on [SE-50], milliseconds. */
+export const STATISTICS_INTERVAL_MS = 250;
+/** Every so many looks, what is doubtful about a specification is looked for anew. */
+const LOOKS_PER_CHECK = 4;
+
+/** What the supervision asks of others. */
+export interface SupervisionParts {
+  /** Passes of a session since the call before. */
+  readonly passes: (
+    session: Session,
+  ) => Pick<
+    SessionStatistics,
+    'passesPerSecond' | 'passP50Ms' | 'passP95Ms' | 'lateAnswers'
+  >;
+  /** Looks anew at what is doubtful about a session [SE-5]. */
+  readonly recheck: (session: Session) => void;
+}
+
+/** Looks after the sessions that live: who is late, and how they do. Without any it sleeps. */
+export class Supervision {
+  readonly #context: LifeContext;
+  readonly #parts: SupervisionParts;
+  #cancel: Cancel | undefined = undefined;
+  #looks = 0;
+
+  constructor(context: LifeContext, parts: SupervisionParts) {
+    this.#context = context;
+    this.#parts = parts;
+  }
+
+  /** A session came to another state. */
+  handleLife(session: Session): void {
+    if (isWatched(session)) {
+      this.#cancel ??= this.#context.clock.every(STATISTICS_INTERVAL_MS, () => this.#look());
+    } else {
+      this.#publish(session);
+    }
+  }
+
+  close(): void {
+    this.#cancel?.();
+    this.#cancel = undefined;
+  }
+
+  #look(): void {
+    const { local, sessions } = this.#context;
+    this.#looks++;
+    const watched = [...sessions()].filter(isWatched);
+    if (watched.length === 0) return this.close();
+    const modules = new Map(watched.flatMap((session) => session.modules.map((one) => [one.id, one])));
+    for (const statistics of local.statistics()) {
+      const module = modules.get(statistics.moduleId);
+      if (module !== undefined) module.statistics = statistics;
+    }
+    for (const session of watched) {
+      this.#lookAt(session);
+      this.#publish(session);
+    }
+  }
+
+  #lookAt(session: Session): void {
+    if (session.life === 'stopping') return this.#lookAtStop(session);
+    this.#lookAtStart(session);
+    if (session.isLive && this.#looks % LOOKS_PER_CHECK === 0) this.#parts.recheck(session);
+  }
+
+  /** [SE-12] */
+  #lookAtStart(session: Session): void {
+    const { clock, limits, nodes, news } = this.#context;
+    const late = session.modules.filter(
+      ({ phase, problem, waitingSinceMs }) =>
+        phase === 'waiting' &&
+        problem === undefined &&
+        clock.monotonicMs() - waitingSinceMs >= limits.startTimeoutMs,
+    );
+    if (late.length === 0) return;
+    for (const module of late) {
+      const node = nodes.get(module.nodeId);
+      module.problem = errorProblem({
+        code: 'module_not_started',
+        message: `The node ${quote(node?.label ?? module.nodeId)} has not reported within ${limits.startTimeoutMs / 1000} s that the module ${quote(module.name)} runs.`,
+        moduleId: module.id,
+        moduleName: module.name,
+        nodeId: module.nodeId,
+      });
+    }
+    evaluate(this.#context, session);
+    news.announceChange(session);
+  }
+
+  /** [SE-13] */
+  #lookAtStop(session: Session): void {
+    const { clock, limits, nodes } = this.#context;
+    const sinceMs = session.stoppingSinceMs ?? clock.monotonicMs();
+    if (clock.monotonicMs() - sinceMs < limits.stopTimeoutMs) return;
+    for (const module of session.modules) {
+      if (module.phase !== 'ending') continue;
+      module.phase = 'idle';
+      const node = nodes.get(module.nodeId);
+      session.troubles.set(
+        `stop ${module.nodeId}`,
+        warningProblem({
+          code: 'module_not_stopped',
+          message: `The node ${quote(node?.label ?? module.nodeId)} has not reported within ${limits.stopTimeoutMs / 1000} s that its modules have ended; nobody waits for it any more.`,
+          nodeId: module.nodeId,
+        }),
+      );
+    }
+    evaluate(this.#context, session);
+  }
+
+  #publish(session: Session): void {
+    const { clock, news } = this.#context;
+    news.publishStatistics({
+      sessionId: session.id,
+      state: wireState(session.life),
+      timeMs: clock.nowMs(),
+      modules: session.modules.flatMap(({ statistics }) => statistics ?? []),
+      ...this.#parts.passes(session),
+    });
+  }
+}
+
+function isWatched(session: Session): boolean {
+  return session.isLive || session.life === 'stopping';
+}

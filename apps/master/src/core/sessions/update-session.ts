@@ -1,0 +1,106 @@
+import { encode } from '@ubii/proto';
+import { quote } from '../topics/topic-names.ts';
+import { hasCodeOf } from './complete-modules.ts';
+import type { SessionDraft } from './draft.ts';
+import type { LifeContext } from './life-context.ts';
+import { tellNodes } from './node-changes.ts';
+import { placeModule } from './place-module.ts';
+import { warningProblem } from './problems.ts';
+import { createModule, type Session } from './session.ts';
+import { evaluate, syncLocal } from './session-life.ts';
+import type { SessionModule } from './session-module.ts';
+
+/** Replaces the specification of a session, also while it runs [SE-15]. */
+export function updateSession(context: LifeContext, session: Session, draft: SessionDraft): void {
+  const { modules: drafts, ...description } = draft;
+  const before = session.modules;
+  session.description = description;
+  session.revision++;
+  session.modules = drafts.map((one) => createModule(one));
+  const unheard = new Set<string>();
+  const started: SessionModule[] = [];
+  for (const module of session.modules) {
+    const old = before.find(({ id }) => id === module.id);
+    if (!session.isLive) module.spec = { ...module.spec, nodeId: module.wishedNodeId || (old?.nodeId ?? '') };
+    else if (old !== undefined && staysPut(module, old)) takeOver(context, module, old, unheard);
+    else {
+      if (old !== undefined && old.isPlaced && isForeign(context, old.nodeId)) unheard.add(old.nodeId);
+      placeModule(context, module);
+      started.push(module);
+    }
+  }
+  for (const old of before) {
+    const isGone = session.module(old.id) === undefined;
+    if (isGone && session.isLive && old.isPlaced && isForeign(context, old.nodeId)) unheard.add(old.nodeId);
+  }
+  for (const nodeId of unheard) {
+    session.troubles.set(`update ${nodeId}`, cannotUpdate(context, nodeId));
+  }
+  if (session.isLive) evaluate(context, session);
+  context.news.announceChange(session);
+  if (!session.isLive) return;
+  tellNodes(context, session, started);
+  syncLocal(context, session);
+}
+
+/** It runs where it ran: nobody asks for another node. */
+function staysPut(module: SessionModule, old: SessionModule): boolean {
+  return (
+    (old.isPlaced || old.phase === 'away') &&
+    module.name === old.name &&
+    (module.wishedNodeId === old.wishedNodeId || module.wishedNodeId === old.nodeId)
+  );
+}
+
+/** The module goes on as it was, with what has changed. */
+function takeOver(
+  context: LifeContext,
+  module: SessionModule,
+  old: SessionModule,
+  unheard: Set<string>,
+): void {
+  const { nodeId, language } = old.spec;
+  module.spec = { ...module.spec, nodeId, language };
+  module.phase = old.phase;
+  module.problem = old.problem;
+  module.statistics = old.statistics;
+  module.waitingSinceMs = old.waitingSinceMs;
+  if (old.phase === 'away') return;
+  if (isForeign(context, nodeId)) {
+    if (!isEqual(module, old)) unheard.add(nodeId);
+    return;
+  }
+  const isSameCode =
+    hasCodeOf(module.spec, old.spec) &&
+    JSON.stringify([module.spec.inputs, module.spec.outputs]) ===
+      JSON.stringify([old.spec.inputs, old.spec.outputs]);
+  if (isSameCode && module.phase !== 'failed') return;
+  // Its node starts it anew, and says when it runs.
+  context.local.retry(module.id);
+  module.phase = 'waiting';
+  module.problem = undefined;
+  module.waitingSinceMs = context.clock.monotonicMs();
+}
+
+function isEqual(module: SessionModule, old: SessionModule): boolean {
+  const bytes = ({ spec, mapping }: SessionModule): string =>
+    JSON.stringify([
+      [...encode('ubii.processing.ProcessingModule', spec)],
+      [...encode('ubii.sessions.IOMapping', mapping)],
+    ]);
+  return bytes(module) === bytes(old);
+}
+
+/** A node of the original hears of a session only when it starts and stops. */
+function isForeign({ nodes }: LifeContext, nodeId: string): boolean {
+  const node = nodes.get(nodeId);
+  return node !== undefined && node.extension === undefined;
+}
+
+function cannotUpdate({ nodes }: LifeContext, nodeId: string): ReturnType<typeof warningProblem> {
+  return warningProblem({
+    code: 'node_cannot_update',
+    message: `The node ${quote(nodes.get(nodeId)?.label ?? nodeId)} cannot take changes while a session runs; they count there after a stop and a start.`,
+    nodeId,
+  });
+}

@@ -1,0 +1,11 @@
+import type { TopicEntry } from './topic-entry.ts';
+
+/** Whoever gets the records of one subscriber. */
+export interface Receiver {
+  /** A record was published, and is in `entry` now. The hot path. */
+  deliver(entry: TopicEntry, record: Uint8Array, isEvent: boolean): void;
+  /** The retained record, unless a newer one than number `sinceSequence` came by itself. */
+  replay(entry: TopicEntry, sinceSequence: number): void;
+  /** The subscriber has no subscription to the topic any more. */
+  forgive(entry: TopicEntry): void;
+}
