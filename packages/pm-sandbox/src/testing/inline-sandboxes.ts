@@ -1,8 +1,9 @@
 import type { Sandbox, SandboxEvents, SandboxFactory, SandboxRequest } from '../ports/sandbox.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import { checkSource } from '../worker/check-source.ts';
+import type { Engine } from '../worker/engine.ts';
 import { Instance, type InstanceHost } from '../worker/instance.ts';
-import { ModuleError, moduleFault } from '../worker/module-error.ts';
+import { isFatal, ModuleError, moduleFault } from '../worker/module-error.ts';
 import { createV8Engine } from '../worker/v8/v8-engine.ts';
 
 /** What a test may add. */
@@ -18,8 +19,15 @@ export interface InlineSandboxOptions {
  * of time. Inputs, outputs and faults are those of the real ones.
  */
 export function createInlineSandboxes(options: InlineSandboxOptions = {}): SandboxFactory {
+  return createEngineSandboxes(createV8Engine(), options);
+}
+
+/** The same with another engine. */
+export function createEngineSandboxes(
+  engine: Engine,
+  options: InlineSandboxOptions = {},
+): SandboxFactory {
   const { libraries = {}, nowMs = () => 0 } = options;
-  const engine = createV8Engine();
   const open = new Set<InlineSandbox>();
   const host: InstanceHost = {
     engine,
@@ -42,7 +50,7 @@ export function createInlineSandboxes(options: InlineSandboxOptions = {}): Sandb
       open.add(sandbox);
       return sandbox;
     },
-    check: (source) => Promise.resolve(checkSource(engine, source)),
+    check: (source) => checkSource(engine, source),
     close() {
       for (const sandbox of open) sandbox.terminate();
       return Promise.resolve();
@@ -52,6 +60,7 @@ export function createInlineSandboxes(options: InlineSandboxOptions = {}): Sandb
 
 class InlineSandbox implements Sandbox {
   readonly #instance: Instance;
+  readonly #events: SandboxEvents;
   readonly #onGone: () => void;
   readonly #pending = new Set<(fault: ModuleFault) => void>();
   #gone: ModuleFault | undefined;
@@ -62,11 +71,13 @@ class InlineSandbox implements Sandbox {
     host: InstanceHost,
     onGone: () => void,
   ) {
+    this.#events = events;
     this.#onGone = onGone;
     this.#instance = new Instance(request, host, {
       onLog: (level, text) => events.onLog({ level, text }),
       callHost: () => Promise.reject(new Error('tests have no host')),
       onResume: () => undefined,
+      onFailed: () => undefined,
     });
   }
 
@@ -92,8 +103,12 @@ class InlineSandbox implements Sandbox {
   }
 
   terminate(): void {
+    this.#end(moduleFault('crashed', '', 'The sandbox is closed.'));
+  }
+
+  #end(fault: ModuleFault): void {
     if (this.#gone !== undefined) return;
-    this.#gone = moduleFault('crashed', '', 'The sandbox is closed.');
+    this.#gone = fault;
     this.#instance.free();
     for (const reject of this.#pending) reject(this.#gone);
     this.#pending.clear();
@@ -108,16 +123,23 @@ class InlineSandbox implements Sandbox {
         return;
       }
       this.#pending.add(reject);
+      const fail = (thrown: unknown): void => {
+        const fault = thrown as ModuleFault;
+        reject(fault);
+        if (!isFatal(fault)) return;
+        this.#end(fault);
+        this.#events.onKilled(fault);
+      };
       const end = (): void => void this.#pending.delete(reject);
       try {
         const called = call();
         if (called instanceof Promise) {
-          called.then(resolve, reject).finally(end);
+          called.then(resolve, fail).finally(end);
           return;
         }
         resolve(called);
-      } catch (fault) {
-        reject(fault);
+      } catch (thrown) {
+        fail(thrown);
       }
       end();
     });

@@ -59,10 +59,12 @@ export function openSandbox(
       source: { onProcessing, onCreated, onHalted, onDestroyed },
       isTrusted: init.isTrusted ?? isTrusted,
       libraries: init.libraries ?? [],
-      outputs: Object.entries<DataFormat | undefined>(init.outputs ?? { out: 'string' }).map(([name, format]) => ({
-        name,
-        format,
-      })),
+      outputs: Object.entries<DataFormat | undefined>(init.outputs ?? { out: 'string' }).map(
+        ([name, format]) => ({
+          name,
+          format,
+        }),
+      ),
       limits: {
         callTimeoutMs: 400,
         memoryBytes: 32 * 1024 * 1024,

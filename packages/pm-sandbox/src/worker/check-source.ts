@@ -12,24 +12,21 @@ const CHECK_LIMITS: SandboxLimits = {
 };
 
 /** Loads the callbacks without calling them. [PM-2] [PM-57] */
-export function checkSource(engine: Engine, source: ModuleSource): ModuleFault | undefined {
+export async function checkSource(
+  engine: Engine,
+  source: ModuleSource,
+): Promise<ModuleFault | undefined> {
   const tooLong = sourceTooLong(source);
   if (tooLong !== undefined) return tooLong;
-  const request = {
-    source,
-    limits: CHECK_LIMITS,
-    outputNames: [],
-    modules: {},
-    hostLibraries: {},
-  };
+  const request = { source, limits: CHECK_LIMITS, outputNames: [], modules: {}, hostLibraries: {} };
   try {
-    engine
-      .open(request, {
-        onLog: () => undefined,
-        callHost: () => Promise.reject(new Error('nothing is called by a check')),
-        onResume: () => undefined,
-      })
-      .free();
+    const opened = await engine.open(request, {
+      onLog: () => undefined,
+      callHost: () => Promise.reject(new Error('nothing is called by a check')),
+      onResume: () => undefined,
+      onFailure: () => undefined,
+    });
+    opened.free();
     return undefined;
   } catch (thrown) {
     return faultOf(thrown, '');

@@ -13,6 +13,8 @@ export interface EngineHooks {
   callHost(library: string, method: string, args: readonly unknown[]): Promise<unknown>;
   /** The module's code is about to go on, outside of a call. */
   onResume(): void;
+  /** The module's code failed for good outside of a call; what is given is as if thrown by one. */
+  onFailure(thrown: unknown): void;
 }
 
 /** What an engine is to load. */
@@ -51,5 +53,5 @@ export interface EngineInstance {
 /** Something that runs source text. */
 export interface Engine {
   /** @throws ModuleError of kind `syntax` or `missing` */
-  open(request: EngineRequest, hooks: EngineHooks): EngineInstance;
+  open(request: EngineRequest, hooks: EngineHooks): MaybePromise<EngineInstance>;
 }

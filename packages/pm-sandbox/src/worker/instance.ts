@@ -1,4 +1,4 @@
-import type { ModulePhase } from '../ports/module-fault.ts';
+import type { ModuleFault, ModulePhase } from '../ports/module-fault.ts';
 import type { SandboxCall, SandboxRequest, SandboxResult } from '../ports/sandbox.ts';
 import { MAX_LOG_LINES_PER_CALL } from '../sandbox-limits.ts';
 import { encodeOutputs } from './encode-outputs.ts';
@@ -17,7 +17,10 @@ export interface InstanceHost {
 }
 
 /** What an instance tells its surroundings. */
-export type InstanceHooks = EngineHooks;
+export interface InstanceHooks extends Omit<EngineHooks, 'onFailure'> {
+  /** Its code failed for good outside of a call. */
+  onFailed(fault: ModuleFault): void;
+}
 
 /**
  * One module in its engine: turns records into inputs, calls the callbacks, turns what they put out
@@ -29,6 +32,7 @@ export class Instance {
   readonly #host: InstanceHost;
   readonly #hooks: InstanceHooks;
   #code: EngineInstance | undefined;
+  #isFree = false;
   #logLines = 0;
 
   constructor(request: SandboxRequest, host: InstanceHost, hooks: InstanceHooks) {
@@ -83,6 +87,7 @@ export class Instance {
   free(): void {
     const code = this.#code;
     this.#code = undefined;
+    this.#isFree = true;
     code?.free();
   }
 
@@ -93,11 +98,20 @@ export class Instance {
       throw new ModuleError(moduleFault('missing', 'onProcessing', message));
     }
     const request = { source, limits, outputNames: outputs.map(({ name }) => name), ...libraries };
-    this.#code = this.#host.engine.open(request, {
+    const start = (code: EngineInstance): MaybePromise<void> => {
+      if (this.#isFree) {
+        code.free();
+        return;
+      }
+      this.#code = code;
+      return code.call('onCreated');
+    };
+    const opened = this.#host.engine.open(request, {
       ...this.#hooks,
       onLog: (level, text) => this.#log(level, text),
+      onFailure: (thrown) => this.#hooks.onFailed(faultOf(thrown, '')),
     });
-    return this.#code.call('onCreated');
+    return opened instanceof Promise ? opened.then(start) : start(opened);
   }
 
   #loaded(): EngineInstance {

@@ -12,6 +12,11 @@ export class ModuleError extends Error {
   }
 }
 
+/** Whether an instance with such a fault is gone. [PM-53] */
+export function isFatal({ kind }: ModuleFault): boolean {
+  return kind === 'timeout' || kind === 'memory' || kind === 'crashed';
+}
+
 /** A fault with its message cut to what is sent. */
 export function moduleFault(
   kind: ModuleFaultKind,
@@ -25,7 +30,7 @@ export function moduleFault(
 
 /** The fault in something that was caught. */
 export function faultOf(thrown: unknown, phase: ModulePhase): ModuleFault {
-  if (thrown instanceof ModuleError) return thrown.fault;
+  if (thrown instanceof ModuleError || thrown instanceof EngineBrokenError) return thrown.fault;
   return moduleFault('crashed', phase, `The sandbox failed: ${describeThrown(thrown)}`);
 }
 
@@ -47,4 +52,19 @@ export function describeThrown(thrown: unknown): string {
 /** Text as long as it may be. */
 export function cutText(text: string): string {
   return text.length <= MAX_TEXT_LENGTH ? text : `${text.slice(0, MAX_TEXT_LENGTH - 1)}…`;
+}
+
+/**
+ * The engine itself failed, as when the stack of its thread overflows: what is in it cannot go on. An
+ * engine belongs to one instance.
+ */
+export class EngineBrokenError extends Error {
+  readonly fault: ModuleFault;
+
+  constructor(phase: ModulePhase, cause: unknown) {
+    super('the engine failed', { cause });
+    this.name = 'EngineBrokenError';
+    const message = `${phase} broke the engine: ${describeThrown(cause)}`;
+    this.fault = moduleFault('crashed', phase, message);
+  }
 }
