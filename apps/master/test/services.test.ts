@@ -98,7 +98,7 @@ describe('services', () => {
     ['', 'invalid_argument', 'topic'],
     ['/services/unknown', 'unimplemented', '"/services/unknown"'],
     ['services/topic_list', 'unimplemented', '"services/topic_list"'],
-    ['/services/session/runtime/start', 'unimplemented', '/services/session/runtime/start'],
+    ['/services/notify_condition/add', 'unimplemented', '/services/notify_condition/add'],
     ['x'.repeat(100_000), 'unimplemented', 'xxx'],
     ['__proto__', 'unimplemented', '__proto__'],
     ['constructor', 'unimplemented', 'constructor'],
@@ -118,7 +118,7 @@ describe('services', () => {
     const master = new TestMaster();
     const { serviceList } = await master.call({ topic: '/services/service_list' });
     const isAnswered = serviceList!.elements.some((service) => service.topic === topic);
-    for (const request of [{ topic }, { topic, sessionList: {} }]) {
+    for (const request of [{ topic }, { topic, clientList: {} }]) {
       const { error } = await master.call(request);
       if (isAnswered) {
         expect(error).toMatchObject({ code: 'invalid_argument' });

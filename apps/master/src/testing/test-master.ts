@@ -108,6 +108,17 @@ export class TestMaster {
     return decode('ubii.services.ServiceReply', encode('ubii.services.ServiceReply', reply));
   }
 
+  /** Lets what was promised happen, and time pass: modules run. */
+  async pass(durationMs = 0): Promise<void> {
+    const stepMs = 5;
+    await settle();
+    for (let passedMs = 0; ; passedMs += stepMs) {
+      this.clock.advance(Math.min(stepMs, Math.max(0, durationMs - passedMs)));
+      await settle();
+      if (passedMs >= durationMs) return;
+    }
+  }
+
   /** A client that knows nothing of our extensions, registered and with an open socket. */
   async legacy(name: string, client: Init<Client> = {}): Promise<TestClient> {
     const registered = await this.register({ name, ...client });
@@ -128,4 +139,9 @@ export class TestMaster {
     if (reply.client === undefined) throw new Error(reply.error?.message ?? 'no client');
     return new TestClient(this, client.name ?? '', reply.client);
   }
+}
+
+/** Many turns of promises: an instance takes some to be made. */
+async function settle(): Promise<void> {
+  for (let i = 0; i < 50; i++) await Promise.resolve();
 }

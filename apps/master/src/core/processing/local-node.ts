@@ -96,6 +96,13 @@ export class LocalNode {
     }
   }
 
+  /** Whether there is an instance of it, or one is being made. */
+  isBusyWith(moduleId: string): boolean {
+    const instance = this.#instances.get(moduleId);
+    if (instance === undefined) return false;
+    return instance.have !== undefined || (instance.isBusy && instance.failed === undefined);
+  }
+
   /** Forgets a failed attempt: the next `sync` tries again. */
   retry(moduleId: string): void {
     const instance = this.#instances.get(moduleId);
@@ -138,6 +145,7 @@ export class LocalNode {
       onEvent: (event) => this.#reports.onEvent(event),
       onStatus: (id, status, fault) => this.#handleStatus(id, status, fault),
     }));
+    instance.failed = undefined;
     try {
       await runtime.create(want.spec);
     } catch (thrown) {

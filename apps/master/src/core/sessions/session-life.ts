@@ -4,6 +4,7 @@ import type { LifeContext } from './life-context.ts';
 import { placeModule } from './place-module.ts';
 import { warningProblem } from './problems.ts';
 import type { Session } from './session.ts';
+import type { SessionModule } from './session-module.ts';
 import { canHappen, nextLife, type SessionEvent } from './session-states.ts';
 
 /** Starts a session: its modules are given to nodes, which are told [SE-11]. @throws ServiceError */
@@ -41,15 +42,19 @@ export function stopSession(context: LifeContext, session: Session): void {
   move(context, session, 'stop');
   session.stoppingSinceMs = context.clock.monotonicMs();
   for (const module of session.modules) {
-    const node = context.nodes.get(module.nodeId);
-    // Who is not there, or was told in vain, is not waited for.
-    const isThere = node !== undefined && node.isAvailable && module.isPlaced;
-    module.phase = isThere ? 'ending' : 'idle';
+    module.phase = isThere(context, module) ? 'ending' : 'idle';
   }
   context.news.announceStop(session);
   context.news.announceChange(session);
   syncLocal(context, session);
   evaluate(context, session);
+}
+
+/** Whether somebody has an instance of it, or may be making one: else nobody is waited for. */
+function isThere({ nodes, local }: LifeContext, module: SessionModule): boolean {
+  if (module.nodeId === nodes.masterId) return local.isBusyWith(module.id);
+  const isGiven = module.phase === 'waiting' || module.phase === 'running';
+  return isGiven && nodes.get(module.nodeId)?.isAvailable === true;
 }
 
 /** Holds a session: its modules keep their state [SE-14]. @throws ServiceError */
