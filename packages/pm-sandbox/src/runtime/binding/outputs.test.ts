@@ -1,0 +1,234 @@
+import {
+  decodeRecord,
+  encode,
+  encodeRecord,
+  ModuleEventKind,
+  timestampFromMs,
+  type DataFormat,
+} from '@ubii/proto';
+import { recordValueField } from '@ubii/proto/wire';
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import type { SandboxOutput } from '../../ports/sandbox.ts';
+import { EMPTY_RESULT, sandboxOutput, sandboxValue } from '../../testing/fake-sandboxes.ts';
+import { createModuleWorld, ioMapping, type ModuleSketch } from '../../testing/module-world.ts';
+import { RecordCompletion } from './record-completion.ts';
+
+const ONCE = { triggerOnInput: { minDelayMs: 0, allInputsNeedUpdate: false } };
+const OUT: ModuleSketch = { outputs: { out: 'double' }, to: { out: '/out' } };
+
+/** A module that puts out what the test says each time. */
+async function createWorld(sketch: ModuleSketch, limits = {}) {
+  const world = createModuleWorld(limits);
+  await world.begin({ mode: ONCE, inputs: { go: 'double' }, ...sketch, from: { go: '/go' } });
+  const putOut = async (...outputs: SandboxOutput[]) => {
+    world.sandboxes.onRun = () => ({ ...EMPTY_RESULT, outputs });
+    world.topics.put('/go', 'double', 1);
+    await world.clock.endTurn();
+  };
+  const publishedOn = () => world.topics.published.map(({ topic }) => topic);
+  const messages = () => world.events.map(({ message }) => message);
+  return { ...world, putOut, publishedOn, messages };
+}
+
+/** A list output: element i has the value i. */
+function list(
+  name: string,
+  ...elements: { params?: string[]; identity?: string }[]
+): SandboxOutput {
+  return {
+    name,
+    elements: elements.map(({ params, identity }, index) => ({
+      value: sandboxValue('double', index),
+      params,
+      identity,
+      index,
+    })),
+  };
+}
+
+describe('an output mapped to a topic', () => {
+  it('[PM-32] is published with topic, timestamp and the id of the node', async () => {
+    const world = await createWorld(OUT);
+    await world.clock.advance(1234.5);
+    await world.putOut(sandboxOutput('out', 'double', 0));
+    expect(world.topics.published).toEqual([
+      {
+        topic: '/out',
+        format: 'double',
+        value: 0,
+        clientId: 'node-1',
+        timestampMs: world.clock.nowMs(),
+      },
+    ]);
+    expect(world.runtime.statistics()[0]).toMatchObject({ outputs: 1, outputsRefused: 0 });
+  });
+
+  it('[PM-32] keeps the timestamp the module gave', async () => {
+    const world = await createWorld(OUT);
+    const bytes = encode('ubii.topicData.TopicDataRecord', {
+      double: 1,
+      timestamp: timestampFromMs(1_700_000_000_000),
+    });
+    await world.putOut({ name: 'out', value: { bytes, valueField: 3, hasTimestamp: true } });
+    expect(world.topics.published).toMatchObject([{ timestampMs: 1_700_000_000_000 }]);
+  });
+
+  it('[PM-32] says its own topic and client even if the value brought others', async () => {
+    const world = await createWorld(OUT);
+    const bytes = encodeRecord({ topic: '/forged', format: 'double', value: 1, clientId: 'eve' });
+    await world.putOut({ name: 'out', value: { bytes, valueField: 3, hasTimestamp: false } });
+    expect(world.topics.published).toMatchObject([{ topic: '/out', clientId: 'node-1' }]);
+  });
+
+  it('[PM-33] is published though others of the run were refused', async () => {
+    const world = await createWorld(OUT);
+    const fault = { kind: 'output', phase: 'onProcessing', message: 'output "b": no' } as const;
+    world.sandboxes.onRun = () => ({
+      ...EMPTY_RESULT,
+      faults: [fault],
+      outputs: [sandboxOutput('out', 'double', 1)],
+    });
+    world.topics.put('/go', 'double', 1);
+    await world.clock.endTurn();
+    expect(world.publishedOn()).toEqual(['/out']);
+    expect(world.events).toMatchObject([
+      { kind: ModuleEventKind.REFUSED, phase: 'onProcessing', message: 'output "b": no' },
+    ]);
+    expect(world.runtime.statistics()[0]).toMatchObject({ outputs: 1, outputsRefused: 1 });
+  });
+
+  it('[PM-35] is published in the order of the declared outputs, unmapped ones are dropped', async () => {
+    const world = await createWorld({
+      outputs: { a: 'double', b: 'double', c: 'double' },
+      to: { c: '/c', a: '/a' },
+    });
+    await world.putOut(
+      sandboxOutput('c', 'double', 1),
+      sandboxOutput('b', 'double', 2),
+      sandboxOutput('a', 'double', 3),
+    );
+    expect(world.publishedOn()).toEqual(['/a', '/c']);
+    expect(world.events).toEqual([]);
+  });
+
+  it('goes to several topics when it is mapped to them', async () => {
+    const world = await createWorld(OUT);
+    const outputMappings = [
+      { outputName: 'out', topic: '/one' },
+      { outputName: 'out', topic: '/two' },
+    ];
+    world.runtime.remap('pm-1', { ...ioMapping({ from: { go: '/go' } }), outputMappings });
+    await world.putOut(sandboxOutput('out', 'double', 1));
+    expect(world.publishedOn()).toEqual(['/one', '/two']);
+  });
+
+  it('[PM-62] goes elsewhere at once when it is mapped there', async () => {
+    const world = await createWorld(OUT);
+    world.runtime.remap('pm-1', ioMapping({ from: { go: '/go' }, to: { out: '/new' } }));
+    await world.putOut(sandboxOutput('out', 'double', 1));
+    expect(world.publishedOn()).toEqual(['/new']);
+  });
+
+  it('is refused when it is a list, or when the port refuses it', async () => {
+    const world = await createWorld(OUT);
+    await world.putOut(list('out', {}, {}));
+    world.topics.publish = () => 'no room';
+    await world.putOut(sandboxOutput('out', 'double', 1));
+    expect(world.publishedOn()).toEqual([]);
+    expect(world.messages()).toEqual([
+      'output "out" is a list, but is mapped to the topic /out',
+      'no room',
+    ]);
+    expect(world.runtime.statistics()[0]).toMatchObject({ outputs: 0, outputsRefused: 3 });
+  });
+
+  it('[PM-55] is refused beyond so many records a second', async () => {
+    const world = await createWorld(OUT, { maxOutputsPerSecond: 10 });
+    for (let i = 0; i < 30; i++) await world.putOut(sandboxOutput('out', 'double', i));
+    expect(world.publishedOn()).toHaveLength(10);
+    await world.clock.advance(1000);
+    for (let i = 0; i < 30; i++) await world.putOut(sandboxOutput('out', 'double', i));
+    expect(world.publishedOn()).toHaveLength(20);
+    expect(world.runtime.statistics()[0]).toMatchObject({ outputs: 20, outputsRefused: 40 });
+    expect(world.events[0]).toMatchObject({ kind: ModuleEventKind.REFUSED });
+  });
+
+  it('[PM-55] is refused beyond so many bytes a second', async () => {
+    const world = await createWorld(
+      { outputs: { out: 'string' }, to: { out: '/out' } },
+      { maxOutputBytesPerSecond: 1000 },
+    );
+    for (let i = 0; i < 3; i++) await world.putOut(sandboxOutput('out', 'string', 'x'.repeat(400)));
+    await world.putOut(sandboxOutput('out', 'string', 'small'));
+    expect(world.publishedOn()).toHaveLength(3);
+  });
+});
+
+describe('an output mapped to a demuxer', () => {
+  const demuxed = (outputTopicFormat: string): ModuleSketch => ({
+    outputs: { out: 'double' },
+    to: { out: { outputTopicFormat } },
+  });
+
+  it('[PM-45] [PM-46] spreads its elements over topics', async () => {
+    const world = await createWorld(demuxed('/{{#0}}/x'));
+    await world.putOut(list('out', { params: ['a'] }, { identity: 'b' }, { params: ['a'] }));
+    expect(world.topics.published).toMatchObject([
+      { topic: '/a/x', value: 0 },
+      { topic: '/b/x', value: 1 },
+      { topic: '/a/x', value: 2 },
+    ]);
+  });
+
+  it('[PM-47] refuses elements without a topic a client may publish on, and publishes the others', async () => {
+    const world = await createWorld(demuxed('{{#0}}'));
+    await world.putOut(
+      list('out', {}, { params: ['/ok'] }, { params: [''] }, { params: ['/info/x'] }),
+    );
+    expect(world.publishedOn()).toEqual(['/ok']);
+    expect(world.messages()).toEqual([
+      'element 0 of output "out": it has no parameter 0 (none was given)',
+      'element 2 of output "out": its topic is empty',
+      'element 3 of output "out": only the master publishes on /info/x',
+    ]);
+  });
+
+  it('reports only some of many refused elements, and counts all', async () => {
+    const world = await createWorld(demuxed('/{{#0}}'));
+    await world.putOut(list('out', ...Array.from({ length: 1000 }, () => ({}))));
+    expect(world.events).toHaveLength(4);
+    expect(world.messages().at(-1)).toBe('997 more elements of output "out" alike');
+    expect(world.runtime.statistics()[0]?.outputsRefused).toBe(1000);
+  });
+
+  it('is refused when it is no list', async () => {
+    const world = await createWorld(demuxed('/{{#0}}'));
+    await world.putOut(sandboxOutput('out', 'double', 1));
+    expect(world.messages()).toEqual([
+      'output "out" is mapped to a demuxer, but is no { elements: [...] }',
+    ]);
+  });
+});
+
+describe('completing a record', () => {
+  it('[PM-32] gives what encoding the whole record would give', () => {
+    const completion = new RecordCompletion('node-1');
+    const value = fc.oneof(
+      fc.record({ format: fc.constant<DataFormat>('string'), value: fc.string() }),
+      fc.record({ format: fc.constant<DataFormat>('double'), value: fc.double({ noNaN: true }) }),
+      fc.record({ format: fc.constant<DataFormat>('bool'), value: fc.boolean() }),
+    );
+    fc.assert(
+      fc.property(fc.string(), value, fc.nat(1e12), (topic, { format, value: inner }, ms) => {
+        const nowMs = 1e12 + ms;
+        const put = sandboxValue(format, inner as never);
+        const bytes = completion.complete(put, completion.origin(topic), nowMs);
+        const whole = { topic, format, value: inner, timestampMs: nowMs, clientId: 'node-1' };
+        const expected = encodeRecord(whole as Parameters<typeof encodeRecord>[0]);
+        expect(decodeRecord(bytes)).toEqual(decodeRecord(expected));
+        expect(recordValueField(bytes)).toBe(put.valueField);
+      }),
+    );
+  });
+});
