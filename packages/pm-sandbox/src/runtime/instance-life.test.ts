@@ -290,6 +290,31 @@ describe('[PM-54] a killed instance', () => {
   });
 });
 
+describe('what fails around an instance', () => {
+  it('ends the instance whose outputs cannot be taken, not the node', async () => {
+    const world = createModuleWorld();
+    const sketch = { mode: TEN_HERTZ, outputs: { out: 'double' }, to: { out: '/out' } };
+    await world.begin(sketch);
+    world.topics.publish = () => {
+      throw new Error('broken port');
+    };
+    world.sandboxes.last.finish({ outputs: [sandboxOutput('out', 'double', 1)] });
+    await world.clock.endTurn();
+    expect(world.events).toMatchObject([{ kind: ModuleEventKind.KILLED, message: 'broken port' }]);
+    expect(world.sandboxes.last.isTerminated).toBe(true);
+  });
+
+  it('tells when there is no sandbox to be had', async () => {
+    const world = createModuleWorld();
+    world.sandboxes.open = () => {
+      throw new Error('closed');
+    };
+    const created = world.runtime.create(instanceSpec());
+    await expect(created).rejects.toMatchObject({ kind: 'crashed', message: 'closed' });
+    expect(world.runtime.has('pm-1')).toBe(false);
+  });
+});
+
 describe('changes to a running instance', () => {
   it('[PM-62] takes another mode without a restart', async () => {
     const { clock, sandboxes, topics, runtime, begin } = createModuleWorld();

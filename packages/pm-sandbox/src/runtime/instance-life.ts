@@ -116,14 +116,15 @@ export class InstanceLife {
     const { limits, libraries, sandboxes } = this.#context;
     const request = sandboxRequest(this.#spec, limits, libraries);
     if ('fault' in request) return request.fault;
-    const sandbox = sandboxes.open(request, {
-      onLog: ({ level, text }) => this.#reports.log(level, text),
-      onKilled: (fault) => {
-        if (sandbox === this.#sandbox) this.#handleKilled(fault);
-      },
-    });
-    this.#sandbox = sandbox;
+    let sandbox: Sandbox | undefined;
     try {
+      sandbox = sandboxes.open(request, {
+        onLog: ({ level, text }) => this.#reports.log(level, text),
+        onKilled: (fault) => {
+          if (sandbox === this.#sandbox) this.#handleKilled(fault);
+        },
+      });
+      this.#sandbox = sandbox;
       await sandbox.create();
     } catch (reason) {
       if (sandbox === this.#sandbox) this.#dropSandbox();
@@ -183,7 +184,7 @@ export class InstanceLife {
   #handleKilled(fault: ModuleFault): void {
     // While it is created, the failed call says the same.
     if (this.#status === 'creating' || this.#status === 'recreating') return;
-    if (this.#runner.isBusy) this.#reports.errors++;
+    if (this.#runner.isBusy) this.#reports.countLostRun();
     this.#events.onStop();
     this.#dropSandbox();
     this.#reports.fault(ModuleEventKind.KILLED, fault);

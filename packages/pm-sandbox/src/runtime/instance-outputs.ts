@@ -50,7 +50,7 @@ export class InstanceOutputs {
   publish(records: readonly OutputRecord[]): void {
     for (const { topic, bytes, valueField } of records) {
       const refusal = this.#context.topics.publish(topic, bytes, valueField);
-      if (refusal === undefined) this.#reports.outputs++;
+      if (refusal === undefined) this.#reports.countOutputs(1);
       else this.#reports.countRefused(refusal, 1);
     }
   }

@@ -102,7 +102,7 @@ export class ModuleInstance {
     const inputs = this.#inputs.readFrom(snapshot);
     return new Promise((resolve) => {
       this.#run({ inputs, deltaTimeMs }, (records) => {
-        this.#reports.outputs += records?.length ?? 0;
+        this.#reports.countOutputs(records?.length ?? 0);
         resolve(records);
       });
     });
@@ -116,14 +116,14 @@ export class ModuleInstance {
   /** @param deliver gets what the run put out, or nothing when it failed */
   #run(call: RunCall, deliver: (records: readonly OutputRecord[] | undefined) => void): void {
     const startMs = this.#context.clock.monotonicMs();
-    this.#reports.runs++;
+    this.#reports.countStart();
     this.#runner.start(call, {
       onResult: (result: SandboxResult) => {
-        this.#reports.countRun(result.durationMs);
+        this.#reports.countEnd(result.durationMs);
         deliver(this.#outputs.collect(result));
       },
       onFault: (fault) => {
-        this.#reports.countRun(this.#context.clock.monotonicMs() - startMs);
+        this.#reports.countEnd(this.#context.clock.monotonicMs() - startMs);
         this.#life.handleFault(fault);
         deliver(undefined);
       },

@@ -18,7 +18,7 @@ export interface RunOutcome {
   /** After one of the two; the next run may start. */
   onEnd(): void;
   /** In place of the others: the sandbox went away under the run. */
-  onLost?(): void;
+  onLost(): void;
 }
 
 /** Runs a sandbox, one run at a time. [PM-10] */
@@ -62,26 +62,35 @@ export class Runner {
     const deltaTimeMs = call.deltaTimeMs ?? startMs - (this.#lastStartMs ?? startMs);
     this.#lastStartMs = startMs;
     this.#isBusy = true;
-    sandbox.run({ deltaTimeMs, inputs, triggers }).then(
-      (result) => {
-        if (sandbox !== this.#sandbox) return outcome.onLost?.();
-        outcome.onResult(result);
-        this.#handleIdle();
-        outcome.onEnd();
-      },
-      (reason: unknown) => {
-        if (sandbox !== this.#sandbox) return outcome.onLost?.();
-        outcome.onFault(toFault(reason, 'onProcessing'));
-        this.#handleIdle();
-        outcome.onEnd();
-      },
-    );
+    sandbox
+      .run({ deltaTimeMs, inputs, triggers })
+      .then(
+        (result) => {
+          if (sandbox !== this.#sandbox) return outcome.onLost();
+          outcome.onResult(result);
+          this.#handleEnd(outcome);
+        },
+        (reason: unknown) => this.#handleFailure(sandbox, reason, outcome),
+      )
+      // Whoever takes the outputs failed: the instance ends, not the node.
+      .catch((reason: unknown) => this.#handleFailure(sandbox, reason, outcome));
   }
 
   /** Resolves when no run is under way. */
   whenIdle(): Promise<void> {
     if (!this.#isBusy) return Promise.resolve();
     return new Promise((resolve) => this.#idleWaiters.push(resolve));
+  }
+
+  #handleFailure(sandbox: Sandbox, reason: unknown, outcome: RunOutcome): void {
+    if (sandbox !== this.#sandbox) return outcome.onLost();
+    outcome.onFault(toFault(reason, 'onProcessing'));
+    this.#handleEnd(outcome);
+  }
+
+  #handleEnd(outcome: RunOutcome): void {
+    this.#handleIdle();
+    outcome.onEnd();
   }
 
   #handleIdle(): void {

@@ -19,17 +19,17 @@ const MAX_MESSAGE_LENGTH = 4096;
 
 /** What one instance did: counts and events. [PM-80] [PM-81] */
 export class InstanceReports {
-  runs = 0;
-  overruns = 0;
-  errors = 0;
-  restarts = 0;
-  outputs = 0;
-  refused = 0;
   readonly #subject: ReportSubject;
   readonly #clock: Clock;
   readonly #throttle: EventThrottle;
   readonly #logLines: TokenBucket;
   readonly #durations = new RunDurations();
+  #runs = 0;
+  #overruns = 0;
+  #errors = 0;
+  #restarts = 0;
+  #outputs = 0;
+  #refused = 0;
   #lastRuns = 0;
   #lastTakenMs: number;
 
@@ -46,30 +46,43 @@ export class InstanceReports {
     this.#logLines = new TokenBucket(limits.maxLogLinesPerSecond, this.#lastTakenMs);
   }
 
-  /** A run ended, however it ended. */
-  countRun(durationMs: number): void {
+  countStart(): void {
+    this.#runs++;
+  }
+
+  /** A run ended by itself, well or not. */
+  countEnd(durationMs: number): void {
     this.#durations.add(durationMs);
   }
 
   countError(fault: ModuleFault): void {
-    this.errors++;
+    this.#errors++;
     this.fault(ModuleEventKind.ERROR, fault);
   }
 
+  /** A run ended with its sandbox. */
+  countLostRun(): void {
+    this.#errors++;
+  }
+
+  countOutputs(count: number): void {
+    this.#outputs += count;
+  }
+
   countOverrun(): void {
-    this.overruns++;
+    this.#overruns++;
     const message = 'a run was still under way when the next one was due, which was left out';
     this.#tell({ kind: ModuleEventKind.OVERRUN, phase: 'onProcessing', message });
   }
 
   /** @param count records that were not published */
   countRefused(message: string, count: number): void {
-    this.refused += count;
+    this.#refused += count;
     this.#tell({ kind: ModuleEventKind.REFUSED, phase: 'onProcessing', message });
   }
 
   countRestart(): void {
-    this.restarts++;
+    this.#restarts++;
     const message = 'the module was started again with an empty state';
     this.#tell({ kind: ModuleEventKind.RESTARTED, message });
   }
@@ -103,24 +116,24 @@ export class InstanceReports {
   takeStatistics(status: ModuleStatistics['status'], waiting: number): ModuleStatistics {
     const nowMs = this.#clock.monotonicMs();
     const elapsedMs = nowMs - this.#lastTakenMs;
-    const runs = this.runs - this.#lastRuns;
+    const runs = this.#runs - this.#lastRuns;
     this.#lastTakenMs = nowMs;
-    this.#lastRuns = this.runs;
+    this.#lastRuns = this.#runs;
     const { p50Ms, p95Ms } = this.#durations.take();
     return {
       moduleId: this.#subject.moduleId,
       moduleName: this.#subject.moduleName,
       nodeId: this.#subject.nodeId,
       status,
-      runs: this.runs,
+      runs: this.#runs,
       runsPerSecond: elapsedMs > 0 ? (runs * 1000) / elapsedMs : 0,
       runP50Ms: p50Ms,
       runP95Ms: p95Ms,
-      overruns: this.overruns,
-      errors: this.errors,
-      restarts: this.restarts,
-      outputs: this.outputs,
-      outputsRefused: this.refused,
+      overruns: this.#overruns,
+      errors: this.#errors,
+      restarts: this.#restarts,
+      outputs: this.#outputs,
+      outputsRefused: this.#refused,
       waiting,
     };
   }
