@@ -1,25 +1,39 @@
 import {
   moduleToWire,
   parseModule,
+  type AnyModuleDefinition,
+  type SandboxFactory,
   type SandboxInput,
   type SandboxOutput,
   type SandboxRecord,
   type SandboxValue,
 } from '@ubii/pm-sandbox';
-import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import { dataFormatOfField, decode, encode, type Init, type TopicDataRecord } from '@ubii/proto';
-import { isList, outputValues, toRecord, type Drive } from './drive-module.ts';
+import { isList, outputValues, toRecord, type Drive, type DrivenModule } from './drive-module.ts';
 
 const LIMITS = { callTimeoutMs: 500, memoryBytes: 2 ** 26, outputBytes: 2 ** 20 };
 const RECORD = 'ubii.topicData.TopicDataRecord';
 const MODULE = 'ubii.processing.ProcessingModule';
 
-/** The callbacks as text in a sandbox of tests, records encoded on both ways. */
-export const driveSandboxed: Drive = async (definition, libraries = {}) => {
+/**
+ * The callbacks as text in a sandbox, records encoded on both ways.
+ *
+ * @param createSandboxes with libraries by name
+ */
+export function driveIn(
+  createSandboxes: (libraries: { readonly [name: string]: unknown }) => SandboxFactory,
+): Drive {
+  return (definition, libraries = {}) => drive(createSandboxes(libraries), definition);
+}
+
+async function drive(
+  sandboxes: SandboxFactory,
+  definition: AnyModuleDefinition,
+): Promise<DrivenModule> {
   const { name, outputs, source, ...parsed } = parseModule(
     decode(MODULE, encode(MODULE, moduleToWire(definition))),
   );
-  const sandbox = createInlineSandboxes({ libraries }).open(
+  const sandbox = sandboxes.open(
     {
       instanceId: 'instance',
       moduleName: name,
@@ -71,7 +85,7 @@ export const driveSandboxed: Drive = async (definition, libraries = {}) => {
       return outputValues(definition, records);
     },
   };
-};
+}
 
 function encodeSample(record: { [member: string]: unknown }): SandboxRecord {
   const { identity, type: _, ...members } = record;

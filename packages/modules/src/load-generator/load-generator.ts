@@ -46,8 +46,9 @@ export const loadGenerator = defineProcessingModule({
         result: { double: previous },
         durationMs: { double: Math.max(0, durationMs) },
         runs: { int32: state.runs },
-        echo:
-          stamp === undefined ? undefined : { double: stamp, timestamp: inputs.stamp?.timestamp },
+        echo: Number.isFinite(stamp)
+          ? { double: stamp!, timestamp: inputs.stamp?.timestamp }
+          : undefined,
       },
     };
   },
