@@ -239,6 +239,12 @@ export const StatusEventKind = {
   LIMIT_REACHED: 4,
   /** The master started. */
   MASTER_STARTED: 5,
+  /** A stored session or module was changed by hand and can be used. */
+  FILE_CHANGED: 6,
+  /** A stored session or module cannot be read. */
+  FILE_BROKEN: 7,
+  /** A session runs without some of its modules. */
+  SESSION_DEGRADED: 8,
 } as const;
 export type StatusEventKind = (typeof StatusEventKind)[keyof typeof StatusEventKind];
 
@@ -1304,7 +1310,10 @@ export interface StatusEvent {
  * `ubii.extension.StatusProblem`
  */
 export interface StatusProblem {
-  /** Stable name of the kind of problem: client_silent, client_slow, limit_reached, protocol_errors. */
+  /**
+   * Stable name of the kind of problem: client_silent, client_slow, limit_reached, protocol_errors,
+   * file_broken, session_degraded.
+   */
   code: string;
   /** How bad it is. */
   severity: StatusProblemSeverity;

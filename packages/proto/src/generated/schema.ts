@@ -78,6 +78,9 @@ enum ubii.extension.StatusEvent.Kind
 3 CLIENT_RETURNED
 4 LIMIT_REACHED
 5 MASTER_STARTED
+6 FILE_CHANGED
+7 FILE_BROKEN
+8 SESSION_DEGRADED
 enum ubii.extension.StatusProblem.Severity
 0 WARNING
 1 ERROR
