@@ -1,6 +1,6 @@
 import type { Init, Session } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { EXAMPLE_SESSIONS } from '../src/index.ts';
+import { EXAMPLE_SESSIONS, MODULES } from '../src/index.ts';
 import { startSession } from './session-world.ts';
 
 const ANN = '0f8fad5b-d9cb-469f-a165-70867728950e';
@@ -100,6 +100,17 @@ describe('the session touch-proximity', () => {
 });
 
 describe('a module of the library on a node', () => {
+  it.each(MODULES.map(({ name }) => name))('runs with nothing mapped: %s', async (name) => {
+    const http = { get: () => Promise.reject(new Error('none')) };
+    const { clock, runtime, ids, events } = await startSession(sessionOf(name, [], []), { http });
+    runtime.setMode(ids.get(name)!, { frequency: { hertz: 10 } });
+    await clock.advance(500);
+    const [statistics] = runtime.statistics();
+    expect(statistics?.runs).toBeGreaterThan(5);
+    expect(statistics?.errors).toBe(0);
+    expect(events).toEqual([]);
+  });
+
   it('asks the web through the library of the node', async () => {
     const urls: string[] = [];
     const http = {

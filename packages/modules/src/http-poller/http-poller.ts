@@ -111,8 +111,9 @@ export const httpPoller = defineProcessingModule({
           sinceMs: state.nowMs,
           answer: undefined,
         };
+        const asked = (state.modules as { http: HttpLibrary }).http.get(url);
         state.request = next;
-        (state.modules as { http: HttpLibrary }).http.get(url).then(
+        asked.then(
           (answer) => {
             next.answer = { status: answer.status, text: answer.text };
           },

@@ -67,7 +67,8 @@ export const touchProximity = defineProcessingModule({
     // Who touches where. The clocks of phones differ, so a touch ages from when it arrived here.
     const touches: { identity: string; x: number; y: number }[] = [];
     const seen = Object.create(null) as TouchProximityState['seen'];
-    for (const element of inputs.touches.elements) {
+    // Nothing at all while it is not mapped.
+    for (const element of inputs.touches?.elements ?? []) {
       const { identity, topic, timestamp, vector2 } = element;
       if (identity === undefined || identity === '') continue;
       if (!Number.isFinite(vector2.x) || !Number.isFinite(vector2.y)) continue;
