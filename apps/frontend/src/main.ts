@@ -5,6 +5,9 @@ import App from './App.vue';
 import { CONNECTION } from './connection/connection.ts';
 import { createConnection } from './connection/create-connection.ts';
 import { routes } from './routes.ts';
+import { createTabNode } from './tab-node/create-tab-node.ts';
+import { openTabNode } from './tab-node/open-tab-node.ts';
+import { TAB_NODE } from './tab-node/tab-node.ts';
 import { createToasts, provideToasts } from './ui/toasts/toasts.ts';
 
 const app = createApp(App);
@@ -13,6 +16,10 @@ const connection = app.runWithContext(() => createConnection());
 
 app.use(router);
 app.provide(CONNECTION, connection);
+app.provide(
+  TAB_NODE,
+  app.runWithContext(() => createTabNode(connection.client, openTabNode)),
+);
 provideToasts(app, createToasts());
 app.mount('#app');
 connection.connect();

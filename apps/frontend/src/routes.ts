@@ -1,5 +1,7 @@
 import type { RouteRecordRaw } from 'vue-router';
 import { examplesRoutes } from './examples/routes.ts';
+import { modulesRoutes } from './modules/routes.ts';
+import { sessionsRoutes } from './sessions/routes.ts';
 import { topicsRoutes } from './topics/routes.ts';
 
 declare module 'vue-router' {
@@ -18,6 +20,8 @@ export const routes: readonly RouteRecordRaw[] = [
     component: () => import('./home/HomePage.vue'),
     meta: { title: 'Home' },
   },
+  ...sessionsRoutes,
+  ...modulesRoutes,
   ...topicsRoutes,
   ...examplesRoutes,
   {

@@ -2,6 +2,8 @@ import type { ConnectionState, RoundTrip, UbiiClient } from '@ubii/client-web';
 import type { ComputedRef, InjectionKey, Ref, ShallowRef } from 'vue';
 import type { ClientsStore } from './clients-store.ts';
 import type { MasterStatusStore } from './master-status-store.ts';
+import type { NodesStore } from './nodes-store.ts';
+import type { SessionsStore } from './sessions-store.ts';
 import type { TopicStatisticsStore } from './topic-statistics-store.ts';
 
 /** This page's one place in the system. Views read it and send intents. */
@@ -19,6 +21,8 @@ export interface Connection {
   readonly master: MasterStatusStore;
   readonly clients: ClientsStore;
   readonly topics: TopicStatisticsStore;
+  readonly sessions: SessionsStore;
+  readonly nodes: NodesStore;
   /** Connects, or tries again at once. */
   connect(): void;
   /** Leaves, forgets who this page was and comes back as a new client. */

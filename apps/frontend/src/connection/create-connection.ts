@@ -6,6 +6,8 @@ import { createClientsStore } from './clients-store.ts';
 import type { Connection } from './connection.ts';
 import { friendlyName } from './friendly-name.ts';
 import { createMasterStatusStore } from './master-status-store.ts';
+import { createNodesStore } from './nodes-store.ts';
+import { createSessionsStore } from './sessions-store.ts';
 import { createTopicStatisticsStore } from './topic-statistics-store.ts';
 
 const DEFAULT_PUBLISH_INTERVAL_MS = 15;
@@ -61,6 +63,8 @@ export function createConnection(): Connection {
     master: createMasterStatusStore(client, isConnected, Date.now),
     clients: createClientsStore(client, isConnected),
     topics: createTopicStatisticsStore(client, isConnected, Date.now),
+    sessions: createSessionsStore(client, isConnected),
+    nodes: createNodesStore(client, isConnected),
     connect,
     forgetIdentity,
   };

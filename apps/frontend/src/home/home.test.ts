@@ -13,13 +13,26 @@ import { problemParts } from './problem-parts.ts';
 import { publisherRates } from './publisher-rates.ts';
 
 describe('homeSentence', () => {
-  const calm = { active: 5, silent: 0, errors: 0, warnings: 0, recordsPerSecond: 1842 };
+  const calm = {
+    active: 5,
+    silent: 0,
+    errors: 0,
+    warnings: 0,
+    running: 0,
+    troubledModules: 0,
+    recordsPerSecond: 1842,
+  };
 
   it.each([
     [calm, 'Five clients are here and data is flowing.'],
     [{ ...calm, recordsPerSecond: 0 }, 'Five clients are here, nobody is publishing.'],
     [{ ...calm, recordsPerSecond: undefined }, 'Five clients are here.'],
     [{ ...calm, active: 1 }, 'Only this browser is here. Connect a phone or open an example.'],
+    [
+      { ...calm, running: 2, troubledModules: 1 },
+      'Two sessions are running for five clients. One module needs you.',
+    ],
+    [{ ...calm, active: 1, running: 1 }, 'One session is running for this browser alone.'],
     [{ ...calm, active: 13 }, '13 clients are here and data is flowing.'],
     [{ ...calm, errors: 1 }, 'Five clients are here and data is flowing. One problem needs you.'],
     [{ ...calm, errors: 2 }, 'Five clients are here and data is flowing. Two problems need you.'],

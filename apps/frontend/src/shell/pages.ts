@@ -1,4 +1,4 @@
-import { House, ListTree, Settings, Shapes } from '@lucide/vue';
+import { Blocks, House, ListTree, Settings, Shapes, Workflow } from '@lucide/vue';
 import type { Component } from 'vue';
 
 /** A page of the navigation. Only pages that exist stand here. */
@@ -7,10 +7,14 @@ export interface NavigationPage {
   readonly to: string;
   readonly icon: Component;
   readonly shortcut: string;
+  /** On phones it stands in the menu of the last item. */
+  readonly isBehindMore?: boolean;
 }
 
 export const PAGES: readonly NavigationPage[] = [
   { title: 'Home', to: '/', icon: House, shortcut: 'G H' },
+  { title: 'Sessions', to: '/sessions', icon: Workflow, shortcut: 'G N' },
+  { title: 'Modules', to: '/modules', icon: Blocks, shortcut: 'G M', isBehindMore: true },
   { title: 'Topics', to: '/topics', icon: ListTree, shortcut: 'G T' },
   { title: 'Examples', to: '/examples', icon: Shapes, shortcut: 'G E' },
 ];

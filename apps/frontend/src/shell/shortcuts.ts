@@ -22,6 +22,15 @@ export const SHORTCUTS: readonly Shortcut[] = [
   })),
 ];
 
+/** What keys do on the row of a list that has the focus; told here, done there. */
+export const ROW_KEYS: readonly { readonly keys: string; readonly text: string }[] = [
+  { keys: '↑ ↓', text: 'Go from row to row' },
+  { keys: 'Enter', text: 'Open it' },
+  { keys: 'Space', text: 'Start, pause or resume a session' },
+  { keys: 'F2', text: 'Rename a session' },
+  { keys: 'Del', text: 'Delete a session or a stored module' },
+];
+
 /** How long the second key of a pair may take, milliseconds. */
 export const PAIR_MS = 1000;
 

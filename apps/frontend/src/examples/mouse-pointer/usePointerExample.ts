@@ -4,7 +4,15 @@ import { useIntervalFn, useLocalStorage } from '@vueuse/core';
 import { onScopeDispose, readonly, shallowRef, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { type EchoLatency, EchoLatencyWindow } from './echo-latency.ts';
-import { POINTER_COMPONENT, POINTER_DEVICE, POINTER_GLOB } from './pointer-topic.ts';
+import {
+  exampleTopic,
+  MIRROR_X_COMPONENT,
+  MIRROR_Y_COMPONENT,
+  MIRRORED_COMPONENT,
+  POINTER_COMPONENT,
+  POINTER_DEVICE,
+  POINTER_GLOB,
+} from './pointer-topic.ts';
 import { type Pointer, type PointerClient, Pointers } from './pointers.ts';
 
 const COMPONENTS = [
@@ -13,6 +21,18 @@ const COMPONENTS = [
     format: 'vector2',
     tags: ['pointer'],
     description: 'Pointer on the pad, 0 to 1 on both axes, origin top left.',
+  },
+  {
+    name: MIRROR_X_COMPONENT,
+    format: 'bool',
+    tags: ['switch'],
+    description: 'Whether the session mirrors the pointer from left to right.',
+  },
+  {
+    name: MIRROR_Y_COMPONENT,
+    format: 'bool',
+    tags: ['switch'],
+    description: 'Whether the session mirrors the pointer from top to bottom.',
   },
 ] as const;
 
@@ -23,6 +43,8 @@ const SPARKLINE_POINTS = 120;
 /** What the readouts show of the last moments. */
 export interface PointerReadouts {
   readonly latency: EchoLatency | undefined;
+  /** To the session's module and back. */
+  readonly through: EchoLatency | undefined;
   /** Newest round trips, oldest first, milliseconds. */
   readonly recentMs: readonly number[];
   readonly publishedPerSecond: number;
@@ -37,9 +59,12 @@ export function usePointerExample() {
   const { client, clients, isConnected, publishIntervalMs } = useConnection();
   const pointers = new Pointers();
   const latency = new EchoLatencyWindow();
+  /** Through the session: the module keeps the time of the pointer, not its place. */
+  const through = new EchoLatencyWindow();
   const people = shallowRef<readonly Pointer[]>([]);
   const readouts = shallowRef<PointerReadouts>({
     latency: undefined,
+    through: undefined,
     recentMs: [],
     publishedPerSecond: 0,
     receivedPerSecond: 0,
@@ -50,6 +75,7 @@ export function usePointerExample() {
     immediate: false,
     intervalMs: 15,
   });
+  const mirror = useLocalStorage('ubii.examples.mouse-pointer.mirror', { x: true, y: false });
 
   let device: RegisteredDevice<typeof COMPONENTS> | undefined;
   let ended = false;
@@ -58,10 +84,36 @@ export function usePointerExample() {
     .then((registered) => {
       if (ended) return registered.close();
       device = registered;
+      publishMirror();
       return undefined;
     })
     // Only when the client is closed for good, which the shell shows.
     .catch(() => undefined);
+
+  /** The newest stays on its topic, so that a session that comes later has it. */
+  function publishMirror(): void {
+    device?.component(MIRROR_X_COMPONENT).publish(mirror.value.x);
+    device?.component(MIRROR_Y_COMPONENT).publish(mirror.value.y);
+  }
+  watch(mirror, publishMirror, { deep: true });
+  watch(isConnected, (connected) => connected && publishMirror());
+
+  /** Where the session put the pointer last. */
+  let mirrored: { readonly x: number; readonly y: number } | undefined;
+  watch(
+    isConnected,
+    (connected, _before, onCleanup) => {
+      if (!connected) return;
+      const returned = client
+        .subscribe(exampleTopic(client.id, MIRRORED_COMPONENT), { format: 'vector2' })
+        .onRecord(({ value, timestampMs }) => {
+          mirrored = value;
+          through.returned({ timestampMs, x: 0, y: 0 }, performance.now());
+        });
+      onCleanup(() => void returned.close());
+    },
+    { immediate: true },
+  );
 
   let published = 0;
   let received = 0;
@@ -81,7 +133,10 @@ export function usePointerExample() {
     },
     { immediate: true },
   );
-  watch(isConnected, () => latency.clear());
+  watch(isConnected, () => {
+    latency.clear();
+    through.clear();
+  });
   watch(
     () => settings.value.intervalMs,
     (intervalMs) => client.setPublishIntervalMs(intervalMs),
@@ -94,6 +149,7 @@ export function usePointerExample() {
     const perSecond = 1000 / (nowMs - readAtMs);
     readouts.value = {
       latency: latency.summary(),
+      through: through.summary(),
       recentMs: latency.recent(SPARKLINE_POINTS),
       publishedPerSecond: published * perSecond,
       receivedPerSecond: received * perSecond,
@@ -114,6 +170,10 @@ export function usePointerExample() {
     /** Everybody on the example, this browser included. */
     people: readonly(people),
     settings,
+    /** In which axes the session mirrors; published as topics of this client. */
+    mirror,
+    /** Where the session put this browser's pointer last. */
+    mirrored: () => mirrored,
     readouts: readonly(readouts),
     /** Where the client's pointer is, as it came back from the master. */
     position: (clientId: string) => pointers.position(clientId),
@@ -122,6 +182,7 @@ export function usePointerExample() {
       if (device === undefined) return;
       const timestampMs = Date.now();
       latency.sent({ timestampMs, x, y }, performance.now());
+      through.sent({ timestampMs, x: 0, y: 0 }, performance.now());
       published++;
       device
         .component(POINTER_COMPONENT)

@@ -49,6 +49,12 @@ export function isAlive(session: Living): boolean {
   return state === SESSION_RUNNING || state === SESSION_DEGRADED || state === SESSION_PAUSED;
 }
 
+/** True when it runs, or should, and something keeps it from doing so well. */
+export function hasTrouble(session: Living): boolean {
+  const hasError = session.extension?.problems.some(({ isError }) => isError) === true;
+  return hasError && (isAlive(session) || sessionState(session) === SESSION_STARTING);
+}
+
 export const ACTION_WORDS: Readonly<Record<LifeAction, string>> = {
   start: 'Start',
   pause: 'Pause',

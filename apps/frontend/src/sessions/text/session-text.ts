@@ -20,6 +20,7 @@ export interface TextProblem {
   readonly path: string;
 }
 
+/** A text as a session, or why it is none. */
 export type ReadSession =
   | {
       readonly kind: 'read';

@@ -1,7 +1,7 @@
 import type { Component } from 'vue';
 import { fuzzyScore } from './fuzzy.ts';
 
-export type CommandKind = 'page' | 'example' | 'client' | 'topic' | 'action';
+export type CommandKind = 'page' | 'example' | 'session' | 'module' | 'client' | 'topic' | 'action';
 
 /** Something the palette finds. */
 export interface Command {
@@ -23,6 +23,8 @@ export interface Command {
 export const KIND_WORDS: Readonly<Record<CommandKind, string>> = {
   page: 'page',
   example: 'example',
+  session: 'session',
+  module: 'module',
   client: 'client',
   topic: 'topic',
   action: 'action',
@@ -32,10 +34,15 @@ export const KIND_WORDS: Readonly<Record<CommandKind, string>> = {
 const KIND_BONUS: Readonly<Record<CommandKind, number>> = {
   page: 20,
   example: 12,
+  session: 12,
+  module: 8,
   action: 10,
   client: 6,
   topic: 0,
 };
+
+/** Too many to be shown unasked. */
+const BY_NAME: ReadonlySet<CommandKind> = new Set(['topic', 'client', 'session', 'module']);
 
 const RECENT_BONUS = 15;
 /** More are not read. */
@@ -55,8 +62,7 @@ export function rankCommands(
     const byId = new Map(commands.map((command) => [command.id, command]));
     const first = recent.map((id) => byId.get(id)).filter((command) => command !== undefined);
     const rest = commands.filter(
-      (command) =>
-        command.kind !== 'topic' && command.kind !== 'client' && !recent.includes(command.id),
+      (command) => !BY_NAME.has(command.kind) && !recent.includes(command.id),
     );
     return [...first, ...rest].slice(0, MAX_RESULTS);
   }

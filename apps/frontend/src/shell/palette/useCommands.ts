@@ -1,11 +1,30 @@
-import { Copy, Keyboard, Monitor, Moon, Pencil, Play, QrCode, RotateCw, Sun } from '@lucide/vue';
+import {
+  Blocks,
+  Copy,
+  Cpu,
+  Keyboard,
+  Monitor,
+  Moon,
+  Pencil,
+  Play,
+  Plus,
+  QrCode,
+  RotateCw,
+  Square,
+  Sun,
+  Workflow,
+} from '@lucide/vue';
 import { useClipboard } from '@vueuse/core';
 import { computed, type ComputedRef } from 'vue';
 import { useRouter } from 'vue-router';
 import { bestAddress } from '../../connect-phone/addresses.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { EXAMPLES } from '../../examples/catalogue.ts';
+import { moduleLocation } from '../../modules/routes.ts';
 import { playerIdentity } from '../../players/player-identity.ts';
+import { sessionLocation } from '../../sessions/routes.ts';
+import { sessionState, stateLook } from '../../sessions/state/session-state.ts';
+import { useTabNode } from '../../tab-node/useTabNode.ts';
 import { useThemeChoice } from '../../theme/useTheme.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import { PAGES, SETTINGS_PAGE } from '../pages.ts';
@@ -21,7 +40,8 @@ export function useCommands(): ComputedRef<Command[]> {
   const shell = useShell();
   const theme = useThemeChoice();
   const toasts = useToasts();
-  const { clients, topics, master, isConnected, connect } = useConnection();
+  const { client, clients, topics, sessions, master, isConnected, connect } = useConnection();
+  const tab = useTabNode();
   const { copy } = useClipboard({ legacy: true });
   topics.watch(TOPICS_INTERVAL_MS);
 
@@ -59,6 +79,13 @@ export function useCommands(): ComputedRef<Command[]> {
       icon: QrCode,
       shortcut: 'C',
       run: () => shell.open('connect-phone'),
+    },
+    {
+      id: 'action new-session',
+      kind: 'action',
+      title: 'New session',
+      icon: Plus,
+      run: go('/sessions/new'),
     },
     {
       id: 'action copy-address',
@@ -105,6 +132,64 @@ export function useCommands(): ComputedRef<Command[]> {
     run: connect,
   };
 
+  const runsModules = computed((): Command => {
+    const isOn = tab.isChosen.value;
+    return {
+      id: 'action tab-node',
+      kind: 'action',
+      title: isOn ? 'Run no more modules in this tab' : 'Run modules in this tab',
+      icon: Cpu,
+      run: () => (tab.isChosen.value = !isOn),
+    };
+  });
+
+  /** A failed intent shows where the session is shown. */
+  async function act(id: string, action: 'start' | 'stop'): Promise<void> {
+    const service = action === 'start' ? 'sessionRuntimeStart' : 'sessionRuntimeStop';
+    await client.call(service, { id }).catch(() => router.push(sessionLocation(id)));
+  }
+  const runs = computed(() =>
+    (sessions.list.value ?? []).flatMap((session): Command[] => {
+      const { id, name } = session;
+      const { word, actions: can } = stateLook(sessionState(session));
+      const title = name || 'Session without a name';
+      const open: Command = {
+        id: `session ${id}`,
+        kind: 'session',
+        title,
+        detail: word,
+        icon: Workflow,
+        run: () => void router.push(sessionLocation(id)),
+      };
+      const action = (['start', 'stop'] as const).find((one) => can.includes(one));
+      if (action === undefined) return [open];
+      const verb = action === 'start' ? 'Start' : 'Stop';
+      const icon = action === 'start' ? Play : Square;
+      const intent: Command = {
+        id: `session ${action} ${id}`,
+        kind: 'session',
+        title: `${verb} ${title}`,
+        icon,
+        run: () => void act(id, action),
+      };
+      return [open, intent];
+    }),
+  );
+
+  /** Modules that sessions use; the page finds the others. */
+  const modules = computed(() => {
+    const names = (sessions.list.value ?? []).flatMap(({ processingModules }) =>
+      processingModules.map(({ name }) => name),
+    );
+    return [...new Set(names)].map((name): Command => ({
+      id: `module ${name}`,
+      kind: 'module',
+      title: name,
+      icon: Blocks,
+      run: () => void router.push(moduleLocation(name)),
+    }));
+  });
+
   const people = computed(() =>
     (clients.list.value ?? []).map(({ id, name, description }): Command => ({
       id: `client ${id}`,
@@ -131,6 +216,9 @@ export function useCommands(): ComputedRef<Command[]> {
     ...examples,
     ...(isConnected.value ? [] : [reconnect]),
     ...actions,
+    runsModules.value,
+    ...runs.value,
+    ...modules.value,
     ...people.value,
     ...streams.value,
   ]);

@@ -1,0 +1,165 @@
+import { ConnectionError } from '@ubii/client-web';
+import {
+  moduleEventTopic,
+  ServiceError,
+  sessionStatisticsTopic,
+  SERVICES,
+  toJson,
+  type ModuleStatistics,
+  type Session,
+} from '@ubii/proto';
+import { useEventListener } from '@vueuse/core';
+import { computed, onScopeDispose, shallowRef, watch, type ComputedRef, type Ref } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { eventPlace } from '../../sessions/live/event-log.ts';
+import { useTabNode } from '../../tab-node/useTabNode.ts';
+import { isMirrorSessionOf, mirrorSession, onNode } from './mirror-session.ts';
+
+/** Where the pointer is mirrored. */
+export type MirrorPlace =
+  | { readonly kind: 'master' }
+  | { readonly kind: 'tab' }
+  | { readonly kind: 'node'; readonly nodeId: string };
+
+export interface MirrorSession {
+  /** As the master tells it; `undefined` while there is none. */
+  readonly session: ComputedRef<Session | undefined>;
+  readonly statistics: Ref<ModuleStatistics | undefined>;
+  /** What went wrong last in the module or in a call, one sentence. */
+  readonly trouble: Ref<string | undefined>;
+  /** Sends the session anew. */
+  restart(): Promise<void>;
+}
+
+const NODES_INTERVAL_MS = 2000;
+
+/**
+ * Keeps a session of this page's own running where `place` says, while the calling scope lives. The
+ * client sends all of it: source, mappings and place.
+ */
+export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSession {
+  const { client, name, isConnected, sessions, nodes } = useConnection();
+  const tab = useTabNode();
+  nodes.watch(NODES_INTERVAL_MS);
+  const id = shallowRef<string>();
+  const statistics = shallowRef<ModuleStatistics>();
+  const trouble = shallowRef<string>();
+  let releaseTab: (() => void) | undefined;
+  let isOver = false;
+
+  const session = computed(() => sessions.list.value?.find((one) => one.id === id.value));
+
+  /** Where the module is to run now; the tab is made ready for it. */
+  async function nodeId(): Promise<string> {
+    const wanted = place.value;
+    if (wanted.kind !== 'tab') {
+      releaseTab?.();
+      releaseTab = undefined;
+      return wanted.kind === 'node' ? wanted.nodeId : 'master';
+    }
+    releaseTab ??= tab.need();
+    await tab.whenOn();
+    return client.id;
+  }
+
+  async function send(): Promise<void> {
+    const [{ mirrorPointer }, { moduleToWire }] = await Promise.all([
+      import('@ubii/modules'),
+      import('@ubii/pm-sandbox'),
+    ]);
+    const { elements } = await client.call('sessionRuntimeGetList');
+    // What a reload left behind would mirror the pointer a second time
+    for (const left of elements.filter((one) => isMirrorSessionOf(one, client.id))) {
+      await client.call('sessionRuntimeRemove', { id: left.id });
+    }
+    const spec = mirrorSession({
+      clientId: client.id,
+      clientName: name.value,
+      module: moduleToWire(mirrorPointer),
+      nodeId: await nodeId(),
+    });
+    if (isOver) return;
+    take(await client.call('sessionRuntimeStart', spec));
+  }
+
+  async function move(): Promise<void> {
+    if (id.value === undefined) return send();
+    const known = await client.call('sessionRuntimeGet', { id: id.value });
+    take(await client.call('sessionRuntimeUpdate', onNode(known, await nodeId())));
+  }
+
+  function take(answer: Session): void {
+    sessions.take(answer);
+    id.value = answer.id;
+    if (isOver) end();
+  }
+
+  /** One change after the other, however fast the place is switched. */
+  let changes: Promise<void> = Promise.resolve();
+  function attempt(intent: () => Promise<void>): Promise<void> {
+    changes = changes.then(async () => {
+      if (isOver || !isConnected.value) return;
+      trouble.value = undefined;
+      try {
+        await intent();
+      } catch (cause) {
+        if (cause instanceof ServiceError && cause.code === 'not_found') id.value = undefined;
+        if (cause instanceof ConnectionError) return; // shown by the shell, tried again after it
+        trouble.value = cause instanceof Error ? cause.message : String(cause);
+      }
+    });
+    return changes;
+  }
+
+  watch(place, () => void attempt(move));
+  watch(isConnected, (connected) => connected && void attempt(send), { immediate: true });
+
+  watch(id, (next, _before, onCleanup) => {
+    statistics.value = undefined;
+    if (next === undefined) return;
+    const reports = client
+      .subscribe(sessionStatisticsTopic(next), { format: 'sessionStatistics' })
+      .onRecord(({ value }) => (statistics.value = value.modules[0]));
+    const events = client
+      .subscribe(moduleEventTopic(next), { format: 'moduleEvent' })
+      .onRecord(({ value }) => {
+        const at = eventPlace(value);
+        trouble.value = at === '' ? value.message : `${value.message} (${at})`;
+      });
+    onCleanup(() => {
+      void reports.close();
+      void events.close();
+    });
+  });
+
+  function end(): void {
+    const gone = id.value;
+    id.value = undefined;
+    if (gone === undefined) return;
+    sessions.drop(gone);
+    client.call('sessionRuntimeRemove', { id: gone }).catch(() => undefined); // it is gone already
+  }
+  onScopeDispose(() => {
+    isOver = true;
+    end();
+    releaseTab?.();
+  });
+  // A page that is closed has no time for an answer
+  useEventListener(window, 'pagehide', () => {
+    if (id.value === undefined) return;
+    const request = { topic: SERVICES.sessionRuntimeRemove.topic, session: { id: id.value } };
+    const body = JSON.stringify(toJson('ubii.services.ServiceRequest', request));
+    navigator.sendBeacon('/services/json', new Blob([body], { type: 'application/json' }));
+  });
+
+  return {
+    session,
+    statistics,
+    trouble,
+    restart: () =>
+      attempt(async () => {
+        end();
+        await send();
+      }),
+  };
+}

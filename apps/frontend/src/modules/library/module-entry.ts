@@ -1,0 +1,73 @@
+import { ModuleOrigin, type NodeInfo, type ProcessingModule, type Session } from '@ubii/proto';
+import { formatLook } from '../../formats/families.ts';
+
+/** A module of the library, with who has it and who uses it. */
+export interface ModuleEntry {
+  readonly module: ProcessingModule;
+  readonly origin: ModuleOrigin;
+  /** Nodes that have its code. */
+  readonly offeredBy: readonly NodeInfo[];
+  /** Sessions that have a module of this name. */
+  readonly usedBy: readonly Session[];
+}
+
+/** Where a module is from, for people. */
+export const ORIGIN_WORDS: Readonly<Record<ModuleOrigin, string>> = {
+  [ModuleOrigin.MODULE_ORIGIN_UNKNOWN]: 'at the master',
+  [ModuleOrigin.MODULE_ORIGIN_BUILT_IN]: 'built in',
+  [ModuleOrigin.MODULE_ORIGIN_FOLDER]: 'operator’s folder',
+  [ModuleOrigin.MODULE_ORIGIN_STORED]: 'stored',
+  [ModuleOrigin.MODULE_ORIGIN_NODE]: 'offered by a client',
+};
+
+/** Only what was stored through a service can be deleted again. [SE-22] */
+export function isDeletable({ origin }: Pick<ModuleEntry, 'origin'>): boolean {
+  return origin === ModuleOrigin.MODULE_ORIGIN_STORED;
+}
+
+export function moduleEntries(
+  modules: readonly ProcessingModule[],
+  nodes: readonly NodeInfo[],
+  sessions: readonly Session[],
+): ModuleEntry[] {
+  return modules
+    .map((module) => ({
+      module,
+      origin: module.extension?.origin ?? ModuleOrigin.MODULE_ORIGIN_UNKNOWN,
+      offeredBy: nodes.filter(({ moduleNames }) => moduleNames.includes(module.name)),
+      usedBy: sessions.filter(({ processingModules }) =>
+        processingModules.some(({ name }) => name === module.name),
+      ),
+    }))
+    .sort((a, b) => a.module.name.localeCompare(b.module.name) || a.origin - b.origin);
+}
+
+/** What is looked for: words, a data format, where it is from; empty for all. */
+export interface ModuleSearch {
+  readonly text: string;
+  readonly format: string;
+  readonly origin: ModuleOrigin | undefined;
+}
+
+export function filterModules(
+  entries: readonly ModuleEntry[],
+  { text, format, origin }: ModuleSearch,
+): ModuleEntry[] {
+  const words = text.toLowerCase().split(/\s+/).filter(Boolean);
+  return entries.filter((entry) => {
+    if (origin !== undefined && entry.origin !== origin) return false;
+    if (format !== '' && !moduleFormats(entry.module).includes(format)) return false;
+    const all = searchText(entry.module);
+    return words.every((word) => all.includes(word));
+  });
+}
+
+/** Short names of the data formats of inputs and outputs, each once. */
+export function moduleFormats({ inputs, outputs }: ProcessingModule): string[] {
+  const texts = [...inputs, ...outputs].map(({ messageFormat }) => formatLook(messageFormat).text);
+  return [...new Set(texts)].filter((text) => text !== '');
+}
+
+function searchText({ name, description, tags, authors }: ProcessingModule): string {
+  return [name, description, ...tags, ...authors].join(' ').toLowerCase();
+}

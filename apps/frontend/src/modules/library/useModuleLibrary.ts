@@ -1,0 +1,46 @@
+import { ConnectionError } from '@ubii/client-web';
+import { ServiceError, type ProcessingModule } from '@ubii/proto';
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
+import { usePoll } from '../../connection/poll.ts';
+import { useConnection } from '../../connection/useConnection.ts';
+import { moduleEntries, type ModuleEntry } from './module-entry.ts';
+
+/** Files are changed by hand, and nodes come and go: nothing announces all of it. [SE-23] */
+const INTERVAL_MS = 3000;
+
+/** Every module somebody has, kept up to date while the calling scope lives. */
+export interface ModuleLibrary {
+  /** `undefined` until the first list. */
+  readonly entries: ComputedRef<readonly ModuleEntry[] | undefined>;
+  readonly error: Readonly<ShallowRef<ServiceError | undefined>>;
+  refresh(): Promise<void>;
+}
+
+export function useModuleLibrary(): ModuleLibrary {
+  const { client, isConnected, nodes, sessions } = useConnection();
+  nodes.watch(INTERVAL_MS);
+  const modules = shallowRef<readonly ProcessingModule[]>();
+  const error = shallowRef<ServiceError>();
+
+  async function refresh(): Promise<void> {
+    try {
+      modules.value = (await client.call('processingModuleDatabaseGetList')).elements;
+      error.value = undefined;
+    } catch (cause) {
+      if (cause instanceof ConnectionError) return;
+      if (!(cause instanceof ServiceError)) throw cause;
+      error.value = cause;
+    }
+  }
+  usePoll(refresh, INTERVAL_MS, isConnected);
+
+  return {
+    entries: computed(
+      () =>
+        modules.value &&
+        moduleEntries(modules.value, nodes.list.value ?? [], sessions.list.value ?? []),
+    ),
+    error,
+    refresh,
+  };
+}

@@ -1,0 +1,103 @@
+import { ConnectionError } from '@ubii/client-web';
+import { ServiceError, type ProcessingModule } from '@ubii/proto';
+import { Copy, Download, Trash2 } from '@lucide/vue';
+import { shallowRef, type ShallowRef } from 'vue';
+import { useRouter } from 'vue-router';
+import { useConnection } from '../connection/useConnection.ts';
+import { saveFile } from '../sessions/file/save-file.ts';
+import type { TextFile } from '../sessions/file/session-file.ts';
+import { copyName } from '../sessions/text/session-spec.ts';
+import { useToasts } from '../ui/toasts/toasts.ts';
+import type { MenuItem } from '../ui/UiMenu.vue';
+import { exportModule, importModule } from './file/module-file.ts';
+import { isDeletable, type ModuleEntry } from './library/module-entry.ts';
+import type { ModuleLibrary } from './library/useModuleLibrary.ts';
+import { moduleLocation } from './routes.ts';
+
+/** What people do with modules of the library. */
+export interface ModuleActions {
+  /** Why the last intent failed; stays until the next one. */
+  readonly failure: ShallowRef<string | undefined>;
+  menuFor(entry: ModuleEntry): readonly MenuItem[];
+  importFiles(files: readonly TextFile[]): Promise<void>;
+}
+
+export function useModuleActions(library: ModuleLibrary): ModuleActions {
+  const { client } = useConnection();
+  const router = useRouter();
+  const toasts = useToasts();
+  const failure = shallowRef<string>();
+
+  async function attempt<T>(intent: () => Promise<T>): Promise<T | undefined> {
+    failure.value = undefined;
+    try {
+      const result = await intent();
+      await library.refresh();
+      return result;
+    } catch (cause) {
+      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
+      failure.value = cause.message;
+      return undefined;
+    }
+  }
+
+  const save = (module: ProcessingModule): Promise<ProcessingModule> =>
+    client.call('processingModuleDatabaseSave', { ...module, id: '', nodeId: '', sessionId: '' });
+
+  async function duplicate({ module }: ModuleEntry): Promise<void> {
+    const taken = new Set(library.entries.value?.map((one) => one.module.name));
+    const name = copyName(module.name, taken);
+    const saved = await attempt(() => save({ ...module, name }));
+    if (saved) await router.push(moduleLocation(name));
+  }
+
+  async function remove({ module }: ModuleEntry): Promise<void> {
+    const { name, id } = module;
+    const done = await attempt(() => client.call('processingModuleDatabaseDelete', { id, name }));
+    if (done === undefined) return;
+    await router.push('/modules');
+    toasts.show(`Deleted ${name}`, {
+      text: 'Undo',
+      run: () => void attempt(() => save(module)),
+    });
+  }
+
+  async function importFiles(files: readonly TextFile[]): Promise<void> {
+    for (const file of files) {
+      const read = importModule(file);
+      if (read.kind === 'broken') {
+        failure.value = read.message;
+        return;
+      }
+      const saved = await attempt(() => save(read.module));
+      if (saved === undefined) return;
+      await router.push(moduleLocation(read.module.name));
+    }
+  }
+
+  return {
+    failure,
+    importFiles,
+    menuFor: (entry) => [
+      {
+        text: 'Duplicate',
+        icon: Copy,
+        disabled: entry.module.onProcessingStringified === '',
+        run: () => void duplicate(entry),
+      },
+      { text: 'Export', icon: Download, run: () => saveFile(exportModule(entry.module)) },
+      ...(isDeletable(entry)
+        ? ([
+            { kind: 'separator' },
+            {
+              text: 'Delete',
+              icon: Trash2,
+              shortcut: 'Del',
+              danger: true,
+              run: () => void remove(entry),
+            },
+          ] as const)
+        : []),
+    ],
+  };
+}

@@ -1,0 +1,135 @@
+import type { UbiiClient } from '@ubii/client-web';
+import { ServiceError, type Init, type Session } from '@ubii/proto';
+import type { SessionsStore } from '../../connection/sessions-store.ts';
+import { copyName, freeName, sessionCopy, sessionSpec } from '../text/session-spec.ts';
+import { isAlive, type LifeAction } from '../state/session-state.ts';
+
+/** What is needed to bring a removed session back. */
+export interface RemovedSession {
+  readonly spec: Init<Session>;
+  readonly wasAlive: boolean;
+  readonly wasStored: boolean;
+}
+
+/** What people do with sessions, as calls of the master. Every promise rejects with what the call rejects with. */
+export interface SessionCalls {
+  act(session: Session, action: LifeAction): Promise<void>;
+  /** Creates a session and keeps it on the master's disk. [SE-1, SE-21] */
+  create(spec: Init<Session>): Promise<Session>;
+  /** Replaces the specification. [SE-15] */
+  update(session: Session, changes: Init<Session>): Promise<Session>;
+  duplicate(session: Session): Promise<Session>;
+  rename(session: Session, name: string): Promise<Session>;
+  /** Stops it if need be, and forgets it, on the disk too. [SE-16] */
+  remove(session: Session): Promise<RemovedSession>;
+  restore(removed: RemovedSession): Promise<Session>;
+}
+
+type Services = Pick<UbiiClient, 'call'>;
+
+/**
+ * @param whenStopped resolves when the session has stopped
+ * @param uuid gives a new UUID
+ */
+export function createSessionCalls(
+  client: Services,
+  store: Pick<SessionsStore, 'list' | 'take' | 'drop'>,
+  whenStopped: (id: string) => Promise<void>,
+  uuid: () => string,
+): SessionCalls {
+  const taken = async (answer: Promise<Session>): Promise<Session> => {
+    const session = await answer;
+    store.take(session);
+    return session;
+  };
+
+  async function act({ id, ...session }: Session, action: LifeAction): Promise<void> {
+    switch (action) {
+      case 'start':
+        await taken(
+          client.call('sessionRuntimeStart', id === '' ? { name: session.name } : { id }),
+        );
+        return;
+      case 'pause':
+        await taken(client.call('sessionPause', { id }));
+        return;
+      case 'resume':
+        await taken(client.call('sessionResume', { id }));
+        return;
+      case 'stop':
+        await client.call('sessionRuntimeStop', { id });
+        return;
+      case 'restart':
+        await client.call('sessionRuntimeStop', { id });
+        await whenStopped(id);
+        await taken(client.call('sessionRuntimeStart', { id }));
+    }
+  }
+
+  const keep = async (session: Init<Session>): Promise<Session> => {
+    const { elements } = await client.call('sessionDatabaseSave', session);
+    const [saved] = elements;
+    if (saved === undefined) throw new ServiceError('internal', 'The master stored no session.');
+    store.take(saved);
+    return saved;
+  };
+
+  /** Sessions are stored by name, and the newer replaces the older: a taken name gets a number. */
+  function create(spec: Init<Session>): Promise<Session> {
+    const taken = new Set((store.list.value ?? []).map(({ name }) => name));
+    return keep({ ...spec, id: '', name: freeName(spec.name || 'Session', taken) });
+  }
+
+  async function update(session: Session, changes: Init<Session>): Promise<Session> {
+    const extension = { ...session.extension, ...changes.extension };
+    return taken(
+      client.call('sessionRuntimeUpdate', { ...session, ...changes, id: session.id, extension }),
+    );
+  }
+
+  async function remove(session: Session): Promise<RemovedSession> {
+    const removed = {
+      spec: sessionSpec(session),
+      wasAlive: isAlive(session),
+      wasStored: session.extension?.stored === true,
+    };
+    if (session.id !== '') await client.call('sessionRuntimeRemove', { id: session.id });
+    if (removed.wasStored) {
+      await client.call('sessionDatabaseDelete', { id: session.id, name: session.name });
+    }
+    store.drop(session.id);
+    return removed;
+  }
+
+  async function restore({ spec, wasAlive, wasStored }: RemovedSession): Promise<Session> {
+    const session = wasStored
+      ? await create(spec)
+      : await taken(client.call('sessionRuntimeAdd', spec));
+    if (wasAlive) await act(session, 'start');
+    return session;
+  }
+
+  return {
+    act,
+    create,
+    update,
+    remove,
+    restore,
+    duplicate(session) {
+      const names = new Set((store.list.value ?? []).map(({ name }) => name));
+      const name = copyName(session.name, names);
+      return create({ ...sessionCopy(sessionSpec(session), uuid), name });
+    },
+    async rename(session, name) {
+      const wasStored = session.extension?.stored === true;
+      const renamed = await update(session, { name });
+      if (!wasStored) return renamed;
+      const kept = await keep(renamed);
+      // Its file goes by the name: the old one would come back as another session
+      await client.call('sessionDatabaseDelete', { name: session.name }).catch((cause: unknown) => {
+        if (!(cause instanceof ServiceError && cause.code === 'not_found')) throw cause;
+      });
+      return kept;
+    },
+  };
+}

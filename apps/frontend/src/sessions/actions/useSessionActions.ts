@@ -1,0 +1,92 @@
+import { ConnectionError } from '@ubii/client-web';
+import { ServiceError, SessionState, type Init, type Session } from '@ubii/proto';
+import { until } from '@vueuse/core';
+import { shallowRef, type ShallowRef } from 'vue';
+import { randomUuid } from '../../connection/random-uuid.ts';
+import { useConnection } from '../../connection/useConnection.ts';
+import { useToasts } from '../../ui/toasts/toasts.ts';
+import { sessionState, type LifeAction } from '../state/session-state.ts';
+import { createSessionCalls, type SessionCalls } from './session-calls.ts';
+
+/** A stop ends after 10 s at the latest [SE-13]; the announcement may take a moment more. */
+const STOP_MS = 12_000;
+
+/** Why the last intent failed, by the id of the session it was about; empty for a new one. */
+export type Failures = ReadonlyMap<string, string>;
+
+export interface SessionActions {
+  /** For what needs its answer, such as a text whose problems are shown beside it. */
+  readonly calls: SessionCalls;
+  /** Sentences that stay where the intent was, until the next one. */
+  readonly failures: Readonly<ShallowRef<Failures>>;
+  /** Ids of sessions an intent for which is under way. */
+  readonly busy: Readonly<ShallowRef<ReadonlySet<string>>>;
+  act(session: Session, action: LifeAction): Promise<void>;
+  /** @returns the new session, `undefined` when it failed */
+  duplicate(session: Session): Promise<Session | undefined>;
+  rename(session: Session, name: string): Promise<void>;
+  update(session: Session, changes: Init<Session>): Promise<void>;
+  /** Removes it at once, and offers to bring it back. */
+  remove(session: Session): Promise<void>;
+  dismiss(id: string): void;
+}
+
+export function useSessionActions(): SessionActions {
+  const { client, sessions } = useConnection();
+  const toasts = useToasts();
+  const failures = shallowRef<Failures>(new Map());
+  const busy = shallowRef<ReadonlySet<string>>(new Set());
+
+  async function whenStopped(id: string): Promise<void> {
+    const hasEnded = (): boolean => {
+      const session = sessions.find(id);
+      return session === undefined || sessionState(session) === SessionState.SESSION_STOPPED;
+    };
+    await until(() => sessions.list.value && hasEnded()).toBe(true, { timeout: STOP_MS });
+  }
+  const calls = createSessionCalls(client, sessions, whenStopped, randomUuid);
+
+  function fail(id: string, text: string | undefined): void {
+    const next = new Map(failures.value);
+    if (text === undefined) next.delete(id);
+    else next.set(id, text);
+    failures.value = next;
+  }
+
+  async function attempt<T>(id: string, intent: () => Promise<T>): Promise<T | undefined> {
+    fail(id, undefined);
+    busy.value = new Set([...busy.value, id]);
+    try {
+      return await intent();
+    } catch (cause) {
+      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
+      fail(id, cause.message);
+      return undefined;
+    } finally {
+      busy.value = new Set([...busy.value].filter((other) => other !== id));
+    }
+  }
+
+  async function remove(session: Session): Promise<void> {
+    const removed = await attempt(session.id, () => calls.remove(session));
+    if (removed === undefined) return;
+    toasts.show(`Deleted ${session.name || 'a session'}`, {
+      text: 'Undo',
+      run: () => void attempt('', () => calls.restore(removed)),
+    });
+  }
+
+  return {
+    calls,
+    failures,
+    busy,
+    act: (session, action) => attempt(session.id, () => calls.act(session, action)),
+    duplicate: (session) => attempt(session.id, () => calls.duplicate(session)),
+    rename: async (session, name) =>
+      void (await attempt(session.id, () => calls.rename(session, name))),
+    update: async (session, changes) =>
+      void (await attempt(session.id, () => calls.update(session, changes))),
+    remove,
+    dismiss: (id) => fail(id, undefined),
+  };
+}

@@ -1,0 +1,12 @@
+import type { TextFile } from './session-file.ts';
+
+/** Hands a file to the browser, which keeps it where it keeps downloads. */
+export function saveFile({ name, text }: TextFile): void {
+  const url = URL.createObjectURL(new Blob([text], { type: 'application/json' }));
+  const link = document.createElement('a');
+  link.href = url;
+  link.download = name;
+  link.click();
+  // The download has begun by then; the bytes are the browser's.
+  setTimeout(() => URL.revokeObjectURL(url), 0);
+}

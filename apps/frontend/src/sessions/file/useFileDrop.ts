@@ -1,0 +1,42 @@
+import { useEventListener } from '@vueuse/core';
+import { shallowRef, type Ref, type ShallowRef } from 'vue';
+import type { TextFile } from './session-file.ts';
+
+const hasFiles = (event: DragEvent): boolean =>
+  event.dataTransfer?.types.includes('Files') === true;
+
+/** Reads files as text. */
+export async function readFiles(files: FileList | readonly File[] | null): Promise<TextFile[]> {
+  return Promise.all(
+    [...(files ?? [])].map(async (file) => ({ name: file.name, text: await file.text() })),
+  );
+}
+
+/**
+ * Takes files that are dropped on an element.
+ * @returns true while files hover over it
+ */
+export function useFileDrop(
+  target: Readonly<Ref<HTMLElement | null>>,
+  onFiles: (files: readonly TextFile[]) => void,
+): Readonly<ShallowRef<boolean>> {
+  const isOver = shallowRef(false);
+  /** Every child that is entered counts. */
+  let depth = 0;
+  const enter = (by: number): void => {
+    depth = Math.max(0, depth + by);
+    isOver.value = depth > 0;
+  };
+  useEventListener(target, 'dragenter', (event: DragEvent) => hasFiles(event) && enter(1));
+  useEventListener(target, 'dragleave', (event: DragEvent) => hasFiles(event) && enter(-1));
+  useEventListener(target, 'dragover', (event: DragEvent) => {
+    if (hasFiles(event)) event.preventDefault();
+  });
+  useEventListener(target, 'drop', (event: DragEvent) => {
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    enter(-depth);
+    void readFiles(event.dataTransfer?.files ?? null).then(onFiles);
+  });
+  return isOver;
+}

@@ -1,0 +1,96 @@
+import type { Session, SessionState, SessionStatistics } from '@ubii/proto';
+import { sessionTotals, type SessionTotals } from '../live/session-totals.ts';
+import { isAlive, sessionState, stateLook, type StateLook } from '../state/session-state.ts';
+
+/** Which sessions are shown. */
+export type SessionFilter = 'all' | 'running' | 'stopped' | 'problems';
+
+/** One session of the list, with all its row says. */
+export interface SessionRow {
+  readonly session: Session;
+  readonly state: SessionState;
+  readonly look: StateLook;
+  /** `undefined` while nothing was reported. */
+  readonly totals: SessionTotals | undefined;
+  /** Ids of the nodes its modules are on, each once. */
+  readonly nodeIds: readonly string[];
+  readonly errors: number;
+  readonly warnings: number;
+  /** The sentence that matters most. */
+  readonly problem: string | undefined;
+}
+
+export function sessionRow(
+  session: Session,
+  statistics: SessionStatistics | undefined,
+): SessionRow {
+  const state = sessionState(session);
+  const problems = session.extension?.problems ?? [];
+  const errors = problems.filter(({ isError }) => isError);
+  return {
+    session,
+    state,
+    look: stateLook(state),
+    totals: statistics && isAlive(session) ? sessionTotals(statistics) : undefined,
+    nodeIds: [...new Set(session.processingModules.map(({ nodeId }) => nodeId))].filter(
+      (id) => id !== '',
+    ),
+    errors: errors.length,
+    warnings: problems.length - errors.length,
+    problem: (errors[0] ?? problems[0])?.message,
+  };
+}
+
+/** Those that are stored but not known to run time stand behind the others. [SE-21] */
+export function withStored(
+  sessions: readonly Session[],
+  stored: readonly Session[],
+): readonly Session[] {
+  const ids = new Set(sessions.map(({ id }) => id));
+  const names = new Set(
+    sessions.filter(({ extension }) => extension?.stored).map(({ name }) => name),
+  );
+  return [...sessions, ...stored.filter(({ id, name }) => !ids.has(id) && !names.has(name))];
+}
+
+/**
+ * Rows that fit search and filter: those that run first, then by name.
+ * @param search words that all occur in name, description, tags or names of modules
+ */
+export function filterRows(
+  rows: readonly SessionRow[],
+  search: string,
+  filter: SessionFilter,
+): SessionRow[] {
+  const words = search.toLowerCase().split(/\s+/).filter(Boolean);
+  return rows
+    .filter((row) => fitsFilter(row, filter))
+    .filter(({ session }) => {
+      const text = searchText(session);
+      return words.every((word) => text.includes(word));
+    })
+    .sort(
+      (a, b) =>
+        Number(isAlive(b.session)) - Number(isAlive(a.session)) ||
+        a.session.name.localeCompare(b.session.name) ||
+        a.session.id.localeCompare(b.session.id),
+    );
+}
+
+function fitsFilter({ session, errors, warnings }: SessionRow, filter: SessionFilter): boolean {
+  switch (filter) {
+    case 'all':
+      return true;
+    case 'running':
+      return isAlive(session);
+    case 'stopped':
+      return !isAlive(session);
+    case 'problems':
+      return errors + warnings > 0;
+  }
+}
+
+function searchText({ name, description, tags, authors, processingModules }: Session): string {
+  const modules = processingModules.map((module) => module.name);
+  return [name, description, ...tags, ...authors, ...modules].join(' ').toLowerCase();
+}

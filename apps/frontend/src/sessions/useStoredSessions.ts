@@ -1,0 +1,27 @@
+import { ConnectionError } from '@ubii/client-web';
+import { ServiceError, type Session } from '@ubii/proto';
+import { shallowRef, type ShallowRef } from 'vue';
+import { usePoll } from '../connection/poll.ts';
+import { useConnection } from '../connection/useConnection.ts';
+
+/** Files may be changed by hand at any time, which nothing announces. [SE-23] */
+const INTERVAL_MS = 3000;
+
+/** The sessions on the master's disk, while the calling scope lives. */
+export function useStoredSessions(): Readonly<ShallowRef<readonly Session[]>> {
+  const { client, isConnected } = useConnection();
+  const stored = shallowRef<readonly Session[]>([]);
+  usePoll(
+    async () => {
+      try {
+        stored.value = (await client.call('sessionDatabaseGetList')).elements;
+      } catch (cause) {
+        // Original masters may refuse; a failed link is shown elsewhere.
+        if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
+      }
+    },
+    INTERVAL_MS,
+    isConnected,
+  );
+  return stored;
+}
