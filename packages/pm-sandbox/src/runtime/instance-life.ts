@@ -25,7 +25,7 @@ export interface LifeEvents {
 const ENDED_MEANWHILE: ModuleFault = {
   kind: 'crashed',
   phase: 'onCreated',
-  message: 'the module was ended while it was created',
+  message: 'The module was ended while it was created.',
 };
 
 /** Life of one instance: its sandbox, the moves between its states, its restarts. [PM-10] */
@@ -177,7 +177,7 @@ export class InstanceLife {
   }
 
   #handleLate(phase: ModulePhase): void {
-    const message = `it did not end within ${this.#context.limits.haltTimeoutMs} ms of halting`;
+    const message = `It did not end within ${this.#context.limits.haltTimeoutMs} ms of halting.`;
     this.#handleKilled({ kind: 'timeout', phase, message });
   }
 

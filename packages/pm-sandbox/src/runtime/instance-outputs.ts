@@ -38,7 +38,7 @@ export class InstanceOutputs {
     if (result.outputs.length === 0) return [];
     const records: OutputRecord[] = [];
     const sink: OutputSink = {
-      admits: this.#admits,
+      overLimit: this.#overLimit,
       onRecord: (record) => void records.push(record),
       onRefused: (reason, count) => this.#reports.countRefused(reason, count),
     };
@@ -51,13 +51,20 @@ export class InstanceOutputs {
     for (const { topic, bytes, valueField } of records) {
       const refusal = this.#context.topics.publish(topic, bytes, valueField);
       if (refusal === undefined) this.#reports.countOutputs(1);
-      else this.#reports.countRefused(refusal, 1);
+      else this.#reports.countRefused(`Publishing on ${topic} was refused: ${refusal}`, 1);
     }
   }
 
-  readonly #admits = (sizeBytes: number): boolean => {
-    const nowMs = this.#context.clock.monotonicMs();
-    if (!this.#byteBudget.has(sizeBytes, nowMs)) return false;
-    return this.#recordBudget.take(1, nowMs) && this.#byteBudget.take(sizeBytes, nowMs);
+  readonly #overLimit = (sizeBytes: number): string | undefined => {
+    const { clock, limits } = this.#context;
+    const nowMs = clock.monotonicMs();
+    if (!this.#byteBudget.has(sizeBytes, nowMs)) {
+      return `more than ${limits.maxOutputBytesPerSecond} bytes a second`;
+    }
+    if (!this.#recordBudget.take(1, nowMs)) {
+      return `more than ${limits.maxOutputsPerSecond} records a second`;
+    }
+    this.#byteBudget.take(sizeBytes, nowMs);
+    return undefined;
   };
 }

@@ -44,7 +44,7 @@ export class ModuleInstance {
       patterns: context.patterns,
       maxMuxElements: limits.maxMuxElements,
       onMark: () => this.#driver?.handleMark(),
-      onProblem: (inputName, problem) => this.#reports.problem(`input "${inputName}": ${problem}`),
+      onProblem: (inputName, problem) => this.#reports.problem(`Input "${inputName}": ${problem}.`),
     });
     this.#mode = parseMode(module.processingMode, limits.maxFrequencyHz);
     this.#driver = this.#createDriver();

@@ -17,11 +17,11 @@ export function sandboxRequest(
 ): SandboxRequest | { readonly fault: ModuleFault } {
   const { name, source, libraries, outputs } = parseModule(spec.module);
   if (source === undefined) {
-    return { fault: { kind: 'missing', phase: '', message: 'the module has no onProcessing' } };
+    return { fault: { kind: 'missing', phase: '', message: 'The module has no onProcessing.' } };
   }
   const lacking = libraries.filter((library) => !offered.includes(library));
   if (lacking.length > 0) {
-    const message = `the node does not have what the module needs: ${lacking.join(', ')}`;
+    const message = `This node does not offer ${lacking.join(', ')}.`;
     return { fault: { kind: 'library', phase: '', message } };
   }
   const { callTimeoutMs, memoryBytes, outputBytes } = limits;

@@ -60,7 +60,7 @@ describe('an input mapped to a topic', () => {
     expect(world.events).toMatchObject([
       {
         kind: ModuleEventKind.ERROR,
-        message: 'input "x": a record on /x was left out: it has string, the input takes vector2',
+        message: 'Input "x": a record on /x was left out: it has string, the input takes vector2.',
       },
     ]);
   });
@@ -232,7 +232,7 @@ describe('an input mapped to a muxer', () => {
     world.topics.put('/a', 'double', 2);
     await world.clock.advance(1000);
     expect(world.values().x).toHaveLength(2);
-    const message = 'input "x": more than 2 topics match; the others are left out';
+    const message = 'Input "x": more than 2 topics match; the others are left out.';
     expect(world.events).toMatchObject([{ message, suppressed: 0 }, { message }]);
   });
 
@@ -244,7 +244,7 @@ describe('an input mapped to a muxer', () => {
     const world = createWorld();
     await world.begin({ ...oneInput(mux), mode: { frequency: { hertz: 10 } } });
     expect(world.sandboxes.last.lastCall?.inputs).toEqual([]);
-    expect(world.events).toMatchObject([{ message: expect.stringMatching(/^input "x": /) }]);
+    expect(world.events).toMatchObject([{ message: expect.stringMatching(/^Input "x": /) }]);
   });
 
   it('[PM-44] agrees with a simple list', () => {

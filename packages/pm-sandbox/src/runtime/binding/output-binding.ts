@@ -14,15 +14,21 @@ export interface OutputRecord {
 
 /** What becomes of the outputs of a run. */
 export interface OutputSink {
-  /** Whether so many more bytes may be put out now. [PM-55] */
-  admits(sizeBytes: number): boolean;
+  /** Takes a record's share of what is allowed. Returns what is used up, if it is. [PM-55] */
+  overLimit(sizeBytes: number): string | undefined;
   onRecord(record: OutputRecord): void;
-  /** @param count how many records the sentence is about */
+  /** @param reason a sentence; `count` records are refused for it */
   onRefused(reason: string, count: number): void;
 }
 
 type Route =
-  | { readonly kind: 'topic'; readonly topic: string; readonly origin: Uint8Array }
+  | {
+      readonly kind: 'topic';
+      readonly topic: string;
+      readonly origin: Uint8Array;
+      /** Why nothing can be published there. */
+      readonly fault: string | undefined;
+    }
   | { readonly kind: 'demux'; readonly format: DemuxFormat };
 
 interface BoundOutput {
@@ -76,15 +82,18 @@ export class OutputBinding {
 
   #routeOne(output: SandboxOutput, route: Route, nowMs: number, sink: OutputSink): void {
     if (route.kind === 'topic') {
+      if (route.fault !== undefined) {
+        return sink.onRefused(refusal(output.name, route.fault), 1);
+      }
       if ('value' in output) {
         return this.#put(output.value, route.topic, route.origin, nowMs, sink, output.name);
       }
-      const reason = `output "${output.name}" is a list, but is mapped to the topic ${route.topic}`;
-      return sink.onRefused(reason, output.elements.length);
+      const reason = `it is a list, but is mapped to the topic ${route.topic}`;
+      return sink.onRefused(refusal(output.name, reason), output.elements.length);
     }
     if ('value' in output) {
-      const reason = `output "${output.name}" is mapped to a demuxer, but is no { elements: [...] }`;
-      return sink.onRefused(reason, 1);
+      const reason = 'it is mapped to a demuxer, but is no { elements: [...] }';
+      return sink.onRefused(refusal(output.name, reason), 1);
     }
     this.#spread(output, route.format, nowMs, sink);
   }
@@ -103,11 +112,12 @@ export class OutputBinding {
         const { topic } = result;
         this.#put(value, topic, this.#originOf(topic), nowMs, sink, output.name);
       } else if (++refused <= MAX_REPORTED_ELEMENTS) {
-        sink.onRefused(`element ${index} of output "${output.name}": ${fault}`, 1);
+        sink.onRefused(`Output "${output.name}", element ${index}, is refused: ${fault}.`, 1);
       }
     }
     const more = refused - MAX_REPORTED_ELEMENTS;
-    if (more > 0) sink.onRefused(`${more} more elements of output "${output.name}" alike`, more);
+    if (more > 0)
+      sink.onRefused(`Output "${output.name}": ${more} more elements are refused.`, more);
   }
 
   #put(
@@ -118,13 +128,9 @@ export class OutputBinding {
     sink: OutputSink,
     outputName: string,
   ): void {
-    const fault = topicFault(topic);
-    if (fault !== undefined) return sink.onRefused(`output "${outputName}": ${fault}`, 1);
+    const fault = sink.overLimit(value.bytes.length + origin.length);
+    if (fault !== undefined) return sink.onRefused(refusal(outputName, fault), 1);
     const bytes = this.#completion.complete(value, origin, nowMs);
-    if (!sink.admits(bytes.length)) {
-      const reason = `output "${outputName}": more records or bytes than allowed in a second`;
-      return sink.onRefused(reason, 1);
-    }
     sink.onRecord({ topic, bytes, valueField: value.valueField });
   }
 
@@ -144,11 +150,16 @@ export class OutputBinding {
       if (topicDemux !== undefined) {
         routes.push({ kind: 'demux', format: parseDemuxFormat(topicDemux.outputTopicFormat) });
       } else if (topic) {
-        routes.push({ kind: 'topic', topic, origin: this.#completion.origin(topic) });
+        const origin = this.#completion.origin(topic);
+        routes.push({ kind: 'topic', topic, origin, fault: topicFault(topic) });
       }
     }
     return routes;
   }
+}
+
+function refusal(outputName: string, reason: string): string {
+  return `Output "${outputName}" is refused: ${reason}.`;
 }
 
 /** Why a module cannot publish on a topic; undefined when it can. [PM-47] */

@@ -130,6 +130,15 @@ describe('an output mapped to a topic', () => {
     expect(world.publishedOn()).toEqual(['/new']);
   });
 
+  it('[PM-47] is refused on a topic only the master publishes on', async () => {
+    const world = await createWorld({ ...OUT, to: { out: '/info/x' } });
+    await world.putOut(sandboxOutput('out', 'double', 1));
+    expect(world.publishedOn()).toEqual([]);
+    expect(world.messages()).toEqual([
+      'Output "out" is refused: only the master publishes on /info/x.',
+    ]);
+  });
+
   it('is refused when it is a list, or when the port refuses it', async () => {
     const world = await createWorld(OUT);
     await world.putOut(list('out', {}, {}));
@@ -137,8 +146,8 @@ describe('an output mapped to a topic', () => {
     await world.putOut(sandboxOutput('out', 'double', 1));
     expect(world.publishedOn()).toEqual([]);
     expect(world.messages()).toEqual([
-      'output "out" is a list, but is mapped to the topic /out',
-      'no room',
+      'Output "out" is refused: it is a list, but is mapped to the topic /out.',
+      'Publishing on /out was refused: no room',
     ]);
     expect(world.runtime.statistics()[0]).toMatchObject({ outputs: 0, outputsRefused: 3 });
   });
@@ -151,7 +160,10 @@ describe('an output mapped to a topic', () => {
     for (let i = 0; i < 30; i++) await world.putOut(sandboxOutput('out', 'double', i));
     expect(world.publishedOn()).toHaveLength(20);
     expect(world.runtime.statistics()[0]).toMatchObject({ outputs: 20, outputsRefused: 40 });
-    expect(world.events[0]).toMatchObject({ kind: ModuleEventKind.REFUSED });
+    expect(world.events[0]).toMatchObject({
+      kind: ModuleEventKind.REFUSED,
+      message: 'Output "out" is refused: more than 10 records a second.',
+    });
   });
 
   it('[PM-55] is refused beyond so many bytes a second', async () => {
@@ -162,6 +174,7 @@ describe('an output mapped to a topic', () => {
     for (let i = 0; i < 3; i++) await world.putOut(sandboxOutput('out', 'string', 'x'.repeat(400)));
     await world.putOut(sandboxOutput('out', 'string', 'small'));
     expect(world.publishedOn()).toHaveLength(3);
+    expect(world.messages()).toEqual(['Output "out" is refused: more than 1000 bytes a second.']);
   });
 });
 
@@ -188,9 +201,9 @@ describe('an output mapped to a demuxer', () => {
     );
     expect(world.publishedOn()).toEqual(['/ok']);
     expect(world.messages()).toEqual([
-      'element 0 of output "out": it has no parameter 0 (none was given)',
-      'element 2 of output "out": its topic is empty',
-      'element 3 of output "out": only the master publishes on /info/x',
+      'Output "out", element 0, is refused: it has no parameter 0 (none was given).',
+      'Output "out", element 2, is refused: its topic is empty.',
+      'Output "out", element 3, is refused: only the master publishes on /info/x.',
     ]);
   });
 
@@ -198,7 +211,7 @@ describe('an output mapped to a demuxer', () => {
     const world = await createWorld(demuxed('/{{#0}}'));
     await world.putOut(list('out', ...Array.from({ length: 1000 }, () => ({}))));
     expect(world.events).toHaveLength(4);
-    expect(world.messages().at(-1)).toBe('997 more elements of output "out" alike');
+    expect(world.messages().at(-1)).toBe('Output "out": 997 more elements are refused.');
     expect(world.runtime.statistics()[0]?.outputsRefused).toBe(1000);
   });
 
@@ -206,7 +219,7 @@ describe('an output mapped to a demuxer', () => {
     const world = await createWorld(demuxed('/{{#0}}'));
     await world.putOut(sandboxOutput('out', 'double', 1));
     expect(world.messages()).toEqual([
-      'output "out" is mapped to a demuxer, but is no { elements: [...] }',
+      'Output "out" is refused: it is mapped to a demuxer, but is no { elements: [...] }.',
     ]);
   });
 });

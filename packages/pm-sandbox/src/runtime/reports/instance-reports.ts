@@ -23,6 +23,7 @@ export class InstanceReports {
   readonly #clock: Clock;
   readonly #throttle: EventThrottle;
   readonly #logLines: TokenBucket;
+  readonly #maxLogLines: number;
   readonly #durations = new RunDurations();
   #runs = 0;
   #overruns = 0;
@@ -43,6 +44,7 @@ export class InstanceReports {
     this.#clock = clock;
     this.#throttle = new EventThrottle(clock, limits.maxEventsPerSecond, onEvent);
     this.#lastTakenMs = clock.monotonicMs();
+    this.#maxLogLines = limits.maxLogLinesPerSecond;
     this.#logLines = new TokenBucket(limits.maxLogLinesPerSecond, this.#lastTakenMs);
   }
 
@@ -71,7 +73,7 @@ export class InstanceReports {
 
   countOverrun(): void {
     this.#overruns++;
-    const message = 'a run was still under way when the next one was due, which was left out';
+    const message = 'A run was still under way when the next one was due; that one is left out.';
     this.#tell({ kind: ModuleEventKind.OVERRUN, phase: 'onProcessing', message });
   }
 
@@ -83,14 +85,14 @@ export class InstanceReports {
 
   countRestart(): void {
     this.#restarts++;
-    const message = 'the module was started again with an empty state';
+    const message = 'The module was started again, with an empty state.';
     this.#tell({ kind: ModuleEventKind.RESTARTED, message });
   }
 
   /** The last word: after what is still to be told. [PM-54] */
   tellFailed(fault: ModuleFault): void {
     this.#throttle.flush();
-    const message = `given up after too many restarts: ${fault.message}`;
+    const message = `Given up after too many restarts. The last reason: ${fault.message}`;
     this.fault(ModuleEventKind.FAILED, { ...fault, message });
   }
 
@@ -108,7 +110,7 @@ export class InstanceReports {
     if (this.#logLines.take(1, this.#clock.monotonicMs())) {
       return this.#tell({ kind: ModuleEventKind.LOG, level, message: text });
     }
-    const message = 'more log lines than allowed in a second; the others are left out';
+    const message = `More than ${this.#maxLogLines} log lines a second: the others are left out.`;
     this.#tell({ kind: ModuleEventKind.REFUSED, message });
   }
 
