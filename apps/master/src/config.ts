@@ -73,6 +73,22 @@ export const OPTIONS = {
     description: 'Folder for what the master keeps between runs. Made when it is missing.',
     parse: parseFilePath,
   }),
+  modules: option<string | undefined>({
+    placeholder: '<folder>',
+    fallback: undefined,
+    fallbackText: 'none',
+    description:
+      'Folder of processing modules (.pm, .js) you vouch for: they run at full speed, with libraries.',
+    parse: parseFilePath,
+  }),
+  allowFetch: option<readonly string[]>({
+    placeholder: '<origin>,...',
+    fallback: [],
+    fallbackText: 'none',
+    description:
+      'Origins that modules you vouch for may ask over HTTP: https://api.example.org, or * for all.',
+    parse: parseOrigins,
+  }),
   config: option<string | undefined>({
     placeholder: '<file>',
     fallback: undefined,

@@ -1,4 +1,5 @@
 import { moduleLibrary } from '@ubii/modules';
+import { TrustedLibrary } from './adapters/processing/trusted-library.ts';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import { createMaster, DEFAULT_LIMITS } from './index.ts';
 import type { Log } from './index.ts';
@@ -64,7 +65,7 @@ export async function startMaster({
   });
   const limits = DEFAULT_LIMITS;
   const storage = openStorage(config.dataDir);
-  const library = moduleLibrary();
+  const library = await TrustedLibrary.open(moduleLibrary(), config.modules, log);
   const reachability = (): Reachability =>
     describeReachability(host, listeners.ports, listNetworkAddresses());
 
@@ -78,7 +79,7 @@ export async function startMaster({
       usage: new ProcessUsage(),
       sandboxes: createInlineSandboxes(),
       storage,
-      library: () => library,
+      library: () => library.modules(),
     },
     { name: config.name, version, limits, endpoints: () => reachability().endpoints },
   );
@@ -107,6 +108,7 @@ export async function startMaster({
   const close = async (): Promise<void> => {
     const closed = listeners.close();
     const ended = master.close();
+    library.close();
     const cut = setTimeout(() => {
       sockets.terminate();
       listeners.cut();

@@ -123,6 +123,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     settings,
     masterId: id,
     limitWatch,
+    events,
     clients,
     devices,
     publishing,

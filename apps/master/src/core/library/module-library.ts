@@ -1,4 +1,4 @@
-import { ServiceError, toJson, type ProcessingModule } from '@ubii/proto';
+import { ModuleOrigin, ServiceError, toJson, type ProcessingModule } from '@ubii/proto';
 import { quote } from '../topics/topic-names.ts';
 import type { ModuleOffer } from '../sessions/complete-modules.ts';
 import { NO_LANGUAGE } from '../sessions/session-module.ts';
@@ -26,10 +26,13 @@ export class ModuleLibrary {
     return module === undefined ? undefined : { module, isTrusted: false };
   }
 
+  /** Each says where it is from [SE-22]. */
   list(): ProcessingModule[] {
     const trusted = this.#trusted();
     const names = new Set(trusted.map(({ name }) => name));
-    const stored = [...this.#stored.list().values()].map(({ message }) => message);
+    const stored = [...this.#stored.list().values()].map(({ message }) =>
+      withOrigin(message, ModuleOrigin.MODULE_ORIGIN_STORED),
+    );
     return [...trusted, ...stored.filter(({ name }) => !names.has(name))];
   }
 
@@ -48,7 +51,7 @@ export class ModuleLibrary {
     const stored = storable(module);
     const json = toJson('ubii.processing.ProcessingModule', stored);
     await this.#stored.store.write(this.#stored.keyOf(module.name), json);
-    return this.#stored.get(module.name) ?? stored;
+    return withOrigin(this.#stored.get(module.name) ?? stored, ModuleOrigin.MODULE_ORIGIN_STORED);
   }
 
   /** @throws ServiceError when there is none, or it may not be deleted. */
@@ -65,6 +68,12 @@ export class ModuleLibrary {
       `The module ${quote(name)} came with the program or from the folder of its operator, so that it cannot be changed here; save a copy under another name.`,
     );
   }
+}
+
+/** The module, with where it is from. */
+export function withOrigin(module: ProcessingModule, origin: ModuleOrigin): ProcessingModule {
+  const { version = '', libraries = [] } = module.extension ?? {};
+  return { ...module, extension: { version, libraries, replaceable: false, origin } };
 }
 
 export function unknownModule(name: string): ServiceError {

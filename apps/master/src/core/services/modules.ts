@@ -1,7 +1,7 @@
-import { ServiceError, type ProcessingModule } from '@ubii/proto';
+import { ModuleOrigin, ServiceError, type ProcessingModule } from '@ubii/proto';
 import type { Core } from '../core.ts';
 import { matchesModule } from '../library/module-profiles.ts';
-import { unknownModule } from '../library/module-library.ts';
+import { unknownModule, withOrigin } from '../library/module-library.ts';
 import { moduleProblems } from '@ubii/pm-sandbox';
 import { quote } from '../topics/topic-names.ts';
 import type { ServiceHandler } from './handler.ts';
@@ -34,7 +34,9 @@ export const deleteModule: ServiceHandler = async ({ processing }, request) => {
 /** `/services/processing_module/database/get` [SE-22] */
 export const getModule: ServiceHandler = ({ processing }, request) => {
   const name = requireName(request.processingModule!);
-  const module = processing.modules.get(name)?.module ?? processing.nodes.offered(name, '');
+  const module =
+    processing.modules.list().find((one) => one.name === name) ??
+    processing.nodes.offered(name, '');
   if (module === undefined) throw unknownModule(name);
   return { processingModuleList: { elements: [module] } };
 };
@@ -125,7 +127,8 @@ function selected(
 function offeredModules({ clients }: Core): ProcessingModule[] {
   return [...clients.values()]
     .filter(({ status }) => status !== 'unavailable')
-    .flatMap(({ spec }) => spec.processingModules);
+    .flatMap(({ spec }) => spec.processingModules)
+    .map((module) => withOrigin(module, ModuleOrigin.MODULE_ORIGIN_NODE));
 }
 
 function requireName({ name }: ProcessingModule): string {

@@ -1,17 +1,21 @@
 import { createModuleRuntime } from '@ubii/pm-sandbox';
+import { StatusEventKind } from '@ubii/proto';
 import { readRecordHead } from '@ubii/proto/wire';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { DeviceRegistry } from '../devices/device-registry.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import { MASTER_ALIAS, SessionLibrary } from '../library/session-library.ts';
+import { FileNews } from '../library/file-news.ts';
 import { ModuleLibrary } from '../library/module-library.ts';
 import { StoredMessages } from '../library/stored-messages.ts';
 import { LocalNode, type RuntimeHooks } from '../processing/local-node.ts';
 import { LocalTopics } from '../processing/local-topics.ts';
 import { masterExtension, NodeTable } from '../processing/node-table.ts';
 import { nameOf, type MasterPorts, type MasterSettings } from '../settings.ts';
+import type { EventLog } from '../status/event-log.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
 import type { PublishContext } from '../topics/publisher.ts';
+import { quote } from '../topics/topic-names.ts';
 import { createChecks } from './checks/create-checks.ts';
 import type { DraftContext } from './draft-maker.ts';
 import type { LifeContext } from './life-context.ts';
@@ -31,6 +35,7 @@ export interface ProcessingParts {
   readonly settings: MasterSettings;
   readonly masterId: string;
   readonly limitWatch: LimitWatch;
+  readonly events: EventLog;
   readonly clients: ClientRegistry;
   readonly devices: DeviceRegistry;
   readonly publishing: PublishContext;
@@ -45,8 +50,7 @@ export interface Processing {
   readonly nodes: NodeTable;
   readonly localNode: LocalNode;
   readonly reports: NodeReports;
-  readonly storedSessions: StoredMessages<'ubii.sessions.Session'>;
-  readonly storedModules: StoredMessages<'ubii.processing.ProcessingModule'>;
+  readonly files: FileNews;
   /** A node says that a module runs, or has ended. Returns false when no session has it there [SE-32]. */
   handleReport(nodeId: string, moduleId: string, isRunning: boolean): boolean;
   /** A client can be reached, or no longer [SE-31]. */
@@ -61,14 +65,17 @@ const DEFAULT_CAPACITY = 100;
 /** Puts together what sessions and modules need. Nothing runs until a session starts. */
 export function createProcessing(parts: ProcessingParts): Processing {
   const { ports, settings, masterId, limitWatch, clients, devices, publishing, publisher } = parts;
+  const { events } = parts;
   const { clock, log, ids, storage, sandboxes, patterns } = ports;
   const { limits } = limitWatch;
   const storedSessions = new StoredMessages(storage.sessions, 'ubii.sessions.Session');
   const storedModules = new StoredMessages(storage.modules, 'ubii.processing.ProcessingModule');
   const modules = new ModuleLibrary(ports.library, storedModules);
+  const running = new StoredMessages(storage.running, 'ubii.sessions.Session');
+  const files = new FileNews({ log, events }, [storedSessions, storedModules, running]);
   const sessionLibrary = new SessionLibrary({
     stored: storedSessions,
-    running: new StoredMessages(storage.running, 'ubii.sessions.Session'),
+    running,
     masterId,
     log,
   });
@@ -124,6 +131,12 @@ export function createProcessing(parts: ProcessingParts): Processing {
     loadOf: (node) => table.loadOf(node.id),
     onLife(session) {
       supervision.handleLife(session);
+      if (session.life === 'degraded') {
+        events.add(
+          StatusEventKind.SESSION_DEGRADED,
+          `The session ${quote(session.label)} runs without some of its modules`,
+        );
+      }
       lockstep.handleLife(session);
       rememberIfWished(session);
     },
@@ -192,8 +205,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     nodes,
     localNode: local,
     reports,
-    storedSessions,
-    storedModules,
+    files,
     handleReport,
     handlePresence(clientId) {
       const node = nodes.get(clientId);
@@ -202,6 +214,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     },
     async close() {
       isClosed = true;
+      files.close();
       supervision.close();
       lockstep.close();
       for (const store of [storage.sessions, storage.modules, storage.running]) store.close();

@@ -5,7 +5,8 @@ import { checkSession } from './checks/check-session.ts';
 import { checkSources, type SourceCheckContext } from './checks/check-sources.ts';
 import type { CheckContext } from './checks/check-context.ts';
 import { completeModules, type CompletionContext } from './complete-modules.ts';
-import { describeSession, type SessionDraft } from './draft.ts';
+import { isSourceLongerThan } from './checks/check-modules.ts';
+import { describeSession, type DraftModule, type SessionDraft } from './draft.ts';
 import { sortProblems } from './problems.ts';
 import type { Session } from './session.ts';
 
@@ -29,14 +30,11 @@ export async function makeDraft(
 ): Promise<{ draft: SessionDraft; warnings: SessionProblem[] }> {
   requireSize(context.limits, message);
   const { draft, problems: stray } = completeDraft(context, message, before);
+  requireShortSources(context.limits, draft.modules);
   const problems = sortProblems([
     ...stray,
     ...checkSession(draft.modules, context.checks),
-    // A source that is too long is not looked at.
-    ...(await checkSources(
-      draft.modules.filter(({ spec }) => isShort(spec, context.checks.sourceBytes)),
-      context.sources,
-    )),
+    ...(await checkSources(draft.modules, context.sources)),
   ]);
   const errors = problems.filter(({ isError }) => isError);
   if (errors.length > 0) throw invalidSession(message, problems, errors.length);
@@ -71,8 +69,14 @@ export function draftOf(session: Session): SessionDraft {
   };
 }
 
-function isShort(spec: SessionDraft['modules'][number]['spec'], sourceBytes: number): boolean {
-  return spec.onProcessingStringified.length + spec.onCreatedStringified.length <= sourceBytes;
+/** [PM-57] */
+function requireShortSources(limitWatch: LimitWatch, modules: readonly DraftModule[]): void {
+  const { moduleSourceBytes } = limitWatch.limits;
+  for (const draft of modules) {
+    if (!isSourceLongerThan(draft, moduleSourceBytes)) continue;
+    const text = `more than ${moduleSourceBytes} bytes of source in the module ${quote(draft.spec.name)}`;
+    throw limitWatch.refusal('moduleSourceBytes', text);
+  }
 }
 
 /** [SE-7] */

@@ -7,7 +7,6 @@ export type ProblemCode =
   | 'module_unknown'
   | 'syntax'
   | 'missing_callback'
-  | 'source_too_long'
   | 'name_twice'
   | 'name_empty'
   | 'mapping_without_module'
@@ -41,8 +40,7 @@ export type ProblemCode =
   | 'node_cannot_pause'
   | 'node_cannot_update'
   | 'node_without_lockstep'
-  | 'node_late'
-  | 'definition_changed';
+  | 'node_late';
 
 /** One problem as it is found; what is not given is empty. */
 export type ProblemInit = { readonly code: ProblemCode; readonly message: string } & Partial<

@@ -157,10 +157,11 @@ function moveAndTell(context: LifeContext, session: Session, event: SessionEvent
   return true;
 }
 
-function move({ onLife }: LifeContext, session: Session, event: SessionEvent): boolean {
+function move({ onLife, clock }: LifeContext, session: Session, event: SessionEvent): boolean {
   const life = nextLife(session.life, event);
   if (life === session.life) return false;
   session.life = life;
+  session.lifeSinceMs = clock.monotonicMs();
   onLife(session);
   return true;
 }

@@ -41,6 +41,9 @@ export function nextLife(life: SessionLife, event: SessionEvent): SessionLife {
   return MOVES[life][event] ?? life;
 }
 
+/** Every state. */
+export const SESSION_LIVES = Object.keys(MOVES) as SessionLife[];
+
 /** Whether the event means something in this state. */
 export function canHappen(life: SessionLife, event: SessionEvent): boolean {
   return MOVES[life][event] !== undefined;

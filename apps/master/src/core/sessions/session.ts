@@ -13,6 +13,8 @@ export class Session {
   description: SessionDescription;
   modules: SessionModule[];
   life: SessionLife = 'created';
+  /** When it came to that state, monotonic milliseconds. */
+  lifeSinceMs = 0;
   /** Grows with every change of the specification [SE-15]. */
   revision = 1;
   /** A stored session has its name [SE-21]. */

@@ -1,5 +1,6 @@
 import type { Core } from '../core.ts';
 import type { MasterMetrics, MetricFamily } from '../master.ts';
+import { SESSION_LIVES } from '../sessions/session-states.ts';
 
 /** Every metric. Labels come from closed lists: limits, codes, states, services; never ids or topics. */
 export function readMetrics(core: Core): MasterMetrics {
@@ -61,6 +62,19 @@ export function readMetrics(core: Core): MasterMetrics {
       'state',
       Object.entries(clients.countByStatus()).filter(([state]) => state !== 'removed'),
     ),
+    family(
+      'ubii_sessions',
+      'Sessions, by state.',
+      'gauge',
+      'state',
+      countSessions(core),
+    ),
+    gauge(
+      'ubii_module_instances',
+      'Processing modules that run on the master.',
+      core.processing.localNode.instanceCount,
+    ),
+    ...moduleTotals(core),
     gauge('ubii_devices', 'Registered devices.', devices.size),
     gauge('ubii_topics', 'Topics with a value or a subscription.', topics.size),
     gauge('ubii_retained_bytes', 'Encoded bytes of all retained records.', topics.retainedBytes),
@@ -68,6 +82,35 @@ export function readMetrics(core: Core): MasterMetrics {
       'ubii_records_waiting',
       'Records that wait for slow sockets.',
       waiting.reduce((sum, count) => sum + count, 0),
+    ),
+  ];
+}
+
+/** Every state, those without a session too. */
+function countSessions({ processing }: Core): [string, number][] {
+  const counts = new Map<string, number>(SESSION_LIVES.map((life) => [life, 0]));
+  for (const { life } of processing.sessions.list()) counts.set(life, counts.get(life)! + 1);
+  return [...counts];
+}
+
+/** What the modules of all sessions that live did since they were made, wherever they run. */
+function moduleTotals({ processing }: Core): MetricFamily[] {
+  const statistics = processing.sessions
+    .list()
+    .filter(({ isLive }) => isLive)
+    .flatMap(({ modules }) => modules.flatMap((module) => module.statistics ?? []));
+  const sum = (key: 'runs' | 'errors' | 'overruns' | 'restarts' | 'outputs' | 'outputsRefused') =>
+    statistics.reduce((total, one) => total + one[key], 0);
+  return [
+    gauge('ubii_module_runs', 'Runs of the modules that live.', sum('runs')),
+    gauge('ubii_module_errors', 'Failed runs of the modules that live.', sum('errors')),
+    gauge('ubii_module_overruns', 'Overruns of the modules that live.', sum('overruns')),
+    gauge('ubii_module_restarts', 'Restarts of the modules that live.', sum('restarts')),
+    gauge('ubii_module_outputs', 'Records put out by the modules that live.', sum('outputs')),
+    gauge(
+      'ubii_module_outputs_refused',
+      'Outputs refused of the modules that live.',
+      sum('outputsRefused'),
     ),
   ];
 }

@@ -3,6 +3,7 @@ import type { Client } from '../clients/client.ts';
 import type { Core } from '../core.ts';
 import type { LimitName } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
+import { quote } from '../topics/topic-names.ts';
 
 /** Problems told at most: what a page can show. */
 const MOST_PROBLEMS = 100;
@@ -21,6 +22,7 @@ const COMMON_LIMITS: ReadonlySet<LimitName> = new Set<LimitName>([
 /** What is wrong now, most severe first [EX-18]. */
 export function listProblems(core: Core): StatusProblem[] {
   const problems = [...limitProblems(core)];
+  problems.push(...fileProblems(core), ...sessionProblems(core));
   for (const client of core.clients.values()) problems.push(...clientProblems(core, client));
   return problems.sort((a, b) => b.severity - a.severity).slice(0, MOST_PROBLEMS);
 }
@@ -35,6 +37,34 @@ function* limitProblems({ limitWatch, clock, limits }: Core): Iterable<StatusPro
       text: `The limit ${limit} (${limits[limit]}) was met, ${streak.count} times so far; what goes beyond is refused.`,
       clientId,
       sinceMs: epochMs(clock, streak.sinceMs),
+    };
+  }
+}
+
+/** [SE-23] */
+function* fileProblems({ processing, startedMs }: Core): Iterable<StatusProblem> {
+  for (const { where, reason } of processing.files.broken()) {
+    yield {
+      code: 'file_broken',
+      severity: StatusProblemSeverity.WARNING,
+      text: `${where} cannot be read, and is left alone: ${reason}`,
+      clientId: '',
+      sinceMs: startedMs,
+    };
+  }
+}
+
+/** [SE-12] */
+function* sessionProblems({ processing, clock }: Core): Iterable<StatusProblem> {
+  for (const session of processing.sessions.list()) {
+    if (session.life !== 'degraded') continue;
+    const first = session.problems().find(({ isError }) => isError);
+    yield {
+      code: 'session_degraded',
+      severity: StatusProblemSeverity.WARNING,
+      text: `The session ${quote(session.label)} runs without some of its modules. ${first?.message ?? ''}`.trim(),
+      clientId: '',
+      sinceMs: epochMs(clock, session.lifeSinceMs),
     };
   }
 }

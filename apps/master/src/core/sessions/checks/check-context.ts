@@ -17,7 +17,6 @@ export interface CheckContext {
   /** Somebody has code for a module of this name. */
   isOffered(name: string): boolean;
   readonly topicBytes: number;
-  readonly sourceBytes: number;
 }
 
 /** One of the checks: everything it finds in the modules of a session. */

@@ -52,16 +52,13 @@ function* checkCode(draft: DraftModule, context: CheckContext): Iterable<Session
         path,
       });
     }
-    return;
   }
+}
+
+/** Whether all callbacks together take more bytes than that [PM-57]. */
+export function isSourceLongerThan({ spec }: DraftModule, maxBytes: number): boolean {
   const source = CALLBACKS.map((callback) => spec[callback]).join('');
-  if (!isLongerThan(source, context.sourceBytes)) return;
-  yield errorProblem({
-    ...about(draft),
-    code: 'source_too_long',
-    message: `The source of the module ${quote(spec.name)} is longer than ${context.sourceBytes} bytes (limit moduleSourceBytes).`, // [PM-57]
-    path: `${path}.onProcessingStringified`,
-  });
+  return isLongerThan(source, maxBytes);
 }
 
 /** [PM-3] */

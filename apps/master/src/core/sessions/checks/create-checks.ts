@@ -41,6 +41,5 @@ export function createChecks(parts: ChecksParts): CheckContext {
     nodeProblem: (draft) => nodeProblem(nodes, draft),
     isOffered: (name) => nodes.list().some((node) => offerOf(node, name) !== undefined),
     topicBytes: limits.topicBytes,
-    sourceBytes: limits.moduleSourceBytes,
   };
 }

@@ -1,0 +1,55 @@
+import { StatusEventKind } from '@ubii/proto';
+import type { Cancel } from '../ports/clock.ts';
+import type { Log } from '../ports/log.ts';
+import type { EventLog } from '../status/event-log.ts';
+import type { BrokenDocument, StoredMessages } from './stored-messages.ts';
+
+/** What is told of stored documents. */
+export interface FileNewsContext {
+  readonly log: Log;
+  readonly events: EventLog;
+}
+
+/** Names documents that cannot be read, when the master starts and whenever somebody changes them by hand [SE-23]. */
+export class FileNews {
+  readonly #context: FileNewsContext;
+  readonly #stores: readonly Pick<StoredMessages<never>, 'store' | 'broken'>[];
+  readonly #cancels: readonly Cancel[];
+  /** Documents that are known to be broken, with the reason that was told. */
+  #told = new Map<string, string>();
+
+  constructor(
+    context: FileNewsContext,
+    stores: readonly Pick<StoredMessages<never>, 'store' | 'broken'>[],
+  ) {
+    this.#context = context;
+    this.#stores = stores;
+    this.#look();
+    this.#cancels = stores.map(({ store }) => store.onChange(() => this.#look()));
+  }
+
+  /** What cannot be read now. */
+  broken(): BrokenDocument[] {
+    return this.#stores.flatMap((store) => store.broken());
+  }
+
+  close(): void {
+    for (const cancel of this.#cancels) cancel();
+  }
+
+  #look(): void {
+    const { log, events } = this.#context;
+    const broken = new Map(this.broken().map(({ where, reason }) => [where, reason]));
+    for (const [where, reason] of broken) {
+      if (this.#told.get(where) === reason) continue;
+      log.warn('a file cannot be read, and is left alone', { file: where, reason });
+      events.add(StatusEventKind.FILE_BROKEN, `${where} cannot be read: ${reason}`);
+    }
+    for (const where of this.#told.keys()) {
+      if (broken.has(where)) continue;
+      log.info('a file can be read again', { file: where });
+      events.add(StatusEventKind.FILE_CHANGED, `${where} can be read again, or is gone`);
+    }
+    this.#told = broken;
+  }
+}
