@@ -119,8 +119,13 @@ export class LegacyClient {
     return client;
   }
 
-  async connect(addresses: LegacyAddresses, name: string): Promise<Connected> {
-    return (await this.#command('connect', { ...addresses, name })) as Connected;
+  /** @param options Python: `modules` makes it a processing node with the modules of `modules.py` */
+  async connect(
+    addresses: LegacyAddresses,
+    name: string,
+    options: { readonly modules?: boolean } = {},
+  ): Promise<Connected> {
+    return (await this.#command('connect', { ...addresses, name, ...options })) as Connected;
   }
 
   /** Registers a device and gives it as the master replied, keys in camelCase. */

@@ -13,6 +13,8 @@ export interface Room {
   readonly legacy: LegacyAddresses;
   /** A published client, connected over the old ports. */
   joins(kind: ClientKind, name?: string): Promise<Guest>;
+  /** A published client that runs processing modules, connected over the old ports. */
+  joinsAsNode(kind: 'nodejs' | 'python', name?: string): Promise<Guest>;
   /** A client of ours, connected. */
   oursJoins(name?: string): Promise<UbiiClient>;
   /** A client as the master lists it, asked for by a client of ours. */
@@ -27,6 +29,16 @@ export function useRoom(): Room {
   let master: MasterProcess | undefined;
   let legacy: LegacyAddresses | undefined;
   let leave: (() => Promise<void>)[] = [];
+  const join = async (
+    kind: ClientKind,
+    name = `${kind} guest`,
+    options: { readonly modules?: boolean } = {},
+  ): Promise<Guest> => {
+    const client = await LegacyClient.start(kind);
+    leave.push(() => client.stop());
+    const { clientId } = await client.connect(room.legacy, name, options);
+    return Object.assign(client, { clientId });
+  };
   const room: Room = {
     get master() {
       if (!master) throw new Error('The room is open only while a test runs.');
@@ -36,12 +48,8 @@ export function useRoom(): Room {
       if (!legacy) throw new Error('The room is open only while a test runs.');
       return legacy;
     },
-    async joins(kind, name = `${kind} guest`) {
-      const client = await LegacyClient.start(kind);
-      leave.push(() => client.stop());
-      const { clientId } = await client.connect(room.legacy, name);
-      return Object.assign(client, { clientId });
-    },
+    joins: (kind, name) => join(kind, name),
+    joinsAsNode: (kind, name) => join(kind, name, { modules: true }),
     async oursJoins(name = 'our guest') {
       const client = createClient({ url: room.master.url, name, identity: createMemoryIdentity() });
       leave.push(() => client.close());

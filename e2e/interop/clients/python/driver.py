@@ -16,7 +16,10 @@ logging.basicConfig(stream=sys.stderr, level=logging.WARNING)
 import aiohttp  # noqa: E402
 import ubii.proto  # noqa: E402
 from google.protobuf.json_format import MessageToDict  # noqa: E402
+from ubii.framework.client import InitProcessingModules  # noqa: E402
 from ubii.node import Devices, Publish, Services, Subscriptions, connect_client  # noqa: E402
+
+from modules import MODULES  # noqa: E402
 
 
 def write_line(message):
@@ -81,9 +84,12 @@ class Driver:
         self._connection = None
         self._client = None
 
-    async def connect(self, services, name, **_):
+    async def connect(self, services, name, modules=False, **_):
         self._connection = connect_client(services)
         self._connection.client.name = name
+        if modules:
+            self._connection.client.is_dedicated_processing_node = True
+            self._connection.client[InitProcessingModules].module_factories = MODULES
         self._client = await self._connection.__aenter__()
         while self._client.protocol.state.value != self._client.protocol.state.value.CONNECTED:
             await self._client.protocol.state.get(predicate=lambda s: s == s.CONNECTED)
