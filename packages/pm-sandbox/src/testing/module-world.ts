@@ -9,6 +9,7 @@ import {
 import type { RuntimeLimits } from '../limits.ts';
 import { REGEXP_PATTERNS } from '../patterns/regexp-patterns.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
+import type { SandboxFactory } from '../ports/sandbox.ts';
 import { createModuleRuntime } from '../runtime/create-module-runtime.ts';
 import type { InstanceSpec, ModuleRuntime } from '../runtime/module-runtime.ts';
 import { FakeClock } from './fake-clock.ts';
@@ -42,12 +43,17 @@ export interface ModuleWorld {
   begin(sketch?: ModuleSketch): Promise<void>;
 }
 
-/** Makes one. */
+/**
+ * Makes one.
+ *
+ * @param parts what is to be used in place of a fake
+ */
 export function createModuleWorld(
   limits: Partial<RuntimeLimits> = {},
   libraries: readonly string[] = [],
+  parts: { readonly clock?: FakeClock; readonly sandboxes?: SandboxFactory } = {},
 ): ModuleWorld {
-  const clock = new FakeClock();
+  const { clock = new FakeClock() } = parts;
   const topics = new FakeTopics('node-1');
   const sandboxes = new FakeSandboxes();
   const events: ModuleEvent[] = [];
@@ -56,7 +62,7 @@ export function createModuleWorld(
     nodeId: 'node-1',
     clock,
     topics,
-    sandboxes,
+    sandboxes: parts.sandboxes ?? sandboxes,
     limits,
     libraries,
     patterns: REGEXP_PATTERNS,
