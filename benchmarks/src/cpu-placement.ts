@@ -2,10 +2,11 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 
 /**
- * Where broker and load generator run: together on one core, or each on a core of its own. Left to
- * itself the system sometimes does the one and sometimes the other, for seconds.
+ * Where the measured processes and the load generator run: together on one core, the load generator
+ * on one and all others on another, or wherever the system puts them. Left to itself the system
+ * sometimes does the one and sometimes the other, for seconds.
  */
-export type Placement = 'one-core' | 'core-each';
+export type Placement = 'one-core' | 'core-each' | 'anywhere';
 
 /** The cores this process was started on, as `taskset` writes them: `0-1` or `0,2`. */
 const ALLOWED_CORES = /^Cpus_allowed_list:\s*(\S+)/m.exec(
@@ -15,17 +16,27 @@ const ALLOWED_CORES = /^Cpus_allowed_list:\s*(\S+)/m.exec(
 /** True when `taskset` (util-linux) is there to place processes with. */
 export const CAN_PLACE = ALLOWED_CORES !== undefined && hasTaskset();
 
-/** Moves all threads of both processes; does nothing where there is no `taskset`. */
-export function placeProcesses(placement: Placement, loadPid: number, brokerPid: number): void {
+/** Moves all threads of these processes; does nothing where there is no `taskset`. */
+export function placeProcesses(
+  placement: Placement,
+  loadPid: number,
+  pids: readonly number[],
+): void {
   if (!CAN_PLACE) return;
   const first = /^\d+/.exec(ALLOWED_CORES!)![0];
   const last = /\d+$/.exec(ALLOWED_CORES!)![0];
-  moveTo(placement === 'one-core' ? last : first, loadPid);
-  moveTo(last, brokerPid);
+  const cores = {
+    'one-core': [last, last],
+    'core-each': [first, last],
+    anywhere: [ALLOWED_CORES!, ALLOWED_CORES!],
+  } as const;
+  const [ofLoad, ofOthers] = cores[placement];
+  moveTo(ofLoad, loadPid);
+  for (const pid of pids) moveTo(ofOthers, pid);
 }
 
-function moveTo(core: string, pid: number): void {
-  execFileSync('taskset', ['--all-tasks', '--cpu-list', '--pid', core, String(pid)], {
+function moveTo(cores: string, pid: number): void {
+  execFileSync('taskset', ['--all-tasks', '--cpu-list', '--pid', cores, String(pid)], {
     stdio: 'ignore',
   });
 }

@@ -1,26 +1,28 @@
-import type { Broker, Target, TargetName } from './brokers/target.ts';
-import { startRawWs } from './brokers/raw-ws.ts';
-import { BUILT_MASTER, startUbii } from './brokers/ubii.ts';
+import { BUILT_MASTER } from './brokers/master-process.ts';
 import { placeProcesses } from './cpu-placement.ts';
-import type { RecordRing } from './load/record-ring.ts';
 import type { RunOptions } from './options.ts';
+import { SharedParts } from './parts/shared-parts.ts';
 import { Patience } from './quiet-machine.ts';
 import type { WorkloadResult } from './report/results.ts';
-import type { Measurement, Workload } from './workloads/workload.ts';
+import type { Measurement, Subject, Workload } from './workloads/workload.ts';
 
-/** Rounds after which the brokers are started anew: two starts of one program differ by some per cent. */
+/** Rounds after which everything is started anew: two starts of one program differ by some per cent. */
 const ROUNDS_PER_START = 5;
+/** Fewer have no median worth the name. */
+const MIN_ROUNDS = 3;
 
-/** A workload with what it sends and what it measured so far. */
-interface Prepared {
+type Rounds = Record<string, Measurement[]>;
+
+/** A workload with what it measured so far. */
+interface Measured {
   readonly workload: Workload;
-  readonly ring: RecordRing;
-  readonly rounds: Partial<Record<TargetName, Measurement[]>>;
+  readonly roundCount: number;
+  readonly rounds: Rounds;
 }
 
 /**
- * Starts all brokers and measures them in turn: every round has one measurement of every target for
- * every workload, so what disturbs the machine for a while disturbs all of them.
+ * Measures the workloads, group after group. Every round has one measurement of every subject, so
+ * what disturbs the machine for a while disturbs all of them.
  *
  * @param say called with one line about each step
  */
@@ -30,68 +32,90 @@ export async function runWorkloads(
   say: (line: string) => void,
 ): Promise<WorkloadResult[]> {
   const patience = new Patience(options.waitMs, say);
-  const prepared = workloads.map((workload) => ({
+  const all = workloads.map((workload) => ({
     workload,
-    ring: workload.createRing(),
+    roundCount: Math.max(MIN_ROUNDS, Math.round(options.rounds * workload.roundShare)),
     rounds: {},
   }));
-  for (let first = 0; first < options.rounds; first += ROUNDS_PER_START) {
-    const brokers: Broker[] = [];
-    try {
-      brokers.push(await startRawWs(options.profileDir));
-      brokers.push(await startUbii(options.master ?? BUILT_MASTER, options.profileDir));
-      const targets = brokers.flatMap((broker) => broker.targets);
-      const end = Math.min(first + ROUNDS_PER_START, options.rounds);
-      for (let round = first; round < end; round += 1) {
-        await measureRound(round, prepared, rotated(targets, round), patience, options, say);
-      }
-    } finally {
-      await Promise.all(brokers.map((broker) => broker.stop()));
-    }
+  for (const group of new Set(workloads.map((workload) => workload.group))) {
+    const members = all.filter(({ workload }) => workload.group === group);
+    await measureGroup(members, options, patience, say);
   }
-  return prepared.map(({ workload: { name, title, figures }, rounds }) => ({
+  return all.map(({ workload: { name, title, figures, reference }, rounds }) => ({
     name,
     title,
     figures,
-    rounds: rounds as Record<TargetName, Measurement[]>,
+    reference,
+    rounds,
   }));
+}
+
+async function measureGroup(
+  members: readonly Measured[],
+  options: RunOptions,
+  patience: Patience,
+  say: (line: string) => void,
+): Promise<void> {
+  const most = Math.max(...members.map(({ roundCount }) => roundCount));
+  for (let first = 0; first < most; first += ROUNDS_PER_START) {
+    const parts = new SharedParts();
+    try {
+      const setting = {
+        parts,
+        master: options.master ?? BUILT_MASTER,
+        profileDir: options.profileDir,
+      };
+      const opened = new Map<Measured, readonly Subject[]>();
+      for (const member of members) {
+        if (first < member.roundCount) opened.set(member, await member.workload.open(setting));
+      }
+      for (let round = first; round < Math.min(first + ROUNDS_PER_START, most); round += 1) {
+        for (const [member, subjects] of opened) {
+          if (round >= member.roundCount) continue;
+          await measureRound(round, member, rotated(subjects, round), options, patience, say);
+        }
+      }
+    } finally {
+      await parts.stop();
+    }
+  }
 }
 
 async function measureRound(
   round: number,
-  prepared: readonly Prepared[],
-  targets: readonly Target[],
-  patience: Patience,
+  { workload, roundCount, rounds }: Measured,
+  subjects: readonly Subject[],
   options: RunOptions,
+  patience: Patience,
   say: (line: string) => void,
 ): Promise<void> {
-  for (const { workload, ring, rounds } of prepared) {
-    for (const target of targets) {
-      await patience.waitForQuiet();
-      placeProcesses(workload.placement, process.pid, target.pid);
-      const measurement = await workload.measure(target, ring, options);
-      (rounds[target.name] ??= []).push(measurement);
-      say(progressLine(round, options.rounds, workload, target, measurement));
-    }
+  const measured: Record<string, Measurement> = {};
+  for (const subject of subjects) {
+    await patience.waitForQuiet();
+    placeProcesses(workload.placement, process.pid, subject.pids);
+    const measurement = await subject.measure(options);
+    measured[subject.name] = measurement;
+    say(
+      `round ${round + 1}/${roundCount}  ${workload.name}  ${describe(workload, subject, measurement)}`,
+    );
+  }
+  Object.assign(measured, workload.derive?.(measured));
+  for (const [name, measurement] of Object.entries(measured)) {
+    (rounds[name] ??= []).push(measurement);
   }
 }
 
-/** The targets, each round beginning with another one: nobody always follows the same neighbour. */
-function rotated(targets: readonly Target[], round: number): Target[] {
-  const first = round % targets.length;
-  return [...targets.slice(first), ...targets.slice(0, first)];
+/** The subjects, each round beginning with another one: nobody always follows the same neighbour. */
+function rotated(subjects: readonly Subject[], round: number): Subject[] {
+  const first = round % subjects.length;
+  return [...subjects.slice(first), ...subjects.slice(0, first)];
 }
 
-function progressLine(
-  round: number,
-  rounds: number,
-  workload: Workload,
-  target: Target,
-  measurement: Measurement,
-): string {
-  const figures = workload.figures.map(
-    ({ key, label, unit }) => `${label} ${measurement.figures[key]?.toPrecision(4)} ${unit}`,
-  );
+function describe(workload: Workload, subject: Subject, measurement: Measurement): string {
+  const figures = workload.figures.flatMap(({ key, label, unit }) => {
+    const value = measurement.figures[key];
+    return value === undefined ? [] : [`${label} ${value.toPrecision(4)} ${unit}`];
+  });
   const faults = measurement.faults.length > 0 ? ` (${measurement.faults.join('; ')})` : '';
-  return `round ${round + 1}/${rounds}  ${workload.name}  ${target.name}: ${figures.join(', ')}${faults}`;
+  return `${subject.name}: ${figures.join(', ')}${faults}`;
 }

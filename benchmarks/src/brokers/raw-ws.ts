@@ -16,9 +16,10 @@ export async function startRawWs(profileDir: string | undefined): Promise<Broker
       {
         name: 'raw-ws',
         pid: broker.pid,
-        join: async ({ publishes, subscribes }, ring) => {
-          const query = [publishes && 'publish=1', subscribes && 'subscribe=1'].filter(Boolean);
-          const connection = await LoadConnection.open(`${url}?${query.join('&')}`, ring);
+        join: async ({ publishes, topics }, receiver) => {
+          const query = [publishes && 'publish=1', topics.length > 0 && 'subscribe=1'];
+          const address = `${url}?${query.filter(Boolean).join('&')}`;
+          const connection = await LoadConnection.open(address, receiver);
           return { connection, leave: () => connection.close() };
         },
       },

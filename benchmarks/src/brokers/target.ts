@@ -1,16 +1,16 @@
-import type { LoadConnection } from '../load/load-connection.ts';
-import type { RecordRing } from '../load/record-ring.ts';
+import type { LoadConnection, StreamReceiver } from '../load/load-connection.ts';
 
-/** What is measured: a broker together with the kind of clients that use it. */
+/** A broker together with the kind of clients that use it. */
 export type TargetName = 'raw-ws' | 'ubii-extension' | 'ubii-legacy';
 
 /** The target all others are divided by. */
 export const REFERENCE: TargetName = 'raw-ws';
 
-/** What a client does on the topic of the ring. */
+/** What a client does. */
 export interface ClientRole {
   readonly publishes: boolean;
-  readonly subscribes: boolean;
+  /** Topics it receives; raw-ws knows none and sends everything. */
+  readonly topics: readonly string[];
 }
 
 /** One client of a broker, connected and, if it wants to be, subscribed. */
@@ -25,7 +25,8 @@ export interface Target {
   readonly name: TargetName;
   /** Process whose CPU time is counted. */
   readonly pid: number;
-  join(role: ClientRole, ring: RecordRing): Promise<BrokerClient>;
+  /** @param receiver takes what the broker sends */
+  join(role: ClientRole, receiver: StreamReceiver): Promise<BrokerClient>;
 }
 
 /** A broker process. Two targets may share it. */

@@ -21,7 +21,8 @@ function listFrame(sequences: readonly number[]): Buffer {
 
 function verify(chunks: readonly Buffer[], published?: number) {
   let pings = 0;
-  const verifier = new DeliveryVerifier(ring, () => (pings += 1));
+  const verifier = new DeliveryVerifier(ring);
+  verifier.onPing = () => (pings += 1);
   for (const chunk of chunks) verifier.push(chunk);
   verifier.finish(published ?? verifier.next);
   return { next: verifier.next, pings, faults: verifier.faults };

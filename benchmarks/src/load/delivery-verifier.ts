@@ -1,5 +1,6 @@
 import { decode } from '@ubii/proto';
 import { FrameReader, OPCODE } from './frame-reader.ts';
+import type { StreamReceiver } from './load-connection.ts';
 import type { RecordRing } from './record-ring.ts';
 import { MAX_WINDOW } from './record-ring.ts';
 
@@ -27,27 +28,44 @@ const MAX_SENTENCES = 5;
  * when it fails is the chunk taken apart frame by frame, to find out what is wrong (or that it is a
  * list, or a PING).
  */
-export class DeliveryVerifier {
+export class DeliveryVerifier implements StreamReceiver {
   /** Number of the record expected next. Lost and altered ones count as over. */
   next = 0;
   readonly faults: DeliveryFaults = { lost: 0, altered: 0, repeated: 0, unexpected: [] };
   readonly #ring: RecordRing;
-  readonly #onPing: () => void;
   readonly #reader: FrameReader;
   /** Bytes of a frame that has begun to match and is not complete. */
   #partialBytes = 0;
 
-  /** @param onPing called for each text frame PING */
-  constructor(ring: RecordRing, onPing: () => void) {
+  onPing: () => void = () => {};
+  /** Called after bytes were verified; `next` says how far the stream is. */
+  onProgress: () => void = () => {};
+
+  constructor(ring: RecordRing) {
     this.#ring = ring;
-    this.#onPing = onPing;
     this.#reader = new FrameReader((opcode, bytes, start, end) => {
       this.#handleFrame(opcode, bytes, start, end);
     });
   }
 
-  /** Takes the next bytes of the stream; borrowed. */
   push(chunk: Buffer): void {
+    this.#verify(chunk);
+    this.onProgress();
+  }
+
+  handleEnd(reason: string): void {
+    this.faults.unexpected.push(reason);
+  }
+
+  /** Counts what was published and has not come as lost. */
+  finish(published: number): void {
+    if (this.next > published) {
+      this.#report(`${this.next - published} records arrived that were not published`);
+    }
+    this.faults.lost += Math.max(0, published - this.next);
+  }
+
+  #verify(chunk: Buffer): void {
     if (this.#reader.isAtBoundary) {
       const { frames } = this.#ring;
       const offset = frames.offsetOf(this.next) + this.#partialBytes;
@@ -66,19 +84,11 @@ export class DeliveryVerifier {
     this.#reader.push(chunk);
   }
 
-  /** Counts what was published and has not come as lost. */
-  finish(published: number): void {
-    if (this.next > published) {
-      this.#report(`${this.next - published} records arrived that were not published`);
-    }
-    this.faults.lost += Math.max(0, published - this.next);
-  }
-
   #handleFrame(opcode: number, bytes: Buffer, start: number, end: number): void {
     if (opcode === OPCODE.binary) {
       this.#handleTopicData(bytes, start, end);
     } else if (opcode === OPCODE.text && bytes.toString('latin1', start, end) === TEXT_PING) {
-      this.#onPing();
+      this.onPing();
     } else {
       this.#report(`a frame with opcode ${opcode} and ${end - start} bytes`);
     }

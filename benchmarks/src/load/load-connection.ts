@@ -1,9 +1,7 @@
 import { randomBytes } from 'node:crypto';
 import { connect, type Socket } from 'node:net';
 import { clientFrame } from './frames.ts';
-import { DeliveryVerifier } from './delivery-verifier.ts';
 import { OPCODE } from './frame-reader.ts';
-import type { RecordRing } from './record-ring.ts';
 
 /**
  * One read buffer for all connections: a chunk is verified before the next read starts, and a warm
@@ -14,21 +12,30 @@ const HEADER_END = '\r\n\r\n';
 const PONG_FRAME = clientFrame(OPCODE.text, Buffer.from('PONG'));
 const CLOSE_FRAME = clientFrame(OPCODE.close, Buffer.from([0x03, 0xe8]));
 
-/** A WebSocket client of the least work: whole encoded frames out, verified bytes in. */
+/** Takes what a broker sends. */
+export interface StreamReceiver {
+  /** Takes the next bytes of the stream; borrowed. */
+  push(chunk: Buffer): void;
+  /** Called for each text frame PING; set by the connection, which answers it. */
+  onPing: () => void;
+  /** The connection ended before it was closed. */
+  handleEnd(reason: string): void;
+}
+
+/** A WebSocket client of the least work: whole encoded frames out, bytes in. */
 export class LoadConnection {
-  readonly verifier: DeliveryVerifier;
-  /** Called after bytes were verified; `verifier.next` says how far the stream is. */
-  onProgress: () => void = () => {};
   readonly #socket: Socket;
+  readonly #receiver: StreamReceiver;
   #closing = false;
 
-  private constructor(socket: Socket, ring: RecordRing) {
+  private constructor(socket: Socket, receiver: StreamReceiver) {
     this.#socket = socket;
-    this.verifier = new DeliveryVerifier(ring, () => this.send(PONG_FRAME));
+    this.#receiver = receiver;
+    receiver.onPing = () => this.send(PONG_FRAME);
   }
 
   /** @param url of the broker's socket, `ws://host:port/path?query` */
-  static open(url: string, ring: RecordRing): Promise<LoadConnection> {
+  static open(url: string, receiver: StreamReceiver): Promise<LoadConnection> {
     return new Promise((resolve, reject) => {
       const { hostname, port, pathname, search } = new URL(url);
       let opened: LoadConnection | undefined;
@@ -36,8 +43,7 @@ export class LoadConnection {
       const handleBytes = (bytes: Buffer): void => {
         if (opened !== undefined) {
           if (opened.#closing) return;
-          opened.verifier.push(bytes);
-          opened.onProgress();
+          receiver.push(bytes);
           return;
         }
         header += bytes.toString('latin1');
@@ -48,10 +54,10 @@ export class LoadConnection {
           socket.destroy();
           return;
         }
-        opened = new LoadConnection(socket, ring);
+        opened = new LoadConnection(socket, receiver);
         const rest = Buffer.from(header.slice(end + HEADER_END.length), 'latin1');
-        if (rest.length > 0) opened.verifier.push(rest);
         resolve(opened);
+        if (rest.length > 0) receiver.push(rest);
       };
       const socket = connect({
         host: hostname,
@@ -98,6 +104,6 @@ export class LoadConnection {
   }
 
   #noteEnd(reason: string): void {
-    if (!this.#closing) this.verifier.faults.unexpected.push(reason);
+    if (!this.#closing) this.#receiver.handleEnd(reason);
   }
 }

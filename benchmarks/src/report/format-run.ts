@@ -1,9 +1,9 @@
-import { REFERENCE } from '../brokers/target.ts';
 import { formatNumber, formatTable } from './format-table.ts';
 import {
   compareWithReference,
   faultsOf,
   otherCpuOf,
+  referenceOf,
   type Comparison,
   type RunResult,
 } from './results.ts';
@@ -15,13 +15,15 @@ const BUSY_SHARE = 0.15;
 export function formatRun(run: RunResult): string {
   const { machine, parameters, commit } = run;
   const sections = run.workloads.map((workload) => {
-    const header = ['', 'target', 'ratio', 'goal', '', 'rounds', 'median', REFERENCE, 'unit'];
-    return `${workload.title}\n${formatTable(header, compareWithReference(workload).map(row))}`;
+    const reference = referenceOf(workload);
+    const rounds = workload.rounds[reference]?.length ?? 0;
+    const header = ['', 'target', 'ratio', 'goal', '', 'rounds', 'median', reference, 'unit'];
+    return `${workload.title} (${rounds} rounds)\n${formatTable(header, compareWithReference(workload).map(row))}`;
   });
   const faults = faultsOf(run);
   const otherCpu = otherCpuOf(run);
   return [
-    `Ratios to ${REFERENCE} in the same run, median of ${parameters.rounds} rounds of ` +
+    `Ratios to the last column but one in the same run, medians of rounds of ` +
       `${parameters.measureMs / 1000} s (commit ${commit.hash.slice(0, 9)}${commit.isDirty ? ' and changes' : ''}, ` +
       `Node ${machine.node}, ${machine.cores} cores, load ${machine.loadAverage.join(' -> ')})`,
     ...sections,
@@ -30,18 +32,23 @@ export function formatRun(run: RunResult): string {
         ? ' THE MACHINE WAS BUSY: the figures are partly about that.'
         : ''),
     faults.length === 0
-      ? 'Every record arrived at every subscriber, once, in order, unaltered.'
+      ? 'Everything arrived that was to arrive: once, in order, unaltered.'
       : `NOT EVERYTHING ARRIVED AS SENT, the figures do not count:\n${faults.map((fault) => `  ${fault}`).join('\n')}`,
   ].join('\n\n');
 }
 
 function row(comparison: Comparison): string[] {
-  const { figure, target, ratio, range, goal, isMet, value, reference } = comparison;
+  const { figure, target, ratio, range, goal, bound, isMet, value, reference } = comparison;
+  const sign = figure.isHigherBetter ? '>=' : '<=';
   return [
     figure.label,
     target,
     ratio.toFixed(2),
-    goal === undefined ? '' : `${figure.isHigherBetter ? '>=' : '<='} ${goal}`,
+    goal !== undefined
+      ? `${sign} ${goal}`
+      : bound === undefined
+        ? ''
+        : `${sign} ${bound} ${figure.unit}`,
     isMet === undefined ? '' : isMet ? 'pass' : 'MISS',
     `${range[0].toFixed(2)} to ${range[1].toFixed(2)}`,
     formatNumber(value),

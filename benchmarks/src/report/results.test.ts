@@ -44,7 +44,7 @@ describe('compareWithReference', () => {
 describe('formatRun', () => {
   it('says so when a record was lost', () => {
     const run = runWith([22, 44, 22]);
-    expect(formatRun(run)).toContain('Every record arrived');
+    expect(formatRun(run)).toContain('Everything arrived');
     run.workloads[0]!.rounds['ubii-legacy']![1]!.faults.push('3 records lost');
     expect(faultsOf(run)).toEqual(['round-trip, ubii-legacy, round 2: 3 records lost']);
     expect(formatRun(run)).toContain('do not count');

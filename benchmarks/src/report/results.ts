@@ -1,4 +1,3 @@
-import type { TargetName } from '../brokers/target.ts';
 import { REFERENCE } from '../brokers/target.ts';
 import { median, medianRatio } from '../statistics.ts';
 import type { FigureInfo, Measurement } from '../workloads/workload.ts';
@@ -8,7 +7,9 @@ export interface WorkloadResult {
   readonly name: string;
   readonly title: string;
   readonly figures: readonly FigureInfo[];
-  readonly rounds: Partial<Record<TargetName, Measurement[]>>;
+  /** The subject all others are divided by; absent in files of earlier versions, where it was raw-ws. */
+  readonly reference?: string;
+  readonly rounds: Readonly<Record<string, Measurement[]>>;
 }
 
 /** One run of `npm run bench`, as it is written to disk. */
@@ -37,13 +38,15 @@ export interface RunResult {
 /** One line of the report: a figure of a target beside the reference. */
 export interface Comparison {
   readonly figure: FigureInfo;
-  readonly target: TargetName;
+  readonly target: string;
   /** Median over the rounds of value / reference of the same round. */
   readonly ratio: number;
   /** Smallest and largest ratio of a round. */
   readonly range: readonly [number, number];
   readonly goal: number | undefined;
-  /** Undefined without a goal. */
+  /** Bound of the value itself; counts where there is no goal. */
+  readonly bound: number | undefined;
+  /** Undefined without a goal and a bound. */
   readonly isMet: boolean | undefined;
   readonly value: number;
   readonly reference: number;
@@ -52,7 +55,7 @@ export interface Comparison {
 /** The values of one figure, one a round. */
 export function valuesOf(
   result: WorkloadResult,
-  target: TargetName,
+  target: string,
   figure: FigureInfo,
 ): readonly number[] {
   const rounds = result.rounds[target] ?? [];
@@ -61,28 +64,49 @@ export function valuesOf(
 
 /** Compares every target of a workload with the reference, figure by figure. */
 export function compareWithReference(result: WorkloadResult): Comparison[] {
-  const targets = (Object.keys(result.rounds) as TargetName[]).filter((name) => name !== REFERENCE);
+  const referenceName = referenceOf(result);
+  const targets = Object.keys(result.rounds).filter((name) => name !== referenceName);
   return result.figures.flatMap((figure) => {
-    const references = valuesOf(result, REFERENCE, figure);
+    const references = valuesOf(result, referenceName, figure);
     if (references.length === 0) return [];
-    return targets.map((target): Comparison => {
+    return targets.flatMap((target): Comparison[] => {
       const values = valuesOf(result, target, figure);
+      // Not every figure makes sense for every subject.
+      if (values.every(Number.isNaN)) return [];
       const ratio = medianRatio(values, references);
       const ratios = values.map((value, round) => value / references[round]!);
       const goal = figure.goals[target];
-      return {
-        figure,
-        target,
-        ratio,
-        range: [Math.min(...ratios), Math.max(...ratios)],
-        goal,
-        isMet:
-          goal === undefined ? undefined : figure.isHigherBetter ? ratio >= goal : ratio <= goal,
-        value: median(values),
-        reference: median(references),
-      };
+      const bound = figure.bounds?.[target];
+      const middle = median(values);
+      return [
+        {
+          figure,
+          target,
+          ratio,
+          range: [Math.min(...ratios), Math.max(...ratios)],
+          goal,
+          bound,
+          isMet:
+            goal !== undefined
+              ? isWithin(figure, ratio, goal)
+              : bound !== undefined
+                ? isWithin(figure, middle, bound)
+                : undefined,
+          value: middle,
+          reference: median(references),
+        },
+      ];
     });
   });
+}
+
+/** Name of the subject the others are divided by. */
+export function referenceOf({ reference }: WorkloadResult): string {
+  return reference ?? REFERENCE;
+}
+
+function isWithin({ isHigherBetter }: FigureInfo, value: number, bound: number): boolean {
+  return isHigherBetter ? value >= bound : value <= bound;
 }
 
 /** Cores that other processes used while it was measured: median and largest. */

@@ -1,5 +1,7 @@
 import { setTimeout as sleep } from 'node:timers/promises';
-import type { BrokerClient, Target } from '../brokers/target.ts';
+import { brokerSubjects } from '../brokers/open-brokers.ts';
+import { REFERENCE, type BrokerClient, type Target } from '../brokers/target.ts';
+import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { FlowWindow } from '../load/flow-window.ts';
 import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
 import { startLap } from './stopwatch.ts';
@@ -52,19 +54,27 @@ export function fanOut(window: number, goals: FigureInfo['goals']): Workload {
     ],
     // As it would be with clients on other machines: the broker has a core to itself.
     placement: 'core-each',
-    createRing: () => createRecordRing('fan-out', RECORD_BYTES),
-    measure: (target, ring, options) => measure(window, target, ring, options),
+    reference: REFERENCE,
+    roundShare: 1,
+    open: (setting) => {
+      const ring = createRecordRing('fan-out', RECORD_BYTES);
+      return brokerSubjects(setting, (target, options) =>
+        measureFanOut(window, target, ring, options),
+      );
+    },
   };
 }
 
-async function measure(
+/** One measurement. */
+export async function measureFanOut(
   window: number,
   target: Target,
   ring: RecordRing,
   { warmUpMs, measureMs }: MeasureOptions,
 ): Promise<Measurement> {
   const subscribers = await joinAll(target, ring);
-  const publisher = await target.join({ publishes: true, subscribes: false }, ring);
+  const published = new DeliveryVerifier(ring);
+  const publisher = await target.join({ publishes: true, topics: [] }, published);
   const flow = new FlowWindow(SUBSCRIBERS, window);
   let delivered = 0;
   let sent = 0;
@@ -78,10 +88,9 @@ async function measure(
     sent += count;
     publisher.connection.send(frames);
   };
-  for (const { connection } of subscribers) {
-    const { verifier } = connection;
+  for (const { verifier } of subscribers) {
     let before = 0;
-    connection.onProgress = () => {
+    verifier.onProgress = () => {
       const now = Math.min(verifier.next, sent);
       if (now === before) return;
       delivered += now - before;
@@ -96,7 +105,7 @@ async function measure(
   publish();
   await sleep(warmUpMs);
   const deliveredBefore = delivered;
-  const stopLap = startLap(target.pid);
+  const stopLap = startLap([target.pid]);
   await sleep(measureMs);
   const deliveries = delivered - deliveredBefore;
   const lap = stopLap();
@@ -104,16 +113,17 @@ async function measure(
   const idle = new Promise<void>((resolve) => (onIdle = resolve));
   isRunning = false;
   if (flow.slowest < sent) await Promise.race([idle, sleep(STALL_MS, undefined, { ref: false })]);
-  for (const { connection } of subscribers) connection.verifier.finish(sent);
-  publisher.connection.verifier.finish(0);
-  const all = [...subscribers, publisher];
-  const faults = describeFaults(all.map(({ connection }) => connection.verifier.faults));
-  await Promise.all(all.map((client) => client.leave()));
+  for (const { verifier } of subscribers) verifier.finish(sent);
+  published.finish(0);
+  const faults = describeFaults(
+    [published, ...subscribers.map(({ verifier }) => verifier)].map((verifier) => verifier.faults),
+  );
+  await Promise.all([publisher, ...subscribers].map((client) => client.leave()));
 
   return {
     figures: {
       deliveriesPerS: deliveries / (lap.wallUs / 1e6),
-      cpuUs: lap.brokerCpuUs / deliveries,
+      cpuUs: lap.cpuUs / deliveries,
       loadCpu: lap.loadCpuShare,
     },
     otherCpuShare: lap.otherCpuShare,
@@ -122,13 +132,17 @@ async function measure(
   };
 }
 
-async function joinAll(target: Target, ring: RecordRing): Promise<BrokerClient[]> {
-  const clients: BrokerClient[] = [];
+type Subscriber = BrokerClient & { readonly verifier: DeliveryVerifier };
+
+async function joinAll(target: Target, ring: RecordRing): Promise<Subscriber[]> {
+  const clients: Subscriber[] = [];
   while (clients.length < SUBSCRIBERS) {
     const count = Math.min(JOIN_AT_ONCE, SUBSCRIBERS - clients.length);
-    const joined = Array.from({ length: count }, () =>
-      target.join({ publishes: false, subscribes: true }, ring),
-    );
+    const joined = Array.from({ length: count }, async () => {
+      const verifier = new DeliveryVerifier(ring);
+      const client = await target.join({ publishes: false, topics: [ring.topic] }, verifier);
+      return { ...client, verifier };
+    });
     clients.push(...(await Promise.all(joined)));
   }
   return clients;

@@ -1,5 +1,7 @@
 import { setTimeout as sleep } from 'node:timers/promises';
-import type { Target } from '../brokers/target.ts';
+import { brokerSubjects } from '../brokers/open-brokers.ts';
+import { REFERENCE, type Target } from '../brokers/target.ts';
+import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
 import { percentile } from '../statistics.ts';
 import { startLap } from './stopwatch.ts';
@@ -54,18 +56,23 @@ export const roundTrip: Workload = {
   // Only one of the two processes has work at a time. On two cores each message would wake a sleeping
   // core twice, which takes longer than everything the brokers do, and not always equally long.
   placement: 'one-core',
-  createRing: () => createRecordRing('round-trip', RECORD_BYTES),
-  measure,
+  reference: REFERENCE,
+  roundShare: 1,
+  open: (setting) => {
+    const ring = createRecordRing('round-trip', RECORD_BYTES);
+    return brokerSubjects(setting, (target, options) => measureRoundTrip(target, ring, options));
+  },
 };
 
-async function measure(
+/** One measurement. */
+export async function measureRoundTrip(
   target: Target,
   ring: RecordRing,
   { warmUpMs, measureMs }: MeasureOptions,
 ): Promise<Measurement> {
-  const client = await target.join({ publishes: true, subscribes: true }, ring);
+  const verifier = new DeliveryVerifier(ring);
+  const client = await target.join({ publishes: true, topics: [ring.topic] }, verifier);
   const { connection } = client;
-  const { verifier } = connection;
   const samples = new Float64Array(MAX_SAMPLES);
   let sampleCount = 0;
   let isSampling = false;
@@ -80,7 +87,7 @@ async function measure(
     sentAtMs = performance.now();
     connection.send(frame);
   };
-  connection.onProgress = () => {
+  verifier.onProgress = () => {
     if (verifier.next < sent) return;
     const tookMs = performance.now() - sentAtMs;
     if (isSampling && sampleCount < MAX_SAMPLES) {
@@ -93,7 +100,7 @@ async function measure(
 
   publish();
   await sleep(warmUpMs);
-  const stopLap = startLap(target.pid);
+  const stopLap = startLap([target.pid]);
   isSampling = true;
   await sleep(measureMs);
   isSampling = false;
@@ -110,7 +117,7 @@ async function measure(
     figures: {
       p50Us: percentile(sorted, 0.5),
       p99Us: percentile(sorted, 0.99),
-      cpuUs: lap.brokerCpuUs / sampleCount,
+      cpuUs: lap.cpuUs / sampleCount,
       loadCpu: lap.loadCpuShare,
     },
     otherCpuShare: lap.otherCpuShare,

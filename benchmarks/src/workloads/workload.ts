@@ -1,7 +1,6 @@
-import type { Target, TargetName } from '../brokers/target.ts';
 import type { Placement } from '../cpu-placement.ts';
 import type { DeliveryFaults } from '../load/delivery-verifier.ts';
-import type { RecordRing } from '../load/record-ring.ts';
+import type { SharedParts } from '../parts/shared-parts.ts';
 
 /** One measured quantity. */
 export interface FigureInfo {
@@ -9,8 +8,10 @@ export interface FigureInfo {
   readonly label: string;
   readonly unit: string;
   readonly isHigherBetter: boolean;
-  /** Bound of the ratio to raw-ws by target: at most (lower is better) or at least. */
-  readonly goals: Partial<Record<TargetName, number>>;
+  /** Bound of the ratio to the reference, by subject: at most (lower is better) or at least. */
+  readonly goals: Readonly<Record<string, number>>;
+  /** Bound of the value itself, by subject, where a ratio says nothing. */
+  readonly bounds?: Readonly<Record<string, number>>;
 }
 
 export interface MeasureOptions {
@@ -18,16 +19,34 @@ export interface MeasureOptions {
   readonly measureMs: number;
 }
 
-/** One measurement of one target in one round. */
+/** One measurement of one subject in one round. */
 export interface Measurement {
   /** By `FigureInfo.key`. */
-  readonly figures: Record<string, number>;
-  /** Records delivered while the clock ran. */
+  readonly figures: Readonly<Record<string, number>>;
+  /** Records delivered, or calls answered, while the clock ran. */
   readonly deliveries: number;
   /** CPU time of what else ran on the machine, as a share of the time: 1 is a whole core. */
   readonly otherCpuShare: number;
   /** Everything that was not as it should be; empty is the only good value. */
   readonly faults: string[];
+}
+
+/** What is measured: one of the things that a workload compares. */
+export interface Subject {
+  readonly name: string;
+  /** Processes whose CPU time is counted, and that are placed, besides this one. */
+  readonly pids: readonly number[];
+  measure(options: MeasureOptions): Promise<Measurement>;
+}
+
+/** What all workloads get from the command line. */
+export interface WorkloadSetting {
+  /** What the workloads of a group use together, until the next start. */
+  readonly parts: SharedParts;
+  /** Main file of the master to measure. */
+  readonly master: string;
+  /** Directory for CPU profiles. */
+  readonly profileDir: string | undefined;
 }
 
 /** One row group of the report. */
@@ -37,9 +56,15 @@ export interface Workload {
   readonly group: string;
   readonly title: string;
   readonly figures: readonly FigureInfo[];
+  /** Name of the subject all others are divided by. */
+  readonly reference: string;
   readonly placement: Placement;
-  createRing(): RecordRing;
-  measure(target: Target, ring: RecordRing, options: MeasureOptions): Promise<Measurement>;
+  /** Share of the rounds it takes part in, where it has many subjects or steady figures. */
+  readonly roundShare: number;
+  /** Starts what is to be measured. */
+  open(setting: WorkloadSetting): Promise<readonly Subject[]>;
+  /** A further subject that is computed from those of a round, such as a sum of two. */
+  derive?(round: Readonly<Record<string, Measurement>>): Record<string, Measurement>;
 }
 
 /** The faults of all connections as sentences, numbers added up. */

@@ -1,0 +1,26 @@
+/** Something that runs and has to be ended. */
+export interface Part {
+  stop(): Promise<void>;
+}
+
+/** What the workloads of a group use together: brokers, nodes, workers. Each is started on first use. */
+export class SharedParts {
+  readonly #parts = new Map<string, Promise<Part>>();
+
+  /** The part of this name; the first caller starts it. */
+  get<P extends Part>(name: string, start: () => Promise<P>): Promise<P> {
+    let part = this.#parts.get(name);
+    if (part === undefined) {
+      part = start();
+      this.#parts.set(name, part);
+    }
+    return part as Promise<P>;
+  }
+
+  /** Ends all of them, the last one first; those that did not start are over already. */
+  async stop(): Promise<void> {
+    const started = [...this.#parts.values()].reverse();
+    this.#parts.clear();
+    for (const part of started) await part.then((running) => running.stop()).catch(() => undefined);
+  }
+}
