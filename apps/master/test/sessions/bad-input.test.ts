@@ -51,7 +51,7 @@ const CASES: readonly Case[] = [
   ],
   [
     'two inputs of one name',
-    withModule({ inputs: [doubler.inputs[0], doubler.inputs[0]] }),
+    withModule({ inputs: [...doubler.inputs, ...doubler.inputs] }),
     { code: 'name_twice', path: 'processingModules[0].inputs[1].internalName' },
   ],
   [
