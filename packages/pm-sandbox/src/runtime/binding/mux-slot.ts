@@ -73,7 +73,7 @@ export class MuxSlot implements InputSlot, TopicListener {
       if (record === undefined || !this.#fits(record.valueField)) continue;
       // A snapshot that came over the wire does not say all that is known here.
       const publisherId = record.publisherId || known.publisherId;
-      const deviceId = record.deviceId ?? known.deviceId;
+      const deviceId = record.deviceId || known.deviceId;
       list.set({ ...record, publisherId, ...(deviceId === undefined ? {} : { deviceId }) });
     }
     for (const record of snapshot.values()) {
