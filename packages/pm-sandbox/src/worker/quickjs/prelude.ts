@@ -236,7 +236,7 @@ export function prelude(
       const fail = (thrown: unknown): void => {
         done = failure(thrown);
       };
-      apply(then, resolve(returned), [finish, fail]);
+      void apply(then, resolve(returned), [finish, fail]);
       return undefined;
     } catch (thrown) {
       return failure(thrown);

@@ -1,0 +1,2 @@
+/** Builds the worker of `createNodeSandboxes` into one file, an ES module. */
+export function buildNodeWorker(outfile: string): Promise<void>;

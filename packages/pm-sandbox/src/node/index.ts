@@ -1,0 +1,3 @@
+export { createNodeSandboxes, type NodeSandboxOptions } from './create-node-sandboxes.ts';
+export { createHttpLibrary } from './http-library.ts';
+export type { HostLibrary } from '../sandbox/worker-link.ts';

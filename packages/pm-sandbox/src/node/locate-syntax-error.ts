@@ -1,0 +1,23 @@
+import { Script } from 'node:vm';
+import type { SourcePosition } from '../worker/v8/v8-engine.ts';
+
+const FILE_NAME = 'ubii-module.js';
+
+/**
+ * Where a text does not parse. V8 says so only to who compiles a script with a file name: first line
+ * `file:line`, then the line itself, then a mark under the place.
+ *
+ * @param text begins with one character that is not the author's
+ */
+export function locateSyntaxError(text: string): SourcePosition | undefined {
+  try {
+    new Script(text, { filename: FILE_NAME });
+    return undefined;
+  } catch (thrown) {
+    const lines = String((thrown as Error).stack).split('\n');
+    const line = Number(new RegExp(`^${FILE_NAME}:(\\d+)$`).exec(lines[0] ?? '')?.[1]);
+    if (!(line > 0)) return undefined;
+    const column = (lines[2] ?? '').indexOf('^') + 1;
+    return { line, column: Math.max(1, column - (line === 1 ? 1 : 0)) };
+  }
+}

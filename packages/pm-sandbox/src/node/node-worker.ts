@@ -1,0 +1,48 @@
+import { parentPort, workerData } from 'node:worker_threads';
+import type { HostBatch, WorkerStart } from '../worker/protocol.ts';
+import { createQuickJsEngine } from '../worker/quickjs/quickjs-engine.ts';
+import { createV8Engine } from '../worker/v8/v8-engine.ts';
+import { WorkerLoop } from '../worker/worker-loop.ts';
+import { locateSyntaxError } from './locate-syntax-error.ts';
+import { createProgressWriter } from './shared-progress.ts';
+
+/** What `createNodeSandboxes` hands over. */
+export interface NodeWorkerData {
+  readonly start: WorkerStart;
+  readonly progress: SharedArrayBuffer;
+}
+
+/**
+ * Stack of QuickJS, bytes. Its frames take up to fifty times as much of the thread's stack, which is
+ * made 16 MB: deep recursion ends as an exception of the module, never as one of the thread.
+ */
+const STACK_BYTES = 256 * 1024;
+
+const port = parentPort;
+if (port === null) throw new Error('this file is a worker');
+const { start, progress } = workerData as NodeWorkerData;
+const nowMs = (): number => performance.now();
+
+const loop = new WorkerLoop({
+  engine:
+    start.kind === 'trusted'
+      ? createV8Engine({ locateSyntaxError })
+      : createQuickJsEngine({ stackBytes: STACK_BYTES, nowMs }),
+  hostLibraries: start.hostLibraries,
+  post(batch, transfer) {
+    if (batch.messages.length > 0) port.postMessage(batch, transfer);
+  },
+  async importLibrary(name) {
+    if (!Object.hasOwn(start.libraries, name)) return undefined;
+    const library = (await import(start.libraries[name]!)) as { default?: unknown };
+    return library.default ?? library;
+  },
+  ...createProgressWriter(progress),
+  later: (fn) => void setImmediate(fn),
+  nowMs,
+});
+
+// A timer of one trusted module that throws is no reason to end the others.
+process.on('uncaughtException', (thrown) => loop.handleStray(thrown));
+process.on('unhandledRejection', (thrown) => loop.handleStray(thrown));
+port.on('message', (batch: HostBatch) => loop.handleBatch(batch));

@@ -1,0 +1,404 @@
+import type { ModuleFault, ModulePhase } from '../ports/module-fault.ts';
+import type { Cancel } from '../ports/clock.ts';
+import type { ModuleSource, SandboxCall, SandboxRequest, SandboxResult } from '../ports/sandbox.ts';
+import {
+  AWAIT_TIMEOUT_MS,
+  TRUSTED_CREATE_TIMEOUT_MS,
+  WATCHDOG_GRACE_MS,
+  WATCHDOG_INTERVAL_MS,
+} from '../sandbox-limits.ts';
+import { BytePacker } from '../worker/byte-packer.ts';
+import { describeThrown, moduleFault } from '../worker/module-error.ts';
+import type {
+  HostMessage,
+  WireInput,
+  WorkerBatch,
+  WorkerKind,
+  WorkerMessage,
+} from '../worker/protocol.ts';
+import type { PoolOptions, PoolPlatform, WorkerLink } from './worker-link.ts';
+
+/** One instance as its worker's host knows it. */
+export interface HostedInstance {
+  readonly request: SandboxRequest;
+  onLog(line: { readonly level: string; readonly text: string }): void;
+  /** It is gone, and its calls have rejected. */
+  onKilled(fault: ModuleFault): void;
+}
+
+/** A call under way. */
+interface PendingCall {
+  readonly instance: number;
+  readonly phase: ModulePhase;
+  resolve(result: unknown): void;
+  reject(fault: ModuleFault): void;
+  /** Looks of the watchdog since it was sent. */
+  looks: number;
+}
+
+/** What a check may take before its worker is ended; it has limits of its own inside. */
+const CHECK_TIMEOUT_MS = 500;
+/** A worker that has not begun to run by then never will, milliseconds. */
+const START_TIMEOUT_MS = 30_000;
+
+/** One worker: sends calls in batches, takes answers, and watches that they come. */
+export class WorkerHost {
+  readonly kind: WorkerKind;
+  /** Instance it was made for alone. */
+  readonly isSolo: boolean;
+  readonly #platform: PoolPlatform;
+  readonly #options: PoolOptions;
+  readonly #onEnd: (culprit: SandboxRequest | undefined) => void;
+  readonly #link: WorkerLink;
+  readonly #instances = new Map<number, HostedInstance>();
+  readonly #calls = new Map<number, PendingCall>();
+  readonly #packer = new BytePacker();
+  #outgoing: HostMessage[] = [];
+  #lastInstance = 0;
+  #lastCall = 0;
+  #sentBatches = 0;
+  #isReady = false;
+  #isEnded = false;
+  #stopWatch: Cancel | undefined;
+  #seen = { running: 0, sequence: -1, received: -1, looks: 0 };
+
+  constructor(
+    kind: WorkerKind,
+    isSolo: boolean,
+    platform: PoolPlatform,
+    options: PoolOptions,
+    /** The worker is over; `culprit` is who it was ended for. */
+    onEnd: (culprit: SandboxRequest | undefined) => void,
+  ) {
+    this.kind = kind;
+    this.isSolo = isSolo;
+    this.#platform = platform;
+    this.#options = options;
+    this.#onEnd = onEnd;
+    const hostLibraries = Object.fromEntries(
+      Object.entries(options.hostLibraries).map(([name, library]) => [name, Object.keys(library)]),
+    );
+    const libraries = kind === 'trusted' ? options.libraries : {};
+    this.#link = platform.startWorker(
+      { kind, hostLibraries, libraries },
+      {
+        onBatch: (batch) => this.#handleBatch(batch),
+        onExit: ({ kind: reason, message }) => this.#handleExit(reason, message),
+      },
+    );
+  }
+
+  /** Instances that live in it. */
+  get load(): number {
+    return this.#instances.size;
+  }
+
+  get isIdle(): boolean {
+    return this.#instances.size === 0 && this.#calls.size === 0;
+  }
+
+  /** Takes in an instance. @returns its number here */
+  add(instance: HostedInstance): number {
+    this.#instances.set(++this.#lastInstance, instance);
+    return this.#lastInstance;
+  }
+
+  create(instance: number): Promise<void> {
+    const { request } = this.#instances.get(instance)!;
+    return this.#call(instance, 'onCreated', (call) => ({
+      kind: 'create',
+      instance,
+      call,
+      request,
+    }));
+  }
+
+  run(instance: number, { deltaTimeMs, inputs, triggers }: SandboxCall): Promise<SandboxResult> {
+    const wired = inputs.map((input) => this.#wire(input));
+    return this.#call(instance, 'onProcessing', (call) => ({
+      kind: 'run',
+      instance,
+      call,
+      deltaTimeMs,
+      inputs: wired,
+      triggers,
+    }));
+  }
+
+  halt(instance: number): Promise<void> {
+    return this.#call(instance, 'onHalted', (call) => ({ kind: 'halt', instance, call }));
+  }
+
+  destroy(instance: number): Promise<void> {
+    return this.#call(instance, 'onDestroyed', (call) => ({ kind: 'destroy', instance, call }));
+  }
+
+  /** Lets go of an instance; what is pending of it rejects. */
+  free(instance: number, fault: ModuleFault): void {
+    if (!this.#instances.delete(instance)) return;
+    this.#send({ kind: 'free', instance });
+    this.#rejectCalls(
+      (call) => call.instance === instance,
+      () => fault,
+    );
+  }
+
+  check(source: ModuleSource): Promise<ModuleFault | undefined> {
+    const instance = ++this.#lastInstance;
+    return this.#call(instance, '', (call) => ({ kind: 'check', instance, call, source }));
+  }
+
+  /** Ends the worker and tells everybody in it. */
+  end(fault: ModuleFault): void {
+    this.#endAll(undefined, () => fault);
+  }
+
+  #wire(input: SandboxCall['inputs'][number]): WireInput {
+    const take = (record: {
+      bytes: Uint8Array;
+      isOwned?: boolean | undefined;
+      identity?: string | undefined;
+    }) => {
+      const holder = { bytes: record.bytes, identity: record.identity };
+      this.#packer.add(holder, record.isOwned === true);
+      return holder;
+    };
+    return 'elements' in input
+      ? { name: input.name, elements: input.elements.map(take) }
+      : { name: input.name, record: input.record && take(input.record) };
+  }
+
+  #call<T>(
+    instance: number,
+    phase: ModulePhase,
+    message: (call: number) => HostMessage,
+  ): Promise<T> {
+    const call = ++this.#lastCall;
+    return new Promise<T>((resolve, reject) => {
+      if (this.#isEnded) {
+        // eslint-disable-next-line @typescript-eslint/prefer-promise-reject-errors -- faults are values
+        reject(moduleFault('crashed', phase, 'The worker has ended.'));
+        return;
+      }
+      const pending = {
+        instance,
+        phase,
+        resolve: resolve as (r: unknown) => void,
+        reject,
+        looks: 0,
+      };
+      this.#calls.set(call, pending);
+      this.#send(message(call));
+      this.#watch();
+    });
+  }
+
+  #send(message: HostMessage): void {
+    if (this.#isEnded) return;
+    this.#outgoing.push(message);
+    if (this.#outgoing.length === 1) this.#platform.atEndOfTurn(() => this.#flush());
+  }
+
+  #flush(): void {
+    if (this.#isEnded || this.#outgoing.length === 0) return;
+    const messages = this.#outgoing;
+    this.#outgoing = [];
+    this.#sentBatches++;
+    this.#link.post({ messages }, this.#packer.pack());
+  }
+
+  #handleBatch(batch: WorkerBatch): void {
+    for (const message of batch.messages) {
+      if (this.#isEnded) return;
+      this.#handleMessage(message);
+    }
+    if (this.#calls.size === 0) this.#unwatch();
+  }
+
+  #handleMessage(message: WorkerMessage): void {
+    switch (message.kind) {
+      case 'ready':
+        this.#isReady = true;
+        return;
+      case 'done': {
+        const call = this.#takeCall(message.call);
+        call?.resolve(message.result);
+        if (call?.phase === 'onDestroyed') this.#instances.delete(call.instance);
+        return;
+      }
+      case 'failed': {
+        const call = this.#takeCall(message.call);
+        call?.reject(message.fault);
+        if (call?.phase === 'onDestroyed') this.#instances.delete(call.instance);
+        return;
+      }
+      case 'killed':
+        return this.#kill(message.instance, message.fault);
+      case 'log':
+        return this.#instances.get(message.instance)?.onLog(message);
+      case 'libraryCall':
+        return this.#callLibrary(message);
+    }
+  }
+
+  #takeCall(number: number): PendingCall | undefined {
+    const call = this.#calls.get(number);
+    this.#calls.delete(number);
+    return call;
+  }
+
+  #callLibrary(message: Extract<WorkerMessage, { kind: 'libraryCall' }>): void {
+    const { request, library, method, args } = message;
+    const answer = (isGood: boolean, value: unknown): void =>
+      this.#send({ kind: 'libraryAnswer', request, isGood, value });
+    // The names come from the worker: only what was offered is called.
+    const { hostLibraries } = this.#options;
+    const isOffered =
+      Object.hasOwn(hostLibraries, library) && Object.hasOwn(hostLibraries[library]!, method);
+    if (!isOffered) {
+      answer(false, `There is no ${library}.${method}.`);
+      return;
+    }
+    hostLibraries[library]![method]!(...args).then(
+      (value) => answer(true, value),
+      (thrown: unknown) => answer(false, describeThrown(thrown)),
+    );
+  }
+
+  /** One instance is gone, the worker goes on. */
+  #kill(number: number, fault: ModuleFault): void {
+    const instance = this.#instances.get(number);
+    if (instance === undefined) return;
+    this.#instances.delete(number);
+    this.#rejectCalls(
+      (call) => call.instance === number,
+      () => fault,
+    );
+    instance.onKilled(fault);
+  }
+
+  #rejectCalls(
+    isMeant: (call: PendingCall) => boolean,
+    faultOf: (call: PendingCall) => ModuleFault,
+  ): void {
+    for (const [number, call] of this.#calls) {
+      if (!isMeant(call)) continue;
+      this.#calls.delete(number);
+      call.reject(faultOf(call));
+    }
+    if (this.#calls.size === 0) this.#unwatch();
+  }
+
+  #handleExit(reason: 'memory' | 'exit', message: string): void {
+    const { running } = this.#link.progress();
+    const phase = this.#phaseOf(running);
+    this.#endAll(running, () => {
+      if (reason === 'exit') return moduleFault('crashed', phase, message);
+      return moduleFault(
+        'memory',
+        phase,
+        `${phase || 'The module'} used up the memory of its worker.`,
+      );
+    });
+  }
+
+  /** Ends the worker. The culprit gets the fault; the others lose their state without fault of theirs. */
+  #endAll(culprit: number | undefined, faultOf: () => ModuleFault): void {
+    if (this.#isEnded) return;
+    this.#isEnded = true;
+    this.#unwatch();
+    this.#link.terminate();
+    const fault = faultOf();
+    const name = culprit === undefined ? undefined : this.#instances.get(culprit)?.request;
+    const because =
+      name === undefined
+        ? fault.message
+        : `Its worker had to be ended because of "${name.moduleName}".`;
+    const crashed = moduleFault('crashed', '', `${because} Its state is lost.`);
+    const instances = [...this.#instances];
+    this.#instances.clear();
+    this.#onEnd(name);
+    const isHit = (number: number): boolean =>
+      name === undefined ? culprit === undefined : number === culprit;
+    for (const [number, call] of this.#calls) {
+      this.#calls.delete(number);
+      call.reject(isHit(call.instance) || call.instance === culprit ? fault : crashed);
+    }
+    for (const [number, instance] of instances) instance.onKilled(isHit(number) ? fault : crashed);
+  }
+
+  #phaseOf(instance: number): ModulePhase {
+    for (const call of this.#calls.values()) if (call.instance === instance) return call.phase;
+    return '';
+  }
+
+  #watch(): void {
+    if (this.#stopWatch !== undefined) return;
+    this.#seen.looks = 0;
+    this.#link.setActive(true);
+    this.#stopWatch = this.#platform.every(WATCHDOG_INTERVAL_MS, () => this.#look());
+  }
+
+  #unwatch(): void {
+    if (this.#stopWatch === undefined) return;
+    this.#stopWatch();
+    this.#stopWatch = undefined;
+    this.#link.setActive(false);
+  }
+
+  /**
+   * Counts looks, not time: a program that was held up itself sees one late look, and does not blame
+   * its workers.
+   */
+  #look(): void {
+    const { running, sequence, received } = this.#link.progress();
+    const seen = this.#seen;
+    const isSame =
+      seen.running === running && seen.sequence === sequence && seen.received === received;
+    this.#seen = { running, sequence, received, looks: isSame ? seen.looks + 1 : 0 };
+    const silentMs = this.#seen.looks * WATCHDOG_INTERVAL_MS;
+    if (!this.#isReady) {
+      if (silentMs > START_TIMEOUT_MS)
+        this.#endAll(undefined, () => moduleFault('crashed', '', 'The worker did not start.'));
+      return;
+    }
+    if (running !== 0 && silentMs >= this.#limitMs(running) + WATCHDOG_GRACE_MS) {
+      const phase = this.#phaseOf(running);
+      const text = `${phase || 'The source'} took longer than the ${this.#limitMs(running)} ms a call may take.`;
+      this.#endAll(running, () => moduleFault('timeout', phase, text));
+      return;
+    }
+    if (
+      running === 0 &&
+      received < this.#sentBatches &&
+      silentMs >= CHECK_TIMEOUT_MS + WATCHDOG_GRACE_MS
+    ) {
+      const text =
+        'The worker does not answer: a timer or another background job of a module holds it up.';
+      this.#endAll(undefined, () => moduleFault('crashed', '', text));
+      return;
+    }
+    this.#lookAtCalls();
+  }
+
+  #lookAtCalls(): void {
+    for (const call of [...this.#calls.values()]) {
+      call.looks++;
+      const isCreate = call.phase === 'onCreated' && this.kind === 'trusted';
+      const limitMs = isCreate ? TRUSTED_CREATE_TIMEOUT_MS : AWAIT_TIMEOUT_MS;
+      if (call.looks * WATCHDOG_INTERVAL_MS < limitMs || !this.#instances.has(call.instance))
+        continue;
+      const text = `${call.phase} waited longer than the ${limitMs} ms a call may wait for promises.`;
+      this.#send({ kind: 'free', instance: call.instance });
+      this.#kill(call.instance, moduleFault('timeout', call.phase, text));
+    }
+  }
+
+  #limitMs(number: number): number {
+    const request = this.#instances.get(number)?.request;
+    if (request === undefined) return CHECK_TIMEOUT_MS;
+    return request.isTrusted && this.#phaseOf(number) === 'onCreated'
+      ? TRUSTED_CREATE_TIMEOUT_MS
+      : request.limits.callTimeoutMs;
+  }
+}

@@ -1,0 +1,41 @@
+import type { Cancel } from '../ports/clock.ts';
+import type { HostBatch, Progress, WorkerBatch, WorkerStart } from '../worker/protocol.ts';
+
+/** One worker as its host sees it. */
+export interface WorkerLink {
+  post(batch: HostBatch, transfer: readonly ArrayBuffer[]): void;
+  /** How far it is, as far as is known here. */
+  progress(): Progress;
+  /** Whether something is under way that the program should stay alive for. */
+  setActive(isActive: boolean): void;
+  /** Ends it at once. `onExit` is not called. */
+  terminate(): void;
+}
+
+/** Takes what a worker tells. */
+export interface WorkerListener {
+  onBatch(batch: WorkerBatch): void;
+  /** It ended by itself. */
+  onExit(reason: { readonly kind: 'memory' | 'exit'; readonly message: string }): void;
+}
+
+/** What a platform gives the pool of workers. */
+export interface PoolPlatform {
+  startWorker(start: WorkerStart, listener: WorkerListener): WorkerLink;
+  every(intervalMs: number, fn: () => void): Cancel;
+  /** Calls `fn` once what is running now is done. */
+  atEndOfTurn(fn: () => void): void;
+}
+
+/** A library of the host: methods that take and give what can be JSON, and reject with a sentence. */
+export type HostLibrary = Readonly<Record<string, (...args: unknown[]) => Promise<unknown>>>;
+
+/** What a pool is made for. */
+export interface PoolOptions {
+  /** Module specifiers of libraries that trusted code gets, by name. */
+  readonly libraries: Readonly<Record<string, string>>;
+  /** Libraries that the host runs, for all code. */
+  readonly hostLibraries: Readonly<Record<string, HostLibrary>>;
+  /** Workers of each kind; those of killed instances come on top. */
+  readonly maxWorkers: number;
+}

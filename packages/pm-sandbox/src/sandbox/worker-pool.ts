@@ -1,0 +1,104 @@
+import type { SandboxFactory, SandboxRequest } from '../ports/sandbox.ts';
+import { sourceTooLong } from '../worker/check-source.ts';
+import { moduleFault } from '../worker/module-error.ts';
+import type { WorkerKind } from '../worker/protocol.ts';
+import { RemoteSandbox } from './remote-sandbox.ts';
+import { WorkerHost } from './worker-host.ts';
+import type { PoolOptions, PoolPlatform } from './worker-link.ts';
+
+/** Instances that are remembered for having had their worker ended. */
+const MAX_CULPRITS = 256;
+
+/**
+ * Sandboxes in a pool of workers. Workers start when they are needed; many instances share them. An
+ * instance whose worker had to be ended gets one of its own the next time. [PM-50]
+ */
+export function createPooledSandboxes(
+  platform: PoolPlatform,
+  options: PoolOptions,
+): SandboxFactory {
+  const pool = new WorkerPool(platform, options);
+  return {
+    open: (request, events) =>
+      new RemoteSandbox(
+        request,
+        events,
+        () => pool.place(request),
+        (host) => pool.release(host),
+      ),
+    async check(source) {
+      const tooLong = sourceTooLong(source);
+      if (tooLong !== undefined) return tooLong;
+      try {
+        return await pool.shared('sandboxed').check(source);
+      } catch (fault) {
+        return fault as ReturnType<typeof sourceTooLong>;
+      }
+    },
+    close() {
+      pool.close();
+      return Promise.resolve();
+    },
+  };
+}
+
+class WorkerPool {
+  readonly #platform: PoolPlatform;
+  readonly #options: PoolOptions;
+  readonly #hosts = new Set<WorkerHost>();
+  readonly #culprits = new Set<string>();
+
+  constructor(platform: PoolPlatform, options: PoolOptions) {
+    this.#platform = platform;
+    this.#options = options;
+  }
+
+  place(request: SandboxRequest): WorkerHost {
+    const kind = request.isTrusted ? 'trusted' : 'sandboxed';
+    return this.#culprits.has(request.instanceId) ? this.#start(kind, true) : this.shared(kind);
+  }
+
+  /** The worker with the fewest instances; a new one as long as there may be more. */
+  shared(kind: WorkerKind): WorkerHost {
+    const hosts = this.#sharedOf(kind);
+    const least = hosts.reduce<WorkerHost | undefined>(
+      (best, host) => (best === undefined || host.load < best.load ? host : best),
+      undefined,
+    );
+    const isEnough = least?.load === 0 || hosts.length >= this.#options.maxWorkers;
+    return least !== undefined && isEnough ? least : this.#start(kind, false);
+  }
+
+  /** Ends a worker that nobody needs; the last of its kind waits for the next instance. */
+  release(host: WorkerHost): void {
+    if (!host.isIdle || !this.#hosts.has(host)) return;
+    if (host.isSolo || this.#sharedOf(host.kind).length > 1) {
+      host.end(moduleFault('crashed', '', 'The worker is not needed any more.'));
+    }
+  }
+
+  close(): void {
+    for (const host of [...this.#hosts]) {
+      host.end(moduleFault('crashed', '', 'The node is closing.'));
+    }
+  }
+
+  #start(kind: WorkerKind, isSolo: boolean): WorkerHost {
+    const host = new WorkerHost(kind, isSolo, this.#platform, this.#options, (culprit) => {
+      this.#hosts.delete(host);
+      if (culprit !== undefined) this.#remember(culprit.instanceId);
+    });
+    this.#hosts.add(host);
+    return host;
+  }
+
+  #remember(instanceId: string): void {
+    const [oldest] = this.#culprits;
+    if (this.#culprits.size >= MAX_CULPRITS && oldest !== undefined) this.#culprits.delete(oldest);
+    this.#culprits.add(instanceId);
+  }
+
+  #sharedOf(kind: WorkerKind): WorkerHost[] {
+    return [...this.#hosts].filter((host) => host.kind === kind && !host.isSolo);
+  }
+}

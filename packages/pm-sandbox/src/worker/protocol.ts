@@ -1,0 +1,114 @@
+import type { ModuleFault } from '../ports/module-fault.ts';
+import type { ModuleSource, SandboxRequest, SandboxResult } from '../ports/sandbox.ts';
+
+/** Which engine a worker has. [PM-51] */
+export type WorkerKind = 'trusted' | 'sandboxed';
+
+/** Methods of the libraries that the host runs, by library. */
+export type HostLibraryNames = Readonly<Record<string, readonly string[]>>;
+
+/** Bytes of a record; packed into the buffer of the batch when it is sent. */
+export interface WireRecord {
+  bytes: Uint8Array;
+  readonly identity?: string | undefined;
+}
+
+/** Value of one input on its way. */
+export type WireInput =
+  | { readonly name: string; readonly record: WireRecord | undefined }
+  | { readonly name: string; readonly elements: readonly WireRecord[] };
+
+/**
+ * All that a host tells a worker. `instance` is a number of the host's, `call` one that its answer
+ * carries.
+ */
+export type HostMessage =
+  | {
+      readonly kind: 'create';
+      readonly instance: number;
+      readonly call: number;
+      readonly request: SandboxRequest;
+    }
+  | {
+      readonly kind: 'run';
+      readonly instance: number;
+      readonly call: number;
+      readonly deltaTimeMs: number;
+      readonly inputs: readonly WireInput[];
+      readonly triggers: readonly string[] | undefined;
+    }
+  | { readonly kind: 'halt'; readonly instance: number; readonly call: number }
+  | { readonly kind: 'destroy'; readonly instance: number; readonly call: number }
+  /** Frees an instance without calling it. */
+  | { readonly kind: 'free'; readonly instance: number }
+  | {
+      readonly kind: 'check';
+      readonly instance: number;
+      readonly call: number;
+      readonly source: ModuleSource;
+    }
+  /** Answer to a `libraryCall`. */
+  | {
+      readonly kind: 'libraryAnswer';
+      readonly request: number;
+      readonly isGood: boolean;
+      /** What can be JSON; a sentence when it is not good. */
+      readonly value: unknown;
+    };
+
+/** All that a worker tells its host. */
+export type WorkerMessage =
+  | { readonly kind: 'ready' }
+  /** A call ended well; `result` is that of a run or a check. */
+  | {
+      readonly kind: 'done';
+      readonly call: number;
+      readonly result: SandboxResult | ModuleFault | undefined;
+    }
+  | { readonly kind: 'failed'; readonly call: number; readonly fault: ModuleFault }
+  /** The instance is gone. What was pending of it has failed before. */
+  | { readonly kind: 'killed'; readonly instance: number; readonly fault: ModuleFault }
+  | {
+      readonly kind: 'log';
+      readonly instance: number;
+      readonly level: string;
+      readonly text: string;
+    }
+  | {
+      readonly kind: 'libraryCall';
+      readonly instance: number;
+      readonly request: number;
+      readonly library: string;
+      readonly method: string;
+      readonly args: readonly unknown[];
+    };
+
+/** Messages of one turn travel together. */
+export interface HostBatch {
+  readonly messages: readonly HostMessage[];
+}
+
+/** Messages of one turn travel together. */
+export interface WorkerBatch {
+  readonly messages: readonly WorkerMessage[];
+  /** How far the worker is, where it cannot be seen in shared memory. */
+  readonly progress?: Progress | undefined;
+}
+
+/** How far a worker is. */
+export interface Progress {
+  /** Batches it has begun. */
+  readonly received: number;
+  /** Instance whose code is running; 0 when none. */
+  readonly running: number;
+  /** Grows with each time an instance's code begins to run. */
+  readonly sequence: number;
+}
+
+/** What a worker is told when it starts. */
+export interface WorkerStart {
+  readonly kind: WorkerKind;
+  readonly hostLibraries: HostLibraryNames;
+  /** Module specifiers of libraries that trusted code gets, by name. */
+  readonly libraries: Readonly<Record<string, string>>;
+}

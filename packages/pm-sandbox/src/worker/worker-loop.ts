@@ -1,0 +1,265 @@
+import type { ModuleFault } from '../ports/module-fault.ts';
+import type { SandboxCall, SandboxResult } from '../ports/sandbox.ts';
+import { BytePacker, type ByteHolder } from './byte-packer.ts';
+import { checkSource } from './check-source.ts';
+import type { Engine, EngineRequest, MaybePromise } from './engine.ts';
+import { Instance, type InstanceHost } from './instance.ts';
+import { cutText, describeThrown, isFatal, ModuleError, moduleFault } from './module-error.ts';
+import type {
+  HostBatch,
+  HostLibraryNames,
+  HostMessage,
+  WorkerBatch,
+  WorkerMessage,
+} from './protocol.ts';
+
+/** What a worker has around it. */
+export interface WorkerPlatform {
+  readonly engine: Engine;
+  readonly hostLibraries: HostLibraryNames;
+  post(batch: WorkerBatch, transfer: readonly ArrayBuffer[]): void;
+  /** Loads a library for trusted code; rejects or gives undefined when there is none of that name. */
+  importLibrary(name: string): Promise<unknown>;
+  /** A batch was begun. */
+  noteReceived(): void;
+  /** The code of an instance is about to run; 0: none. */
+  noteRunning(instance: number): void;
+  /** Calls `fn` once all that is ready to run has run. */
+  later(fn: () => void): void;
+  nowMs(): number;
+}
+
+/** Answers wait for the end of the batch, but no longer than this, milliseconds. */
+const MAX_HELD_MS = 2;
+
+type MessageOf<K extends HostMessage['kind']> = Extract<HostMessage, { kind: K }>;
+
+/** The program of a worker: takes batches of messages, runs instances, answers in batches. */
+export class WorkerLoop {
+  readonly #platform: WorkerPlatform;
+  readonly #instances = new Map<number, Instance>();
+  readonly #answers = new Map<number, (answer: MessageOf<'libraryAnswer'>) => void>();
+  readonly #packer = new BytePacker();
+  readonly #queue: HostMessage[] = [];
+  #outgoing: WorkerMessage[] = [];
+  #heldSinceMs = 0;
+  #isBusy = false;
+  #lastRequest = 0;
+
+  constructor(platform: WorkerPlatform) {
+    this.#platform = platform;
+    this.#send({ kind: 'ready' });
+    this.#flush();
+  }
+
+  /** Takes what the host sent. */
+  handleBatch(batch: HostBatch): void {
+    this.#platform.noteReceived();
+    this.#queue.push(...batch.messages);
+    if (!this.#isBusy) this.#work();
+  }
+
+  /** Something failed that belongs to no call: timers of trusted code do. */
+  handleStray(thrown: unknown): void {
+    const text = cutText(`Outside of any call: ${describeThrown(thrown)}`);
+    for (const instance of this.#instances.keys()) {
+      this.#send({ kind: 'log', instance, level: 'error', text });
+    }
+    this.#flush();
+  }
+
+  /** One message after the other. What one left to be run at once is run before the next. */
+  #work(): void {
+    this.#isBusy = true;
+    for (let message = this.#queue.shift(); message !== undefined; message = this.#queue.shift()) {
+      if (!this.#dispatch(message)) continue;
+      this.#platform.later(() => {
+        this.#platform.noteRunning(0);
+        this.#work();
+      });
+      return;
+    }
+    this.#isBusy = false;
+    this.#platform.noteRunning(0);
+    this.#flush();
+  }
+
+  /** @returns whether something is left under way */
+  #dispatch(message: HostMessage): boolean {
+    switch (message.kind) {
+      case 'create':
+        return this.#create(message);
+      case 'run':
+        return this.#call(message, (instance) => instance.run(message as SandboxCall));
+      case 'halt':
+        return this.#call(message, (instance) => instance.halt());
+      case 'destroy':
+        return this.#call(message, (instance) => {
+          this.#instances.delete(message.instance);
+          return instance.destroy();
+        });
+      case 'free':
+        this.#free(message.instance);
+        return false;
+      case 'check':
+        this.#note(message.instance);
+        return this.#answer(message, checkSource(this.#platform.engine, message.source));
+      case 'libraryAnswer':
+        this.#answers.get(message.request)?.(message);
+        this.#answers.delete(message.request);
+        // What waits for it goes on in a moment.
+        return true;
+    }
+  }
+
+  #create(message: MessageOf<'create'>): boolean {
+    const { instance: number, request } = message;
+    const instance = new Instance(request, this.#hostOf(), {
+      onLog: (level, text) => this.#send({ kind: 'log', instance: number, level, text }),
+      callHost: (library, method, args) => this.#callHost(number, library, method, args),
+      onResume: () => this.#note(number),
+      onFailed: (fault) => this.#end(number, fault),
+    });
+    this.#instances.set(number, instance);
+    return this.#call(message, () => instance.create());
+  }
+
+  #call(
+    message: { readonly instance: number; readonly call: number },
+    call: (instance: Instance) => MaybePromise<SandboxResult | void>,
+  ): boolean {
+    const instance = this.#instances.get(message.instance);
+    if (instance === undefined) {
+      const fault = moduleFault('crashed', '', 'The instance is gone.');
+      this.#send({ kind: 'failed', call: message.call, fault });
+      return false;
+    }
+    this.#note(message.instance);
+    try {
+      return this.#answer(message, call(instance));
+    } catch (fault) {
+      this.#fail(message, fault as ModuleFault);
+      return false;
+    }
+  }
+
+  #answer(
+    message: { readonly instance: number; readonly call: number },
+    answer: MaybePromise<SandboxResult | ModuleFault | void>,
+  ): boolean {
+    const { call } = message;
+    if (!(answer instanceof Promise)) {
+      this.#done(call, answer ?? undefined);
+      return false;
+    }
+    answer
+      .then(
+        (result) => this.#done(call, result ?? undefined),
+        (fault: ModuleFault) => this.#fail(message, fault),
+      )
+      .finally(() => {
+        if (!this.#isBusy) this.#flush();
+      });
+    return true;
+  }
+
+  #done(call: number, result: SandboxResult | ModuleFault | undefined): void {
+    if (result !== undefined && 'outputs' in result) {
+      for (const output of result.outputs) {
+        const values =
+          'value' in output ? [output.value] : output.elements.map(({ value }) => value);
+        for (const value of values) this.#packer.add(value as ByteHolder, true);
+      }
+    }
+    this.#send({ kind: 'done', call, result });
+  }
+
+  #fail(message: { readonly instance: number; readonly call: number }, fault: ModuleFault): void {
+    this.#send({ kind: 'failed', call: message.call, fault });
+    if (isFatal(fault)) this.#end(message.instance, fault);
+  }
+
+  #end(instance: number, fault: ModuleFault): void {
+    if (!this.#instances.has(instance)) return;
+    this.#free(instance);
+    this.#send({ kind: 'killed', instance, fault });
+    if (!this.#isBusy) this.#flush();
+  }
+
+  #free(instance: number): void {
+    this.#instances.get(instance)?.free();
+    this.#instances.delete(instance);
+  }
+
+  #callHost(
+    instance: number,
+    library: string,
+    method: string,
+    args: readonly unknown[],
+  ): Promise<unknown> {
+    const request = ++this.#lastRequest;
+    return new Promise((resolve, reject) => {
+      // Only data travels; throws for cycles.
+      const data = JSON.parse(JSON.stringify(args)) as unknown[];
+      this.#answers.set(request, ({ isGood, value }) => {
+        if (isGood) resolve(value);
+        else reject(new Error(String(value)));
+      });
+      this.#send({ kind: 'libraryCall', instance, request, library, method, args: data });
+      if (!this.#isBusy) this.#flush();
+    });
+  }
+
+  #hostOf(): InstanceHost {
+    return {
+      engine: this.#platform.engine,
+      nowMs: () => this.#platform.nowMs(),
+      loadLibraries: (names) => (names.length === 0 ? NO_LIBRARIES : this.#loadLibraries(names)),
+    };
+  }
+
+  async #loadLibraries(
+    names: readonly string[],
+  ): Promise<Pick<EngineRequest, 'modules' | 'hostLibraries'>> {
+    const modules: Record<string, unknown> = {};
+    const hostLibraries: Record<string, readonly string[]> = {};
+    for (const name of names) {
+      if (Object.hasOwn(this.#platform.hostLibraries, name)) {
+        hostLibraries[name] = this.#platform.hostLibraries[name]!;
+      } else modules[name] = await this.#importLibrary(name);
+    }
+    return { modules, hostLibraries };
+  }
+
+  async #importLibrary(name: string): Promise<unknown> {
+    let why = 'it does not offer it';
+    try {
+      const library = await this.#platform.importLibrary(name);
+      if (library !== undefined) return library;
+    } catch (thrown) {
+      why = `loading it failed: ${describeThrown(thrown)}`;
+    }
+    const message = `The node cannot give the library ${name}: ${why}.`;
+    throw new ModuleError(moduleFault('library', 'onCreated', message));
+  }
+
+  #note(instance: number): void {
+    if (this.#outgoing.length > 0 && this.#platform.nowMs() - this.#heldSinceMs > MAX_HELD_MS) {
+      this.#flush();
+    }
+    this.#platform.noteRunning(instance);
+  }
+
+  #send(message: WorkerMessage): void {
+    if (this.#outgoing.length === 0) this.#heldSinceMs = this.#platform.nowMs();
+    this.#outgoing.push(message);
+  }
+
+  #flush(): void {
+    const messages = this.#outgoing;
+    this.#outgoing = [];
+    this.#platform.post({ messages }, this.#packer.pack());
+  }
+}
+
+const NO_LIBRARIES = { modules: {}, hostLibraries: {} };
