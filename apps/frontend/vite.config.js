@@ -1,3 +1,4 @@
+import { sandboxWorkersPlugin } from '@ubii/pm-sandbox/build';
 import vue from '@vitejs/plugin-vue';
 import { defineConfig } from 'vite';
 
@@ -5,7 +6,7 @@ import { defineConfig } from 'vite';
 const masterUrl = process.env.UBII_DEV_MASTER_URL ?? 'http://127.0.0.1:8080';
 
 export default defineConfig({
-  plugins: [vue()],
+  plugins: [vue(), sandboxWorkersPlugin()],
   build: {
     // The newest syntax every browser of the last years runs; Lightning CSS lowers light-dark() to it.
     target: ['chrome105', 'firefox110', 'safari16.0'],

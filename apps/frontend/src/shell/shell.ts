@@ -6,6 +6,8 @@ export type ShellDialog = 'palette' | 'connect-phone' | 'shortcuts' | 'identity'
 /** How pages reach the dialogs of the shell. */
 export interface Shell {
   readonly dialog: ShallowRef<ShellDialog | undefined>;
+  /** What the page is about, when that has a name; `usePageTitle` sets it. */
+  readonly pageTitle: ShallowRef<string | undefined>;
   open(dialog: ShellDialog): void;
   close(): void;
 }
@@ -16,6 +18,7 @@ export function createShell(): Shell {
   const dialog = shallowRef<ShellDialog>();
   return {
     dialog,
+    pageTitle: shallowRef<string>(),
     open: (next) => (dialog.value = next),
     close: () => (dialog.value = undefined),
   };

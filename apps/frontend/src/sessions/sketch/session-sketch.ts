@@ -30,7 +30,10 @@ const HEIGHT = 54;
 const MARGIN = 6;
 /** More of them cannot be told apart. */
 const MAX_ROWS = 4;
-const MAX_COLUMNS = 4;
+const MAX_COLUMNS = 9;
+const MODULE = { width: 18, height: 12 };
+/** Topics are test points. */
+const TOPIC = { width: 4, height: 4 };
 
 interface Node {
   readonly key: string;
@@ -55,16 +58,28 @@ export function sessionSketch(session: Session): SessionSketch {
   assignColumns(nodes, links);
   const columns = groupByColumn([...nodes.values()]);
   const places = new Map<string, SketchBox>();
+  const widths = columns.map((column) => Math.max(...column.map(({ kind }) => sizeOf(kind).width)));
+  const free = WIDTH - 2 * MARGIN - widths.reduce((sum, width) => sum + width, 0);
+  const gap = columns.length < 2 ? 0 : Math.max(2, Math.min(14, free / (columns.length - 1)));
+  const used = widths.reduce((sum, width) => sum + width, gap * (columns.length - 1));
+  const scale = Math.min(1, (WIDTH - 2 * MARGIN) / used);
+  let x = (WIDTH - used * scale) / 2;
   columns.forEach((column, index) => {
-    const height = Math.min(12, (HEIGHT - 2 * MARGIN) / column.length - 4);
-    const width = Math.min(20, (WIDTH - 2 * MARGIN) / columns.length - 6);
-    const step = (WIDTH - 2 * MARGIN - width) / Math.max(1, columns.length - 1);
-    column.forEach((node, row) => {
-      const x = columns.length === 1 ? (WIDTH - width) / 2 : MARGIN + index * step;
-      const y = (HEIGHT * (row + 1)) / (column.length + 1) - height / 2;
-      const { kind, isTroubled } = node;
-      places.set(node.key, { x, y, width, height, kind, isTroubled });
+    const columnWidth = (widths[index] ?? 0) * scale;
+    column.forEach(({ key, kind, isTroubled }, row) => {
+      const size = sizeOf(kind);
+      const height = Math.min(size.height, HEIGHT / (column.length + 1) - 2);
+      const width = size.width * scale;
+      places.set(key, {
+        x: x + (columnWidth - width) / 2,
+        y: (HEIGHT * (row + 1)) / (column.length + 1) - height / 2,
+        width,
+        height,
+        kind,
+        isTroubled,
+      });
     });
+    x += columnWidth + gap * scale;
   });
   const wires = links.flatMap(({ from, to, family }) => {
     const a = places.get(from);
@@ -73,6 +88,8 @@ export function sessionSketch(session: Session): SessionSketch {
   });
   return { boxes: [...places.values()], wires };
 }
+
+const sizeOf = (kind: Node['kind']): typeof MODULE => (kind === 'module' ? MODULE : TOPIC);
 
 function graphOf(session: Session): { nodes: Map<string, Node>; links: Link[] } {
   const nodes = new Map<string, Node>();
@@ -109,12 +126,20 @@ function graphOf(session: Session): { nodes: Map<string, Node>; links: Link[] } 
 
 /** Each node stands right of what flows into it; cycles end after as many rounds as there are columns. */
 function assignColumns(nodes: Map<string, Node>, links: readonly Link[]): void {
-  for (let round = 1; round < MAX_COLUMNS + 1; round += 1) {
+  for (let round = 0; round < MAX_COLUMNS; round += 1) {
     for (const { from, to } of links) {
       const a = nodes.get(from);
       const b = nodes.get(to);
-      if (a && b && b.column <= a.column && a.column < MAX_COLUMNS) b.column = a.column + 1;
+      if (a && b && b.column <= a.column && a.column < MAX_COLUMNS - 1) b.column = a.column + 1;
     }
+  }
+  // What only flows in stands close to where it flows to
+  const hasSource = new Set(links.map(({ to }) => to));
+  for (const node of nodes.values()) {
+    if (hasSource.has(node.key)) continue;
+    const targets = links.filter(({ from }) => from === node.key);
+    const columns = targets.map(({ to }) => nodes.get(to)?.column ?? 1);
+    if (columns.length > 0) node.column = Math.max(0, Math.min(...columns) - 1);
   }
 }
 

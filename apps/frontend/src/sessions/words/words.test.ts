@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { aSession } from '../testing/a-session.ts';
 import { mappedModule } from './mapping-words.ts';
 import { modeWords } from './mode-words.ts';
+import { placeOf, problemsOf } from './problem-place.ts';
 import { canRun, nodeHint, nodeName } from './node-words.ts';
 
 const mode = (json: object) => fromJson('ubii.processing.ProcessingMode', json);
@@ -90,5 +91,23 @@ describe('nodes', () => {
     expect(canRun(python, code)).toBe(false);
     expect(canRun(python, { name: 'y', onProcessingStringified: '' })).toBe(true);
     expect(canRun({ ...master, available: false }, code)).toBe(false);
+  });
+});
+
+describe('problems', () => {
+  it('are found at the input or output they are about', () => {
+    expect(placeOf('ioMappings[2].outputMappings[1].topic')).toEqual({
+      mapping: 2,
+      side: 'output',
+      index: 1,
+    });
+    expect(placeOf('processingModules[0]')).toBeUndefined();
+    const problem = { message: 'Nobody publishes.', path: 'ioMappings[0].inputMappings[0].topic' };
+    const session = aSession({ json: { extension: { problems: [problem] } } });
+    const find = (side: 'input' | 'output', name: string) =>
+      problemsOf(session, 'module', side, name).map(({ message }) => message);
+    expect(find('input', 'position')).toEqual(['Nobody publishes.']);
+    expect(find('input', 'mirrorX')).toEqual([]);
+    expect(find('output', 'mirrored')).toEqual([]);
   });
 });
