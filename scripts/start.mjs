@@ -10,7 +10,7 @@ const { onStop } = await import('./lib/stopping.mjs');
 
 await runScript(async () => {
   await ensureInstalled();
-  await ensureBuilt();
+  await ensureBuilt(['master', 'frontend']);
   const master = launch(
     process.execPath,
     ['--enable-source-maps', inRoot(masterProgram), ...process.argv.slice(2)],

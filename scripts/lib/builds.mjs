@@ -10,6 +10,8 @@ const everywhere = [
   'pnpm-lock.yaml',
   'tsconfig.base.json',
   'packages/proto',
+  'packages/pm-sandbox',
+  'packages/modules',
   'scripts/lib/builds.mjs',
 ];
 
@@ -29,7 +31,15 @@ const builds = {
       await precompress(inRoot('apps/frontend/dist'));
     },
   },
+  node: {
+    output: 'apps/node/dist/main.js',
+    inputs: [...everywhere, 'packages/client-web', 'apps/node'],
+    build: async () => expectSuccess(await runNode(inRoot('apps/node/build.mjs'), [])),
+  },
 };
+
+/** Path of the built node, relative to the root. */
+export const nodeProgram = builds.node.output;
 
 /** Path of the built master, relative to the root. */
 export const masterProgram = builds.master.output;

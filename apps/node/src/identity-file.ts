@@ -1,0 +1,74 @@
+import type { Identity, IdentityStorage } from '@ubii/client-web/node';
+import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { homedir } from 'node:os';
+import { dirname, join } from 'node:path';
+
+interface Kept {
+  readonly clientId: string;
+  readonly resumeToken?: string;
+  /** Whoever uses it, or used it last. */
+  readonly pid: number;
+}
+
+/**
+ * Keeps the identity of a node in a file, so that its next run gets back the modules that somebody put
+ * on it. [PM-63] One that another running process uses is left to that one. The file is a secret: it
+ * lets its owner be this client.
+ */
+export function createIdentityFile(
+  path: string,
+  isRunning: (pid: number) => boolean = isProcessRunning,
+): IdentityStorage {
+  let isOurs = true;
+  return {
+    load(): Identity | undefined {
+      const kept = read(path);
+      if (kept === undefined) return undefined;
+      isOurs = kept.pid === process.pid || !isRunning(kept.pid);
+      return isOurs ? { clientId: kept.clientId, resumeToken: kept.resumeToken } : undefined;
+    },
+    save(identity: Identity | undefined): void {
+      // Forgetting is for clients that leave for good. An identity that is worth nothing is replaced.
+      if (!isOurs || identity === undefined) return;
+      const kept: Kept = {
+        clientId: identity.clientId,
+        ...(identity.resumeToken === undefined ? {} : { resumeToken: identity.resumeToken }),
+        pid: process.pid,
+      };
+      mkdirSync(dirname(path), { recursive: true });
+      writeFileSync(`${path}.new`, JSON.stringify(kept), { mode: 0o600 });
+      renameSync(`${path}.new`, path);
+    },
+  };
+}
+
+/** Where the identity of a node is kept unless somebody says otherwise. */
+export function defaultIdentityFile(
+  master: string,
+  name: string,
+  env: Readonly<Record<string, string | undefined>> = process.env,
+): string {
+  // XDG Base Directory Specification; an unset or empty variable means ~/.local/state.
+  const state = env['XDG_STATE_HOME'] || join(homedir(), '.local', 'state');
+  const file = encodeURIComponent(`${name} at ${new URL(master).host}`);
+  return join(state, 'ubi-interact', 'nodes', `${file}.json`);
+}
+
+function read(path: string): Kept | undefined {
+  try {
+    const kept = JSON.parse(readFileSync(path, 'utf8')) as Partial<Kept> | null;
+    if (typeof kept?.clientId !== 'string' || typeof kept.pid !== 'number') return undefined;
+    return kept as Kept;
+  } catch {
+    return undefined; // there is none, or nothing that can be used
+  }
+}
+
+function isProcessRunning(pid: number): boolean {
+  try {
+    process.kill(pid, 0);
+    return true;
+  } catch (error) {
+    return (error as NodeJS.ErrnoException).code === 'EPERM';
+  }
+}

@@ -1,0 +1,170 @@
+import { hostname } from 'node:os';
+import { resolve } from 'node:path';
+
+/** One option of the program. */
+interface Option<T> {
+  /** What follows the flag in the help; `undefined` for a switch that needs no value. */
+  readonly placeholder: string | undefined;
+  readonly fallback: T;
+  /** What the help says about the fallback, where the value itself would say little. */
+  readonly fallbackText?: string;
+  /** What it does, with its unit. */
+  readonly description: string;
+  /** @throws Error whose message is what was expected, to follow "must be" */
+  parse(text: string, baseDir: string): T;
+}
+
+function option<T>(entry: Option<T>): Option<T> {
+  return entry;
+}
+
+/**
+ * Every option. Flag and environment variable are made from the name: `allowFetch` is `--allow-fetch`
+ * and `UBII_NODE_ALLOW_FETCH`. A flag wins over the environment.
+ */
+export const OPTIONS = {
+  master: option({
+    placeholder: '<url>',
+    fallback: 'http://localhost:8080',
+    description: 'Address of the master.',
+    parse: parseUrl,
+  }),
+  modules: option<string | undefined>({
+    placeholder: '<folder>',
+    fallback: undefined,
+    fallbackText: 'none',
+    description:
+      'Folder with modules of your own, .pm and .js files. Their code is trusted. Changes count at once.',
+    parse: (text, baseDir) => resolve(baseDir, text),
+  }),
+  name: option({
+    placeholder: '<text>',
+    fallback: `${hostname().split('.')[0] || 'some'} node`,
+    description: 'Name of this node, as people see it.',
+    parse: parseName,
+  }),
+  allowFetch: option<readonly string[]>({
+    placeholder: '<origin>,...',
+    fallback: [],
+    fallbackText: 'none',
+    description:
+      'Origins that modules with the library http may read from: https://example.org,http://sensor.local:8000.',
+    parse: parseOrigins,
+  }),
+  noAcceptWork: option({
+    placeholder: undefined,
+    fallback: false,
+    description:
+      'Run only what somebody puts on this node: the master does not choose it by itself.',
+    parse: parseSwitch,
+  }),
+  capacity: option({
+    placeholder: '<number>',
+    fallback: 0,
+    fallbackText: 'not said',
+    description: 'How many modules this node likes to run at once; the master chooses by it.',
+    parse: parseCount,
+  }),
+  identity: option<string | undefined>({
+    placeholder: '<file>|off',
+    fallback: undefined,
+    fallbackText: 'a file of the user, by name and master',
+    description:
+      'Where this node keeps who it is, so that a new run of it gets the modules of the run before.',
+    parse: (text, baseDir) => (text === 'off' ? 'off' : resolve(baseDir, text)),
+  }),
+  printEndpoints: option<'json' | undefined>({
+    placeholder: 'json',
+    fallback: undefined,
+    fallbackText: 'off',
+    description:
+      'When connected for the first time, write one line of JSON with id, name and pid to standard output, for scripts.',
+    parse: parseJson,
+  }),
+  logLevel: option<LogLevel>({
+    placeholder: 'error|warn|info|debug',
+    fallback: 'info',
+    description: 'The least severe messages to log.',
+    parse: parseLevel,
+  }),
+  help: option({
+    placeholder: undefined,
+    fallback: false,
+    description: 'Show this and end.',
+    parse: parseSwitch,
+  }),
+  version: option({
+    placeholder: undefined,
+    fallback: false,
+    description: 'Show the version and end.',
+    parse: parseSwitch,
+  }),
+} as const;
+
+export type OptionName = keyof typeof OPTIONS;
+
+/** From most to least severe. */
+export const LOG_LEVELS = ['error', 'warn', 'info', 'debug'] as const;
+
+export type LogLevel = (typeof LOG_LEVELS)[number];
+
+/** The values the program runs with. */
+export type Config = {
+  readonly [O in OptionName]: (typeof OPTIONS)[O] extends Option<infer T> ? T : never;
+};
+
+/** The options as they are, for those who go through all of them. */
+export const ALL_OPTIONS: Readonly<Record<OptionName, Option<unknown>>> = OPTIONS;
+
+function parseUrl(text: string): string {
+  const url = URL.canParse(text) ? new URL(text) : undefined;
+  if (url === undefined || !/^https?:$/.test(url.protocol) || url.pathname !== '/') {
+    throw new Error('a http or https URL without a path, such as http://192.168.1.20:8080');
+  }
+  return url.origin;
+}
+
+function parseName(text: string): string {
+  const name = text.trim();
+  // eslint-disable-next-line no-control-regex
+  if (name === '' || name.length > 100 || /[\u0000-\u001f\u007f]/.test(name)) {
+    throw new Error('1 to 100 characters');
+  }
+  return name;
+}
+
+function parseOrigins(text: string): readonly string[] {
+  const origins = text
+    .split(',')
+    .map((origin) => origin.trim())
+    .filter((origin) => origin !== '');
+  for (const origin of origins) {
+    const url = URL.canParse(origin) ? new URL(origin) : undefined;
+    if (url === undefined || !/^https?:$/.test(url.protocol) || url.pathname !== '/') {
+      throw new Error('origins separated by commas, such as https://example.org');
+    }
+  }
+  return origins.map((origin) => new URL(origin).origin);
+}
+
+function parseSwitch(text: string): boolean {
+  if (/^(1|true|on|yes)$/i.test(text)) return true;
+  if (/^(0|false|off|no|)$/i.test(text)) return false;
+  throw new Error('true or false');
+}
+
+function parseCount(text: string): number {
+  if (!/^\d{1,5}$/.test(text)) throw new Error('a whole number');
+  return Number(text);
+}
+
+function parseJson(text: string): 'json' {
+  if (text === 'json') return 'json';
+  throw new Error('json');
+}
+
+function parseLevel(text: string): LogLevel {
+  const level = LOG_LEVELS.find((candidate) => candidate === text.toLowerCase());
+  if (level === undefined) throw new Error('error, warn, info or debug');
+  return level;
+}
