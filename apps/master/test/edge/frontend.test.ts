@@ -1,6 +1,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
+import { SANDBOX_WORKER_FILES } from '@ubii/pm-sandbox';
 import { describe, expect, it, vi } from 'vitest';
 
 import { newFolder, send, startEdgeMaster } from './edge-master.ts';
@@ -64,6 +65,23 @@ describe('the frontend', () => {
     expect(headers['content-encoding']).toBe(expected);
     expect(headers['content-type']).toContain('javascript');
     expect(headers['cache-control']).toContain('immutable');
+  });
+
+  it('gives workers with modules a policy of their own, compressed or not [PM-52]', async () => {
+    const folder = builtFrontend();
+    mkdirSync(join(folder, 'sandbox'));
+    const { port } = await startEdgeMaster({ frontendFolder: folder });
+    for (const { path, csp } of Object.values(SANDBOX_WORKER_FILES)) {
+      writeFileSync(join(folder, path), SCRIPT);
+      writeFileSync(join(folder, `${path}.br`), brotliCompressSync(SCRIPT));
+      for (const accepted of ['br', 'identity']) {
+        const { status, headers } = await send(port, path, {
+          headers: { 'accept-encoding': accepted },
+        });
+        expect(status).toBe(200);
+        expect(headers['content-security-policy']).toBe(csp);
+      }
+    }
   });
 
   it.each(['/assets/main-old.js', '/../secret', '/%2e%2e/secret', '/assets/%00'])(
