@@ -17,6 +17,15 @@ export function processCpuUs(pid: number): number {
   return (Number(fields[UTIME_INDEX]) + Number(fields[STIME_INDEX])) * TICK_US;
 }
 
+/**
+ * CPU time that the main thread of this process has used so far, user and system, microseconds, with
+ * fractions.
+ */
+export function mainThreadCpuUs(): number {
+  const schedstat = readFileSync(`/proc/self/task/${process.pid}/schedstat`, 'latin1');
+  return Number(schedstat.split(' ', 1)[0]) / 1000;
+}
+
 /** Fields of the first line of /proc/stat that count work (proc(5)); the fourth and fifth are idleness. */
 const BUSY_FIELDS = [1, 2, 3, 6, 7, 8];
 

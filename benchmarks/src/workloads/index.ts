@@ -1,4 +1,5 @@
 import { fanOut } from './fan-out.ts';
+import { MODULE_CALLS } from './module-call.ts';
 import { roundTrip } from './round-trip.ts';
 import type { Workload } from './workload.ts';
 
@@ -7,4 +8,5 @@ export const WORKLOADS: readonly Workload[] = [
   roundTrip,
   fanOut(64, { 'ubii-extension': 0.85, 'ubii-legacy': 0.7 }),
   fanOut(1, { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 }),
+  ...MODULE_CALLS,
 ];
