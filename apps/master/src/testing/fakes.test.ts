@@ -1,6 +1,7 @@
 import {
   clientConnectionSuite,
   clockSuite,
+  documentStoreSuite,
   idSourceSuite,
   logSuite,
   patternCompilerSuite,
@@ -10,6 +11,7 @@ import {
 import {
   FakeClock,
   FixedUsage,
+  MemoryDocuments,
   NativePatterns,
   PlainTokens,
   RecordingConnection,
@@ -40,6 +42,19 @@ clientConnectionSuite('RecordingConnection', () => {
   return {
     connection,
     next: async () => connection.sent.shift()!,
+    dispose: () => undefined,
+  };
+});
+
+documentStoreSuite('MemoryDocuments', () => {
+  const store = new MemoryDocuments();
+  return {
+    store,
+    edit(key, text) {
+      store.edit(key, text);
+      return Promise.resolve();
+    },
+    reopen: () => store,
     dispose: () => undefined,
   };
 });

@@ -2,6 +2,7 @@ import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import fastifyStatic from '@fastify/static';
 import type { FastifyInstance, FastifyReply, FastifyRequest } from 'fastify';
+import { SANDBOX_WORKER_FILES } from '@ubii/pm-sandbox';
 import { ServiceError } from '@ubii/proto';
 
 import { NOT_BUILT_PAGE } from './not-built-page.ts';
@@ -28,7 +29,7 @@ export async function addFrontend(app: FastifyInstance, folder: string): Promise
       cacheControl: false,
       setHeaders: (reply, path) => {
         const name = path.slice(folder.length).replaceAll('\\', '/');
-        reply.header('content-security-policy', CONTENT_SECURITY_POLICY);
+        reply.header('content-security-policy', policyOf(name));
         reply.header('cache-control', name.startsWith(HASHED) ? ONE_YEAR : ASK_FIRST);
       },
     });
@@ -37,6 +38,12 @@ export async function addFrontend(app: FastifyInstance, folder: string): Promise
     if (!isPageRequest(request)) throw explainMissing(request);
     return isBuilt ? reply.sendFile('index.html') : sendNotBuilt(reply);
   });
+}
+
+/** Workers with modules get a stricter policy than pages. Compressed copies have longer names. */
+function policyOf(name: string): string {
+  const worker = Object.values(SANDBOX_WORKER_FILES).find(({ path }) => name.startsWith(path));
+  return worker?.csp ?? CONTENT_SECURITY_POLICY;
 }
 
 /** Browsers ask for a page with `text/html`; what has an extension is a file. */

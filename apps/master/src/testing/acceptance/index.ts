@@ -9,3 +9,4 @@ export { logSuite, type WrittenLine } from './log-suite.ts';
 export { patternCompilerSuite } from './pattern-compiler-suite.ts';
 export { resourceUsageSuite } from './resource-usage-suite.ts';
 export { resumeTokensSuite } from './resume-tokens-suite.ts';
+export { documentStoreSuite, type StoreParts } from './document-store-suite.ts';
