@@ -1,16 +1,21 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 
 const inPackage = (path) => fileURLToPath(new URL(path, import.meta.url));
 
+/**
+ * Where browsers find the workers, and with which policies they are to be served.
+ *
+ * @type {{ readonly [kind in 'trusted' | 'sandboxed']: { readonly path: string; readonly csp: string } }}
+ */
+export const SANDBOX_WORKER_FILES = JSON.parse(
+  readFileSync(inPackage('../src/sandbox-worker-files.json'), 'utf8'),
+);
+
 /** Everything in one file, with nothing to import at run time. */
-const COMMON = {
-  bundle: true,
-  minify: true,
-  legalComments: 'none',
-  logLevel: 'warning',
-  write: true,
-};
+const COMMON = { bundle: true, minify: true, legalComments: 'none', logLevel: 'warning' };
 
 /**
  * Builds the worker of `createNodeSandboxes`.
@@ -27,4 +32,68 @@ export async function buildNodeWorker(outfile) {
     format: 'esm',
     target: 'node20',
   });
+}
+
+/**
+ * Builds the workers of `createBrowserSandboxes` under the paths of `SANDBOX_WORKER_FILES`.
+ *
+ * @param {string} outdir root of what is served
+ * @returns {Promise<void>}
+ */
+export async function buildBrowserWorkers(outdir) {
+  for (const kind of Object.keys(SANDBOX_WORKER_FILES)) {
+    const outfile = join(outdir, SANDBOX_WORKER_FILES[kind].path);
+    await build({ ...browserBuild(kind), outfile });
+  }
+}
+
+/**
+ * Vite plugin: serves the browser workers with their policies in development, adds them to the build.
+ * Who serves the build must send the policies, too.
+ *
+ * @returns {{ name: string }} a Vite plugin
+ */
+export function sandboxWorkersPlugin() {
+  return {
+    name: 'ubii-sandbox-workers',
+    configureServer(server) {
+      server.middlewares.use((request, response, next) => {
+        const path = new URL(request.url ?? '/', 'http://localhost').pathname;
+        const kind = Object.keys(SANDBOX_WORKER_FILES).find(
+          (name) => SANDBOX_WORKER_FILES[name].path === path,
+        );
+        if (kind === undefined) return next();
+        workerText(kind).then((text) => {
+          response.setHeader('Content-Type', 'text/javascript');
+          response.setHeader('Content-Security-Policy', SANDBOX_WORKER_FILES[kind].csp);
+          response.setHeader('Cache-Control', 'no-cache');
+          response.end(text);
+        }, next);
+      });
+    },
+    async generateBundle() {
+      for (const [kind, { path }] of Object.entries(SANDBOX_WORKER_FILES)) {
+        this.emitFile({ type: 'asset', fileName: path.slice(1), source: await workerText(kind) });
+      }
+    },
+  };
+}
+
+async function workerText(kind) {
+  const { outputFiles } = await build({ ...browserBuild(kind), write: false });
+  return outputFiles[0].text;
+}
+
+function browserBuild(kind) {
+  return {
+    ...COMMON,
+    entryPoints: [inPackage(`../src/browser/${kind}-worker.ts`)],
+    platform: 'browser',
+    format: 'iife',
+    target: ['chrome105', 'firefox110', 'safari16'],
+    // Under Node the engine asks for this module; and everywhere where its script lies, for files it
+    // does not have.
+    external: ['module'],
+    define: { 'import.meta.url': '"file:///"' },
+  };
 }

@@ -68,3 +68,4 @@ export type {
   PassReply,
   PassRequest,
 } from './runtime/module-runtime.ts';
+export { SANDBOX_WORKER_FILES, type SandboxWorkerFile } from './sandbox-worker-files.ts';

@@ -176,7 +176,6 @@ export class WorkerHost {
     const call = ++this.#lastCall;
     return new Promise<T>((resolve, reject) => {
       if (this.#isEnded) {
-        // eslint-disable-next-line @typescript-eslint/prefer-promise-reject-errors -- faults are values
         reject(moduleFault('crashed', phase, 'The worker has ended.'));
         return;
       }

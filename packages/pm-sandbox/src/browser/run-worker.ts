@@ -1,0 +1,71 @@
+import type { Engine } from '../worker/engine.ts';
+import type { HostBatch, Progress, WorkerStart } from '../worker/protocol.ts';
+import { WorkerLoop } from '../worker/worker-loop.ts';
+import { stripGlobals } from './strip-globals.ts';
+
+/** What a dedicated worker has and a page has not. */
+interface WorkerScope {
+  postMessage(message: unknown, transfer: Transferable[]): void;
+  addEventListener(type: string, listener: (event: never) => void): void;
+}
+
+/** The program of a browser's worker; the first message tells it how to start. */
+export function runWorker(createEngine: (start: WorkerStart) => Engine): void {
+  const scope = globalThis as unknown as WorkerScope;
+  const post = scope.postMessage.bind(scope);
+  const listen = scope.addEventListener.bind(scope);
+  let loop: WorkerLoop | undefined;
+
+  listen('message', ({ data }: MessageEvent<WorkerStart | HostBatch>) => {
+    if (loop === undefined) loop = startLoop(data as WorkerStart, createEngine, post);
+    else loop.handleBatch(data as HostBatch);
+  });
+  // A timer of one trusted module that throws is nothing to the others.
+  listen('error', (event: ErrorEvent) => {
+    event.preventDefault();
+    loop?.handleStray(event.error);
+  });
+  listen('unhandledrejection', (event: PromiseRejectionEvent) => {
+    event.preventDefault();
+    loop?.handleStray(event.reason);
+  });
+  stripGlobals();
+}
+
+function startLoop(
+  start: WorkerStart,
+  createEngine: (start: WorkerStart) => Engine,
+  post: WorkerScope['postMessage'],
+): WorkerLoop {
+  // Pages share no memory with workers unless they give up a lot for it: progress travels.
+  let progress: Progress = { received: 0, running: 0, sequence: 0 };
+  const turns = createTurns();
+  return new WorkerLoop({
+    engine: createEngine(start),
+    hostLibraries: start.hostLibraries,
+    post: (batch, transfer) => post({ ...batch, progress }, [...transfer]),
+    // Its policy lets the worker load nothing.
+    importLibrary: () => Promise.resolve(undefined),
+    noteReceived() {
+      progress = { ...progress, received: progress.received + 1 };
+    },
+    noteRunning(running) {
+      progress = { ...progress, running, sequence: progress.sequence + 1 };
+      // The page must know before the code runs: afterwards may never come.
+      if (running !== 0) post({ messages: [], progress }, []);
+    },
+    later: turns,
+    nowMs: () => performance.now(),
+  });
+}
+
+/** Calls functions each in a turn of its own, without the delay of timers. */
+function createTurns(): (fn: () => void) => void {
+  const { port1, port2 } = new MessageChannel();
+  const waiting: (() => void)[] = [];
+  port1.onmessage = () => waiting.shift()?.();
+  return (fn) => {
+    waiting.push(fn);
+    port2.postMessage(undefined);
+  };
+}

@@ -1,0 +1,54 @@
+/**
+ * What a worker's code could reach beyond computing. The policy of the script forbids the network;
+ * storage and channels it cannot forbid, so they go, and the rest as a second lock.
+ */
+const REACHING = [
+  'fetch',
+  'fetchLater',
+  'XMLHttpRequest',
+  'WebSocket',
+  'WebSocketStream',
+  'WebTransport',
+  'EventSource',
+  'importScripts',
+  'Request',
+  'indexedDB',
+  'caches',
+  'cookieStore',
+  'BroadcastChannel',
+  'Worker',
+  'SharedWorker',
+  'navigator',
+  'location',
+  'origin',
+  'Notification',
+  'PushManager',
+  'FontFace',
+  'fonts',
+  'showDirectoryPicker',
+  'webkitRequestFileSystem',
+  'webkitRequestFileSystemSync',
+  'webkitResolveLocalFileSystemURL',
+  'webkitResolveLocalFileSystemSyncURL',
+  // The way to the page belongs to the worker's own program.
+  'postMessage',
+  'onmessage',
+  'close',
+  'addEventListener',
+  'removeEventListener',
+  'dispatchEvent',
+] as const;
+
+/** Takes away, from the global object and what it inherits from, what reaches out of the worker. */
+export function stripGlobals(): void {
+  for (const name of REACHING) {
+    for (
+      let holder: object | null = globalThis;
+      holder !== null;
+      holder = Reflect.getPrototypeOf(holder)
+    ) {
+      Reflect.deleteProperty(holder, name);
+    }
+    Reflect.defineProperty(globalThis, name, { value: undefined, writable: false });
+  }
+}

@@ -1,0 +1,4 @@
+import { createV8Engine } from '../worker/v8/v8-engine.ts';
+import { runWorker } from './run-worker.ts';
+
+runWorker(() => createV8Engine());
