@@ -24,6 +24,11 @@ export interface ModuleRuntimeOptions {
   readonly limits?: Partial<RuntimeLimits> | undefined;
   /** Names of the libraries the sandboxes offer. @default none */
   readonly libraries?: readonly string[] | undefined;
+  /**
+   * `own`: lockstep modules subscribe to their inputs, so that `lockstepInputs` knows them. `given`: the
+   * snapshots come from elsewhere, and nothing is subscribed to that they bring. @default 'own'
+   */
+  readonly lockstepInputs?: 'own' | 'given' | undefined;
   /** [PM-81] */
   onEvent(event: ModuleEvent): void;
   /**
@@ -53,6 +58,7 @@ class NodeModuleRuntime implements ModuleRuntime {
       sandboxes,
       limits: { ...DEFAULT_RUNTIME_LIMITS, ...options.limits },
       libraries: options.libraries ?? [],
+      lockstepInputs: options.lockstepInputs ?? 'own',
       endOfTurn: new EndOfTurn(clock),
       completion: new RecordCompletion(nodeId),
       onEvent: (event) => options.onEvent(event),

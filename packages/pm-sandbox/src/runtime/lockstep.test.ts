@@ -103,6 +103,38 @@ describe('[PM-27] modules in lockstep', () => {
     });
   });
 
+  it('subscribe to nothing that snapshots bring, where these come from elsewhere', async () => {
+    const world = createModuleWorld({}, [], { lockstepInputs: 'given' });
+    const { clock, sandboxes, topics, runtime } = world;
+    sandboxes.onRun = () => EMPTY_RESULT;
+    const device = { clientId: 'ada', deviceId: 'd1', deviceName: 'pad' };
+    const topic = topics.addComponent({ ...device, name: 'x', format: 'double' });
+    await world.begin({
+      ...sketch('a', ''),
+      inputs: { x: 'double', many: 'double', pads: 'double' },
+      from: {
+        x: '/x',
+        many: { topicGlob: '/m/*' },
+        pads: { component: { name: 'x' }, identitySource: 'MUX_IDENTITY_DEVICE_ID' },
+      },
+    });
+    expect(topics.subscriptionCount).toBe(1);
+    topics.put(topic, 'double', 0, 'ada');
+    const records = [record('/x', 1), record('/m/1', 2, 'bob'), record(topic, 3)];
+    await runtime.runPass({ instanceIds: ['a'], deltaTimeMs: 1, records });
+    const values = { x: 1, many: [['bob', 2]], pads: [['d1', 3]] };
+    expect(inputValues(sandboxes.last.lastCall)).toEqual(values);
+    topics.put('/x', 'double', 7);
+    runtime.setMode('a', { frequency: { hertz: 10 } });
+    expect(topics.subscriptionCount).toBe(3);
+    await clock.endTurn();
+    expect(inputValues(sandboxes.last.lastCall)).toMatchObject({ x: 7, many: [] });
+    runtime.setMode('a', LOCKSTEP);
+    expect(topics.subscriptionCount).toBe(1);
+    await runtime.destroy('a');
+    expect(topics.subscriptionCount).toBe(0);
+  });
+
   it('start a pass before any of it ends', async () => {
     const { sandboxes, runtime, begin } = createModuleWorld();
     await begin(sketch('a', '/out/b'));

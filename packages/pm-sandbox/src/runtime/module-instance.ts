@@ -4,7 +4,7 @@ import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxResult } from '../ports/sandbox.ts';
 import type { EncodedRecord } from '../ports/topic-port.ts';
 import { InputBinding } from './binding/input-binding.ts';
-import type { Snapshot } from './binding/input-slot.ts';
+import type { SlotContext, Snapshot } from './binding/input-slot.ts';
 import type { OutputRecord } from './binding/output-binding.ts';
 import { createDriver } from './drivers/create-driver.ts';
 import type { ModeDriver, RunHost } from './drivers/mode-driver.ts';
@@ -39,14 +39,15 @@ export class ModuleInstance {
     this.#runner = new Runner(clock);
     this.#host = this.#createHost();
     this.#outputs = new InstanceOutputs(parsed.outputs, mapping, context, this.#reports);
-    this.#inputs = new InputBinding(parsed.inputs, mapping, {
+    this.#mode = parseMode(module.processingMode, limits.maxFrequencyHz);
+    const inputContext: SlotContext = {
       topics: context.topics,
       patterns: context.patterns,
       maxMuxElements: limits.maxMuxElements,
       onMark: () => this.#driver?.handleMark(),
       onProblem: (inputName, problem) => this.#reports.problem(`Input "${inputName}": ${problem}.`),
-    });
-    this.#mode = parseMode(module.processingMode, limits.maxFrequencyHz);
+    };
+    this.#inputs = new InputBinding(parsed.inputs, mapping, inputContext, this.#isListening);
     this.#driver = this.#createDriver();
     this.#life = new InstanceLife(spec, context, this.#reports, this.#runner, {
       onStart: () => this.#driver?.start(),
@@ -82,6 +83,7 @@ export class ModuleInstance {
     if (JSON.stringify(next) === JSON.stringify(this.#mode)) return;
     this.#driver?.stop();
     this.#mode = next;
+    this.#inputs.listen(this.#isListening);
     this.#driver = this.#createDriver();
     if (this.#life.isProcessing) this.#driver.start();
   }
@@ -111,6 +113,11 @@ export class ModuleInstance {
   statistics(): ModuleStatistics {
     const waiting = this.#driver?.waiting ?? 0;
     return this.#reports.takeStatistics(this.#life.wireStatus, waiting);
+  }
+
+  /** In lockstep, snapshots may bring all that the inputs need. */
+  get #isListening(): boolean {
+    return this.#context.lockstepInputs === 'own' || this.#mode.kind !== 'lockstep';
   }
 
   /** @param deliver gets what the run put out, or nothing when it failed */

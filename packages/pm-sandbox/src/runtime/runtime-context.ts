@@ -17,6 +17,7 @@ export interface RuntimeContext {
   readonly sandboxes: SandboxFactory;
   readonly limits: RuntimeLimits;
   readonly libraries: readonly string[];
+  readonly lockstepInputs: 'own' | 'given';
   readonly endOfTurn: EndOfTurn;
   readonly completion: RecordCompletion;
   onEvent(event: ModuleEvent): void;

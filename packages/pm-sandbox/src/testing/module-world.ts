@@ -51,7 +51,11 @@ export interface ModuleWorld {
 export function createModuleWorld(
   limits: Partial<RuntimeLimits> = {},
   libraries: readonly string[] = [],
-  parts: { readonly clock?: FakeClock; readonly sandboxes?: SandboxFactory } = {},
+  parts: {
+    readonly clock?: FakeClock;
+    readonly sandboxes?: SandboxFactory;
+    readonly lockstepInputs?: 'own' | 'given';
+  } = {},
 ): ModuleWorld {
   const { clock = new FakeClock() } = parts;
   const topics = new FakeTopics('node-1');
@@ -65,6 +69,7 @@ export function createModuleWorld(
     sandboxes: parts.sandboxes ?? sandboxes,
     limits,
     libraries,
+    lockstepInputs: parts.lockstepInputs,
     patterns: REGEXP_PATTERNS,
     onEvent: (event) => events.push(event),
     onStatus: (id, status, fault) =>

@@ -34,5 +34,7 @@ export class ConstantSlot implements InputSlot {
     return [];
   }
 
+  listen(): void {}
+
   close(): void {}
 }

@@ -18,12 +18,20 @@ interface BoundSlot {
 export class InputBinding implements InputMarks {
   readonly #inputs: readonly ParsedIo[];
   readonly #context: SlotContext;
+  #isListening: boolean;
   #bound: readonly BoundSlot[] = [];
   #slots: readonly InputSlot[] = [];
 
-  constructor(inputs: readonly ParsedIo[], mapping: IOMapping, context: SlotContext) {
+  /** @param isListening false: it subscribes to nothing that a snapshot can bring */
+  constructor(
+    inputs: readonly ParsedIo[],
+    mapping: IOMapping,
+    context: SlotContext,
+    isListening = true,
+  ) {
     this.#inputs = inputs;
     this.#context = context;
+    this.#isListening = isListening;
     this.rebind(mapping);
   }
 
@@ -42,6 +50,13 @@ export class InputBinding implements InputMarks {
     this.#slots = bound.map(({ slot }) => slot);
     // After the new ones are open, so that a topic used by both is not given up in between.
     for (const { slot } of before.values()) slot.close();
+  }
+
+  /** Subscribes to the topics, or leaves that to the snapshots. */
+  listen(isListening: boolean): void {
+    if (this.#isListening === isListening) return;
+    this.#isListening = isListening;
+    for (const slot of this.#slots) this.#listen(slot);
   }
 
   /** Values of all mapped inputs for a run that starts now. */
@@ -89,16 +104,36 @@ export class InputBinding implements InputMarks {
   }
 
   #open(spec: SlotSpec): InputSlot | undefined {
-    const { topic, topicMux, constantJson } = spec.mapping;
     try {
-      if (topicMux !== undefined) return new MuxSlot(spec, topicMux, this.#context);
-      if (topic) return new TopicSlot(spec, topic, this.#context);
-      if (constantJson !== '') return new ConstantSlot(spec, this.#context);
+      const slot = createSlot(spec, this.#context);
+      return slot !== undefined && this.#listen(slot) ? slot : undefined;
     } catch (error) {
-      this.#context.onProblem(spec.name, error instanceof Error ? error.message : String(error));
+      this.#handleRefused(spec.name, error);
+      return undefined;
     }
-    return undefined;
   }
+
+  #listen(slot: InputSlot): boolean {
+    try {
+      slot.listen(this.#isListening);
+      return true;
+    } catch (error) {
+      this.#handleRefused(slot.name, error);
+      return false;
+    }
+  }
+
+  #handleRefused(inputName: string, error: unknown): void {
+    this.#context.onProblem(inputName, error instanceof Error ? error.message : String(error));
+  }
+}
+
+/** @throws Error with a sentence when the mapping cannot be followed */
+function createSlot(spec: SlotSpec, context: SlotContext): InputSlot | undefined {
+  const { topic, topicMux, constantJson } = spec.mapping;
+  if (topicMux !== undefined) return new MuxSlot(spec, topicMux, context);
+  if (topic) return new TopicSlot(spec, topic, context);
+  return constantJson === '' ? undefined : new ConstantSlot(spec, context);
 }
 
 /** One for each input that is mapped; of two mappings of one input the first counts. */

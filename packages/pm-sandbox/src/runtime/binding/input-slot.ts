@@ -20,6 +20,12 @@ export interface InputSlot {
   readFrom(snapshot: Snapshot): SandboxInput;
   /** The newest records of its topics. [SE-40] */
   records(): Iterable<EncodedRecord>;
+  /**
+   * Subscribes to its topics, or no longer; without, it is filled from snapshots only.
+   *
+   * @throws Error with a sentence when the port refuses
+   */
+  listen(isListening: boolean): void;
   close(): void;
 }
 

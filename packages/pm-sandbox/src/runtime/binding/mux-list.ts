@@ -45,6 +45,11 @@ export class MuxList {
     if (this.#elements.delete(topic)) this.#handed = undefined;
   }
 
+  clear(): void {
+    this.#elements.clear();
+    this.#handed = undefined;
+  }
+
   get(topic: string): EncodedRecord | undefined {
     return this.#elements.get(topic)?.record;
   }

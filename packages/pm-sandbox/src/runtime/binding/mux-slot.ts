@@ -2,7 +2,7 @@ import { DATA_FORMATS, parseDataFormat, type DataFormat, type TopicMux } from '@
 import type { Cancel } from '../../ports/clock.ts';
 import type { MatchPattern } from '../../ports/pattern-port.ts';
 import type { SandboxInput } from '../../ports/sandbox.ts';
-import type { EncodedRecord, TopicListener } from '../../ports/topic-port.ts';
+import type { EncodedRecord, TopicListener, TopicSelector } from '../../ports/topic-port.ts';
 import { fieldFits } from './formats-fit.ts';
 import type { InputSlot, SlotContext, SlotSpec, Snapshot } from './input-slot.ts';
 import { identityRule, type IdentityRule } from './mux-identity.ts';
@@ -17,9 +17,9 @@ export class MuxSlot implements InputSlot, TopicListener {
   readonly #fits: (valueField: number) => boolean;
   readonly #context: SlotContext;
   readonly #rule: IdentityRule;
+  readonly #selector: TopicSelector;
   readonly #list: MuxList;
-  readonly #source: string | undefined;
-  readonly #cancel: Cancel;
+  #cancel: Cancel | undefined;
   #pattern: MatchPattern | undefined;
   #input: SandboxInput & { readonly elements: readonly unknown[] };
 
@@ -30,11 +30,10 @@ export class MuxSlot implements InputSlot, TopicListener {
     this.#fits = muxFits(mux, spec.format);
     const selector = muxSelector(mux);
     if (selector === undefined) throw new Error('the muxer selects no topics');
-    this.#source = selectorSource(selector);
+    this.#selector = selector;
     this.#rule = identityRule(mux, context.patterns);
     this.#list = new MuxList(this.#rule, context.maxMuxElements);
     this.#input = { name: spec.name, elements: this.#list.read() };
-    this.#cancel = context.topics.subscribe(selector, this);
   }
 
   get hasValue(): boolean {
@@ -87,14 +86,25 @@ export class MuxSlot implements InputSlot, TopicListener {
     return this.#list.records();
   }
 
+  listen(isListening: boolean): void {
+    // Which topics the components have, nothing else tells.
+    if (!isListening && this.#selector.kind === 'component' && this.#cancel !== undefined) return;
+    this.close();
+    const source = selectorSource(this.#selector);
+    if (source !== undefined) this.#pattern ??= this.#context.patterns.compile(source);
+    if (isListening || source === undefined) {
+      this.#cancel = this.#context.topics.subscribe(this.#selector, this);
+    }
+  }
+
   close(): void {
-    this.#cancel();
+    this.#cancel?.();
+    this.#cancel = undefined;
+    this.#list.clear();
   }
 
   #selects(topic: string): boolean {
-    if (this.#source === undefined) return false;
-    this.#pattern ??= this.#context.patterns.compile(this.#source);
-    return this.#pattern.match(topic) !== undefined;
+    return this.#pattern?.match(topic) !== undefined;
   }
 }
 

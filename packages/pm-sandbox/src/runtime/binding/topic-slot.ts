@@ -13,12 +13,11 @@ export class TopicSlot implements InputSlot, TopicListener {
   readonly #fits: (valueField: number) => boolean;
   readonly #spec: SlotSpec;
   readonly #context: SlotContext;
-  readonly #cancel: Cancel;
+  #cancel: Cancel | undefined;
   #record: EncodedRecord | undefined;
   #input: SandboxInput;
   #isMisfitReported = false;
 
-  /** @throws Error with a sentence when the topic is refused */
   constructor(spec: SlotSpec, topic: string, context: SlotContext) {
     this.name = spec.name;
     this.#topic = topic;
@@ -26,7 +25,6 @@ export class TopicSlot implements InputSlot, TopicListener {
     this.#spec = spec;
     this.#context = context;
     this.#input = { name: spec.name, record: undefined };
-    this.#cancel = context.topics.subscribe({ kind: 'topic', topic }, this);
   }
 
   get hasValue(): boolean {
@@ -52,18 +50,26 @@ export class TopicSlot implements InputSlot, TopicListener {
 
   readFrom(snapshot: Snapshot): SandboxInput {
     const record = snapshot.get(this.#topic);
-    if (record === undefined || !this.#fits(record.valueField)) {
-      return { name: this.name, record: undefined };
-    }
-    return inputOf(this.name, record);
+    if (record !== undefined && this.#fits(record.valueField)) return inputOf(this.name, record);
+    if (record !== undefined) this.#reportMisfit(record);
+    return { name: this.name, record: undefined };
   }
 
   records(): Iterable<EncodedRecord> {
     return this.#record === undefined ? [] : [this.#record];
   }
 
+  listen(isListening: boolean): void {
+    this.close();
+    if (!isListening) return;
+    const { topics } = this.#context;
+    this.#cancel = topics.subscribe({ kind: 'topic', topic: this.#topic }, this);
+  }
+
   close(): void {
-    this.#cancel();
+    this.#cancel?.();
+    this.#cancel = undefined;
+    this.onGone();
   }
 
   #reportMisfit(record: EncodedRecord): void {
