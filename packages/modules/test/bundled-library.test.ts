@@ -4,6 +4,9 @@ import { build } from 'esbuild';
 import { expect, it } from 'vitest';
 import { freeNames } from './free-names.ts';
 
+/** Bundling and checking types take their time on a busy machine. */
+const TIMEOUT_MS = 30_000;
+
 type Library = { moduleLibrary(): ProcessingModule[] };
 
 /** The library as an application ships it. */
@@ -25,16 +28,20 @@ it.each([
   ['as it is', { minify: false, keepNames: false }],
   ['minified', { minify: true, keepNames: false }],
   ['with names kept', { minify: false, keepNames: true }],
-])('source texts survive a bundler %s', async (_how, options) => {
-  const { moduleLibrary } = await bundle(options);
-  const modules = moduleLibrary();
-  const sources = new Map(modules.map((m) => [m.name, m.onProcessingStringified]));
-  const free = [...freeNames(sources)].flatMap(([, names]) => [...names]);
-  expect(new Set(free)).toEqual(new Set(['performance']));
-  const mirror = runInNewContext(`(${sources.get('mirror-pointer')}\n)`) as (
-    ...args: unknown[]
-  ) => unknown;
-  expect(mirror(0, { pointer: { vector2: { x: 0.25, y: 0 } } }, {})).toMatchObject({
-    outputs: { mirrored: { vector2: { x: 0.25, y: 0 } } },
-  });
-});
+])(
+  'source texts survive a bundler %s',
+  async (_how, options) => {
+    const { moduleLibrary } = await bundle(options);
+    const modules = moduleLibrary();
+    const sources = new Map(modules.map((m) => [m.name, m.onProcessingStringified]));
+    const free = [...freeNames(sources)].flatMap(([, names]) => [...names]);
+    expect(new Set(free)).toEqual(new Set(['performance']));
+    const mirror = runInNewContext(`(${sources.get('mirror-pointer')}\n)`) as (
+      ...args: unknown[]
+    ) => unknown;
+    expect(mirror(0, { pointer: { vector2: { x: 0.25, y: 0 } } }, {})).toMatchObject({
+      outputs: { mirrored: { vector2: { x: 0.25, y: 0 } } },
+    });
+  },
+  TIMEOUT_MS,
+);

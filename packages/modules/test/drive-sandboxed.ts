@@ -12,6 +12,8 @@ import { dataFormatOfField, decode, encode, type Init, type TopicDataRecord } fr
 import { isList, outputValues, toRecord, type Drive, type DrivenModule } from './drive-module.ts';
 
 const LIMITS = { callTimeoutMs: 500, memoryBytes: 2 ** 26, outputBytes: 2 ** 20 };
+/** Sandboxes that share workers tell instances apart by their ids. */
+const instances = { count: 0 };
 const RECORD = 'ubii.topicData.TopicDataRecord';
 const MODULE = 'ubii.processing.ProcessingModule';
 
@@ -22,33 +24,31 @@ const MODULE = 'ubii.processing.ProcessingModule';
  */
 export function driveIn(
   createSandboxes: (libraries: { readonly [name: string]: unknown }) => SandboxFactory,
+  isTrusted = true,
 ): Drive {
-  return (definition, libraries = {}) => drive(createSandboxes(libraries), definition);
+  return (definition, libraries = {}) => drive(createSandboxes(libraries), definition, isTrusted);
 }
 
 async function drive(
   sandboxes: SandboxFactory,
   definition: AnyModuleDefinition,
+  isTrusted: boolean,
 ): Promise<DrivenModule> {
   const { name, outputs, source, ...parsed } = parseModule(
     decode(MODULE, encode(MODULE, moduleToWire(definition))),
   );
   const sandbox = sandboxes.open(
     {
-      instanceId: 'instance',
+      instanceId: `instance-${++instances.count}`,
       moduleName: name,
       source: source!,
-      isTrusted: true,
+      isTrusted,
       libraries: parsed.libraries,
       outputs,
       limits: LIMITS,
     },
-    {
-      onLog: () => undefined,
-      onKilled: (fault) => {
-        throw new Error(fault.message);
-      },
-    },
+    // What is pending rejects with the same fault.
+    { onLog: () => undefined, onKilled: () => undefined },
   );
   await sandbox.create();
 
@@ -108,5 +108,6 @@ function decodeOutput(output: SandboxOutput): unknown {
 function decodeValue({ bytes, valueField }: SandboxValue): unknown {
   const record = decode(RECORD, bytes) as unknown as { [member: string]: unknown };
   const member = dataFormatOfField(valueField)!;
-  return { [member]: record[member], timestamp: record.timestamp };
+  const { timestamp } = record;
+  return { [member]: record[member], ...(timestamp === undefined ? {} : { timestamp }) };
 }

@@ -31,6 +31,11 @@ describe.each(WAYS)('load-generator %s', (_way, drive) => {
     expect((await module.run(0, { iterations: -7 })).result).toBe(0);
   });
 
+  it('takes ten million steps for more', async () => {
+    const module = await drive(loadGenerator);
+    expect((await module.run(0, { iterations: 2 ** 31 - 1 })).result).toBe(2_846_231_355);
+  });
+
   it('counts its runs and says how long each took', async () => {
     const module = await drive(loadGenerator);
     await module.run(0);
