@@ -266,6 +266,7 @@ class Node implements ProcessingNode {
       sandboxes,
       libraries,
       limits,
+      lockstepInputs: 'given', // the master sends the snapshots [SE-40]
       onEvent: (event) => this.#handleEvent(event),
       onStatus: (id, status, fault) => this.#keepers.get(id)?.handleStatus(status, fault),
     });
