@@ -1,7 +1,7 @@
 import type { HostLibrary } from '../sandbox/worker-link.ts';
 
-/** A service that takes longer to answer is not waited for, milliseconds. */
-const TIMEOUT_MS = 10_000;
+/** A service that takes longer to answer is not waited for, milliseconds: half of what a call may wait. */
+const TIMEOUT_MS = 5_000;
 /** Longer answers are refused, bytes: modules read values, not files. */
 const MAX_ANSWER_BYTES = 1024 * 1024;
 /** A service may send on this often; each step has to be allowed. */
