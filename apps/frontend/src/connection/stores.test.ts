@@ -4,6 +4,8 @@ import { flushPromises } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { effectScope, nextTick, ref, type EffectScope } from 'vue';
 import { createClientsStore } from './clients-store.ts';
+import { createSessionsStore } from './sessions-store.ts';
+import { createNodesStore } from './nodes-store.ts';
 import { createMasterStatusStore } from './master-status-store.ts';
 import { createTopicStatisticsStore } from './topic-statistics-store.ts';
 
@@ -178,5 +180,87 @@ describe('topic statistics store', () => {
     ]);
     expect(store.rates.value?.size).toBe(0);
     await flushPromises();
+  });
+});
+
+describe('sessions store', () => {
+  const session = (id: string, name = id) => ({ id, name });
+
+  function setup(...lists: object[][]) {
+    const call = vi.fn<(service: string) => Promise<unknown>>();
+    for (const elements of lists) call.mockResolvedValueOnce({ elements });
+    call.mockResolvedValue({ elements: lists.at(-1) ?? [] });
+    let hear: (record: { topic: string; value: object }) => void = () => undefined;
+    const subscribe = () => ({
+      onRecord: (fn: typeof hear) => {
+        hear = fn;
+      },
+    });
+    const client = { call, subscribe } as unknown as UbiiClient;
+    const store = scope.run(() => createSessionsStore(client, ref(true)))!;
+    const names = () => store.list.value?.map(({ name }) => name);
+    return { call, store, names, hear: (topic: string, value: object) => hear({ topic, value }) };
+  }
+
+  it('starts with the list, and follows what is announced [SE-8]', async () => {
+    const { names, hear } = setup([session('a')], [session('a', 'A'), session('b')]);
+    await settle();
+    expect(names()).toEqual(['a']);
+    hear('/info/session/change', session('a', 'A'));
+    hear('/info/session/new', session('b'));
+    await settle();
+    expect(names()).toEqual(['A', 'b']);
+    hear('/info/session/delete', session('a'));
+    await settle();
+    expect(names()).toEqual(['b']);
+  });
+
+  it('asks anew after announcements: what was retained may be of long ago', async () => {
+    const { names, hear, call } = setup([session('a')], [session('a')]);
+    await settle();
+    hear('/info/session/new', session('gone long ago'));
+    await vi.advanceTimersByTimeAsync(400);
+    expect(call).toHaveBeenCalledTimes(2);
+    expect(names()).toEqual(['a']);
+  });
+
+  it('takes what a service answered at once', async () => {
+    const { store, names } = setup([]);
+    await settle();
+    store.take(session('made') as never);
+    await settle();
+    expect(names()).toEqual(['made']);
+    store.drop('made');
+    await settle();
+    expect(names()).toEqual([]);
+  });
+
+  it('says why there is no list', async () => {
+    const call = vi.fn().mockRejectedValue(new ServiceError('unimplemented', 'No such service.'));
+    const subscribe = () => ({ onRecord: () => undefined });
+    const client = { call, subscribe } as unknown as UbiiClient;
+    const store = scope.run(() => createSessionsStore(client, ref(true)))!;
+    await settle();
+    expect(store.list.value).toBeUndefined();
+    expect(store.error.value?.message).toBe('No such service.');
+  });
+});
+
+describe('nodes store', () => {
+  it('asks while somebody looks, and remembers the names of those that went [PM-61]', async () => {
+    const call = vi.fn<(service: string) => Promise<unknown>>();
+    call.mockResolvedValueOnce({ elements: [{ clientId: 'n', name: 'Lab' }] });
+    call.mockResolvedValue({ elements: [] });
+    const store = scope.run(() => createNodesStore({ call } as unknown as UbiiClient, ref(true)))!;
+    await settle();
+    expect(call).not.toHaveBeenCalled();
+    const viewer = effectScope();
+    viewer.run(() => store.watch(1000));
+    await settle();
+    expect(store.list.value).toHaveLength(1);
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(store.list.value).toEqual([]);
+    expect(store.find('n')?.name).toBe('Lab');
+    viewer.stop();
   });
 });

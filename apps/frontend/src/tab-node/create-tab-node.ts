@@ -43,7 +43,13 @@ export function createTabNode(
     return opened;
   }
 
+  /** What people want; applied once, however fast the switch is turned. */
+  const wish = (): string => `${isWanted.value} ${isChosen.value}`;
+  let applied = 'false false';
+
   async function apply(): Promise<void> {
+    if (wish() === applied) return;
+    applied = wish();
     try {
       if (isWanted.value) {
         if (state.value.status !== 'on') state.value = { status: 'starting' };
@@ -63,7 +69,7 @@ export function createTabNode(
     }
   }
   watch(
-    [isWanted, isChosen],
+    wish,
     () => {
       changes = changes.then(apply);
     },

@@ -1,7 +1,11 @@
 import type { UbiiClient } from '@ubii/client-web';
 import type { ProcessingNode } from '@ubii/client-web/processing';
 
-/** The node of this page with browser sandboxes; its code is loaded now. */
-export function openTabNode(_client: UbiiClient): Promise<ProcessingNode> {
-  return Promise.reject(new Error('This build has no sandboxes for browsers.'));
+/** The node of this page; its code and the workers are loaded now. */
+export async function openTabNode(client: UbiiClient): Promise<ProcessingNode> {
+  const [{ createProcessingNode }, { createBrowserSandboxes }] = await Promise.all([
+    import('@ubii/client-web/processing'),
+    import('@ubii/pm-sandbox/browser'),
+  ]);
+  return createProcessingNode(client, { sandboxes: createBrowserSandboxes(), kind: 'browser' });
 }

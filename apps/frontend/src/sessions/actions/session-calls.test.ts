@@ -1,0 +1,122 @@
+import { fromJson, ServiceError, SessionState, toJson, type Init, type Session } from '@ubii/proto';
+import { describe, expect, it, vi } from 'vitest';
+import { shallowRef } from 'vue';
+import { aSession } from '../testing/a-session.ts';
+import { createSessionCalls } from './session-calls.ts';
+
+const { SESSION_RUNNING, SESSION_STOPPED } = SessionState;
+const whole = (spec: Init<Session>): Session =>
+  fromJson('ubii.sessions.Session', toJson('ubii.sessions.Session', spec));
+
+/** A master that takes what it is given, under an id of its own. */
+function setup(...known: Session[]) {
+  const asked: [string, Init<Session>][] = [];
+  const call = vi.fn(async (service: string, request: Init<Session>) => {
+    asked.push([service, request]);
+    const answer = whole({ ...request, id: request.id || 'new' });
+    return service === 'sessionDatabaseSave' ? { elements: [answer] } : answer;
+  });
+  const taken: Session[] = [];
+  const dropped: string[] = [];
+  const store = {
+    list: shallowRef<readonly Session[]>(known),
+    take: (session: Session) => void taken.push(session),
+    drop: (id: string) => void dropped.push(id),
+  };
+  const stops: string[] = [];
+  let ids = 0;
+  const calls = createSessionCalls(
+    { call } as never,
+    store,
+    async (id) => void stops.push(id),
+    () => `id ${(ids += 1)}`,
+  );
+  const services = () => asked.map(([service]) => service);
+  return { calls, call, asked, services, taken, dropped, stops };
+}
+
+describe('what people do with sessions', () => {
+  it('starts by id; one that is only stored by its name [SE-11]', async () => {
+    const { calls, asked } = setup();
+    await calls.act(aSession(), 'start');
+    await calls.act(aSession({ id: '' }), 'start');
+    expect(asked).toEqual([
+      ['sessionRuntimeStart', { id: 'session' }],
+      ['sessionRuntimeStart', { name: 'Two hands' }],
+    ]);
+  });
+
+  it('restarts when it has stopped [SE-10]', async () => {
+    const { calls, services, stops } = setup();
+    await calls.act(aSession({ state: SESSION_RUNNING }), 'restart');
+    expect(services()).toEqual(['sessionRuntimeStop', 'sessionRuntimeStart']);
+    expect(stops).toEqual(['session']);
+  });
+
+  it('takes no name from a session that has it: the newer would replace it [SE-21]', async () => {
+    const { calls, asked } = setup(aSession({ name: 'A' }), aSession({ name: 'A 2' }));
+    await calls.create({ name: 'A' });
+    await calls.create({ name: 'B' });
+    await calls.create({});
+    expect(asked.map(([, { name }]) => name)).toEqual(['A 3', 'B', 'Session']);
+  });
+
+  it('duplicates with modules of its own, and mappings that follow them [SE-1]', async () => {
+    const { calls, asked } = setup(aSession(), aSession({ name: 'Two hands copy' }));
+    await calls.duplicate(aSession());
+    const [, spec] = asked[0]!;
+    expect(spec).toMatchObject({ id: '', name: 'Two hands copy 2' });
+    expect(spec.processingModules?.[0]?.id).toBe('id 1');
+    expect(spec.ioMappings?.[0]?.processingModuleId).toBe('id 1');
+  });
+
+  it('says which revision a change was made from [SE-15]', async () => {
+    const { calls, asked } = setup();
+    await calls.update(aSession(), { extension: { startWithMaster: true } });
+    expect(asked[0]).toMatchObject([
+      'sessionRuntimeUpdate',
+      { id: 'session', extension: { revision: 3, startWithMaster: true } },
+    ]);
+  });
+
+  it('renames the file, too: the old one would come back as another session [SE-21]', async () => {
+    const { calls, asked } = setup();
+    const stored = aSession({ json: { extension: { stored: true } } });
+    await calls.rename(stored, 'Three hands');
+    expect(asked.map(([service, { name }]) => [service, name])).toEqual([
+      ['sessionRuntimeUpdate', 'Three hands'],
+      ['sessionDatabaseSave', 'Three hands'],
+      ['sessionDatabaseDelete', 'Two hands'],
+    ]);
+  });
+
+  it('forgets a stored one on the disk, too, after it was stopped [SE-16, SE-21]', async () => {
+    const { calls, services, dropped } = setup();
+    const session = aSession({
+      state: SESSION_RUNNING,
+      json: { extension: { state: 2, stored: true } },
+    });
+    const removed = await calls.remove(session);
+    expect(services()).toEqual(['sessionRuntimeRemove', 'sessionDatabaseDelete']);
+    expect(dropped).toEqual(['session']);
+    expect(removed).toMatchObject({ wasAlive: true, wasStored: true });
+  });
+
+  it('brings back what was there: stored, and running if it ran', async () => {
+    const { calls, services } = setup();
+    const spec = { name: 'Two hands' };
+    await calls.restore({ spec, wasAlive: true, wasStored: true });
+    expect(services()).toEqual(['sessionDatabaseSave', 'sessionRuntimeStart']);
+    const other = setup();
+    await other.calls.restore({ spec, wasAlive: false, wasStored: false });
+    expect(other.services()).toEqual(['sessionRuntimeAdd']);
+  });
+
+  it('passes on what the master refuses', async () => {
+    const { calls, call } = setup();
+    call.mockRejectedValueOnce(new ServiceError('failed_precondition', 'It runs.'));
+    await expect(calls.act(aSession({ state: SESSION_STOPPED }), 'start')).rejects.toThrow(
+      'It runs.',
+    );
+  });
+});
