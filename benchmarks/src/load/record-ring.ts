@@ -9,7 +9,7 @@ const LIST_ELEMENT_TAG = 0x0a;
 const TIMESTAMP_MS = 1_750_000_000_000;
 
 /** Different records before the ring starts again. Far more than can be under way at once. */
-const RING_RECORDS = 8192;
+export const RING_RECORDS = 8192;
 
 /** Records repeated behind the end of the ring, so that what is under way is always one slice. */
 const OVERLAP_RECORDS = 256;

@@ -1,6 +1,7 @@
 import { fanOut } from './fan-out.ts';
 import { MODULE_CALLS } from './module-call.ts';
 import { roundTrip } from './round-trip.ts';
+import { trigger } from './trigger.ts';
 import type { Workload } from './workload.ts';
 
 /** Every workload, in the order of the report. Goals: see the README. */
@@ -9,4 +10,5 @@ export const WORKLOADS: readonly Workload[] = [
   fanOut(64, { 'ubii-extension': 0.85, 'ubii-legacy': 0.7 }),
   fanOut(1, { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 }),
   ...MODULE_CALLS,
+  trigger,
 ];

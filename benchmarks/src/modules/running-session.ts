@@ -1,0 +1,44 @@
+import { setTimeout as sleep } from 'node:timers/promises';
+import { SERVICES, SessionState, type Init, type Session } from '@ubii/proto';
+import type { MasterProcess } from '../brokers/master-process.ts';
+
+const POLL_MS = 20;
+const START_TIMEOUT_MS = 15_000;
+
+/** A session whose modules all run. */
+export interface RunningSession {
+  readonly id: string;
+  /** Ends it and forgets it. */
+  stop(): Promise<void>;
+}
+
+/** @throws Error with the session's problems when not all of its modules come to run */
+export async function startSession(
+  master: MasterProcess,
+  session: Init<Session>,
+): Promise<RunningSession> {
+  const reply = await master.call({ topic: SERVICES.sessionRuntimeStart.topic, session });
+  const id = reply.session?.id;
+  if (id === undefined) throw new Error('The master started no session.');
+  const untilMs = performance.now() + START_TIMEOUT_MS;
+  for (;;) {
+    const { session: now } = await master.call({
+      topic: SERVICES.sessionRuntimeGet.topic,
+      session: { id },
+    });
+    const state = now?.extension?.state;
+    if (state === SessionState.SESSION_RUNNING) break;
+    if (state !== SessionState.SESSION_STARTING || performance.now() > untilMs) {
+      const problems = now?.extension?.problems.map(({ message }) => message) ?? [];
+      throw new Error(`The session ${session.name} does not run: ${problems.join(' ')}`);
+    }
+    await sleep(POLL_MS);
+  }
+  return {
+    id,
+    stop: async () => {
+      await master.call({ topic: SERVICES.sessionRuntimeStop.topic, session: { id } });
+      await master.call({ topic: SERVICES.sessionRuntimeRemove.topic, session: { id } });
+    },
+  };
+}
