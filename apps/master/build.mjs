@@ -1,5 +1,7 @@
 import { rmSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { join } from 'node:path';
+import { buildNodeWorker } from '@ubii/pm-sandbox/build';
 import { build } from 'esbuild';
 
 const inPackage = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -33,3 +35,4 @@ await build({
   },
   logLevel: 'warning',
 });
+await buildNodeWorker(join(outdir, 'pm-worker.js'));

@@ -3,6 +3,7 @@ import { hostname } from 'node:os';
 import { defaultDataDir } from './adapters/config/default-data-dir.ts';
 import {
   parseChoice,
+  parseFetchOrigins,
   parseFilePath,
   parseHost,
   parseLegacyPorts,
@@ -86,8 +87,8 @@ export const OPTIONS = {
     fallback: [],
     fallbackText: 'none',
     description:
-      'Origins that modules you vouch for may ask over HTTP: https://api.example.org, or * for all.',
-    parse: parseOrigins,
+      'Origins that modules with the library http may read from: https://example.org,http://sensor.local:8000.',
+    parse: parseFetchOrigins,
   }),
   config: option<string | undefined>({
     placeholder: '<file>',

@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 import { ConfigError } from './adapters/config/config-error.ts';
@@ -23,6 +23,7 @@ const { version } = JSON.parse(
 ) as { version: string };
 // From src as well as from dist.
 const frontendFolder = fileURLToPath(new URL('../../frontend/dist', import.meta.url));
+const workerFile = findWorker();
 
 try {
   await run(process.argv.slice(2));
@@ -43,9 +44,15 @@ async function run(args: readonly string[]): Promise<void> {
     return;
   }
   const log = createLog(config);
-  const master = await startMaster({ config, log, version, frontendFolder });
+  const master = await startMaster({ config, log, version, frontendFolder, workerFile });
   endInGoodOrder(master, log);
   await present(master, config);
+}
+
+/** Beside the program when it is built; run from its sources, the last build has one. */
+function findWorker(): URL {
+  const beside = new URL('./pm-worker.js', import.meta.url);
+  return existsSync(beside) ? beside : new URL('../dist/pm-worker.js', import.meta.url);
 }
 
 function createLog({ logLevel, logFormat }: Config): StreamLog {

@@ -1,6 +1,6 @@
 import { moduleLibrary } from '@ubii/modules';
+import { openSandboxes } from './adapters/processing/open-sandboxes.ts';
 import { TrustedLibrary } from './adapters/processing/trusted-library.ts';
-import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import { createMaster, DEFAULT_LIMITS } from './index.ts';
 import type { Log } from './index.ts';
 import { SystemClock } from './adapters/clock/system-clock.ts';
@@ -32,6 +32,8 @@ export interface MasterParts {
   readonly version: string;
   /** The built frontend. */
   readonly frontendFolder: string;
+  /** The built worker of processing modules. */
+  readonly workerFile: URL;
 }
 
 /** A master that listens. */
@@ -53,6 +55,7 @@ export async function startMaster({
   log,
   version,
   frontendFolder,
+  workerFile,
 }: MasterParts): Promise<RunningMaster> {
   prepareDataDir(config.dataDir);
   const tokens = new HmacResumeTokens(readOrCreateTokenKey(config.dataDir));
@@ -64,6 +67,7 @@ export async function startMaster({
     isOwnAddress,
   });
   const limits = DEFAULT_LIMITS;
+  const { sandboxes, libraries } = openSandboxes(workerFile, config.allowFetch);
   const storage = openStorage(config.dataDir);
   const library = await TrustedLibrary.open(moduleLibrary(), config.modules, log);
   const reachability = (): Reachability =>
@@ -77,11 +81,11 @@ export async function startMaster({
       log,
       patterns: new Re2Patterns(limits.patternInstructions),
       usage: new ProcessUsage(),
-      sandboxes: createInlineSandboxes(),
+      sandboxes,
       storage,
       library: () => library.modules(),
     },
-    { name: config.name, version, limits, endpoints: () => reachability().endpoints },
+    { name: config.name, version, limits, libraries, endpoints: () => reachability().endpoints },
   );
   const sockets = new TopicDataSockets({
     master,

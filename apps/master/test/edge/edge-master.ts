@@ -23,6 +23,8 @@ export interface EdgeMasterOptions {
   readonly flags?: readonly string[];
   readonly frontendFolder?: string;
   readonly dataDir?: string;
+  /** The built worker of modules; without it none runs. */
+  readonly workerFile?: URL;
 }
 
 export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<EdgeMaster> {
@@ -40,6 +42,7 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     log,
     version: '1.2.3',
     frontendFolder: options.frontendFolder ?? join(newFolder(), 'not-there'),
+    workerFile: options.workerFile ?? new URL('not-built.js', import.meta.url),
   });
   onTestFinished(() => master.close());
   return {

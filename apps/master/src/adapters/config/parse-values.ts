@@ -69,6 +69,21 @@ export function parseOrigins(text: string): readonly string[] {
   return origins;
 }
 
+/** Origins as they are, without wildcards: a request goes to one of them. */
+export function parseFetchOrigins(text: string): readonly string[] {
+  const origins = text
+    .split(',')
+    .map((origin) => origin.trim())
+    .filter((origin) => origin !== '');
+  return origins.map((origin) => {
+    const url = URL.canParse(origin) ? new URL(origin) : undefined;
+    if (url === undefined || !/^https?:$/.test(url.protocol) || url.pathname !== '/') {
+      throw new Error('origins separated by commas, such as https://example.org');
+    }
+    return url.origin;
+  });
+}
+
 export function parseChoice<const C extends string>(...choices: readonly C[]): (text: string) => C {
   return (text) => {
     const choice = choices.find((candidate) => candidate === text.toLowerCase());
