@@ -15,8 +15,5 @@ export function createLog(least: LogLevel, write: (line: string) => void, nowMs 
 
 /** Texts come from modules and from the master: control characters must not reach a terminal. */
 function printable(text: string): string {
-  // eslint-disable-next-line no-control-regex
-  return text
-    .replace(/[\u0000-\u0008\u000b-\u001f\u007f-\u009f]/g, '')
-    .replaceAll('\n', '\n      ');
+  return text.replace(/\p{Cc}/gu, (control) => (control === '\n' ? '\n      ' : ''));
 }

@@ -81,7 +81,7 @@ export async function startNode({
     log('info', `${describeModules(folder.loaded.modules)} in ${config.modules}`);
   }
 
-  client.onState((state) => log(...describeState(state, config.master)));
+  client.onState(createStateLog(log, config.master));
   client.onError((problem) => log('warn', problem.message));
   node.onEvent((event) => log(...describeEvent(event)));
   node.onChange(createInstanceLog(log));
@@ -132,21 +132,31 @@ function describeModules(modules: readonly ProcessingModule[]): string {
   return modules.length === 0 ? 'No modules' : `${modules.length} modules (${names})`;
 }
 
-function describeState(state: ConnectionState, master: string): [LogLevel, string] {
-  switch (state.status) {
-    case 'connected':
-      return ['info', `Connected to ${master} as ${state.clientId}`];
-    case 'reconnecting':
-      return state.attempt === 1
-        ? ['warn', `Lost ${master}: ${state.error.message}. Trying again until it is back`]
-        : ['debug', `Attempt ${state.attempt}: ${state.error.message}`];
-    case 'closed':
-      return state.error === undefined
-        ? ['info', `Left ${master}`]
-        : ['error', `${master} does not let this node in: ${state.error.message}`];
-    default:
-      return ['info', `Connecting to ${master}`];
-  }
+/** Tells how the connection is; of the attempts to get it back only the first. */
+function createStateLog(log: Log, master: string): (state: ConnectionState) => void {
+  let isTold = false;
+  return (state) => {
+    switch (state.status) {
+      case 'connected':
+        isTold = false;
+        return log('info', `Connected to ${master} as ${state.clientId}`);
+      case 'reconnecting':
+        if (isTold) return log('debug', `Attempt ${state.attempt}: ${state.error.message}`);
+        isTold = true;
+        return log(
+          'warn',
+          `No connection to ${master}: ${state.error.message}. Trying again until it is back`,
+        );
+      case 'closed':
+        return state.error === undefined
+          ? log('info', `Left ${master}`)
+          : log('error', `${master} does not let this node in: ${state.error.message}`);
+      case 'connecting':
+        return log('info', `Connecting to ${master}`);
+      case 'idle':
+        return;
+    }
+  };
 }
 
 const EVENT_LEVELS: { readonly [K in ModuleEventKind]: LogLevel } = {

@@ -11,7 +11,11 @@ def _io(name, message_format):
 
 
 class Scale(ProcessingRoutine):
-    """Puts out three times what comes in."""
+    """
+    Puts out three times what comes in.
+
+    The package rewrites this text, and needs it to have several lines.
+    """
 
     def __init__(self, context, mapping=None, eval_strings=False, **kwargs):
         super().__init__(mapping, eval_strings, **kwargs)

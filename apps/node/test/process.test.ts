@@ -1,0 +1,259 @@
+import { createMemoryIdentity } from '@ubii/client-web/node';
+import { createClient } from '@ubii/client-web/node';
+import type { UbiiClient } from '@ubii/client-web/node';
+import { SessionState } from '@ubii/proto';
+import type { Init, ProcessingModule, Session } from '@ubii/proto';
+import { readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
+import { buildPrograms, newFolder, startMaster, startNode } from './programs.ts';
+
+// Two programs each: minutes on a busy machine are no fault of them.
+vi.setConfig({ testTimeout: 60_000 });
+const POLL = { timeout: 30_000 };
+
+beforeAll(buildPrograms, 120_000);
+
+interface Printed {
+  readonly id: string;
+  readonly name: string;
+  readonly master: string;
+  readonly pid: number;
+}
+
+const printing = ['--print-endpoints', 'json'];
+
+const triple = `export default {
+  name: 'triple', inputs: { in: 'double' }, outputs: { out: 'double' }, mode: { triggerOnInput: {} },
+  onProcessing(deltaTime, inputs, state) {
+    if (inputs.in) return { outputs: { out: { double: inputs.in.double * 3 } } };
+  },
+};`;
+
+async function joinAs(url: string, name = 'guest'): Promise<UbiiClient> {
+  const client = createClient({ url, name, identity: createMemoryIdentity() });
+  onTestFinished(() => client.close());
+  await client.connect();
+  return client;
+}
+
+function sessionOf(module: Init<ProcessingModule>): Init<Session> {
+  const { name = '' } = module;
+  return {
+    name: `session of ${name}`,
+    processingModules: [module],
+    ioMappings: [
+      {
+        processingModuleName: name,
+        inputMappings: [{ inputName: 'in', topic: '/in' }],
+        outputMappings: [{ outputName: 'out', topic: '/out' }],
+      },
+    ],
+  };
+}
+
+async function nodeNames(client: UbiiClient): Promise<string[]> {
+  const { elements } = await client.call('nodeList');
+  return elements.slice(1).map(({ name }) => name);
+}
+
+/** Publishes again and again until a value came out; gives that value. */
+async function putUntilOut(client: UbiiClient, value: number): Promise<unknown> {
+  const outputs: unknown[] = [];
+  const subscription = client.subscribe('/out').onRecord((record) => outputs.push(record.value));
+  await subscription.ready;
+  const stale = outputs.length;
+  try {
+    await expect
+      .poll(() => {
+        client.publish('/in', 'double', value);
+        return outputs.length;
+      }, POLL)
+      .toBeGreaterThan(stale);
+  } finally {
+    await subscription.close();
+  }
+  return outputs.at(-1);
+}
+
+describe('the node as a process', () => {
+  it('[PM-60] [SE-30] runs a module of its folder, which a session names', async () => {
+    const master = await startMaster();
+    const folder = newFolder();
+    writeFileSync(join(folder, 'triple.js'), triple);
+    const node = startNode([
+      ...['--master', master.url, '--modules', folder, '--name', 'kitchen'],
+      ...printing,
+    ]);
+    const printed = await node.ready<Printed>();
+    expect(printed).toMatchObject({ name: 'kitchen', master: master.url, pid: node.child.pid });
+    const client = await joinAs(master.url);
+    const session = await client.call('sessionRuntimeStart', sessionOf({ name: 'triple' }));
+    expect(session.processingModules[0]?.nodeId).toBe(printed.id);
+    expect(await putUntilOut(client, 4)).toBe(12);
+    await node.says('Runs triple of session of triple');
+    await client.call('sessionRuntimeStop', { id: session.id });
+    await node.says('Ended triple');
+    await expect
+      .poll(async () => (await client.call('sessionRuntimeGet', session)).extension?.state, POLL)
+      .toBe(SessionState.SESSION_STOPPED);
+  });
+
+  it('names files that give no module, and counts changes at once', async () => {
+    const master = await startMaster();
+    const folder = newFolder();
+    writeFileSync(join(folder, 'broken.pm'), '{');
+    const node = startNode(['--master', master.url, '--modules', folder, ...printing]);
+    const { id } = await node.ready<Printed>();
+    await node.says('broken.pm: ');
+    const client = await joinAs(master.url);
+    const offered = async (): Promise<readonly string[]> => {
+      const { elements } = await client.call('nodeList');
+      return elements.find(({ clientId }) => clientId === id)?.moduleNames ?? [];
+    };
+    expect(await offered()).not.toContain('triple');
+    writeFileSync(join(folder, 'triple.mjs'), triple);
+    await expect.poll(offered, POLL).toContain('triple');
+    rmSync(join(folder, 'triple.mjs'));
+    await expect.poll(offered, POLL).not.toContain('triple');
+  });
+
+  it.each(['SIGTERM', 'SIGINT', 'SIGHUP'] as const)('deregisters on %s', async (signal) => {
+    const master = await startMaster();
+    const node = startNode(['--master', master.url, '--name', 'leaving', ...printing]);
+    await node.ready<Printed>();
+    const client = await joinAs(master.url);
+    expect(await nodeNames(client)).toEqual(['leaving']);
+    node.child.kill(signal);
+    expect(await node.ended()).toBe(0);
+    expect(await nodeNames(client)).toEqual([]);
+  });
+
+  it('ends within its time though the master is gone', async () => {
+    const master = await startMaster();
+    const node = startNode(['--master', master.url, ...printing]);
+    await node.ready<Printed>();
+    await master.program.kill();
+    node.child.kill('SIGINT');
+    expect(await node.ended()).toBe(0);
+  });
+
+  it('ends with the program that started it', async () => {
+    const master = await startMaster();
+    const node = startNode(['--master', master.url, ...printing], { withChannel: true });
+    await node.ready<Printed>();
+    node.child.disconnect();
+    expect(await node.ended()).toBe(0);
+  });
+
+  it('waits for a master that is not there yet, and for one that comes back', async () => {
+    const first = await startMaster();
+    await first.program.kill();
+    const node = startNode(['--master', first.url, '--name', 'patient', ...printing]);
+    await node.says('Trying again until it is back');
+    const second = await startMaster(first.port, first.dataDir);
+    const { id } = await node.ready<Printed>();
+    await second.program.kill();
+    await node.says(/until it is back[^]*until it is back/);
+    await startMaster(first.port, first.dataDir);
+    const client = await joinAs(first.url);
+    await expect.poll(() => nodeNames(client), POLL).toEqual(['patient']);
+    const { elements } = await client.call('nodeList');
+    expect(elements[1]?.clientId).toBe(id);
+  });
+
+  it('[PM-63] gets back the modules somebody put on it, in a new run', async () => {
+    const master = await startMaster();
+    const identity = join(newFolder(), 'identity.json');
+    const flags = ['--master', master.url, '--identity', identity, ...printing];
+    const first = startNode(flags);
+    const { id } = await first.ready<Printed>();
+    const client = await joinAs(master.url);
+    const code =
+      '(dt, inputs) => { if (inputs.in) return { outputs: { out: { double: inputs.in.double + 1 } } }; }';
+    const started = await client.call(
+      'sessionRuntimeStart',
+      sessionOf({
+        name: 'plus-one',
+        nodeId: id,
+        inputs: [{ internalName: 'in', messageFormat: 'double' }],
+        outputs: [{ internalName: 'out', messageFormat: 'double' }],
+        processingMode: { triggerOnInput: {} },
+        onProcessingStringified: code,
+      }),
+    );
+    expect(await putUntilOut(client, 1)).toBe(2);
+    first.child.kill('SIGTERM');
+    await first.ended();
+    const state = async () => (await client.call('sessionRuntimeGet', started)).extension?.state;
+    await expect.poll(state, POLL).toBe(SessionState.SESSION_DEGRADED);
+    const second = startNode(flags);
+    expect((await second.ready<Printed>()).id).toBe(id);
+    await expect.poll(state, POLL).toBe(SessionState.SESSION_RUNNING);
+    expect(await putUntilOut(client, 5)).toBe(6);
+    expect(JSON.parse(readFileSync(identity, 'utf8'))).toMatchObject({ clientId: id });
+  });
+
+  it('leaves an identity to the run that uses it', async () => {
+    const master = await startMaster();
+    const identity = join(newFolder(), 'identity.json');
+    const flags = ['--master', master.url, '--identity', identity, ...printing];
+    const first = startNode(flags);
+    const { id } = await first.ready<Printed>();
+    const second = startNode(flags);
+    expect((await second.ready<Printed>()).id).not.toBe(id);
+    const client = await joinAs(master.url);
+    expect(await nodeNames(client)).toHaveLength(2);
+  });
+
+  it('[PM-53] outlives a module that never ends', async () => {
+    const master = await startMaster();
+    const node = startNode(['--master', master.url, ...printing]);
+    const { id } = await node.ready<Printed>();
+    const client = await joinAs(master.url);
+    const base = { nodeId: id, outputs: [{ internalName: 'out', messageFormat: 'double' }] };
+    await client.call('sessionRuntimeStart', {
+      ...sessionOf({ ...base, name: 'endless', onProcessingStringified: '() => { for (;;); }' }),
+      ioMappings: [],
+    });
+    await node.says(/endless onProcessing.*: /);
+    const session = await client.call('sessionRuntimeStart', {
+      ...sessionOf({
+        ...base,
+        name: 'well',
+        inputs: [{ internalName: 'in', messageFormat: 'double' }],
+        processingMode: { triggerOnInput: {} },
+        onProcessingStringified:
+          '(dt, inputs) => { if (inputs.in) return { outputs: { out: { double: -inputs.in.double } } }; }',
+      }),
+    });
+    expect(session.id).not.toBe('');
+    expect(await putUntilOut(client, 8)).toBe(-8);
+  });
+});
+
+describe('a node that cannot start says why in one sentence', () => {
+  it.each([
+    [['--mastre', 'x'], 'There is no flag --mastre'],
+    [['--master', 'ftp://x'], '--master must be a http or https URL'],
+    [['--master'], '--master needs a value'],
+    [['--allow-fetch', 'example.org'], '--allow-fetch must be origins'],
+    [['--modules', '/not/there'], 'The folder given by --modules, /not/there'],
+    [['stray'], 'belongs to no flag'],
+  ])('%j', async (flags, reason) => {
+    const node = startNode(flags);
+    expect(await node.ended()).toBe(1);
+    expect(node.stdout).toBe('');
+    expect(node.stderr).toContain(reason);
+    expect(node.stderr.trimEnd()).not.toContain('\n');
+  });
+
+  it('shows help and version, whatever else is wrong', async () => {
+    const help = startNode(['--help', '--master', 'x']);
+    expect(await help.ended()).toBe(0);
+    expect(help.stdout).toContain('--no-accept-work');
+    const version = startNode(['--version']);
+    expect(await version.ended()).toBe(0);
+    expect(version.stdout).toMatch(/^\d+\.\d+\.\d+\n$/);
+  });
+});

@@ -1,0 +1,120 @@
+import { execFileSync, spawn } from 'node:child_process';
+import type { ChildProcess } from 'node:child_process';
+import { copyFileSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { onTestFinished } from 'vitest';
+
+const inPackage = (path: string): string => fileURLToPath(new URL(`../${path}`, import.meta.url));
+const nodeFolder = inPackage('.cache/node/');
+const masterFolder = inPackage('.cache/master/');
+
+/** Builds both programs from their sources, away from where others build them. */
+export function buildPrograms(): void {
+  mkdirSync(inPackage('.cache'), { recursive: true });
+  // Beside both, where they look for their version.
+  copyFileSync(inPackage('package.json'), inPackage('.cache/package.json'));
+  for (const [builder, folder] of [
+    ['build.mjs', nodeFolder],
+    ['../master/build.mjs', masterFolder],
+  ] as const) {
+    execFileSync(process.execPath, [inPackage(builder), folder], { stdio: 'inherit' });
+  }
+}
+
+/** A folder of this test's own. */
+export function newFolder(): string {
+  const folder = mkdtempSync(join(tmpdir(), 'ubii-node-test-'));
+  onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
+  return folder;
+}
+
+/** A running program and what it wrote. */
+export class Program {
+  readonly child: ChildProcess;
+  stdout = '';
+  stderr = '';
+  readonly #watchers = new Set<() => void>();
+
+  constructor(file: string, flags: readonly string[], { withChannel = false } = {}) {
+    this.child = spawn(process.execPath, [file, ...flags], {
+      stdio: ['ignore', 'pipe', 'pipe', ...(withChannel ? (['ipc'] as const) : [])],
+      env: { PATH: process.env['PATH'], HOME: newFolder() },
+    });
+    this.child.stdout?.on('data', (text) => {
+      this.stdout += text;
+      for (const watch of [...this.#watchers]) watch();
+    });
+    this.child.stderr?.on('data', (text) => {
+      this.stderr += text;
+      for (const watch of [...this.#watchers]) watch();
+    });
+    for (const event of ['exit', 'close']) {
+      this.child.once(event, () => {
+        for (const watch of [...this.#watchers]) watch();
+      });
+    }
+    onTestFinished(() => this.kill());
+  }
+
+  /** Exit code, once the process ended. */
+  async ended(): Promise<number | null> {
+    await this.#until(() => (this.#isOver ? true : undefined));
+    return this.child.exitCode;
+  }
+
+  get #isOver(): boolean {
+    return this.child.exitCode !== null || this.child.signalCode !== null;
+  }
+
+  /** The line of `--print-endpoints json`. */
+  async ready<T>(): Promise<T> {
+    await this.#until(() => (this.stdout.includes('\n') ? true : undefined));
+    return JSON.parse(this.stdout) as T;
+  }
+
+  /** Resolves when it has logged a text. */
+  async says(text: string | RegExp): Promise<void> {
+    const fits =
+      typeof text === 'string' ? (all: string) => all.includes(text) : text.test.bind(text);
+    await this.#until(() => (fits(this.stderr) ? true : undefined));
+  }
+
+  /** Ends it as a crash would. */
+  async kill(): Promise<void> {
+    if (this.#isOver) return;
+    const gone = new Promise((resolve) => this.child.once('exit', resolve));
+    this.child.kill('SIGKILL');
+    await gone;
+  }
+
+  #until<T>(read: () => T | undefined): Promise<T> {
+    return new Promise((resolve, reject) => {
+      const watch = (): void => {
+        const found = read();
+        if (found !== undefined) resolve(found);
+        else if (!this.#isOver) return;
+        else reject(new Error(`It ended with ${this.child.exitCode}: ${this.stderr}`));
+        this.#watchers.delete(watch);
+      };
+      this.#watchers.add(watch);
+      watch();
+    });
+  }
+}
+
+/** Starts a master. @param port 0 for any free one */
+export async function startMaster(port = 0, dataDir = newFolder()) {
+  const program = new Program(join(masterFolder, 'main.js'), [
+    ...['--port', String(port), '--legacy-ports', 'off', '--data-dir', dataDir],
+    ...['--print-endpoints', 'json'],
+  ]);
+  const { url } = await program.ready<{ url: string }>();
+  return { program, url, port: Number(new URL(url).port), dataDir };
+}
+
+/** Starts a node. */
+export function startNode(flags: readonly string[], options?: { withChannel?: boolean }): Program {
+  return new Program(join(nodeFolder, 'main.js'), flags, options);
+}
