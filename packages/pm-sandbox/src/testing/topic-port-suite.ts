@@ -6,6 +6,8 @@ import type { EncodedRecord, TopicPort, TopicSelector } from '../ports/topic-por
 /** A port, and somebody at the other side of the topics. */
 export interface TopicPortWorld {
   readonly port: TopicPort;
+  /** Where the topics of the suite are, such as `/test-1`, when others are around. @default nowhere */
+  readonly root?: string;
   /** Who publishes with `put`. */
   readonly publisherId: string;
   /** Somebody else publishes. */
@@ -43,15 +45,20 @@ const STICKS: TopicSelector = {
 export function describeTopicPort(name: string, setup: () => Promise<TopicPortWorld>): void {
   describe(`${name} as a port to topics`, () => {
     let world: TopicPortWorld;
+    let root = '';
     beforeEach(async () => {
       world = await setup();
+      root = world.root ?? '';
     });
     afterEach(() => world.close());
 
-    const put = (topic: string, value: number) => world.put({ topic, format: 'double', value });
+    const put = (path: string, value: number) =>
+      world.put({ topic: `${root}${path}`, format: 'double', value });
+    const subscribe = (path: string) =>
+      listen(world.port, { kind: 'topic', topic: `${root}${path}` }, root);
 
     it('hands over records of a topic as they travel', async () => {
-      const log = listen(world.port, { kind: 'topic', topic: '/a' });
+      const log = subscribe('/a');
       await world.settle();
       put('/a', 1);
       put('/b', 2);
@@ -59,19 +66,19 @@ export function describeTopicPort(name: string, setup: () => Promise<TopicPortWo
       expect(log.values()).toEqual(['/a=1']);
       const [record] = log.records;
       expect(record).toMatchObject({ valueField: 3, publisherId: world.publisherId });
-      expect(decodeRecord(record!.bytes).topic).toBe('/a');
+      expect(decodeRecord(record!.bytes).topic).toBe(`${root}/a`);
     });
 
     it('[PM-26] hands over the value that is there', async () => {
       put('/a', 1);
       await world.settle();
-      const log = listen(world.port, { kind: 'topic', topic: '/a' });
+      const log = subscribe('/a');
       await world.settle();
       expect(log.values()).toEqual(['/a=1']);
     });
 
     it('hands over the newest value last, and leaves what it gave alone', async () => {
-      const log = listen(world.port, { kind: 'topic', topic: '/a' });
+      const log = subscribe('/a');
       await world.settle();
       put('/a', 1);
       await world.settle();
@@ -83,8 +90,8 @@ export function describeTopicPort(name: string, setup: () => Promise<TopicPortWo
     });
 
     it('serves several subscriptions of one topic, each until it ends', async () => {
-      const first = listen(world.port, { kind: 'topic', topic: '/a' });
-      const second = listen(world.port, { kind: 'topic', topic: '/a' });
+      const first = subscribe('/a');
+      const second = subscribe('/a');
       await world.settle();
       put('/a', 1);
       await world.settle();
@@ -97,11 +104,11 @@ export function describeTopicPort(name: string, setup: () => Promise<TopicPortWo
     });
 
     it('hands over the value to a later subscription of the same topic, too', async () => {
-      listen(world.port, { kind: 'topic', topic: '/a' });
+      subscribe('/a');
       await world.settle();
       put('/a', 1);
       await world.settle();
-      const later = listen(world.port, { kind: 'topic', topic: '/a' });
+      const later = subscribe('/a');
       await world.settle();
       expect(later.values()).toEqual(['/a=1']);
     });
@@ -109,7 +116,7 @@ export function describeTopicPort(name: string, setup: () => Promise<TopicPortWo
     it('lets a listener end its subscription from within', async () => {
       let count = 0;
       const cancel: Cancel = world.port.subscribe(
-        { kind: 'topic', topic: '/a' },
+        { kind: 'topic', topic: `${root}/a` },
         {
           onRecord() {
             count++;
@@ -126,14 +133,17 @@ export function describeTopicPort(name: string, setup: () => Promise<TopicPortWo
       expect(count).toBe(1);
     });
 
-    it.each<[string, TopicSelector]>([
-      ['an expression, unanchored', { kind: 'regex', source: 'game/[0-9]+/x' }],
-      ['a glob, for the whole topic', { kind: 'glob', glob: '/game/*/x*' }],
+    it.each<[string, (root: string) => TopicSelector]>([
+      [
+        'an expression, unanchored',
+        (at) => ({ kind: 'regex', source: `${at.slice(1)}/game/[0-9]+/x` }),
+      ],
+      ['a glob, for the whole topic', (at) => ({ kind: 'glob', glob: `${at}/game/*/x*` })],
     ])('[PM-41] selects topics by %s, those that are there and later ones', async (_, selector) => {
       put('/game/1/x', 1);
       put('/game/a/y', 2);
       await world.settle();
-      const log = listen(world.port, selector);
+      const log = listen(world.port, selector(root), root);
       await world.settle();
       put('/game/2/x', 3);
       put('/other/2/x', 4);
@@ -150,7 +160,7 @@ export function describeTopicPort(name: string, setup: () => Promise<TopicPortWo
       const { addStick } = world;
       if (addStick === undefined) return context.skip();
       const early = await addStick();
-      const log = listen(world.port, STICKS);
+      const log = listen(world.port, STICKS, '');
       await world.settle();
       const late = await addStick();
       await world.settle();
@@ -166,12 +176,12 @@ export function describeTopicPort(name: string, setup: () => Promise<TopicPortWo
 
     it('[PM-44] tells when a value was deleted', async (context) => {
       if (world.delete === undefined) return context.skip();
-      const log = listen(world.port, { kind: 'topic', topic: '/a' });
-      const all = listen(world.port, { kind: 'glob', glob: '/*' });
+      const log = subscribe('/a');
+      const all = listen(world.port, { kind: 'glob', glob: `${root}/*` }, root);
       await world.settle();
       put('/a', 1);
       await world.settle();
-      world.delete('/a');
+      world.delete(`${root}/a`);
       await world.settle();
       expect(log.gone).toEqual(['/a']);
       expect(all.gone).toEqual(['/a']);
@@ -181,13 +191,14 @@ export function describeTopicPort(name: string, setup: () => Promise<TopicPortWo
     });
 
     it('publishes for others and for itself', async () => {
-      const log = listen(world.port, { kind: 'topic', topic: '/out' });
+      const log = subscribe('/out');
       await world.settle();
-      const bytes = encodeRecord({ topic: '/out', format: 'double', value: 5, clientId: 'me' });
-      expect(world.port.publish('/out', bytes, 3)).toBeUndefined();
+      const topic = `${root}/out`;
+      const bytes = encodeRecord({ topic, format: 'double', value: 5, clientId: 'me' });
+      expect(world.port.publish(topic, bytes, 3)).toBeUndefined();
       await world.settle();
-      const seen = world.seenByOthers('/out');
-      expect(seen && decodeRecord(seen)).toMatchObject({ topic: '/out', value: 5, clientId: 'me' });
+      const seen = world.seenByOthers(topic);
+      expect(seen && decodeRecord(seen)).toMatchObject({ topic, value: 5, clientId: 'me' });
       expect(log.values()).toEqual(['/out=5']);
     });
 
@@ -200,14 +211,17 @@ export function describeTopicPort(name: string, setup: () => Promise<TopicPortWo
   });
 }
 
-function listen(port: TopicPort, selector: TopicSelector) {
+/** Notes what comes, topics without their root. */
+function listen(port: TopicPort, selector: TopicSelector, root: string) {
   const records: EncodedRecord[] = [];
   const gone: string[] = [];
   const cancel = port.subscribe(selector, {
     onRecord: (record) => records.push(record),
-    onGone: (topic) => gone.push(topic),
+    onGone: (topic) => gone.push(topic.slice(root.length)),
   });
   const values = () =>
-    records.map(({ topic, bytes }) => `${topic}=${String(decodeRecord(bytes).value)}`);
+    records.map(
+      ({ topic, bytes }) => `${topic.slice(root.length)}=${String(decodeRecord(bytes).value)}`,
+    );
   return { records, gone, values, cancel };
 }

@@ -1,0 +1,75 @@
+import { describeTopicPort } from '@ubii/pm-sandbox/testing';
+import { afterAll, beforeAll } from 'vitest';
+import { createClient } from '../src/node.ts';
+import type { UbiiClient } from '../src/index.ts';
+import { ClientTopicPort } from '../src/processing/client-topic-port.ts';
+import { DeviceTopics } from '../src/processing/device-topics.ts';
+import { buildMaster, createDataFolder, spawnMaster, type SpawnedMaster } from './spawn-master.ts';
+
+const folder = createDataFolder();
+/** A whole process, on a machine that may be busy. */
+const TIMEOUT_MS = 60_000;
+let master: SpawnedMaster;
+let tests = 0;
+
+beforeAll(async () => {
+  buildMaster();
+  master = await spawnMaster(folder.path);
+}, TIMEOUT_MS);
+afterAll(async () => {
+  await master.kill();
+  folder.remove();
+});
+
+describeTopicPort('a client of a real master', async () => {
+  const root = `/test-${++tests}`;
+  const own = createClient({ url: master.url, name: 'node', publishIntervalMs: 0 });
+  const ada = createClient({ url: master.url, name: 'ada', publishIntervalMs: 0 });
+  await Promise.all([own.connect(), ada.connect()]);
+  const seen = new Map<string, Uint8Array>();
+  ada.subscribeEncoded(
+    { glob: `${root}/**` },
+    {
+      onRecord: ({ topic, bytes }) => void seen.set(topic, bytes),
+      onGone: () => undefined,
+    },
+  );
+  let settled = 0;
+  let sticks = 0;
+  return {
+    root,
+    port: new ClientTopicPort(own, new DeviceTopics(own)),
+    publisherId: ada.id,
+    put: ({ topic, format, value }) =>
+      ada.publish(topic, format, value as never, { immediate: true }),
+    async settle() {
+      const topic = `${root} settled ${settled++}`;
+      await exchange(ada, own, `${topic} here`);
+      await exchange(own, ada, `${topic} there`);
+    },
+    seenByOthers: (topic) => seen.get(topic),
+    async addStick() {
+      const component = {
+        name: 'stick',
+        format: 'vector2' as const,
+        tags: ['stick'],
+        ioType: 'publisher' as const,
+      };
+      const device = await ada.registerDevice({ name: `pad ${++sticks}`, components: [component] });
+      return { topic: device.component('stick').topic, deviceId: device.id };
+    },
+    async close() {
+      await Promise.all([own.close(), ada.close()]);
+    },
+  };
+});
+
+/** What one asked for and published before has arrived when the other receives this. */
+async function exchange(from: UbiiClient, to: UbiiClient, topic: string): Promise<void> {
+  const subscription = to.subscribe(topic);
+  await subscription.ready;
+  const received = new Promise<void>((resolve) => subscription.onRecord(() => resolve()));
+  from.publish(topic, 'bool', true, { immediate: true });
+  await received;
+  await subscription.close();
+}
