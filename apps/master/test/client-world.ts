@@ -85,9 +85,13 @@ export class ClientWorld implements MemoryMaster {
 
   /** The master's process ends and another one starts with the same data directory. */
   async restart(): Promise<void> {
-    this.#test.master.close();
+    await this.#test.master.close();
     await this.drop();
-    this.#test = new TestMaster({ clock: this.clock, limits: this.#limits });
+    this.#test = new TestMaster({
+      clock: this.clock,
+      limits: this.#limits,
+      storage: this.#test.storage,
+    });
   }
 
   async handleServiceRequest(request: ServiceRequest): Promise<Init<ServiceReply>> {

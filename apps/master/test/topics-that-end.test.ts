@@ -65,6 +65,34 @@ describe('topics that end', () => {
     expect(stringList!.elements).toContain('/info/device/new');
   });
 
+  it('are told to nodes that use them, in order, and to nobody else [TD-42]', async () => {
+    const { master, ada, ben } = await createPair();
+    const node = await master.extension('node', {
+      extension: { recordLists: true, node: { runsJavascript: true } },
+    });
+    const plain = await master.extension('plain');
+    for (const client of [node, plain, ben]) {
+      await client.subscribe({ subscribeTopics: ['/a'], subscribeTopicRegexp: ['^/a'] });
+    }
+    ada.publish('/a', 'double', 1);
+    ada.send('/a', 'double', 2);
+    await ada.call({ topic: '/services/client/deregistration', client: { id: ada.id } });
+    ben.publish('/a', 'double', 3);
+    expect(node.takeValues()).toEqual([
+      ['/a', 1],
+      ['/a', 2],
+      ['/a', undefined],
+      ['/a', 3],
+    ]);
+    for (const client of [plain, ben]) {
+      expect(client.takeValues()).toEqual([
+        ['/a', 1],
+        ['/a', 2],
+        ['/a', 3],
+      ]);
+    }
+  });
+
   it('are forgotten without value and without subscription [TD-41]', async () => {
     const { master, ada, ben } = await createPair();
     const known = async () => {

@@ -1,6 +1,10 @@
 import type { JsonObject } from '@ubii/proto';
 import type { Cancel } from '../core/ports/clock.ts';
-import type { DocumentStore, SessionStorage, StoredDocument } from '../core/ports/document-store.ts';
+import type {
+  DocumentStore,
+  SessionStorage,
+  StoredDocument,
+} from '../core/ports/document-store.ts';
 
 /** Documents in memory, which a test may change as people do with files. */
 export class MemoryDocuments implements DocumentStore {

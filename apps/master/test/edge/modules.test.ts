@@ -76,7 +76,10 @@ describe('a master with its real workers', () => {
 
   it('ends an endless loop, and says where it was, while others run on [PM-53] [SE-12]', async () => {
     const master = await startEdgeMaster({ workerFile });
-    const good = await call(master, running('good', '() => ({ outputs: { out: { string: "a" } } })'));
+    const good = await call(
+      master,
+      running('good', '() => ({ outputs: { out: { string: "a" } } })'),
+    );
     const bad = await call(master, running('bad', '() => {\n  for (;;) ;\n}'));
     await vi.waitFor(async () => {
       const { extension } = await session(master, bad.session!.id);

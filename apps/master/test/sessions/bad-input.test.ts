@@ -117,9 +117,7 @@ const CASES: readonly Case[] = [
   [
     'a muxer of another data format',
     withMapping({
-      inputMappings: [
-        { inputName: 'in', topicMux: { topicSelector: '/a', dataType: 'vector2' } },
-      ],
+      inputMappings: [{ inputName: 'in', topicMux: { topicSelector: '/a', dataType: 'vector2' } }],
     }),
     { code: 'format_mismatch', path: `${input}.topicMux.dataType` },
   ],
@@ -187,18 +185,21 @@ const CASES: readonly Case[] = [
 ];
 
 describe('a session that cannot be', () => {
-  it.each(CASES)('is refused for %s, with the place [SE-3] [SE-4]', async (_what, session, problem) => {
-    const world = await SessionWorld.create();
-    const error = await world.refusal(TOPICS.add, session);
-    expect(error.code).toBe('invalid_argument');
-    const errors = error.problems.filter(({ isError }) => isError);
-    expect(errors).toContainEqual(expect.objectContaining({ ...problem, isError: true }));
-    for (const { message } of errors) expect(message).toMatch(/^["A-Z].*[^.]\.?$/s);
-    // Nothing was created, nothing else stopped.
-    const { sessionList } = await world.master.call({ topic: TOPICS.list });
-    expect(sessionList?.elements).toEqual([]);
-    expect((await world.ask(TOPICS.start, doubling('/in', '/out'))).id).not.toBe('');
-  });
+  it.each(CASES)(
+    'is refused for %s, with the place [SE-3] [SE-4]',
+    async (_what, session, problem) => {
+      const world = await SessionWorld.create();
+      const error = await world.refusal(TOPICS.add, session);
+      expect(error.code).toBe('invalid_argument');
+      const errors = error.problems.filter(({ isError }) => isError);
+      expect(errors).toContainEqual(expect.objectContaining({ ...problem, isError: true }));
+      for (const { message } of errors) expect(message).toMatch(/^["A-Z].*[^.]\.?$/s);
+      // Nothing was created, nothing else stopped.
+      const { sessionList } = await world.master.call({ topic: TOPICS.list });
+      expect(sessionList?.elements).toEqual([]);
+      expect((await world.ask(TOPICS.start, doubling('/in', '/out'))).id).not.toBe('');
+    },
+  );
 
   it('is told everything that is wrong at once [SE-3]', async () => {
     const world = await SessionWorld.create();
@@ -214,7 +215,12 @@ describe('a session that cannot be', () => {
       ],
     });
     expect(problems.map(({ code }) => code)).toEqual(
-      expect.arrayContaining(['syntax', 'unknown_input', 'forbidden_topic', 'mapping_without_module']),
+      expect.arrayContaining([
+        'syntax',
+        'unknown_input',
+        'forbidden_topic',
+        'mapping_without_module',
+      ]),
     );
     const syntax = problems.find(({ code }) => code === 'syntax');
     expect(syntax).toMatchObject({ moduleName: 'doubler', line: expect.any(Number) });
@@ -243,7 +249,10 @@ describe('a session that cannot be', () => {
     const world = await SessionWorld.create();
     const slow = { triggerOnInput: { minDelayMs: 10 } };
     const { extension } = await world.ask(TOPICS.add, {
-      processingModules: [{ ...doubler, processingMode: slow }, { ...doubler, name: 'silent' }],
+      processingModules: [
+        { ...doubler, processingMode: slow },
+        { ...doubler, name: 'silent' },
+      ],
       ioMappings: [
         {
           processingModuleName: 'doubler',
@@ -312,7 +321,9 @@ describe('a session that cannot be', () => {
       ioMappings: [{ inputMappings: Array.from({ length: 4 }, () => ({ inputName: 'in' })) }],
     };
     expect(await world.refusal(TOPICS.add, mappings)).toMatchObject({ code: 'resource_exhausted' });
-    const tenMegabytes = withModule({ onProcessingStringified: `() => {/*${'x'.repeat(10 << 20)}*/}` });
+    const tenMegabytes = withModule({
+      onProcessingStringified: `() => {/*${'x'.repeat(10 << 20)}*/}`,
+    });
     expect(await world.refusal(TOPICS.add, tenMegabytes)).toMatchObject({
       code: 'resource_exhausted',
       message: expect.stringContaining('moduleSourceBytes'),

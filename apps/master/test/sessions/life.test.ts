@@ -50,7 +50,9 @@ describe('a session on the master', () => {
     await world.master.pass(50);
     expect(await world.value('/out')).toBeUndefined();
     // Stopping what is stopped succeeds.
-    expect((await world.master.call({ topic: TOPICS.stop, session: { id } })).success).toBeDefined();
+    expect(
+      (await world.master.call({ topic: TOPICS.stop, session: { id } })).success,
+    ).toBeDefined();
     expect((await world.get({ id })).status).toBe(SessionStatus.STOPPED);
   });
 
@@ -82,11 +84,15 @@ describe('a session on the master', () => {
   it('cannot be started twice, without modules, or when nobody knows it [SE-11]', async () => {
     const world = await SessionWorld.create();
     const { id } = await world.ask(TOPICS.start, doubling('/in', '/out'));
-    expect(await world.refusal(TOPICS.start, { id })).toMatchObject({ code: 'failed_precondition' });
+    expect(await world.refusal(TOPICS.start, { id })).toMatchObject({
+      code: 'failed_precondition',
+    });
     expect(await world.refusal(TOPICS.start, { name: 'empty' })).toMatchObject({
       code: 'failed_precondition',
     });
-    expect(await world.refusal(TOPICS.start, { id: 'nobody' })).toMatchObject({ code: 'not_found' });
+    expect(await world.refusal(TOPICS.start, { id: 'nobody' })).toMatchObject({
+      code: 'not_found',
+    });
     expect(await world.refusal(TOPICS.stop, { id: 'nobody' })).toMatchObject({ code: 'not_found' });
   });
 
@@ -103,7 +109,9 @@ describe('a session on the master', () => {
     world.ada.publish('/in', 'double', 3);
     await world.master.pass(10);
     expect(await world.value('/out')).toBe(6);
-    expect(await world.refusal(TOPICS.resume, { id })).toMatchObject({ code: 'failed_precondition' });
+    expect(await world.refusal(TOPICS.resume, { id })).toMatchObject({
+      code: 'failed_precondition',
+    });
   });
 
   it('is degraded while a module does not run, and says which and why [SE-12]', async () => {
@@ -112,7 +120,11 @@ describe('a session on the master', () => {
       ...doubling('/in', '/out'),
       processingModules: [
         doubler,
-        { ...doubler, name: 'broken', onCreatedStringified: '() => { throw new Error("no luck"); }' },
+        {
+          ...doubler,
+          name: 'broken',
+          onCreatedStringified: '() => { throw new Error("no luck"); }',
+        },
       ],
     });
     const { extension } = await world.get({ id });

@@ -1,4 +1,11 @@
-import { decodeTopicData, encodeRecord, SessionState, type Init, type ProcessingModule, type Session } from '@ubii/proto';
+import {
+  decodeTopicData,
+  encodeRecord,
+  SessionState,
+  type Init,
+  type ProcessingModule,
+  type Session,
+} from '@ubii/proto';
 import { encodeLockstepReplyFrame } from '@ubii/proto/wire';
 import { describe, expect, it } from 'vitest';
 import { codes, doubler, SessionWorld, TOPICS } from './session-world.ts';
@@ -112,7 +119,9 @@ describe('lockstep', () => {
     answer(east, takeRequests(east)[0]!, 1);
     await world.master.pass(600);
     const outputs = world.ada.takeValues().filter(([topic]) => topic.startsWith('/out/'));
-    expect(outputs.map(([topic]) => topic)).toEqual(expect.arrayContaining(['/out/here', '/out/east']));
+    expect(outputs.map(([topic]) => topic)).toEqual(
+      expect.arrayContaining(['/out/here', '/out/east']),
+    );
     expect(outputs.map(([topic]) => topic)).not.toContain('/out/west');
     const now = await world.get(session);
     expect(now.extension?.problems).toContainEqual(

@@ -143,7 +143,10 @@ describe('stored modules', () => {
     ]);
     expect(await list({ tags: ['camera'] })).toEqual([['offered', MODULE_ORIGIN_NODE]]);
     expect(
-      await list({ inputs: [{ internalName: 'x', messageFormat: 'ubii.double' }], name: 'doubler' }),
+      await list({
+        inputs: [{ internalName: 'x', messageFormat: 'ubii.double' }],
+        name: 'doubler',
+      }),
     ).toEqual([['doubler', MODULE_ORIGIN_STORED]]);
   });
 

@@ -116,10 +116,7 @@ export class TestNode {
     return this.#report(TOPICS.ended, modules);
   }
 
-  async #report(
-    topic: string,
-    elements: readonly Init<ProcessingModule>[],
-  ): Promise<ServiceReply> {
+  async #report(topic: string, elements: readonly Init<ProcessingModule>[]): Promise<ServiceReply> {
     const reply = await this.#master.call({ topic, processingModuleList: { elements } });
     await this.#master.pass();
     return reply;

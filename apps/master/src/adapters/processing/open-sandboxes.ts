@@ -14,10 +14,7 @@ export interface OpenSandboxes {
  * @param workerFile the worker, as the build makes it
  * @param allowedOrigins what modules may read from over HTTP; none: there is no library for it
  */
-export function openSandboxes(
-  workerFile: URL,
-  allowedOrigins: readonly string[],
-): OpenSandboxes {
+export function openSandboxes(workerFile: URL, allowedOrigins: readonly string[]): OpenSandboxes {
   const hostLibraries: Readonly<Record<string, HostLibrary>> =
     allowedOrigins.length === 0 ? {} : { http: createHttpLibrary(allowedOrigins) };
   return {

@@ -34,7 +34,11 @@ export class TrustedLibrary {
       library.#watch = await watchModuleFolder(
         folder,
         (loaded) => library.#take(loaded),
-        (error) => log.warn('the folder of modules is not watched any more', { folder, reason: error.message }),
+        (error) =>
+          log.warn('the folder of modules is not watched any more', {
+            folder,
+            reason: error.message,
+          }),
       );
     } catch (error) {
       const reason = error instanceof Error ? error.message : String(error);

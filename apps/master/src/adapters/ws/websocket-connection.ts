@@ -3,7 +3,14 @@ import type { Duplex } from 'node:stream';
 import type { WebSocket } from 'ws';
 
 import type { ClientConnection, RecordBatch } from '../../core/ports/index.ts';
-import { PING_FRAME, PONG_FRAME, binaryFrame, errorFrame, listFrames, singleFrames } from './frames.ts';
+import {
+  PING_FRAME,
+  PONG_FRAME,
+  binaryFrame,
+  errorFrame,
+  listFrames,
+  singleFrames,
+} from './frames.ts';
 import type { FrameParts } from './joined-parts.ts';
 
 /** What the reason of a close frame may take beside its code (RFC 6455, section 5.5.1). */

@@ -85,5 +85,12 @@ export function unknownModule(name: string): ServiceError {
 
 /** What is kept of a module: nothing of an instance. */
 function storable(module: ProcessingModule): ProcessingModule {
-  return { ...module, id: '', nodeId: '', sessionId: '', status: 0, language: module.language || NO_LANGUAGE };
+  return {
+    ...module,
+    id: '',
+    nodeId: '',
+    sessionId: '',
+    status: 0,
+    language: module.language || NO_LANGUAGE,
+  };
 }

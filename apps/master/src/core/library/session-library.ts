@@ -1,6 +1,5 @@
 import { ServiceError, toJson, type Session as SessionMessage } from '@ubii/proto';
 import type { Log } from '../ports/log.ts';
-import type { DocumentStore } from '../ports/document-store.ts';
 import type { Session } from '../sessions/session.ts';
 import { quote } from '../topics/topic-names.ts';
 import type { StoredMessages } from './stored-messages.ts';
@@ -42,7 +41,10 @@ export class SessionLibrary {
       (id === '' ? undefined : this.list().find((message) => message.id === id)) ?? this.get(name);
     if (found !== undefined) return found;
     if (id === '' && name === '') {
-      throw new ServiceError('invalid_argument', 'The request names no session; give its id or its name.');
+      throw new ServiceError(
+        'invalid_argument',
+        'The request names no session; give its id or its name.',
+      );
     }
     throw new ServiceError(
       'not_found',

@@ -180,11 +180,7 @@ export class LocalNode {
     else runtime.start(instance.id);
   }
 
-  #handleStatus(
-    id: string,
-    status: ProcessingModuleStatus,
-    fault: ModuleFault | undefined,
-  ): void {
+  #handleStatus(id: string, status: ProcessingModuleStatus, fault: ModuleFault | undefined): void {
     const instance = this.#instances.get(id);
     // What is under way tells by itself how it went.
     if (instance?.have === undefined || instance.want === undefined) return;

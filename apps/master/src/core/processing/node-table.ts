@@ -1,4 +1,9 @@
-import { NodeExtensionKind, type NodeExtension, type NodeInfo, type ProcessingModule } from '@ubii/proto';
+import {
+  NodeExtensionKind,
+  type NodeExtension,
+  type NodeInfo,
+  type ProcessingModule,
+} from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import { offerOf, type Node } from './node.ts';
@@ -96,9 +101,7 @@ export function masterExtension(libraries: readonly string[], capacity: number):
 }
 
 function isNode({ node, spec }: Client): boolean {
-  return (
-    node !== undefined || spec.isDedicatedProcessingNode || spec.processingModules.length > 0
-  );
+  return node !== undefined || spec.isDedicatedProcessingNode || spec.processingModules.length > 0;
 }
 
 function nodeOf(client: Client): Node {

@@ -3,8 +3,7 @@ import { cannotRun, isMaster, offerOf, type Node } from './node.ts';
 
 /** The order in which the master looks for a node [SE-30]; among several of one kind, load decides. */
 const KINDS: readonly ((node: Node, module: ProcessingModule) => boolean)[] = [
-  (node, module) =>
-    node.isDedicated && !isMaster(node) && mayChoose(node) && hasIt(node, module),
+  (node, module) => node.isDedicated && !isMaster(node) && mayChoose(node) && hasIt(node, module),
   (node) => isMaster(node),
   (node) => !isMaster(node) && node.extension?.acceptsWork === true,
   (node, module) => mayChoose(node) && hasIt(node, module),

@@ -64,7 +64,10 @@ async function saveSession(core: Core, message: SessionMessage): Promise<Session
   const isNew = sessionLibrary.get(message.name) === undefined;
   const { storedDocuments } = core.limits;
   if (isNew && sessionLibrary.list().length >= storedDocuments) {
-    throw core.limitWatch.refusal('storedDocuments', `more than ${storedDocuments} stored sessions`);
+    throw core.limitWatch.refusal(
+      'storedDocuments',
+      `more than ${storedDocuments} stored sessions`,
+    );
   }
   const session = await toSave(core, message);
   await sessionLibrary.save(session);

@@ -128,7 +128,8 @@ function assignMappings(
   });
   for (const { mapping, path } of rest) {
     const named = modules.filter(({ spec }) => spec.name === mapping.processingModuleName);
-    const draft = named.find((one) => !assigned.has(one)) ?? (named.length === 1 ? named[0] : undefined);
+    const draft =
+      named.find((one) => !assigned.has(one)) ?? (named.length === 1 ? named[0] : undefined);
     if (draft !== undefined) assign(draft, mapping, path);
     else problems.push(strayMapping(mapping, path));
   }

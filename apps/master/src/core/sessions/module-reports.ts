@@ -7,11 +7,7 @@ import { evaluate } from './session-life.ts';
 import type { SessionModule } from './session-module.ts';
 
 /** A node says that a module runs; late words count as well [SE-12]. */
-export function handleStarted(
-  context: LifeContext,
-  session: Session,
-  module: SessionModule,
-): void {
+export function handleStarted(context: LifeContext, session: Session, module: SessionModule): void {
   if (!session.isLive) {
     tellToStop(context, session, module.nodeId);
     return;
@@ -26,11 +22,7 @@ export function handleStarted(
 }
 
 /** A node says that a module has ended: as it was told, or by itself. */
-export function handleStopped(
-  context: LifeContext,
-  session: Session,
-  module: SessionModule,
-): void {
+export function handleStopped(context: LifeContext, session: Session, module: SessionModule): void {
   if (module.phase === 'ending') {
     module.phase = 'idle';
     evaluate(context, session);
@@ -63,7 +55,10 @@ function fail(
   module.phase = 'failed';
   module.problem = errorProblem({
     code: 'module_failed',
-    message: `The module ${quote(module.name)}${where} does not run: ${reason}`.replace(/\.?$/, '.'),
+    message: `The module ${quote(module.name)}${where} does not run: ${reason}`.replace(
+      /\.?$/,
+      '.',
+    ),
     moduleId: module.id,
     moduleName: module.name,
     nodeId: module.nodeId,

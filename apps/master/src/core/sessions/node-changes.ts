@@ -7,9 +7,9 @@ import type { SessionModule } from './session-module.ts';
 /** A node became unavailable, or left: its modules go elsewhere, or wait for it [SE-31]. */
 export function handleNodeGone(context: LifeContext, nodeId: string): void {
   for (const session of context.sessions()) {
-    const affected = session.modulesOn(nodeId).filter(
-      (module) => module.isPlaced || module.phase === 'ending',
-    );
+    const affected = session
+      .modulesOn(nodeId)
+      .filter((module) => module.isPlaced || module.phase === 'ending');
     if (affected.length === 0) continue;
     if (session.life === 'stopping') {
       for (const module of affected) module.phase = 'idle';

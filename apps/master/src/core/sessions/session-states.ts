@@ -2,13 +2,7 @@ import { SessionState, SessionStatus } from '@ubii/proto';
 
 /** Where a session is in its life [SE-10]. */
 export type SessionLife =
-  | 'created'
-  | 'starting'
-  | 'running'
-  | 'degraded'
-  | 'paused'
-  | 'stopping'
-  | 'stopped';
+  'created' | 'starting' | 'running' | 'degraded' | 'paused' | 'stopping' | 'stopped';
 
 /** What can happen to a session. */
 export type SessionEvent =

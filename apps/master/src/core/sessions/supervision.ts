@@ -17,10 +17,7 @@ export interface SupervisionParts {
   /** Passes of a session since the call before. */
   readonly passes: (
     session: Session,
-  ) => Pick<
-    SessionStatistics,
-    'passesPerSecond' | 'passP50Ms' | 'passP95Ms' | 'lateAnswers'
-  >;
+  ) => Pick<SessionStatistics, 'passesPerSecond' | 'passP50Ms' | 'passP95Ms' | 'lateAnswers'>;
   /** Looks anew at what is doubtful about a session [SE-5]. */
   readonly recheck: (session: Session) => void;
 }
@@ -56,7 +53,9 @@ export class Supervision {
     this.#looks++;
     const watched = [...sessions()].filter(isWatched);
     if (watched.length === 0) return this.close();
-    const modules = new Map(watched.flatMap((session) => session.modules.map((one) => [one.id, one])));
+    const modules = new Map(
+      watched.flatMap((session) => session.modules.map((one) => [one.id, one])),
+    );
     for (const statistics of local.statistics()) {
       const module = modules.get(statistics.moduleId);
       if (module !== undefined) module.statistics = statistics;

@@ -21,17 +21,20 @@ export function updateSession(context: LifeContext, session: Session, draft: Ses
   const started: SessionModule[] = [];
   for (const module of session.modules) {
     const old = before.find(({ id }) => id === module.id);
-    if (!session.isLive) module.spec = { ...module.spec, nodeId: module.wishedNodeId || (old?.nodeId ?? '') };
+    if (!session.isLive)
+      module.spec = { ...module.spec, nodeId: module.wishedNodeId || (old?.nodeId ?? '') };
     else if (old !== undefined && staysPut(module, old)) takeOver(context, module, old, unheard);
     else {
-      if (old !== undefined && old.isPlaced && isForeign(context, old.nodeId)) unheard.add(old.nodeId);
+      if (old !== undefined && old.isPlaced && isForeign(context, old.nodeId))
+        unheard.add(old.nodeId);
       placeModule(context, module);
       started.push(module);
     }
   }
   for (const old of before) {
     const isGone = session.module(old.id) === undefined;
-    if (isGone && session.isLive && old.isPlaced && isForeign(context, old.nodeId)) unheard.add(old.nodeId);
+    if (isGone && session.isLive && old.isPlaced && isForeign(context, old.nodeId))
+      unheard.add(old.nodeId);
   }
   for (const nodeId of unheard) {
     session.troubles.set(`update ${nodeId}`, cannotUpdate(context, nodeId));

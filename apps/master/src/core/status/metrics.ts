@@ -62,13 +62,7 @@ export function readMetrics(core: Core): MasterMetrics {
       'state',
       Object.entries(clients.countByStatus()).filter(([state]) => state !== 'removed'),
     ),
-    family(
-      'ubii_sessions',
-      'Sessions, by state.',
-      'gauge',
-      'state',
-      countSessions(core),
-    ),
+    family('ubii_sessions', 'Sessions, by state.', 'gauge', 'state', countSessions(core)),
     gauge(
       'ubii_module_instances',
       'Processing modules that run on the master.',

@@ -50,9 +50,7 @@ export function documentStoreSuite(name: string, open: () => StoreParts): void {
     });
 
     it('lets the last of many writes win', async () => {
-      await Promise.all(
-        Array.from({ length: 20 }, (_, n) => parts.store.write('a', { n })),
-      );
+      await Promise.all(Array.from({ length: 20 }, (_, n) => parts.store.write('a', { n })));
       expect(parts.store.documents().get('a')).toEqual({ json: { n: 19 } });
     });
 

@@ -29,7 +29,10 @@ export const checkCycles: Check = function* (modules, context) {
 function describe(cycle: readonly Node[], isEndless: boolean): SessionProblem {
   const names = cycle.map(({ draft }) => quote(draft.spec.name));
   const { draft } = cycle[0]!;
-  const who = names.length === 1 ? `The module ${names[0]} feeds itself` : `The modules ${names.join(', ')} feed each other`;
+  const who =
+    names.length === 1
+      ? `The module ${names[0]} feeds itself`
+      : `The modules ${names.join(', ')} feed each other`;
   return isEndless
     ? errorProblem({
         ...about(draft),
@@ -62,7 +65,11 @@ function feeds(one: DraftModule, other: DraftModule, context: CheckContext): boo
       if (input.topicMux === undefined || input.topicMux.component !== undefined) continue;
       const { topicGlob, topicSelector } = input.topicMux;
       const source = topicGlob === '' ? topicSelector : globToRegExpSource(topicGlob);
-      if (source !== '' && context.patternFault(source) === undefined && context.matches(source, topic)) {
+      if (
+        source !== '' &&
+        context.patternFault(source) === undefined &&
+        context.matches(source, topic)
+      ) {
         return true;
       }
     }

@@ -173,7 +173,8 @@ function* checkDemux(
   path: string,
 ): Iterable<SessionProblem> {
   const { outputTopicFormat } = demux;
-  if (!hasPlaceholder(parseDemuxFormat(outputTopicFormat))) { // [PM-45]
+  if (!hasPlaceholder(parseDemuxFormat(outputTopicFormat))) {
+    // [PM-45]
     yield errorProblem({
       ...about(draft),
       code: 'demux_without_placeholder',
