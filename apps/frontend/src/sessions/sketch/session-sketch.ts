@@ -34,6 +34,8 @@ const MAX_COLUMNS = 9;
 const MODULE = { width: 18, height: 12 };
 /** Topics are test points. */
 const TOPIC = { width: 4, height: 4 };
+/** Between columns, at least, while there is room. */
+const GAP = 6;
 
 interface Node {
   readonly key: string;
@@ -58,18 +60,24 @@ export function sessionSketch(session: Session): SessionSketch {
   assignColumns(nodes, links);
   const columns = groupByColumn([...nodes.values()]);
   const places = new Map<string, SketchBox>();
-  const widths = columns.map((column) => Math.max(...column.map(({ kind }) => sizeOf(kind).width)));
-  const free = WIDTH - 2 * MARGIN - widths.reduce((sum, width) => sum + width, 0);
-  const gap = columns.length < 2 ? 0 : Math.max(2, Math.min(14, free / (columns.length - 1)));
-  const used = widths.reduce((sum, width) => sum + width, gap * (columns.length - 1));
-  const scale = Math.min(1, (WIDTH - 2 * MARGIN) / used);
-  let x = (WIDTH - used * scale) / 2;
+  const hasModules = columns.map((column) => column.some(({ kind }) => kind === 'module'));
+  const moduleColumns = hasModules.filter(Boolean).length;
+  const room = WIDTH - 2 * MARGIN - (columns.length - moduleColumns) * TOPIC.width;
+  const moduleWidth = Math.max(
+    4,
+    Math.min(MODULE.width, (room - (columns.length - 1) * GAP) / Math.max(1, moduleColumns)),
+  );
+  const widths = hasModules.map((has) => (has ? moduleWidth : TOPIC.width));
+  const total = widths.reduce((sum, width) => sum + width, 0);
+  const gaps = Math.max(1, columns.length - 1);
+  const gap = Math.max(1, Math.min(14, (WIDTH - 2 * MARGIN - total) / gaps));
+  let x = (WIDTH - total - gap * (columns.length - 1)) / 2;
   columns.forEach((column, index) => {
-    const columnWidth = (widths[index] ?? 0) * scale;
+    const columnWidth = widths[index] ?? 0;
     column.forEach(({ key, kind, isTroubled }, row) => {
-      const size = sizeOf(kind);
+      const size = kind === 'module' ? MODULE : TOPIC;
       const height = Math.min(size.height, HEIGHT / (column.length + 1) - 2);
-      const width = size.width * scale;
+      const width = kind === 'module' ? moduleWidth : TOPIC.width;
       places.set(key, {
         x: x + (columnWidth - width) / 2,
         y: (HEIGHT * (row + 1)) / (column.length + 1) - height / 2,
@@ -79,7 +87,7 @@ export function sessionSketch(session: Session): SessionSketch {
         isTroubled,
       });
     });
-    x += columnWidth + gap * scale;
+    x += columnWidth + gap;
   });
   const wires = links.flatMap(({ from, to, family }) => {
     const a = places.get(from);
@@ -88,8 +96,6 @@ export function sessionSketch(session: Session): SessionSketch {
   });
   return { boxes: [...places.values()], wires };
 }
-
-const sizeOf = (kind: Node['kind']): typeof MODULE => (kind === 'module' ? MODULE : TOPIC);
 
 function graphOf(session: Session): { nodes: Map<string, Node>; links: Link[] } {
   const nodes = new Map<string, Node>();

@@ -1,41 +1,66 @@
 import type { Session, SessionProblem } from '@ubii/proto';
 
-/** Which mapping of a session a path leads to. */
+/** Which input or output of a module of a session a path leads to. */
 export interface ProblemPlace {
-  /** Index among the mappings of modules. */
-  readonly mapping: number;
+  readonly moduleId: string;
   readonly side: 'input' | 'output';
-  /** Index among the inputs or outputs that are mapped. */
-  readonly index: number;
+  /** Internal name of the input or output. */
+  readonly name: string;
 }
 
-const PLACE = /^ioMappings\[(\d+)\]\.(input|output)Mappings\[(\d+)\]/;
+const MAPPING = /^ioMappings\[(\d+)\]\.(input|output)Mappings\[(\d+)\]/;
+const DECLARED = /^processingModules\[(\d+)\]\.(input|output)s\[(\d+)\]/;
 
-/** The mapping a problem is about; `undefined` when it is about something else. */
-export function placeOf(path: string): ProblemPlace | undefined {
-  const [, mapping, side, index] = PLACE.exec(path) ?? [];
-  if (mapping === undefined || index === undefined) return undefined;
-  return {
-    mapping: Number(mapping),
-    side: side === 'input' ? 'input' : 'output',
-    index: Number(index),
-  };
+type Placed = Pick<Session, 'ioMappings' | 'processingModules' | 'extension'>;
+
+/** The input or output a problem is about; `undefined` when it is about something else. */
+export function placeOf(session: Placed, path: string): ProblemPlace | undefined {
+  const [, mappingAt, mappingSide, entryAt] = MAPPING.exec(path) ?? [];
+  if (mappingAt !== undefined) {
+    const mapping = session.ioMappings[Number(mappingAt)];
+    const at = Number(entryAt);
+    const name =
+      mappingSide === 'input'
+        ? mapping?.inputMappings[at]?.inputName
+        : mapping?.outputMappings[at]?.outputName;
+    return place(mapping?.processingModuleId, mappingSide, name);
+  }
+  const [, moduleAt, side, ioAt] = DECLARED.exec(path) ?? [];
+  const module = moduleAt === undefined ? undefined : session.processingModules[Number(moduleAt)];
+  const list = side === 'input' ? module?.inputs : module?.outputs;
+  return place(module?.id, side, list?.[Number(ioAt)]?.internalName);
 }
 
-/** What is wrong with one input or output of a module. */
+function place(
+  moduleId: string | undefined,
+  side: string | undefined,
+  name: string | undefined,
+): ProblemPlace | undefined {
+  if (moduleId === undefined || name === undefined) return undefined;
+  return { moduleId, side: side === 'input' ? 'input' : 'output', name };
+}
+
+/** What the row of an input or output says by itself. */
+const SAID_ANYWAY: ReadonlySet<string> = new Set(['output_not_mapped']);
+
+/** What is wrong with one input or output of a module, beside what its row says anyway. */
 export function problemsOf(
-  session: Pick<Session, 'ioMappings' | 'extension'>,
+  session: Placed,
   moduleId: string,
   side: ProblemPlace['side'],
   name: string,
 ): readonly SessionProblem[] {
-  return (session.extension?.problems ?? []).filter(({ path }) => {
-    const place = placeOf(path);
-    const mapping = place && session.ioMappings[place.mapping];
-    if (place?.side !== side || mapping?.processingModuleId !== moduleId) return false;
-    const { inputMappings, outputMappings } = mapping;
-    return side === 'input'
-      ? inputMappings[place.index]?.inputName === name
-      : outputMappings[place.index]?.outputName === name;
+  return (session.extension?.problems ?? []).filter(({ path, code }) => {
+    const at = placeOf(session, path);
+    const isHere = at?.moduleId === moduleId && at.side === side && at.name === name;
+    return isHere && !SAID_ANYWAY.has(code);
   });
+}
+
+/** A problem's sentence with the name of its module before it, when the sentence does not say it. */
+export function problemSubject({
+  moduleName,
+  message,
+}: Pick<SessionProblem, 'moduleName' | 'message'>): string {
+  return message.includes(`"${moduleName}"`) ? '' : moduleName;
 }

@@ -96,12 +96,14 @@ describe('nodes', () => {
 
 describe('problems', () => {
   it('are found at the input or output they are about', () => {
-    expect(placeOf('ioMappings[2].outputMappings[1].topic')).toEqual({
-      mapping: 2,
+    expect(placeOf(aSession(), 'ioMappings[0].outputMappings[0].topic')).toEqual({
+      moduleId: 'module',
       side: 'output',
-      index: 1,
+      name: 'mirrored',
     });
-    expect(placeOf('processingModules[0]')).toBeUndefined();
+    expect(placeOf(aSession(), 'processingModules[0].inputs[2]')).toMatchObject({ name: 'rest' });
+    expect(placeOf(aSession(), 'processingModules[0]')).toBeUndefined();
+    expect(placeOf(aSession(), 'ioMappings[7].inputMappings[0]')).toBeUndefined();
     const problem = { message: 'Nobody publishes.', path: 'ioMappings[0].inputMappings[0].topic' };
     const session = aSession({ json: { extension: { problems: [problem] } } });
     const find = (side: 'input' | 'output', name: string) =>
