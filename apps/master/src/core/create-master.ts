@@ -18,7 +18,7 @@ import type { MasterPorts, MasterSettings } from './settings.ts';
 import { Counters } from './status/counters.ts';
 import { EventLog } from './status/event-log.ts';
 import { LimitWatch } from './status/limit-watch.ts';
-import { tellListeners } from './processing/local-topics.ts';
+import { tellOfGone } from './processing/local-topics.ts';
 import { createProcessing, type Processing } from './sessions/create-processing.ts';
 import { readMetrics } from './status/metrics.ts';
 import { Samples } from './status/samples.ts';
@@ -86,7 +86,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     [patterns, selections],
     startedMs * 1000,
     limits.keptRemovals,
-    (entry) => tellListeners(publishing, entry),
+    (entry) => tellOfGone(publishing, entry),
   );
   const subscriptions: SubscriptionTable = new SubscriptionTable({
     topics,

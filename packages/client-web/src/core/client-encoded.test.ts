@@ -194,6 +194,21 @@ describe('client.subscribeEncoded()', () => {
     expect(second.records).toEqual([]);
   });
 
+  it('[TD-42] says so after a reconnect, too, of values that went meanwhile', async () => {
+    const { master, client, clock } = await setup();
+    const { records, gone } = collect(client, { glob: '/*' });
+    await settle();
+    for (const topic of ['/a', '/b', '/c']) master.publish(int32(topic, 1));
+    await settle();
+    master.restart();
+    master.publish(int32('/b', 2));
+    await clock.advance(10_000);
+    expect(gone.sort()).toEqual(['/a', '/c']);
+    master.publish(int32('/a', 3));
+    await settle();
+    expect(valuesOf(records).at(-1)).toBe(3);
+  });
+
   it('stands through a reconnect', async () => {
     const { master, client, clock } = await setup();
     const { records } = collect(client, '/a');

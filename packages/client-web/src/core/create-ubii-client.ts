@@ -120,6 +120,7 @@ class Client implements UbiiClient {
     this.#subscriptions = new TopicSubscriptions({
       clock,
       callTopicSubscription: (request) => this.#callAsMember('topicSubscription', request),
+      listTopics: async () => (await this.#callNow('topicList', undefined)).elements,
       listComponents: async (profiles) => {
         const elements = profiles.map(profileToMessage);
         return (await this.#callNow('componentGetList', { elements })).elements;

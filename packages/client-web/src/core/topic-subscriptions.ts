@@ -1,12 +1,12 @@
-import { INFO_TOPICS, ServiceError } from '@ubii/proto';
-import type { Component, DataFormat, Init, TopicSubscription } from '@ubii/proto';
+import { INFO_TOPICS, ServiceError, isMasterTopic } from '@ubii/proto';
+import type { Component, DataFormat, EmptyRecord, Init, TopicSubscription } from '@ubii/proto';
 import type { ComponentProfile } from './component-profile.ts';
 import { ComponentTopics } from './component-topics.ts';
 import type { EncodedListener } from './encoded-record.ts';
 import { EncodedSubscription } from './encoded-subscription.ts';
 import { LocalSubscription } from './local-subscription.ts';
 import type { Clock } from './ports/clock.ts';
-import type { ReceivedRecord } from './received-record.ts';
+import { ReceivedRecord } from './received-record.ts';
 import type { Receiver } from './receiver.ts';
 import { SubscriptionSync } from './subscription-sync.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';
@@ -20,6 +20,8 @@ const MAX_REMEMBERED_TOPICS = 10_000;
 export interface TopicSubscriptionsOptions {
   readonly clock: Clock;
   readonly callTopicSubscription: (request: Init<TopicSubscription>) => Promise<unknown>;
+  /** Topics that have a value. */
+  readonly listTopics: () => Promise<readonly string[]>;
   readonly listComponents: (profiles: readonly ComponentProfile[]) => Promise<readonly Component[]>;
   /** The master refused a subscription, which has ended with this error, or does not list components. */
   readonly handleProblem: (error: ServiceError) => void;
@@ -56,6 +58,8 @@ export class TopicSubscriptions {
   /** Topics whose newest record cannot be had from there, because its buffer was given away. */
   readonly #handedOver = new Set<string>();
   #encodedCount = 0;
+  /** Topics that had a value when the link went, and that nothing was heard of since. */
+  #doubtful = new Set<string>();
   /** Tell of devices that come and go, as long as there are component profiles. */
   #deviceNews: readonly Subscription<'device'>[] = [];
   /** Where the master takes no profiles: subscriptions by topic in their place. */
@@ -121,6 +125,7 @@ export class TopicSubscriptions {
   /** Hands a record to everyone who subscribed to it, to each once. */
   handleRecord(record: ReceivedRecord): void {
     const { topic } = record;
+    this.#doubtful.delete(topic);
     const { receivers } = this.#routeOf(topic);
     if (!record.hasValue) {
       this.#forget(topic);
@@ -156,11 +161,33 @@ export class TopicSubscriptions {
       if (!(error instanceof ServiceError)) throw error;
       this.#options.handleProblem(error);
     }
+    await this.#endDoubtful();
   }
 
   /** The link is gone. */
   pause(): void {
     this.#sync.pause();
+    if (!this.hasEncoded) return;
+    for (const topic of [...this.#newest.keys(), ...this.#handedOver]) {
+      if (!isMasterTopic(topic)) this.#doubtful.add(topic);
+    }
+  }
+
+  /** Values that were deleted while there was no link: nobody tells of them any more. [TD-42] */
+  async #endDoubtful(): Promise<void> {
+    if (this.#doubtful.size === 0) return;
+    let existing: ReadonlySet<string>;
+    try {
+      existing = new Set(await this.#options.listTopics());
+    } catch (error) {
+      if (!(error instanceof ServiceError)) throw error;
+      return; // asked again after the next reconnect
+    }
+    for (const topic of [...this.#doubtful]) {
+      if (existing.has(topic)) continue;
+      this.handleRecord(ReceivedRecord.fromDecoded(emptyRecord(topic)));
+    }
+    this.#doubtful.clear();
   }
 
   /** Ends everything. */
@@ -170,6 +197,7 @@ export class TopicSubscriptions {
     this.#routes.clear();
     this.#newest.clear();
     this.#handedOver.clear();
+    this.#doubtful.clear();
     this.#encodedCount = 0;
     this.#substitutes.clear();
     this.#deviceNews = [];
@@ -341,4 +369,8 @@ export class TopicSubscriptions {
 function rateOf({ members }: Group): number {
   const fastestHz = Math.max(...[...members].map(({ maxRateHz }) => maxRateHz));
   return fastestHz === Infinity ? 0 : fastestHz;
+}
+
+function emptyRecord(topic: string): EmptyRecord {
+  return { topic, format: undefined, value: undefined, timestampMs: undefined, clientId: '' };
 }

@@ -159,6 +159,7 @@ export class ClientRegistry {
     budget.add(client, growth);
     client.spec = spec;
     client.node = client.isExtension ? message.extension?.node : undefined; // [PM-60]
+    client.subscriber.outbox.hearsOfGone = client.node !== undefined; // [TD-42]
     client.takesRecordLists = message.extension?.recordLists ?? false; // [EX-2]
     client.socket?.setRecordLists(client.takesRecordLists);
   }

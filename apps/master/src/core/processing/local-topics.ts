@@ -95,29 +95,31 @@ export class LocalTopics implements TopicPort {
   }
 }
 
-/** The value of a topic was deleted: modules that use it are told. */
-export function tellListeners({ subscriptions }: PublishContext, entry: TopicEntry): void {
-  for (const receiver of subscriptions.targetsOf(entry).direct) {
-    if (receiver instanceof ListeningReceiver) receiver.listener.onGone(entry.topic);
-  }
+/** The value of a topic was deleted: modules that use it are told, here and on nodes [TD-42]. */
+export function tellOfGone({ subscriptions }: PublishContext, entry: TopicEntry): void {
+  for (const receiver of subscriptions.targetsOf(entry).direct) receiver.handleGone(entry);
 }
 
 /** Hands records to a listener at once. */
 class ListeningReceiver implements Receiver {
-  readonly listener: TopicListener;
+  readonly #listener: TopicListener;
   readonly #deviceOf: (topic: string) => string | undefined;
 
   constructor(listener: TopicListener, deviceOf: (topic: string) => string | undefined) {
-    this.listener = listener;
+    this.#listener = listener;
     this.#deviceOf = deviceOf;
   }
 
   deliver(entry: TopicEntry, record: Uint8Array): void {
-    this.listener.onRecord(new LocalRecord(entry, record, this.#deviceOf));
+    this.#listener.onRecord(new LocalRecord(entry, record, this.#deviceOf));
   }
 
   replay(entry: TopicEntry): void {
     if (entry.record !== undefined) this.deliver(entry, entry.record);
+  }
+
+  handleGone(entry: TopicEntry): void {
+    this.#listener.onGone(entry.topic);
   }
 
   forgive(): void {

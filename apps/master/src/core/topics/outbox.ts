@@ -1,3 +1,4 @@
+import { encodeRecord } from '@ubii/proto';
 import type { Limits } from '../limits.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { Clock } from '../ports/clock.ts';
@@ -31,6 +32,8 @@ export class Outbox implements Flushable {
   #waiting: WaitingRecords | undefined = undefined;
   readonly #owed = new Set<TopicEntry>();
   #openedSequence = 0;
+  /** Whether it is told of values that were deleted, which only nodes understand [TD-42]. */
+  hearsOfGone = false;
   /** Records that were dropped because the client was too slow [TD-34]. */
   readonly drops = new Streak();
 
@@ -115,6 +118,10 @@ export class Outbox implements Flushable {
   /** Owes the client the retained record of a topic, as soon as it has a connection. */
   owe(entry: TopicEntry): void {
     this.#owed.add(entry);
+  }
+
+  handleGone(entry: TopicEntry): void {
+    if (this.hearsOfGone) this.deliver(entry, encodeRecord({ topic: entry.topic }), false);
   }
 
   /** The topic is forgotten or the client has no subscription to it any more. */

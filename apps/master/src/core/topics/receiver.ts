@@ -6,6 +6,8 @@ export interface Receiver {
   deliver(entry: TopicEntry, record: Uint8Array, isEvent: boolean): void;
   /** The retained record, unless a newer one than number `sinceSequence` came by itself. */
   replay(entry: TopicEntry, sinceSequence: number): void;
+  /** The value of the topic was deleted. [TD-42] */
+  handleGone(entry: TopicEntry): void;
   /** The subscriber has no subscription to the topic any more. */
   forgive(entry: TopicEntry): void;
 }
