@@ -23,7 +23,12 @@ afterAll(async () => {
 
 describeTopicPort('a client of a real master', async () => {
   const root = `/test-${++tests}`;
-  const own = createClient({ url: master.url, name: 'node', publishIntervalMs: 0 });
+  const own = createClient({
+    url: master.url,
+    name: 'node',
+    publishIntervalMs: 0,
+    node: { runsJavascript: true }, // else it is not told of what ends [TD-42]
+  });
   const ada = createClient({ url: master.url, name: 'ada', publishIntervalMs: 0 });
   await Promise.all([own.connect(), ada.connect()]);
   const seen = new Map<string, Uint8Array>();
@@ -35,6 +40,8 @@ describeTopicPort('a client of a real master', async () => {
     },
   );
   let settled = 0;
+  /** Work that `settle` waits for. */
+  let ending: Promise<void> | undefined;
   let sticks = 0;
   return {
     root,
@@ -42,7 +49,11 @@ describeTopicPort('a client of a real master', async () => {
     publisherId: ada.id,
     put: ({ topic, format, value }) =>
       ada.publish(topic, format, value as never, { immediate: true }),
+    delete(topic) {
+      ending = endTopic(ada, topic);
+    },
     async settle() {
+      await ending;
       const topic = `${root} settled ${settled++}`;
       await exchange(ada, own, `${topic} here`);
       await exchange(own, ada, `${topic} there`);
@@ -72,4 +83,11 @@ async function exchange(from: UbiiClient, to: UbiiClient, topic: string): Promis
   from.publish(topic, 'bool', true, { immediate: true });
   await received;
   await subscription.close();
+}
+
+/** A device that publishes on a topic takes the topic's value with it. [TD-40] */
+async function endTopic(owner: UbiiClient, topic: string): Promise<void> {
+  const component = { name: 'end', format: 'double' as const, topic };
+  const device = await owner.registerDevice({ name: topic, components: [component] });
+  await device.close();
 }
