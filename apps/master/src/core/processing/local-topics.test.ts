@@ -1,0 +1,112 @@
+import { describeTopicPort } from '@ubii/pm-sandbox/testing';
+import { ComponentIOType, decode, encode, encodeRecord } from '@ubii/proto';
+import { recordValueField } from '@ubii/proto/wire';
+import { FakeClock, NativePatterns, RecordingLog, SequentialIds } from '../../testing/index.ts';
+import { RegistrationBudget } from '../clients/registration-budget.ts';
+import { Client, specOf } from '../clients/client.ts';
+import { DeviceRegistry } from '../devices/device-registry.ts';
+import { InfoTopics } from '../info/info-topics.ts';
+import { MasterPublisher } from '../info/master-publisher.ts';
+import { DEFAULT_LIMITS } from '../limits.ts';
+import { Counters } from '../status/counters.ts';
+import { EventLog } from '../status/event-log.ts';
+import { LimitWatch } from '../status/limit-watch.ts';
+import { PatternTable } from '../topics/pattern-table.ts';
+import { SelectionTable } from '../topics/selection-table.ts';
+import { subscriberFactory } from '../topics/subscriber-factory.ts';
+import { SubscriptionTable } from '../topics/subscription-table.ts';
+import { TokenBucket } from '../topics/token-bucket.ts';
+import { TopicTable } from '../topics/topic-table.ts';
+import { LocalTopics, tellOfGone } from './local-topics.ts';
+
+/** The topics of a master, with one client. */
+function setup() {
+  const clock = new FakeClock();
+  const ids = new SequentialIds();
+  const limits = DEFAULT_LIMITS;
+  const counters = new Counters();
+  const limitWatch = new LimitWatch(limits, clock, new RecordingLog(), new EventLog(clock));
+  const patterns = new PatternTable({
+    clock,
+    compiler: new NativePatterns(),
+    onOverdrawn: () => undefined,
+  });
+  const selections = new SelectionTable();
+  const topics = new TopicTable([patterns, selections], 0, 10, (entry) =>
+    tellOfGone(publishing, entry),
+  );
+  const subscriptions: SubscriptionTable = new SubscriptionTable({
+    topics,
+    patterns,
+    selections,
+    limits: limitWatch,
+    components: () => devices.components(),
+  });
+  const publishing = { topics, subscriptions, limits, counters };
+  const devices: DeviceRegistry = new DeviceRegistry({
+    ids,
+    limits: limitWatch,
+    topics,
+    subscriptions,
+    info: new InfoTopics(new MasterPublisher(publishing, clock)),
+    budget: new RegistrationBudget(limitWatch),
+  });
+  const createSubscriber = subscriberFactory({ clock, limits, counters, topics, subscriptions });
+  const client = new Client({
+    id: 'client',
+    spec: specOf(decode('ubii.clients.Client', new Uint8Array())),
+    isExtension: true,
+    subscriber: createSubscriber('client', true),
+    recordBudget: new TokenBucket(1e6, 0),
+    byteBudget: new TokenBucket(1e9, 0),
+    nowMs: 0,
+  });
+  const port = new LocalTopics({
+    ...publishing,
+    clock,
+    nodeId: 'master',
+    deviceOf: (topic) => devices.deviceOfTopic(topic),
+  });
+  return { clock, topics, devices, client, port, ids };
+}
+
+describeTopicPort("the master's topics", () => {
+  const { clock, topics, devices, client, port, ids } = setup();
+  return Promise.resolve({
+    port,
+    publisherId: client.id,
+    put(record) {
+      const bytes = encodeRecord(record);
+      port.publishAs(client, record.topic, bytes, recordValueField(bytes));
+    },
+    settle() {
+      clock.endTurn();
+      return Promise.resolve();
+    },
+    seenByOthers: (topic) => topics.get(topic)?.record,
+    delete(topic) {
+      const entry = topics.get(topic);
+      if (entry !== undefined) topics.deleteValue(entry);
+    },
+    addStick() {
+      const device = decode(
+        'ubii.devices.Device',
+        encode('ubii.devices.Device', {
+          name: 'pad',
+          components: [
+            {
+              name: 'stick',
+              topic: `/client/${ids.uuid()}/stick`,
+              messageFormat: 'ubii.dataStructure.Vector2',
+              ioType: ComponentIOType.PUBLISHER,
+              tags: ['stick'],
+            },
+          ],
+        }),
+      );
+      const { id, components } = devices.register(client, device).device;
+      return Promise.resolve({ topic: components[0]!.topic, deviceId: id });
+    },
+    close: () => Promise.resolve(),
+  });
+});
