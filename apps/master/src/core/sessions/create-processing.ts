@@ -1,4 +1,4 @@
-import { createModuleRuntime } from '@ubii/pm-sandbox';
+import { createModuleRuntime, type ModuleFault } from '@ubii/pm-sandbox';
 import { StatusEventKind } from '@ubii/proto';
 import { readRecordHead } from '@ubii/proto/wire';
 import type { ClientRegistry } from '../clients/client-registry.ts';
@@ -110,11 +110,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
   const local: LocalNode = new LocalNode(createRuntime, {
     onStarted: (moduleId) => void handleReport(masterId, moduleId, true),
     onStopped: (moduleId) => void handleReport(masterId, moduleId, false),
-    onFailed(moduleId, reason, fault) {
-      const found = table.findModule(moduleId);
-      if (found?.module.nodeId !== masterId) return;
-      handleFailed(life, found.session, found.module, reason, fault);
-    },
+    onFailed: (moduleId, reason, fault) => reportFailed(masterId, moduleId, reason, fault),
     onEvent: (event) => reports.handleEvent(masterId, event),
   });
   const { topics, subscriptions } = publishing;
@@ -155,7 +151,13 @@ export function createProcessing(parts: ProcessingParts): Processing {
       localTopics.publishAs(client, topic, record, valueField);
     },
   });
-  const reports = new NodeReports({ table, news, lockstep });
+  const reports = new NodeReports({
+    table,
+    news,
+    lockstep,
+    onFailed: (nodeId, { moduleId, message, line, column }) =>
+      reportFailed(nodeId, moduleId, message, { line, column }),
+  });
   const drafts: DraftContext = {
     limits: limitWatch,
     completion: {
@@ -190,6 +192,17 @@ export function createProcessing(parts: ProcessingParts): Processing {
       session,
       isKnown && session.isLive && session.description.startWithMaster,
     );
+  }
+  /** Nobody speaks for modules of others. */
+  function reportFailed(
+    nodeId: string,
+    moduleId: string,
+    reason: string,
+    place: Pick<ModuleFault, 'line' | 'column'> | undefined,
+  ): void {
+    const found = table.findModule(moduleId);
+    if (found?.module.nodeId !== nodeId) return;
+    handleFailed(life, found.session, found.module, reason, place);
   }
   function handleReport(nodeId: string, moduleId: string, isRunning: boolean): boolean {
     const found = table.findModule(moduleId);

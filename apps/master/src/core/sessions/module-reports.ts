@@ -37,10 +37,10 @@ export function handleFailed(
   session: Session,
   module: SessionModule,
   reason: string,
-  fault: ModuleFault | undefined,
+  place: Pick<ModuleFault, 'line' | 'column'> | undefined,
 ): void {
   if (module.phase === 'ending') return handleStopped(context, session, module);
-  if (session.isLive && module.isPlaced) fail(context, session, module, reason, fault);
+  if (session.isLive && module.isPlaced) fail(context, session, module, reason, place);
 }
 
 function fail(
@@ -48,7 +48,7 @@ function fail(
   session: Session,
   module: SessionModule,
   reason: string,
-  fault?: ModuleFault,
+  place?: Pick<ModuleFault, 'line' | 'column'>,
 ): void {
   const node = context.nodes.get(module.nodeId);
   const where = node === undefined ? '' : ` on ${quote(node.label)}`;
@@ -62,8 +62,8 @@ function fail(
     moduleId: module.id,
     moduleName: module.name,
     nodeId: module.nodeId,
-    line: fault?.line ?? 0,
-    column: fault?.column ?? 0,
+    line: place?.line ?? 0,
+    column: place?.column ?? 0,
   });
   context.log.warn('a module does not run', {
     session: session.label,

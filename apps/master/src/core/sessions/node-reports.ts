@@ -1,4 +1,4 @@
-import type { ModuleEvent, ModuleReports } from '@ubii/proto';
+import { ModuleEventKind, type ModuleEvent, type ModuleReports } from '@ubii/proto';
 import { readNodeMessage } from '@ubii/proto/wire';
 import type { Client } from '../clients/client.ts';
 import type { Lockstep } from './lockstep/lockstep.ts';
@@ -10,6 +10,8 @@ export interface NodeReportsContext {
   readonly table: SessionTable;
   readonly news: SessionNews;
   readonly lockstep: Lockstep;
+  /** A module could not be made, or was given up [SE-12]. */
+  readonly onFailed: (nodeId: string, event: ModuleEvent) => void;
 }
 
 /** Takes what nodes say over their sockets: answers of passes, and how their modules do [EX-20]. */
@@ -53,6 +55,9 @@ export class NodeReports {
         module.statistics = { ...one, nodeId: client.id, moduleName: module.name };
       }
     }
-    for (const event of events) this.handleEvent(client.id, event);
+    for (const event of events) {
+      this.handleEvent(client.id, event);
+      if (event.kind === ModuleEventKind.FAILED) this.#context.onFailed(client.id, event);
+    }
   }
 }
