@@ -1,11 +1,7 @@
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import {
-  createHttpLibrary,
-  createNodeSandboxes,
-  type HttpLibraryOptions,
-} from '../src/node/index.ts';
+import { createHttpLibrary, createNodeSandboxes } from '../src/node/index.ts';
 import { faultFrom, openSandbox, valuesOf } from '../src/testing/index.ts';
 import { WORKER_FILE } from './build-worker.ts';
 

@@ -1,4 +1,4 @@
-import type { Engine } from '../worker/engine.ts';
+import type { Engine, MaybePromise } from '../worker/engine.ts';
 import type { HostBatch, Progress, WorkerStart } from '../worker/protocol.ts';
 import { WorkerLoop } from '../worker/worker-loop.ts';
 import { stripGlobals } from './strip-globals.ts';
@@ -10,15 +10,21 @@ interface WorkerScope {
 }
 
 /** The program of a browser's worker; the first message tells it how to start. */
-export function runWorker(createEngine: (start: WorkerStart) => Engine): void {
+export function runWorker(createEngine: () => MaybePromise<Engine>): void {
   const scope = globalThis as unknown as WorkerScope;
   const post = scope.postMessage.bind(scope);
   const listen = scope.addEventListener.bind(scope);
+  let starting: Promise<void> | undefined;
   let loop: WorkerLoop | undefined;
 
   listen('message', ({ data }: MessageEvent<WorkerStart | HostBatch>) => {
-    if (loop === undefined) loop = startLoop(data as WorkerStart, createEngine, post);
-    else loop.handleBatch(data as HostBatch);
+    // Loaded before the first call, whose time it must not take.
+    starting ??= startLoop(data as WorkerStart, createEngine, post).then((started) => {
+      loop = started;
+    });
+    if ('kind' in data) return;
+    if (loop !== undefined) loop.handleBatch(data);
+    else void starting.then(() => loop?.handleBatch(data));
   });
   // A timer of one trusted module that throws is nothing to the others.
   listen('error', (event: ErrorEvent) => {
@@ -32,16 +38,16 @@ export function runWorker(createEngine: (start: WorkerStart) => Engine): void {
   stripGlobals();
 }
 
-function startLoop(
+async function startLoop(
   start: WorkerStart,
-  createEngine: (start: WorkerStart) => Engine,
+  createEngine: () => MaybePromise<Engine>,
   post: WorkerScope['postMessage'],
-): WorkerLoop {
+): Promise<WorkerLoop> {
   // Pages share no memory with workers unless they give up a lot for it: progress travels.
   let progress: Progress = { received: 0, running: 0, sequence: 0 };
   const turns = createTurns();
   return new WorkerLoop({
-    engine: createEngine(start),
+    engine: await createEngine(),
     hostLibraries: start.hostLibraries,
     post: (batch, transfer) => post({ ...batch, progress }, [...transfer]),
     // Its policy lets the worker load nothing.

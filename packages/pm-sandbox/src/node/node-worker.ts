@@ -23,11 +23,13 @@ if (port === null) throw new Error('this file is a worker');
 const { start, progress } = workerData as NodeWorkerData;
 const nowMs = (): number => performance.now();
 
+// Loaded before the first call, whose time it must not take. What is sent meanwhile waits in the port.
+const engine =
+  start.kind === 'trusted'
+    ? createV8Engine({ locateSyntaxError })
+    : await createQuickJsEngine({ stackBytes: STACK_BYTES, nowMs });
 const loop = new WorkerLoop({
-  engine:
-    start.kind === 'trusted'
-      ? createV8Engine({ locateSyntaxError })
-      : createQuickJsEngine({ stackBytes: STACK_BYTES, nowMs }),
+  engine,
   hostLibraries: start.hostLibraries,
   post(batch, transfer) {
     if (batch.messages.length > 0) port.postMessage(batch, transfer);

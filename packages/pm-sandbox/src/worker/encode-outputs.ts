@@ -28,6 +28,9 @@ export interface EncodedOutputs {
   readonly faults: ModuleFault[];
 }
 
+/** Refusals of one run that are told one by one. */
+const MAX_FAULTS = 20;
+
 type Element = Extract<SandboxOutput, { elements: unknown }>['elements'][number];
 
 /** A part of an output that is refused; the others go on. */
@@ -92,7 +95,14 @@ export function encodeOutputs(
     }
     outputs.push({ name: output.name, elements });
   }
-  return { outputs, faults };
+  return { outputs, faults: shorten(faults) };
+}
+
+function shorten(faults: ModuleFault[]): ModuleFault[] {
+  if (faults.length <= MAX_FAULTS) return faults;
+  const left = faults.length - MAX_FAULTS;
+  const message = `${left} more values of this run are refused.`;
+  return [...faults.slice(0, MAX_FAULTS), moduleFault('output', 'onProcessing', message)];
 }
 
 /** The list in `{ elements: […] }`, unless the value has the member of its format beside it. */

@@ -130,10 +130,6 @@ export function prelude(
     return { $: index };
   };
 
-  /** Memory that is given from outside does not count as the module's; a copy does. [PM-52] */
-  const copyBytes = (given: ArrayBuffer): Uint8Array =>
-    new Bytes(apply(sliceBuffer, given, [0, given.byteLength]) as ArrayBuffer);
-
   const revive = (value: unknown, given: readonly ArrayBuffer[]): unknown => {
     if (typeof value !== 'object' || value === null) return value;
     if (isArray(value)) {
@@ -142,7 +138,7 @@ export function prelude(
     }
     const object = value as Record<string, unknown>;
     const mark = object['$'];
-    if (mark !== undefined) return typeof mark === 'number' ? copyBytes(given[mark]!) : NaN;
+    if (mark !== undefined) return typeof mark === 'number' ? new Bytes(given[mark]!) : NaN;
     const names = keys(object);
     for (let i = 0; i < names.length; i++) {
       const name = names[i]!;
@@ -271,7 +267,7 @@ export function prelude(
     configurable: true,
   });
 
-  // Shared memory is shared with nobody here, and would not count as the module's.
+  // Shared memory is shared with nobody here.
   Reflect.deleteProperty(globalThis, 'SharedArrayBuffer');
 
   return {

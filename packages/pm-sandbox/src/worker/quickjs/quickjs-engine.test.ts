@@ -3,9 +3,9 @@ import { describeSandboxes } from '../../testing/sandbox-suite.ts';
 import { createQuickJsEngine } from './quickjs-engine.ts';
 
 describeSandboxes('QuickJS on the thread of the test', {
-  createSandboxes: () =>
+  createSandboxes: async () =>
     createEngineSandboxes(
-      createQuickJsEngine({ stackBytes: 64_000, nowMs: () => performance.now() }),
+      await createQuickJsEngine({ stackBytes: 64_000, nowMs: () => performance.now() }),
     ),
   isTrusted: false,
   hasLimits: true,

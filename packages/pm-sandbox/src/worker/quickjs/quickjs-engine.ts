@@ -1,4 +1,3 @@
-import type { QuickJSWASMModule } from 'quickjs-emscripten-core';
 import type { Engine } from '../engine.ts';
 import { loadQuickJs } from './load-quickjs.ts';
 import { QuickJsInstance, type QuickJsOptions } from './quickjs-instance.ts';
@@ -7,13 +6,16 @@ import { QuickJsInstance, type QuickJsOptions } from './quickjs-instance.ts';
  * Runs sandboxed code: an engine without files, network, timers and objects of its host. Each
  * instance has an engine in memory of its own. Same in Node and browsers. [PM-52]
  */
-export function createQuickJsEngine(options: QuickJsOptions): Engine {
-  let loaded: Promise<() => Promise<QuickJSWASMModule>> | undefined;
+export async function createQuickJsEngine(options: QuickJsOptions): Promise<Engine> {
+  const makeCopy = await loadQuickJs();
   return {
     async open(request, hooks) {
-      loaded ??= loadQuickJs();
-      const makeCopy = await loaded;
-      return new QuickJsInstance(await makeCopy(), request, hooks, options);
+      return new QuickJsInstance(
+        await makeCopy(request.limits.memoryBytes),
+        request,
+        hooks,
+        options,
+      );
     },
   };
 }

@@ -1,9 +1,4 @@
-import type {
-  QuickJSContext,
-  QuickJSHandle,
-  QuickJSRuntime,
-  QuickJSWASMModule,
-} from 'quickjs-emscripten-core';
+import type { QuickJSContext, QuickJSHandle, QuickJSRuntime } from 'quickjs-emscripten-core';
 import { callbackSource } from '../../definition/callback-source.ts';
 import type { ModulePhase } from '../../ports/module-fault.ts';
 import { MAX_LIBRARY_CALLS } from '../../sandbox-limits.ts';
@@ -17,6 +12,7 @@ import type {
 import { CONSOLE_LEVELS, SILENT_CONSOLE_METHODS } from '../format-log.ts';
 import { describeThrown, EngineBrokenError, ModuleError, moduleFault } from '../module-error.ts';
 import type { InputValues } from '../module-records.ts';
+import type { EngineCopy } from './load-quickjs.ts';
 import { parseJson } from './parse-json.ts';
 import { positionOf } from './position-of.ts';
 import { prelude, type PreludeApi } from './prelude.ts';
@@ -35,17 +31,19 @@ export interface QuickJsOptions {
 
 const PHASES: readonly Phase[] = ['onCreated', 'onProcessing', 'onHalted', 'onDestroyed'];
 const PRELUDE_SOURCE = `(${callbackSource(prelude, 'prelude')})`;
-/** Room for telling what went wrong when an instance has used up its own. */
-const REPORT_BYTES = 1024 * 1024;
+/** For telling what was thrown, which may be an object of the module's. */
 const REPORT_MS = 50;
 /** Jobs between two looks at the clock: chains of promises do not come by the interrupt handler. */
 const JOBS_AT_ONCE = 100;
+const UNKNOWN: ThrownText = { name: '', message: 'something that cannot be shown', stack: '' };
+const OUT_OF_MEMORY: ThrownText = { name: 'InternalError', message: 'out of memory', stack: '' };
 const NO_OUTPUTS: RawResult = { outputs: [], problem: undefined };
 
 /** One module in a runtime of its own. */
 export class QuickJsInstance implements EngineInstance {
   readonly #request: EngineRequest;
   readonly #hooks: EngineHooks;
+  readonly #copy: EngineCopy;
   readonly #runtime: QuickJSRuntime;
   readonly #context: QuickJSContext;
   readonly #budget: TimeBudget;
@@ -57,7 +55,7 @@ export class QuickJsInstance implements EngineInstance {
   #waiting: { resolve(result: CallResult): void; reject(thrown: unknown): void } | undefined;
 
   constructor(
-    quickJs: QuickJSWASMModule,
+    copy: EngineCopy,
     request: EngineRequest,
     hooks: EngineHooks,
     options: QuickJsOptions,
@@ -65,7 +63,8 @@ export class QuickJsInstance implements EngineInstance {
     this.#request = request;
     this.#hooks = hooks;
     this.#budget = new TimeBudget(() => options.nowMs());
-    this.#runtime = quickJs.newRuntime();
+    this.#copy = copy;
+    this.#runtime = copy.quickJs.newRuntime();
     this.#runtime.setMemoryLimit(request.limits.memoryBytes);
     this.#runtime.setMaxStackSize(options.stackBytes);
     this.#runtime.setInterruptHandler(() => this.#budget.look());
@@ -86,13 +85,15 @@ export class QuickJsInstance implements EngineInstance {
   ): MaybePromise<RawResult> {
     const context = this.#context;
     const { json, blobs, hasMarks } = writeJson(inputs);
-    return this.#invoke('onProcessing', 'process', [
+    this.#phase = 'onProcessing';
+    const args = this.#safely(() => [
       context.newNumber(deltaTimeMs),
       context.newString(json),
       triggers === undefined ? context.undefined : context.newString(JSON.stringify(triggers)),
       hasMarks ? context.true : context.false,
       ...blobs.map((blob) => context.newArrayBuffer(blob)),
     ]);
+    return this.#invoke('onProcessing', 'process', args);
   }
 
   /** The engine is this instance's alone: letting go of it frees all that is in it. */
@@ -309,14 +310,15 @@ export class QuickJsInstance implements EngineInstance {
     try {
       return compute();
     } catch (cause) {
-      throw new EngineBrokenError(this.#phase, cause);
+      throw this.#copy.wasRefusedMemory()
+        ? this.#outOfMemory()
+        : new EngineBrokenError(this.#phase, cause);
     }
   }
 
   #describe(thrown: QuickJSHandle): ThrownText {
     const context = this.#context;
     const wasSpent = this.#budget.isSpent;
-    this.#runtime.setMemoryLimit(this.#request.limits.memoryBytes + REPORT_BYTES);
     this.#budget.begin(REPORT_MS);
     this.#budget.enter();
     try {
@@ -326,7 +328,7 @@ export class QuickJsInstance implements EngineInstance {
         const described = context.callFunction(describe, context.undefined, thrown);
         if (described.error !== undefined) {
           described.error.dispose();
-          return { name: '', message: 'something that cannot be shown', stack: '' };
+          return this.#copy.wasRefusedMemory() ? OUT_OF_MEMORY : UNKNOWN;
         }
         const text = context.getString(described.value);
         described.value.dispose();
@@ -339,17 +341,18 @@ export class QuickJsInstance implements EngineInstance {
   }
 
   #errorOf(thrown: ThrownText, kind: 'syntax' | 'threw'): ModuleError {
-    if (thrown.name === 'InternalError' && thrown.message === 'out of memory') {
-      const megabytes = Math.round(this.#request.limits.memoryBytes / 1024 / 1024);
-      return this.#fatal(
-        'memory',
-        `${this.#phase} needs more memory than the ${megabytes} MB it may have.`,
-        thrown,
-      );
+    if (thrown.name === OUT_OF_MEMORY.name && thrown.message === OUT_OF_MEMORY.message) {
+      return this.#outOfMemory(thrown);
     }
     const { name, message } = thrown;
     const text = name === '' || name === 'Error' ? message : `${name}: ${message}`;
     return new ModuleError(moduleFault(kind, this.#phase, text, positionOf(thrown.stack)));
+  }
+
+  #outOfMemory(thrown?: ThrownText): ModuleError {
+    const megabytes = Math.round(this.#request.limits.memoryBytes / 1024 / 1024);
+    const message = `${this.#phase} needs more memory than the ${megabytes} MB it may have.`;
+    return this.#fatal('memory', message, thrown);
   }
 
   #endIfSpent(thrown?: ThrownText): void {
