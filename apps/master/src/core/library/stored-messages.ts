@@ -49,7 +49,10 @@ export class StoredMessages<T extends keyof StoredTypes & MessageType> {
   }
 
   get(name: string): StoredTypes[T] | undefined {
-    return this.list().get(name)?.message;
+    for (const { message } of this.#refresh().values()) {
+      if (message?.name === name) return message;
+    }
+    return undefined;
   }
 
   broken(): BrokenDocument[] {

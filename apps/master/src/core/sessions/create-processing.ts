@@ -127,12 +127,15 @@ export function createProcessing(parts: ProcessingParts): Processing {
     loadOf: (node) => table.loadOf(node.id),
     onLife(session) {
       supervision.handleLife(session);
+      life.onModules(session);
       if (session.life === 'degraded') {
         events.add(
           StatusEventKind.SESSION_DEGRADED,
           `The session ${quote(session.label)} runs without some of its modules`,
         );
       }
+    },
+    onModules(session) {
       lockstep.handleLife(session);
       rememberIfWished(session);
     },

@@ -23,4 +23,6 @@ export interface LifeContext {
   readonly loadOf: (node: Node) => number;
   /** The session came to another state. */
   readonly onLife: (session: Session) => void;
+  /** The session has other modules. */
+  readonly onModules: (session: Session) => void;
 }

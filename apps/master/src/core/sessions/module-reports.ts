@@ -1,8 +1,10 @@
 import type { ModuleFault } from '@ubii/pm-sandbox';
+import { chooseNode } from '../processing/placement.ts';
 import { quote } from '../topics/topic-names.ts';
 import type { LifeContext } from './life-context.ts';
 import { errorProblem } from './problems.ts';
 import type { Session } from './session.ts';
+import { placeAgain } from './node-changes.ts';
 import { evaluate } from './session-life.ts';
 import type { SessionModule } from './session-module.ts';
 
@@ -27,7 +29,8 @@ export function handleStopped(context: LifeContext, session: Session, module: Se
     module.phase = 'idle';
     evaluate(context, session);
   } else if (session.isLive && module.phase === 'running') {
-    fail(context, session, module, 'its node ended it');
+    if (canMove(context, module)) placeAgain(context, session, [module]);
+    else fail(context, session, module, 'its node ended it');
   }
 }
 
@@ -41,6 +44,13 @@ export function handleFailed(
 ): void {
   if (module.phase === 'ending') return handleStopped(context, session, module);
   if (session.isLive && module.isPlaced) fail(context, session, module, reason, place);
+}
+
+/** Another node can have it: its own would only end it again. */
+function canMove({ nodes, loadOf }: LifeContext, module: SessionModule): boolean {
+  if (module.wishedNodeId !== '') return false;
+  const node = chooseNode(module.spec, nodes.list(), loadOf);
+  return node !== undefined && node.id !== module.nodeId;
 }
 
 function fail(

@@ -32,7 +32,8 @@ export function handleNodeBack(context: LifeContext, nodeId: string): void {
   }
 }
 
-function placeAgain(
+/** Gives modules to nodes anew, and tells those. */
+export function placeAgain(
   context: LifeContext,
   session: Session,
   modules: readonly SessionModule[],

@@ -3,13 +3,15 @@ import {
   type NodeInfo,
   type ProcessingModule,
   type Session as SessionMessage,
+  type SessionProblem,
 } from '@ubii/proto';
 import type { SessionLibrary } from '../library/session-library.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
 import { quote } from '../topics/topic-names.ts';
-import { checkSession } from './checks/check-session.ts';
+import { checkSession, checkSurroundings, SURROUNDINGS } from './checks/check-session.ts';
 import { completeDraft, draftOf, makeDraft, type DraftContext } from './draft-maker.ts';
+import type { SessionDraft } from './draft.ts';
 import type { LifeContext } from './life-context.ts';
 import { assignNode } from './place-module.ts';
 import { Session } from './session.ts';
@@ -100,10 +102,10 @@ export class Sessions {
     // Others may have been faster while the code was looked at.
     this.require(session.id);
     this.#requireNewest(session, message);
-    session.warnings = warnings;
+    session.warnings = this.#warningsOf(draft, warnings);
     updateSession(this.#context.life, session, draft);
     this.#context.table.reindex(session);
-    if (session.isLive) this.#context.life.onLife(session);
+    this.#context.life.onModules(session);
   }
 
   /** [SE-16] */
@@ -128,15 +130,14 @@ export class Sessions {
     }
   }
 
-  /** Looks anew at what is doubtful, and tells if that has changed [SE-5]. */
+  /** Looks anew at what is doubtful about its surroundings, and tells if that has changed [SE-5]. */
   recheck(session: Session, isToTell = true): void {
     const { drafts, life } = this.#context;
-    const problems = checkSession(draftOf(session).modules, {
-      ...drafts.checks,
-      // How nodes are is looked after by the life of the session.
-      nodeProblem: () => undefined,
-    });
-    const warnings = problems.map((problem) => ({ ...problem, isError: false }));
+    const { modules } = draftOf(session);
+    const warnings = [
+      ...session.warnings.filter(({ code }) => !SURROUNDINGS.has(code)),
+      ...checkSurroundings(modules, drafts.checks),
+    ];
     if (JSON.stringify(warnings) === JSON.stringify(session.warnings)) return;
     session.warnings = warnings;
     if (isToTell) life.news.announceChange(session);
@@ -175,11 +176,25 @@ export class Sessions {
     const { draft, warnings } = await makeDraft(drafts, message);
     this.#requireRoom();
     const session = new Session(ids.uuid(), draft, isStored);
-    session.warnings = warnings;
+    session.warnings = this.#warningsOf(draft, warnings);
     table.add(session);
     for (const module of session.modules) assignNode(life, module);
     life.news.announceNew(session);
     return session;
+  }
+
+  /** Mappings of a session stand in the order of its modules, which those of a request need not. */
+  #warningsOf(draft: SessionDraft, found: readonly SessionProblem[]): SessionProblem[] {
+    const isInOrder = draft.modules.every(
+      ({ mappingPath }, index) => mappingPath === `ioMappings[${index}]`,
+    );
+    if (isInOrder) return [...found];
+    const modules = draft.modules.map((module, index) => ({
+      ...module,
+      mappingPath: `ioMappings[${index}]`,
+    }));
+    const others = found.filter(({ code }) => code === 'not_checked');
+    return [...checkSession(modules, this.#context.drafts.checks), ...others];
   }
 
   /** [SE-7] */

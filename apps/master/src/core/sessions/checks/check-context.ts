@@ -5,8 +5,8 @@ import type { DraftModule } from '../draft.ts';
 export interface CheckContext {
   /** Why the text is no regular expression of RE2, in a few words; undefined when it is one. */
   patternFault(source: string): string | undefined;
-  /** Whether an unanchored regular expression that is one matches. */
-  matches(source: string, text: string): boolean;
+  /** Tells whether an unanchored regular expression matches; undefined when the text is none. */
+  matcher(source: string): ((text: string) => boolean) | undefined;
   /** Registered components that publish on this topic. */
   publishers(topic: string): readonly Component[];
   /** Data format of the value the topic has now; undefined when it has none, or of no known format. */

@@ -1,4 +1,4 @@
-import { globToRegExpSource, type SessionProblem } from '@ubii/proto';
+import { globToRegExpSource, type SessionProblem, type TopicMux } from '@ubii/proto';
 import { quote } from '../../topics/topic-names.ts';
 import type { DraftModule } from '../draft.ts';
 import { errorProblem, warningProblem } from '../problems.ts';
@@ -13,9 +13,7 @@ interface Node {
 /** Modules that feed each other: without end, or in any other way [SE-4] [SE-5]. */
 export const checkCycles: Check = function* (modules, context) {
   const nodes = modules.map((draft): Node => ({ draft, next: new Set() }));
-  for (const node of nodes) {
-    for (const other of nodes) if (feeds(node.draft, other.draft, context)) node.next.add(other);
-  }
+  link(nodes, context);
   const endless = new Set<Node>();
   for (const cycle of cyclesOf(nodes.filter(({ draft }) => isImmediate(draft)))) {
     for (const node of cycle) endless.add(node);
@@ -56,25 +54,40 @@ function isImmediate({ spec, mapping }: DraftModule): boolean {
   return !trigger.allInputsNeedUpdate || mapping.inputMappings.length === 1;
 }
 
-/** Whether an output of the one is surely an input of the other. */
-function feeds(one: DraftModule, other: DraftModule, context: CheckContext): boolean {
-  for (const { topic } of one.mapping.outputMappings) {
-    if (topic === undefined || topic === '') continue;
-    for (const input of other.mapping.inputMappings) {
-      if (input.topic === topic) return true;
-      if (input.topicMux === undefined || input.topicMux.component !== undefined) continue;
-      const { topicGlob, topicSelector } = input.topicMux;
-      const source = topicGlob === '' ? topicSelector : globToRegExpSource(topicGlob);
-      if (
-        source !== '' &&
-        context.patternFault(source) === undefined &&
-        context.matches(source, topic)
-      ) {
-        return true;
+/** Links each module with those that surely take one of its outputs. */
+function link(nodes: readonly Node[], context: CheckContext): void {
+  const byTopic = new Map<string, Node[]>();
+  const muxed: { readonly node: Node; readonly source: string }[] = [];
+  for (const node of nodes) {
+    for (const { topic, topicMux } of node.draft.mapping.inputMappings) {
+      if (topicMux !== undefined) {
+        const source = sourceOf(topicMux);
+        if (source !== undefined) muxed.push({ node, source });
+      } else if (topic) {
+        byTopic.set(topic, [...(byTopic.get(topic) ?? []), node]);
       }
     }
   }
-  return false;
+  const matchers = new Map<string, ((topic: string) => boolean) | undefined>();
+  for (const { source } of muxed) {
+    if (!matchers.has(source)) matchers.set(source, context.matcher(source));
+  }
+  for (const node of nodes) {
+    for (const { topic } of node.draft.mapping.outputMappings) {
+      if (!topic) continue;
+      for (const next of byTopic.get(topic) ?? []) node.next.add(next);
+      const matching = [...matchers].filter(([, matches]) => matches?.(topic) === true);
+      const sources = new Set(matching.map(([source]) => source));
+      for (const { node: next, source } of muxed) if (sources.has(source)) node.next.add(next);
+    }
+  }
+}
+
+/** What a muxer selects, as an expression; a profile selects components, which no module is. */
+function sourceOf({ component, topicGlob, topicSelector }: TopicMux): string | undefined {
+  if (component !== undefined) return undefined;
+  const source = topicGlob === '' ? topicSelector : globToRegExpSource(topicGlob);
+  return source === '' ? undefined : source;
 }
 
 /** The strongly connected parts of a graph that are cycles (Tarjan 1972). */
@@ -83,23 +96,26 @@ function cyclesOf(nodes: readonly Node[]): Node[][] {
   const indices = new Map<Node, number>();
   const lows = new Map<Node, number>();
   const stack: Node[] = [];
+  const stacked = new Set<Node>();
   const cycles: Node[][] = [];
   const visit = (node: Node): void => {
     const index = indices.size;
     indices.set(node, index);
     lows.set(node, index);
     stack.push(node);
+    stacked.add(node);
     for (const next of node.next) {
       if (!within.has(next)) continue;
       if (!indices.has(next)) {
         visit(next);
         lows.set(node, Math.min(lows.get(node)!, lows.get(next)!));
-      } else if (stack.includes(next)) {
+      } else if (stacked.has(next)) {
         lows.set(node, Math.min(lows.get(node)!, indices.get(next)!));
       }
     }
     if (lows.get(node) !== index) return;
     const part = stack.splice(stack.indexOf(node));
+    for (const one of part) stacked.delete(one);
     if (part.length > 1 || node.next.has(node)) cycles.push(part);
   };
   for (const node of nodes) if (!indices.has(node)) visit(node);

@@ -1,7 +1,7 @@
 import { dataFormatOfField } from '@ubii/proto';
 import type { DeviceRegistry } from '../../devices/device-registry.ts';
 import type { Limits } from '../../limits.ts';
-import type { PatternCompiler } from '../../ports/pattern-compiler.ts';
+import type { CompiledPattern, PatternCompiler } from '../../ports/pattern-compiler.ts';
 import { offerOf } from '../../processing/node.ts';
 import type { NodeTable } from '../../processing/node-table.ts';
 import type { TopicTable } from '../../topics/topic-table.ts';
@@ -19,19 +19,25 @@ export interface ChecksParts {
 
 export function createChecks(parts: ChecksParts): CheckContext {
   const { patterns, devices, nodes, topics, limits } = parts;
+  const compile = (source: string): CompiledPattern | string => {
+    if (source.length > limits.patternLength) {
+      return `it has more than ${limits.patternLength} characters (limit patternLength)`;
+    }
+    try {
+      return patterns.compile(source);
+    } catch (error) {
+      return error instanceof Error ? error.message : String(error);
+    }
+  };
   return {
     patternFault(source) {
-      if (source.length > limits.patternLength) {
-        return `it has more than ${limits.patternLength} characters (limit patternLength)`;
-      }
-      try {
-        patterns.compile(source);
-        return undefined;
-      } catch (error) {
-        return error instanceof Error ? error.message : String(error);
-      }
+      const compiled = compile(source);
+      return typeof compiled === 'string' ? compiled : undefined;
     },
-    matches: (source, text) => patterns.compile(source).test(text),
+    matcher(source) {
+      const compiled = compile(source);
+      return typeof compiled === 'string' ? undefined : (text) => compiled.test(text);
+    },
     publishers: (topic) => devices.publishersOf(topic),
     retainedFormat(topic) {
       const entry = topics.get(topic);
