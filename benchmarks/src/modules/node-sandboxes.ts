@@ -5,22 +5,33 @@ import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { buildNodeWorker } from '@ubii/pm-sandbox/build';
 import { createNodeSandboxes } from '@ubii/pm-sandbox/node';
 
-/** The sandboxes of Node, in this process, with a worker built for them. */
+/** The worker of the sandboxes, built for this run. */
+export interface WorkerFile {
+  readonly path: string;
+  stop(): Promise<void>;
+}
+
+export async function buildWorkerFile(): Promise<WorkerFile> {
+  const folder = await mkdtemp(join(tmpdir(), 'ubii-bench-worker-'));
+  const path = join(folder, 'worker.mjs');
+  await buildNodeWorker(path);
+  return { path, stop: () => rm(folder, { recursive: true, force: true }) };
+}
+
+/** The sandboxes of Node, in this process. */
 export interface BuiltSandboxes {
   readonly sandboxes: SandboxFactory;
   stop(): Promise<void>;
 }
 
 export async function startNodeSandboxes(): Promise<BuiltSandboxes> {
-  const folder = await mkdtemp(join(tmpdir(), 'ubii-bench-worker-'));
-  const workerFile = join(folder, 'worker.mjs');
-  await buildNodeWorker(workerFile);
-  const sandboxes = createNodeSandboxes({ workerFile });
+  const worker = await buildWorkerFile();
+  const sandboxes = createNodeSandboxes({ workerFile: worker.path });
   return {
     sandboxes,
     stop: async () => {
       await sandboxes.close();
-      await rm(folder, { recursive: true, force: true });
+      await worker.stop();
     },
   };
 }

@@ -3,6 +3,7 @@ import { SERVICES, SessionState, type Init, type Session } from '@ubii/proto';
 import type { MasterProcess } from '../brokers/master-process.ts';
 
 const POLL_MS = 20;
+const MAX_PROBLEMS = 3;
 const START_TIMEOUT_MS = 15_000;
 
 /** A session whose modules all run. */
@@ -29,8 +30,9 @@ export async function startSession(
     const state = now?.extension?.state;
     if (state === SessionState.SESSION_RUNNING) break;
     if (state !== SessionState.SESSION_STARTING || performance.now() > untilMs) {
-      const problems = now?.extension?.problems.map(({ message }) => message) ?? [];
-      throw new Error(`The session ${session.name} does not run: ${problems.join(' ')}`);
+      const problems = new Set(now?.extension?.problems.map(({ message }) => message));
+      const first = [...problems].slice(0, MAX_PROBLEMS).join(' ');
+      throw new Error(`The session ${session.name} does not run: ${first}`);
     }
     await sleep(POLL_MS);
   }

@@ -10,7 +10,7 @@ export function compareRuns(before: RunResult, after: RunResult): string {
     const old = compareWithReference(earlier);
     return compareWithReference(workload).flatMap((now) => {
       const then = old.find((c) => c.target === now.target && c.figure.key === now.figure.key);
-      if (then === undefined) return [];
+      if (then === undefined || !Number.isFinite(now.ratio / then.ratio)) return [];
       const change = now.ratio / then.ratio - 1;
       const doOverlap = now.range[0] <= then.range[1] && then.range[0] <= now.range[1];
       return [

@@ -37,20 +37,25 @@ export function formatRun(run: RunResult): string {
   ].join('\n\n');
 }
 
+/** Empty where the reference has no such figure, or it is 0. */
+function formatRatio(ratio: number): string {
+  return Number.isFinite(ratio) ? ratio.toFixed(2) : '';
+}
+
 function row(comparison: Comparison): string[] {
   const { figure, target, ratio, range, goal, bound, isMet, value, reference } = comparison;
   const sign = figure.isHigherBetter ? '>=' : '<=';
   return [
     figure.label,
     target,
-    ratio.toFixed(2),
+    formatRatio(ratio),
     goal !== undefined
       ? `${sign} ${goal}`
       : bound === undefined
         ? ''
         : `${sign} ${bound} ${figure.unit}`,
     isMet === undefined ? '' : isMet ? 'pass' : 'MISS',
-    `${range[0].toFixed(2)} to ${range[1].toFixed(2)}`,
+    !Number.isFinite(ratio) ? '' : `${range[0].toFixed(2)} to ${range[1].toFixed(2)}`,
     formatNumber(value),
     formatNumber(reference),
     figure.unit,

@@ -78,7 +78,6 @@ export async function measureCalls<Prepared, Answer>(
   const sorted = samples.subarray(0, count).sort();
   return {
     figures: {
-      p10Us: percentile(sorted, 0.1),
       p50Us: percentile(sorted, 0.5),
       p99Us: percentile(sorted, 0.99),
       callingCpuUs: callingCpuUs / count,

@@ -1,5 +1,6 @@
 import { fanOut } from './fan-out.ts';
 import { MODULE_CALLS } from './module-call.ts';
+import { LOCKSTEPS } from './lockstep.ts';
 import { modules100 } from './modules-100.ts';
 import { roundTrip } from './round-trip.ts';
 import { trigger } from './trigger.ts';
@@ -12,5 +13,6 @@ export const WORKLOADS: readonly Workload[] = [
   fanOut(1, { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 }),
   ...MODULE_CALLS,
   trigger,
+  ...LOCKSTEPS,
   modules100,
 ];
