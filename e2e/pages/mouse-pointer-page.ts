@@ -16,6 +16,9 @@ export class MousePointerPage {
   readonly pad: Locator;
   readonly ownPointer: Locator;
   readonly otherPointers: Locator;
+  /** What the session made of one's own. */
+  readonly mirroredPointer: Locator;
+  readonly session: Locator;
   readonly roundTrip: Locator;
   readonly hideCursor: Locator;
   readonly hideIndicator: Locator;
@@ -28,6 +31,8 @@ export class MousePointerPage {
     this.pad = page.getByRole('application', { name: 'Pointer pad' });
     this.ownPointer = page.getByTestId('own-pointer');
     this.otherPointers = page.getByTestId('other-pointer');
+    this.mirroredPointer = page.getByTestId('mirrored-pointer');
+    this.session = page.getByRole('region', { name: 'Session', exact: true });
     this.roundTrip = page.getByRole('region', { name: 'Round trip' });
     this.hideCursor = page.getByRole('switch', { name: 'Hide cursor' });
     this.hideIndicator = page.getByRole('switch', { name: 'Hide indicator' });
@@ -112,6 +117,21 @@ export class MousePointerPage {
       },
       { moves, to },
     );
+  }
+
+  /** Waits for a word about the session that mirrors the pointer. */
+  async expectMirrorState(word: string): Promise<void> {
+    await expect(this.session.getByRole('status')).toContainText(word);
+  }
+
+  /** Turns a switch of the session. */
+  async mirror(axis: 'x' | 'y', on: boolean): Promise<void> {
+    await this.session.getByRole('switch', { name: `Mirror ${axis}` }).setChecked(on);
+  }
+
+  /** Where the session's module runs. */
+  place(name: 'Master' | 'This tab' | 'Node'): Locator {
+    return this.session.getByRole('radio', { name, exact: true });
   }
 
   /** Moves the mouse to and fro. */

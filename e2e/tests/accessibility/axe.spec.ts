@@ -6,6 +6,10 @@ import { Shell } from '../../pages/shell.ts';
 
 const PAGES = [
   { name: 'home', path: '/' },
+  { name: 'sessions', path: '/sessions' },
+  { name: 'new session', path: '/sessions/new' },
+  { name: 'modules', path: '/modules' },
+  { name: 'a module', path: '/modules/clock' },
   { name: 'topics', path: '/topics' },
   { name: 'examples', path: '/examples' },
   { name: 'mouse pointer', path: '/examples/mouse-pointer' },

@@ -8,6 +8,8 @@ test('every page of the navigation can be reached, shared by its address, and go
   await page.goto('/');
   const shell = new Shell(page);
   for (const [name, path] of [
+    ['Sessions', '/sessions'],
+    ['Modules', '/modules'],
     ['Topics', '/topics'],
     ['Examples', '/examples'],
     ['Settings', '/settings'],

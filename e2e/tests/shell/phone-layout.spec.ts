@@ -1,7 +1,18 @@
 import { expect, test } from '../../fixtures/test.ts';
 import { Shell } from '../../pages/shell.ts';
 
-const PATHS = ['/', '/topics', '/examples', '/examples/mouse-pointer', '/settings', '/nowhere'];
+const PATHS = [
+  '/',
+  '/sessions',
+  '/sessions/new',
+  '/modules',
+  '/modules/clock',
+  '/topics',
+  '/examples',
+  '/examples/mouse-pointer',
+  '/settings',
+  '/nowhere',
+];
 
 for (const width of [360, 390]) {
   test(`nothing scrolls sideways on a phone ${width} px wide`, async ({ room }) => {

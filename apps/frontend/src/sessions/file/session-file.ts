@@ -32,7 +32,7 @@ export function importSession({ name, text }: TextFile): ReadSession {
 /** Without signs that file systems do not like. */
 export function fileName(name: string): string {
   return name
-    .replaceAll(/[\\/:*?"<>|\u0000-\u001f]+/g, '-')
+    .replaceAll(/[\\/:*?"<>|\p{Cc}]+/gu, '-')
     .replaceAll(/^[.\s-]+|[.\s-]+$/g, '')
     .slice(0, 100);
 }

@@ -1,0 +1,81 @@
+import { expect, test } from '../../fixtures/test.ts';
+import { MousePointerPage } from '../../pages/mouse-pointer-page.ts';
+import { SessionsPage } from '../../pages/sessions-page.ts';
+import { Shell } from '../../pages/shell.ts';
+
+test('one session from this page mirrors the pointer on the master, in this tab and on another’s, switched live', async ({
+  room,
+}) => {
+  const ben = await room.atDesk('Ben');
+  await ben.page.goto('/settings');
+  await ben.page.getByRole('switch', { name: /^This tab runs modules/ }).click();
+  await expect(ben.page.getByRole('status').filter({ hasText: 'Ready' })).toBeVisible();
+
+  const anna = new MousePointerPage(await room.atDesk('Anna'));
+  await anna.open();
+  await anna.expectMirrorState('Running');
+  await anna.pointTo({ x: 0.2, y: 0.3 });
+  await anna.expectPointer(anna.mirroredPointer, { x: 0.8, y: 0.3 });
+
+  await test.step('a switch counts at once, without a move', async () => {
+    await anna.mirror('y', true);
+    await anna.expectPointer(anna.mirroredPointer, { x: 0.8, y: 0.7 });
+    await anna.mirror('x', false);
+    await anna.expectPointer(anna.mirroredPointer, { x: 0.2, y: 0.7 });
+  });
+
+  for (const [place, at] of [
+    ['This tab', { x: 0.4, y: 0.2 }],
+    ['Node', { x: 0.6, y: 0.1 }],
+    ['Master', { x: 0.3, y: 0.4 }],
+  ] as const) {
+    await test.step(place, async () => {
+      await anna.place(place).click();
+      await anna.expectMirrorState('Running');
+      await anna.pointTo(at);
+      await anna.expectPointer(anna.mirroredPointer, { x: at.x, y: 1 - at.y });
+      if (place === 'Node') {
+        await expect(
+          ben.page.getByRole('status').filter({ hasText: 'Runs 1 module' }),
+        ).toBeVisible();
+      }
+      if (place === 'This tab') {
+        await expect(anna.page.getByRole('banner')).toContainText('1 here');
+      }
+    });
+  }
+});
+
+test('everybody has a session of their own, which ends with their page', async ({ room }) => {
+  const one = await room.atDesk('Anna');
+  const two = await room.withPhone('Ben');
+  const anna = new MousePointerPage(one);
+  const ben = new MousePointerPage(two);
+  await Promise.all([anna.open(), ben.open()]);
+  await anna.expectMirrorState('Running');
+  await ben.expectMirrorState('Running');
+  await anna.pointTo({ x: 0.1, y: 0.5 });
+  await ben.pointTo({ x: 0.7, y: 0.5 });
+  await anna.expectPointer(anna.mirroredPointer, { x: 0.9, y: 0.5 });
+  await ben.expectPointer(ben.mirroredPointer, { x: 0.3, y: 0.5 });
+
+  const carla = await room.atDesk('Carla');
+  const sessions = new SessionsPage(carla);
+  await sessions.open();
+  await expect(sessions.link('Mouse pointer of Anna')).toBeVisible();
+  await expect(sessions.link('Mouse pointer of Ben')).toBeVisible();
+
+  await test.step('who goes to another page of the program', async () => {
+    await new Shell(one.page).go('Home');
+    await expect(sessions.link('Mouse pointer of Anna')).toHaveCount(0);
+  });
+  await test.step('who reloads has one, not two', async () => {
+    await two.page.reload();
+    await ben.expectMirrorState('Running');
+    await expect(sessions.link('Mouse pointer of Ben')).toHaveCount(1);
+  });
+  await test.step('who closes the page', async () => {
+    await two.page.close({ runBeforeUnload: false });
+    await expect(sessions.link('Mouse pointer of Ben')).toHaveCount(0);
+  });
+});

@@ -1,0 +1,137 @@
+import { expect, test } from '../../fixtures/test.ts';
+import { SessionPage } from '../../pages/session-page.ts';
+import { SessionsPage } from '../../pages/sessions-page.ts';
+import { Shell } from '../../pages/shell.ts';
+
+test('somebody who has no session starts an example, and sees what flows', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const sessions = new SessionsPage(anna);
+  const session = new SessionPage(anna);
+  await sessions.open();
+  await sessions.startExample('smoothing-chain');
+  await expect(session.heading).toHaveText('smoothing-chain');
+  await session.expectState('Running');
+  await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
+  await expect(session.fact('clock', 'p95')).toHaveText(/ms$/);
+
+  await test.step('a mapping leads to its topic', async () => {
+    const output = session.module('clock').getByRole('list', { name: 'Outputs of clock' });
+    await output.getByRole('link').first().click();
+    await expect(anna.page).toHaveURL(/\/topics\/./);
+    await expect(anna.page.getByRole('article', { name: /^Topic / })).toContainText('double');
+  });
+
+  await test.step('Home says what runs', async () => {
+    await new Shell(anna.page).go('Home');
+    await expect(anna.page.getByRole('heading', { level: 1 })).toContainText(
+      'One session is running',
+    );
+    await expect(sessions.row('smoothing-chain')).toContainText('Running');
+  });
+});
+
+test('a session is paused, resumed, stopped and started again, and others see it at once [SE-10]', async ({
+  room,
+}) => {
+  const anna = await room.atDesk('Anna');
+  const ben = await room.atDesk('Ben');
+  const list = new SessionsPage(ben);
+  await list.open();
+  await new SessionsPage(anna).open();
+  await new SessionsPage(anna).startExample('smoothing-chain');
+  const session = new SessionPage(anna);
+  await session.expectState('Running');
+  const row = list.row('smoothing-chain');
+  await expect(row).toContainText('Running');
+  await expect(row).toContainText(/runs\/s/);
+
+  await session.act('Pause');
+  await session.expectState('Paused');
+  await expect(row).toContainText('Paused');
+  await row.getByRole('button', { name: 'Resume smoothing-chain' }).click();
+  await session.expectState('Running');
+  await session.act('Stop');
+  await session.expectState('Stopped');
+  await expect(row).toContainText('Stopped');
+  await session.act('Start');
+  await session.expectState('Running');
+  await session.act('Restart');
+  await expect(row).toContainText('Running');
+  await session.expectState('Running');
+});
+
+test('a session is found, renamed, duplicated, deleted and brought back', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const sessions = new SessionsPage(anna);
+  const session = new SessionPage(anna);
+  await sessions.open();
+  await sessions.startExample('smoothing-chain');
+  await session.expectState('Running');
+
+  await session.choose('Rename');
+  const dialog = anna.page.getByRole('dialog');
+  await dialog.getByRole('textbox', { name: 'Name' }).fill('My chain');
+  await dialog.getByRole('button', { name: 'Rename' }).click();
+  await expect(session.heading).toHaveText('My chain');
+
+  await session.choose('Duplicate');
+  await expect(session.heading).toHaveText('My chain copy');
+  await session.expectState('Not started');
+
+  await new Shell(anna.page).go('Sessions');
+  await expect(sessions.list.getByRole('listitem')).toHaveCount(2);
+  await sessions.search.fill('copy');
+  await expect(sessions.list.getByRole('listitem')).toHaveCount(1);
+  await sessions.search.fill('');
+
+  await test.step('what was deleted while it ran comes back and runs', async () => {
+    await sessions.choose('My chain', 'Delete');
+    await expect(sessions.link('My chain')).toHaveCount(0);
+    await anna.page.getByRole('button', { name: 'Undo' }).click();
+    await expect(sessions.row('My chain')).toContainText('Running');
+    await expect(sessions.list.getByRole('listitem')).toHaveCount(2);
+  });
+});
+
+test('sessions are handled with the keyboard alone', async ({ room }) => {
+  const { page } = await room.atDesk('Anna');
+  const sessions = new SessionsPage({ page });
+  await sessions.open();
+  await sessions.startExample('smoothing-chain');
+  await new SessionPage({ page }).expectState('Running');
+  await page.keyboard.press('g');
+  await page.keyboard.press('n');
+  await expect(page).toHaveURL(/\/sessions$/);
+  await sessions.link('smoothing-chain').focus();
+  await page.keyboard.press('Space');
+  await expect(sessions.row('smoothing-chain')).toContainText('Paused');
+  await page.keyboard.press('F2');
+  await page.getByRole('dialog').getByRole('textbox').fill('Renamed');
+  await page.keyboard.press('Enter');
+  await expect(sessions.link('Renamed')).toBeVisible();
+  await sessions.link('Renamed').focus();
+  await page.keyboard.press('Delete');
+  await expect(sessions.link('Renamed')).toHaveCount(0);
+});
+
+test('a session that is to start with the master runs again after a restart [SE-24]', async ({
+  master,
+  room,
+}) => {
+  const anna = await room.atDesk('Anna');
+  const sessions = new SessionsPage(anna);
+  const session = new SessionPage(anna);
+  await sessions.open();
+  await sessions.startExample('smoothing-chain');
+  await session.expectState('Running');
+  const again = anna.page.getByRole('switch', { name: /^Start again with the master/ });
+  await again.click();
+  await expect(again).toBeChecked();
+  anna.watch.expect(/net::ERR_CONNECTION_REFUSED/, /WebSocket connection to .* failed/);
+  await master.stop();
+  await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
+  await master.startAgain();
+  await expect(new Shell(anna.page).disconnectedStrip).toBeHidden();
+  await session.expectState('Running');
+  await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
+});

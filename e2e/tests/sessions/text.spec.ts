@@ -1,0 +1,118 @@
+import { readFile } from 'node:fs/promises';
+import { expect, test } from '../../fixtures/test.ts';
+import { SessionPage } from '../../pages/session-page.ts';
+import { SessionsPage } from '../../pages/sessions-page.ts';
+import { Shell } from '../../pages/shell.ts';
+
+const BROKEN = `{
+  "name": "Mirror",
+  "processingModules": [
+    { "name": "mirror-pointer" },
+    { "name": "no-such-module" }
+  ],
+  "ioMappings": [
+    {
+      "processingModuleName": "mirror-pointer",
+      "inputMappings": [
+        { "inputName": "pointr", "topic": "/a" }
+      ]
+    }
+  ]
+}
+`;
+const WHOLE = BROKEN.replace(',\n    { "name": "no-such-module" }', '').replace(
+  'pointr',
+  'pointer',
+);
+
+test('a session is written as JSON; all that is wrong stands beside its line [SE-3]', async ({
+  room,
+}) => {
+  const { page } = await room.atDesk('Anna');
+  const session = new SessionPage({ page });
+  await page.goto('/sessions');
+  await new SessionsPage({ page }).newSession.click();
+
+  await test.step('no JSON', async () => {
+    await session.text.fill('{\n  "name": "x"\n  "tags": []\n}');
+    await expect(session.textProblems).toContainText('A comma or } is expected');
+    await expect(page.getByRole('button', { name: 'Show line 3' })).toBeVisible();
+  });
+  await test.step('what the master finds', async () => {
+    await session.write(BROKEN, 'Create');
+    await expect(session.textProblems).toContainText('"no-such-module"');
+    await expect(session.textProblems).toContainText('no input named "pointr"');
+    await page.getByRole('button', { name: 'Show line 11' }).first().click();
+    await expect(session.text).toBeFocused();
+  });
+  await test.step('put right', async () => {
+    await session.write(WHOLE, 'Create');
+    await expect(session.heading).toHaveText('Mirror');
+    await session.act('Start');
+    await session.expectState('Running');
+    await expect(session.module('mirror-pointer')).toContainText('Nobody has published on "/a"');
+  });
+});
+
+test('a running session is edited as JSON; what others changed meanwhile is not overwritten [SE-15]', async ({
+  room,
+}) => {
+  const anna = await room.atDesk('Anna');
+  const ben = await room.atDesk('Ben');
+  const session = new SessionPage(anna);
+  await anna.page.goto('/sessions/new');
+  await session.write(WHOLE, 'Create');
+  await session.act('Start');
+  await session.expectState('Running');
+  const theirs = new SessionPage(ben);
+  await ben.page.goto(`${new URL(anna.page.url()).pathname}/text`);
+
+  await session.choose('Edit as JSON');
+  const text = await session.text.inputValue();
+  await session.write(text.replace('"/a"', '"/b"'), 'Save');
+  await expect(session.heading).toHaveText('Mirror');
+  await expect(session.module('mirror-pointer').getByRole('link', { name: '/b' })).toBeVisible();
+  await session.expectState('Running');
+
+  await test.step('who has not begun gets the new text, who has is told', async () => {
+    await expect(theirs.text).toHaveValue(/"\/b"/);
+    await theirs.text.fill((await theirs.text.inputValue()).replace('"/b"', '"/c"'));
+    await session.choose('Edit as JSON');
+    await session.write((await session.text.inputValue()).replace('"/b"', '"/d"'), 'Save');
+    await expect(ben.page.getByRole('alert')).toContainText('Somebody else has changed');
+    await ben.page.getByRole('button', { name: 'Save', exact: true }).click();
+    await expect(theirs.textProblems).toBeVisible();
+    await ben.page.getByRole('button', { name: 'Take theirs' }).click();
+    await expect(theirs.text).toHaveValue(/"\/d"/);
+  });
+});
+
+test('a session travels as one file, with the source of its modules', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const sessions = new SessionsPage(anna);
+  const session = new SessionPage(anna);
+  await anna.page.goto('/sessions/new');
+  await session.write(WHOLE, 'Create');
+  await expect(session.heading).toHaveText('Mirror');
+  const [download] = await Promise.all([
+    anna.page.waitForEvent('download'),
+    session.choose('Export'),
+  ]);
+  expect(download.suggestedFilename()).toBe('Mirror.session');
+  const text = await readFile(await download.path(), 'utf8');
+  expect(JSON.parse(text)).toMatchObject({
+    name: 'Mirror',
+    processingModules: [{ name: 'mirror-pointer', onProcessingStringified: expect.any(String) }],
+  });
+
+  await new Shell(anna.page).go('Sessions');
+  await sessions.importFiles([{ name: 'Mirror.session', text }]);
+  await expect(session.heading).toHaveText('Mirror 2');
+
+  await test.step('a file that is broken opens with what is wrong with it', async () => {
+    await new Shell(anna.page).go('Sessions');
+    await sessions.importFiles([{ name: 'broken.session', text: BROKEN }]);
+    await expect(anna.page).toHaveURL(/\/sessions\/new/);
+    await expect(session.textProblems).toContainText('"no-such-module"');
+  });
+});
