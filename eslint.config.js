@@ -7,7 +7,14 @@ import vueParser from 'vue-eslint-parser';
 
 /** Imports that the dependency arrows of docs/architecture.md forbid, with what to do instead. */
 const noApps = {
-  group: ['@ubii/master', '@ubii/master/*', '@ubii/frontend', '@ubii/benchmarks', '@ubii/e2e'],
+  group: [
+    '@ubii/master',
+    '@ubii/master/*',
+    '@ubii/frontend',
+    '@ubii/node',
+    '@ubii/benchmarks',
+    '@ubii/e2e',
+  ],
   message: 'Nobody imports apps, benchmarks or e2e: move what is needed into a package.',
 };
 const noClient = {
@@ -18,6 +25,23 @@ const noClient = {
 const noNode = {
   group: ['node:*', 'fastify', '@fastify/*', 'ws', 'pino', 'prom-client', 'qrcode', 're2js'],
   message: 'The core is pure: take a port in the constructor and implement it in src/adapters.',
+};
+const noSandboxAdapters = {
+  group: ['@ubii/pm-sandbox/*'],
+  message: 'The core is pure: sandboxes and files come through ports, adapters make them.',
+};
+const noModules = {
+  group: ['@ubii/modules'],
+  message: 'Modules are given to whoever runs them: by apps, in the options.',
+};
+const noRuntimes = {
+  group: ['@ubii/pm-sandbox', '@ubii/pm-sandbox/*'],
+  message: 'The wire knows nothing of those who run modules.',
+};
+const noPlatform = {
+  group: ['node:*', 'esbuild', '**/node/**', '**/browser/**', '**/module-folder/**'],
+  message:
+    'The core of the sandbox is pure: `node`, `browser` and `module-folder` are its adapters.',
 };
 const noVue = {
   group: ['vue', 'vue-router', 'reka-ui'],
@@ -99,13 +123,29 @@ export default ts.config(
   },
   { files: ['**/*.test.ts'], rules: { 'vue/one-component-per-file': 'off' } },
   { files: ['packages/**'], rules: restrict(noApps, noVue) },
-  { files: ['packages/proto/**'], rules: restrict(noApps, noVue, noClient) },
+  {
+    files: ['packages/proto/**'],
+    rules: restrict(noApps, noVue, noClient, noRuntimes, noModules),
+  },
+  { files: ['packages/client-web/**'], rules: restrict(noApps, noVue, noModules) },
+  { files: ['packages/pm-sandbox/**'], rules: restrict(noApps, noVue, noClient, noModules) },
+  {
+    files: ['packages/pm-sandbox/src/**'],
+    ignores: [
+      'packages/pm-sandbox/src/{node,browser,module-folder}/**',
+      'packages/pm-sandbox/src/testing/**',
+      '**/*.test.ts',
+    ],
+    rules: restrict(noApps, noVue, noClient, noModules, noPlatform),
+  },
+  { files: ['packages/modules/**'], rules: restrict(noApps, noVue, noClient) },
+  { files: ['apps/node/**'], rules: restrict(noApps) },
   { files: ['apps/master/src/adapters/**', 'apps/master/src/*.ts'], rules: restrict(noClient) },
   {
     files: ['apps/master/src/core/**'],
     ignores: ['**/*.test.ts'],
     rules: {
-      ...restrict(noNode, noClient, {
+      ...restrict(noNode, noClient, noModules, noSandboxAdapters, {
         group: ['**/adapters/**'],
         message: 'The core never looks into an adapter: add a port.',
       }),
