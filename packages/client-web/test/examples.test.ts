@@ -94,6 +94,11 @@ describe('the examples', { timeout: TIMEOUT_MS }, () => {
     expect(await run(name, master.url).output).toEqual(expected);
   });
 
+  it('processing.ts runs a module of a session', async () => {
+    const worker = join(dataFolder.path, 'module-worker.js');
+    expect(await run('processing.ts', master.url, worker).output).toEqual(['the room is loud']);
+  });
+
   it('node.ts comes back as the same client', async () => {
     const file = join(dataFolder.path, 'identity.json');
     const [first] = await run('node.ts', master.url, file).output;
@@ -127,6 +132,7 @@ describe('the examples', { timeout: TIMEOUT_MS }, () => {
       'device.ts',
       'glob.ts',
       'node.ts',
+      'processing.ts',
       'publish.ts',
       'reconnect.ts',
       'services.ts',
