@@ -144,6 +144,6 @@ it('[PM-10] [PM-29] [PM-54] holds whatever happens: one callback at a time, noth
         if (last !== undefined) expect(last).toBe(ProcessingModuleStatus.DESTROYED);
       },
     ),
-    { numRuns: 400 },
+    { numRuns: 500 },
   );
 });

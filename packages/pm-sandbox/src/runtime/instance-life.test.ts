@@ -259,6 +259,14 @@ describe('[PM-54] a killed instance', () => {
     expect(world.statuses.at(-1)).toMatchObject({ status: DESTROYED });
   });
 
+  it('subscribes to nothing when it is mapped otherwise after it has failed', async () => {
+    const world = createModuleWorld({ maxRestarts: 0 });
+    await world.begin({ mode: TEN_HERTZ });
+    world.sandboxes.last.kill();
+    world.runtime.remap('pm-1', instanceSpec({ from: { x: '/x' } }).mapping);
+    expect(world.topics.subscriptionCount).toBe(0);
+  });
+
   it('is not created anew when it was destroyed meanwhile', async () => {
     const world = createModuleWorld();
     await world.begin({ mode: TEN_HERTZ });

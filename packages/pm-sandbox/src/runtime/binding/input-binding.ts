@@ -19,6 +19,7 @@ export class InputBinding implements InputMarks {
   readonly #inputs: readonly ParsedIo[];
   readonly #context: SlotContext;
   #isListening: boolean;
+  #isClosed = false;
   #bound: readonly BoundSlot[] = [];
   #slots: readonly InputSlot[] = [];
 
@@ -37,6 +38,7 @@ export class InputBinding implements InputMarks {
 
   /** Maps the inputs otherwise. What did not change keeps its value and its subscription. */
   rebind(mapping: IOMapping): void {
+    if (this.#isClosed) return;
     const before = new Map(this.#bound.map((bound) => [bound.key, bound]));
     const bound: BoundSlot[] = [];
     for (const spec of slotSpecs(this.#inputs, mapping)) {
@@ -97,7 +99,9 @@ export class InputBinding implements InputMarks {
     return names;
   }
 
+  /** Ends all subscriptions, for good. */
   close(): void {
+    this.#isClosed = true;
     for (const slot of this.#slots) slot.close();
     this.#bound = [];
     this.#slots = [];
