@@ -1,0 +1,93 @@
+import { toJson, type JsonObject, type JsonValue } from '@ubii/proto';
+import { EDITOR_FORMAT, EDITOR_VERSION } from './editor-data.ts';
+import type { Graph, GraphNode } from './graph.ts';
+import { ioName } from './ports.ts';
+import { wiresOf } from './wires-of.ts';
+
+/** The editor data of a graph, as JSON text; the same graph always gives the same text. */
+export function editorDataText(graph: Graph): string {
+  const nodes = new Map<string, JsonObject>();
+  for (const node of graph.nodes.values()) nodes.set(node.id, nodeJson(graph, node));
+  const wires = new Map<string, JsonValue>();
+  for (const { id, points } of graph.wires.values()) {
+    if (points.length > 0)
+      wires.set(
+        id,
+        points.map(({ x, y }) => [x, y]),
+      );
+  }
+  const { nodes: otherNodes, wires: otherWires, ...foreign } = graph.foreign;
+  return JSON.stringify({
+    format: EDITOR_FORMAT,
+    version: EDITOR_VERSION,
+    ...foreign,
+    nodes: section(nodes, otherNodes),
+    wires: section(wires, otherWires),
+  });
+}
+
+/** Ours, with what others have left there, by key. */
+function section(ours: ReadonlyMap<string, JsonValue>, others: JsonValue | undefined): JsonValue {
+  if (others !== undefined && !isObject(others)) {
+    // Somebody's own idea of the section: ours has to be readable, theirs has to be kept.
+    return section(new Map([...ours, ['', { others }]]), undefined);
+  }
+  const keys = [...new Set([...ours.keys(), ...Object.keys(others ?? {})])].sort();
+  return Object.fromEntries(
+    keys.map((key) => {
+      const own = ours.get(key);
+      const other = others?.[key];
+      const both = isObject(own) && isObject(other) ? { ...other, ...own } : (own ?? other ?? null);
+      return [key, both];
+    }),
+  );
+}
+
+const isObject = (value: JsonValue | undefined): value is JsonObject =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+
+function nodeJson(graph: Graph, node: GraphNode): JsonObject {
+  const { kind, position, size, isCollapsed, frame } = node;
+  return {
+    kind,
+    ...position,
+    ...size,
+    ...(isCollapsed && { collapsed: true }),
+    ...(frame !== undefined && { frame }),
+    ...ownJson(graph, node),
+  };
+}
+
+/** What the session has no place for. */
+function ownJson(graph: Graph, node: GraphNode): JsonObject {
+  switch (node.kind) {
+    case 'module':
+      return {};
+    case 'topic': {
+      const { topic, format } = node;
+      const known: JsonObject = format === undefined ? {} : { format };
+      return isLoose(graph, node) ? { loose: true, topic, ...known } : known;
+    }
+    case 'muxer':
+      return isLoose(graph, node)
+        ? { loose: true, message: toJson('ubii.devices.TopicMux', node.mux) }
+        : {};
+    case 'demuxer':
+      return isLoose(graph, node)
+        ? { loose: true, message: toJson('ubii.devices.TopicDemux', node.demux) }
+        : {};
+    case 'constant': {
+      const targets = wiresOf(graph, node.id).out.map(({ to }) => [to.node, ioName(to.port)]);
+      return { name: node.name, json: node.json, targets: targets.sort() };
+    }
+    case 'comment':
+      return { text: node.text };
+    case 'frame':
+      return { title: node.title };
+  }
+}
+
+function isLoose(graph: Graph, node: GraphNode): boolean {
+  const { in: incoming, out } = wiresOf(graph, node.id);
+  return incoming.length === 0 && out.length === 0;
+}

@@ -1,0 +1,142 @@
+import { parseDataFormat, type DataFormat, type JsonObject, type JsonValue } from '@ubii/proto';
+import type { Point } from './graph.ts';
+import type { NodeLook } from './make-node.ts';
+
+/** Marks the JSON text as ours. */
+export const EDITOR_FORMAT = 'ubi-interact.graph';
+export const EDITOR_VERSION = 1;
+
+/** What the editor keeps of a node: how it stands, and what the session itself has no place for. */
+export interface NodeRecord extends NodeLook {
+  readonly kind: string;
+  /** Topics, muxers and demuxers: nothing is wired to them, so that only this record knows them. */
+  readonly isLoose: boolean;
+  readonly topic?: string;
+  readonly format?: DataFormat | undefined;
+  /** A muxer or demuxer as JSON of its message. */
+  readonly message?: JsonObject;
+  readonly name?: string;
+  readonly json?: string;
+  /** Inputs a constant is wired to: id of the node and name of the input. */
+  readonly targets?: readonly (readonly [node: string, input: string])[];
+  readonly text?: string;
+  readonly title?: string;
+}
+
+/** What graph editors keep in a session. [EX-22] */
+export interface EditorData {
+  readonly nodes: ReadonlyMap<string, NodeRecord>;
+  /** Points wires are led through, by the ids of the wires. */
+  readonly wires: ReadonlyMap<string, readonly Point[]>;
+  /** What was not understood, as it stood there; all of it when the text is not ours. */
+  readonly foreign: JsonObject;
+}
+
+/** Larger texts are kept as they are and not read: they are no editor data of ours. */
+const MAX_TEXT_LENGTH = 8_000_000;
+
+/** Reads the editor data of a session. What is damaged or foreign is kept, and never throws. */
+export function parseEditorData(text: string): EditorData {
+  const nodes = new Map<string, NodeRecord>();
+  const wires = new Map<string, readonly Point[]>();
+  if (text === '') return { nodes, wires, foreign: {} };
+  const json = readJson(text);
+  if (!isObject(json)) return { nodes, wires, foreign: { foreignText: text } };
+  const { format, version, ...rest } = json;
+  if (format !== EDITOR_FORMAT || version !== EDITOR_VERSION) {
+    return { nodes, wires, foreign: { foreignJson: json } };
+  }
+  const foreign: Record<string, JsonValue> = { ...rest };
+  takeEach(foreign, 'nodes', nodes, readNode);
+  takeEach(foreign, 'wires', wires, readPoints);
+  return { nodes, wires, foreign };
+}
+
+function readJson(text: string): unknown {
+  if (text.length > MAX_TEXT_LENGTH) return undefined;
+  try {
+    return JSON.parse(text);
+  } catch {
+    return undefined;
+  }
+}
+
+const isObject = (value: unknown): value is Record<string, JsonValue> =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+
+/** What was read of a member, and what is left of it. */
+interface Reading<T> {
+  readonly value: T | undefined;
+  readonly left: JsonValue | undefined;
+}
+
+/** Reads the members of one section; what cannot be read stays there. */
+function takeEach<T>(
+  members: Record<string, JsonValue>,
+  section: string,
+  into: Map<string, T>,
+  read: (value: JsonValue) => Reading<T>,
+): void {
+  const all = members[section];
+  if (!isObject(all)) return;
+  const kept: [string, JsonValue][] = [];
+  for (const [key, member] of Object.entries(all)) {
+    const { value, left } = read(member);
+    if (value !== undefined) into.set(key, value);
+    if (left !== undefined) kept.push([key, left]);
+  }
+  if (kept.length > 0) members[section] = Object.fromEntries(kept);
+  else delete members[section];
+}
+
+const TEXTS = ['frame', 'topic', 'name', 'json', 'text', 'title'] as const;
+const KNOWN: ReadonlySet<string> = new Set<string>([
+  ...['kind', 'loose', 'x', 'y', 'width', 'height', 'collapsed', 'format', 'message', 'targets'],
+  ...TEXTS,
+]);
+
+function readNode(member: JsonValue): Reading<NodeRecord> {
+  if (!isObject(member) || typeof member.kind !== 'string') {
+    return { value: undefined, left: member };
+  }
+  const { kind, x, y, width, height, message, format, targets } = member;
+  const texts = TEXTS.flatMap((name) => {
+    const text = member[name];
+    return typeof text === 'string' ? [[name, text] as const] : [];
+  });
+  const known = typeof format === 'string' ? parseDataFormat(format) : undefined;
+  const value: NodeRecord = {
+    kind,
+    isLoose: member.loose === true,
+    position: isNumber(x) && isNumber(y) ? { x, y } : undefined,
+    size: isNumber(width) && isNumber(height) ? { width, height } : undefined,
+    isCollapsed: member.collapsed === true,
+    ...Object.fromEntries(texts),
+    ...(known !== undefined && { format: known }),
+    ...(isObject(message) && { message }),
+    ...(Array.isArray(targets) && { targets: readTargets(targets) }),
+  };
+  const unknown = Object.entries(member).filter(([name]) => !KNOWN.has(name));
+  return { value, left: unknown.length > 0 ? Object.fromEntries(unknown) : undefined };
+}
+
+function readTargets(targets: readonly unknown[]): NonNullable<NodeRecord['targets']> {
+  return targets.flatMap((target) => {
+    const [node, input] = Array.isArray(target) ? (target as readonly unknown[]) : [];
+    return typeof node === 'string' && typeof input === 'string' ? [[node, input] as const] : [];
+  });
+}
+
+function readPoints(member: JsonValue): Reading<readonly Point[]> {
+  const points = Array.isArray(member) ? member.map(readPoint) : [undefined];
+  const isRead = points.every((point) => point !== undefined);
+  return isRead ? { value: points, left: undefined } : { value: undefined, left: member };
+}
+
+function readPoint(value: unknown): Point | undefined {
+  const [x, y] = Array.isArray(value) ? (value as readonly unknown[]) : [];
+  return isNumber(x) && isNumber(y) ? { x, y } : undefined;
+}
+
+const isNumber = (value: unknown): value is number =>
+  typeof value === 'number' && Number.isFinite(value);

@@ -1,0 +1,71 @@
+import type { IOMapping, Session } from '@ubii/proto';
+import { editorDataText } from './editor-data-text.ts';
+import { graphOf } from './graph-of.ts';
+import type { Graph, ModuleNode } from './graph.ts';
+import { moduleEnds } from './module-ends.ts';
+import { readModules, type MappedModule } from './read-mappings.ts';
+import { withDetails, withEditorJson } from './session-details.ts';
+import { writeMapping } from './write-mapping.ts';
+
+/**
+ * The session of a graph. What the graph does not show, and what has not changed, is taken from the
+ * session it was made of, so that nothing gets lost: `sessionOf(graphOf(session), session)` equals
+ * the session.
+ */
+export function sessionOf(graph: Graph, base: Session): Session {
+  const before = new Map(readModules(base).map((module) => [module.nodeId, module]));
+  const nodes = inOrderOf([...before.keys()], graph);
+  const mappings = new Map<number, IOMapping>();
+  const added: IOMapping[] = [];
+  for (const node of nodes) {
+    const old = before.get(node.id);
+    const index = old?.mappingIndex ?? -1;
+    const mapping = writeMapping(node.module, moduleEnds(graph, node), old, base.ioMappings[index]);
+    if (index >= 0 && mapping !== undefined) mappings.set(index, mapping);
+    else if (mapping !== undefined) added.push(mapping);
+  }
+  const session = withDetails(base, graph.details);
+  return withEditorJson(
+    {
+      ...session,
+      processingModules: nodes.map(({ module }) => module),
+      ioMappings: [...keptMappings(base, before, graph, mappings), ...added],
+    },
+    editorJsonOf(graph, base),
+  );
+}
+
+/** Modules in the order they had: outputs of a pass are published in it. [SE-41] */
+function inOrderOf(ids: readonly string[], graph: Graph): ModuleNode[] {
+  const known = new Set(ids);
+  const old = ids.map((id) => graph.nodes.get(id));
+  const added = [...graph.nodes.values()].filter(({ id }) => !known.has(id));
+  return [...old, ...added].filter((node) => node?.kind === 'module');
+}
+
+/** Mappings in their order: those of modules that are gone are gone, those of none are kept. */
+function keptMappings(
+  base: Session,
+  before: ReadonlyMap<string, MappedModule>,
+  graph: Graph,
+  mappings: ReadonlyMap<number, IOMapping>,
+): IOMapping[] {
+  const removed = [...before.values()].filter(({ nodeId }) => !graph.nodes.has(nodeId));
+  const removedIndices = new Set(removed.map(({ mappingIndex }) => mappingIndex));
+  const removedIds = new Set(removed.map(({ module }) => module.id).filter((id) => id !== ''));
+  for (const node of graph.nodes.values()) {
+    if (node.kind === 'module') removedIds.delete(node.module.id);
+  }
+  return base.ioMappings.flatMap((mapping, index) => {
+    const written = mappings.get(index);
+    if (written !== undefined) return [written];
+    const isGone = removedIndices.has(index) || removedIds.has(mapping.processingModuleId);
+    return isGone ? [] : [mapping];
+  });
+}
+
+/** The text that was there, while nothing it says has changed. */
+function editorJsonOf(graph: Graph, base: Session): string {
+  const text = editorDataText(graph);
+  return text === editorDataText(graphOf(base)) ? (base.extension?.editorJson ?? '') : text;
+}
