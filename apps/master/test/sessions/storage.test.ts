@@ -48,6 +48,24 @@ describe('stored sessions', () => {
     expect(session?.processingModules[0]).toMatchObject({ nodeId: '', sessionId: '' });
   });
 
+  it('name the master by what it is, as its id changes [SE-30]', async () => {
+    const storage = new MemoryStorage();
+    const world = await SessionWorld.create({ storage });
+    const here = {
+      ...doubling('/in', '/out'),
+      processingModules: [{ ...doubler, nodeId: 'master' }],
+    };
+    const { id } = await save(world, here);
+    const { processingModules } = await world.get({ id });
+    expect(processingModules[0]).toMatchObject({ nodeId: world.master.master.id });
+    expect(storage.sessions.documents().get('doubling')?.json).toMatchObject({
+      processingModules: [{ nodeId: 'master' }],
+    });
+    const next = await SessionWorld.create({ storage });
+    const started = await next.ask(TOPICS.start, { name: 'doubling' });
+    expect(started.processingModules[0]?.nodeId).toBe(next.master.master.id);
+  });
+
   it('cannot be deleted while they run [SE-21]', async () => {
     const world = await SessionWorld.create();
     const { id } = await save(world, doubling('/in', '/out'));

@@ -1,4 +1,4 @@
-import { SessionState } from '@ubii/proto';
+import { SessionState, type Session } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { codes, doubler, doubling, SessionWorld, TOPICS } from './session-world.ts';
 import { TestNode } from './test-node.ts';
@@ -124,6 +124,21 @@ describe('an update of a running session', () => {
     await world.master.pass(10);
     // It has ended here.
     expect(await world.value('/out')).toBe(before);
+  });
+
+  it('does not pin modules where the master put them, unless it says so [SE-30]', async () => {
+    const { world, session } = await setup();
+    const replaceable = (from: Session) => from.processingModules[0]?.extension?.replaceable;
+    const sentBack = await world.ask(TOPICS.update, session);
+    expect(replaceable(sentBack)).toBe(true);
+    sentBack.processingModules[0]!.extension!.replaceable = false;
+    const pinned = await world.ask(TOPICS.update, sentBack);
+    expect(replaceable(pinned)).toBe(false);
+    // A copy is placed anew.
+    const copy = await world.ask(TOPICS.add, { ...sentBack, id: '' });
+    expect(replaceable(copy)).toBe(false);
+    const free = await world.ask(TOPICS.add, { ...session, id: '' });
+    expect(replaceable(free)).toBe(true);
   });
 
   it('does not reach nodes of the original, which the session says [SE-15]', async () => {

@@ -75,7 +75,8 @@ class Inbox {
 const LIST_TAG = 26;
 
 function parseFrame(frame: Buffer): Seen {
-  const { error } = decodeTopicData(frame);
+  const { error, nodeMessages } = decodeTopicData(frame);
+  if (nodeMessages.length > 0) return { kind: 'frame', frame };
   if (error !== undefined) return { kind: 'error', error };
   const records: Uint8Array[] = [];
   scanTopicData(frame, {

@@ -23,6 +23,8 @@ export interface CompletionContext {
   uuid(): string;
   /** Another session has a module of this id. */
   isTaken(moduleId: string): boolean;
+  /** Where the module of this id is in the session that is to be replaced, if it is. */
+  placed?(moduleId: string): { readonly nodeId: string; readonly wishedNodeId: string } | undefined;
   /** The id of the node that a text in a request means: `master` is this master [SE-30]. */
   nodeId(text: string): string;
   /** The module of this name as the library has it. */
@@ -61,7 +63,7 @@ function completeModule(
   index: number,
   context: CompletionContext,
 ): DraftModule {
-  const wishedNodeId = context.nodeId(given.nodeId);
+  const wishedNodeId = wishedNode(given, context);
   const stored = context.stored(given.name);
   const offered = context.offered(given.name, wishedNodeId);
   // Who runs it knows best; without a node, what is stored is what people see in the list.
@@ -76,6 +78,15 @@ function completeModule(
     mappingPath: `ioMappings[${index}]`,
     isLibraryCode,
   };
+}
+
+/** Whoever sends back what it got does not thereby ask for the node the master chose [SE-30]. */
+function wishedNode(given: ProcessingModule, context: CompletionContext): string {
+  const nodeId = context.nodeId(given.nodeId);
+  const placed = context.placed?.(given.id);
+  const isSentBack = given.extension?.replaceable ?? placed !== undefined;
+  if (placed === undefined) return isSentBack ? '' : nodeId;
+  return isSentBack && nodeId === placed.nodeId ? placed.wishedNodeId : nodeId;
 }
 
 /** What the request says, and for the rest what the base says. */

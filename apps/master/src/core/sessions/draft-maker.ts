@@ -50,6 +50,7 @@ export function completeDraft(
   const { modules, problems } = completeModules(message, {
     ...completion,
     isTaken: (id) => completion.isTaken(id) && before?.module(id) === undefined,
+    placed: (id) => before?.module(id),
   });
   return { draft: { ...describeSession(message), modules }, problems };
 }

@@ -1,6 +1,7 @@
 import { encodeRecord, ServiceError, type ErrorMessage } from '@ubii/proto';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { BatchNode } from '../../core/topics/batch-node.ts';
+import { encodeNodeMessageFrame } from '@ubii/proto/wire';
 import { TopicEntry } from '../../core/topics/topic-entry.ts';
 import type { ClientConnection } from '../../core/ports/client-connection.ts';
 import type { RecordBatch } from '../../core/ports/record-batch.ts';
@@ -117,6 +118,14 @@ export function clientConnectionSuite(
 
     it('has nothing queued before it was used', () => {
       expect(pair.connection.queuedBytes).toBe(0);
+    });
+
+    it('sends a frame as it is', async () => {
+      const frame = encodeNodeMessageFrame({ moduleReports: { statistics: [], events: [] } });
+      pair.connection.sendFrame(frame);
+      const seen = await pair.next();
+      expect(seen.kind).toBe('frame');
+      if (seen.kind === 'frame') expect([...seen.frame]).toEqual([...frame]);
     });
   });
 }
