@@ -22,6 +22,7 @@ import type { NodeInstance } from './node-instance.ts';
 import { activityOf, modulesFor } from './session-modules.ts';
 import type { AssignedModule, SessionActivity } from './session-modules.ts';
 import { SessionWatch } from './session-watch.ts';
+import { createPageClock } from './page-clock.ts';
 import { processingClock } from './processing-clock.ts';
 
 /** How often statistics are reported, milliseconds. [PM-80] */
@@ -44,7 +45,7 @@ export interface ProcessingNodeOptions {
   /** How many modules it likes to run at once; 0 when it does not say. @default 0 */
   readonly capacity?: number;
   readonly limits?: Partial<RuntimeLimits>;
-  /** @default the system's */
+  /** @default the system's, in a page one that keeps time while the page is hidden */
   readonly clock?: Clock;
   /** @default the platform's regular expressions */
   readonly patterns?: PatternPort;
@@ -105,7 +106,8 @@ class Node implements ProcessingNode {
   constructor(client: UbiiClient, options: ProcessingNodeOptions) {
     this.#client = client;
     this.#options = options;
-    this.#clock = options.clock ?? processingClock;
+    this.#clock =
+      options.clock ?? (options.kind === 'browser' ? createPageClock() : processingClock);
     this.#catalog = new ModuleCatalog(options.modules ?? []);
     this.#acceptsWork = options.acceptsWork ?? true;
     this.#devices = new DeviceTopics(client);
