@@ -47,6 +47,7 @@ export class RemoteSandbox implements Sandbox {
         this.#events.onKilled(killed);
         this.#onGone(host);
       },
+      onClosed: (closed) => this.#leave(closed),
     });
     this.#home = { host, number };
     try {

@@ -24,6 +24,8 @@ export interface HostedInstance {
   onLog(line: { readonly level: string; readonly text: string }): void;
   /** It is gone, and its calls have rejected. */
   onKilled(fault: ModuleFault): void;
+  /** The host ends its worker. */
+  onClosed(fault: ModuleFault): void;
 }
 
 /** A call under way. */
@@ -148,8 +150,10 @@ export class WorkerHost {
     return this.#call(instance, '', (call) => ({ kind: 'check', instance, call, source }));
   }
 
-  /** Ends the worker and tells everybody in it. */
+  /** Ends the worker because its host wants so: what is pending rejects, nobody is killed. */
   end(fault: ModuleFault): void {
+    for (const instance of this.#instances.values()) instance.onClosed(fault);
+    this.#instances.clear();
     this.#endAll(undefined, () => fault);
   }
 
@@ -211,7 +215,6 @@ export class WorkerHost {
       if (this.#isEnded) return;
       this.#handleMessage(message);
     }
-    if (this.#calls.size === 0) this.#unwatch();
   }
 
   #handleMessage(message: WorkerMessage): void {
@@ -285,7 +288,6 @@ export class WorkerHost {
       this.#calls.delete(number);
       call.reject(faultOf(call));
     }
-    if (this.#calls.size === 0) this.#unwatch();
   }
 
   #handleExit(reason: 'memory' | 'exit', message: string): void {
@@ -350,6 +352,11 @@ export class WorkerHost {
    * its workers.
    */
   #look(): void {
+    // Not when the last call ends: starting and stopping a timer costs as much as a call.
+    if (this.#calls.size === 0 && this.#isReady) {
+      this.#unwatch();
+      return;
+    }
     const { running, sequence, received } = this.#link.progress();
     const seen = this.#seen;
     const isSame =

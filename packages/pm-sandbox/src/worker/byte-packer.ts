@@ -39,7 +39,8 @@ export class BytePacker {
         holder.bytes = all.subarray(start, end);
         start = end;
       }
-      transfer.push(all.buffer);
+      // Handing over a small buffer costs more than copying it once more.
+      if (this.#sizeBytes >= MIN_TRANSFER_BYTES) transfer.push(all.buffer);
     }
     this.#sizeBytes = 0;
     return transfer;
