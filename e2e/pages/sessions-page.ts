@@ -26,7 +26,7 @@ export class SessionsPage {
   row(name: string): Locator {
     return this.list
       .getByRole('listitem')
-      .filter({ has: this.page.getByRole('link', { name, exact: true }) });
+      .filter({ has: this.page.getByText(name, { exact: true }) });
   }
 
   link(name: string): Locator {

@@ -1,5 +1,6 @@
 import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
+import { callService } from '../../fixtures/call-service.ts';
 import { HostileClient } from '../../fixtures/hostile-client.ts';
 import { expect, test, type Room } from '../../fixtures/test.ts';
 import { Shell } from '../../pages/shell.ts';
@@ -66,6 +67,43 @@ for (const [theme, screen] of SCREENS) {
       });
     }
     guest.leave();
+  });
+
+  test(`a session with problems is accessible, ${theme}, on a ${screen}`, async ({
+    master,
+    room,
+  }) => {
+    const onProcessingStringified = "() => { console.log('run'); throw new Error('again'); }";
+    const { session } = await callService(master.addresses, {
+      topic: '/services/session/runtime/start',
+      session: {
+        name: 'Noisy',
+        processingModules: [
+          { name: 'noisy', language: 2, onProcessingStringified },
+          { name: 'mirror-pointer' },
+        ],
+        ioMappings: [
+          {
+            processingModuleName: 'mirror-pointer',
+            inputMappings: [
+              { inputName: 'pointer', topic: '/nobody/publishes' },
+              { inputName: 'mirrorX', constantJson: '{"bool":true}' },
+            ],
+          },
+        ],
+      },
+    });
+    const { page } = await enter(room, theme, screen);
+    await page.goto(`/sessions/${session!.id}`);
+    await expect(page.getByRole('list', { name: /^Events/ })).toContainText('again');
+    await expect(page.getByText('Nobody has published')).toBeVisible();
+    await expectAccessible(page);
+    await page.goto(`/sessions/${session!.id}/text`);
+    await expect(page.getByRole('textbox', { name: 'Session as JSON' })).toBeVisible();
+    await expectAccessible(page);
+    await page.goto('/sessions');
+    await expect(page.getByRole('list', { name: 'Sessions' })).toContainText('Noisy');
+    await expectAccessible(page);
   });
 
   test(`what opens over a page is accessible, ${theme}, on a ${screen}`, async ({ room }) => {

@@ -135,3 +135,31 @@ test('a session that is to start with the master runs again after a restart [SE-
   await session.expectState('Running');
   await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
 });
+
+test('a session that was made here is there after a restart of the master, and opens as it was [SE-21]', async ({
+  master,
+  room,
+}) => {
+  const anna = await room.atDesk('Anna');
+  const sessions = new SessionsPage(anna);
+  const session = new SessionPage(anna);
+  await sessions.open();
+  await sessions.startExample('smoothing-chain');
+  await session.expectState('Running');
+  await new Shell(anna.page).go('Sessions');
+  anna.watch.expect(/net::ERR_CONNECTION_REFUSED/, /WebSocket connection to .* failed/);
+  await master.stop();
+  await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
+  await master.startAgain();
+  await expect(sessions.row('smoothing-chain')).toContainText('Stopped');
+  await sessions.list.getByRole('button', { name: 'smoothing-chain', exact: true }).click();
+  await expect(session.heading).toHaveText('smoothing-chain');
+  await session.act('Start');
+  await session.expectState('Running');
+
+  await test.step('deleted, it is gone for good', async () => {
+    await session.choose('Delete');
+    await expect(anna.page).toHaveURL(/\/sessions$/);
+    await expect(anna.page.getByRole('button', { name: 'Start smoothing-chain' })).toBeVisible();
+  });
+});

@@ -8,20 +8,20 @@ import { useConnection } from '../connection/useConnection.ts';
 const INTERVAL_MS = 3000;
 
 /** The sessions on the master's disk, while the calling scope lives. */
-export function useStoredSessions(): Readonly<ShallowRef<readonly Session[]>> {
+export function useStoredSessions(): {
+  readonly list: Readonly<ShallowRef<readonly Session[]>>;
+  refresh(): Promise<void>;
+} {
   const { client, isConnected } = useConnection();
   const stored = shallowRef<readonly Session[]>([]);
-  usePoll(
-    async () => {
-      try {
-        stored.value = (await client.call('sessionDatabaseGetList')).elements;
-      } catch (cause) {
-        // Original masters may refuse; a failed link is shown elsewhere.
-        if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
-      }
-    },
-    INTERVAL_MS,
-    isConnected,
-  );
-  return stored;
+  async function refresh(): Promise<void> {
+    try {
+      stored.value = (await client.call('sessionDatabaseGetList')).elements;
+    } catch (cause) {
+      // Original masters may refuse; a failed link is shown elsewhere.
+      if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
+    }
+  }
+  usePoll(refresh, INTERVAL_MS, isConnected);
+  return { list: stored, refresh };
 }

@@ -79,15 +79,32 @@ describe('what people do with sessions', () => {
     ]);
   });
 
-  it('renames the file, too: the old one would come back as another session [SE-21]', async () => {
+  it('changes a stored one on the disk, too, and its file follows its name [SE-21]', async () => {
     const { calls, asked } = setup();
-    const stored = aSession({ json: { extension: { stored: true } } });
+    const stored = aSession({ json: { extension: { stored: true, revision: 3 } } });
     await calls.rename(stored, 'Three hands');
     expect(asked.map(([service, { name }]) => [service, name])).toEqual([
-      ['sessionRuntimeUpdate', 'Three hands'],
       ['sessionDatabaseSave', 'Three hands'],
       ['sessionDatabaseDelete', 'Two hands'],
     ]);
+    expect(asked[0]![1]).toMatchObject({ id: 'session', extension: { revision: 3 } });
+  });
+
+  it('leaves the choice of a node to the master where it had it [SE-30]', async () => {
+    const { calls, asked } = setup();
+    const session = aSession();
+    session.processingModules[0]!.nodeId = 'node';
+    await calls.update(session, {});
+    session.processingModules[0]!.extension!.replaceable = true;
+    await calls.update(session, {});
+    const places = asked.map(([, spec]) => spec.processingModules![0]!.nodeId);
+    expect(places).toEqual(['node', '']);
+  });
+
+  it('opens one that is only stored by its name [SE-1]', async () => {
+    const { calls, asked } = setup();
+    await calls.open(aSession({ id: '' }));
+    expect(asked).toEqual([['sessionRuntimeAdd', { name: 'Two hands' }]]);
   });
 
   it('forgets a stored one on the disk, too, after it was stopped [SE-16, SE-21]', async () => {

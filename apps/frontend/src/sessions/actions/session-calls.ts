@@ -1,5 +1,5 @@
 import type { UbiiClient } from '@ubii/client-web';
-import { ServiceError, type Init, type Session } from '@ubii/proto';
+import { ServiceError, type Init, type ProcessingModule, type Session } from '@ubii/proto';
 import type { SessionsStore } from '../../connection/sessions-store.ts';
 import { copyName, freeName, sessionCopy, sessionSpec } from '../text/session-spec.ts';
 import { isAlive, type LifeAction } from '../state/session-state.ts';
@@ -16,13 +16,20 @@ export interface SessionCalls {
   act(session: Session, action: LifeAction): Promise<void>;
   /** Creates a session and keeps it on the master's disk. [SE-1, SE-21] */
   create(spec: Init<Session>): Promise<Session>;
-  /** Replaces the specification. [SE-15] */
+  /** Makes a session of one that is only stored, without starting it. [SE-1] */
+  open(session: Session): Promise<Session>;
+  /** Replaces the specification, on the disk too when it is stored. [SE-15, SE-21] */
   update(session: Session, changes: Init<Session>): Promise<Session>;
   duplicate(session: Session): Promise<Session>;
   rename(session: Session, name: string): Promise<Session>;
   /** Stops it if need be, and forgets it, on the disk too. [SE-16] */
   remove(session: Session): Promise<RemovedSession>;
   restore(removed: RemovedSession): Promise<Session>;
+}
+
+/** Where the master had a choice, it keeps it: the place it chose is not people's wish. [SE-30] */
+function asWished(module: Init<ProcessingModule>): Init<ProcessingModule> {
+  return module.extension?.replaceable === true ? { ...module, nodeId: '' } : module;
 }
 
 type Services = Pick<UbiiClient, 'call'>;
@@ -80,11 +87,19 @@ export function createSessionCalls(
     return keep({ ...spec, id: '', name: freeName(spec.name || 'Session', taken) });
   }
 
-  async function update(session: Session, changes: Init<Session>): Promise<Session> {
-    const extension = { ...session.extension, ...changes.extension };
-    return taken(
-      client.call('sessionRuntimeUpdate', { ...session, ...changes, id: session.id, extension }),
-    );
+  function update(session: Session, changes: Init<Session>): Promise<Session> {
+    const { id } = session;
+    const modules = changes.processingModules ?? session.processingModules;
+    const next = {
+      ...session,
+      ...changes,
+      id,
+      processingModules: modules.map(asWished),
+      extension: { ...session.extension, ...changes.extension },
+    };
+    // A stored one is changed on the disk, too
+    if (session.extension?.stored === true) return keep(next);
+    return taken(client.call('sessionRuntimeUpdate', next));
   }
 
   async function remove(session: Session): Promise<RemovedSession> {
@@ -115,21 +130,20 @@ export function createSessionCalls(
     update,
     remove,
     restore,
+    open: ({ name }) => taken(client.call('sessionRuntimeAdd', { name })),
     duplicate(session) {
       const names = new Set((store.list.value ?? []).map(({ name }) => name));
       const name = copyName(session.name, names);
       return create({ ...sessionCopy(sessionSpec(session), uuid), name });
     },
     async rename(session, name) {
-      const wasStored = session.extension?.stored === true;
       const renamed = await update(session, { name });
-      if (!wasStored) return renamed;
-      const kept = await keep(renamed);
+      if (session.extension?.stored !== true) return renamed;
       // Its file goes by the name: the old one would come back as another session
       await client.call('sessionDatabaseDelete', { name: session.name }).catch((cause: unknown) => {
         if (!(cause instanceof ServiceError && cause.code === 'not_found')) throw cause;
       });
-      return kept;
+      return renamed;
     },
   };
 }

@@ -13,6 +13,8 @@ import type { SessionActions } from './useSessionActions.ts';
 /** What can be done with a session beside the next thing. */
 export interface SessionMenu {
   itemsFor(session: Session): readonly MenuItem[];
+  /** Opens the dialog for another name. */
+  rename(session: Session): Promise<void>;
   /** The session that is being renamed, for the dialog. */
   readonly renaming: ShallowRef<Session | undefined>;
 }
@@ -24,6 +26,17 @@ export function useSessionMenu(actions: SessionActions, removed: () => void): Se
   async function duplicate(session: Session): Promise<void> {
     const copy = await actions.duplicate(session);
     if (copy) await router.push(sessionLocation(copy.id));
+  }
+  /** One that is only stored is made first. */
+  async function made(session: Session): Promise<Session | undefined> {
+    return session.id === '' ? actions.open(session) : session;
+  }
+  async function rename(session: Session): Promise<void> {
+    renaming.value = await made(session);
+  }
+  async function edit(session: Session): Promise<void> {
+    const known = await made(session);
+    if (known) await router.push(sessionTextLocation(known.id));
   }
   async function remove(session: Session): Promise<void> {
     await actions.remove(session);
@@ -46,13 +59,12 @@ export function useSessionMenu(actions: SessionActions, removed: () => void): Se
     if (life.length > 0) life.push({ kind: 'separator' });
     return [
       ...life,
-      { text: 'Rename', icon: Pencil, shortcut: 'F2', run: () => (renaming.value = session) },
+      { text: 'Rename', icon: Pencil, shortcut: 'F2', run: () => void rename(session) },
       { text: 'Duplicate', icon: Copy, run: () => void duplicate(session) },
       {
         text: 'Edit as JSON',
         icon: FileBraces,
-        disabled: session.id === '',
-        run: () => void router.push(sessionTextLocation(session.id)),
+        run: () => void edit(session),
       },
       {
         text: 'Export',
@@ -70,5 +82,5 @@ export function useSessionMenu(actions: SessionActions, removed: () => void): Se
     ];
   }
 
-  return { itemsFor, renaming };
+  return { itemsFor, rename, renaming };
 }

@@ -53,6 +53,10 @@ describe('the list of sessions', () => {
       aSession({ id: 'y', name: 'Kept' }),
     ];
     const kept = aSession({ id: 'k', name: 'Kept', json: { extension: { stored: true } } });
-    expect(withStored([stopped, kept], stored).map(({ id }) => id)).toEqual(['s', 'k', 'x']);
+    expect(withStored([stopped, kept], stored).map(({ id, name }) => [id, name])).toEqual([
+      ['s', 'Ant'],
+      ['k', 'Kept'],
+      ['', 'Other'],
+    ]);
   });
 });

@@ -1,4 +1,10 @@
-import type { Session, SessionState, SessionStatistics } from '@ubii/proto';
+import {
+  fromJson,
+  SessionState,
+  SessionStatus,
+  type Session,
+  type SessionStatistics,
+} from '@ubii/proto';
 import { sessionTotals, type SessionTotals } from '../live/session-totals.ts';
 import { isAlive, sessionState, stateLook, type StateLook } from '../state/session-state.ts';
 
@@ -41,7 +47,10 @@ export function sessionRow(
   };
 }
 
-/** Those that are stored but not known to run time stand behind the others. [SE-21] */
+/**
+ * Those that are stored but that nobody has made yet stand behind the others, without an id: it is
+ * made when it is opened or started, by its name. [SE-11, SE-21]
+ */
 export function withStored(
   sessions: readonly Session[],
   stored: readonly Session[],
@@ -50,7 +59,24 @@ export function withStored(
   const names = new Set(
     sessions.filter(({ extension }) => extension?.stored).map(({ name }) => name),
   );
-  return [...sessions, ...stored.filter(({ id, name }) => !ids.has(id) && !names.has(name))];
+  const rest = stored.filter(({ id, name }) => !ids.has(id) && !names.has(name));
+  return [...sessions, ...rest.map(asStored)];
+}
+
+function asStored(session: Session): Session {
+  const { extension } = fromJson('ubii.sessions.Session', { extension: { stored: true } });
+  return {
+    ...session,
+    id: '',
+    status: SessionStatus.STOPPED,
+    extension: {
+      ...extension!,
+      ...session.extension,
+      state: SessionState.SESSION_STOPPED,
+      problems: [],
+      stored: true,
+    },
+  };
 }
 
 /**
