@@ -1,5 +1,6 @@
 import { isMasterTopic } from '@ubii/proto';
 import type { TopicListener, TopicPort, TopicSelector } from '@ubii/pm-sandbox';
+import type { EncodedListener, EncodedRecord } from '../core/encoded-record.ts';
 import type { TopicPattern } from '../core/topic-pattern.ts';
 import type { UbiiClient } from '../core/ubii-client.ts';
 import type { DeviceTopics } from './device-topics.ts';
@@ -18,21 +19,18 @@ export class ClientTopicPort implements TopicPort {
   }
 
   subscribe(selector: TopicSelector, listener: TopicListener): () => void {
-    const isForMany = selector.kind !== 'topic';
-    if (isForMany) this.#devices.watch();
-    const cancel = this.#client.subscribeEncoded(patternOf(selector), {
-      onRecord: (record) => {
-        const deviceId = isForMany ? this.#devices.deviceOf(record.topic) : undefined;
-        listener.onRecord(deviceId === undefined ? record : { ...record, deviceId });
-      },
-      onGone: (topic) => listener.onGone(topic),
-    });
+    if (selector.kind === 'topic') return this.#client.subscribeEncoded(selector.topic, listener);
+    this.#devices.watch();
+    const pattern = patternOf(selector);
+    const told = new WithDevices(listener, this.#devices);
+    const cancel = this.#client.subscribeEncoded(pattern, told);
     let isCancelled = false;
     return () => {
       if (isCancelled) return;
       isCancelled = true;
       cancel();
-      if (isForMany) this.#devices.unwatch();
+      told.close();
+      this.#devices.unwatch();
     };
   }
 
@@ -44,10 +42,52 @@ export class ClientTopicPort implements TopicPort {
   }
 }
 
-function patternOf(selector: TopicSelector): TopicPattern {
+/** Adds the device to each record. What comes while devices are being asked for waits for the answer. */
+class WithDevices implements EncodedListener {
+  readonly #listener: TopicListener;
+  readonly #devices: DeviceTopics;
+  #held: (() => void)[] | undefined;
+  #isClosed = false;
+
+  constructor(listener: TopicListener, devices: DeviceTopics) {
+    this.#listener = listener;
+    this.#devices = devices;
+  }
+
+  onRecord(record: EncodedRecord): void {
+    this.#inOrder(() => {
+      const deviceId = this.#devices.deviceOf(record.topic);
+      this.#listener.onRecord(deviceId === undefined ? record : { ...record, deviceId });
+    });
+  }
+
+  onGone(topic: string): void {
+    this.#inOrder(() => this.#listener.onGone(topic));
+  }
+
+  /** What waits is not told any more. */
+  close(): void {
+    this.#isClosed = true;
+  }
+
+  #inOrder(tell: () => void): void {
+    if (this.#held !== undefined) {
+      this.#held.push(tell);
+      return;
+    }
+    const { reading } = this.#devices;
+    if (reading === undefined) return tell();
+    this.#held = [tell];
+    void reading.then(() => {
+      const held = this.#held ?? [];
+      this.#held = undefined;
+      for (const next of held) if (!this.#isClosed) next();
+    });
+  }
+}
+
+function patternOf(selector: Exclude<TopicSelector, { kind: 'topic' }>): TopicPattern {
   switch (selector.kind) {
-    case 'topic':
-      return { topic: selector.topic };
     case 'glob':
       return { glob: selector.glob };
     case 'regex':

@@ -12,6 +12,7 @@ export class DeviceTopics {
   readonly #devices = new Map<string, string>();
   #watchers = 0;
   #stopWatching: (() => void) | undefined;
+  #reading: Promise<void> | undefined;
 
   constructor(client: DeviceClient) {
     this.#client = client;
@@ -20,6 +21,11 @@ export class DeviceTopics {
   /** `undefined` when there is none, or none that is known yet. */
   deviceOf(topic: string): string | undefined {
     return this.#devices.get(topic);
+  }
+
+  /** Resolves when the devices that are there are known; `undefined` when nothing is being asked. */
+  get reading(): Promise<void> | undefined {
+    return this.#reading;
   }
 
   watch(): void {
@@ -57,12 +63,18 @@ export class DeviceTopics {
 
   /** Devices that are there already. What was missed is asked for again with the next connection. */
   #readAll(): void {
-    this.#client.call('componentGetList').then(
-      ({ elements }) => {
-        if (this.#watchers > 0) this.#add(elements);
-      },
-      () => undefined,
-    );
+    const reading: Promise<void> = this.#client
+      .call('componentGetList')
+      .then(
+        ({ elements }) => {
+          if (this.#watchers > 0) this.#add(elements);
+        },
+        () => undefined,
+      )
+      .finally(() => {
+        if (this.#reading === reading) this.#reading = undefined;
+      });
+    this.#reading = reading;
   }
 
   #add(components: readonly Component[]): void {
