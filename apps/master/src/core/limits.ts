@@ -96,8 +96,14 @@ export const DEFAULT_LIMITS = {
   mappingsPerSession: 4_096,
   /** Bytes of the source of one module (MAX_SOURCE_BYTES), as nodes take it. A bundled library fits. */
   moduleSourceBytes: 1 * MIB,
+  /** Encoded bytes of one session as it was sent (MAX_SESSION_BYTES), or of one stored module. Code of a large model's glue is some hundred KiB. */
+  sessionBytes: 8 * MIB,
+  /** The same of all sessions (MAX_SESSIONS_BYTES). */
+  sessionsBytes: 256 * MIB,
   /** Stored sessions, and stored modules. */
   storedDocuments: 4_096,
+  /** Encoded bytes of all stored sessions, and of all stored modules. */
+  storedBytes: 256 * MIB,
   /** Looking at the code of a session, milliseconds. A worker that has to be started first takes a fifth. */
   sourceCheckTimeoutMs: 3_000,
   /** Time nodes have to say that modules run, milliseconds (START_TIMEOUT_MS). Loading a detector from disk takes some seconds. */

@@ -328,6 +328,14 @@ describe('a session that cannot be', () => {
       code: 'resource_exhausted',
       message: expect.stringContaining('moduleSourceBytes'),
     });
+    const editorJson = JSON.stringify('x'.repeat(9 << 20));
+    const bulky = { ...doubling('/in', '/out'), extension: { editorJson } };
+    for (const topic of [TOPICS.add, TOPICS.save]) {
+      expect(await world.refusal(topic, bulky)).toMatchObject({
+        code: 'resource_exhausted',
+        message: expect.stringContaining('sessionBytes'),
+      });
+    }
     await world.ask(TOPICS.add, doubling('/a', '/b'));
     await world.ask(TOPICS.add, doubling('/a', '/b'));
     expect(await world.refusal(TOPICS.add, doubling('/a', '/b'))).toMatchObject({

@@ -7,14 +7,14 @@ import type { StoredMessages } from './stored-messages.ts';
 /** Modules the master has: those of the program and of its operator, and stored ones [SE-22]. */
 export class ModuleLibrary {
   readonly #trusted: () => readonly ProcessingModule[];
-  readonly #stored: StoredMessages<'ubii.processing.ProcessingModule'>;
+  readonly stored: StoredMessages<'ubii.processing.ProcessingModule'>;
 
   constructor(
     trusted: () => readonly ProcessingModule[],
     stored: StoredMessages<'ubii.processing.ProcessingModule'>,
   ) {
     this.#trusted = trusted;
-    this.#stored = stored;
+    this.stored = stored;
   }
 
   /** Of two with one name, the operator's counts [PM-64]. */
@@ -22,7 +22,7 @@ export class ModuleLibrary {
     if (name === '') return undefined;
     const trusted = this.#trusted().find((module) => module.name === name);
     if (trusted !== undefined) return { module: trusted, isTrusted: true };
-    const module = this.#stored.get(name);
+    const module = this.stored.get(name);
     return module === undefined ? undefined : { module, isTrusted: false };
   }
 
@@ -30,19 +30,14 @@ export class ModuleLibrary {
   list(): ProcessingModule[] {
     const trusted = this.#trusted();
     const names = new Set(trusted.map(({ name }) => name));
-    const stored = [...this.#stored.list().values()].map(({ message }) =>
+    const stored = [...this.stored.list().values()].map(({ message }) =>
       withOrigin(message, ModuleOrigin.MODULE_ORIGIN_STORED),
     );
     return [...trusted, ...stored.filter(({ name }) => !names.has(name))];
   }
 
-  /** How many are stored. */
-  get storedCount(): number {
-    return this.#stored.list().size;
-  }
-
   isStored(name: string): boolean {
-    return this.#stored.get(name) !== undefined;
+    return this.stored.get(name) !== undefined;
   }
 
   /** @throws ServiceError when the module may not be changed. */
@@ -50,15 +45,15 @@ export class ModuleLibrary {
     this.#requireStorable(module.name);
     const stored = storable(module);
     const json = toJson('ubii.processing.ProcessingModule', stored);
-    await this.#stored.store.write(this.#stored.keyOf(module.name), json);
-    return withOrigin(this.#stored.get(module.name) ?? stored, ModuleOrigin.MODULE_ORIGIN_STORED);
+    await this.stored.store.write(this.stored.keyOf(module.name), json);
+    return withOrigin(this.stored.get(module.name) ?? stored, ModuleOrigin.MODULE_ORIGIN_STORED);
   }
 
   /** @throws ServiceError when there is none, or it may not be deleted. */
   async delete(name: string): Promise<void> {
     this.#requireStorable(name);
     if (!this.isStored(name)) throw unknownModule(name);
-    await this.#stored.store.delete(this.#stored.keyOf(name));
+    await this.stored.store.delete(this.stored.keyOf(name));
   }
 
   #requireStorable(name: string): void {

@@ -9,7 +9,7 @@ export const MASTER_ALIAS = 'master';
 
 /** Stored sessions, and those that come back with the next master. */
 export class SessionLibrary {
-  readonly #stored: StoredMessages<'ubii.sessions.Session'>;
+  readonly stored: StoredMessages<'ubii.sessions.Session'>;
   readonly #running: StoredMessages<'ubii.sessions.Session'>;
   readonly #masterId: string;
   readonly #log: Log;
@@ -20,18 +20,18 @@ export class SessionLibrary {
     readonly masterId: string;
     readonly log: Log;
   }) {
-    this.#stored = parts.stored;
+    this.stored = parts.stored;
     this.#running = parts.running;
     this.#masterId = parts.masterId;
     this.#log = parts.log;
   }
 
   list(): SessionMessage[] {
-    return [...this.#stored.list().values()].map(({ message }) => withStored(message));
+    return [...this.stored.list().values()].map(({ message }) => withStored(message));
   }
 
   get(name: string): SessionMessage | undefined {
-    const message = name === '' ? undefined : this.#stored.get(name);
+    const message = name === '' ? undefined : this.stored.get(name);
     return message === undefined ? undefined : withStored(message);
   }
 
@@ -54,11 +54,11 @@ export class SessionLibrary {
 
   async save(session: Session): Promise<void> {
     const { name } = session.description;
-    await this.#stored.store.write(this.#stored.keyOf(name), this.#toJson(session));
+    await this.stored.store.write(this.stored.keyOf(name), this.#toJson(session));
   }
 
   async delete(name: string): Promise<void> {
-    await this.#stored.store.delete(this.#stored.keyOf(name));
+    await this.stored.store.delete(this.stored.keyOf(name));
   }
 
   /** Sessions that ran when the master ended [SE-24]. */

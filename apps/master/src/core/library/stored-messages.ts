@@ -1,4 +1,10 @@
-import { fromJson, type MessageType, type ProcessingModule, type Session } from '@ubii/proto';
+import {
+  encode,
+  fromJson,
+  type MessageType,
+  type ProcessingModule,
+  type Session,
+} from '@ubii/proto';
 import type { DocumentStore, StoredDocument } from '../ports/document-store.ts';
 
 /** The messages that are stored. */
@@ -18,6 +24,8 @@ interface Read<M> {
   readonly document: StoredDocument;
   readonly message: M | undefined;
   readonly reason: string;
+  /** Encoded bytes of the message. */
+  readonly byteLength: number;
 }
 
 /** The documents of a store as messages, found by the name inside [SE-20]. */
@@ -55,6 +63,15 @@ export class StoredMessages<T extends keyof StoredTypes & MessageType> {
     return undefined;
   }
 
+  /** Encoded bytes of all messages but the one of this name. */
+  bytesBeside(name: string): number {
+    let sum = 0;
+    for (const { message, byteLength } of this.#refresh().values()) {
+      if (message?.name !== name) sum += byteLength;
+    }
+    return sum;
+  }
+
   broken(): BrokenDocument[] {
     return [...this.#refresh()]
       .filter(([, { message }]) => message === undefined)
@@ -77,14 +94,20 @@ export class StoredMessages<T extends keyof StoredTypes & MessageType> {
 
   #decode(key: string, document: StoredDocument): Read<StoredTypes[T]> {
     if (document.fault !== undefined) {
-      return { document, message: undefined, reason: document.fault };
+      return { document, message: undefined, reason: document.fault, byteLength: 0 };
     }
     try {
       const message = fromJson<keyof StoredTypes>(this.#type, document.json) as StoredTypes[T];
-      return { document, message: { ...message, name: message.name || key }, reason: '' };
+      const { byteLength } = encode<keyof StoredTypes>(this.#type, message);
+      return {
+        document,
+        message: { ...message, name: message.name || key },
+        reason: '',
+        byteLength,
+      };
     } catch (error) {
       const reason = error instanceof Error ? error.message : String(error);
-      return { document, message: undefined, reason };
+      return { document, message: undefined, reason, byteLength: 0 };
     }
   }
 }

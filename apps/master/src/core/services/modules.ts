@@ -1,5 +1,6 @@
 import { ModuleOrigin, ServiceError, type ProcessingModule } from '@ubii/proto';
 import type { Core } from '../core.ts';
+import { requireRoom } from '../library/require-room.ts';
 import { matchesModule } from '../library/module-profiles.ts';
 import { unknownModule, withOrigin } from '../library/module-library.ts';
 import { moduleProblems } from '@ubii/pm-sandbox';
@@ -18,10 +19,7 @@ export const saveModule: ServiceHandler = async (core, request) => {
       `The module ${quote(module.name)} cannot be stored: ${problem.message}`,
     );
   }
-  const { storedDocuments } = core.limits;
-  if (!modules.isStored(module.name) && modules.storedCount >= storedDocuments) {
-    throw core.limitWatch.refusal('storedDocuments', `more than ${storedDocuments} stored modules`);
-  }
+  requireRoom(core.limitWatch, modules.stored, 'ubii.processing.ProcessingModule', module);
   return { processingModule: await modules.save(module) };
 };
 

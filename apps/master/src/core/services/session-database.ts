@@ -1,5 +1,6 @@
 import { ServiceError, type Session as SessionMessage } from '@ubii/proto';
 import type { Core } from '../core.ts';
+import { requireRoom } from '../library/require-room.ts';
 import type { Session } from '../sessions/session.ts';
 import { quote } from '../topics/topic-names.ts';
 import type { ServiceHandler } from './handler.ts';
@@ -61,14 +62,7 @@ async function saveSession(core: Core, message: SessionMessage): Promise<Session
       'The session has no name; give it one, by which it is stored and found.',
     );
   }
-  const isNew = sessionLibrary.get(message.name) === undefined;
-  const { storedDocuments } = core.limits;
-  if (isNew && sessionLibrary.list().length >= storedDocuments) {
-    throw core.limitWatch.refusal(
-      'storedDocuments',
-      `more than ${storedDocuments} stored sessions`,
-    );
-  }
+  requireRoom(core.limitWatch, sessionLibrary.stored, 'ubii.sessions.Session', message);
   const session = await toSave(core, message);
   await sessionLibrary.save(session);
   for (const other of sessions.list()) {

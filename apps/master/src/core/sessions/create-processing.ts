@@ -158,6 +158,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     table,
     news,
     lockstep,
+    clock,
     onFailed: (nodeId, { moduleId, message, line, column }) =>
       reportFailed(nodeId, moduleId, message, { line, column }),
   });

@@ -1,6 +1,7 @@
 import { ModuleEventKind, type ModuleEvent, type ModuleReports } from '@ubii/proto';
 import { readNodeMessage } from '@ubii/proto/wire';
 import type { Client } from '../clients/client.ts';
+import type { Clock } from '../ports/clock.ts';
 import type { Lockstep } from './lockstep/lockstep.ts';
 import type { SessionNews } from './session-news.ts';
 import type { SessionTable } from './session-table.ts';
@@ -10,9 +11,14 @@ export interface NodeReportsContext {
   readonly table: SessionTable;
   readonly news: SessionNews;
   readonly lockstep: Lockstep;
+  readonly clock: Clock;
   /** A module could not be made, or was given up [SE-12]. */
   readonly onFailed: (nodeId: string, event: ModuleEvent) => void;
 }
+
+/** Characters kept of a callback's name or a level, and of a message: everybody who watches gets them. */
+const MOST_WORD = 32;
+const MOST_TEXT = 4_096;
 
 /** Takes what nodes say over their sockets: answers of passes, and how their modules do [EX-20]. */
 export class NodeReports {
@@ -41,6 +47,9 @@ export class NodeReports {
     if (found === undefined || found.module.nodeId !== nodeId) return;
     this.#context.news.publishEvent({
       ...event,
+      phase: event.phase.slice(0, MOST_WORD),
+      level: event.level.slice(0, MOST_WORD),
+      message: event.message.slice(0, MOST_TEXT),
       sessionId: found.session.id,
       moduleName: found.module.name,
       nodeId,
@@ -56,6 +65,8 @@ export class NodeReports {
       }
     }
     for (const event of events) {
+      // What a node has to say counts like what it publishes.
+      if (!client.recordBudget.take(1, this.#context.clock.monotonicMs())) return;
       this.handleEvent(client.id, event);
       if (event.kind === ModuleEventKind.FAILED) this.#context.onFailed(client.id, event);
     }

@@ -19,6 +19,7 @@ export function placeModule(context: LifeContext, module: SessionModule): void {
     module.problem = nodeGone(module, nodes.get(module.nodeId));
     return;
   }
+  if (node.id !== module.nodeId) module.statistics = undefined;
   module.spec = specFor(node, spec);
   module.phase = 'waiting';
   module.waitingSinceMs = clock.monotonicMs();

@@ -10,6 +10,13 @@ export class SessionTable {
     return this.#sessions.size;
   }
 
+  /** Encoded bytes of all sessions. */
+  get byteLength(): number {
+    let sum = 0;
+    for (const { byteLength } of this.#sessions.values()) sum += byteLength;
+    return sum;
+  }
+
   values(): Iterable<Session> {
     return this.#sessions.values();
   }

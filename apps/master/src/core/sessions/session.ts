@@ -15,6 +15,8 @@ export class Session {
   life: SessionLife = 'created';
   /** When it came to that state, monotonic milliseconds. */
   lifeSinceMs = 0;
+  /** Encoded bytes of the request it was made of. */
+  byteLength = 0;
   /** Grows with every change of the specification [SE-15]. */
   revision = 1;
   /** A stored session has its name [SE-21]. */

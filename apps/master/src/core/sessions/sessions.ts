@@ -1,4 +1,5 @@
 import {
+  encode,
   ServiceError,
   type NodeInfo,
   type ProcessingModule,
@@ -98,10 +99,12 @@ export class Sessions {
   /** [SE-15] */
   async update(session: Session, message: SessionMessage): Promise<void> {
     this.#requireNewest(session, message);
+    const byteLength = this.#requireSpace(message, session);
     const { draft, warnings } = await makeDraft(this.#context.drafts, message, session);
     // Others may have been faster while the code was looked at.
     this.require(session.id);
     this.#requireNewest(session, message);
+    session.byteLength = byteLength;
     session.warnings = this.#warningsOf(draft, warnings);
     updateSession(this.#context.life, session, draft);
     this.#context.table.reindex(session);
@@ -123,6 +126,7 @@ export class Sessions {
     for (const message of library.interrupted()) {
       const { draft } = completeDraft(drafts, message);
       const session = new Session(message.id, draft, library.get(message.name) !== undefined);
+      session.byteLength = encode('ubii.sessions.Session', message).byteLength;
       table.add(session);
       life.news.announceNew(session);
       this.recheck(session, false);
@@ -175,7 +179,9 @@ export class Sessions {
     this.#requireRoom();
     const { draft, warnings } = await makeDraft(drafts, message);
     this.#requireRoom();
+    const byteLength = this.#requireSpace(message);
     const session = new Session(ids.uuid(), draft, isStored);
+    session.byteLength = byteLength;
     session.warnings = this.#warningsOf(draft, warnings);
     table.add(session);
     for (const module of session.modules) assignNode(life, module);
@@ -202,6 +208,20 @@ export class Sessions {
     const { table, limits } = this.#context;
     const { sessions } = limits.limits;
     if (table.size >= sessions) throw limits.refusal('sessions', `more than ${sessions} sessions`);
+  }
+
+  /** [SE-7] */
+  #requireSpace(message: SessionMessage, before?: Session): number {
+    const { table, limits } = this.#context;
+    const { sessionBytes, sessionsBytes } = limits.limits;
+    const { byteLength } = encode('ubii.sessions.Session', message);
+    if (byteLength > sessionBytes) {
+      throw limits.refusal('sessionBytes', `more than ${sessionBytes} bytes of one session`);
+    }
+    if (table.byteLength - (before?.byteLength ?? 0) + byteLength > sessionsBytes) {
+      throw limits.refusal('sessionsBytes', `more than ${sessionsBytes} bytes of all sessions`);
+    }
+    return byteLength;
   }
 
   #requireNewest(session: Session, message: SessionMessage): void {
