@@ -1,11 +1,12 @@
 import type { Cancel } from '../../ports/clock.ts';
+import type { TurnTask } from '../end-of-turn.ts';
 import type { ModeDriver, RunHost } from './mode-driver.ts';
 
 /**
  * Runs at fixed moments: run n is due n/hertz after the start, whatever happened to those before.
  * [PM-21] [PM-22]
  */
-export class FrequencyDriver implements ModeDriver {
+export class FrequencyDriver implements ModeDriver, TurnTask {
   readonly #host: RunHost;
   readonly #intervalMs: number;
   #startMs = 0;
@@ -55,8 +56,14 @@ export class FrequencyDriver implements ModeDriver {
       return;
     }
     this.#wait();
-    this.#host.run();
+    this.#host.atEndOfTurn(this);
   };
+
+  /** Instances that are due at the same moment start together: what they send travels together. */
+  handleEndOfTurn(): void {
+    const isStopped = this.#cancel === undefined;
+    if (!isStopped && !this.#host.isBusy) this.#host.run();
+  }
 
   /** Sets the timer for the first run that is due after now. */
   #wait(): void {
