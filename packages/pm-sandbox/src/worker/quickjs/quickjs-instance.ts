@@ -13,6 +13,7 @@ import { CONSOLE_LEVELS, SILENT_CONSOLE_METHODS } from '../format-log.ts';
 import { describeThrown, EngineBrokenError, ModuleError, moduleFault } from '../module-error.ts';
 import type { InputValues } from '../module-records.ts';
 import type { EngineCopy } from './load-quickjs.ts';
+import { loopPosition } from './loop-position.ts';
 import { parseJson } from './parse-json.ts';
 import { positionOf } from './position-of.ts';
 import { prelude, type PreludeApi } from './prelude.ts';
@@ -31,6 +32,8 @@ export interface QuickJsOptions {
 
 const PHASES: readonly Phase[] = ['onCreated', 'onProcessing', 'onHalted', 'onDestroyed'];
 const PRELUDE_SOURCE = `(${callbackSource(prelude, 'prelude')})`;
+/** For reading the source, however little a call may take: the first run of the engine is slow. */
+const MIN_LOAD_MS = 400;
 /** For telling what was thrown, which may be an object of the module's. */
 const REPORT_MS = 50;
 /** Jobs between two looks at the clock: chains of promises do not come by the interrupt handler. */
@@ -106,7 +109,7 @@ export class QuickJsInstance implements EngineInstance {
   #load(): void {
     const { outputNames, hostLibraries, source, limits } = this.#request;
     const context = this.#context;
-    this.#budget.begin(limits.callTimeoutMs);
+    this.#budget.begin(Math.max(limits.callTimeoutMs, MIN_LOAD_MS));
     const texts = [outputNames, hostLibraries, CONSOLE_LEVELS, SILENT_CONSOLE_METHODS];
     const literals = texts.map((value) => this.#evaluate(`(${JSON.stringify(value)})`, 'prelude'));
     const functions = [this.#logFunction(), this.#hostFunction()];
@@ -362,7 +365,9 @@ export class QuickJsInstance implements EngineInstance {
   }
 
   #fatal(kind: 'timeout' | 'memory', message: string, thrown?: ThrownText): ModuleError {
-    const position = thrown && positionOf(thrown.stack);
+    const at = thrown && positionOf(thrown.stack);
+    const source = this.#request.source[this.#phase];
+    const position = at && source && kind === 'timeout' ? loopPosition(source, at) : at;
     return new ModuleError(moduleFault(kind, this.#phase, message, position));
   }
 }
