@@ -8,7 +8,7 @@ import type {
 
 /** Documents in memory, which a test may change as people do with files. */
 export class MemoryDocuments implements DocumentStore {
-  readonly #documents = new Map<string, StoredDocument>();
+  #documents: ReadonlyMap<string, StoredDocument> = new Map();
   readonly #listeners = new Set<(keys: readonly string[]) => void>();
 
   documents(): ReadonlyMap<string, StoredDocument> {
@@ -20,12 +20,12 @@ export class MemoryDocuments implements DocumentStore {
   }
 
   write(key: string, json: JsonObject): Promise<void> {
-    this.#documents.set(key, { json: JSON.parse(JSON.stringify(json)) });
+    this.#set(key, { json: JSON.parse(JSON.stringify(json)) });
     return Promise.resolve();
   }
 
   delete(key: string): Promise<void> {
-    this.#documents.delete(key);
+    this.#set(key, undefined);
     return Promise.resolve();
   }
 
@@ -40,9 +40,15 @@ export class MemoryDocuments implements DocumentStore {
 
   /** Somebody edits the document by hand; undefined removes it. */
   edit(key: string, text: string | undefined): void {
-    if (text === undefined) this.#documents.delete(key);
-    else this.#documents.set(key, parse(text));
+    this.#set(key, text === undefined ? undefined : parse(text));
     for (const listener of this.#listeners) listener([key]);
+  }
+
+  #set(key: string, document: StoredDocument | undefined): void {
+    const documents = new Map(this.#documents);
+    if (document === undefined) documents.delete(key);
+    else documents.set(key, document);
+    this.#documents = documents;
   }
 }
 

@@ -1,6 +1,6 @@
 import type { Init, IOMapping, ProcessingModule, Session } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { doubler, doubling, SessionWorld, TOPICS } from './session-world.ts';
+import { codes, doubler, doubling, SessionWorld, TOPICS } from './session-world.ts';
 
 type Case = readonly [
   what: string,
@@ -262,6 +262,28 @@ describe('a session that cannot be', () => {
       ],
     });
     expect(extension?.problems.map(({ code }) => code)).toEqual(['output_not_mapped', 'cycle']);
+  });
+
+  it('is told of a component that gives another format [SE-4] [SE-5]', async () => {
+    const world = await SessionWorld.create();
+    const { device } = await world.master.call({
+      topic: '/services/device/registration',
+      device: {
+        clientId: world.ada.id,
+        name: 'mouse',
+        components: [{ name: 'position', topic: '/in', messageFormat: 'vector2' }],
+      },
+    });
+    const { problems } = await world.refusal(TOPICS.add, doubling('/in', '/out'));
+    expect(problems[0]).toMatchObject({
+      code: 'format_mismatch',
+      path: 'ioMappings[0].inputMappings[0].topic',
+      message: expect.stringContaining('vector2'),
+    });
+    await world.master.call({ topic: '/services/device/deregistration', device: device! });
+    world.ada.publish('/in', 'vector2', { x: 1, y: 2 });
+    const { extension } = await world.ask(TOPICS.add, doubling('/in', '/out'));
+    expect(codes(extension?.problems)).toEqual(['topic_of_other_format']);
   });
 
   it('keeps its problems up to date while it runs [SE-5]', async () => {

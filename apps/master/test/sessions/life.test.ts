@@ -129,6 +129,13 @@ describe('a session on the master', () => {
     });
     const { extension } = await world.get({ id });
     expect(extension?.state).toBe(SessionState.SESSION_DEGRADED);
+    const { masterStatus } = await world.master.call({
+      topic: '/services/ubii/master_status',
+      masterStatusRequest: {},
+    });
+    expect(masterStatus?.problems).toMatchObject([{ code: 'session_degraded' }]);
+    const sessions = world.master.master.metrics().find(({ name }) => name === 'ubii_sessions');
+    expect(sessions?.values).toContainEqual({ labels: { state: 'degraded' }, value: 1 });
     expect(extension?.problems[0]).toMatchObject({
       isError: true,
       code: 'module_failed',

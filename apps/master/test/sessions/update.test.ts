@@ -87,6 +87,29 @@ describe('an update of a running session', () => {
     expect(await world.value('/out')).toBe(2);
   });
 
+  it('needs a module to go on [SE-15]', async () => {
+    const { world, session } = await setup();
+    const empty = { ...session, processingModules: [], ioMappings: [] };
+    expect(await world.refusal(TOPICS.update, empty)).toMatchObject({
+      code: 'failed_precondition',
+    });
+    await world.ask(TOPICS.stop, { id: session.id });
+    expect((await world.ask(TOPICS.update, empty)).processingModules).toEqual([]);
+  });
+
+  it('shows where a module of a session that does not run would run [SE-30]', async () => {
+    const world = await SessionWorld.create();
+    const session = await world.ask(TOPICS.add, doubling('/in', '/out'));
+    const updated = await world.ask(TOPICS.update, {
+      ...session,
+      processingModules: [...session.processingModules, { ...doubler, name: 'new' }],
+    });
+    expect(updated.processingModules.map(({ nodeId }) => nodeId)).toEqual([
+      world.master.master.id,
+      world.master.master.id,
+    ]);
+  });
+
   it('is refused when somebody else was faster [SE-15]', async () => {
     const { world, session } = await setup();
     await world.ask(TOPICS.update, { ...session, description: 'mine' });

@@ -9,6 +9,15 @@ export class ModuleLibrary {
   readonly #trusted: () => readonly ProcessingModule[];
   readonly stored: StoredMessages<'ubii.processing.ProcessingModule'>;
 
+  /** The list, and what it was made of. */
+  #listed:
+    | {
+        readonly trusted: readonly ProcessingModule[];
+        readonly documents: unknown;
+        readonly modules: readonly ProcessingModule[];
+      }
+    | undefined = undefined;
+
   constructor(
     trusted: () => readonly ProcessingModule[],
     stored: StoredMessages<'ubii.processing.ProcessingModule'>,
@@ -26,14 +35,20 @@ export class ModuleLibrary {
     return module === undefined ? undefined : { module, isTrusted: false };
   }
 
-  /** Each says where it is from [SE-22]. */
-  list(): ProcessingModule[] {
+  /** Each says where it is from [SE-22]. The same list as long as nothing changes. */
+  list(): readonly ProcessingModule[] {
     const trusted = this.#trusted();
+    const documents = this.stored.store.documents();
+    if (this.#listed?.trusted === trusted && this.#listed.documents === documents) {
+      return this.#listed.modules;
+    }
     const names = new Set(trusted.map(({ name }) => name));
     const stored = [...this.stored.list().values()].map(({ message }) =>
       withOrigin(message, ModuleOrigin.MODULE_ORIGIN_STORED),
     );
-    return [...trusted, ...stored.filter(({ name }) => !names.has(name))];
+    const modules = [...trusted, ...stored.filter(({ name }) => !names.has(name))];
+    this.#listed = { trusted, documents, modules };
+    return modules;
   }
 
   isStored(name: string): boolean {

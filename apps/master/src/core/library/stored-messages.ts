@@ -34,6 +34,8 @@ export class StoredMessages<T extends keyof StoredTypes & MessageType> {
   readonly #type: T;
   /** What was made of a document, as long as it is the same. */
   #read = new Map<string, Read<StoredTypes[T]>>();
+  /** The documents that `#read` was made of. */
+  #documents: ReadonlyMap<string, StoredDocument> | undefined = undefined;
 
   constructor(store: DocumentStore, type: T) {
     this.store = store;
@@ -84,8 +86,11 @@ export class StoredMessages<T extends keyof StoredTypes & MessageType> {
   }
 
   #refresh(): Map<string, Read<StoredTypes[T]>> {
+    const documents = this.store.documents();
+    if (documents === this.#documents) return this.#read;
+    this.#documents = documents;
     const read = new Map<string, Read<StoredTypes[T]>>();
-    for (const [key, document] of this.store.documents()) {
+    for (const [key, document] of documents) {
       const before = this.#read.get(key);
       read.set(key, before?.document === document ? before : this.#decode(key, document));
     }

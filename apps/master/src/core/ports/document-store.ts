@@ -8,7 +8,7 @@ export type StoredDocument =
 
 /** Named JSON documents of one kind, kept between runs. People may change them by hand at any time. */
 export interface DocumentStore {
-  /** Every document as it is now, by its key. */
+  /** Every document as it is now, by its key. Another map after each change, the same one until then. */
   documents(): ReadonlyMap<string, StoredDocument>;
   /** Where people find the document of this key, for messages. */
   describe(key: string): string;

@@ -104,9 +104,10 @@ export class Sessions {
     // Others may have been faster while the code was looked at.
     this.require(session.id);
     this.#requireNewest(session, message);
+    updateSession(this.#context.life, session, draft);
     session.byteLength = byteLength;
     session.warnings = this.#warningsOf(draft, warnings);
-    updateSession(this.#context.life, session, draft);
+    this.#context.life.news.announceChange(session);
     this.#context.table.reindex(session);
     this.#context.life.onModules(session);
   }

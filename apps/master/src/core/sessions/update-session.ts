@@ -1,19 +1,27 @@
-import { encode } from '@ubii/proto';
+import { encode, ServiceError } from '@ubii/proto';
 import { quote } from '../topics/topic-names.ts';
 import { hasCodeOf } from './complete-modules.ts';
 import type { SessionDraft } from './draft.ts';
 import type { LifeContext } from './life-context.ts';
 import { tellNodes } from './node-changes.ts';
-import { placeModule } from './place-module.ts';
+import { assignNode, placeModule } from './place-module.ts';
 import { warningProblem } from './problems.ts';
 import { createModule, type Session } from './session.ts';
 import { evaluate, syncLocal } from './session-life.ts';
 import type { SessionModule } from './session-module.ts';
 
-/** Replaces the specification of a session, also while it runs [SE-15]. */
+/** Replaces the specification of a session, also while it runs [SE-15]. @throws ServiceError */
 export function updateSession(context: LifeContext, session: Session, draft: SessionDraft): void {
   const { modules: drafts, ...description } = draft;
+  if (session.isLive && drafts.length === 0) {
+    throw new ServiceError(
+      'failed_precondition',
+      `The session ${quote(session.label)} is ${session.life}, and one that runs needs a module; stop it first.`,
+    );
+  }
   const before = session.modules;
+  // What is stored has the name of before.
+  session.isStored &&= description.name === session.description.name;
   session.description = description;
   session.revision++;
   session.modules = drafts.map((one) => createModule(one));
@@ -21,9 +29,11 @@ export function updateSession(context: LifeContext, session: Session, draft: Ses
   const started: SessionModule[] = [];
   for (const module of session.modules) {
     const old = before.find(({ id }) => id === module.id);
-    if (!session.isLive)
-      module.spec = { ...module.spec, nodeId: module.wishedNodeId || (old?.nodeId ?? '') };
-    else if (old !== undefined && staysPut(module, old)) takeOver(context, module, old, unheard);
+    if (!session.isLive) {
+      assignNode(context, module);
+      // Who was told to end it is waited for still.
+      if (old?.phase === 'ending') module.phase = 'ending';
+    } else if (old !== undefined && staysPut(module, old)) takeOver(context, module, old, unheard);
     else {
       if (old !== undefined && old.isPlaced && isForeign(context, old.nodeId))
         unheard.add(old.nodeId);
@@ -39,8 +49,7 @@ export function updateSession(context: LifeContext, session: Session, draft: Ses
   for (const nodeId of unheard) {
     session.troubles.set(`update ${nodeId}`, cannotUpdate(context, nodeId));
   }
-  if (session.isLive) evaluate(context, session);
-  context.news.announceChange(session);
+  if (session.isLive || session.life === 'stopping') evaluate(context, session);
   if (!session.isLive) return;
   tellNodes(context, session, started);
   syncLocal(context, session);
