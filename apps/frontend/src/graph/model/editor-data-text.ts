@@ -28,15 +28,12 @@ export function editorDataText(graph: Graph): string {
 
 /** Ours, with what others have left there, by key. */
 function section(ours: ReadonlyMap<string, JsonValue>, others: JsonValue | undefined): JsonValue {
-  if (others !== undefined && !isObject(others)) {
-    // Somebody's own idea of the section: ours has to be readable, theirs has to be kept.
-    return section(new Map([...ours, ['', { others }]]), undefined);
-  }
-  const keys = [...new Set([...ours.keys(), ...Object.keys(others ?? {})])].sort();
+  const left = isObject(others) ? others : {};
+  const keys = [...new Set([...ours.keys(), ...Object.keys(left)])].sort();
   return Object.fromEntries(
     keys.map((key) => {
       const own = ours.get(key);
-      const other = others?.[key];
+      const other = left[key];
       const both = isObject(own) && isObject(other) ? { ...other, ...own } : (own ?? other ?? null);
       return [key, both];
     }),

@@ -78,7 +78,11 @@ function takeEach<T>(
   read: (value: JsonValue) => Reading<T>,
 ): void {
   const all = members[section];
-  if (!isObject(all)) return;
+  if (!isObject(all)) {
+    // Ours has to have its place; theirs has to be kept.
+    if (all !== undefined) members[section] = { '': { others: all } };
+    return;
+  }
   const kept: [string, JsonValue][] = [];
   for (const [key, member] of Object.entries(all)) {
     const { value, left } = read(member);

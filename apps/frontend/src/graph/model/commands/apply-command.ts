@@ -1,0 +1,97 @@
+import type { Graph } from '../graph.ts';
+import { commandLabel } from './command-label.ts';
+import { connect } from './connect.ts';
+import {
+  editNode,
+  moved,
+  setConstant,
+  setDemuxer,
+  setModule,
+  setMuxer,
+  setText,
+  setValue,
+} from './edit-node.ts';
+import type { CommandKind, CommandOf, GraphCommand } from './graph-command.ts';
+import { GraphEdit, type GraphPatch } from './graph-edit.ts';
+import { hideTopic, placeTopics, renameTopic, setVia, showTopic } from './topic-commands.ts';
+
+/** A graph after a command. */
+export interface Applied {
+  readonly graph: Graph;
+  /** Leads back, whatever the command was. */
+  readonly inverse: CommandOf<'patch'>;
+  /** Leads there again. */
+  readonly redo: GraphPatch;
+}
+
+/** Does what the command says. The graph given stays as it is; without a change it is the result. */
+export function applyCommand(graph: Graph, command: GraphCommand): Applied {
+  const edit = new GraphEdit(graph);
+  const label = commandLabel(graph, command);
+  run(edit, command);
+  return {
+    graph: edit.graph,
+    inverse: { kind: 'patch', patch: edit.undoing(), label },
+    redo: edit.redoing(),
+  };
+}
+
+type Runner<K extends CommandKind> = (edit: GraphEdit, command: CommandOf<K>) => void;
+
+const RUNNERS: { readonly [K in CommandKind]: Runner<K> } = {
+  all: (edit, { commands }) => {
+    for (const command of commands) run(edit, command);
+  },
+  patch: (edit, { patch }) => edit.apply(patch),
+  add: (edit, { nodes, wires = [] }) => {
+    placeTopics(edit, nodes);
+    edit.putNodes(nodes);
+    edit.putWires(
+      wires.filter(({ from, to }) => isThere(edit, from.node) && isThere(edit, to.node)),
+    );
+  },
+  remove: (edit, { nodes = [], wires = [] }) => {
+    edit.removeWires(wires);
+    edit.removeNodes(nodes);
+  },
+  move: (edit, { positions }) => {
+    edit.putNodes(moved(edit.graph, positions));
+  },
+  resize: (edit, { node, size, position }) =>
+    editNode(edit, node, (old) => ({ ...old, size, position: position ?? old.position })),
+  collapse: (edit, { nodes, isCollapsed }) => {
+    for (const id of nodes) editNode(edit, id, (old) => ({ ...old, isCollapsed }));
+  },
+  connect,
+  reroute: (edit, { wire, points }) => {
+    const old = edit.graph.wires.get(wire);
+    if (old !== undefined) edit.putWires([{ ...old, points }]);
+  },
+  setModule,
+  setConstant,
+  setMuxer,
+  setDemuxer,
+  setValue,
+  setText,
+  renameTopic,
+  setVia,
+  showTopic,
+  hideTopic,
+  group: (edit, { frame, nodes }) => {
+    edit.putNodes([frame]);
+    for (const id of nodes) editNode(edit, id, (old) => ({ ...old, frame: frame.id }));
+  },
+  ungroup: (edit, { frame }) => {
+    if (edit.graph.nodes.get(frame)?.kind === 'frame') edit.removeNodes([frame]);
+  },
+  setFrame: (edit, { nodes, frame }) => {
+    for (const id of nodes) editNode(edit, id, (old) => ({ ...old, frame }));
+  },
+  setDetails: (edit, { changes }) => edit.setDetails({ ...edit.graph.details, ...changes }),
+};
+
+function run(edit: GraphEdit, command: GraphCommand): void {
+  (RUNNERS[command.kind] as Runner<CommandKind>)(edit, command);
+}
+
+const isThere = (edit: GraphEdit, id: string): boolean => edit.graph.nodes.has(id);

@@ -1,0 +1,101 @@
+import type { Graph, GraphNode, NodeKind, Point, Wire } from '../graph.ts';
+import { constantNode, demuxerNode, moduleNode, muxerNode } from '../make-node.ts';
+import { ioName } from '../ports.ts';
+import { wiresOf } from '../wires-of.ts';
+import type { CommandOf } from './graph-command.ts';
+import type { GraphEdit } from './graph-edit.ts';
+
+type NodeOf<K extends NodeKind> = Extract<GraphNode, { readonly kind: K }>;
+
+/** Puts another node in the place of a node, if it is there. */
+export function editNode(
+  edit: GraphEdit,
+  id: string,
+  change: (node: GraphNode) => GraphNode,
+): void {
+  const node = edit.graph.nodes.get(id);
+  if (node !== undefined) edit.putNodes([change(node)]);
+}
+
+function editOf<K extends NodeKind>(
+  edit: GraphEdit,
+  id: string,
+  kind: K,
+  change: (node: NodeOf<K>) => GraphNode,
+): void {
+  editNode(edit, id, (node) => (node.kind === kind ? change(node as NodeOf<K>) : node));
+}
+
+/** Nodes at their new places; frames take along what is in them and is not moved by itself. */
+export function moved(graph: Graph, positions: ReadonlyMap<string, Point>): GraphNode[] {
+  const frames = new Map<string, Point>();
+  const nodes: GraphNode[] = [];
+  for (const [id, position] of positions) {
+    const node = graph.nodes.get(id);
+    if (node === undefined || isSamePlace(node.position, position)) continue;
+    nodes.push({ ...node, position });
+    if (node.kind !== 'frame' || node.position === undefined) continue;
+    frames.set(id, { x: position.x - node.position.x, y: position.y - node.position.y });
+  }
+  if (frames.size === 0) return nodes;
+  for (const node of graph.nodes.values()) {
+    const by = node.frame === undefined ? undefined : frames.get(node.frame);
+    if (by === undefined || node.position === undefined || positions.has(node.id)) continue;
+    nodes.push({ ...node, position: { x: node.position.x + by.x, y: node.position.y + by.y } });
+  }
+  return nodes;
+}
+
+const isSamePlace = (a: Point | undefined, b: Point): boolean => a?.x === b.x && a.y === b.y;
+
+export const setModule = (edit: GraphEdit, { node, changes }: CommandOf<'setModule'>): void =>
+  editOf(edit, node, 'module', (old) => {
+    // Ids are what others know it by.
+    const module = { ...old.module, ...changes, id: old.module.id };
+    const wires = wiresOf(edit.graph, node);
+    return moduleNode(module, {
+      ...old,
+      mappedInputs: names(wires.in, ({ to }) => to.port),
+      mappedOutputs: names(wires.out, ({ from }) => from.port),
+    });
+  });
+
+const names = (wires: readonly Wire[], portOf: (wire: Wire) => string): string[] =>
+  wires.map((wire) => ioName(portOf(wire)));
+
+export const setConstant = (
+  edit: GraphEdit,
+  { node, input, json }: CommandOf<'setConstant'>,
+): void =>
+  editOf(edit, node, 'module', (old) => {
+    if (old.constants.get(input) === json) return old;
+    const constants = new Map(old.constants);
+    if (json === undefined || json === '') constants.delete(input);
+    else constants.set(input, json);
+    return { ...old, constants };
+  });
+
+export const setMuxer = (edit: GraphEdit, { node, changes }: CommandOf<'setMuxer'>): void =>
+  editOf(edit, node, 'muxer', (old) => muxerNode({ ...old.mux, ...changes, id: old.mux.id }, old));
+
+export const setDemuxer = (edit: GraphEdit, { node, changes }: CommandOf<'setDemuxer'>): void =>
+  editOf(edit, node, 'demuxer', (old) =>
+    demuxerNode({ ...old.demux, ...changes, id: old.demux.id }, old),
+  );
+
+export const setValue = (edit: GraphEdit, { node, json }: CommandOf<'setValue'>): void =>
+  editOf(edit, node, 'constant', (old) => constantNode(old.id, json, old));
+
+export const setText = (edit: GraphEdit, { node, text }: CommandOf<'setText'>): void =>
+  editNode(edit, node, (old) => {
+    switch (old.kind) {
+      case 'comment':
+        return { ...old, text };
+      case 'frame':
+        return { ...old, title: text };
+      case 'constant':
+        return { ...old, name: text };
+      default:
+        return old;
+    }
+  });

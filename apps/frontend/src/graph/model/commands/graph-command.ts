@@ -1,0 +1,73 @@
+import type { ProcessingModule, TopicDemux, TopicMux } from '@ubii/proto';
+import type { FrameNode, GraphNode, Point, PortRef, SessionDetails, Size, Wire } from '../graph.ts';
+import type { GraphPatch } from './graph-edit.ts';
+
+/** Whatever a person does to a graph. What names something that is not there does nothing. */
+export type GraphCommand =
+  /** Several as one step, with words for what they are together. */
+  | { readonly kind: 'all'; readonly commands: readonly GraphCommand[]; readonly label: string }
+  | { readonly kind: 'patch'; readonly patch: GraphPatch; readonly label: string }
+  | {
+      readonly kind: 'add';
+      readonly nodes: readonly GraphNode[];
+      readonly wires?: readonly Wire[];
+      readonly label?: string;
+    }
+  | {
+      readonly kind: 'remove';
+      readonly nodes?: readonly string[];
+      readonly wires?: readonly string[];
+    }
+  | { readonly kind: 'move'; readonly positions: ReadonlyMap<string, Point> }
+  | {
+      readonly kind: 'resize';
+      readonly node: string;
+      readonly size: Size | undefined;
+      readonly position?: Point;
+    }
+  | { readonly kind: 'collapse'; readonly nodes: readonly string[]; readonly isCollapsed: boolean }
+  /** To an input that has a wire it takes the place of that wire. */
+  | {
+      readonly kind: 'connect';
+      readonly from: PortRef;
+      readonly to: PortRef;
+      /** Between modules: the topic in between; without it one is found or made up. */
+      readonly via?: string;
+    }
+  | { readonly kind: 'reroute'; readonly wire: string; readonly points: readonly Point[] }
+  | {
+      readonly kind: 'setModule';
+      readonly node: string;
+      readonly changes: Partial<ProcessingModule>;
+    }
+  /** A value at an input itself; undefined: the default of the module. */
+  | {
+      readonly kind: 'setConstant';
+      readonly node: string;
+      readonly input: string;
+      readonly json: string | undefined;
+    }
+  | { readonly kind: 'setMuxer'; readonly node: string; readonly changes: Partial<TopicMux> }
+  | { readonly kind: 'setDemuxer'; readonly node: string; readonly changes: Partial<TopicDemux> }
+  /** The value of a constant node. */
+  | { readonly kind: 'setValue'; readonly node: string; readonly json: string }
+  /** The text of a comment, the title of a frame, the name of a constant. */
+  | { readonly kind: 'setText'; readonly node: string; readonly text: string }
+  | { readonly kind: 'renameTopic'; readonly node: string; readonly topic: string }
+  /** Another topic between two modules, for all wires that share it. */
+  | { readonly kind: 'setVia'; readonly wire: string; readonly topic: string }
+  /** Gives the topic of a wire between modules a node of its own. */
+  | { readonly kind: 'showTopic'; readonly wire: string; readonly position?: Point | undefined }
+  /** Makes wires of a topic that one module writes and others read. */
+  | { readonly kind: 'hideTopic'; readonly node: string }
+  | { readonly kind: 'group'; readonly frame: FrameNode; readonly nodes: readonly string[] }
+  | { readonly kind: 'ungroup'; readonly frame: string }
+  | {
+      readonly kind: 'setFrame';
+      readonly nodes: readonly string[];
+      readonly frame: string | undefined;
+    }
+  | { readonly kind: 'setDetails'; readonly changes: Partial<SessionDetails> };
+
+export type CommandKind = GraphCommand['kind'];
+export type CommandOf<K extends CommandKind> = Extract<GraphCommand, { readonly kind: K }>;

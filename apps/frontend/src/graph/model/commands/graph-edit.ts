@@ -1,0 +1,129 @@
+import type { Graph, GraphNode, SessionDetails, Wire } from '../graph.ts';
+import { wiresOf } from '../wires-of.ts';
+
+/** Elements of a graph as they shall be; undefined: not there. */
+export interface GraphPatch {
+  readonly nodes: ReadonlyMap<string, GraphNode | undefined>;
+  readonly wires: ReadonlyMap<string, Wire | undefined>;
+  readonly details: SessionDetails | undefined;
+}
+
+/** A graph being changed: remembers how everything that it touches was before. */
+export class GraphEdit {
+  readonly #before: Graph;
+  #graph: Graph;
+  readonly #nodes = new Set<string>();
+  readonly #wires = new Set<string>();
+
+  constructor(graph: Graph) {
+    this.#before = graph;
+    this.#graph = graph;
+  }
+
+  /** As it is by now. */
+  get graph(): Graph {
+    return this.#graph;
+  }
+
+  putNodes(nodes: Iterable<GraphNode>): void {
+    this.#changeNodes([...nodes].map((node) => [node.id, node]));
+  }
+
+  /** Removes nodes and their wires; what was in a frame that goes is in none. */
+  removeNodes(ids: Iterable<string>): void {
+    const gone = new Set([...ids].filter((id) => this.#graph.nodes.has(id)));
+    if (gone.size === 0) return;
+    const wires = [...gone].flatMap((id) => {
+      const { in: incoming, out } = wiresOf(this.#graph, id);
+      return [...incoming, ...out].map((wire) => wire.id);
+    });
+    this.removeWires(wires);
+    const hasFrame = [...gone].some((id) => this.#graph.nodes.get(id)?.kind === 'frame');
+    const orphans = hasFrame
+      ? [...this.#graph.nodes.values()].filter(
+          ({ id, frame }) => frame !== undefined && gone.has(frame) && !gone.has(id),
+        )
+      : [];
+    this.#changeNodes([
+      ...[...gone].map((id) => [id, undefined] as const),
+      ...orphans.map((node) => [node.id, { ...node, frame: undefined }] as const),
+    ]);
+  }
+
+  putWires(wires: Iterable<Wire>): void {
+    this.#changeWires([...wires].map((wire) => [wire.id, wire]));
+  }
+
+  removeWires(ids: Iterable<string>): void {
+    this.#changeWires([...ids].map((id) => [id, undefined]));
+  }
+
+  setDetails(details: SessionDetails): void {
+    this.#graph = { ...this.#graph, details };
+  }
+
+  apply({ nodes, wires, details }: GraphPatch): void {
+    this.#changeNodes([...nodes]);
+    this.#changeWires([...wires]);
+    if (details !== undefined) this.setDetails(details);
+  }
+
+  /** What leads from the graph as it is to what it was. */
+  undoing(): GraphPatch {
+    return this.#patch(this.#before, this.#graph);
+  }
+
+  /** What leads from the graph as it was to what it is. */
+  redoing(): GraphPatch {
+    return this.#patch(this.#graph, this.#before);
+  }
+
+  #patch(to: Graph, from: Graph): GraphPatch {
+    return {
+      nodes: differing(this.#nodes, to.nodes, from.nodes),
+      wires: differing(this.#wires, to.wires, from.wires),
+      details: to.details === from.details ? undefined : to.details,
+    };
+  }
+
+  #changeNodes(changes: readonly (readonly [id: string, node: GraphNode | undefined])[]): void {
+    const nodes = changed(this.#graph.nodes, changes, this.#nodes);
+    if (nodes !== undefined) this.#graph = { ...this.#graph, nodes };
+  }
+
+  #changeWires(changes: readonly (readonly [id: string, wire: Wire | undefined])[]): void {
+    const wires = changed(this.#graph.wires, changes, this.#wires);
+    if (wires !== undefined) this.#graph = { ...this.#graph, wires };
+  }
+}
+
+/** Undefined when nothing changes. */
+function changed<T>(
+  map: ReadonlyMap<string, T>,
+  changes: readonly (readonly [id: string, value: T | undefined])[],
+  touched: Set<string>,
+): ReadonlyMap<string, T> | undefined {
+  const real = changes.filter(([id, value]) => map.get(id) !== value);
+  if (real.length === 0) return undefined;
+  const copy = new Map(map);
+  for (const [id, value] of real) {
+    touched.add(id);
+    if (value === undefined) copy.delete(id);
+    else copy.set(id, value);
+  }
+  return copy;
+}
+
+function differing<T>(
+  ids: ReadonlySet<string>,
+  to: ReadonlyMap<string, T>,
+  from: ReadonlyMap<string, T>,
+): ReadonlyMap<string, T | undefined> {
+  const entries = [...ids].map((id) => [id, to.get(id)] as const);
+  return new Map(entries.filter(([id, value]) => from.get(id) !== value));
+}
+
+/** True when it would change nothing. */
+export function isEmptyPatch({ nodes, wires, details }: GraphPatch): boolean {
+  return nodes.size === 0 && wires.size === 0 && details === undefined;
+}
