@@ -57,7 +57,7 @@ export default ts.config(
       '**/dist/**',
       '**/node_modules/**',
       '**/.cache/**',
-      'packages/proto/src/generated/**',
+      'packages/*/src/generated/**',
       'e2e/test-results/**',
       'e2e/playwright-report/**',
     ],

@@ -12,7 +12,8 @@ export {
 export { mapRange } from './map-range/map-range.ts';
 export { mergeVector2, mergeVector3, mergeVector4 } from './merge-vector/merge-vector.ts';
 export { mirrorPointer } from './mirror-pointer/mirror-pointer.ts';
-export { MODULES, moduleLibrary } from './module-library.ts';
+export { moduleLibrary } from './module-library.ts';
+export { MODULES } from './modules.ts';
 export {
   oneEuroFilter,
   oneEuroFilterQuaternion,

@@ -1,3 +1,4 @@
+import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import {
   moduleProblems,
@@ -19,7 +20,7 @@ const { MODULES, moduleLibrary } = library;
 const CHECK_TIMEOUT_MS = 30_000;
 const FORMAT = 'ubii.processing.ProcessingModule';
 const FOLDERS = readdirSync(import.meta.dirname, { withFileTypes: true })
-  .filter((entry) => entry.isDirectory() && entry.name !== 'examples')
+  .filter((entry) => entry.isDirectory() && !['examples', 'generated'].includes(entry.name))
   .map(({ name }) => name);
 
 function isDefinition(value: unknown): value is AnyModuleDefinition {
@@ -81,7 +82,11 @@ describe.each(MODULES.map((module) => [module.name, module] as const))('%s', (_n
     expect(parsed.libraries).toEqual(module.libraries ?? []);
     expect(parsed.version).toBe(module.version);
     expect(parsed.source?.onProcessing).toBe(wire.onProcessingStringified);
-    expect(parsed).toEqual(parseModule(libraryModule(module.name)));
+    // The text of the library is made by another compiler than that of the tests.
+    expect({ ...parsed, source: undefined }).toEqual({
+      ...parseModule(libraryModule(module.name)),
+      source: undefined,
+    });
   });
 
   it.each(WAYS)('runs before anything came, %s', async (_way, drive) => {
@@ -93,6 +98,16 @@ describe.each(MODULES.map((module) => [module.name, module] as const))('%s', (_n
 });
 
 describe('the source texts of the library', () => {
+  it(
+    'are made from the definitions as they are [PM-64]',
+    () => {
+      // In a process of its own: the test runner compiles what it loads, and with it the texts.
+      const script = `${import.meta.dirname}/../scripts/write-library.mjs`;
+      execFileSync(process.execPath, [script, '--check'], { stdio: 'pipe' });
+    },
+    CHECK_TIMEOUT_MS,
+  );
+
   it(
     'see nothing outside of them but the language [PM-2]',
     () => {

@@ -1,57 +1,11 @@
-import { moduleToWire, type AnyModuleDefinition } from '@ubii/pm-sandbox';
-import { decode, encode, type ProcessingModule } from '@ubii/proto';
-import { clock } from './clock/clock.ts';
-import { httpPoller } from './http-poller/http-poller.ts';
-import { loadGenerator } from './load-generator/load-generator.ts';
-import {
-  lowPass,
-  lowPassQuaternion,
-  lowPassVector2,
-  lowPassVector3,
-  lowPassVector4,
-} from './low-pass/low-pass.ts';
-import { mapRange } from './map-range/map-range.ts';
-import { mergeVector2, mergeVector3, mergeVector4 } from './merge-vector/merge-vector.ts';
-import { mirrorPointer } from './mirror-pointer/mirror-pointer.ts';
-import {
-  oneEuroFilter,
-  oneEuroFilterQuaternion,
-  oneEuroFilterVector2,
-  oneEuroFilterVector3,
-  oneEuroFilterVector4,
-} from './one-euro-filter/one-euro-filter.ts';
-import { statistics } from './statistics/statistics.ts';
-import { threshold } from './threshold/threshold.ts';
-import { touchProximity } from './touch-proximity/touch-proximity.ts';
+import { fromJson, type ProcessingModule } from '@ubii/proto';
+import { LIBRARY } from './generated/library.ts';
 
-/** All modules of the library, by name from a to z. */
-export const MODULES: readonly AnyModuleDefinition[] = [
-  clock,
-  httpPoller,
-  loadGenerator,
-  lowPass,
-  lowPassQuaternion,
-  lowPassVector2,
-  lowPassVector3,
-  lowPassVector4,
-  mapRange,
-  mergeVector2,
-  mergeVector3,
-  mergeVector4,
-  mirrorPointer,
-  oneEuroFilter,
-  oneEuroFilterQuaternion,
-  oneEuroFilterVector2,
-  oneEuroFilterVector3,
-  oneEuroFilterVector4,
-  statistics,
-  threshold,
-  touchProximity,
-];
-
-const FORMAT = 'ubii.processing.ProcessingModule';
-
-/** All of them as messages with source text, complete and without an id; the caller's to change. */
+/**
+ * All modules as messages with source text, complete and without an id; the caller's to change. The
+ * text is the same in every program, however it is bundled: that is how a node knows that the code a
+ * session brings is its own. [PM-64]
+ */
 export function moduleLibrary(): ProcessingModule[] {
-  return MODULES.map((definition) => decode(FORMAT, encode(FORMAT, moduleToWire(definition))));
+  return LIBRARY.map((json) => fromJson('ubii.processing.ProcessingModule', json));
 }
