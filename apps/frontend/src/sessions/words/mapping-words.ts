@@ -14,7 +14,8 @@ export type MappingEnd =
   /** Many topics: which, and what tells their records apart. */
   | { readonly kind: 'muxer'; readonly pattern: string; readonly words: string }
   | { readonly kind: 'demuxer'; readonly pattern: string; readonly words: string }
-  | { readonly kind: 'constant'; readonly json: string }
+  /** The value as JSON text, without the name of its data format. */
+  | { readonly kind: 'constant'; readonly value: string }
   | { readonly kind: 'none' };
 
 /** One input or output of a module, with what flows there. */
@@ -59,9 +60,22 @@ const inputEnd = (mapping: TopicInputMapping | undefined): MappingEnd => {
   if (mapping?.topic) return { kind: 'topic', topic: mapping.topic };
   const mux = mapping?.topicMux;
   if (mux) return { kind: 'muxer', pattern: muxPattern(mux), words: muxWords(mux) };
-  if (mapping?.constantJson) return { kind: 'constant', json: mapping.constantJson };
+  if (mapping?.constantJson)
+    return { kind: 'constant', value: constantValue(mapping.constantJson) };
   return { kind: 'none' };
 };
+
+/** [PM-34] `{"double":0.5}` is `0.5`; what cannot be read is shown as it is. */
+function constantValue(json: string): string {
+  try {
+    const record: unknown = JSON.parse(json);
+    if (typeof record !== 'object' || record === null) return json;
+    const values: unknown[] = Object.values(record);
+    return values.length === 1 ? JSON.stringify(values[0]) : json;
+  } catch {
+    return json;
+  }
+}
 
 const demuxEnd = ({ outputTopicFormat }: TopicDemux): MappingEnd => ({
   kind: 'demuxer',

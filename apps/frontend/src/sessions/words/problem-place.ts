@@ -43,6 +43,14 @@ function place(
 /** What the row of an input or output says by itself. */
 const SAID_ANYWAY: ReadonlySet<string> = new Set(['output_not_mapped']);
 
+/** True for what people should read; an output that goes nowhere is often meant so. */
+export function isWorthSaying({
+  isError,
+  code,
+}: Pick<SessionProblem, 'isError' | 'code'>): boolean {
+  return isError || !SAID_ANYWAY.has(code);
+}
+
 /** What is wrong with one input or output of a module, beside what its row says anyway. */
 export function problemsOf(
   session: Placed,
@@ -50,10 +58,10 @@ export function problemsOf(
   side: ProblemPlace['side'],
   name: string,
 ): readonly SessionProblem[] {
-  return (session.extension?.problems ?? []).filter(({ path, code }) => {
-    const at = placeOf(session, path);
+  return (session.extension?.problems ?? []).filter((problem) => {
+    const at = placeOf(session, problem.path);
     const isHere = at?.moduleId === moduleId && at.side === side && at.name === name;
-    return isHere && !SAID_ANYWAY.has(code);
+    return isHere && isWorthSaying(problem);
   });
 }
 

@@ -31,7 +31,7 @@ describe('mappedModule', () => {
     const { inputs, outputs } = mappedModule(session.processingModules[0]!, session);
     expect(inputs.map(({ name, end }) => [name, end])).toEqual([
       ['position', { kind: 'topic', topic: '/a/position' }],
-      ['mirrorX', { kind: 'constant', json: '{"bool":true}' }],
+      ['mirrorX', { kind: 'constant', value: 'true' }],
       ['rest', { kind: 'none' }],
     ]);
     expect(outputs.map(({ name, isDeclared }) => [name, isDeclared])).toEqual([

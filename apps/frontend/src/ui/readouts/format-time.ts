@@ -33,3 +33,10 @@ export function formatUptime(durationMs: number): string {
   }
   return `${Math.floor(duration / DAY)} d ${two(Math.floor((duration % DAY) / HOUR))} h`;
 }
+
+/** How long a run of code takes, which may be very short: `<0.01 ms`, `0.04 ms`, `0.8 ms`, `64 ms`. */
+export function formatRunTime(durationMs: number): Readout {
+  if (durationMs >= 0.095) return formatMilliseconds(durationMs);
+  const digits = durationMs < 0.005 ? '<0.01' : formatNumber(durationMs, 2);
+  return { digits, unit: 'ms' };
+}

@@ -3,7 +3,7 @@ import { ageFill } from './age-fill.ts';
 import { formatBytes } from './format-bytes.ts';
 import { formatNumber } from './format-number.ts';
 import { formatRate } from './format-rate.ts';
-import { formatAge, formatMilliseconds, formatUptime } from './format-time.ts';
+import { formatAge, formatMilliseconds, formatRunTime, formatUptime } from './format-time.ts';
 
 const text = ({ digits, unit }: { digits: string; unit?: string }): string =>
   [digits, unit].filter(Boolean).join(' ');
@@ -89,4 +89,13 @@ it('an age bar is full when fresh, empty when stale, and drains in between', () 
   expect(ageFill(5000)).toBe(0);
   expect(ageFill(100)).toBeGreaterThan(ageFill(1000));
   expect(ageFill(100)).toBeCloseTo(0.63, 2);
+});
+
+it('short run times keep two decimals', () => {
+  expect([0.001, 0.04, 0.2, 3].map((ms) => text(formatRunTime(ms)))).toEqual([
+    '<0.01 ms',
+    '0.04 ms',
+    '0.2 ms',
+    '3.0 ms',
+  ]);
 });
