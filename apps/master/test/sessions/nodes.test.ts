@@ -236,6 +236,21 @@ describe('a node that goes', () => {
     });
   });
 
+  it('is missed by a session that waits to be started, until it is back [SE-5]', async () => {
+    const world = await SessionWorld.create();
+    const node = await TestNode.ours(world.master, 'tab');
+    node.client.drop();
+    await world.master.pass(11_000);
+    const session = await world.ask(TOPICS.add, {
+      ...doubling('/in', '/out'),
+      processingModules: [{ ...doubler, nodeId: node.id }],
+    });
+    expect(codes(session.extension?.problems)).toContain('node_unavailable');
+    node.client.open();
+    const { extension } = await world.get(session);
+    expect(codes(extension?.problems)).not.toContain('node_unavailable');
+  });
+
   it('is not waited for while the session stops [SE-31]', async () => {
     const world = await SessionWorld.create();
     const node = await TestNode.ours(world.master, 'tab');

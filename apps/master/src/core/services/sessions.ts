@@ -9,9 +9,11 @@ export const addSession: ServiceHandler = async ({ processing }, request) => ({
 });
 
 /** `/services/session/runtime/get` */
-export const getSession: ServiceHandler = (core, request) => ({
-  session: known(core, request).toMessage(),
-});
+export const getSession: ServiceHandler = (core, request) => {
+  const session = known(core, request);
+  core.processing.sessions.recheck(session);
+  return { session: session.toMessage() };
+};
 
 /** `/services/session/runtime/get_list` */
 export const listSessions: ServiceHandler = ({ processing }) => ({

@@ -141,7 +141,11 @@ export class Sessions {
     const { modules } = draftOf(session);
     const warnings = [
       ...session.warnings.filter(({ code }) => !SURROUNDINGS.has(code)),
-      ...checkSurroundings(modules, drafts.checks),
+      ...checkSurroundings(modules, {
+        ...drafts.checks,
+        // Of one that lives, its modules say so.
+        ...(session.isLive && { nodeProblem: () => undefined }),
+      }),
     ];
     if (JSON.stringify(warnings) === JSON.stringify(session.warnings)) return;
     session.warnings = warnings;

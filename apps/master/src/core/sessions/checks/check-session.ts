@@ -16,20 +16,28 @@ const CHECKS: readonly Check[] = [
   checkCycles,
 ];
 
-/** What is doubtful today and may not be tomorrow: it depends on topics and components. */
-export function checkSurroundings(
-  modules: readonly DraftModule[],
-  context: CheckContext,
-): SessionProblem[] {
-  return [...checkFormats(modules, context)].map((problem) => ({ ...problem, isError: false }));
-}
-
 /** The codes of `checkSurroundings`. */
 export const SURROUNDINGS: ReadonlySet<string> = new Set<ProblemCode>([
   'format_mismatch',
   'topic_without_record',
   'topic_of_other_format',
+  'node_unavailable',
 ]);
+
+/** What is doubtful today and may not be tomorrow: it depends on topics, components and nodes. */
+export function checkSurroundings(
+  modules: readonly DraftModule[],
+  context: CheckContext,
+): SessionProblem[] {
+  const ofNodes = modules.flatMap((draft) => {
+    const problem = context.nodeProblem(draft);
+    return problem === undefined ? [] : [{ ...problem, path: `${draft.path}.nodeId` }];
+  });
+  return [
+    ...checkFormats(modules, context),
+    ...ofNodes.filter(({ code }) => SURROUNDINGS.has(code)),
+  ].map((problem) => ({ ...problem, isError: false }));
+}
 
 /** Everything that is wrong or doubtful with these modules, as far as it can be said without running code [SE-3]. */
 export function checkSession(
