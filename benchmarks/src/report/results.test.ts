@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Measurement } from '../workloads/workload.ts';
 import { compareRuns } from './compare-runs.ts';
 import { formatRun } from './format-run.ts';
-import { compareWithReference, faultsOf, type RunResult } from './results.ts';
+import { compareWithReference, faultsOf, type RunResult, type WorkloadResult } from './results.ts';
 
 const rounds = (values: readonly number[]): Measurement[] =>
   values.map((p50Us) => ({ figures: { p50Us }, deliveries: 10, otherCpuShare: 0.1, faults: [] }));
@@ -38,6 +38,46 @@ describe('compareWithReference', () => {
     const [comparison] = compareWithReference(runWith([22, 44, 30]).workloads[0]!);
     expect(comparison).toMatchObject({ ratio: 1.1, range: [1.1, 1.5], goal: 1.15, isMet: true });
     expect(compareWithReference(runWith([24, 48, 24]).workloads[0]!)[0]?.isMet).toBe(false);
+  });
+});
+
+describe('a workload with a reference of its own', () => {
+  const [raw] = runWith([22, 44, 22]).workloads;
+  const workload: WorkloadResult = {
+    ...raw!,
+    reference: 'allowed',
+    figures: [
+      { key: 'p50Us', label: 'p50', unit: 'µs', isHigherBetter: false, goals: { module: 1 } },
+      {
+        key: 'late',
+        label: 'late',
+        unit: 'ms',
+        isHigherBetter: false,
+        goals: {},
+        bounds: { module: 2 },
+      },
+    ],
+    rounds: {
+      allowed: rounds([20, 40, 20]),
+      module: rounds([30, 50, 30]).map((round) => ({
+        ...round,
+        figures: { ...round.figures, late: 1.5 },
+      })),
+    },
+  };
+
+  it('is judged by it, and by bounds where a ratio says nothing', () => {
+    expect(compareWithReference(workload)).toMatchObject([
+      { target: 'module', ratio: 1.5, goal: 1, isMet: false },
+      { target: 'module', value: 1.5, bound: 2, isMet: true },
+    ]);
+  });
+
+  it('shows no ratio where the reference has no such figure', () => {
+    const text = formatRun({ ...runWith([22, 44, 22]), workloads: [workload] });
+    expect(text).toMatch(/p50 +module +1\.50 +<= 1 +MISS/);
+    expect(text).toMatch(/late +module +<= 2 ms +pass +1\.5/);
+    expect(text).not.toContain('NaN');
   });
 });
 
