@@ -15,6 +15,8 @@ import type { Subscriber } from '../topics/subscriber.ts';
 import { TokenBucket } from '../topics/token-bucket.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 
+const NO_BYTES = new Uint8Array(0);
+
 /** What the topics of the master's own modules work on. */
 export interface LocalTopicsContext extends PublishContext {
   readonly clock: Clock;
@@ -77,6 +79,8 @@ export class LocalTopics implements TopicPort {
     publication.monotonicMs = clock.monotonicMs();
     publication.entry = undefined;
     const refusal = publish(this.#context, publication);
+    // What is not kept need not stay in memory until the next record.
+    publication.frame = NO_BYTES;
     return refusal?.describe(publication, this.#context.limits);
   }
 
