@@ -64,6 +64,8 @@ function startWorker(
     argv: [],
     execArgv: [],
     stdin: false,
+    // What trusted code writes past its console goes nowhere. It is not read, either: a stream that
+    // is keeps the program alive.
     stdout: true,
     stderr: true,
     resourceLimits: { maxOldGenerationSizeMb: heapBytes / MIB, stackSizeMb: THREAD_STACK_MB },
@@ -74,9 +76,6 @@ function startWorker(
     isOver = true;
     listener.onExit({ kind, message });
   };
-  // Nobody reads what trusted code writes past its console.
-  worker.stdout.resume();
-  worker.stderr.resume();
   worker.on('message', (batch: WorkerBatch) => {
     if (!isOver) listener.onBatch(batch);
   });
