@@ -3,14 +3,10 @@ import { MousePointerPage } from '../../pages/mouse-pointer-page.ts';
 import { SessionsPage } from '../../pages/sessions-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
-test('one session from this page mirrors the pointer on the master, in this tab and on another’s, switched live', async ({
+test('one session from this page mirrors the pointer on the master, in this tab and on a node, switched live', async ({
   room,
 }) => {
-  const ben = await room.atDesk('Ben');
-  await ben.page.goto('/settings');
-  await ben.page.getByRole('switch', { name: /^This tab runs modules/ }).click();
-  await expect(ben.page.getByRole('status').filter({ hasText: 'Ready' })).toBeVisible();
-
+  const lab = await room.node('Lab');
   const anna = new MousePointerPage(await room.atDesk('Anna'));
   await anna.open();
   await anna.expectMirrorState('Running');
@@ -26,8 +22,8 @@ test('one session from this page mirrors the pointer on the master, in this tab 
 
   for (const [place, at] of [
     ['This tab', { x: 0.4, y: 0.2 }],
-    ['Node', { x: 0.6, y: 0.1 }],
     ['Master', { x: 0.3, y: 0.4 }],
+    ['Node', { x: 0.6, y: 0.1 }],
   ] as const) {
     await test.step(place, async () => {
       await anna.place(place).click();
@@ -35,15 +31,43 @@ test('one session from this page mirrors the pointer on the master, in this tab 
       await anna.pointTo(at);
       await anna.expectPointer(anna.mirroredPointer, { x: at.x, y: 1 - at.y });
       if (place === 'Node') {
-        await expect(
-          ben.page.getByRole('status').filter({ hasText: 'Runs 1 module' }),
-        ).toBeVisible();
+        await expect(anna.session.getByRole('combobox', { name: 'Which node' })).toHaveText('Lab');
       }
       if (place === 'This tab') {
         await expect(anna.page.getByRole('banner')).toContainText('1 here');
       }
     });
   }
+
+  await test.step('the node ends', async () => {
+    await lab.stop();
+    await anna.expectMirrorState('Degraded');
+  });
+});
+
+test('the pointer is mirrored in somebody else’s tab, and the page says when that is gone', async ({
+  room,
+}) => {
+  const ben = await room.atDesk('Ben');
+  await ben.page.goto('/settings');
+  const runsModules = ben.page.getByRole('switch', { name: /^This tab runs modules/ });
+  await runsModules.click();
+  await expect(ben.page.getByRole('status').filter({ hasText: 'Ready' })).toBeVisible();
+
+  const anna = new MousePointerPage(await room.atDesk('Anna'));
+  await anna.open();
+  await anna.expectMirrorState('Running');
+  await anna.place('Node').click();
+  await expect(ben.page.getByRole('status').filter({ hasText: 'Runs 1 module' })).toBeVisible();
+  await anna.pointTo({ x: 0.2, y: 0.3 });
+  await anna.expectPointer(anna.mirroredPointer, { x: 0.8, y: 0.3 });
+  await runsModules.click();
+  await anna.expectMirrorState('Degraded');
+  await expect(anna.session.getByRole('alert')).toContainText('Ben');
+  await anna.place('Master').click();
+  await anna.expectMirrorState('Running');
+  await anna.pointTo({ x: 0.7, y: 0.3 });
+  await anna.expectPointer(anna.mirroredPointer, { x: 0.3, y: 0.3 });
 });
 
 test('everybody has a session of their own, which ends with their page', async ({ room }) => {
