@@ -206,6 +206,39 @@ describe('the node as a process', () => {
     expect(await nodeNames(client)).toHaveLength(2);
   });
 
+  it('[PM-52] lets modules read from the origins that were allowed, and from no others', async () => {
+    const master = await startMaster();
+    const node = startNode(['--master', master.url, '--allow-fetch', master.url, ...printing]);
+    const { id } = await node.ready<Printed>();
+    const client = await joinAs(master.url);
+    const texts: unknown[] = [];
+    await client.subscribe('/text').onRecord(({ value }) => texts.push(value)).ready;
+    const module = {
+      name: 'reader',
+      nodeId: id,
+      outputs: [{ internalName: 'text', messageFormat: 'string' }],
+      processingMode: { frequency: { hertz: 5 } },
+      extension: { libraries: ['http'] },
+      onProcessingStringified: `async (dt, inputs, state) => {
+        const own = await state.modules.http.get('${master.url}/health');
+        const other = await state.modules.http.get('http://127.0.0.1:9/').catch((error) => error.message);
+        return { outputs: { text: { string: own.status + ' ' + other } } };
+      }`,
+    };
+    await client.call('sessionRuntimeStart', {
+      name: 'reading',
+      processingModules: [module],
+      ioMappings: [
+        {
+          processingModuleName: 'reader',
+          inputMappings: [],
+          outputMappings: [{ outputName: 'text', topic: '/text' }],
+        },
+      ],
+    });
+    await expect.poll(() => texts[0], POLL).toMatch(/^200 .*not allowed/);
+  });
+
   it('[PM-53] outlives a module that never ends', async () => {
     const master = await startMaster();
     const node = startNode(['--master', master.url, ...printing]);

@@ -1,0 +1,57 @@
+import { describe, expect, it } from 'vitest';
+import { formatHelp } from './format-help.ts';
+import { ALL_OPTIONS } from './options.ts';
+import { ConfigError, flagName, readConfig } from './read-config.ts';
+import type { OptionName } from './options.ts';
+
+const read = (args: string[], env = {}) => readConfig(args, env, '/home/ada');
+
+describe('the configuration', () => {
+  it('takes flags before the environment before what nobody said', () => {
+    const env = { UBII_NODE_NAME: 'hall', UBII_NODE_CAPACITY: '4', UBII_NODE_MODULES: '' };
+    expect(read(['--name', 'kitchen', '--no-accept-work'], env)).toMatchObject({
+      name: 'kitchen',
+      capacity: 4,
+      modules: undefined,
+      noAcceptWork: true,
+      master: 'http://localhost:8080',
+      allowFetch: [],
+    });
+  });
+
+  it('reads values as they are meant', () => {
+    expect(
+      read([
+        '--master=http://192.168.1.20:8080/',
+        ...['--modules', 'my modules', '--identity', 'off'],
+        ...['--allow-fetch', 'https://example.org, http://sensor.local:8000/'],
+      ]),
+    ).toMatchObject({
+      master: 'http://192.168.1.20:8080',
+      modules: '/home/ada/my modules',
+      identity: 'off',
+      allowFetch: ['https://example.org', 'http://sensor.local:8000'],
+    });
+  });
+
+  it.each([
+    [['--master', 'localhost:8080'], '--master must be a http or https URL'],
+    [['--master', 'http://x/services'], 'without a path'],
+    [['--capacity', '-1'], '--capacity must be a whole number'],
+    [['--log-level', 'loud'], 'error, warn, info or debug'],
+    [['--name', ''], '1 to 100 characters'],
+    [['--print-endpoints', 'xml'], '--print-endpoints must be json'],
+    [['--name', '--capacity'], '--name needs a value'],
+  ])('refuses %j and says what was expected', (args, reason) => {
+    expect(() => read(args)).toThrow(ConfigError);
+    expect(() => read(args)).toThrow(reason);
+  });
+
+  it('has every option in the help', () => {
+    const help = formatHelp();
+    for (const name of Object.keys(ALL_OPTIONS) as OptionName[]) {
+      expect(help).toContain(`  ${flagName(name)}`);
+    }
+    for (const line of help.split('\n')) expect(line.length).toBeLessThanOrEqual(96);
+  });
+});
