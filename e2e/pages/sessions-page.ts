@@ -1,4 +1,4 @@
-import type { Locator, Page } from '@playwright/test';
+import { expect, type Locator, type Page } from '@playwright/test';
 
 /** The list of sessions. */
 export class SessionsPage {
@@ -37,6 +37,21 @@ export class SessionsPage {
   async choose(name: string, action: string): Promise<void> {
     await this.page.getByRole('button', { name: `More for ${name}`, exact: true }).click();
     await this.page.getByRole('menuitem', { name: action }).click();
+  }
+
+  /** Drops a file on the list, as from the desktop of the system. */
+  async dropFile(name: string, text: string): Promise<void> {
+    const files = await this.page.evaluateHandle(
+      ([fileName, content]) => {
+        const transfer = new DataTransfer();
+        transfer.items.add(new File([content], fileName, { type: 'application/json' }));
+        return transfer;
+      },
+      [name, text] as const,
+    );
+    await this.list.dispatchEvent('dragenter', { dataTransfer: files });
+    await expect(this.page.getByText('Drop to import')).toBeVisible();
+    await this.list.dispatchEvent('drop', { dataTransfer: files });
   }
 
   /** Gives files to the page as if they were chosen in the dialog of the system. */

@@ -109,6 +109,13 @@ test('a session travels as one file, with the source of its modules', async ({ r
   await sessions.importFiles([{ name: 'Mirror.session', text }]);
   await expect(session.heading).toHaveText('Mirror 2');
 
+  await test.step('a file is dropped on the page', async () => {
+    await new Shell(anna.page).go('Sessions');
+    await expect(sessions.row('Mirror 2')).toBeVisible();
+    await sessions.dropFile('Mirror.session', text);
+    await expect(session.heading).toHaveText('Mirror 3');
+  });
+
   await test.step('a file that is broken opens with what is wrong with it', async () => {
     await new Shell(anna.page).go('Sessions');
     await sessions.importFiles([{ name: 'broken.session', text: BROKEN }]);
