@@ -1,0 +1,109 @@
+import { formatsFit } from '@ubii/pm-sandbox';
+import type { DataFormat, ProcessingModule } from '@ubii/proto';
+import { portName } from '../commands/command-label.ts';
+import type { Graph, GraphNode, NodeKind, Port, PortRef } from '../graph.ts';
+import { portFormat, portOf } from '../port-format.ts';
+import type { Adapter, Fit } from './adapter.ts';
+import { formatOffers, listOffers } from './offers.ts';
+
+/** One end of a wire that somebody wishes for. */
+export interface WireEnd {
+  readonly ref: PortRef;
+  readonly node: GraphNode;
+  readonly port: Port;
+  readonly format: DataFormat | undefined;
+}
+
+const FITS: Fit = { fits: true };
+
+/**
+ * Whether a wire from one port to another makes sense, by the rules of the master. [SE-4] [PM-31]
+ * @param library modules that may be offered to go in between
+ */
+export function fitOf(
+  graph: Graph,
+  fromRef: PortRef,
+  toRef: PortRef,
+  library: readonly ProcessingModule[] = [],
+): Fit {
+  const from = endOf(graph, fromRef);
+  const to = endOf(graph, toRef);
+  if (from === undefined || to === undefined) return misfit('One end of the wire is gone.');
+  if (from.port.direction === to.port.direction) {
+    const side = from.port.direction === 'out' ? 'outputs' : 'inputs';
+    return misfit(`Both ends are ${side}; a wire goes from an output to an input.`);
+  }
+  if (from.port.direction === 'in') return fitOf(graph, toRef, fromRef, library);
+  const nonsense = kindFault(graph, from, to);
+  if (nonsense !== undefined) return nonsense;
+  return listFault(graph, from, to) ?? formatFault(graph, from, to, library) ?? FITS;
+}
+
+function endOf(graph: Graph, ref: PortRef): WireEnd | undefined {
+  const node = graph.nodes.get(ref.node);
+  const port = portOf(graph, ref);
+  if (node === undefined || port === undefined) return undefined;
+  return { ref, node, port, format: portFormat(graph, ref) };
+}
+
+function misfit(reason: string, offers: readonly Adapter[] = []): Fit {
+  return { fits: false, reason, offers };
+}
+
+/** Wires a session cannot say, and why. */
+const NONSENSE: Readonly<Partial<Record<`${NodeKind} ${NodeKind}`, string>>> = {
+  'topic topic': 'A topic gets its values from modules; put a module between the two topics.',
+  'topic demuxer': 'A demuxer spreads what a module puts out; put a module before it.',
+  'muxer topic': 'A muxer gathers values for a module; put a module behind it.',
+  'muxer demuxer': 'A muxer gathers values for a module; put a module between the two.',
+  'constant topic': 'A constant goes into a module; topics get their values from modules.',
+  'constant demuxer': 'A constant goes into a module; demuxers take what modules put out.',
+};
+
+function kindFault(graph: Graph, from: WireEnd, to: WireEnd): Fit | undefined {
+  const reason = NONSENSE[`${from.node.kind} ${to.node.kind}`];
+  return reason === undefined ? undefined : misfit(reason);
+}
+
+/** A module says that something is no list only by having something that is. [SE-4] */
+function saysWhatIsAList(node: GraphNode): boolean {
+  return node.kind !== 'module' || node.ports.some(({ isList }) => isList);
+}
+
+function listFault(graph: Graph, from: WireEnd, to: WireEnd): Fit | undefined {
+  if (!from.port.isDeclared || !to.port.isDeclared) return undefined;
+  if (from.port.isList === to.port.isList) {
+    // A list goes over many topics, and a wire between modules over one.
+    if (!from.port.isList || from.node.kind !== 'module' || to.node.kind !== 'module') {
+      return undefined;
+    }
+    const reason = `${portName(graph, from.ref)} gives a list, which takes one topic for each element on its way to ${portName(graph, to.ref)}.`;
+    return misfit(reason, listOffers(graph, from, to));
+  }
+  const isKnown = saysWhatIsAList(from.node) && saysWhatIsAList(to.node);
+  if (from.port.isList) {
+    if (!isKnown) return undefined;
+    const reason = `${portName(graph, from.ref)} gives a list of records, but ${portName(graph, to.ref)} takes single ones.`;
+    return misfit(reason, listOffers(graph, from, to));
+  }
+  if (!isKnown) return undefined;
+  const reason = `${portName(graph, to.ref)} takes a list of records, but ${portName(graph, from.ref)} gives single ones.`;
+  return misfit(reason, listOffers(graph, from, to));
+}
+
+function formatFault(
+  graph: Graph,
+  from: WireEnd,
+  to: WireEnd,
+  library: readonly ProcessingModule[],
+): Fit | undefined {
+  if (formatsFit(from.format, to.format)) return undefined;
+  const { format: given = 'something else' } = from;
+  const reason = `${portName(graph, from.ref)} gives ${given}, but ${portName(graph, to.ref)} takes ${to.format ?? 'another format'}.`;
+  return misfit(reason, formatOffers(from, to, library));
+}
+
+/** `fits`, or the words for why not; for lighting up what can be wired. */
+export function fitWords(fit: Fit): string {
+  return fit.fits ? 'fits' : fit.reason;
+}

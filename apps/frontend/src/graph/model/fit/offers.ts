@@ -1,0 +1,138 @@
+import { formatsFit, parseModule } from '@ubii/pm-sandbox';
+import {
+  globToRegExpSource,
+  UUID_PATTERN,
+  type DataFormat,
+  type ProcessingModule,
+} from '@ubii/proto';
+import { freeTopic } from '../commands/free-topic.ts';
+import type { Graph } from '../graph.ts';
+import { wiresAt } from '../wires-of.ts';
+import type { Adapter } from './adapter.ts';
+import { fieldsOf } from './fields.ts';
+import type { WireEnd } from './fit-of.ts';
+
+/** The module of the library that takes a part of a value. */
+export const PICK_FIELD = 'pick-field';
+/** Its inputs. */
+export const PICK_VALUE = 'value';
+export const PICK_PATH = 'path';
+
+/** More are no help. */
+const MAX_FIELDS = 8;
+const MAX_MODULES = 5;
+
+/** What leads from single records to lists, and back. */
+export function listOffers(graph: Graph, from: WireEnd, to: WireEnd): Adapter[] {
+  const dataType = from.format ?? to.format ?? '';
+  if (!formatsFit(from.format, to.format)) return [];
+  if (from.port.isList && to.port.isList) {
+    const topic = freeTopic(graph, from.ref);
+    return [
+      {
+        kind: 'spread',
+        label: 'One topic for each element',
+        outputTopicFormat: `${topic}/{{#0}}`,
+        topicGlob: `${topic}/*`,
+        dataType,
+      },
+    ];
+  }
+  if (from.port.isList && from.node.kind === 'module') {
+    const base = to.node.kind === 'topic' ? to.node.topic : freeTopic(graph, from.ref);
+    const outputTopicFormat = `${base}/{{#0}}`;
+    return [{ kind: 'demuxer', label: `Demuxer to ${base}/…`, outputTopicFormat, dataType }];
+  }
+  if (to.port.isList && to.node.kind === 'module') {
+    const topic = topicAt(graph, from);
+    const alike = topic === undefined ? undefined : globOfAlike(topic);
+    const offers: Adapter[] = [];
+    for (const topicGlob of new Set([alike, topic])) {
+      if (topicGlob === undefined) continue;
+      offers.push({ kind: 'muxer', label: `Muxer of ${topicGlob}`, topicGlob, dataType });
+    }
+    return offers;
+  }
+  return [];
+}
+
+/** The topic that values of an output are on, or would be. */
+function topicAt(graph: Graph, { node, ref }: WireEnd): string | undefined {
+  if (node.kind === 'topic') return node.topic;
+  if (node.kind !== 'module') return undefined;
+  for (const { via, to } of wiresAt(graph, ref)) {
+    const target = graph.nodes.get(to.node);
+    if (via !== undefined) return via;
+    if (target?.kind === 'topic') return target.topic;
+  }
+  return freeTopic(graph, ref);
+}
+
+const UUID = new RegExp(UUID_PATTERN, 'i');
+
+/** The same topic of all clients or devices; undefined when nothing in it says which one it is of. */
+export function globOfAlike(topic: string): string | undefined {
+  const parts = topic.split('/');
+  const glob = parts.map((part) => (UUID.test(part) ? '*' : part)).join('/');
+  return glob === topic ? undefined : glob;
+}
+
+/** True when a glob selects a topic. [PM-41] */
+export function globMatches(glob: string, topic: string): boolean {
+  return new RegExp(globToRegExpSource(glob)).test(topic);
+}
+
+/** What leads from one data format to another. */
+export function formatOffers(
+  from: WireEnd,
+  to: WireEnd,
+  library: readonly ProcessingModule[],
+): Adapter[] {
+  if (from.port.isList || to.port.isList || to.format === undefined) return [];
+  return [...fieldOffers(from.format, to.format, library), ...moduleOffers(from, to, library)];
+}
+
+function fieldOffers(
+  from: DataFormat | undefined,
+  to: DataFormat,
+  library: readonly ProcessingModule[],
+): Adapter[] {
+  const module = library.find(({ name }) => name === PICK_FIELD);
+  if (module === undefined || from === undefined) return [];
+  const { outputs } = parseModule(module);
+  return fieldsOf(from)
+    .filter(({ format }) => formatsFit(format, to))
+    .slice(0, MAX_FIELDS)
+    .flatMap(({ path, format }): Adapter[] => {
+      const output = outputs.find((one) => one.format === format)?.name;
+      if (output === undefined) return [];
+      return [{ kind: 'field', label: path, path, module, input: PICK_VALUE, output }];
+    });
+}
+
+function moduleOffers(from: WireEnd, to: WireEnd, library: readonly ProcessingModule[]): Adapter[] {
+  return library
+    .flatMap((module) => {
+      if (module.name === PICK_FIELD) return [];
+      const { inputs, outputs } = parseModule(module);
+      const takes = (io: { format: DataFormat | undefined; isList: boolean }): boolean =>
+        !io.isList && io.format !== undefined && formatsFit(io.format, from.format);
+      const gives = (io: { format: DataFormat | undefined; isList: boolean }): boolean =>
+        !io.isList && io.format !== undefined && formatsFit(io.format, to.format);
+      // The first input is what a module is about; the others are its parameters.
+      const [input] = inputs;
+      const output = outputs.find(gives);
+      if (input === undefined || output === undefined || !takes(input)) return [];
+      const ports = inputs.length + outputs.length;
+      return [{ module, input: input.name, output: output.name, ports }];
+    })
+    .sort((a, b) => a.ports - b.ports)
+    .slice(0, MAX_MODULES)
+    .map(({ module, input, output }) => ({
+      kind: 'module',
+      label: `${module.name} · ${output}`,
+      module,
+      input,
+      output,
+    }));
+}
