@@ -119,7 +119,7 @@ export interface UbiiClient {
   /** Calls `fn` for what the master tells its nodes. [EX-20] */
   onNodeMessage(fn: (message: EncodedNodeMessage) => void): Unsubscribe;
   /**
-   * Tells the master something as a node. Records published before arrive before it.
+   * Tells the master something as a node. Records published before arrive before it, unless the socket is full.
    * @param frame of `encodeNodeMessageFrame` or `encodeLockstepReplyFrame` of `@ubii/proto/wire`
    * @returns false when there is no connection to a master of ours
    */

@@ -98,6 +98,8 @@ class Node implements ProcessingNode {
   #runtime: ModuleRuntime | undefined;
   /** Ends everything that `start` began. */
   #started: { readonly watch: SessionWatch; end(): void } | undefined;
+  /** Settles with the last of `start` and `stop`. */
+  #changed: Promise<void> = Promise.resolve();
   #cancelStatistics: (() => void) | undefined;
   #isChanging = false;
   /** The connection is new: the master may have forgotten what was reported. [PM-63] */
@@ -132,10 +134,25 @@ class Node implements ProcessingNode {
     return this.#eventListeners.add(fn);
   }
 
-  async start(): Promise<void> {
+  start(): Promise<void> {
+    return this.#inTurn(() => this.#start());
+  }
+
+  stop(): Promise<void> {
+    return this.#inTurn(() => this.#stop());
+  }
+
+  /** One at a time: who starts while it stops means it to be started. */
+  #inTurn(change: () => Promise<void>): Promise<void> {
+    const changed = this.#changed.then(change);
+    this.#changed = changed.catch(() => undefined);
+    return changed;
+  }
+
+  async #start(): Promise<void> {
     if (this.#started !== undefined) return;
-    // Before anything else is said: the master sends node messages only to nodes. [EX-20]
-    const told = this.#tellProfile(true);
+    // Before anything else is said: the master takes node messages only from nodes. [EX-20]
+    await this.#tellProfile(true);
     const watch = new SessionWatch(this.#client, {
       handleSession: (session, activity) => this.#handleSession(session, activity),
       handleStart: (session) => {
@@ -165,10 +182,9 @@ class Node implements ProcessingNode {
         stopIdentity();
       },
     };
-    await told;
   }
 
-  async stop(): Promise<void> {
+  async #stop(): Promise<void> {
     const started = this.#started;
     if (started === undefined) return;
     this.#started = undefined;

@@ -3,6 +3,7 @@ import {
   NodeExtensionKind,
   ProcessingModuleLanguage,
   ProcessingModuleStatus,
+  ServiceError,
   SessionState,
 } from '@ubii/proto';
 import type { TopicRecord } from '@ubii/proto';
@@ -248,6 +249,30 @@ describe('a node and the sessions', () => {
     expect(world.sessions.told).toHaveLength(2);
     expect(world.node.instances).toEqual([]);
     expect(world.clock.pendingTimers).toBeLessThanOrEqual(1); // the client's own PING
+  });
+});
+
+describe('starting and stopping', () => {
+  it('happens in the order of the calls, each once', async () => {
+    const world = await setupRunning();
+    const { node, master } = world;
+    await Promise.all([node.stop(), node.start(), node.start()]);
+    await rest();
+    expect(node.isStarted).toBe(true);
+    expect(master.requests.findLast(({ client }) => client)?.client?.extension?.node).toBeDefined();
+    expect(world.sessions.told).toEqual(['add m1', 'remove m1', 'add m1']);
+  });
+
+  it('leaves a node that the master refuses as it was', async () => {
+    const { node, master } = await createNodeWorld();
+    await node.stop();
+    master.onRequest = ({ client }) =>
+      client === undefined ? undefined : new ServiceError('resource_exhausted', 'no room');
+    await expect(node.start()).rejects.toThrow('no room');
+    expect(node.isStarted).toBe(false);
+    master.onRequest = undefined;
+    await node.start();
+    expect(node.isStarted).toBe(true);
   });
 });
 
