@@ -123,7 +123,7 @@ describe('WorkerHost', () => {
     worker.tell({ kind: 'ready' });
     void worker.host.run(a, CALL);
     worker.endTurn();
-    for (let sequence = 1; sequence < 50; sequence++) {
+    for (let sequence = 1; sequence < 25; sequence++) {
       worker.setProgress({ received: 1, running: a, sequence });
       worker.pass(300);
     }

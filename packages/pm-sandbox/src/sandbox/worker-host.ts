@@ -1,12 +1,6 @@
 import type { ModuleFault, ModulePhase } from '../ports/module-fault.ts';
-import type { Cancel } from '../ports/clock.ts';
 import type { ModuleSource, SandboxCall, SandboxRequest, SandboxResult } from '../ports/sandbox.ts';
-import {
-  AWAIT_TIMEOUT_MS,
-  TRUSTED_CREATE_TIMEOUT_MS,
-  WATCHDOG_GRACE_MS,
-  WATCHDOG_INTERVAL_MS,
-} from '../sandbox-limits.ts';
+import { AWAIT_TIMEOUT_MS, TRUSTED_CREATE_TIMEOUT_MS } from '../sandbox-limits.ts';
 import { BytePacker } from '../worker/byte-packer.ts';
 import { describeThrown, moduleFault } from '../worker/module-error.ts';
 import type {
@@ -16,6 +10,7 @@ import type {
   WorkerKind,
   WorkerMessage,
 } from '../worker/protocol.ts';
+import { Watchdog, type Verdict, type WatchedCall } from './watchdog.ts';
 import type { PoolOptions, PoolPlatform, WorkerLink } from './worker-link.ts';
 
 /** One instance as its worker's host knows it. */
@@ -29,19 +24,17 @@ export interface HostedInstance {
 }
 
 /** A call under way. */
-interface PendingCall {
+interface PendingCall extends WatchedCall {
   readonly instance: number;
   readonly phase: ModulePhase;
   resolve(result: unknown): void;
   reject(fault: ModuleFault): void;
-  /** Looks of the watchdog since it was sent. */
-  looks: number;
 }
 
 /** What a check may take before its worker is ended; it has limits of its own inside. */
 const CHECK_TIMEOUT_MS = 500;
-/** A worker that has not begun to run by then never will, milliseconds. */
-const START_TIMEOUT_MS = 30_000;
+const DEAF =
+  'The worker does not answer: a timer or another background job of a module holds it up.';
 
 /** One worker: sends calls in batches, takes answers, and watches that they come. */
 export class WorkerHost {
@@ -55,14 +48,13 @@ export class WorkerHost {
   readonly #instances = new Map<number, HostedInstance>();
   readonly #calls = new Map<number, PendingCall>();
   readonly #packer = new BytePacker();
+  readonly #watchdog: Watchdog<PendingCall>;
   #outgoing: HostMessage[] = [];
   #lastInstance = 0;
   #lastCall = 0;
   #sentBatches = 0;
   #isReady = false;
   #isEnded = false;
-  #stopWatch: Cancel | undefined;
-  #seen = { running: 0, sequence: -1, received: -1, looks: 0 };
 
   constructor(
     kind: WorkerKind,
@@ -77,6 +69,18 @@ export class WorkerHost {
     this.#platform = platform;
     this.#options = options;
     this.#onEnd = onEnd;
+    this.#watchdog = new Watchdog(
+      {
+        isReady: () => this.#isReady,
+        progress: () => this.#link.progress(),
+        sentBatches: () => this.#sentBatches,
+        calls: () => [...this.#calls.values()],
+        limitMs: (instance) => this.#limitMs(instance),
+        onVerdict: (verdict) => this.#handleVerdict(verdict),
+        onRest: () => this.#link.setActive(false),
+      },
+      (intervalMs, fn) => platform.every(intervalMs, fn),
+    );
     const hostLibraries = Object.fromEntries(
       Object.entries(options.hostLibraries).map(([name, library]) => [name, Object.keys(library)]),
     );
@@ -183,16 +187,18 @@ export class WorkerHost {
         reject(moduleFault('crashed', phase, 'The worker has ended.'));
         return;
       }
-      const pending = {
+      const isLongCreate = phase === 'onCreated' && this.kind === 'trusted';
+      const pending: PendingCall = {
         instance,
         phase,
-        resolve: resolve as (r: unknown) => void,
+        resolve: resolve as (result: unknown) => void,
         reject,
+        waitLimitMs: isLongCreate ? TRUSTED_CREATE_TIMEOUT_MS : AWAIT_TIMEOUT_MS,
         looks: 0,
       };
       this.#calls.set(call, pending);
       this.#send(message(call));
-      this.#watch();
+      if (this.#watchdog.start()) this.#link.setActive(true);
     });
   }
 
@@ -307,7 +313,7 @@ export class WorkerHost {
   #endAll(culprit: number | undefined, faultOf: () => ModuleFault): void {
     if (this.#isEnded) return;
     this.#isEnded = true;
-    this.#unwatch();
+    this.#watchdog.stop();
     this.#link.terminate();
     const fault = faultOf();
     const name = culprit === undefined ? undefined : this.#instances.get(culprit)?.request;
@@ -333,70 +339,27 @@ export class WorkerHost {
     return '';
   }
 
-  #watch(): void {
-    if (this.#stopWatch !== undefined) return;
-    this.#seen.looks = 0;
-    this.#link.setActive(true);
-    this.#stopWatch = this.#platform.every(WATCHDOG_INTERVAL_MS, () => this.#look());
-  }
-
-  #unwatch(): void {
-    if (this.#stopWatch === undefined) return;
-    this.#stopWatch();
-    this.#stopWatch = undefined;
-    this.#link.setActive(false);
-  }
-
-  /**
-   * Counts looks, not time: a program that was held up itself sees one late look, and does not blame
-   * its workers.
-   */
-  #look(): void {
-    // Not when the last call ends: starting and stopping a timer costs as much as a call.
-    if (this.#calls.size === 0 && this.#isReady) {
-      this.#unwatch();
-      return;
-    }
-    const { running, sequence, received } = this.#link.progress();
-    const seen = this.#seen;
-    const isSame =
-      seen.running === running && seen.sequence === sequence && seen.received === received;
-    this.#seen = { running, sequence, received, looks: isSame ? seen.looks + 1 : 0 };
-    const silentMs = this.#seen.looks * WATCHDOG_INTERVAL_MS;
-    if (!this.#isReady) {
-      if (silentMs > START_TIMEOUT_MS)
-        this.#endAll(undefined, () => moduleFault('crashed', '', 'The worker did not start.'));
-      return;
-    }
-    if (running !== 0 && silentMs >= this.#limitMs(running) + WATCHDOG_GRACE_MS) {
-      const phase = this.#phaseOf(running);
-      const text = `${phase || 'The source'} took longer than the ${this.#limitMs(running)} ms a call may take.`;
-      this.#endAll(running, () => moduleFault('timeout', phase, text));
-      return;
-    }
-    if (
-      running === 0 &&
-      received < this.#sentBatches &&
-      silentMs >= CHECK_TIMEOUT_MS + WATCHDOG_GRACE_MS
-    ) {
-      const text =
-        'The worker does not answer: a timer or another background job of a module holds it up.';
-      this.#endAll(undefined, () => moduleFault('crashed', '', text));
-      return;
-    }
-    this.#lookAtCalls();
-  }
-
-  #lookAtCalls(): void {
-    for (const call of [...this.#calls.values()]) {
-      call.looks++;
-      const isCreate = call.phase === 'onCreated' && this.kind === 'trusted';
-      const limitMs = isCreate ? TRUSTED_CREATE_TIMEOUT_MS : AWAIT_TIMEOUT_MS;
-      if (call.looks * WATCHDOG_INTERVAL_MS < limitMs || !this.#instances.has(call.instance))
-        continue;
-      const text = `${call.phase} waited longer than the ${limitMs} ms a call may wait for promises.`;
-      this.#send({ kind: 'free', instance: call.instance });
-      this.#kill(call.instance, moduleFault('timeout', call.phase, text));
+  #handleVerdict(verdict: Verdict<PendingCall>): void {
+    switch (verdict.kind) {
+      case 'start':
+        return this.#endAll(undefined, () =>
+          moduleFault('crashed', '', 'The worker did not start.'),
+        );
+      case 'deaf':
+        return this.#endAll(undefined, () => moduleFault('crashed', '', DEAF));
+      case 'loop': {
+        const { instance } = verdict;
+        const phase = this.#phaseOf(instance);
+        const text = `${phase || 'The source'} took longer than the ${this.#limitMs(instance)} ms a call may take.`;
+        return this.#endAll(instance, () => moduleFault('timeout', phase, text));
+      }
+      case 'wait': {
+        const { instance, phase, waitLimitMs } = verdict.call;
+        if (!this.#instances.has(instance)) return;
+        const text = `${phase} waited longer than the ${waitLimitMs} ms a call may wait for promises.`;
+        this.#send({ kind: 'free', instance });
+        return this.#kill(instance, moduleFault('timeout', phase, text));
+      }
     }
   }
 

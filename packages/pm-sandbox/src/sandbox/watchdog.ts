@@ -1,0 +1,115 @@
+import type { Cancel } from '../ports/clock.ts';
+import { WATCHDOG_GRACE_MS, WATCHDOG_INTERVAL_MS } from '../sandbox-limits.ts';
+import type { Progress } from '../worker/protocol.ts';
+
+/** A call as the watchdog counts it. */
+export interface WatchedCall {
+  /** Longest it may take in all, its waiting included, milliseconds. */
+  readonly waitLimitMs: number;
+  /** Looks of the watchdog since it was sent. */
+  looks: number;
+}
+
+/** What is watched. */
+export interface Watched<C extends WatchedCall> {
+  isReady(): boolean;
+  progress(): Progress;
+  /** Batches that were sent. */
+  sentBatches(): number;
+  calls(): readonly C[];
+  /** Longest that the code of an instance may run, milliseconds. */
+  limitMs(instance: number): number;
+  onVerdict(verdict: Verdict<C>): void;
+  /** Nothing is under way any more. */
+  onRest(): void;
+}
+
+/** What the watchdog finds. */
+export type Verdict<C> =
+  /** The worker never began to run. */
+  | { readonly kind: 'start' }
+  /** The code of an instance does not end. */
+  | { readonly kind: 'loop'; readonly instance: number }
+  /** No instance runs, and yet the worker takes no message. */
+  | { readonly kind: 'deaf' }
+  /** A call waits too long. */
+  | { readonly kind: 'wait'; readonly call: C };
+
+/** A worker that has not begun to run by then never will, milliseconds. */
+const START_TIMEOUT_MS = 30_000;
+/** How long a worker may take no message, milliseconds. */
+const DEAF_TIMEOUT_MS = 500;
+
+/**
+ * Looks at a worker again and again while calls are under way. It counts its looks, not time: a
+ * program that was held up itself sees one late look, and does not blame its workers.
+ */
+export class Watchdog<C extends WatchedCall> {
+  readonly #watched: Watched<C>;
+  readonly #every: (intervalMs: number, fn: () => void) => Cancel;
+  #stop: Cancel | undefined;
+  #seen: Progress = { received: -1, running: 0, sequence: -1 };
+  /** Looks that saw the same. */
+  #looks = 0;
+
+  constructor(watched: Watched<C>, every: (intervalMs: number, fn: () => void) => Cancel) {
+    this.#watched = watched;
+    this.#every = every;
+  }
+
+  /** @returns whether it was not watching before */
+  start(): boolean {
+    if (this.#stop !== undefined) return false;
+    this.#looks = 0;
+    this.#stop = this.#every(WATCHDOG_INTERVAL_MS, () => this.#look());
+    return true;
+  }
+
+  stop(): void {
+    this.#stop?.();
+    this.#stop = undefined;
+  }
+
+  #look(): void {
+    const watched = this.#watched;
+    const calls = watched.calls();
+    // Not when the last call ends: starting and stopping a timer costs as much as a call.
+    if (calls.length === 0 && watched.isReady()) {
+      this.stop();
+      watched.onRest();
+      return;
+    }
+    const now = watched.progress();
+    const silentMs = this.#silentMs(now);
+    if (!watched.isReady()) {
+      if (silentMs > START_TIMEOUT_MS) watched.onVerdict({ kind: 'start' });
+      return;
+    }
+    const { running, received } = now;
+    if (running !== 0 && silentMs >= watched.limitMs(running) + WATCHDOG_GRACE_MS) {
+      watched.onVerdict({ kind: 'loop', instance: running });
+      return;
+    }
+    const isDeaf = running === 0 && received < watched.sentBatches();
+    if (isDeaf && silentMs >= DEAF_TIMEOUT_MS + WATCHDOG_GRACE_MS) {
+      watched.onVerdict({ kind: 'deaf' });
+      return;
+    }
+    for (const call of calls) {
+      call.looks++;
+      if (call.looks * WATCHDOG_INTERVAL_MS >= call.waitLimitMs) {
+        watched.onVerdict({ kind: 'wait', call });
+      }
+    }
+  }
+
+  /** How long nothing has moved. */
+  #silentMs(now: Progress): number {
+    const { received, running, sequence } = this.#seen;
+    const isSame =
+      received === now.received && running === now.running && sequence === now.sequence;
+    this.#looks = isSame ? this.#looks + 1 : 0;
+    this.#seen = now;
+    return this.#looks * WATCHDOG_INTERVAL_MS;
+  }
+}
