@@ -2,7 +2,7 @@ import { Worker } from 'node:worker_threads';
 
 /** A worker that answers one message at a time, see bare-worker.mjs. */
 export interface BareWorker {
-  call(message: unknown, transfer?: readonly ArrayBuffer[]): Promise<unknown>;
+  call(message: unknown, transfer: readonly ArrayBuffer[]): Promise<unknown>;
   stop(): Promise<void>;
 }
 
@@ -12,7 +12,7 @@ export function startBareWorker(): Promise<BareWorker> {
   worker.on('message', (answer) => settle?.resolve(answer));
   worker.on('error', (error: Error) => settle?.reject(error));
   const bare: BareWorker = {
-    call: (message, transfer = []) =>
+    call: (message, transfer) =>
       new Promise((resolve, reject) => {
         settle = { resolve, reject };
         worker.postMessage(message, transfer);

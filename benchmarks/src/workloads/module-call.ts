@@ -1,8 +1,9 @@
-import { DEFAULT_RUNTIME_LIMITS, type Sandbox, type SandboxFactory } from '@ubii/pm-sandbox';
-import { startBareWorker, type BareWorker } from '../modules/bare-worker.ts';
+import type { Callee } from '../calls/call-series.ts';
+import { measureCalls } from '../calls/measure-calls.ts';
+import { bareCallee, moduleCallee, openModule } from '../calls/module-callee.ts';
+import { picturePayload, RECORD_PAYLOAD, type Payload } from '../calls/payload.ts';
+import { startBareWorker } from '../modules/bare-worker.ts';
 import { startNodeSandboxes } from '../modules/node-sandboxes.ts';
-import { picturePayload, RECORD_PAYLOAD, type Payload } from '../modules/payload.ts';
-import { measureCalls, type Callee } from './call-loop.ts';
 import type { FigureInfo, Subject, Workload } from './workload.ts';
 
 const REFERENCE = 'bare worker';
@@ -62,61 +63,4 @@ export const MODULE_CALLS: readonly Workload[] = [
 
 function subject<P, A>(name: string, callee: Callee<P, A>): Subject {
   return { name, pids: [], measure: (options) => measureCalls(callee, options) };
-}
-
-async function openModule(
-  sandboxes: SandboxFactory,
-  payload: Payload,
-  instanceId: string,
-  isTrusted: boolean,
-): Promise<Sandbox> {
-  const { callTimeoutMs, memoryBytes, outputBytes } = DEFAULT_RUNTIME_LIMITS;
-  const sandbox = sandboxes.open(
-    {
-      instanceId,
-      moduleName: instanceId,
-      source: { onProcessing: payload.onProcessing },
-      isTrusted,
-      libraries: [],
-      outputs: [{ name: 'out', format: payload.outputFormat }],
-      limits: { callTimeoutMs, memoryBytes, outputBytes },
-    },
-    {
-      onLog: () => undefined,
-      // The call that is under way rejects with the same fault, and ends the run.
-      onKilled: () => undefined,
-    },
-  );
-  await sandbox.create();
-  return sandbox;
-}
-
-function moduleCallee(sandbox: Sandbox, payload: Payload): Callee<Uint8Array, Uint8Array> {
-  return {
-    sequence: 0,
-    prepare: (sequence) => payload.record(sequence),
-    call: async (bytes) => {
-      const inputs = [{ name: 'in', record: { bytes, isOwned: true } }];
-      const { outputs, faults } = await sandbox.run({ deltaTimeMs: 1, inputs });
-      const [output] = outputs;
-      if (output === undefined || !('value' in output)) {
-        throw new Error(`The module put nothing out: ${JSON.stringify(faults)}`);
-      }
-      return output.value.bytes;
-    },
-    isRight: (bytes, sequence) => payload.isOutput(bytes, sequence),
-  };
-}
-
-/** Calls of a bare worker. */
-export function bareCallee(
-  bare: BareWorker,
-  payload: Payload,
-): Callee<ReturnType<Payload['bareMessage']>, unknown> {
-  return {
-    sequence: 0,
-    prepare: (sequence) => payload.bareMessage(payload.record(sequence)),
-    call: ({ message, transfer }) => bare.call(message, transfer),
-    isRight: (answer, sequence) => payload.isBareAnswer(answer, sequence),
-  };
 }

@@ -1,15 +1,15 @@
 import type { Init, ProcessingModule } from '@ubii/proto';
 import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { joinMaster } from '../brokers/ubii.ts';
+import { openEcho } from '../calls/echo-callee.ts';
+import { measureCalls } from '../calls/measure-calls.ts';
+import { bareCallee } from '../calls/module-callee.ts';
+import { RECORD_PAYLOAD } from '../calls/payload.ts';
 import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
 import { startBareWorker } from '../modules/bare-worker.ts';
 import { ECHO_MODULE } from '../modules/echo-module.ts';
-import { RECORD_PAYLOAD } from '../modules/payload.ts';
 import { startSession } from '../modules/running-session.ts';
 import { writeModuleFolder } from '../modules/trusted-modules.ts';
-import { measureCalls } from './call-loop.ts';
-import { openEcho } from './echo-callee.ts';
-import { bareCallee } from './module-call.ts';
 import type { Measurement, Subject, Workload } from './workload.ts';
 
 const RECORD_BYTES = 100;

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { measureCalls, type Callee } from './call-loop.ts';
+import type { Callee } from './call-series.ts';
+import { measureCalls } from './measure-calls.ts';
 
 const OPTIONS = { warmUpMs: 1, measureMs: 5 };
 

@@ -6,7 +6,7 @@ const WIDTH = 640;
 const HEIGHT = 480;
 const RGBA_BYTES = 4;
 /** Bytes that do not occur elsewhere in the record, to find where the picture's data begins. */
-const MARKER = Buffer.from('begin of picture');
+const MARKER = new TextEncoder().encode('begin of picture');
 
 /** What is called with, what is called, and what has to come out. */
 export interface Payload {
@@ -65,7 +65,9 @@ export function picturePayload(): Payload {
     value: { width: WIDTH, height: HEIGHT, dataFormat: Image2DDataFormat.RGBA8, data },
     timestampMs: TIMESTAMP_MS,
   });
-  const offset = Buffer.from(template.buffer, template.byteOffset, template.length).indexOf(MARKER);
+  const offset = template.findIndex((_byte, start) =>
+    MARKER.every((byte, index) => template[start + index] === byte),
+  );
   const places = [offset, offset + (length >> 1), offset + length - 1];
   const isNumberOf = (value: unknown, sequence: number): boolean => value === (sequence & 0xffffff);
   return {

@@ -3,7 +3,7 @@ import type { BrokerClient, ClientRole } from '../brokers/target.ts';
 import type { StreamReceiver } from '../load/load-connection.ts';
 import { RecordReceiver } from '../load/record-receiver.ts';
 import { RING_RECORDS, type RecordRing } from '../load/record-ring.ts';
-import type { Callee } from './call-loop.ts';
+import type { Callee } from './call-series.ts';
 
 type Echo = TopicRecord | EmptyRecord;
 
