@@ -32,7 +32,8 @@ export function offerOf(node: Node, name: string): ProcessingModule | undefined 
 /** Why a node cannot run a module, in a few words to follow "it"; undefined when it can. */
 export function cannotRun(node: Node, module: ProcessingModule): string | undefined {
   const { extension } = node;
-  if (offerOf(node, module.name) !== undefined) return undefined;
+  // What a client has it can run; the master has modules of all languages, and some need libraries.
+  if (!isMaster(node) && offerOf(node, module.name) !== undefined) return undefined;
   const hasCode = module.onProcessingStringified !== '';
   // Clients of the original run any code of their language, and need not say which modules they have.
   if (extension === undefined) return undefined;
