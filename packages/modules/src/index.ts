@@ -21,6 +21,7 @@ export {
   oneEuroFilterVector3,
   oneEuroFilterVector4,
 } from './one-euro-filter/one-euro-filter.ts';
+export { pickField } from './pick-field/pick-field.ts';
 export { statistics } from './statistics/statistics.ts';
 export { threshold } from './threshold/threshold.ts';
 export { touchProximity } from './touch-proximity/touch-proximity.ts';

@@ -19,6 +19,7 @@ import {
   oneEuroFilterVector3,
   oneEuroFilterVector4,
 } from './one-euro-filter/one-euro-filter.ts';
+import { pickField } from './pick-field/pick-field.ts';
 import { statistics } from './statistics/statistics.ts';
 import { threshold } from './threshold/threshold.ts';
 import { touchProximity } from './touch-proximity/touch-proximity.ts';
@@ -43,6 +44,7 @@ export const MODULES: readonly AnyModuleDefinition[] = [
   oneEuroFilterVector2,
   oneEuroFilterVector3,
   oneEuroFilterVector4,
+  pickField,
   statistics,
   threshold,
   touchProximity,

@@ -943,6 +943,87 @@ export const LIBRARY: readonly JsonObject[] = [
     },
   },
   {
+    name: 'pick-field',
+    authors: ['Ubi-Interact'],
+    tags: ['field', 'convert', 'number', 'vector', 'text'],
+    description: 'Takes one part out of a value, such as position.x out of a pose.',
+    processingMode: {
+      triggerOnInput: {
+        minDelayMs: 0,
+        allInputsNeedUpdate: false,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'value',
+        messageFormat: 'ubii.dataStructure.Pose3D',
+        isRecordList: false,
+      },
+      {
+        internalName: 'path',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'number',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'isTrue',
+        messageFormat: 'bool',
+        isRecordList: false,
+      },
+      {
+        internalName: 'text',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+      {
+        internalName: 'vector2',
+        messageFormat: 'ubii.dataStructure.Vector2',
+        isRecordList: false,
+      },
+      {
+        internalName: 'vector3',
+        messageFormat: 'ubii.dataStructure.Vector3',
+        isRecordList: false,
+      },
+      {
+        internalName: 'vector4',
+        messageFormat: 'ubii.dataStructure.Vector4',
+        isRecordList: false,
+      },
+      {
+        internalName: 'quaternion',
+        messageFormat: 'ubii.dataStructure.Quaternion',
+        isRecordList: false,
+      },
+      {
+        internalName: 'color',
+        messageFormat: 'ubii.dataStructure.Color',
+        isRecordList: false,
+      },
+      {
+        internalName: 'error',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ onProcessing(_deltaTimeMs, inputs, state) {\n    const read = {\n      /** The part at the path, or what is wrong. */\n      part(whole, path) {\n        let part2 = whole;\n        for (const key of path.replace(/\\[(\\d+)\\]/g, ".$1").split(".")) {\n          if (key === "" || key === "$") continue;\n          if (typeof part2 !== "object" || part2 === null || !Object.hasOwn(part2, key)) {\n            return { reason: `The value has no "${path}": there is no "${key}".` };\n          }\n          part2 = part2[key];\n        }\n        return { part: part2 };\n      },\n      /** The members by name, when all of them are finite numbers. */\n      numbers(part2, ...names) {\n        if (typeof part2 !== "object" || part2 === null) return void 0;\n        const all = part2;\n        const entries = names.map((name) => [name, all[name]]);\n        if (!entries.every(([, value]) => Number.isFinite(value))) return void 0;\n        return Object.fromEntries(entries);\n      }\n    };\n    const record = inputs.value;\n    if (record === void 0) return void 0;\n    const result = read.part(record[record.type], inputs.path?.string.trim() ?? "");\n    const error = "reason" in result ? result.reason : "";\n    const hasNewError = error !== state.error;\n    state.error = error;\n    const part = "part" in result ? result.part : void 0;\n    const number = typeof part === "boolean" ? Number(part) : part;\n    const vector2 = read.numbers(part, "x", "y");\n    const vector3 = read.numbers(part, "x", "y", "z");\n    const vector4 = read.numbers(part, "x", "y", "z", "w");\n    const color = read.numbers(part, "r", "g", "b", "a");\n    const isText = typeof part === "string" || typeof part === "number" || part === !!part;\n    return {\n      outputs: {\n        number: Number.isFinite(number) ? { double: number } : void 0,\n        isTrue: typeof part === "boolean" ? { bool: part } : void 0,\n        text: isText ? { string: String(part) } : void 0,\n        vector2: vector2 && { vector2 },\n        vector3: vector3 && { vector3 },\n        vector4: vector4 && { vector4 },\n        quaternion: vector4 && { quaternion: vector4 },\n        color: color && { color },\n        error: hasNewError ? { string: error } : void 0\n      }\n    };\n  } })["onProcessing"]',
+    onCreatedStringified: '(state) => { Object.assign(state, (() => ({ error: "" })\n)()); }',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+    },
+  },
+  {
     name: 'statistics',
     authors: ['Ubi-Interact'],
     tags: ['number', 'statistics', 'window'],

@@ -1,0 +1,78 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+
+/**
+ * Takes one part out of a value: the height of a pose, one number of a list. It reads records of any
+ * data format; a session says which by giving the input another format than the one here.
+ */
+export const pickField = defineProcessingModule({
+  name: 'pick-field',
+  description: 'Takes one part out of a value, such as position.x out of a pose.',
+  tags: ['field', 'convert', 'number', 'vector', 'text'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: { value: 'pose3D', path: 'string' },
+  outputs: {
+    number: 'double',
+    isTrue: 'bool',
+    text: 'string',
+    vector2: 'vector2',
+    vector3: 'vector3',
+    vector4: 'vector4',
+    quaternion: 'quaternion',
+    color: 'color',
+    error: 'string',
+  },
+  mode: { triggerOnInput: {} },
+  createState: () => ({ error: '' }),
+  onProcessing(_deltaTimeMs, inputs, state) {
+    const read = {
+      /** The part at the path, or what is wrong. */
+      part(whole: unknown, path: string): { part: unknown } | { reason: string } {
+        let part = whole;
+        // elements[0].x and elements.0.x are the same; a leading $ is the whole value.
+        for (const key of path.replace(/\[(\d+)\]/g, '.$1').split('.')) {
+          if (key === '' || key === '$') continue;
+          if (typeof part !== 'object' || part === null || !Object.hasOwn(part, key)) {
+            return { reason: `The value has no "${path}": there is no "${key}".` };
+          }
+          part = (part as { [key: string]: unknown })[key];
+        }
+        return { part };
+      },
+      /** The members by name, when all of them are finite numbers. */
+      numbers<K extends string>(part: unknown, ...names: K[]): { [name in K]: number } | undefined {
+        if (typeof part !== 'object' || part === null) return undefined;
+        const all = part as { [name in K]?: unknown };
+        const entries = names.map((name) => [name, all[name]] as const);
+        if (!entries.every(([, value]) => Number.isFinite(value))) return undefined;
+        return Object.fromEntries(entries) as { [name in K]: number };
+      },
+    };
+    const record = inputs.value as { type: string; [member: string]: unknown } | undefined;
+    if (record === undefined) return undefined;
+    const result = read.part(record[record.type], inputs.path?.string.trim() ?? '');
+    const error = 'reason' in result ? result.reason : '';
+    const hasNewError = error !== state.error;
+    state.error = error;
+    const part = 'part' in result ? result.part : undefined;
+    const number = typeof part === 'boolean' ? Number(part) : part;
+    const vector2 = read.numbers(part, 'x', 'y');
+    const vector3 = read.numbers(part, 'x', 'y', 'z');
+    const vector4 = read.numbers(part, 'x', 'y', 'z', 'w');
+    const color = read.numbers(part, 'r', 'g', 'b', 'a');
+    const isText = typeof part === 'string' || typeof part === 'number' || part === !!part;
+    return {
+      outputs: {
+        number: Number.isFinite(number) ? { double: number as number } : undefined,
+        isTrue: typeof part === 'boolean' ? { bool: part } : undefined,
+        text: isText ? { string: String(part) } : undefined,
+        vector2: vector2 && { vector2 },
+        vector3: vector3 && { vector3 },
+        vector4: vector4 && { vector4 },
+        quaternion: vector4 && { quaternion: vector4 },
+        color: color && { color },
+        error: hasNewError ? { string: error } : undefined,
+      },
+    };
+  },
+});
