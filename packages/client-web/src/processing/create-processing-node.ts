@@ -1,15 +1,7 @@
 import { ModuleEventKind, NodeExtensionKind } from '@ubii/proto';
 import type { Init, ModuleEvent, ProcessingModule, Session } from '@ubii/proto';
 import { REGEXP_PATTERNS, createModuleRuntime } from '@ubii/pm-sandbox';
-import type {
-  Clock,
-  ModuleFault,
-  ModuleRuntime,
-  ModuleRuntimeOptions,
-  PatternPort,
-  RuntimeLimits,
-  SandboxFactory,
-} from '@ubii/pm-sandbox';
+import type { Clock, ModuleFault, ModuleRuntime } from '@ubii/pm-sandbox';
 import { Listeners } from '../core/listeners.ts';
 import type { UbiiClient, Unsubscribe } from '../core/ubii-client.ts';
 import { ClientTopicPort } from './client-topic-port.ts';
@@ -19,6 +11,7 @@ import { runShare } from './lockstep-shares.ts';
 import { ModuleCatalog } from './module-catalog.ts';
 import { ModuleReports } from './module-reports.ts';
 import type { NodeInstance } from './node-instance.ts';
+import type { ProcessingNode, ProcessingNodeOptions } from './processing-node.ts';
 import { activityOf, modulesFor } from './session-modules.ts';
 import type { AssignedModule, SessionActivity } from './session-modules.ts';
 import { SessionWatch } from './session-watch.ts';
@@ -27,53 +20,6 @@ import { processingClock } from './processing-clock.ts';
 
 /** How often statistics are reported, milliseconds. [PM-80] */
 export const STATISTICS_INTERVAL_MS = 250;
-
-/** How a node is set up. */
-export interface ProcessingNodeOptions {
-  /** Where the code runs. The node does not close it. */
-  readonly sandboxes: SandboxFactory;
-  /** What kind of program it is in. */
-  readonly kind: 'browser' | 'node';
-  /** Modules it has code for. Whoever gives them vouches for them. [PM-51] @default none */
-  readonly modules?: readonly Init<ProcessingModule>[];
-  /** Whether the master may choose this node by itself. @default true */
-  readonly acceptsWork?: boolean;
-  /** True when the program exists to run modules for others. @default false */
-  readonly isDedicated?: boolean;
-  /** Names of the libraries the sandboxes offer in `state.modules`. @default none */
-  readonly libraries?: readonly string[];
-  /** How many modules it likes to run at once; 0 when it does not say. @default 0 */
-  readonly capacity?: number;
-  readonly limits?: Partial<RuntimeLimits>;
-  /** @default the system's, in a page one that keeps time while the page is hidden */
-  readonly clock?: Clock;
-  /** @default the platform's regular expressions */
-  readonly patterns?: PatternPort;
-  /** Makes the runtime, for tests. @default createModuleRuntime of `@ubii/pm-sandbox` */
-  readonly createRuntime?: (options: ModuleRuntimeOptions) => ModuleRuntime;
-}
-
-/** A client that runs processing modules of sessions. */
-export interface ProcessingNode {
-  /**
-   * Takes part from now on: as soon as the client is connected, and again after every reconnect.
-   * Rejects with the `ServiceError` when the master refuses what the node says of itself.
-   */
-  start(): Promise<void>;
-  /** Ends all modules, tells the master, and takes part no longer; may be started again. */
-  stop(): Promise<void>;
-  readonly isStarted: boolean;
-  /** Other modules to offer from now on. Those that run keep their code until their session starts anew. */
-  setModules(modules: readonly Init<ProcessingModule>[]): Promise<void>;
-  /** Whether the master may choose this node by itself, from now on. */
-  setAcceptsWork(acceptsWork: boolean): Promise<void>;
-  /** The modules of sessions that are here, in the order they came. */
-  readonly instances: readonly NodeInstance[];
-  /** Calls `fn` after `instances` changed, at most once a turn. */
-  onChange(fn: (instances: readonly NodeInstance[]) => void): Unsubscribe;
-  /** Calls `fn` for what the modules do that people want to know: errors, log lines, restarts. */
-  onEvent(fn: (event: ModuleEvent) => void): Unsubscribe;
-}
 
 /** A node on the given client, which may be connected or not. Does nothing before `start()`. */
 export function createProcessingNode(

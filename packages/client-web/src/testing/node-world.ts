@@ -7,7 +7,7 @@ import type { FakeClock } from './fake-clock.ts';
 import { FakeMaster } from './fake-master.ts';
 import { FakeSessions } from './fake-sessions.ts';
 import { createProcessingNode } from '../processing/create-processing-node.ts';
-import type { ProcessingNodeOptions } from '../processing/create-processing-node.ts';
+import type { ProcessingNodeOptions } from '../processing/processing-node.ts';
 
 /** A started node of a connected client, with fakes around it: for tests. */
 export async function createNodeWorld(options: Partial<ProcessingNodeOptions> = {}) {
