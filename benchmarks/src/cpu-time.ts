@@ -1,9 +1,10 @@
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 
 /** Length of a clock tick in /proc: USER_HZ is 100 on every Linux that Node runs on. */
 const TICK_US = 10_000;
 
-/** Fields after the command's closing bracket, where utime and stime are (proc(5), 14 and 15). */
+/** Fields after the command's closing bracket: the parent, utime and stime (proc(5), 4, 14 and 15). */
+const PPID_INDEX = 1;
 const UTIME_INDEX = 11;
 const STIME_INDEX = 12;
 
@@ -15,6 +16,36 @@ export function processCpuUs(pid: number): number {
   const stat = readFileSync(`/proc/${pid}/stat`, 'latin1');
   const fields = stat.slice(stat.lastIndexOf(')') + 2).split(' ');
   return (Number(fields[UTIME_INDEX]) + Number(fields[STIME_INDEX])) * TICK_US;
+}
+
+/** Processes that a process has started, and those they have started. */
+export function descendantPids(root: number): number[] {
+  const children = new Map<number, number[]>();
+  for (const entry of readdirSync('/proc')) {
+    const pid = Number(entry);
+    if (!Number.isInteger(pid)) continue;
+    const parent = parentOf(pid);
+    if (parent !== undefined) children.set(parent, [...(children.get(parent) ?? []), pid]);
+  }
+  const found: number[] = [];
+  const visit = (pid: number): void => {
+    for (const child of children.get(pid) ?? []) {
+      found.push(child);
+      visit(child);
+    }
+  };
+  visit(root);
+  return found;
+}
+
+/** Undefined when the process is over. */
+function parentOf(pid: number): number | undefined {
+  try {
+    const stat = readFileSync(`/proc/${pid}/stat`, 'latin1');
+    return Number(stat.slice(stat.lastIndexOf(')') + 2).split(' ')[PPID_INDEX]);
+  } catch {
+    return undefined;
+  }
 }
 
 /**

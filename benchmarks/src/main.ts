@@ -38,7 +38,12 @@ async function main(): Promise<number> {
 async function run(options: RunOptions): Promise<number> {
   const loadBefore = loadAverage();
   const startedAt = new Date().toISOString();
-  const workloads = WORKLOADS.filter(({ group }) => options.groups.includes(group));
+  const workloads = WORKLOADS.filter((workload) => {
+    if (!options.groups.includes(workload.group)) return false;
+    const whyNot = workload.whyNot?.();
+    if (whyNot !== undefined) console.error(`${workload.name} is left out: ${whyNot}`);
+    return whyNot === undefined;
+  });
   const paths = {
     master: options.master && fromCaller(options.master),
     profileDir: options.profileDir && fromCaller(options.profileDir),

@@ -1,5 +1,6 @@
 import { fanOut } from './fan-out.ts';
 import { MODULE_CALLS } from './module-call.ts';
+import { MODULE_CALLS_IN_BROWSER } from './module-call-browser.ts';
 import { LOCKSTEPS } from './lockstep.ts';
 import { modules100 } from './modules-100.ts';
 import { roundTrip } from './round-trip.ts';
@@ -12,6 +13,7 @@ export const WORKLOADS: readonly Workload[] = [
   fanOut(64, { 'ubii-extension': 0.85, 'ubii-legacy': 0.7 }),
   fanOut(1, { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 }),
   ...MODULE_CALLS,
+  ...MODULE_CALLS_IN_BROWSER,
   trigger,
   ...LOCKSTEPS,
   modules100,

@@ -16,14 +16,17 @@ export interface Lap {
 /** Starts the clocks; the returned function stops them. */
 export function startLap(pids: readonly number[]): () => Lap {
   const ownCpu = process.cpuUsage();
-  const startUs = pids.map(processCpuUs);
+  const startUs = pids.map((pid) => cpuUsOf(pid, 0));
   const machineStartUs = machineCpuUs();
   const startMs = performance.now();
   return () => {
     const wallUs = (performance.now() - startMs) * 1000;
     const used = process.cpuUsage(ownCpu);
     const ownCpuUs = used.user + used.system;
-    const cpuUs = pids.reduce((sum, pid, index) => sum + processCpuUs(pid) - startUs[index]!, 0);
+    const cpuUs = pids.reduce(
+      (sum, pid, index) => sum + cpuUsOf(pid, startUs[index]!) - startUs[index]!,
+      0,
+    );
     const otherCpuUs = machineCpuUs() - machineStartUs - cpuUs - ownCpuUs;
     return {
       wallUs,
@@ -33,4 +36,13 @@ export function startLap(pids: readonly number[]): () => Lap {
       otherCpuShare: Math.max(0, otherCpuUs / wallUs),
     };
   };
+}
+
+/** Processes of browsers come and go; what one used that is over is not known any more. */
+function cpuUsOf(pid: number, otherwiseUs: number): number {
+  try {
+    return processCpuUs(pid);
+  } catch {
+    return otherwiseUs;
+  }
 }

@@ -61,6 +61,8 @@ export interface Workload {
   readonly placement: Placement;
   /** Share of the rounds it takes part in, where it has many subjects or steady figures. */
   readonly roundShare: number;
+  /** Why it cannot be measured here; undefined: it can. */
+  whyNot?(): string | undefined;
   /** Starts what is to be measured. */
   open(setting: WorkloadSetting): Promise<readonly Subject[]>;
   /** A further subject that is computed from those of a round, such as a sum of two. */
