@@ -36,14 +36,15 @@ const MAX_WAIT_SECONDS = 3600;
 
 /** The text of `--help`. */
 export function helpText(groups: readonly string[]): string {
-  return `Measures the master beside a minimal ws server in the same run.
+  return `Measures the master, and what runs modules, beside the least that does the same in the same run.
 
   npm run bench                          every workload
   npm run bench -- <workload>…           ${groups.join(', ')}
   npm run bench -- compare <a> <b>       two JSON files of earlier runs
 
   --quick            ${QUICK.rounds} rounds of ${QUICK.measureMs / 1000} s: to see that it works, not to judge by
-  --rounds <n>       measurements of each broker, interleaved; the median counts (default ${DEFAULTS.rounds}, at least ${MIN_ROUNDS})
+  --rounds <n>       measurements of each target, interleaved; the median counts (default ${DEFAULTS.rounds}, at least ${MIN_ROUNDS});
+                     workloads with modules take a third or a fifth of them
   --seconds <s>      length of one measurement (default ${DEFAULTS.measureMs / 1000})
   --wait <s>         wait for other processes before a measurement, in all so long (default 0)
   --out <file>       where the JSON goes (default benchmarks/results/<time>.json)
