@@ -55,7 +55,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
     if (wanted.kind !== 'tab') {
       releaseTab?.();
       releaseTab = undefined;
-      return wanted.kind === 'node' ? wanted.nodeId : 'master';
+      return wanted.kind === 'node' && wanted.nodeId !== '' ? wanted.nodeId : 'master';
     }
     releaseTab ??= tab.need();
     await tab.whenOn();
@@ -111,7 +111,10 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
     return changes;
   }
 
-  watch(place, () => void attempt(move));
+  watch(place, (next) => {
+    // While no node is there, it runs on where it is
+    if (next.kind !== 'node' || next.nodeId !== '') void attempt(move);
+  });
   watch(isConnected, (connected) => connected && void attempt(send), { immediate: true });
 
   watch(id, (next, _before, onCleanup) => {

@@ -1,5 +1,6 @@
 import {
   MuxIdentity,
+  UUID_PATTERN,
   type Session,
   type ProcessingModule,
   type TopicDemux,
@@ -51,7 +52,8 @@ function muxPattern({ component, topicGlob, topicSelector }: TopicMux): string {
 function muxWords(mux: TopicMux): string {
   const { identitySource, identityMatchPattern } = mux;
   if (identitySource === MuxIdentity.MUX_IDENTITY_PATTERN && identityMatchPattern !== '') {
-    return `told apart by ${identityMatchPattern}`;
+    const isId = identityMatchPattern === UUID_PATTERN;
+    return `told apart by ${isId ? 'the id in the topic' : identityMatchPattern}`;
   }
   return IDENTITIES[identitySource] ?? '';
 }
