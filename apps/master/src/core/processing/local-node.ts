@@ -39,6 +39,10 @@ interface Instance {
   /** What it could not become. */
   failed: Want | undefined;
   isBusy: boolean;
+  /** Its runtime has given it up. */
+  isGivenUp: boolean;
+  /** It is to be made anew, though nothing of it changed. */
+  isStale: boolean;
 }
 
 /**
@@ -81,6 +85,8 @@ export class LocalNode {
           have: undefined,
           failed: undefined,
           isBusy: false,
+          isGivenUp: false,
+          isStale: false,
         };
         this.#instances.set(id, instance);
       }
@@ -103,10 +109,12 @@ export class LocalNode {
     return instance.have !== undefined || (instance.isBusy && instance.failed === undefined);
   }
 
-  /** Forgets a failed attempt: the next `sync` tries again. */
+  /** Forgets a failure: the next `sync` tries again. */
   retry(moduleId: string): void {
     const instance = this.#instances.get(moduleId);
-    if (instance !== undefined) instance.failed = undefined;
+    if (instance === undefined) return;
+    instance.failed = undefined;
+    instance.isStale = instance.isGivenUp;
   }
 
   statistics(): ModuleStatistics[] {
@@ -132,10 +140,12 @@ export class LocalNode {
   async #work(instance: Instance): Promise<void> {
     for (;;) {
       const { want, have, failed } = instance;
-      if (want === have || (have === undefined && want === failed)) return;
+      if (want === have && !instance.isStale) return;
+      if (have === undefined && want === failed) return;
       if (have === undefined) await this.#create(instance, want!);
-      else if (want === undefined || needsRestart(have, want)) await this.#destroy(instance);
-      else await this.#change(instance, have, want);
+      else if (want === undefined || instance.isStale || needsRestart(have, want)) {
+        await this.#destroy(instance);
+      } else await this.#change(instance, have, want);
       if (this.#isClosed) return;
     }
   }
@@ -146,6 +156,8 @@ export class LocalNode {
       onStatus: (id, status, fault) => this.#handleStatus(id, status, fault),
     }));
     instance.failed = undefined;
+    instance.isStale = false;
+    instance.isGivenUp = false;
     try {
       await runtime.create(want.spec);
     } catch (thrown) {
@@ -164,6 +176,8 @@ export class LocalNode {
   async #destroy(instance: Instance): Promise<void> {
     await this.#runtime?.destroy(instance.id);
     instance.have = undefined;
+    instance.isStale = false;
+    instance.isGivenUp = false;
     if (instance.want === undefined) this.#reports.onStopped(instance.id);
   }
 
@@ -184,6 +198,7 @@ export class LocalNode {
     const instance = this.#instances.get(id);
     // What is under way tells by itself how it went.
     if (instance?.have === undefined || instance.want === undefined) return;
+    if (status === ProcessingModuleStatus.DESTROYED) instance.isGivenUp = true;
     if (fault !== undefined) this.#reports.onFailed(id, fault.message, fault);
     else if (status === ProcessingModuleStatus.PROCESSING) this.#reports.onStarted(id);
   }

@@ -1,0 +1,193 @@
+import type { InstanceSpec, ModuleFault, ModuleRuntime } from '@ubii/pm-sandbox';
+import {
+  decode,
+  encode,
+  ProcessingModuleStatus,
+  type Init,
+  type IOMapping,
+  type ProcessingModule,
+} from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { LocalNode, type RuntimeHooks } from './local-node.ts';
+
+const { DESTROYED, INITIALIZED, PROCESSING } = ProcessingModuleStatus;
+const FAULT: ModuleFault = { kind: 'threw', phase: 'onCreated', message: 'no luck', line: 3 };
+
+/** A runtime that does what it is told when the test lets it. */
+class FakeRuntime implements Partial<ModuleRuntime> {
+  readonly calls: string[] = [];
+  readonly hooks: RuntimeHooks;
+  /** What the next `create` waits for. */
+  gate: Promise<void> = Promise.resolve();
+  fault: ModuleFault | undefined = undefined;
+
+  constructor(hooks: RuntimeHooks) {
+    this.hooks = hooks;
+  }
+
+  async create({ module }: InstanceSpec): Promise<void> {
+    this.calls.push(`create ${module.id}`);
+    await this.gate;
+    // eslint-disable-next-line @typescript-eslint/only-throw-error -- faults are values
+    if (this.fault !== undefined) throw this.fault;
+  }
+
+  start(id: string): void {
+    this.calls.push(`start ${id}`);
+  }
+
+  halt(id: string): Promise<void> {
+    this.calls.push(`halt ${id}`);
+    return Promise.resolve();
+  }
+
+  destroy(id: string): Promise<void> {
+    this.calls.push(`destroy ${id}`);
+    return Promise.resolve();
+  }
+
+  remap(id: string): void {
+    this.calls.push(`remap ${id}`);
+  }
+
+  setMode(id: string): void {
+    this.calls.push(`mode ${id}`);
+  }
+}
+
+function setup() {
+  const reports: string[] = [];
+  let runtime: FakeRuntime | undefined;
+  const node = new LocalNode(
+    (hooks) => (runtime = new FakeRuntime(hooks)) as unknown as ModuleRuntime,
+    {
+      onStarted: (id) => reports.push(`started ${id}`),
+      onStopped: (id) => reports.push(`stopped ${id}`),
+      onFailed: (id, reason) => reports.push(`failed ${id}: ${reason}`),
+      onEvent: () => undefined,
+    },
+  );
+  return {
+    node,
+    reports,
+    get runtime(): FakeRuntime {
+      if (runtime === undefined) throw new Error('nothing ran');
+      return runtime;
+    },
+    /** What the runtime was told since it was asked last. */
+    async take(): Promise<string[]> {
+      for (let i = 0; i < 20; i++) await Promise.resolve();
+      return runtime?.calls.splice(0) ?? [];
+    },
+  };
+}
+
+function spec(
+  id: string,
+  module: Init<ProcessingModule> = {},
+  mapping: Init<IOMapping> = {},
+): InstanceSpec {
+  const format = 'ubii.processing.ProcessingModule';
+  return {
+    module: decode(format, encode(format, { id, onProcessingStringified: '() => 1', ...module })),
+    mapping: decode('ubii.sessions.IOMapping', encode('ubii.sessions.IOMapping', mapping)),
+    isTrusted: false,
+  };
+}
+
+describe('the master as a node', () => {
+  it('makes no runtime before the first module', async () => {
+    const world = setup();
+    world.node.sync('s', [], false);
+    expect(await world.take()).toEqual([]);
+    expect(world.node.runtime).toBeUndefined();
+  });
+
+  it('makes and ends what the session says, and tells [SE-12] [SE-13]', async () => {
+    const world = setup();
+    world.node.sync('s', [spec('a'), spec('b')], false);
+    expect(await world.take()).toEqual(['create a', 'create b', 'start a', 'start b']);
+    expect(world.reports.splice(0)).toEqual(['started a', 'started b']);
+    world.node.sync('s', [spec('b')], false);
+    expect(await world.take()).toEqual(['destroy a']);
+    world.node.sync('other', [], false);
+    expect(await world.take()).toEqual([]);
+    world.node.sync('s', [], false);
+    expect(await world.take()).toEqual(['destroy b']);
+    expect(world.reports).toEqual(['stopped a', 'stopped b']);
+    expect(world.node.isBusyWith('b')).toBe(false);
+  });
+
+  it('leaves alone what did not change, and applies what did [SE-15]', async () => {
+    const world = setup();
+    world.node.sync('s', [spec('a')], false);
+    await world.take();
+    world.node.sync('s', [spec('a')], false);
+    expect(await world.take()).toEqual([]);
+    world.node.sync('s', [spec('a', {}, { inputMappings: [{ inputName: 'x' }] })], false);
+    expect(await world.take()).toEqual(['remap a']);
+    world.node.sync('s', [spec('a', { processingMode: { free: {} } })], false);
+    expect(await world.take()).toEqual(['remap a', 'mode a']);
+    world.node.sync('s', [spec('a', { onProcessingStringified: '() => 2' })], false);
+    expect(await world.take()).toEqual(['destroy a', 'create a', 'start a']);
+  });
+
+  it('holds, and goes on [SE-14]', async () => {
+    const world = setup();
+    world.node.sync('s', [spec('a')], false);
+    await world.take();
+    world.node.sync('s', [spec('a')], true);
+    expect(await world.take()).toEqual(['halt a']);
+    world.node.sync('s', [spec('a')], false);
+    expect(await world.take()).toEqual(['start a']);
+  });
+
+  it('ends what nobody wants any more as soon as it is made', async () => {
+    const world = setup();
+    world.node.sync('s', [spec('first')], false);
+    await world.take();
+    let open = (): void => undefined;
+    world.runtime.gate = new Promise((resolve) => (open = resolve));
+    world.node.sync('s', [spec('a')], false);
+    expect(await world.take()).toContain('create a');
+    world.node.sync('s', [], false);
+    expect(world.node.isBusyWith('a')).toBe(true);
+    open();
+    expect(await world.take()).toEqual(['destroy a']);
+    expect(world.reports).not.toContain('started a');
+    expect(world.reports).toContain('stopped a');
+  });
+
+  it('tells what could not be made, and tries again when asked [SE-12]', async () => {
+    const world = setup();
+    world.node.sync('s', [spec('first')], false);
+    await world.take();
+    world.runtime.fault = FAULT;
+    world.node.sync('s', [spec('first'), spec('a')], false);
+    expect(await world.take()).toEqual(['create a']);
+    expect(world.reports).toContain('failed a: no luck');
+    expect(world.node.isBusyWith('a')).toBe(false);
+    world.node.sync('s', [spec('first'), spec('a')], false);
+    expect(await world.take()).toEqual([]);
+    world.runtime.fault = undefined;
+    world.node.retry('a');
+    world.node.sync('s', [spec('first'), spec('a')], false);
+    expect(await world.take()).toEqual(['create a', 'start a']);
+  });
+
+  it('tells of what was killed, of its return, and of what was given up [PM-54]', async () => {
+    const world = setup();
+    world.node.sync('s', [spec('a')], false);
+    await world.take();
+    world.reports.splice(0);
+    const { hooks } = world.runtime;
+    hooks.onStatus('a', INITIALIZED, FAULT);
+    hooks.onStatus('a', PROCESSING);
+    hooks.onStatus('a', DESTROYED, FAULT);
+    expect(world.reports).toEqual(['failed a: no luck', 'started a', 'failed a: no luck']);
+    // Nothing of it changed, but somebody wants it anew.
+    world.node.retry('a');
+    world.node.sync('s', [spec('a')], false);
+    expect(await world.take()).toEqual(['destroy a', 'create a', 'start a']);
+  });
+});
