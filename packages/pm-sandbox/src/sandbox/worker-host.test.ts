@@ -83,7 +83,7 @@ function fakeWorker() {
 
 const CALL = { deltaTimeMs: 0, inputs: [] };
 const kindsOf = (batch: HostBatch | undefined): string[] | undefined =>
-  batch?.messages.map(({ kind }: HostMessage) => kind);
+  batch?.messages.map((message: HostMessage) => ('kind' in message ? message.kind : 'run'));
 
 describe('WorkerHost', () => {
   it('sends the messages of a turn together', () => {
@@ -183,7 +183,7 @@ describe('WorkerHost', () => {
     worker.tell({ kind: 'ready' });
     const run = worker.host.halt(a);
     worker.endTurn();
-    worker.tell({ kind: 'done', call: 1, result: undefined });
+    worker.tell({ kind: 'done', call: 1, fault: undefined });
     await run;
     worker.pass(WATCHDOG_INTERVAL_MS);
     expect(worker.isWatched()).toBe(false);

@@ -3,13 +3,8 @@ import type { ModuleSource, SandboxCall, SandboxRequest, SandboxResult } from '.
 import { AWAIT_TIMEOUT_MS, TRUSTED_CREATE_TIMEOUT_MS } from '../sandbox-limits.ts';
 import { BytePacker } from '../worker/byte-packer.ts';
 import { describeThrown, moduleFault } from '../worker/module-error.ts';
-import type {
-  HostMessage,
-  WireInput,
-  WorkerBatch,
-  WorkerKind,
-  WorkerMessage,
-} from '../worker/protocol.ts';
+import type { HostMessage, WorkerBatch, WorkerKind, WorkerMessage } from '../worker/protocol.ts';
+import { readResult, wireRun } from '../worker/run-wire.ts';
 import { Watchdog, type Verdict, type WatchedCall } from './watchdog.ts';
 import type { PoolOptions, PoolPlatform, WorkerLink } from './worker-link.ts';
 
@@ -119,16 +114,10 @@ export class WorkerHost {
     }));
   }
 
-  run(instance: number, { deltaTimeMs, inputs, triggers }: SandboxCall): Promise<SandboxResult> {
-    const wired = inputs.map((input) => this.#wire(input));
-    return this.#call(instance, 'onProcessing', (call) => ({
-      kind: 'run',
-      instance,
-      call,
-      deltaTimeMs,
-      inputs: wired,
-      triggers,
-    }));
+  run(instance: number, run: SandboxCall): Promise<SandboxResult> {
+    return this.#call(instance, 'onProcessing', (call) =>
+      wireRun(instance, call, run, this.#packer),
+    );
   }
 
   halt(instance: number): Promise<void> {
@@ -159,21 +148,6 @@ export class WorkerHost {
     for (const instance of this.#instances.values()) instance.onClosed(fault);
     this.#instances.clear();
     this.#endAll(undefined, () => fault);
-  }
-
-  #wire(input: SandboxCall['inputs'][number]): WireInput {
-    const take = (record: {
-      bytes: Uint8Array;
-      isOwned?: boolean | undefined;
-      identity?: string | undefined;
-    }) => {
-      const holder = { bytes: record.bytes, identity: record.identity };
-      this.#packer.add(holder, record.isOwned === true);
-      return holder;
-    };
-    return 'elements' in input
-      ? { name: input.name, elements: input.elements.map(take) }
-      : { name: input.name, record: input.record && take(input.record) };
   }
 
   #call<T>(
@@ -224,13 +198,17 @@ export class WorkerHost {
   }
 
   #handleMessage(message: WorkerMessage): void {
+    if (!('kind' in message)) {
+      this.#takeCall(message[0])?.resolve(readResult(message));
+      return;
+    }
     switch (message.kind) {
       case 'ready':
         this.#isReady = true;
         return;
       case 'done': {
         const call = this.#takeCall(message.call);
-        call?.resolve(message.result);
+        call?.resolve(message.fault);
         if (call?.phase === 'onDestroyed') this.#instances.delete(call.instance);
         return;
       }

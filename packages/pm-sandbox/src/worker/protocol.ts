@@ -1,5 +1,6 @@
 import type { ModuleFault } from '../ports/module-fault.ts';
-import type { ModuleSource, SandboxRequest, SandboxResult } from '../ports/sandbox.ts';
+import type { ModuleSource, SandboxRequest } from '../ports/sandbox.ts';
+import type { ResultMessage, RunMessage } from './run-wire.ts';
 
 /** Which engine a worker has. [PM-51] */
 export type WorkerKind = 'trusted' | 'sandboxed';
@@ -7,35 +8,17 @@ export type WorkerKind = 'trusted' | 'sandboxed';
 /** Methods of the libraries that the host runs, by library. */
 export type HostLibraryNames = Readonly<Record<string, readonly string[]>>;
 
-/** Bytes of a record; packed into the buffer of the batch when it is sent. */
-export interface WireRecord {
-  bytes: Uint8Array;
-  readonly identity?: string | undefined;
-}
-
-/** Value of one input on its way. */
-export type WireInput =
-  | { readonly name: string; readonly record: WireRecord | undefined }
-  | { readonly name: string; readonly elements: readonly WireRecord[] };
-
 /**
  * All that a host tells a worker. `instance` is a number of the host's, `call` one that its answer
  * carries.
  */
 export type HostMessage =
+  | RunMessage
   | {
       readonly kind: 'create';
       readonly instance: number;
       readonly call: number;
       readonly request: SandboxRequest;
-    }
-  | {
-      readonly kind: 'run';
-      readonly instance: number;
-      readonly call: number;
-      readonly deltaTimeMs: number;
-      readonly inputs: readonly WireInput[];
-      readonly triggers: readonly string[] | undefined;
     }
   | { readonly kind: 'halt'; readonly instance: number; readonly call: number }
   | { readonly kind: 'destroy'; readonly instance: number; readonly call: number }
@@ -58,13 +41,10 @@ export type HostMessage =
 
 /** All that a worker tells its host. */
 export type WorkerMessage =
+  | ResultMessage
   | { readonly kind: 'ready' }
-  /** A call ended well; `result` is that of a run or a check. */
-  | {
-      readonly kind: 'done';
-      readonly call: number;
-      readonly result: SandboxResult | ModuleFault | undefined;
-    }
+  /** A call that is no run ended well; `fault` is what a check found. */
+  | { readonly kind: 'done'; readonly call: number; readonly fault: ModuleFault | undefined }
   | { readonly kind: 'failed'; readonly call: number; readonly fault: ModuleFault }
   /** The instance is gone. What was pending of it has failed before. */
   | { readonly kind: 'killed'; readonly instance: number; readonly fault: ModuleFault }

@@ -1,6 +1,6 @@
 import type { ModuleFault } from '../ports/module-fault.ts';
-import type { SandboxCall, SandboxResult } from '../ports/sandbox.ts';
-import { BytePacker, type ByteHolder } from './byte-packer.ts';
+import type { SandboxResult } from '../ports/sandbox.ts';
+import { BytePacker } from './byte-packer.ts';
 import { checkSource } from './check-source.ts';
 import type { Engine, EngineRequest, MaybePromise } from './engine.ts';
 import { Instance, type InstanceHost } from './instance.ts';
@@ -12,6 +12,7 @@ import type {
   WorkerBatch,
   WorkerMessage,
 } from './protocol.ts';
+import { readRun, wireResult } from './run-wire.ts';
 
 /** What a worker has around it. */
 export interface WorkerPlatform {
@@ -32,7 +33,8 @@ export interface WorkerPlatform {
 /** Answers wait for the end of the batch, but no longer than this, milliseconds. */
 const MAX_HELD_MS = 2;
 
-type MessageOf<K extends HostMessage['kind']> = Extract<HostMessage, { kind: K }>;
+type NamedMessage = Extract<HostMessage, { kind: string }>;
+type MessageOf<K extends NamedMessage['kind']> = Extract<NamedMessage, { kind: K }>;
 
 /** The program of a worker: takes batches of messages, runs instances, answers in batches. */
 export class WorkerLoop {
@@ -86,11 +88,13 @@ export class WorkerLoop {
 
   /** @returns whether something is left under way */
   #dispatch(message: HostMessage): boolean {
+    if (!('kind' in message)) {
+      const [instance, call] = message;
+      return this.#call({ instance, call }, (called) => called.run(readRun(message)));
+    }
     switch (message.kind) {
       case 'create':
         return this.#create(message);
-      case 'run':
-        return this.#call(message, (instance) => instance.run(message as SandboxCall));
       case 'halt':
         return this.#call(message, (instance) => instance.halt());
       case 'destroy':
@@ -165,13 +169,8 @@ export class WorkerLoop {
 
   #done(call: number, result: SandboxResult | ModuleFault | undefined): void {
     if (result !== undefined && 'outputs' in result) {
-      for (const output of result.outputs) {
-        const values =
-          'value' in output ? [output.value] : output.elements.map(({ value }) => value);
-        for (const value of values) this.#packer.add(value as ByteHolder, true);
-      }
-    }
-    this.#send({ kind: 'done', call, result });
+      this.#send(wireResult(call, result, this.#packer));
+    } else this.#send({ kind: 'done', call, fault: result });
   }
 
   #fail(message: { readonly instance: number; readonly call: number }, fault: ModuleFault): void {
