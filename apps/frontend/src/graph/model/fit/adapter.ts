@@ -40,9 +40,7 @@ export type Adapter =
       readonly outputTopicFormat: string;
       readonly topicGlob: string;
       readonly dataType: string;
-    }
-  /** A topic in between, where a wire needs one. */
-  | { readonly kind: 'topic'; readonly label: string; readonly topic: string };
+    };
 
 /** Whether a wire from one port to another makes sense. */
 export type Fit =

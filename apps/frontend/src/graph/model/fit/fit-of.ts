@@ -29,17 +29,31 @@ export function fitOf(
   const from = endOf(graph, fromRef);
   const to = endOf(graph, toRef);
   if (from === undefined || to === undefined) return misfit('One end of the wire is gone.');
+  return fitEnds(graph, from, to, library);
+}
+
+/** The same for ends that need not be in the graph yet, in either order. */
+export function fitEnds(
+  graph: Graph,
+  from: WireEnd,
+  to: WireEnd,
+  library: readonly ProcessingModule[] = [],
+): Fit {
   if (from.port.direction === to.port.direction) {
     const side = from.port.direction === 'out' ? 'outputs' : 'inputs';
     return misfit(`Both ends are ${side}; a wire goes from an output to an input.`);
   }
-  if (from.port.direction === 'in') return fitOf(graph, toRef, fromRef, library);
-  const nonsense = kindFault(graph, from, to);
-  if (nonsense !== undefined) return nonsense;
-  return listFault(graph, from, to) ?? formatFault(graph, from, to, library) ?? FITS;
+  if (from.port.direction === 'in') return fitEnds(graph, to, from, library);
+  return (
+    kindFault(from, to) ??
+    listFault(graph, from, to) ??
+    formatFault(graph, from, to, library) ??
+    FITS
+  );
 }
 
-function endOf(graph: Graph, ref: PortRef): WireEnd | undefined {
+/** A port of a graph as an end of a wire. */
+export function endOf(graph: Graph, ref: PortRef): WireEnd | undefined {
   const node = graph.nodes.get(ref.node);
   const port = portOf(graph, ref);
   if (node === undefined || port === undefined) return undefined;
@@ -60,14 +74,14 @@ const NONSENSE: Readonly<Partial<Record<`${NodeKind} ${NodeKind}`, string>>> = {
   'constant demuxer': 'A constant goes into a module; demuxers take what modules put out.',
 };
 
-function kindFault(graph: Graph, from: WireEnd, to: WireEnd): Fit | undefined {
+function kindFault(from: WireEnd, to: WireEnd): Fit | undefined {
   const reason = NONSENSE[`${from.node.kind} ${to.node.kind}`];
   return reason === undefined ? undefined : misfit(reason);
 }
 
 /** A module says that something is no list only by having something that is. [SE-4] */
 function saysWhatIsAList(node: GraphNode): boolean {
-  return node.kind !== 'module' || node.ports.some(({ isList }) => isList);
+  return node.ports.some(({ isList }) => isList);
 }
 
 function listFault(graph: Graph, from: WireEnd, to: WireEnd): Fit | undefined {
@@ -80,14 +94,14 @@ function listFault(graph: Graph, from: WireEnd, to: WireEnd): Fit | undefined {
     const reason = `${portName(graph, from.ref)} gives a list, which takes one topic for each element on its way to ${portName(graph, to.ref)}.`;
     return misfit(reason, listOffers(graph, from, to));
   }
-  const isKnown = saysWhatIsAList(from.node) && saysWhatIsAList(to.node);
-  if (from.port.isList) {
-    if (!isKnown) return undefined;
-    const reason = `${portName(graph, from.ref)} gives a list of records, but ${portName(graph, to.ref)} takes single ones.`;
-    return misfit(reason, listOffers(graph, from, to));
-  }
-  if (!isKnown) return undefined;
-  const reason = `${portName(graph, to.ref)} takes a list of records, but ${portName(graph, from.ref)} gives single ones.`;
+  // What says that it is a list surely is one; the other end may only have said nothing.
+  const doubtful = from.node.kind === 'muxer' ? to.node : from.node;
+  const goesOverATopic = from.node.kind !== 'muxer' && to.node.kind !== 'demuxer';
+  if (!goesOverATopic && !saysWhatIsAList(doubtful)) return undefined;
+  const [given, taken] = from.port.isList
+    ? ['a list of records', 'single ones']
+    : ['single records', 'a list'];
+  const reason = `${portName(graph, from.ref)} gives ${given}, but ${portName(graph, to.ref)} takes ${taken}.`;
   return misfit(reason, listOffers(graph, from, to));
 }
 
@@ -101,9 +115,4 @@ function formatFault(
   const { format: given = 'something else' } = from;
   const reason = `${portName(graph, from.ref)} gives ${given}, but ${portName(graph, to.ref)} takes ${to.format ?? 'another format'}.`;
   return misfit(reason, formatOffers(from, to, library));
-}
-
-/** `fits`, or the words for why not; for lighting up what can be wired. */
-export function fitWords(fit: Fit): string {
-  return fit.fits ? 'fits' : fit.reason;
 }

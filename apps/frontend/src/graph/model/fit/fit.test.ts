@@ -49,7 +49,7 @@ describe('a wire', () => {
     const from = { node: topic.id, port: 'out' };
     const to = ref(graph, 'all.points');
     expect(words(fitOf({ ...graph, nodes }, from, to, library))).toEqual([
-      `all · points takes a list of records, but /${uuid}/phone/touch gives single ones.`,
+      `/${uuid}/phone/touch gives single records, but all · points takes a list.`,
       'muxer: Muxer of /*/phone/touch',
       `muxer: Muxer of /${uuid}/phone/touch`,
     ]);

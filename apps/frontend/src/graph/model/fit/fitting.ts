@@ -1,0 +1,147 @@
+import { parseDataFormat, type DataFormat, type ProcessingModule } from '@ubii/proto';
+import { portName } from '../commands/command-label.ts';
+import { freeTopic } from '../commands/free-topic.ts';
+import type { GraphCommand } from '../commands/graph-command.ts';
+import type { Graph, GraphNode, PortRef } from '../graph.ts';
+import { moduleNode, topicNode } from '../make-node.ts';
+import { newConstantNode, newDemuxerNode, newModuleNode, newMuxerNode } from '../new-node.ts';
+import type { NewNodes } from './adapt.ts';
+import { endOf, fitEnds, type WireEnd } from './fit-of.ts';
+
+/** All ports a wire from this port may go to; the others are to be dimmed. */
+export function fittingPorts(graph: Graph, ref: PortRef): PortRef[] {
+  const own = endOf(graph, ref);
+  if (own === undefined) return [];
+  const fitting: PortRef[] = [];
+  for (const node of graph.nodes.values()) {
+    for (const { id, direction } of node.ports) {
+      if (direction === own.port.direction) continue;
+      const end = endOf(graph, { node: node.id, port: id });
+      if (end !== undefined && fitEnds(graph, own, end).fits) fitting.push(end.ref);
+    }
+  }
+  return fitting;
+}
+
+/** A topic that is there, for offering it. */
+export interface KnownTopic {
+  readonly topic: string;
+  /** In any spelling; empty: not known. */
+  readonly format: string;
+}
+
+/** A new node that a wire dropped on empty space would fit. */
+export type NodeOffer =
+  | {
+      readonly kind: 'module';
+      readonly label: string;
+      readonly module: ProcessingModule;
+      readonly port: string;
+    }
+  | {
+      readonly kind: 'topic';
+      readonly label: string;
+      readonly topic: string;
+      readonly isNew: boolean;
+      readonly format: DataFormat | undefined;
+    }
+  | { readonly kind: 'muxer' | 'demuxer'; readonly label: string; readonly dataType: string }
+  | { readonly kind: 'constant'; readonly label: string; readonly format: DataFormat };
+
+/** What can be made where a wire was dropped, by what fits; modules with their first fitting port. */
+export function fittingNodes(
+  graph: Graph,
+  ref: PortRef,
+  library: readonly ProcessingModule[],
+  topics: readonly KnownTopic[],
+): NodeOffer[] {
+  const own = endOf(graph, ref);
+  if (own === undefined) return [];
+  return [
+    ...plainOffers(graph, own),
+    ...library.flatMap((module) => moduleOffer(graph, own, module) ?? []),
+    ...topics.flatMap((topic) => topicOffer(graph, own, topic) ?? []),
+  ];
+}
+
+function plainOffers(graph: Graph, own: WireEnd): NodeOffer[] {
+  if (own.node.kind !== 'module') return [];
+  const { port, format } = own;
+  const dataType = format ?? '';
+  if (port.direction === 'out') {
+    const topic = freeTopic(graph, own.ref);
+    const isNewTopic = fitsNode(graph, own, topicNode(topic)) !== undefined;
+    return [
+      ...(isNewTopic ? [{ kind: 'topic', label: topic, topic, isNew: true, format } as const] : []),
+      ...(port.isList ? [{ kind: 'demuxer', label: 'Demuxer', dataType } as const] : []),
+    ];
+  }
+  if (port.isList) return [{ kind: 'muxer', label: 'Muxer', dataType }];
+  return format === undefined ? [] : [{ kind: 'constant', label: 'Constant', format }];
+}
+
+function moduleOffer(graph: Graph, own: WireEnd, module: ProcessingModule): NodeOffer | undefined {
+  const port = fitsNode(graph, own, moduleNode(module));
+  if (port === undefined) return undefined;
+  return { kind: 'module', label: module.name, module, port };
+}
+
+function topicOffer(graph: Graph, own: WireEnd, known: KnownTopic): NodeOffer | undefined {
+  const { topic } = known;
+  const format = parseDataFormat(known.format);
+  if (own.node.kind === 'topic' || own.node.id === topicNode(topic).id) return undefined;
+  if (fitsNode(graph, own, topicNode(topic, { format })) === undefined) return undefined;
+  return { kind: 'topic', label: topic, topic, isNew: false, format };
+}
+
+/** The first port of a node, which need not be in the graph, that the wire fits. */
+export function fitsNode(graph: Graph, own: WireEnd, node: GraphNode): string | undefined {
+  return node.ports.find((port) => {
+    if (port.direction === own.port.direction) return false;
+    const end: WireEnd = { ref: { node: node.id, port: port.id }, node, port, format: port.format };
+    return fitEnds(graph, own, end).fits;
+  })?.id;
+}
+
+/** Makes what was offered, wired to where the wire came from, as one step. */
+export function offerCommand(
+  graph: Graph,
+  ref: PortRef,
+  offer: NodeOffer,
+  { uuid, position }: NewNodes,
+): GraphCommand {
+  const node = offeredNode(offer, uuid, position);
+  const own = endOf(graph, ref);
+  const isThere = graph.nodes.has(node.id);
+  const port = offer.kind === 'module' ? offer.port : own && fitsNode(graph, own, node);
+  const other = { node: node.id, port: port ?? '' };
+  const [from, to] = own?.port.direction === 'in' ? [other, ref] : [ref, other];
+  return {
+    kind: 'all',
+    label: `Connect ${portName(graph, ref)} to ${offer.label}`,
+    commands: [
+      { kind: 'add', nodes: isThere ? [] : [node] },
+      { kind: 'connect', from, to },
+    ],
+  };
+}
+
+function offeredNode(
+  offer: NodeOffer,
+  uuid: () => string,
+  position: NewNodes['position'],
+): GraphNode {
+  const look = { position };
+  switch (offer.kind) {
+    case 'module':
+      return newModuleNode(offer.module, uuid(), look);
+    case 'topic':
+      return topicNode(offer.topic, { ...look, format: offer.format });
+    case 'muxer':
+      return newMuxerNode(uuid(), { dataType: offer.dataType }, look);
+    case 'demuxer':
+      return newDemuxerNode(uuid(), { dataType: offer.dataType }, look);
+    case 'constant':
+      return newConstantNode(uuid(), offer.format, look);
+  }
+}
