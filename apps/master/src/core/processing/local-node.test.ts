@@ -28,7 +28,6 @@ class FakeRuntime implements Partial<ModuleRuntime> {
   async create({ module }: InstanceSpec): Promise<void> {
     this.calls.push(`create ${module.id}`);
     await this.gate;
-    // eslint-disable-next-line @typescript-eslint/only-throw-error -- faults are values
     if (this.fault !== undefined) throw this.fault;
   }
 
