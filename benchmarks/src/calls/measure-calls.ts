@@ -3,6 +3,17 @@ import { startLap } from '../workloads/stopwatch.ts';
 import type { Measurement, MeasureOptions } from '../workloads/workload.ts';
 import { CallSeries, type Callee } from './call-series.ts';
 
+/** Code that was called for so long is compiled as well as it will be. */
+const FIRST_CALLS_MS = 1500;
+
+/** Calls before anything is measured, once after a start: programs that run for hours are what counts. */
+export async function warmUp<Prepared, Answer>(callee: Callee<Prepared, Answer>): Promise<void> {
+  const series = new CallSeries(callee);
+  await series.run(FIRST_CALLS_MS);
+  const [fault] = series.result().faults;
+  if (fault !== undefined) throw new Error(`Before anything was measured, ${fault}.`);
+}
+
 /**
  * Calls, waits for the answer, checks it, calls again.
  *

@@ -1,5 +1,5 @@
 import type { Callee } from '../calls/call-series.ts';
-import { measureCalls } from '../calls/measure-calls.ts';
+import { measureCalls, warmUp } from '../calls/measure-calls.ts';
 import { bareCallee, moduleCallee, openModule } from '../calls/module-callee.ts';
 import { picturePayload, RECORD_PAYLOAD, type Payload } from '../calls/payload.ts';
 import { startBareWorker } from '../modules/bare-worker.ts';
@@ -47,9 +47,9 @@ export function moduleCall(name: string, createPayload: () => Payload): Workload
       const trusted = await openModule(sandboxes, payload, `${name} trusted`, true);
       const sandboxed = await openModule(sandboxes, payload, `${name} sandboxed`, false);
       return [
-        subject(REFERENCE, bareCallee(bare, payload)),
-        subject('trusted', moduleCallee(trusted, payload)),
-        subject('sandboxed', moduleCallee(sandboxed, payload)),
+        await subject(REFERENCE, bareCallee(bare, payload)),
+        await subject('trusted', moduleCallee(trusted, payload)),
+        await subject('sandboxed', moduleCallee(sandboxed, payload)),
       ];
     },
   };
@@ -61,6 +61,7 @@ export const MODULE_CALLS: readonly Workload[] = [
   moduleCall('picture', picturePayload),
 ];
 
-function subject<P, A>(name: string, callee: Callee<P, A>): Subject {
+async function subject<P, A>(name: string, callee: Callee<P, A>): Promise<Subject> {
+  await warmUp(callee);
   return { name, pids: [], measure: (options) => measureCalls(callee, options) };
 }

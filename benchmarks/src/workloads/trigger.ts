@@ -2,7 +2,7 @@ import type { Init, ProcessingModule } from '@ubii/proto';
 import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { joinMaster } from '../brokers/ubii.ts';
 import { openEcho } from '../calls/echo-callee.ts';
-import { measureCalls } from '../calls/measure-calls.ts';
+import { measureCalls, warmUp } from '../calls/measure-calls.ts';
 import { bareCallee } from '../calls/module-callee.ts';
 import { RECORD_PAYLOAD } from '../calls/payload.ts';
 import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
@@ -49,6 +49,7 @@ export const trigger: Workload = {
     );
     const bare = await parts.get(BARE_WORKER, startBareWorker);
     const bareCalls = bareCallee(bare, RECORD_PAYLOAD);
+    await warmUp(bareCalls);
     return [
       await plain(master),
       {
@@ -119,5 +120,6 @@ async function echoSubject(
     ring,
     answerTopic,
   );
+  await warmUp(callee);
   return { name, pids, measure: (options) => measureCalls(callee, options, pids) };
 }
