@@ -241,6 +241,7 @@ class Node implements ProcessingNode {
   }
 
   #reportStatistics(): void {
+    this.#reports.resume(); // what did not get through, though the connection holds
     const statistics = this.#runtime?.statistics() ?? [];
     if (statistics.length === 0) return;
     for (const entry of statistics) this.#keepers.get(entry.moduleId)?.handleStatistics(entry);

@@ -97,8 +97,10 @@ export class ModuleReports {
           if (!isEnd) this.#options.handleUnknown();
           continue;
         }
-        // It did not get through. What was said since is newer.
-        for (const [id, module] of told) if (!waiting.has(id)) waiting.set(id, module);
+        // It did not get through. What was said since is newer, and an end makes a start void.
+        for (const [id, module] of told) {
+          if (!waiting.has(id) && (isEnd || !this.#ended.has(id))) waiting.set(id, module);
+        }
         return;
       }
     }
