@@ -224,6 +224,10 @@ describe('a node that goes', () => {
     expect(degraded.extension?.state).toBe(SessionState.SESSION_DEGRADED);
     expect(degraded.extension?.problems[0]).toMatchObject({ code: 'node_gone', nodeId: node.id });
     expect(degraded.processingModules[0]?.nodeId).toBe(node.id);
+    // While it is waited for, it can be stopped and started.
+    const stopped = await world.ask(TOPICS.stop, { id: session.id }).then(() => world.get(session));
+    expect(codes(stopped.extension?.problems)).not.toContain('node_gone');
+    await world.ask(TOPICS.start, { id: session.id });
 
     node.takeNews();
     node.client.open();

@@ -41,7 +41,10 @@ export function stopSession(context: LifeContext, session: Session): void {
   if (!canHappen(session.life, 'stop')) return;
   move(context, session, 'stop');
   session.stoppingSinceMs = context.clock.monotonicMs();
+  session.troubles.clear();
   for (const module of session.modules) {
+    // Nobody waits for its node any more.
+    if (module.phase === 'away') module.problem = undefined;
     module.phase = isThere(context, module) ? 'ending' : 'idle';
   }
   context.news.announceStop(session);
