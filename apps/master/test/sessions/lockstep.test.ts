@@ -144,6 +144,24 @@ describe('lockstep', () => {
     expect(codes((await world.get(session)).extension?.problems)).not.toContain('node_late');
   });
 
+  it('does not wait for a node that is gone [SE-31] [SE-41]', async () => {
+    const { world, east, west, session } = await setup();
+    await world.master.pass(5);
+    answer(east, takeRequests(east)[0]!, 1);
+    await world.master.call({
+      topic: '/services/client/deregistration',
+      client: { id: west.id },
+    });
+    await world.master.pass();
+    const topics = world.ada.takeValues().map(([topic]) => topic);
+    expect(topics).toEqual(expect.arrayContaining(['/out/here', '/out/east']));
+    await world.master.pass(600);
+    const { extension } = await world.get(session);
+    expect(codes(extension?.problems)).toContain('node_gone');
+    const late = extension?.problems.filter(({ code }) => code === 'node_late') ?? [];
+    expect(late.map(({ nodeId }) => nodeId)).not.toContain(west.id);
+  });
+
   it('reports its passes [SE-50]', async () => {
     const world = await SessionWorld.create();
     const { id } = await world.ask(TOPICS.start, lockstep([adder('here')]));

@@ -226,8 +226,12 @@ export function createProcessing(parts: ProcessingParts): Processing {
     handleReport,
     handlePresence(clientId) {
       const node = nodes.get(clientId);
-      if (node?.isAvailable === true) handleNodeBack(life, clientId);
-      else handleNodeGone(life, clientId);
+      if (node?.isAvailable === true) {
+        handleNodeBack(life, clientId);
+        return;
+      }
+      lockstep.handleNodeGone(clientId);
+      handleNodeGone(life, clientId);
     },
     async close() {
       isClosed = true;

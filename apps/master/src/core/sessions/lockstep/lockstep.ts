@@ -43,6 +43,11 @@ export class Lockstep {
     this.#loops.get(sessionId)?.handleReply(nodeId, pass, outputs);
   }
 
+  /** A node became unavailable, or left. */
+  handleNodeGone(nodeId: string): void {
+    for (const loop of this.#loops.values()) loop.handleNodeGone(nodeId);
+  }
+
   statistics(
     session: Session,
   ): Pick<SessionStatistics, 'passesPerSecond' | 'passP50Ms' | 'passP95Ms' | 'lateAnswers'> {

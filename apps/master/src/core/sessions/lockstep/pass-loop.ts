@@ -84,6 +84,16 @@ export class PassLoop {
     }
   }
 
+  /** A node is gone: nobody waits for it, and what it owes is void. */
+  handleNodeGone(nodeId: string): void {
+    this.#late.delete(nodeId);
+    this.#session.troubles.delete(`late ${nodeId}`);
+    const share = this.#pass?.shares.find((one) => one.nodeId === nodeId);
+    if (share === undefined || share.outputs !== undefined) return;
+    share.outputs = [];
+    this.#endIfComplete();
+  }
+
   /** Passes since the call before. */
   statistics(): ReturnType<Durations['take']> {
     return this.#durations.take(this.#context.clock.monotonicMs());
