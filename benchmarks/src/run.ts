@@ -95,7 +95,7 @@ async function measureRound(
   for (const subject of subjects) {
     await patience.waitForQuiet();
     placeProcesses(workload.placement, process.pid, subject.pids);
-    const measurement = await subject.measure(options);
+    const measurement = await measureOrFail(subject, options);
     measured[subject.name] = measurement;
     say(
       `round ${round + 1}/${roundCount}  ${workload.name}  ${describe(workload, subject, measurement)}`,
@@ -104,6 +104,16 @@ async function measureRound(
   Object.assign(measured, workload.derive?.(measured));
   for (const [name, measurement] of Object.entries(measured)) {
     (rounds[name] ??= []).push(measurement);
+  }
+}
+
+/** What cannot be measured is a fault of this round; the others go on. */
+async function measureOrFail(subject: Subject, options: RunOptions): Promise<Measurement> {
+  try {
+    return await subject.measure(options);
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    return { figures: {}, deliveries: 0, otherCpuShare: 0, faults: [reason] };
   }
 }
 

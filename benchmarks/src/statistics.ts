@@ -19,10 +19,10 @@ export function median(values: Iterable<number>): number {
   return sorted.length % 2 === 1 ? sorted[middle]! : (sorted[middle - 1]! + sorted[middle]!) / 2;
 }
 
-/** Median of value / reference, pair by pair: both were measured in the same round. */
-export function medianRatio(values: readonly number[], references: readonly number[]): number {
+/** value / reference, pair by pair: both were measured in the same round. */
+export function ratiosOf(values: readonly number[], references: readonly number[]): number[] {
   if (values.length !== references.length) {
     throw new RangeError(`Expected pairs, got ${values.length} and ${references.length} values.`);
   }
-  return median(values.map((value, round) => value / references[round]!));
+  return values.map((value, round) => value / references[round]!);
 }

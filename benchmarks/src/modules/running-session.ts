@@ -21,6 +21,10 @@ export async function startSession(
   const reply = await master.call({ topic: SERVICES.sessionRuntimeStart.topic, session });
   const id = reply.session?.id;
   if (id === undefined) throw new Error('The master started no session.');
+  const stop = async (): Promise<void> => {
+    await master.call({ topic: SERVICES.sessionRuntimeStop.topic, session: { id } });
+    await master.call({ topic: SERVICES.sessionRuntimeRemove.topic, session: { id } });
+  };
   const untilMs = performance.now() + START_TIMEOUT_MS;
   for (;;) {
     const { session: now } = await master.call({
@@ -31,16 +35,11 @@ export async function startSession(
     if (state === SessionState.SESSION_RUNNING) break;
     if (state !== SessionState.SESSION_STARTING || performance.now() > untilMs) {
       const problems = new Set(now?.extension?.problems.map(({ message }) => message));
+      await stop();
       const first = [...problems].slice(0, MAX_PROBLEMS).join(' ');
       throw new Error(`The session ${session.name} does not run: ${first}`);
     }
     await sleep(POLL_MS);
   }
-  return {
-    id,
-    stop: async () => {
-      await master.call({ topic: SERVICES.sessionRuntimeStop.topic, session: { id } });
-      await master.call({ topic: SERVICES.sessionRuntimeRemove.topic, session: { id } });
-    },
-  };
+  return { id, stop };
 }

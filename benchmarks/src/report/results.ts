@@ -1,5 +1,5 @@
 import { REFERENCE } from '../brokers/target.ts';
-import { median, medianRatio } from '../statistics.ts';
+import { median, ratiosOf } from '../statistics.ts';
 import type { FigureInfo, Measurement } from '../workloads/workload.ts';
 
 /** What one workload gave: per target one measurement a round, in the order of the rounds. */
@@ -73,11 +73,12 @@ export function compareWithReference(result: WorkloadResult): Comparison[] {
       const values = valuesOf(result, target, figure);
       // Not every figure makes sense for every subject.
       if (values.every(Number.isNaN)) return [];
-      const ratio = medianRatio(values, references);
-      const ratios = values.map((value, round) => value / references[round]!);
+      // A round that failed, or a reference of 0, has no ratio.
+      const ratios = ratiosOf(values, references).filter(Number.isFinite);
+      const ratio = median(ratios);
       const goal = figure.goals[target];
       const bound = figure.bounds?.[target];
-      const middle = median(values);
+      const middle = median(values.filter(Number.isFinite));
       return [
         {
           figure,
@@ -93,7 +94,7 @@ export function compareWithReference(result: WorkloadResult): Comparison[] {
                 ? isWithin(figure, middle, bound)
                 : undefined,
           value: middle,
-          reference: median(references),
+          reference: median(references.filter(Number.isFinite)),
         },
       ];
     });

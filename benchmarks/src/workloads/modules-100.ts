@@ -93,18 +93,21 @@ function onMaster(
   const measure = async (options: MeasureOptions): Promise<Measurement> => {
     const { receiver, watch } = watchTopics(topics);
     const client = await joinMaster(master, { publishes: false, topics }, receiver, true);
-    const session = await startSession(master, {
-      name: `tickers ${name}`,
-      processingModules: topics.map(() => module),
-      ioMappings: topics.map((topic) => ({
-        processingModuleName: module.name,
-        outputMappings: [{ outputName: 'out', topic }],
-      })),
-    });
-    const measurement = await measureTickers(watch, receiver, [master.pid], options);
-    await session.stop();
-    await client.leave();
-    return measurement;
+    try {
+      const session = await startSession(master, {
+        name: `tickers ${name}`,
+        processingModules: topics.map(() => module),
+        ioMappings: topics.map((topic) => ({
+          processingModuleName: module.name,
+          outputMappings: [{ outputName: 'out', topic }],
+        })),
+      });
+      const measurement = await measureTickers(watch, receiver, [master.pid], options);
+      await session.stop();
+      return measurement;
+    } finally {
+      await client.leave();
+    }
   };
   return { name, pids: [master.pid], measure };
 }
