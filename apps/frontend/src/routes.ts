@@ -1,5 +1,6 @@
 import type { RouteRecordRaw } from 'vue-router';
 import { examplesRoutes } from './examples/routes.ts';
+import { graphRoutes } from './graph/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
 import { sessionsRoutes } from './sessions/routes.ts';
 import { topicsRoutes } from './topics/routes.ts';
@@ -21,6 +22,7 @@ export const routes: readonly RouteRecordRaw[] = [
     meta: { title: 'Home' },
   },
   ...sessionsRoutes,
+  ...graphRoutes,
   ...modulesRoutes,
   ...topicsRoutes,
   ...examplesRoutes,

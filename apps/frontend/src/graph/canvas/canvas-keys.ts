@@ -1,0 +1,91 @@
+import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { Point } from '../model/graph.ts';
+
+/** What keys do besides editing the graph. */
+export interface CanvasActions {
+  fit(): void;
+  add(): void;
+  cancel(): void;
+  open(node: string): void;
+}
+
+const STEP = 10;
+const BIG_STEP = 40;
+const ARROWS: Readonly<Record<string, Point>> = {
+  ArrowLeft: { x: -1, y: 0 },
+  ArrowRight: { x: 1, y: 0 },
+  ArrowUp: { x: 0, y: -1 },
+  ArrowDown: { x: 0, y: 1 },
+};
+
+/** Does what a key asks for. @returns true when it was one of ours */
+export function canvasKey(
+  editor: GraphEditor,
+  event: KeyboardEvent,
+  actions: CanvasActions,
+): boolean {
+  const { nodes, wire } = editor.selection.value;
+  if (event.ctrlKey || event.metaKey) return commandKey(editor, event);
+  if (event.altKey) return false;
+  const arrow = ARROWS[event.key];
+  if (arrow !== undefined) {
+    if (nodes.size === 0) return false;
+    const step = event.shiftKey ? BIG_STEP : STEP;
+    const places = editor.places.value;
+    const moved = [...nodes].map((id) => {
+      const { x, y } = places.get(id) ?? { x: 0, y: 0 };
+      return [id, { x: x + arrow.x * step, y: y + arrow.y * step }] as const;
+    });
+    editor.apply({ kind: 'move', positions: new Map(moved) }, 'arrows');
+    return true;
+  }
+  switch (event.key) {
+    case 'Delete':
+    case 'Backspace':
+      if (wire !== undefined) editor.apply({ kind: 'remove', wires: [wire] });
+      else if (nodes.size > 0) editor.apply({ kind: 'remove', nodes: [...nodes] });
+      else return false;
+      return true;
+    case 'Escape':
+      actions.cancel();
+      return true;
+    case 'Enter': {
+      const [only] = nodes;
+      if (only === undefined) return false;
+      actions.open(only);
+      return true;
+    }
+    case 'f':
+    case 'F':
+      actions.fit();
+      return true;
+    case 'Tab':
+      // Only on the canvas itself: from node to node it goes as everywhere.
+      if (event.shiftKey || nodes.size > 0) return false;
+      actions.add();
+      return true;
+    case 'Insert':
+    case 'a':
+      actions.add();
+      return true;
+    default:
+      return false;
+  }
+}
+
+function commandKey(editor: GraphEditor, { key, shiftKey }: KeyboardEvent): boolean {
+  switch (key.toLowerCase()) {
+    case 'z':
+      if (shiftKey) editor.redo();
+      else editor.undo();
+      return true;
+    case 'y':
+      editor.redo();
+      return true;
+    case 'a':
+      editor.select(editor.graph.value.nodes.keys());
+      return true;
+    default:
+      return false;
+  }
+}

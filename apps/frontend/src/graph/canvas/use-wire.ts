@@ -1,0 +1,50 @@
+import { computed, type ComputedRef } from 'vue';
+import { DATA_FORMATS, type DataFormatFamily } from '@ubii/proto';
+import { useCanvas, useGraphContext } from '../editor/use-graph-editor.ts';
+import { topicOfWire, type LiveTopic } from '../live/live-graph.ts';
+import type { Wire } from '../model/graph.ts';
+import { portFormat, portOf } from '../model/port-format.ts';
+import { wirePath, type WirePath } from './wire-path.ts';
+
+/** How a wire looks now. */
+export interface WireLook {
+  readonly path: ComputedRef<WirePath | undefined>;
+  readonly family: ComputedRef<DataFormatFamily>;
+  readonly isList: ComputedRef<boolean>;
+  readonly live: ComputedRef<LiveTopic | undefined>;
+  readonly isSelected: ComputedRef<boolean>;
+  /** Another node or wire is what is looked at. */
+  readonly isDim: ComputedRef<boolean>;
+}
+
+export function useWire(wire: () => Wire): WireLook {
+  const { editor, live } = useGraphContext();
+  const { stage, gesture } = useCanvas();
+  const format = computed(() => {
+    const { from, to } = wire();
+    const graph = editor.graph.value;
+    return portFormat(graph, from) ?? portFormat(graph, to);
+  });
+  const isSelected = computed(() => editor.selection.value.wire === wire().id);
+  return {
+    path: computed(() => {
+      const { from, to, points } = wire();
+      const [start, end] = [stage.socketAt(from, 'out'), stage.socketAt(to, 'in')];
+      return start && end && wirePath(start, end, points);
+    }),
+    family: computed(() => (format.value ? DATA_FORMATS[format.value].family : 'system')),
+    isList: computed(() => portOf(editor.graph.value, wire().from)?.isList === true),
+    live: computed(() => {
+      const topic = topicOfWire(editor.graph.value, wire());
+      return topic === undefined ? undefined : live.topic(topic);
+    }),
+    isSelected,
+    isDim: computed(() => {
+      const { nodes, wire: selected } = editor.selection.value;
+      const { from, to, id } = wire();
+      if (gesture.pull.value !== undefined) return gesture.pull.value.moving?.id === id;
+      if (selected !== undefined) return selected !== id;
+      return nodes.size > 0 && !nodes.has(from.node) && !nodes.has(to.node);
+    }),
+  };
+}

@@ -1,0 +1,156 @@
+import type { Session } from '@ubii/proto';
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
+import { applyCommand } from '../model/commands/apply-command.ts';
+import {
+  perform,
+  redo,
+  seal,
+  startEditing,
+  undo,
+  type EditState,
+} from '../model/commands/edit-state.ts';
+import type { GraphCommand } from '../model/commands/graph-command.ts';
+import { graphOf } from '../model/graph-of.ts';
+import type { Graph, Point } from '../model/graph.ts';
+import { sessionOf } from '../model/session-of.ts';
+import { withIds } from '../model/with-ids.ts';
+import { placesOf } from './places.ts';
+
+/** What is selected: nodes, or one wire. */
+export interface Selection {
+  readonly nodes: ReadonlySet<string>;
+  readonly wire: string | undefined;
+}
+
+/** A graph as it was at some moment. */
+export interface Saved {
+  readonly graph: Graph;
+  readonly steps: number;
+}
+
+/** A session being edited as a graph. Everything people do to it goes through `apply`. */
+export interface GraphEditor {
+  /** As the master has it: its life, problems and what was saved last. */
+  readonly session: Readonly<ShallowRef<Session>>;
+  readonly graph: ComputedRef<Graph>;
+  /** Where every node stands, also those that nobody has placed yet. */
+  readonly places: ComputedRef<ReadonlyMap<string, Point>>;
+  readonly selection: ShallowRef<Selection>;
+  /** Steps made since the session was saved. */
+  readonly changes: ComputedRef<number>;
+  /** What the next undo takes back, in words; undefined when there is nothing. */
+  readonly undoLabel: ComputedRef<string | undefined>;
+  readonly redoLabel: ComputedRef<string | undefined>;
+  /** Somebody else saved the session while there were changes here. */
+  readonly theirs: Readonly<ShallowRef<Session | undefined>>;
+  /** @param key the same for all commands that are one step: the parts of a drag, letters typed */
+  apply(command: GraphCommand, key?: string): void;
+  /** Ends such a step. */
+  seal(): void;
+  undo(): void;
+  redo(): void;
+  select(nodes: Iterable<string>): void;
+  selectWire(wire: string): void;
+  /** Hears what the master has now. */
+  handleSession(session: Session): void;
+  /** Puts down everything as it was arranged now: for saving. */
+  toSession(): Session;
+  /** What there is to save now, to be told when it was. */
+  mark(): Saved;
+  /** The master has what was there at the mark. */
+  handleSaved(session: Session, mark: Saved): void;
+  /** Shows another version of the session, as changes that are not saved. */
+  replace(draft: Session): void;
+  /** Forgets the changes made here and shows what the others saved. */
+  takeTheirs(): void;
+  /** Keeps the changes made here; saving replaces what the others saved. */
+  keepMine(): void;
+}
+
+const NOTHING: Selection = { nodes: new Set(), wire: undefined };
+const revisionOf = ({ extension }: Session): number => extension?.revision ?? 0;
+
+/** @param uuid gives a new UUID */
+export function createGraphEditor(first: Session, uuid: () => string): GraphEditor {
+  const session = shallowRef(first);
+  /** What the graph was made of. */
+  let base = withIds(first, uuid);
+  const state = shallowRef(startEditing(graphOf(base)));
+  const graph = computed(() => state.value.graph);
+  const selection = shallowRef<Selection>(NOTHING);
+  /** What is saved: compared by identity, because steps share what they leave alone. */
+  const saved = shallowRef({ graph: graph.value, steps: 0 });
+  const theirs = shallowRef<Session>();
+  const changes = computed(() => {
+    if (graph.value === saved.value.graph) return 0;
+    return Math.max(1, Math.abs(state.value.past.length - saved.value.steps));
+  });
+
+  function show(next: EditState): void {
+    state.value = next;
+    const { nodes, wire } = selection.value;
+    const kept = [...nodes].filter((id) => next.graph.nodes.has(id));
+    const isWireGone = wire !== undefined && !next.graph.wires.has(wire);
+    if (kept.length === nodes.size && !isWireGone) return;
+    selection.value = { nodes: new Set(kept), wire: isWireGone ? undefined : wire };
+  }
+
+  function reset(next: Session): void {
+    base = withIds(next, uuid);
+    session.value = next;
+    theirs.value = undefined;
+    show(startEditing(graphOf(base)));
+    saved.value = { graph: graph.value, steps: 0 };
+  }
+
+  return {
+    session,
+    graph,
+    places: computed(() => placesOf(graph.value)),
+    selection,
+    changes,
+    undoLabel: computed(() => state.value.past.at(-1)?.label),
+    redoLabel: computed(() => state.value.future.at(-1)?.label),
+    theirs,
+    apply: (command, key) => show(perform(state.value, command, key)),
+    seal: () => (state.value = seal(state.value)),
+    undo: () => show(undo(state.value)),
+    redo: () => show(redo(state.value)),
+    select(nodes) {
+      selection.value = { nodes: new Set(nodes), wire: undefined };
+    },
+    selectWire(wire) {
+      selection.value = { nodes: new Set(), wire };
+    },
+    handleSession(next) {
+      if (revisionOf(next) <= revisionOf(base)) session.value = next;
+      else if (changes.value === 0) reset(next);
+      else {
+        session.value = next;
+        theirs.value = next;
+      }
+    },
+    toSession() {
+      const positions = placesOf(graph.value);
+      return sessionOf(applyCommand(graph.value, { kind: 'move', positions }).graph, base);
+    },
+    handleSaved(next, sent) {
+      base = next;
+      session.value = next;
+      theirs.value = undefined;
+      saved.value = sent;
+    },
+    mark: () => ({ graph: graph.value, steps: state.value.past.length }),
+    replace(draft) {
+      // The steps of it are not known any more, only where they led.
+      show({ graph: graphOf(withIds(draft, uuid)), past: [], future: [] });
+    },
+    takeTheirs: () => reset(theirs.value ?? session.value),
+    keepMine() {
+      const revision = theirs.value && revisionOf(theirs.value);
+      theirs.value = undefined;
+      if (revision === undefined || base.extension === undefined) return;
+      base = { ...base, extension: { ...base.extension, revision } };
+    },
+  };
+}

@@ -1,0 +1,32 @@
+import { inject, type InjectionKey } from 'vue';
+import type { CanvasStage } from '../canvas/canvas-stage.ts';
+import type { ConnectGesture } from '../canvas/connect-gesture.ts';
+import type { LiveGraph } from '../live/live-graph.ts';
+import type { GraphEditor } from './graph-editor.ts';
+
+/** What the parts of the editor share. */
+export interface GraphContext {
+  readonly editor: GraphEditor;
+  readonly live: LiveGraph;
+}
+
+/** What the views on the canvas share besides. */
+export interface CanvasContext {
+  readonly stage: CanvasStage;
+  readonly gesture: ConnectGesture;
+}
+
+export const GRAPH_CONTEXT: InjectionKey<GraphContext> = Symbol('graph');
+export const CANVAS_CONTEXT: InjectionKey<CanvasContext> = Symbol('canvas');
+
+export function useGraphContext(): GraphContext {
+  const context = inject(GRAPH_CONTEXT);
+  if (!context) throw new Error('This part needs the graph page above it.');
+  return context;
+}
+
+export function useCanvas(): CanvasContext {
+  const context = inject(CANVAS_CONTEXT);
+  if (!context) throw new Error('This part needs the canvas above it.');
+  return context;
+}

@@ -1,0 +1,189 @@
+import {
+  globToRegExpSource,
+  type ModuleEvent,
+  type ModuleStatistics,
+  type Session,
+  type TopicMux,
+  type TopicRecord,
+} from '@ubii/proto';
+import { useRafFn } from '@vueuse/core';
+import { computed, onScopeDispose, shallowReactive, shallowRef, watch, type Ref } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { useSessionEvents } from '../../sessions/live/useSessionEvents.ts';
+import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.ts';
+import { isAlive } from '../../sessions/state/session-state.ts';
+import { RowValues } from '../../topics/rows/row-values.ts';
+import { isStale } from '../../topics/rows/staleness.ts';
+import { NO_SPARK, type SparkLine } from '../../topics/rows/sparkline.ts';
+import type { Graph, Wire } from '../model/graph.ts';
+
+/** How often counters are asked for, milliseconds, and values are drawn, Hz. */
+const STATISTICS_MS = 250;
+const DRAW_HZ = 6;
+/** Run times kept for the chart of a module. */
+const RUN_TIMES = 120;
+
+/** What is shown of a topic on the canvas. */
+export interface LiveTopic {
+  /** Records per second; undefined while not known. */
+  readonly hz: number | undefined;
+  /** The newest value in one line. */
+  readonly text: string | undefined;
+  readonly record: TopicRecord | undefined;
+  readonly spark: SparkLine;
+  readonly ageMs: number | undefined;
+  readonly isStale: boolean;
+  readonly droppedPerSecond: number;
+  readonly format: string;
+}
+
+export interface RunTime {
+  readonly timeMs: number;
+  readonly p50Ms: number;
+  readonly p95Ms: number;
+}
+
+/** What flows through a session, read by views; nothing is asked for while the page is hidden. */
+export interface LiveGraph {
+  topic(topic: string): LiveTopic | undefined;
+  /** Topics a muxer takes now. */
+  matches(mux: TopicMux): readonly string[];
+  module(id: string): ModuleStatistics | undefined;
+  /** Oldest first. */
+  runTimes(id: string): readonly RunTime[];
+  /** Oldest first. */
+  readonly events: Readonly<Ref<readonly ModuleEvent[]>>;
+}
+
+export function useLiveGraph(
+  session: Readonly<Ref<Session>>,
+  graph: Readonly<Ref<Graph>>,
+): LiveGraph {
+  const { client, topics } = useConnection();
+  topics.watch(STATISTICS_MS);
+  const statistics = useSessionStatistics(session.value.id);
+  const events = useSessionEvents(session.value.id);
+  const shown = shallowReactive(new Map<string, LiveTopic>());
+  const values = new RowValues((topic, maxRateHz, onRecord) => {
+    const subscription = client.subscribe(topic, { maxRateHz }).onRecord(onRecord);
+    // Refused by the master: the wire then shows no value.
+    subscription.ready.catch(() => undefined);
+    return () => void subscription.close();
+  });
+  const wanted = computed(() => topicsOf(graph.value));
+  const known = shallowRef<readonly string[]>([]);
+
+  watch(
+    [topics.rates, wanted],
+    ([rates, names]) => {
+      if (rates === undefined) return;
+      values.show([...names].flatMap((name) => rates.get(name) ?? []));
+      if (rates.size !== known.value.length) known.value = [...rates.keys()];
+    },
+    { immediate: true },
+  );
+  topics.onChanges(() => (known.value = []));
+
+  useRafFn(
+    () => {
+      values.sample(performance.now());
+      draw();
+    },
+    { fpsLimit: DRAW_HZ },
+  );
+  function draw(): void {
+    const rates = topics.rates.value;
+    const nowMs = topics.masterTimeMs.value;
+    for (const topic of shown.keys()) if (!wanted.value.has(topic)) shown.delete(topic);
+    for (const topic of wanted.value) {
+      const rate = rates?.get(topic);
+      if (rate === undefined) {
+        shown.delete(topic);
+        continue;
+      }
+      const value = values.get(topic);
+      const { publishedMs, dataFormat } = rate.statistic;
+      const next: LiveTopic = {
+        hz: rate.hz,
+        text: value?.text,
+        record: value?.record,
+        spark: value?.spark ?? NO_SPARK,
+        ageMs: publishedMs === 0 ? undefined : Math.max(0, nowMs - publishedMs),
+        isStale: isStale(rate, false, nowMs),
+        droppedPerSecond: rate.droppedPerSecond ?? 0,
+        format: dataFormat,
+      };
+      const old = shown.get(topic);
+      if (old === undefined || hasChanged(old, next)) shown.set(topic, next);
+    }
+  }
+  onScopeDispose(() => values.close());
+
+  const modules = computed(() => {
+    const all = isAlive(session.value)
+      ? statistics.value.get(session.value.id)?.modules
+      : undefined;
+    return new Map(all?.map((one) => [one.moduleId, one]));
+  });
+  const runTimes = shallowReactive(new Map<string, readonly RunTime[]>());
+  watch(modules, (all) => {
+    for (const [id, { runP50Ms: p50Ms, runP95Ms: p95Ms, runsPerSecond }] of all) {
+      if (runsPerSecond === 0) continue;
+      const next = [...(runTimes.get(id) ?? []), { timeMs: Date.now(), p50Ms, p95Ms }];
+      runTimes.set(id, next.slice(-RUN_TIMES));
+    }
+  });
+
+  return {
+    topic: (topic) => shown.get(topic),
+    matches: (mux) => matchesOf(mux, known.value),
+    module: (id) => modules.value.get(id),
+    runTimes: (id) => runTimes.get(id) ?? [],
+    events,
+  };
+}
+
+function hasChanged(a: LiveTopic, b: LiveTopic): boolean {
+  return (
+    a.hz !== b.hz ||
+    a.text !== b.text ||
+    a.spark !== b.spark ||
+    a.isStale !== b.isStale ||
+    a.droppedPerSecond !== b.droppedPerSecond ||
+    (b.isStale && a.ageMs !== b.ageMs)
+  );
+}
+
+/** The topic whose values flow through a wire; undefined for constants and many topics. */
+export function topicOfWire({ nodes }: Graph, { from, to, via }: Wire): string | undefined {
+  if (via !== undefined) return via;
+  const source = nodes.get(from.node);
+  if (source?.kind === 'topic') return source.topic;
+  const target = nodes.get(to.node);
+  return target?.kind === 'topic' ? target.topic : undefined;
+}
+
+/** Every topic that shows on the canvas. */
+export function topicsOf(graph: Graph): ReadonlySet<string> {
+  const names = new Set<string>();
+  for (const node of graph.nodes.values()) if (node.kind === 'topic') names.add(node.topic);
+  for (const { via } of graph.wires.values()) if (via !== undefined) names.add(via);
+  return names;
+}
+
+const MAX_MATCHES = 200;
+
+function matchesOf(
+  { topicGlob, topicSelector, component }: TopicMux,
+  topics: readonly string[],
+): readonly string[] {
+  if (component !== undefined) return [];
+  const source = topicGlob === '' ? topicSelector : globToRegExpSource(topicGlob);
+  if (source === '') return [];
+  try {
+    const pattern = new RegExp(source);
+    return topics.filter((topic) => pattern.test(topic)).slice(0, MAX_MATCHES);
+  } catch {
+    return [];
+  }
+}
