@@ -9,7 +9,7 @@ export class SessionsPage {
 
   constructor({ page }: { page: Page }) {
     this.page = page;
-    this.list = page.getByRole('list', { name: 'Sessions' });
+    this.list = page.getByRole('list', { name: 'Sessions', exact: true });
     this.search = page.getByRole('searchbox', { name: /^Search sessions/ });
     this.newSession = page.getByRole('link', { name: 'New session' });
   }

@@ -27,6 +27,8 @@ export interface MirrorSession {
   readonly statistics: Ref<ModuleStatistics | undefined>;
   /** What went wrong last in the module or in a call, one sentence. */
   readonly trouble: Ref<string | undefined>;
+  /** The last call failed, so the session is not where it was wanted. */
+  readonly hasFailed: Ref<boolean>;
   /** Sends the session anew. */
   restart(): Promise<void>;
 }
@@ -44,6 +46,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
   const id = shallowRef<string>();
   const statistics = shallowRef<ModuleStatistics>();
   const trouble = shallowRef<string>();
+  const hasFailed = shallowRef(false);
   let releaseTab: (() => void) | undefined;
   let isOver = false;
 
@@ -100,12 +103,14 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
     changes = changes.then(async () => {
       if (isOver || !isConnected.value) return;
       trouble.value = undefined;
+      hasFailed.value = false;
       try {
         await intent();
       } catch (cause) {
         if (cause instanceof ServiceError && cause.code === 'not_found') id.value = undefined;
         if (cause instanceof ConnectionError) return; // shown by the shell, tried again after it
         trouble.value = cause instanceof Error ? cause.message : String(cause);
+        hasFailed.value = true;
       }
     });
     return changes;
@@ -159,6 +164,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
     session,
     statistics,
     trouble,
+    hasFailed,
     restart: () =>
       attempt(async () => {
         end();
