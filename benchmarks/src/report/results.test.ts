@@ -75,8 +75,8 @@ describe('a workload with a reference of its own', () => {
 
   it('is judged by the rounds that could be measured', () => {
     const failed = { figures: {}, deliveries: 0, otherCpuShare: 0, faults: ['it did not start'] };
-    const { allowed, module } = workload.rounds;
-    const partly = { ...workload, rounds: { allowed, module: [failed, ...module!.slice(1)] } };
+    const { allowed = [], module = [] } = workload.rounds;
+    const partly = { ...workload, rounds: { allowed, module: [failed, ...module.slice(1)] } };
     expect(compareWithReference(partly)[0]).toMatchObject({
       ratio: 1.375,
       range: [1.25, 1.5],
