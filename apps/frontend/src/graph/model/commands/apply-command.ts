@@ -1,6 +1,7 @@
 import type { Graph } from '../graph.ts';
+import { topicNodeId } from '../make-node.ts';
 import { commandLabel } from './command-label.ts';
-import { connect } from './connect.ts';
+import { connect, isLegal } from './connect.ts';
 import {
   editNode,
   moved,
@@ -13,6 +14,7 @@ import {
 } from './edit-node.ts';
 import type { CommandKind, CommandOf, GraphCommand } from './graph-command.ts';
 import { GraphEdit, type GraphPatch } from './graph-edit.ts';
+import { revealTopic } from './reveal-topic.ts';
 import { hideTopic, placeTopics, renameTopic, setVia, showTopic } from './topic-commands.ts';
 
 /** A graph after a command. */
@@ -46,9 +48,10 @@ const RUNNERS: { readonly [K in CommandKind]: Runner<K> } = {
   add: (edit, { nodes, wires = [] }) => {
     placeTopics(edit, nodes);
     edit.putNodes(nodes);
-    edit.putWires(
-      wires.filter(({ from, to }) => isThere(edit, from.node) && isThere(edit, to.node)),
-    );
+    edit.putWires(wires.filter(({ from, to }) => isLegal(edit.graph, from, to)));
+    for (const { via } of wires) {
+      if (via !== undefined && edit.graph.nodes.has(topicNodeId(via))) revealTopic(edit, via);
+    }
   },
   remove: (edit, { nodes = [], wires = [] }) => {
     edit.removeWires(wires);
@@ -93,5 +96,3 @@ const RUNNERS: { readonly [K in CommandKind]: Runner<K> } = {
 function run(edit: GraphEdit, command: GraphCommand): void {
   (RUNNERS[command.kind] as Runner<CommandKind>)(edit, command);
 }
-
-const isThere = (edit: GraphEdit, id: string): boolean => edit.graph.nodes.has(id);

@@ -18,8 +18,12 @@ export function freeTopic(graph: Graph, { node, port }: PortRef): string {
 }
 
 /** The topic itself, or with the first number that makes it new. */
-export function unusedTopic(graph: Graph, wished: string): string {
-  const taken = topicsOf(graph);
+export function unusedTopic(
+  graph: Graph,
+  wished: string,
+  alsoTaken: Iterable<string> = [],
+): string {
+  const taken = new Set([...topicsOf(graph), ...alsoTaken]);
   let topic = wished;
   for (let number = 2; taken.has(topic); number += 1) topic = `${wished}-${number}`;
   return topic;

@@ -1,0 +1,50 @@
+import type { Graph, GraphNode, Point, Size } from '../graph.ts';
+
+/** A node as a layout sees it. */
+export interface LayoutNode extends Size {
+  readonly id: string;
+}
+
+/** What is to be laid out; plain, so that it can be sent to a worker. */
+export interface LayoutGraph {
+  readonly nodes: readonly LayoutNode[];
+  readonly wires: readonly { readonly from: string; readonly to: string }[];
+}
+
+/** Nodes and wires that a layout places: all that values flow through. */
+export function layoutGraphOf(
+  graph: Graph,
+  sizeOf: (node: GraphNode) => Size,
+  wanted: (node: GraphNode) => boolean = () => true,
+): LayoutGraph {
+  const nodes = [...graph.nodes.values()].filter((node) => isFlow(node) && wanted(node));
+  const ids = new Set(nodes.map(({ id }) => id));
+  const wires = [...graph.wires.values()].filter(
+    ({ from, to }) => ids.has(from.node) && ids.has(to.node) && from.node !== to.node,
+  );
+  return {
+    nodes: nodes.map((node) => ({ id: node.id, ...sizeOf(node) })),
+    wires: wires.map(({ from, to }) => ({ from: from.node, to: to.node })),
+  };
+}
+
+/** Comments and frames stay where people put them. */
+const isFlow = ({ kind }: GraphNode): boolean => kind !== 'comment' && kind !== 'frame';
+
+const WIDTH = 224;
+const HEAD = 44;
+const ROW = 28;
+
+/** About how large a node is drawn, where nobody has measured it. */
+export function usualSize(node: GraphNode): Size {
+  if (node.size !== undefined) return node.size;
+  if (node.isCollapsed) return { width: WIDTH, height: HEAD };
+  const rows = node.kind === 'module' ? node.ports.length : 1;
+  return { width: WIDTH, height: HEAD + ROW * rows };
+}
+
+/** Places on whole units of a grid. */
+export function onGrid(places: ReadonlyMap<string, Point>, grid: number): Map<string, Point> {
+  const to = (value: number): number => Math.round(value / grid) * grid + 0;
+  return new Map([...places].map(([id, { x, y }]) => [id, { x: to(x), y: to(y) }]));
+}

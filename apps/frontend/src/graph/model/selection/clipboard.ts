@@ -1,0 +1,292 @@
+import { fromJson, parseDataFormat, toJson, type JsonObject, type JsonValue } from '@ubii/proto';
+import type { GraphCommand } from '../commands/graph-command.ts';
+import type { Graph, GraphNode, Point, PortRef, Wire } from '../graph.ts';
+import { wireId } from '../graph.ts';
+import {
+  commentNode,
+  constantNode,
+  demuxerNode,
+  frameNode,
+  moduleNode,
+  muxerNode,
+  topicNode,
+} from '../make-node.ts';
+import { unusedTopic } from '../commands/free-topic.ts';
+import { wiresOf } from '../wires-of.ts';
+
+/** Marks a text as nodes of a graph. */
+export const CLIPBOARD_FORMAT = 'ubi-interact.nodes';
+const VERSION = 1;
+
+/** Longer texts are no nodes. */
+const MAX_LENGTH = 8_000_000;
+
+/** Nodes with the wires between them as text, for this session, another one, or a message to somebody. */
+export function copyText(graph: Graph, ids: Iterable<string>): string {
+  const chosen = withContents(graph, ids);
+  const nodes = [...graph.nodes.values()].filter(({ id }) => chosen.has(id));
+  const wires = nodes.flatMap(({ id }) =>
+    wiresOf(graph, id).out.filter(({ to }) => chosen.has(to.node)),
+  );
+  return JSON.stringify(
+    {
+      format: CLIPBOARD_FORMAT,
+      version: VERSION,
+      nodes: nodes.map(nodeToJson),
+      wires: wires.map(wireToJson),
+    },
+    undefined,
+    1,
+  );
+}
+
+/** A frame means what is in it, too. */
+function withContents(graph: Graph, ids: Iterable<string>): ReadonlySet<string> {
+  const chosen = new Set(ids);
+  let size = -1;
+  while (size !== chosen.size) {
+    size = chosen.size;
+    for (const { id, frame } of graph.nodes.values()) {
+      if (frame !== undefined && chosen.has(frame)) chosen.add(id);
+    }
+  }
+  return chosen;
+}
+
+/** Where and how nodes are pasted. */
+export interface PasteOptions {
+  /** Gives a new UUID. */
+  uuid(): string;
+  /** Top left of what is pasted; default: a little beside where it was. */
+  readonly position?: Point | undefined;
+  readonly label?: string;
+}
+
+/** What a text would paste, or why it cannot. */
+export type Pasted =
+  | { readonly kind: 'nodes'; readonly command: GraphCommand; readonly ids: readonly string[] }
+  /** Not ours: somebody else's text, which may mean something elsewhere. */
+  | { readonly kind: 'foreign' }
+  | { readonly kind: 'broken'; readonly reason: string };
+
+const OFFSET = 32;
+
+/**
+ * Pastes nodes as new ones: modules, muxers and all else get ids of their own, topics are the same
+ * topics, and topics between modules get new names, so that the copy does not talk into the original.
+ */
+export function paste(graph: Graph, text: string, options: PasteOptions): Pasted {
+  const json = readJson(text);
+  if (!isObject(json) || json.format !== CLIPBOARD_FORMAT) return { kind: 'foreign' };
+  if (json.version !== VERSION || !Array.isArray(json.nodes) || !Array.isArray(json.wires)) {
+    return { kind: 'broken', reason: 'The nodes were copied from another version of the editor.' };
+  }
+  try {
+    const ids = new Map<string, string>();
+    const nodes = json.nodes.map((one) => nodeFromJson(one, options.uuid, ids));
+    const wires = wiresFromJson(graph, json.wires, ids);
+    const placed = inPlace(graph, nodes, ids, options.position);
+    const topics = placed.filter(({ kind, id }) => kind === 'topic' && graph.nodes.has(id));
+    const added = placed.filter((node) => !topics.includes(node));
+    const label =
+      options.label ?? `Paste ${placed.length === 1 ? 'a node' : `${placed.length} nodes`}`;
+    return {
+      kind: 'nodes',
+      command: { kind: 'add', nodes: added, wires, label },
+      ids: placed.map(({ id }) => id),
+    };
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    return { kind: 'broken', reason: `The nodes in the text cannot be read: ${reason}` };
+  }
+}
+
+/** Nodes once more, beside themselves. */
+export function duplicate(
+  graph: Graph,
+  ids: Iterable<string>,
+  uuid: () => string,
+): Extract<Pasted, { kind: 'nodes' }> | undefined {
+  const chosen = [...ids].filter((id) => graph.nodes.get(id)?.kind !== 'topic');
+  const label = `Duplicate ${chosen.length === 1 ? 'a node' : `${chosen.length} nodes`}`;
+  const pasted = paste(graph, copyText(graph, chosen), { uuid, label });
+  return pasted.kind === 'nodes' && pasted.ids.length > 0 ? pasted : undefined;
+}
+
+function readJson(text: string): unknown {
+  if (text.length > MAX_LENGTH || !text.includes(CLIPBOARD_FORMAT)) return undefined;
+  try {
+    return JSON.parse(text);
+  } catch {
+    return undefined;
+  }
+}
+
+const isObject = (value: unknown): value is Record<string, JsonValue> =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+
+function nodeToJson(node: GraphNode): JsonObject {
+  const { id, kind, position, size, isCollapsed, frame } = node;
+  const look: JsonObject = {
+    id,
+    kind,
+    ...position,
+    ...size,
+    ...(isCollapsed && { collapsed: true }),
+    ...(frame !== undefined && { frame }),
+  };
+  switch (node.kind) {
+    case 'topic':
+      return { ...look, topic: node.topic, format: node.format ?? '' };
+    case 'module':
+      return {
+        ...look,
+        module: toJson('ubii.processing.ProcessingModule', node.module),
+        constants: [...node.constants].map((pair) => [...pair]),
+      };
+    case 'muxer':
+      return { ...look, message: toJson('ubii.devices.TopicMux', node.mux) };
+    case 'demuxer':
+      return { ...look, message: toJson('ubii.devices.TopicDemux', node.demux) };
+    case 'constant':
+      return { ...look, name: node.name, json: node.json };
+    case 'comment':
+      return { ...look, text: node.text };
+    case 'frame':
+      return { ...look, title: node.title };
+  }
+}
+
+const wireToJson = ({ from, to, via, points }: Wire): JsonObject => ({
+  from: [from.node, from.port],
+  to: [to.node, to.port],
+  ...(via !== undefined && { via }),
+  points: points.map(({ x, y }) => [x, y]),
+});
+
+function nodeFromJson(json: unknown, uuid: () => string, ids: Map<string, string>): GraphNode {
+  if (!isObject(json)) throw new TypeError('a node is no object');
+  const { x, y, width, height } = json;
+  const look = {
+    position: typeof x === 'number' && typeof y === 'number' ? { x, y } : undefined,
+    size: typeof width === 'number' && typeof height === 'number' ? { width, height } : undefined,
+    isCollapsed: json.collapsed === true,
+    frame: typeof json.frame === 'string' ? json.frame : undefined,
+  };
+  const node = newNode(json, uuid, look);
+  ids.set(textOf(json, 'id'), node.id);
+  return node;
+}
+
+function newNode(
+  json: Record<string, JsonValue>,
+  uuid: () => string,
+  look: Parameters<typeof commentNode>[2] & object,
+): GraphNode {
+  const { kind } = json;
+  switch (kind) {
+    case 'topic':
+      return topicNode(textOf(json, 'topic'), {
+        ...look,
+        format: parseDataFormat(textOf(json, 'format')),
+      });
+    case 'module': {
+      const module = fromJson('ubii.processing.ProcessingModule', json.module);
+      const constants = new Map(pairs(json.constants));
+      return moduleNode(
+        { ...module, id: uuid(), sessionId: '', status: 0 },
+        { ...look, constants },
+      );
+    }
+    case 'muxer': {
+      const mux = fromJson('ubii.devices.TopicMux', json.message);
+      return muxerNode({ ...mux, id: uuid() }, look);
+    }
+    case 'demuxer': {
+      const demux = fromJson('ubii.devices.TopicDemux', json.message);
+      return demuxerNode({ ...demux, id: uuid() }, look);
+    }
+    case 'constant':
+      return constantNode(`constant:${uuid()}`, textOf(json, 'json'), {
+        ...look,
+        name: textOf(json, 'name'),
+      });
+    case 'comment':
+      return commentNode(`comment:${uuid()}`, textOf(json, 'text'), look);
+    case 'frame':
+      return frameNode(`frame:${uuid()}`, textOf(json, 'title'), look);
+    default:
+      throw new TypeError(`there is no kind of node called ${JSON.stringify(kind)}`);
+  }
+}
+
+function textOf(json: Record<string, JsonValue>, name: string): string {
+  const value = json[name];
+  if (typeof value !== 'string') throw new TypeError(`${name} is no text`);
+  return value;
+}
+
+function pairs(value: unknown): (readonly [string, string])[] {
+  if (!Array.isArray(value)) return [];
+  return value.flatMap((pair: unknown) => {
+    const [name, json] = Array.isArray(pair) ? (pair as readonly unknown[]) : [];
+    return typeof name === 'string' && typeof json === 'string' ? [[name, json] as const] : [];
+  });
+}
+
+function wiresFromJson(
+  graph: Graph,
+  list: readonly unknown[],
+  ids: ReadonlyMap<string, string>,
+): Wire[] {
+  const topics = new Map<string, string>();
+  const newTopic = (via: string): string => {
+    let topic = topics.get(via);
+    if (topic === undefined) {
+      topic = unusedTopic(graph, via, topics.values());
+      topics.set(via, topic);
+    }
+    return topic;
+  };
+  return list.flatMap((json) => {
+    if (!isObject(json)) return [];
+    const from = refOf(json.from, ids);
+    const to = refOf(json.to, ids);
+    if (from === undefined || to === undefined) return [];
+    const via = typeof json.via === 'string' ? newTopic(json.via) : undefined;
+    return [{ id: wireId(from, to), from, to, via, points: [] }];
+  });
+}
+
+function refOf(value: unknown, ids: ReadonlyMap<string, string>): PortRef | undefined {
+  const [old, port] = Array.isArray(value) ? (value as readonly unknown[]) : [];
+  const node = typeof old === 'string' ? ids.get(old) : undefined;
+  return node !== undefined && typeof port === 'string' ? { node, port } : undefined;
+}
+
+function inPlace(
+  graph: Graph,
+  nodes: readonly GraphNode[],
+  ids: ReadonlyMap<string, string>,
+  position: Point | undefined,
+): GraphNode[] {
+  const points = nodes.flatMap((node) => node.position ?? []);
+  const left = Math.min(...points.map(({ x }) => x));
+  const top = Math.min(...points.map(({ y }) => y));
+  const by = position ? { x: position.x - left, y: position.y - top } : { x: OFFSET, y: OFFSET };
+  return nodes.map((node) => ({
+    ...node,
+    frame: frameOf(graph, node, ids),
+    position: node.position && { x: node.position.x + by.x, y: node.position.y + by.y },
+  }));
+}
+
+/** The copy of its frame; a copy without it stays in the frame, where there is one. */
+function frameOf(
+  graph: Graph,
+  { frame }: GraphNode,
+  ids: ReadonlyMap<string, string>,
+): string | undefined {
+  if (frame === undefined) return undefined;
+  return ids.get(frame) ?? (graph.nodes.has(frame) ? frame : undefined);
+}

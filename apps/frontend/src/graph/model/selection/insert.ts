@@ -1,0 +1,73 @@
+import { nodeName } from '../commands/command-label.ts';
+import type { GraphCommand } from '../commands/graph-command.ts';
+import { endOf, fitEnds, type WireEnd } from '../fit/fit-of.ts';
+import type { Graph, GraphNode, Port, PortRef, Wire } from '../graph.ts';
+import { wiresAt, wiresOf } from '../wires-of.ts';
+
+/** Through which ports a node would take a wire. */
+export interface Insertion {
+  readonly input: string;
+  readonly output: string;
+}
+
+/**
+ * Where a wire would go through a node that is dropped on it; undefined when it would not fit. Inputs
+ * that have a wire already are left alone. The node need not be in the graph yet.
+ */
+export function insertionOf(graph: Graph, wire: Wire, node: GraphNode): Insertion | undefined {
+  if (wire.from.node === node.id || wire.to.node === node.id) return undefined;
+  const from = endOf(graph, wire.from);
+  const to = endOf(graph, wire.to);
+  if (from === undefined || to === undefined) return undefined;
+  const end = (port: Port): WireEnd => ({
+    ref: { node: node.id, port: port.id },
+    node,
+    port,
+    format: port.format,
+  });
+  const input = node.ports.find(
+    (port) =>
+      port.direction === 'in' &&
+      wiresAt(graph, { node: node.id, port: port.id }).length === 0 &&
+      fitEnds(graph, from, end(port)).fits,
+  );
+  const output = node.ports.find(
+    (port) => port.direction === 'out' && fitEnds(graph, end(port), to).fits,
+  );
+  return input && output && { input: input.id, output: output.id };
+}
+
+/** Leads a wire through a node, which is added when it is not there; undefined when it does not fit. */
+export function insertOnWire(
+  graph: Graph,
+  wireId: string,
+  node: GraphNode,
+): GraphCommand | undefined {
+  const wire = graph.wires.get(wireId);
+  const insertion = wire && insertionOf(graph, wire, node);
+  if (wire === undefined || insertion === undefined) return undefined;
+  const at = (port: string): PortRef => ({ node: node.id, port });
+  return {
+    kind: 'all',
+    label: `Insert ${nodeName(node)} on a wire`,
+    commands: [
+      { kind: 'add', nodes: graph.nodes.has(node.id) ? [] : [node] },
+      { kind: 'remove', wires: [wireId] },
+      connectKeepingTopic(graph, wire, at(insertion.input)),
+      { kind: 'connect', from: at(insertion.output), to: wire.to },
+    ],
+  };
+}
+
+/** What comes before the node stays on the topic it was on. */
+function connectKeepingTopic(graph: Graph, { from, via }: Wire, to: PortRef): GraphCommand {
+  return { kind: 'connect', from, to, ...(via !== undefined && { via }) };
+}
+
+/** Wires that a node dropped on them would fit. */
+export function wiresToInsertOn(graph: Graph, node: GraphNode): Wire[] {
+  const own = new Set(wiresOf(graph, node.id).out.map(({ id }) => id));
+  return [...graph.wires.values()].filter(
+    (wire) => !own.has(wire.id) && insertionOf(graph, wire, node) !== undefined,
+  );
+}
