@@ -40,6 +40,19 @@ describe('a session on the master', () => {
     expect(world.takeWords()).toEqual(['delete']);
   });
 
+  it('is told to slow clients like any other: no news replaces another [TD-31]', async () => {
+    const world = await SessionWorld.create();
+    world.ada.connection.stall();
+    const one = await world.ask(TOPICS.start, doubling('/in', '/one'));
+    const two = await world.ask(TOPICS.start, doubling('/in', '/two'));
+    expect(world.takeNews()).toEqual([]);
+    world.ada.connection.take();
+    world.ada.socket.handleDrain();
+    await world.master.pass();
+    const started = world.takeNews().filter(([word]) => word === 'start');
+    expect(started.map(([, { id }]) => id)).toEqual([one.id, two.id]);
+  });
+
   it('stops: success at once, and its modules run no more [SE-13]', async () => {
     const world = await SessionWorld.create();
     const { id } = await world.ask(TOPICS.start, doubling('/in', '/out'));

@@ -114,7 +114,7 @@ function storeAndDeliver(context: PublishContext, publication: Publication): voi
   const record = publication.keepRecord(); // [TD-11]
   context.topics.store(entry, record, valueField, publication.nowMs);
   entry.publisherId = publication.client?.id ?? '';
-  const isEvent = isEventField(valueField);
+  const isEvent = entry.isNews || isEventField(valueField);
   for (let i = 0; i < direct.length; i++) direct[i]!.deliver(entry, record, isEvent); // [TD-14]
   for (let i = 0; i < sampled.length; i++) {
     const sample = sampled[i]!;

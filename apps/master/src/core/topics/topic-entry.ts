@@ -15,6 +15,8 @@ export class TopicEntry {
   readonly topic: string;
   /** A client's record is refused here [TD-16]. */
   readonly isMasters: boolean;
+  /** Each record tells of something else: none replaces another [TD-31]. */
+  readonly isNews: boolean;
   /** Reaches extension clients only [TD-26]. */
   readonly isExtension: boolean;
 
@@ -49,6 +51,7 @@ export class TopicEntry {
     this.topic = topic;
     this.isMasters = isMasterTopic(topic);
     this.isExtension = isExtensionTopic(topic);
+    this.isNews = this.isMasters && !this.isExtension;
   }
 }
 
