@@ -22,6 +22,7 @@ import { tellOfGone } from './processing/local-topics.ts';
 import { createProcessing, type Processing } from './sessions/create-processing.ts';
 import { readMetrics } from './status/metrics.ts';
 import { Samples } from './status/samples.ts';
+import { EndOfTurn } from './topics/end-of-turn.ts';
 import { PatternTable } from './topics/pattern-table.ts';
 import { SelectionTable } from './topics/selection-table.ts';
 import { subscriberFactory } from './topics/subscriber-factory.ts';
@@ -96,6 +97,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     components: () => devices.components(),
   });
   const publishing = { topics, subscriptions, limits, counters };
+  const endOfTurn = new EndOfTurn(clock);
   const publisher = new MasterPublisher(publishing, clock);
   const info = new InfoTopics(publisher);
 
@@ -105,12 +107,13 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
   const clients: ClientRegistry = new ClientRegistry({
     ...shared,
     devices,
-    createSubscriber: subscriberFactory({ clock, limits, counters, topics, subscriptions }),
+    createSubscriber: subscriberFactory({ ...publishing, clock, endOfTurn }),
     onPresence: (client) => processing.handlePresence(client.id),
   });
   const sockets = new SocketAdmission({
     ...ports,
     ...publishing,
+    endOfTurn,
     topicTexts: new TextCache(),
     limitWatch,
     clients,

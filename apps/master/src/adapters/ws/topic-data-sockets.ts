@@ -74,6 +74,9 @@ export class TopicDataSockets {
     });
     if (opened === undefined) return;
 
+    // The library reads the socket between these two.
+    socket.prependListener('data', () => opened.handleReadStart());
+    socket.on('data', () => opened.handleReadEnd());
     webSocket.on('message', (data: Buffer, isBinary) => {
       try {
         // What the library hands over it has read into memory of its own, and forgets.

@@ -8,6 +8,7 @@ import type { Log } from '../ports/log.ts';
 import type { Counters } from '../status/counters.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
 import { Publication } from '../topics/publication.ts';
+import type { EndOfTurn } from '../topics/end-of-turn.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
 import { TokenBucket } from '../topics/token-bucket.ts';
 import type { Client } from './client.ts';
@@ -17,6 +18,7 @@ import { CLOSE } from './close-codes.ts';
 export interface SocketContext extends PublishContext {
   readonly clock: Clock;
   readonly log: Log;
+  readonly endOfTurn: EndOfTurn;
   /** Topics that came lately, of all clients. */
   readonly topicTexts: TextCache;
   readonly limitWatch: LimitWatch;
@@ -63,6 +65,14 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
 
   setRecordLists(on: boolean): void {
     this.#connection.setRecordLists(on);
+  }
+
+  handleReadStart(): void {
+    this.#context.endOfTurn.beginRead(this);
+  }
+
+  handleReadEnd(): void {
+    this.#context.endOfTurn.endRead();
   }
 
   handleBinary(bytes: Uint8Array): void {

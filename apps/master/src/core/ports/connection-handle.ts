@@ -3,6 +3,10 @@
  * `handleClose`, or once another pipe of the client took over, calls are ignored.
  */
 export interface ConnectionHandle {
+  /** Input has arrived: messages follow, in the same turn, until `handleReadEnd`. An adapter that cannot tell leaves both out. */
+  handleReadStart(): void;
+  /** All messages of the input that has arrived were handed over. */
+  handleReadEnd(): void;
   /** A binary message. `bytes` are handed over, with the memory they lie in: nobody writes to it any more. */
   handleBinary(bytes: Uint8Array): void;
   /** A text message. */

@@ -6,9 +6,17 @@ export interface Flushable {
   flush(): void;
 }
 
-/** Collects who was given records in this turn of the event loop, and flushes them when it ends [TD-30]. */
+/**
+ * Collects who was given records in this turn of the event loop, and flushes them when it ends [TD-30].
+ * While one client is the only one that sends, its turn is over when its input was read: nobody else has
+ * anything to add, and waiting for the loop to come round would only add to everybody's latency.
+ */
 export class EndOfTurn {
   readonly #clock: Clock;
+  /** Whose input was read last. */
+  #reader: object | undefined = undefined;
+  /** Input is being read of the one client that alone sends. */
+  #isReadingAlone = false;
   #touched: Flushable[] = [];
   #root = BatchNode.empty();
 
@@ -23,8 +31,22 @@ export class EndOfTurn {
 
   /** Asks for `flushable.flush()` at the end of this turn; once a turn is enough. */
   touch(flushable: Flushable): void {
-    if (this.#touched.length === 0) this.#clock.atEndOfTurn(this.#flush);
+    if (this.#touched.length === 0 && !this.#isReadingAlone) this.#clock.atEndOfTurn(this.#flush);
     this.#touched.push(flushable);
+  }
+
+  /** Input of `reader` is handled from now on, until `endRead`. */
+  beginRead(reader: object): void {
+    // What others have left in this turn leaves with it.
+    this.#isReadingAlone = reader === this.#reader && this.#touched.length === 0;
+    this.#reader = reader;
+  }
+
+  /** The input that was at hand was handled. */
+  endRead(): void {
+    if (!this.#isReadingAlone) return;
+    this.#isReadingAlone = false;
+    if (this.#touched.length > 0) this.#flush();
   }
 
   readonly #flush = (): void => {

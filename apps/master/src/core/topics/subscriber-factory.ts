@@ -1,7 +1,7 @@
 import type { Limits } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { Counters } from '../status/counters.ts';
-import { EndOfTurn } from './end-of-turn.ts';
+import type { EndOfTurn } from './end-of-turn.ts';
 import { Outbox, type OutboxContext } from './outbox.ts';
 import { Sampler, type SamplerContext } from './sampler.ts';
 import type { ClientSubscriber } from './subscriber.ts';
@@ -14,6 +14,7 @@ export interface SubscriberParts {
   readonly clock: Clock;
   readonly limits: Limits;
   readonly counters: Counters;
+  readonly endOfTurn: EndOfTurn;
   readonly topics: TopicTable;
   readonly subscriptions: SubscriptionTable;
 }
@@ -22,11 +23,11 @@ export interface SubscriberParts {
 export function subscriberFactory(
   parts: SubscriberParts,
 ): (clientId: string, isExtension: boolean) => ClientSubscriber {
-  const { clock, limits, counters, topics, subscriptions } = parts;
+  const { clock, limits, counters, endOfTurn, topics, subscriptions } = parts;
   const outboxContext: OutboxContext = {
     clock,
     limits,
-    endOfTurn: new EndOfTurn(clock),
+    endOfTurn,
     onSent(records, bytes) {
       counters.recordsOut += records;
       counters.bytesOut += bytes;
