@@ -1,101 +1,26 @@
-import { formatsFit, parseModule } from '@ubii/pm-sandbox';
-import {
-  isExtensionTopic,
-  isMasterTopic,
-  parseDataFormat,
-  type ProcessingModule,
-} from '@ubii/proto';
+import { isExtensionTopic, isMasterTopic, type ProcessingModule } from '@ubii/proto';
+import { fittingNodes, type KnownTopic, type NodeOffer } from '../model/fit/fitting.ts';
 import type { Graph, PortRef } from '../model/graph.ts';
-import { portFormat, portOf } from '../model/port-format.ts';
-import { inputPort, IN, OUT, outputPort } from '../model/ports.ts';
 import type { NewNode } from './new-nodes.ts';
-
-/** Something that can be added, with the port that takes the wire at hand. */
-export interface Addable {
-  readonly key: string;
-  readonly text: string;
-  readonly hint: string;
-  readonly item: NewNode;
-  /** Port of the new node that the wire goes to. */
-  readonly port?: string;
-}
 
 /** What there is to choose from. */
 export interface AddableSources {
   readonly modules: readonly ProcessingModule[];
-  readonly topics: readonly { readonly topic: string; readonly format: string }[];
+  readonly topics: readonly KnownTopic[];
 }
 
-/** The end of a wire that looks for another. */
-export interface LooseEnd {
-  readonly from: PortRef;
-  readonly side: 'in' | 'out';
-}
+/** Something that can be added: by itself, or at the end of a wire. */
+export type Addable = {
+  readonly key: string;
+  readonly text: string;
+  readonly hint: string;
+} & (
+  | { readonly item: NewNode; readonly offer?: undefined }
+  | { readonly item?: undefined; readonly offer: NodeOffer }
+);
 
 const MAX_SHOWN = 60;
-
-/** What fits the words typed, and the wire at hand if there is one. */
-export function addables(
-  graph: Graph,
-  { modules, topics }: AddableSources,
-  text: string,
-  end: LooseEnd | undefined,
-): Addable[] {
-  const typed = text.trim();
-  const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
-  const has = (...texts: string[]): boolean => {
-    const all = texts.join(' ').toLowerCase();
-    return words.every((word) => all.includes(word));
-  };
-  const found: Addable[] = [];
-  for (const module of modules) {
-    if (!has(module.name, module.description)) continue;
-    const port = end && fittingPort(graph, module, end);
-    if (end !== undefined && port === undefined) continue;
-    found.push({
-      key: `module ${module.name}`,
-      text: module.name,
-      hint: 'module',
-      item: { kind: 'module', module },
-      ...(port !== undefined && { port }),
-    });
-  }
-  const isTopicLegal = end === undefined || graph.nodes.get(end.from.node)?.kind === 'module';
-  if (isTopicLegal) {
-    const port = end?.side === 'out' ? IN : OUT;
-    const wanted = end && portFormat(graph, end.from);
-    for (const { topic, format } of topics) {
-      if (isMasterTopic(topic) || isExtensionTopic(topic) || !has(topic, format)) continue;
-      if (end !== undefined && !formatsFit(parseDataFormat(format), wanted)) continue;
-      found.push({
-        key: topic,
-        text: topic,
-        hint: format || 'topic',
-        item: { kind: 'topic', topic, format },
-        port,
-      });
-    }
-    if (typed !== '' && !/\s/.test(typed) && !topics.some(({ topic }) => topic === typed)) {
-      const topic = typed.startsWith('/') ? typed : `/${typed}`;
-      found.push({
-        key: `new ${topic}`,
-        text: `New topic ${topic}`,
-        hint: 'topic',
-        item: { kind: 'topic', topic, format: wanted ?? '' },
-        port,
-      });
-    }
-  }
-  if (end === undefined) {
-    for (const kind of ['muxer', 'demuxer', 'constant', 'comment', 'frame'] as const) {
-      if (has(PART_WORDS[kind]))
-        found.push({ key: kind, text: PART_WORDS[kind], hint: '', item: { kind } });
-    }
-  }
-  return found.slice(0, MAX_SHOWN);
-}
-
-const PART_WORDS = {
+const PARTS = {
   muxer: 'Muxer',
   demuxer: 'Demuxer',
   constant: 'Value',
@@ -103,24 +28,83 @@ const PART_WORDS = {
   frame: 'Frame',
 } as const;
 
-/** The first port of a module that the wire may go to. */
-function fittingPort(
+/**
+ * What fits the words typed, and the wire at hand if there is one.
+ * @param end where the wire comes from
+ */
+export function addables(
   graph: Graph,
-  module: ProcessingModule,
-  { from, side }: LooseEnd,
-): string | undefined {
-  const given = portFormat(graph, from);
-  const isList = portOf(graph, from)?.isList === true;
-  const { inputs, outputs } = parseModule(module);
-  const source = graph.nodes.get(from.node)?.kind;
-  const fits = (io: {
-    readonly format: Parameters<typeof formatsFit>[0];
-    readonly isList: boolean;
-  }): boolean => formatsFit(io.format, given) && (io.isList === isList || source === 'topic');
-  if (side === 'out') {
-    const input = inputs.find(fits);
-    return input && inputPort(input.name);
-  }
-  const output = source === 'module' ? outputs.find(fits) : undefined;
-  return output && outputPort(output.name);
+  { modules, topics }: AddableSources,
+  typed: string,
+  end: PortRef | undefined,
+): Addable[] {
+  const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
+  const has = ({ text, hint }: Addable): boolean => {
+    const all = `${text} ${hint}`.toLowerCase();
+    return words.every((word) => all.includes(word));
+  };
+  const known = topics.filter(({ topic }) => !isMasterTopic(topic) && !isExtensionTopic(topic));
+  const all = end === undefined ? looseItems(modules, known) : offers(graph, end, modules, known);
+  return [...all.filter(has), ...newTopic(graph, typed.trim(), known, end)].slice(0, MAX_SHOWN);
+}
+
+function offers(
+  graph: Graph,
+  end: PortRef,
+  modules: readonly ProcessingModule[],
+  topics: readonly KnownTopic[],
+): Addable[] {
+  return fittingNodes(graph, end, modules, topics).map((offer) => {
+    const isNew = offer.kind === 'topic' && offer.isNew;
+    return {
+      key: `${offer.kind} ${offer.label}`,
+      text: isNew ? `New topic ${offer.label}` : offer.label,
+      hint: offer.kind,
+      offer,
+    };
+  });
+}
+
+function looseItems(
+  modules: readonly ProcessingModule[],
+  topics: readonly KnownTopic[],
+): Addable[] {
+  return [
+    ...modules.map((module) => ({
+      key: `module ${module.name}`,
+      text: module.name,
+      hint: 'module',
+      item: { kind: 'module', module } as const,
+    })),
+    ...(Object.keys(PARTS) as (keyof typeof PARTS)[]).map((kind) => ({
+      key: kind,
+      text: PARTS[kind],
+      hint: '',
+      item: { kind },
+    })),
+    ...topics.map(({ topic, format }) => ({
+      key: `topic ${topic}`,
+      text: topic,
+      hint: 'topic',
+      item: { kind: 'topic', topic, format } as const,
+    })),
+  ];
+}
+
+/** A topic that nobody publishes yet, by the name typed. */
+function newTopic(
+  graph: Graph,
+  typed: string,
+  topics: readonly KnownTopic[],
+  end: PortRef | undefined,
+): Addable[] {
+  if (typed === '' || /\s/.test(typed)) return [];
+  const topic = typed.startsWith('/') ? typed : `/${typed}`;
+  if (topics.some((known) => known.topic === topic)) return [];
+  const words = { key: `new ${topic}`, text: `New topic ${topic}`, hint: 'topic' };
+  if (end === undefined) return [{ ...words, item: { kind: 'topic', topic, format: '' } }];
+  if (graph.nodes.get(end.node)?.kind !== 'module') return [];
+  return [
+    { ...words, offer: { kind: 'topic', label: topic, topic, isNew: true, format: undefined } },
+  ];
 }

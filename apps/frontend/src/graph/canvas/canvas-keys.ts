@@ -1,5 +1,8 @@
+import { randomUuid } from '../../connection/random-uuid.ts';
 import type { GraphEditor } from '../editor/graph-editor.ts';
 import type { Point } from '../model/graph.ts';
+import { duplicate } from '../model/selection/clipboard.ts';
+import { removeAndReconnect } from '../model/selection/reconnect.ts';
 
 /** What keys do besides editing the graph. */
 export interface CanvasActions {
@@ -43,6 +46,9 @@ export function canvasKey(
     case 'Delete':
     case 'Backspace':
       if (wire !== undefined) editor.apply({ kind: 'remove', wires: [wire] });
+      // With Shift, what fed the nodes feeds what they fed.
+      else if (nodes.size > 0 && event.shiftKey)
+        editor.apply(removeAndReconnect(editor.graph.value, [...nodes]));
       else if (nodes.size > 0) editor.apply({ kind: 'remove', nodes: [...nodes] });
       else return false;
       return true;
@@ -85,6 +91,13 @@ function commandKey(editor: GraphEditor, { key, shiftKey }: KeyboardEvent): bool
     case 'a':
       editor.select(editor.graph.value.nodes.keys());
       return true;
+    case 'd': {
+      const copy = duplicate(editor.graph.value, editor.selection.value.nodes, randomUuid);
+      if (copy === undefined) return true;
+      editor.apply(copy.command);
+      editor.select(copy.ids);
+      return true;
+    }
     default:
       return false;
   }

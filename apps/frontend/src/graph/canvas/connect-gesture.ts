@@ -1,6 +1,7 @@
 import type { ProcessingModule } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
 import type { GraphEditor } from '../editor/graph-editor.ts';
+import { fittingPorts } from '../model/fit/fitting.ts';
 import type { Point, PortRef, Wire } from '../model/graph.ts';
 import { wiresAt } from '../model/wires-of.ts';
 import { portKey, type CanvasStage } from './canvas-stage.ts';
@@ -166,23 +167,10 @@ export class ConnectGesture {
       side,
       moving,
       end: this.#stage.toCanvas(at.clientX, at.clientY),
-      fits: this.#fitting(from),
+      fits: new Set(fittingPorts(graph.value, from).map(portKey)),
       over: undefined,
     };
     return moving !== undefined;
-  }
-
-  #fitting(from: PortRef): ReadonlySet<string> {
-    const graph = this.#editor.graph.value;
-    const fits = new Set<string>();
-    for (const { id, ports } of graph.nodes.values()) {
-      for (const { id: port } of ports) {
-        const ref = { node: id, port };
-        const fit = fitBetween(graph, from, ref);
-        if (fit !== undefined && fit.reason === undefined) fits.add(portKey(ref));
-      }
-    }
-    return fits;
   }
 
   #move(event: PointerEvent): void {

@@ -14,17 +14,19 @@ export interface PortFit {
   readonly offers: readonly Adapter[];
 }
 
-/** Undefined when there is nothing to say: the same port, or one that is not there. */
+/**
+ * Undefined when there is nothing to say: the same port, or one that is not there.
+ * @param library modules that may be offered to go in between
+ */
 export function fitBetween(
   graph: Graph,
   a: PortRef,
   b: PortRef,
-  library: readonly ProcessingModule[] = [],
+  library: readonly ProcessingModule[],
 ): PortFit | undefined {
   const [first, second] = [portOf(graph, a), portOf(graph, b)];
   if (first === undefined || second === undefined || first === second) return undefined;
   const [from, to] = first.direction === 'out' ? [a, b] : [b, a];
-  if (a.node === b.node && graph.nodes.get(a.node)?.kind === 'topic') return undefined;
   const fit = fitOf(graph, from, to, library);
   if (fit.fits) return { from, to, reason: undefined, offers: [] };
   return { from, to, reason: fit.reason, offers: fit.offers };

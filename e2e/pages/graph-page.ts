@@ -1,0 +1,77 @@
+import { expect, type Locator, type Page } from '@playwright/test';
+
+/** The graph of a session, with a mouse. */
+export class GraphPage {
+  readonly page: Page;
+  readonly canvas: Locator;
+  readonly palette: Locator;
+  readonly inspector: Locator;
+  readonly refusal: Locator;
+  readonly life: Locator;
+
+  constructor({ page }: { page: Page }) {
+    this.page = page;
+    this.canvas = page.getByRole('application', { name: 'Graph of the session' });
+    this.palette = page.getByRole('complementary', { name: 'What can be added' });
+    this.inspector = page.getByRole('complementary', { name: 'What is selected' });
+    this.refusal = page.getByRole('alertdialog', { name: 'This wire does not fit' });
+    this.life = page.getByRole('toolbar', { name: 'Life of the session' });
+  }
+
+  async open(sessionId: string): Promise<void> {
+    await this.page.goto(`/sessions/${sessionId}/graph`);
+    await expect(this.canvas).toBeVisible();
+  }
+
+  /** `Module low-pass`, `Topic /a/b`. */
+  node(label: string): Locator {
+    return this.canvas.getByRole('group', { name: label, exact: true });
+  }
+
+  /** A socket by the words before its format: `Input value`. */
+  socket(node: string, name: string): Locator {
+    return this.node(node).getByRole('button', { name: new RegExp(`^${name}, `) });
+  }
+
+  paletteTopic(topic: string): Locator {
+    return this.palette.locator(`[data-palette-topic="${topic}"]`);
+  }
+
+  paletteModule(name: string): Locator {
+    return this.palette.locator(`[data-palette-module="${name}"]`);
+  }
+
+  /** Drags with a real mouse, in steps, as a hand does. */
+  async drag(from: Locator, to: { x: number; y: number }): Promise<void> {
+    const { mouse } = this.page;
+    await from.scrollIntoViewIfNeeded();
+    const start = await middleOf(from);
+    await mouse.move(start.x, start.y);
+    await mouse.down();
+    await mouse.move(start.x + 12, start.y + 8);
+    await mouse.move((start.x + to.x) / 2, (start.y + to.y) / 2, { steps: 4 });
+    await mouse.move(to.x, to.y, { steps: 4 });
+    await mouse.up();
+  }
+
+  async dragTo(from: Locator, to: Locator): Promise<void> {
+    await this.drag(from, await middleOf(to));
+  }
+
+  /** A place on the canvas, as a share of its width and height. */
+  async spot(x: number, y: number): Promise<{ x: number; y: number }> {
+    const box = await boxOf(this.canvas);
+    return { x: box.x + box.width * x, y: box.y + box.height * y };
+  }
+}
+
+async function boxOf(locator: Locator) {
+  const box = await locator.boundingBox();
+  if (box === null) throw new Error('It is not on the page.');
+  return box;
+}
+
+async function middleOf(locator: Locator): Promise<{ x: number; y: number }> {
+  const { x, y, width, height } = await boxOf(locator);
+  return { x: x + width / 2, y: y + height / 2 };
+}
