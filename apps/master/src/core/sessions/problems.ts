@@ -29,7 +29,6 @@ export type ProblemCode =
   | 'topic_written_twice'
   | 'topic_without_record'
   | 'topic_of_other_format'
-  | 'output_not_mapped'
   | 'not_checked'
   | 'node_unavailable'
   // While it lives.

@@ -5,14 +5,14 @@ import { checkCycles } from './check-cycles.ts';
 import { checkFormats } from './check-formats.ts';
 import { checkMappings } from './check-mappings.ts';
 import { checkModules } from './check-modules.ts';
-import { checkOutputs } from './check-outputs.ts';
+import { checkWriters } from './check-writers.ts';
 import type { Check, CheckContext } from './check-context.ts';
 
 const CHECKS: readonly Check[] = [
   checkModules,
   checkMappings,
   checkFormats,
-  checkOutputs,
+  checkWriters,
   checkCycles,
 ];
 

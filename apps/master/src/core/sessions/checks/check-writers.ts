@@ -2,13 +2,11 @@ import { quote } from '../../topics/topic-names.ts';
 import { warningProblem } from '../problems.ts';
 import { about, type Check } from './check-context.ts';
 
-/** Topics with more than one writer, and outputs with no topic [SE-5]. */
-export const checkOutputs: Check = function* (modules) {
+/** Topics with more than one writer [SE-5]. */
+export const checkWriters: Check = function* (modules) {
   const writers = new Map<string, string>();
   for (const draft of modules) {
-    const mapped = new Set<string>();
-    for (const [index, { outputName, topic }] of draft.mapping.outputMappings.entries()) {
-      mapped.add(outputName);
+    for (const [index, { topic }] of draft.mapping.outputMappings.entries()) {
       if (topic === undefined || topic === '') continue;
       const other = writers.get(topic);
       if (other !== undefined) {
@@ -20,15 +18,6 @@ export const checkOutputs: Check = function* (modules) {
         });
       }
       writers.set(topic, draft.spec.name);
-    }
-    for (const [index, { internalName }] of draft.spec.outputs.entries()) {
-      if (mapped.has(internalName)) continue;
-      yield warningProblem({
-        ...about(draft),
-        code: 'output_not_mapped',
-        message: `The output ${quote(internalName)} of ${quote(draft.spec.name)} is mapped to no topic, so nobody gets it.`,
-        path: `${draft.path}.outputs[${index}]`,
-      });
     }
   }
 };
