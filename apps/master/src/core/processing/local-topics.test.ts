@@ -11,6 +11,7 @@ import { DEFAULT_LIMITS } from '../limits.ts';
 import { Counters } from '../status/counters.ts';
 import { EventLog } from '../status/event-log.ts';
 import { LimitWatch } from '../status/limit-watch.ts';
+import { EndOfTurn } from '../topics/end-of-turn.ts';
 import { PatternTable } from '../topics/pattern-table.ts';
 import { SelectionTable } from '../topics/selection-table.ts';
 import { subscriberFactory } from '../topics/subscriber-factory.ts';
@@ -51,7 +52,11 @@ function setup() {
     info: new InfoTopics(new MasterPublisher(publishing, clock)),
     budget: new RegistrationBudget(limitWatch),
   });
-  const createSubscriber = subscriberFactory({ clock, limits, counters, topics, subscriptions });
+  const createSubscriber = subscriberFactory({
+    ...publishing,
+    clock,
+    endOfTurn: new EndOfTurn(clock),
+  });
   const client = new Client({
     id: 'client',
     spec: specOf(decode('ubii.clients.Client', new Uint8Array())),
