@@ -62,8 +62,8 @@ async function host() {
     worker.postMessage({ index: -1 });
     timers = setting.records.map((_record, index) => {
       const timer = { handle: undefined };
-      const startMs = performance.now();
-      let lastMs = startMs;
+      let startMs = 0;
+      let lastMs = 0;
       let run = 0;
       const due = () => {
         const nowMs = performance.now();
@@ -73,7 +73,13 @@ async function host() {
         worker.postMessage({ index, deltaTimeMs: nowMs - lastMs });
         lastMs = nowMs;
       };
-      due();
+      const begin = () => {
+        startMs = performance.now();
+        lastMs = startMs;
+        due();
+      };
+      // Modules are made one after the other, so that each has moments of its own.
+      timer.handle = setTimeout(begin, (index * intervalMs) / setting.records.length);
       return timer;
     });
   }

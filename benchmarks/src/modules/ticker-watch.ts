@@ -1,29 +1,27 @@
 import type { EmptyRecord, TopicRecord } from '@ubii/proto';
-import { percentile } from '../statistics.ts';
+import { median, percentile } from '../statistics.ts';
 import { isTickerSum, TICKER_HERTZ } from './ticker-module.ts';
 
 const INTERVAL_MS = 1000 / TICKER_HERTZ;
 const MAX_SENTENCES = 5;
 
-/** How late the runs began, milliseconds, over all tickers. */
-export interface TickerLateness {
+/** How regular the runs were, over all tickers. */
+export interface TickerRegularity {
   readonly runs: number;
   /** Runs that were due and left out. */
   readonly leftOut: number;
-  /** Between the moment a run was due and the moment it began, as its delta times say. */
+  /** How far from its place in the middle of the ticker's rhythm a run began, as its delta times say. */
   readonly startP99Ms: number;
-  /** Between when its output should have arrived, going by the earliest of the ticker, and when it did. */
+  /** How much later than the earliest output of the ticker, compared with the rhythm, one arrived. */
   readonly arrivalP99Ms: number;
 }
 
 interface Ticker {
   nextRun: number;
-  leftOut: number;
-  /** Of each output: when the run was due, and when it came. */
-  readonly dueMs: number[];
-  readonly startMs: number[];
-  readonly arrivedMs: number[];
-  lastSlot: number;
+  /** Of each run: when it began, on a clock that began with the first one. */
+  readonly startsMs: number[];
+  /** Of each run: when its output came, on a clock of this process. */
+  readonly arrivalsMs: number[];
 }
 
 /** Checks the outputs of tickers, from their first runs on, and measures how regular they are. */
@@ -34,17 +32,7 @@ export class TickerWatch {
 
   constructor(topics: readonly string[]) {
     this.#tickers = new Map(
-      topics.map((topic) => [
-        topic,
-        {
-          nextRun: 0,
-          leftOut: 0,
-          dueMs: [],
-          startMs: [],
-          arrivedMs: [],
-          lastSlot: 0,
-        },
-      ]),
+      topics.map((topic) => [topic, { nextRun: 0, startsMs: [], arrivalsMs: [] }]),
     );
   }
 
@@ -64,15 +52,9 @@ export class TickerWatch {
     }
     ticker.nextRun = run + 1;
     if (!isTickerSum(elapsedMs, sum)) this.#report(`a wrong sum of run ${run} of ${topic}`);
-    // Never early by more than a timer is: half an interval tells one moment from the next.
-    const slot = Math.floor(elapsedMs / INTERVAL_MS + 0.1);
-    if (this.#isMeasuring) {
-      ticker.leftOut += ticker.startMs.length > 0 ? slot - ticker.lastSlot - 1 : 0;
-      ticker.dueMs.push(slot * INTERVAL_MS);
-      ticker.startMs.push(elapsedMs);
-      ticker.arrivedMs.push(arrivedMs);
-    }
-    ticker.lastSlot = slot;
+    if (!this.#isMeasuring) return;
+    ticker.startsMs.push(elapsedMs);
+    ticker.arrivalsMs.push(arrivedMs);
   }
 
   /** What comes from now on counts. */
@@ -80,31 +62,52 @@ export class TickerWatch {
     this.#isMeasuring = true;
   }
 
-  stop(): TickerLateness {
+  stop(): TickerRegularity {
     this.#isMeasuring = false;
-    const tickers = [...this.#tickers.values()];
-    const lateness = tickers.flatMap(({ dueMs, startMs }) =>
-      startMs.map((ms, index) => Math.abs(ms - dueMs[index]!)),
-    );
-    const arrivals = tickers.flatMap(({ dueMs, arrivedMs }) => {
-      const offsets = arrivedMs.map((ms, index) => ms - dueMs[index]!);
-      const earliest = Math.min(...offsets);
-      return offsets.map((offset) => offset - earliest);
-    });
+    const all = [...this.#tickers.values()].map(regularityOf);
     const p99 = (values: number[]): number =>
       percentile(
         values.sort((a, b) => a - b),
         0.99,
       );
+    const startsMs = all.flatMap((ticker) => ticker.startsMs);
     return {
-      runs: lateness.length,
-      leftOut: tickers.reduce((sum, { leftOut }) => sum + leftOut, 0),
-      startP99Ms: p99(lateness),
-      arrivalP99Ms: p99(arrivals),
+      runs: startsMs.length,
+      leftOut: all.reduce((sum, { leftOut }) => sum + leftOut, 0),
+      startP99Ms: p99(startsMs),
+      arrivalP99Ms: p99(all.flatMap((ticker) => ticker.arrivalsMs)),
     };
   }
 
   #report(sentence: string): void {
     if (this.faults.length < MAX_SENTENCES) this.faults.push(`unexpected: ${sentence}`);
   }
+}
+
+/** Of one ticker: how far each run was from its place, and each output behind the earliest. */
+function regularityOf({ startsMs, arrivalsMs }: Ticker) {
+  // The first run may have been late itself: where the places are is what most runs say.
+  const phaseMs = meanPhaseMs(startsMs);
+  const places = startsMs.map((ms) => Math.round((ms - phaseMs) / INTERVAL_MS));
+  const offsetsMs = startsMs.map((ms, index) => ms - places[index]! * INTERVAL_MS);
+  const middleMs = median(offsetsMs);
+  const delaysMs = arrivalsMs.map((ms, index) => ms - places[index]! * INTERVAL_MS);
+  const earliestMs = Math.min(...delaysMs);
+  return {
+    leftOut: startsMs.length === 0 ? 0 : places.at(-1)! - places[0]! + 1 - places.length,
+    startsMs: offsetsMs.map((ms) => Math.abs(ms - middleMs)),
+    arrivalsMs: delaysMs.map((ms) => ms - earliestMs),
+  };
+}
+
+/** Mean on the circle that one interval is. */
+function meanPhaseMs(startsMs: readonly number[]): number {
+  let x = 0;
+  let y = 0;
+  for (const ms of startsMs) {
+    const angle = (2 * Math.PI * ms) / INTERVAL_MS;
+    x += Math.cos(angle);
+    y += Math.sin(angle);
+  }
+  return (Math.atan2(y, x) / (2 * Math.PI)) * INTERVAL_MS;
 }

@@ -34,7 +34,7 @@ export const modules100: Workload = {
     },
     {
       key: 'startP99Ms',
-      label: 'start late, p99',
+      label: 'start off its place, p99',
       unit: 'ms',
       isHigherBetter: false,
       goals: {},
@@ -42,7 +42,7 @@ export const modules100: Workload = {
     },
     {
       key: 'arrivalP99Ms',
-      label: 'output late, p99',
+      label: 'output behind earliest, p99',
       unit: 'ms',
       isHigherBetter: false,
       goals: {},
