@@ -1,11 +1,18 @@
 import type { UbiiClient } from '@ubii/client-web';
 import type { ProcessingNode } from '@ubii/client-web/processing';
 
-/** The node of this page; its code and the workers are loaded now. */
+/** The node of this page; its code, the library and the workers are loaded now. */
 export async function openTabNode(client: UbiiClient): Promise<ProcessingNode> {
-  const [{ createProcessingNode }, { createBrowserSandboxes }] = await Promise.all([
-    import('@ubii/client-web/processing'),
-    import('@ubii/pm-sandbox/browser'),
-  ]);
-  return createProcessingNode(client, { sandboxes: createBrowserSandboxes(), kind: 'browser' });
+  const [{ createProcessingNode }, { createBrowserSandboxes }, { moduleLibrary }] =
+    await Promise.all([
+      import('@ubii/client-web/processing'),
+      import('@ubii/pm-sandbox/browser'),
+      import('@ubii/modules'),
+    ]);
+  return createProcessingNode(client, {
+    sandboxes: createBrowserSandboxes(),
+    // Ours: they run at full speed. Whatever else a session brings is sandboxed. [PM-51]
+    modules: moduleLibrary(),
+    kind: 'browser',
+  });
 }
