@@ -15,6 +15,7 @@ import type { Graph, Point } from '../model/graph.ts';
 import { sessionOf } from '../model/session-of.ts';
 import { withIds } from '../model/with-ids.ts';
 import { placesOf } from './places.ts';
+import { isSameGraph } from './same-graph.ts';
 
 /** What is selected: nodes, or one wire. */
 export interface Selection {
@@ -78,11 +79,11 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
   const state = shallowRef(startEditing(graphOf(base)));
   const graph = computed(() => state.value.graph);
   const selection = shallowRef<Selection>(NOTHING);
-  /** What is saved: compared by identity, because steps share what they leave alone. */
+  /** What is saved. */
   const saved = shallowRef({ graph: graph.value, steps: 0 });
   const theirs = shallowRef<Session>();
   const changes = computed(() => {
-    if (graph.value === saved.value.graph) return 0;
+    if (isSameGraph(graph.value, saved.value.graph)) return 0;
     return Math.max(1, Math.abs(state.value.past.length - saved.value.steps));
   });
 

@@ -34,7 +34,7 @@ export function paletteTopics(
     const { topic, dataFormat: format } = statistic;
     if (isMasterTopic(topic) || isExtensionTopic(topic) || count >= MAX_TOPICS) continue;
     const root = rootLabel(topic);
-    const name = findPublisher(root)?.name ?? (root || topic);
+    const name = findPublisher(root)?.name ?? (root || '(no name)');
     const text = `${name} ${topic} ${format}`.toLowerCase();
     if (!words.every((word) => text.includes(word))) continue;
     count += 1;

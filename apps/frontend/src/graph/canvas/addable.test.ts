@@ -1,0 +1,53 @@
+import { fromJson, type ProcessingModule } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { aSession } from '../../sessions/testing/a-session.ts';
+import { graphOf } from '../model/graph-of.ts';
+import { addables } from './addable.ts';
+
+const module = (name: string, input: string): ProcessingModule =>
+  fromJson('ubii.processing.ProcessingModule', {
+    name,
+    inputs: [{ internalName: 'value', messageFormat: input }],
+    outputs: [{ internalName: 'out', messageFormat: input }],
+  });
+const sources = {
+  modules: [module('low-pass', 'double'), module('mirror', 'vector2')],
+  topics: [
+    { topic: '/a/number', format: 'double' },
+    { topic: '/a/point', format: 'vector2' },
+    { topic: '/info/session/new', format: 'session' },
+  ],
+};
+const graph = graphOf(aSession());
+const texts = (typed: string, end?: { node: string; port: string }): string[] =>
+  addables(graph, sources, typed, end).map(({ text }) => text);
+
+describe('addables', () => {
+  it('are modules, topics and the rest; what the master tells of itself is none', () => {
+    expect(texts('')).toEqual([
+      'low-pass',
+      'mirror',
+      'Muxer',
+      'Demuxer',
+      'Value',
+      'Note',
+      'Frame',
+      '/a/number',
+      '/a/point',
+    ]);
+  });
+
+  it('are found by words; a name that nobody has is a new topic', () => {
+    expect(texts('low')).toEqual(['low-pass', 'New topic /low']);
+    expect(texts('/a/number')).toEqual(['/a/number']);
+  });
+
+  it('fit the wire at hand', () => {
+    const out = { node: 'module:module', port: 'out:mirrored' };
+    const found = texts('', out);
+    expect(found).toContain('mirror');
+    expect(found).toContain('/a/point');
+    expect(found).not.toContain('low-pass');
+    expect(found).not.toContain('/a/number');
+  });
+});

@@ -1,0 +1,33 @@
+import type { GraphNode, Size } from '../model/graph.ts';
+
+/** As graph-node.css draws them, pixels at a zoom of 1. */
+const WIDTH = 184;
+const TOPIC: Size = { width: 174, height: 76 };
+const HEAD = 30;
+const ROW = 23;
+const ROWS_PADDING = 12;
+const FOOT = 24;
+const PATTERN = 28;
+/** Topics that a muxer shows. */
+const MATCHES = 3;
+
+/** About how large a node will be drawn, before it is. */
+export function drawnSize(node: GraphNode): Size {
+  if (node.size !== undefined) return node.size;
+  switch (node.kind) {
+    case 'topic':
+      return TOPIC;
+    case 'module':
+      return { width: WIDTH, height: HEAD + ROWS_PADDING + ROW * node.ports.length + FOOT };
+    case 'muxer':
+      return { width: WIDTH, height: HEAD + ROWS_PADDING + PATTERN + ROW * (MATCHES + 1) };
+    case 'demuxer':
+      return { width: WIDTH, height: HEAD + ROWS_PADDING + PATTERN + ROW };
+    case 'constant':
+      return { width: WIDTH, height: HEAD + ROWS_PADDING + ROW };
+    case 'comment':
+      return { width: 220, height: 60 };
+    case 'frame':
+      return { width: 320, height: 200 };
+  }
+}

@@ -1,0 +1,103 @@
+import type { Session } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { aSession } from '../../sessions/testing/a-session.ts';
+import { topicNode } from '../model/make-node.ts';
+import { createGraphEditor, type GraphEditor } from './graph-editor.ts';
+
+let count = 0;
+const uuid = (): string => `uuid-${(count += 1)}`;
+const editorOf = (session: Session): GraphEditor => createGraphEditor(session, uuid);
+const withRevision = (revision: number, name = 'Two hands'): Session => {
+  const session = aSession({ name });
+  return { ...session, extension: { ...session.extension!, revision } };
+};
+const addTopic = (editor: GraphEditor, topic: string): void =>
+  editor.apply({ kind: 'add', nodes: [topicNode(topic)] });
+
+describe('the graph editor', () => {
+  it('counts what is not saved, and takes it back', () => {
+    const editor = editorOf(aSession());
+    expect(editor.changes.value).toBe(0);
+    addTopic(editor, '/b');
+    addTopic(editor, '/c');
+    expect(editor.changes.value).toBe(2);
+    editor.undo();
+    expect(editor.graph.value.nodes.has('topic:/c')).toBe(false);
+    editor.redo();
+    expect(editor.graph.value.nodes.has('topic:/c')).toBe(true);
+    editor.undo();
+    editor.undo();
+    expect(editor.undoLabel.value).toBeUndefined();
+  });
+
+  it('selects only what is there', () => {
+    const editor = editorOf(aSession());
+    addTopic(editor, '/b');
+    editor.select(['topic:/b', 'module:module']);
+    editor.undo();
+    expect([...editor.selection.value.nodes]).toEqual(['module:module']);
+  });
+
+  it('has a place for every node, and saves it', () => {
+    const editor = editorOf(aSession());
+    expect([...editor.places.value.keys()].sort()).toEqual(
+      [...editor.graph.value.nodes.keys()].sort(),
+    );
+    const again = editorOf(editor.toSession());
+    expect(again.places.value).toEqual(editor.places.value);
+  });
+
+  it('has nothing to save after saving, but what was done meanwhile', () => {
+    const editor = editorOf(aSession());
+    addTopic(editor, '/b');
+    const mark = editor.mark();
+    addTopic(editor, '/c');
+    editor.handleSaved(withRevision(4), mark);
+    expect(editor.changes.value).toBe(1);
+    editor.undo();
+    expect(editor.changes.value).toBe(0);
+  });
+
+  it('shows what others saved while nothing was changed here', () => {
+    const editor = editorOf(withRevision(3));
+    editor.handleSession(withRevision(4, 'Renamed'));
+    expect(editor.graph.value.details.name).toBe('Renamed');
+    expect(editor.theirs.value).toBeUndefined();
+  });
+
+  it('keeps changes when others saved, until somebody decides', () => {
+    const editor = editorOf(withRevision(3));
+    addTopic(editor, '/b');
+    editor.handleSession(withRevision(4, 'Renamed'));
+    expect(editor.theirs.value?.name).toBe('Renamed');
+    expect(editor.graph.value.nodes.has('topic:/b')).toBe(true);
+    editor.keepMine();
+    expect(editor.theirs.value).toBeUndefined();
+    expect(editor.toSession().extension?.revision).toBe(4);
+    expect(editor.toSession().name).toBe('Two hands');
+
+    editor.handleSession(withRevision(5, 'Once more'));
+    editor.takeTheirs();
+    expect(editor.graph.value.details.name).toBe('Once more');
+    expect(editor.graph.value.nodes.has('topic:/b')).toBe(false);
+  });
+
+  it('hears how the session lives without losing changes', () => {
+    const editor = editorOf(withRevision(3));
+    addTopic(editor, '/b');
+    const living = withRevision(3);
+    editor.handleSession({ ...living, extension: { ...living.extension!, state: 2 } });
+    expect(editor.session.value.extension?.state).toBe(2);
+    expect(editor.changes.value).toBe(1);
+  });
+
+  it('goes on with a draft as something that is not saved', () => {
+    const editor = editorOf(aSession());
+    addTopic(editor, '/b');
+    const draft = editor.toSession();
+    const reloaded = editorOf(aSession());
+    reloaded.replace(draft);
+    expect(reloaded.graph.value.nodes.has('topic:/b')).toBe(true);
+    expect(reloaded.changes.value).toBeGreaterThan(0);
+  });
+});
