@@ -1,4 +1,4 @@
-import type { ModuleSource, SandboxFactory } from '@ubii/pm-sandbox';
+import type { ModuleFault, ModuleSource, SandboxFactory } from '@ubii/pm-sandbox';
 import type { SessionProblem } from '@ubii/proto';
 import { isJavaScript } from '../../processing/node.ts';
 import type { Clock } from '../../ports/clock.ts';
@@ -33,8 +33,10 @@ export async function checkSources(
     toCheck.map(async (draft) => {
       const check = sandboxes.check(sourceOf(draft)).catch(() => 'late' as const);
       const fault = await Promise.race([check, timeout]);
-      if (fault === 'late') return notChecked(draft);
-      return fault === undefined ? undefined : syntaxProblem(draft, fault);
+      if (fault === undefined) return undefined;
+      return fault !== 'late' && isOfSource(fault)
+        ? syntaxProblem(draft, fault)
+        : notChecked(draft);
     }),
   );
   giveUp();
@@ -57,10 +59,12 @@ function sourceOf({ spec }: DraftModule): ModuleSource {
   };
 }
 
-function syntaxProblem(
-  draft: DraftModule,
-  fault: NonNullable<Awaited<ReturnType<SandboxFactory['check']>>>,
-): SessionProblem {
+/** Whether the text is to blame, and not the worker that was to read it. */
+function isOfSource({ kind }: ModuleFault): boolean {
+  return kind === 'syntax' || kind === 'missing';
+}
+
+function syntaxProblem(draft: DraftModule, fault: ModuleFault): SessionProblem {
   const member = fault.phase === '' ? MEMBERS.onProcessing : MEMBERS[fault.phase];
   const where =
     fault.line === undefined ? '' : ` (line ${fault.line}, column ${fault.column ?? 1})`;
