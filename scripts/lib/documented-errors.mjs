@@ -10,7 +10,19 @@ const sources = [
     block: /SERVICE_ERROR_CODES = \[([^\]]*)\]/,
     entry: /'([a-z_]+)'/g,
     page: 'docs/errors.md',
+    /** What is above the list of problems. */
+    section: /^.*?(?=^## Problems of sessions)/ms,
     row: /^\| `([a-z_]+)`/gm,
+  },
+  {
+    code: 'apps/master/src/core/sessions/problems.ts',
+    /** The union `ProblemCode`. */
+    block: /type ProblemCode =(.*?);/s,
+    entry: /'([a-z_]+)'/g,
+    page: 'docs/errors.md',
+    section: /^## Problems of sessions.*/ms,
+    /** A row may be about several codes, all in its first column. */
+    row: /(?<=^\|[^|\n]*)`([a-z_]+)`(?=[^|\n]*\|)/gm,
   },
   {
     code: 'apps/master/src/core/clients/close-codes.ts',
@@ -18,6 +30,7 @@ const sources = [
     /** 4000 and more are ours, the others are the RFC's. */
     entry: /code: (4\d{3}),/g,
     page: 'docs/spec/extensions.md',
+    section: /.*/s,
     row: /^\| (4\d{3})\b/gm,
   },
 ];
@@ -28,10 +41,10 @@ const sources = [
  * @returns {string[]} one sentence for each difference
  */
 export function findUndocumentedErrors() {
-  return sources.flatMap(({ code, block, entry, page, row }) => {
+  return sources.flatMap(({ code, block, entry, page, section, row }) => {
     const text = readFileSync(inRoot(code), 'utf8');
     const inCode = matches(block.exec(text)?.[1] ?? '', entry);
-    const inPage = matches(readFileSync(inRoot(page), 'utf8'), row);
+    const inPage = matches(section.exec(readFileSync(inRoot(page), 'utf8'))?.[0] ?? '', row);
     return [
       ...(inCode.length > 0 ? [] : [`No codes were found in ${code}.`]),
       ...inCode
