@@ -2,10 +2,11 @@ import { toJson, type JsonObject, type JsonValue } from '@ubii/proto';
 import { EDITOR_FORMAT, EDITOR_VERSION } from './editor-data.ts';
 import type { Graph, GraphNode } from './graph.ts';
 import { ioName } from './ports.ts';
+import { asideJson, NOTHING_ASIDE, type Aside } from './standing/set-aside.ts';
 import { wiresOf } from './wires-of.ts';
 
 /** The editor data of a graph, as JSON text; the same graph always gives the same text. */
-export function editorDataText(graph: Graph): string {
+export function editorDataText(graph: Graph, aside: Aside = NOTHING_ASIDE): string {
   const nodes = new Map<string, JsonObject>();
   for (const node of graph.nodes.values()) nodes.set(node.id, nodeJson(graph, node));
   const wires = new Map<string, JsonValue>();
@@ -23,6 +24,7 @@ export function editorDataText(graph: Graph): string {
     ...foreign,
     nodes: section(nodes, otherNodes),
     wires: section(wires, otherWires),
+    aside: asideJson(aside),
   });
 }
 

@@ -1,6 +1,7 @@
 import { parseDataFormat, type DataFormat, type JsonObject, type JsonValue } from '@ubii/proto';
 import type { Point } from './graph.ts';
 import type { NodeLook } from './make-node.ts';
+import { NOTHING_ASIDE, readAside, type Aside } from './standing/set-aside.ts';
 
 /** Marks the JSON text as ours. */
 export const EDITOR_FORMAT = 'ubi-interact.graph';
@@ -28,6 +29,8 @@ export interface EditorData {
   readonly nodes: ReadonlyMap<string, NodeRecord>;
   /** Points wires are led through, by the ids of the wires. */
   readonly wires: ReadonlyMap<string, readonly Point[]>;
+  /** Modules that are bypassed or muted. */
+  readonly aside: Aside;
   /** What was not understood, as it stood there; all of it when the text is not ours. */
   readonly foreign: JsonObject;
 }
@@ -39,17 +42,22 @@ const MAX_TEXT_LENGTH = 8_000_000;
 export function parseEditorData(text: string): EditorData {
   const nodes = new Map<string, NodeRecord>();
   const wires = new Map<string, readonly Point[]>();
-  if (text === '') return { nodes, wires, foreign: {} };
+  const aside = NOTHING_ASIDE;
+  if (text === '') return { nodes, wires, aside, foreign: {} };
   const json = readJson(text);
-  if (!isObject(json)) return { nodes, wires, foreign: { foreignText: text } };
+  if (!isObject(json)) return { nodes, wires, aside, foreign: { foreignText: text } };
   const { format, version, ...rest } = json;
   if (format !== EDITOR_FORMAT || version !== EDITOR_VERSION) {
-    return { nodes, wires, foreign: { foreignJson: json } };
+    return { nodes, wires, aside, foreign: { foreignJson: json } };
   }
   const foreign: Record<string, JsonValue> = { ...rest };
   takeEach(foreign, 'nodes', nodes, readNode);
   takeEach(foreign, 'wires', wires, readPoints);
-  return { nodes, wires, foreign };
+  const read = readAside(foreign.aside);
+  // Ours has to have its place; theirs has to be kept.
+  if (read === undefined && foreign.aside !== undefined) foreign.foreignAside = foreign.aside;
+  delete foreign.aside;
+  return { nodes, wires, aside: read ?? aside, foreign };
 }
 
 function readJson(text: string): unknown {

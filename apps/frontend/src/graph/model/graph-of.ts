@@ -1,6 +1,13 @@
 import { fromJson, type MessageType, type Session } from '@ubii/proto';
 import { parseEditorData, type EditorData, type NodeRecord } from './editor-data.ts';
-import { wireId, type Graph, type GraphNode, type PortRef, type Wire } from './graph.ts';
+import {
+  wireId,
+  type Graph,
+  type GraphNode,
+  type PortRef,
+  type Standing,
+  type Wire,
+} from './graph.ts';
 import {
   commentNode,
   constantNode,
@@ -22,6 +29,7 @@ import {
   type OutputTarget,
 } from './read-mappings.ts';
 import { sessionDetails } from './session-details.ts';
+import { restored, type Aside } from './standing/set-aside.ts';
 
 /**
  * A session as a graph. The same session always gives the same graph; `sessionOf` is the way back.
@@ -30,8 +38,8 @@ import { sessionDetails } from './session-details.ts';
  */
 export function graphOf(session: Session): Graph {
   const data = parseEditorData(session.extension?.editorJson ?? '');
-  const modules = readModules(session);
-  const builder = new GraphBuilder(data, modules);
+  const modules = readModules(restored(session, data.aside));
+  const builder = new GraphBuilder(data, modules, standings(session, data.aside));
   for (const module of modules) builder.addModule(module);
   for (const module of modules) builder.addInputs(module);
   for (const module of modules) builder.addOutputs(module);
@@ -48,13 +56,19 @@ class GraphBuilder {
   readonly nodes = new Map<string, GraphNode>();
   readonly wires = new Map<string, Wire>();
   readonly #data: EditorData;
+  readonly #standings: ReadonlyMap<string, Standing>;
   /** Topics without a node, with the output that writes them. */
   readonly #writers: ReadonlyMap<string, PortRef>;
   /** Muxers and demuxers by what tells them apart. */
   readonly #spreaders = new Map<string, string>();
 
-  constructor(data: EditorData, modules: readonly MappedModule[]) {
+  constructor(
+    data: EditorData,
+    modules: readonly MappedModule[],
+    standings: ReadonlyMap<string, Standing>,
+  ) {
     this.#data = data;
+    this.#standings = standings;
     this.#writers = findWriters(modules, (topic) => data.nodes.has(topicNodeId(topic)));
   }
 
@@ -63,8 +77,11 @@ class GraphBuilder {
     for (const [name, { constantJson }] of inputs) {
       if (constantJson !== '') constants.set(name, constantJson);
     }
+    const standing = this.#standings.get(module.id) ?? 'active';
     const names = { mappedInputs: inputs.keys(), mappedOutputs: outputs.keys() };
-    this.#add(moduleNode(module, { ...this.#look(nodeId), id: nodeId, constants, ...names }));
+    this.#add(
+      moduleNode(module, { ...this.#look(nodeId), id: nodeId, constants, standing, ...names }),
+    );
   }
 
   addInputs({ nodeId, inputs }: MappedModule): void {
@@ -167,6 +184,13 @@ class GraphBuilder {
   }
 }
 
+/** Of modules that are only in the editor data, by their ids. */
+function standings(session: Session, { modules }: Aside): ReadonlyMap<string, Standing> {
+  const ids = new Set(session.processingModules.map(({ id }) => id));
+  const resting = modules.filter(({ module }) => module.id !== '' && !ids.has(module.id));
+  return new Map(resting.map(({ module, standing }) => [module.id, standing]));
+}
+
 /** Something mapped twice is there twice. */
 function freeKey(taken: ReadonlyMap<string, unknown>, wished: string): string {
   let key = wished;
@@ -203,6 +227,8 @@ function findWriters(
 
 function editorNode(id: string, record: NodeRecord): GraphNode | undefined {
   const { kind, isLoose, topic, message, json, name = '', text = '', title = '' } = record;
+  // Ids of one kind are never those of another.
+  if (!id.startsWith(`${kind}:`)) return undefined;
   if (kind === 'comment') return commentNode(id, text, record);
   if (kind === 'frame') return frameNode(id, title, record);
   if (kind === 'constant') return constantNode(id, json ?? '', { ...record, name });
@@ -212,11 +238,11 @@ function editorNode(id: string, record: NodeRecord): GraphNode | undefined {
   }
   if (kind === 'muxer') {
     const mux = readMessage('ubii.devices.TopicMux', message);
-    return mux && muxerNode(mux, { ...record, id });
+    return mux && id === muxerNodeId(mux.id) ? muxerNode(mux, record) : undefined;
   }
   if (kind === 'demuxer') {
     const demux = readMessage('ubii.devices.TopicDemux', message);
-    return demux && demuxerNode(demux, { ...record, id });
+    return demux && id === demuxerNodeId(demux.id) ? demuxerNode(demux, record) : undefined;
   }
   return undefined;
 }

@@ -55,11 +55,18 @@ export interface TopicNode extends NodeBase {
   readonly format: DataFormat | undefined;
 }
 
+/**
+ * Whether a module works. Bypassed: what feeds its first fitting input feeds what it fed. Muted: it
+ * puts out nothing. Both are not run at all, and keep everything they are.
+ */
+export type Standing = 'active' | 'bypassed' | 'muted';
+
 export interface ModuleNode extends NodeBase {
   readonly kind: 'module';
   readonly module: ProcessingModule;
   /** Constants that stand at inputs themselves, as JSON text by input name. [PM-34] */
   readonly constants: ReadonlyMap<string, string>;
+  readonly standing: Standing;
 }
 
 /** Many topics as one list. [PM-41] */

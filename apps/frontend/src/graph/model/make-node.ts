@@ -8,6 +8,7 @@ import type {
   MuxerNode,
   Point,
   Size,
+  Standing,
   TopicNode,
 } from './graph.ts';
 import { constantPorts, demuxerPorts, modulePorts, muxerPorts, topicPorts } from './ports.ts';
@@ -52,6 +53,7 @@ export interface ModuleNodeParts extends NodeLook {
   /** Default: follows from the id of the module. */
   readonly id?: string;
   readonly constants?: ReadonlyMap<string, string>;
+  readonly standing?: Standing;
   /** Names in mappings; those the module does not declare get ports too. */
   readonly mappedInputs?: Iterable<string>;
   readonly mappedOutputs?: Iterable<string>;
@@ -60,10 +62,10 @@ export interface ModuleNodeParts extends NodeLook {
 const NO_CONSTANTS: ReadonlyMap<string, string> = new Map();
 
 export function moduleNode(module: ProcessingModule, parts: ModuleNodeParts = {}): ModuleNode {
-  const { id = moduleNodeId(module.id), constants = NO_CONSTANTS } = parts;
+  const { id = moduleNodeId(module.id), constants = NO_CONSTANTS, standing = 'active' } = parts;
   const inputs = [...(parts.mappedInputs ?? []), ...constants.keys()];
   const ports = modulePorts(module, { inputs, outputs: parts.mappedOutputs ?? [] });
-  return { ...base('module', id, parts), module, constants, ports };
+  return { ...base('module', id, parts), module, constants, standing, ports };
 }
 
 export function muxerNode(

@@ -1,10 +1,14 @@
 import type { IOMapping, Session } from '@ubii/proto';
 import { editorDataText } from './editor-data-text.ts';
+import { sameValue } from './changes/same-value.ts';
+import { parseEditorData } from './editor-data.ts';
 import { graphOf } from './graph-of.ts';
 import type { Graph, ModuleNode } from './graph.ts';
 import { moduleEnds } from './module-ends.ts';
 import { readModules, type MappedModule } from './read-mappings.ts';
 import { withDetails, withEditorJson } from './session-details.ts';
+import { asideOf } from './standing/detours.ts';
+import { restored, setAside } from './standing/set-aside.ts';
 import { writeMapping } from './write-mapping.ts';
 
 /**
@@ -12,7 +16,10 @@ import { writeMapping } from './write-mapping.ts';
  * session it was made of, so that nothing gets lost: `sessionOf(graphOf(session), session)` equals
  * the session.
  */
-export function sessionOf(graph: Graph, base: Session): Session {
+export function sessionOf(graph: Graph, shown: Session): Session {
+  const { aside: wasAside } = parseEditorData(shown.extension?.editorJson ?? '');
+  if (wasAside.modules.length > 0 && sameValue(graphOf(shown), graph)) return shown;
+  const base = restored(shown, wasAside);
   const before = new Map(readModules(base).map((module) => [module.nodeId, module]));
   const nodes = inOrderOf([...before.keys()], graph);
   const mappings = new Map<number, IOMapping>();
@@ -24,15 +31,21 @@ export function sessionOf(graph: Graph, base: Session): Session {
     if (index >= 0 && mapping !== undefined) mappings.set(index, mapping);
     else if (mapping !== undefined) added.push(mapping);
   }
-  const session = withDetails(base, graph.details);
-  return withEditorJson(
-    {
-      ...session,
-      processingModules: nodes.map(({ module }) => module),
-      ioMappings: [...keptMappings(base, before, graph, mappings), ...added],
-    },
-    editorJsonOf(graph, base),
-  );
+  const full: Session = {
+    ...withDetails(base, graph.details),
+    processingModules: nodes.map(({ module }) => module),
+    ioMappings: [...keptMappings(base, before, graph, mappings), ...added],
+  };
+  const aside = asideOf(graph, full);
+  const session = setAside(full, aside);
+  const text = editorDataText(graph, aside);
+  // The text that was there says it as well, if it leads to the same graph.
+  return saysTheSame(session, text) ? session : withEditorJson(session, text);
+}
+
+function saysTheSame(session: Session, text: string): boolean {
+  const { aside } = parseEditorData(session.extension?.editorJson ?? '');
+  return editorDataText(graphOf(session), aside) === text;
 }
 
 /** Modules in the order they had: outputs of a pass are published in it. [SE-41] */
@@ -62,10 +75,4 @@ function keptMappings(
     const isGone = removedIndices.has(index) || removedIds.has(mapping.processingModuleId);
     return isGone ? [] : [mapping];
   });
-}
-
-/** The text that was there, while nothing it says has changed. */
-function editorJsonOf(graph: Graph, base: Session): string {
-  const text = editorDataText(graph);
-  return text === editorDataText(graphOf(base)) ? (base.extension?.editorJson ?? '') : text;
 }

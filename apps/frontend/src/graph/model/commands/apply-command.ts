@@ -9,6 +9,7 @@ import {
   setDemuxer,
   setModule,
   setMuxer,
+  setStanding,
   setText,
   setValue,
 } from './edit-node.ts';
@@ -72,6 +73,7 @@ const RUNNERS: { readonly [K in CommandKind]: Runner<K> } = {
   },
   setModule,
   setConstant,
+  setStanding,
   setMuxer,
   setDemuxer,
   setValue,

@@ -1,4 +1,4 @@
-import type { Graph, GraphNode, PortRef } from '../graph.ts';
+import type { Graph, GraphNode, PortRef, Standing } from '../graph.ts';
 import { ioName } from '../ports.ts';
 import type { GraphCommand } from './graph-command.ts';
 
@@ -27,6 +27,8 @@ export function commandLabel(graph: Graph, command: GraphCommand): string {
       return `Change ${moduleMembers(Object.keys(command.changes))} of ${name(command.node)}`;
     case 'setConstant':
       return `${command.json === undefined ? 'Reset' : 'Set'} ${command.input || 'an input'} of ${name(command.node)}`;
+    case 'setStanding':
+      return `${STANDING_WORDS[command.standing]} ${several(command.nodes, name)}`;
     case 'setMuxer':
     case 'setDemuxer':
     case 'setValue':
@@ -95,6 +97,12 @@ function removal(graph: Graph, nodes: readonly string[], wires: readonly string[
   if (wire === undefined) return `Disconnect ${wires.length} wires`;
   return `Disconnect ${portName(graph, wire.from)} from ${portName(graph, wire.to)}`;
 }
+
+const STANDING_WORDS: Readonly<Record<Standing, string>> = {
+  active: 'Use',
+  bypassed: 'Bypass',
+  muted: 'Mute',
+};
 
 const MODULE_WORDS: Readonly<Record<string, string>> = {
   name: 'the name',

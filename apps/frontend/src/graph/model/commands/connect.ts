@@ -62,7 +62,7 @@ function connectModules(
 }
 
 /** Topics an output goes to: those without a node first. */
-function writtenTopics(graph: Graph, from: PortRef): string[] {
+export function writtenTopics(graph: Graph, from: PortRef): string[] {
   const wires = wiresAt(graph, from);
   const hidden = wires.flatMap(({ via }) => via ?? []);
   const shown = wires.flatMap(({ to }) => {

@@ -75,6 +75,13 @@ export const setConstant = (
     return { ...old, constants };
   });
 
+export const setStanding = (
+  edit: GraphEdit,
+  { nodes, standing }: CommandOf<'setStanding'>,
+): void => {
+  for (const id of nodes) editOf(edit, id, 'module', (old) => ({ ...old, standing }));
+};
+
 export const setMuxer = (edit: GraphEdit, { node, changes }: CommandOf<'setMuxer'>): void =>
   editOf(edit, node, 'muxer', (old) => muxerNode({ ...old.mux, ...changes, id: old.mux.id }, old));
 

@@ -1,5 +1,14 @@
 import type { ProcessingModule, TopicDemux, TopicMux } from '@ubii/proto';
-import type { FrameNode, GraphNode, Point, PortRef, SessionDetails, Size, Wire } from '../graph.ts';
+import type {
+  FrameNode,
+  GraphNode,
+  Point,
+  PortRef,
+  SessionDetails,
+  Size,
+  Standing,
+  Wire,
+} from '../graph.ts';
 import type { GraphPatch } from './graph-edit.ts';
 
 /** Whatever a person does to a graph. What names something that is not there does nothing. */
@@ -46,6 +55,12 @@ export type GraphCommand =
       readonly node: string;
       readonly input: string;
       readonly json: string | undefined;
+    }
+  /** Bypasses or mutes modules, or puts them to work again. */
+  | {
+      readonly kind: 'setStanding';
+      readonly nodes: readonly string[];
+      readonly standing: Standing;
     }
   | { readonly kind: 'setMuxer'; readonly node: string; readonly changes: Partial<TopicMux> }
   | { readonly kind: 'setDemuxer'; readonly node: string; readonly changes: Partial<TopicDemux> }

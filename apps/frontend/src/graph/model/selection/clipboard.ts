@@ -143,6 +143,7 @@ function nodeToJson(node: GraphNode): JsonObject {
         ...look,
         module: toJson('ubii.processing.ProcessingModule', node.module),
         constants: [...node.constants].map((pair) => [...pair]),
+        standing: node.standing,
       };
     case 'muxer':
       return { ...look, message: toJson('ubii.devices.TopicMux', node.mux) };

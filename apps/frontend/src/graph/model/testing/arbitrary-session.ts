@@ -134,6 +134,31 @@ export const arbitraryEditorJson = fc.oneof(
           fc.constant({ 'topic:/a out > module:a in:x': [[1, 2]], 'no wire': 'at all' }),
           fc.jsonValue(),
         ),
+        aside: fc.oneof(
+          fc.jsonValue(),
+          fc.record({
+            modules: fc.array(
+              fc.record({
+                standing: fc.constantFrom('bypassed', 'muted'),
+                module: module.map((one) => ({ ...one, id: 'aside' })),
+                mapping: fc.constantFrom(null, { processingModuleId: 'aside' }),
+                moduleIndex: fc.nat(3),
+                mappingIndex: fc.nat(3),
+              }),
+              { maxLength: 2 },
+            ),
+            detours: fc.constantFrom(
+              [],
+              [
+                {
+                  moduleId: 'a',
+                  was: { inputName: 'x', topic: '/t' },
+                  now: { inputName: 'x', topic: '/a' },
+                },
+              ],
+            ),
+          }),
+        ),
         theirs: fc.jsonValue(),
       },
       { requiredKeys: ['format', 'version'] },

@@ -121,6 +121,11 @@ const MAKERS: { readonly [K in CommandKind]: Maker<K> } = {
     input: 'x',
     json: next() % 3 === 0 ? undefined : '{"double":2}',
   }),
+  setStanding: (graph, next) => ({
+    kind: 'setStanding',
+    nodes: nodeIds(graph, next),
+    standing: (['active', 'bypassed', 'muted'] as const)[next() % 3]!,
+  }),
   setMuxer: (graph, next) => ({
     kind: 'setMuxer',
     node: nodeId(graph, next),

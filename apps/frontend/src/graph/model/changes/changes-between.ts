@@ -1,0 +1,210 @@
+import type { IOMapping, ProcessingModule, Session } from '@ubii/proto';
+import { modeWords } from '../../../sessions/words/mode-words.ts';
+import { graphOf } from '../graph-of.ts';
+import {
+  readModules,
+  type InputEnds,
+  type MappedModule,
+  type OutputTarget,
+} from '../read-mappings.ts';
+import { sameValue } from './same-value.ts';
+
+/**
+ * What a change does to a session that runs [SE-15]: it counts at once, a module starts, restarts or
+ * ends, or nothing that runs notices.
+ */
+export type ChangeEffect = 'live' | 'start' | 'restart' | 'end' | 'none';
+
+/** One difference between a session as it runs and as it was edited. */
+export interface SessionChange {
+  readonly effect: ChangeEffect;
+  /** Id of the module it is about, if any. */
+  readonly moduleId: string | undefined;
+  /** One sentence for people. */
+  readonly words: string;
+}
+
+/** What would happen if the edited session took the place of the running one. */
+export function changesBetween(running: Session, edited: Session): SessionChange[] {
+  const before = new Map(readModules(running).map((module) => [module.nodeId, module]));
+  const after = new Map(readModules(edited).map((module) => [module.nodeId, module]));
+  const changes: SessionChange[] = [];
+  for (const [id, { module }] of before) {
+    if (!after.has(id)) changes.push(about(module, 'end', `${nameOf(module)} ends.`));
+  }
+  for (const [id, next] of after) {
+    const old = before.get(id);
+    if (old === undefined) {
+      changes.push(about(next.module, 'start', `${nameOf(next.module)} starts.`));
+    } else changes.push(...moduleChanges(old, next));
+  }
+  return [...changes, ...sessionChanges(running, edited)];
+}
+
+const nameOf = ({ name }: ProcessingModule): string => name || 'A module without a name';
+
+const about = ({ id }: ProcessingModule, effect: ChangeEffect, words: string): SessionChange => ({
+  effect,
+  moduleId: id,
+  words,
+});
+
+function* moduleChanges(old: MappedModule, next: MappedModule): Iterable<SessionChange> {
+  const { module } = next;
+  const name = nameOf(module);
+  const reasons = restartReasons(old.module, module);
+  if (reasons.length > 0) {
+    yield about(module, 'restart', `${name} restarts: ${reasons.join(', ')}.`);
+  }
+  const mode = modeWords(module.processingMode);
+  if (mode !== modeWords(old.module.processingMode)) {
+    yield about(module, 'live', `${name} runs ${mode}.`);
+  }
+  for (const input of new Set([...old.inputs.keys(), ...next.inputs.keys()])) {
+    const [was, is] = [inputWords(old.inputs.get(input)), inputWords(next.inputs.get(input))];
+    if (was !== is) yield about(module, 'live', `${name} · ${input} takes ${is}.`);
+  }
+  for (const output of new Set([...old.outputs.keys(), ...next.outputs.keys()])) {
+    const [was, is] = [outputWords(old.outputs.get(output)), outputWords(next.outputs.get(output))];
+    if (was !== is) yield about(module, 'live', `${name} · ${output} goes to ${is}.`);
+  }
+  if (spreadersOf(old) !== spreadersOf(next)) {
+    yield about(module, 'live', `${name} has other muxers or demuxers.`);
+  }
+  if (!sameValue(notes(old.module), notes(module))) {
+    yield about(module, 'none', `What is said about ${name} changes.`);
+  }
+}
+
+/** Why a module cannot go on as it is. */
+function restartReasons(old: ProcessingModule, next: ProcessingModule): string[] {
+  const reasons: string[] = [];
+  if (old.name !== next.name) reasons.push(`it was ${nameOf(old)}`);
+  if (!sameValue(codeOf(old), codeOf(next))) reasons.push('its code changed');
+  if (!sameValue(old.inputs, next.inputs)) reasons.push('its inputs changed');
+  if (!sameValue(old.outputs, next.outputs)) reasons.push('its outputs changed');
+  const [was, is] = [wishedNode(old), wishedNode(next)];
+  // Who asks for the node it is on anyway moves nothing.
+  if (was !== is && is !== old.nodeId) {
+    reasons.push(is === '' ? 'the master chooses its node' : 'it moves to another node');
+  }
+  return reasons;
+}
+
+/** Where people put it; empty: where the master did. [SE-30] */
+const wishedNode = ({ nodeId, extension }: ProcessingModule): string =>
+  extension?.replaceable === true ? '' : nodeId;
+
+const codeOf = (module: ProcessingModule): unknown => [
+  module.language,
+  module.onProcessingStringified,
+  module.onCreatedStringified,
+  module.onHaltedStringified,
+  module.onDestroyedStringified,
+  module.extension?.libraries ?? [],
+];
+
+const notes = ({ description, tags, authors, extension }: ProcessingModule): unknown => [
+  description,
+  tags,
+  authors,
+  extension?.version ?? '',
+];
+
+function inputWords(ends: InputEnds | undefined): string {
+  const words = (ends?.sources ?? []).map((source) =>
+    source.kind === 'topic' ? source.topic : `the muxer ${muxWords(source.mux)}`,
+  );
+  // A constant only counts where nothing else feeds the input. [PM-34]
+  if (words.length > 0) return words.join(' and ');
+  return ends?.constantJson ? `the constant ${ends.constantJson}` : 'nothing';
+}
+
+const muxWords = ({
+  topicGlob,
+  topicSelector,
+  name,
+}: NonNullable<IOMapping['inputMappings'][0]['topicMux']>): string =>
+  topicGlob || topicSelector || name || 'of components';
+
+function outputWords(targets: readonly OutputTarget[] | undefined): string {
+  const words = (targets ?? []).map((target) =>
+    target.kind === 'topic' ? target.topic : `the demuxer ${target.demux.outputTopicFormat}`,
+  );
+  return words.length > 0 ? words.join(' and ') : 'nothing';
+}
+
+/** What muxers and demuxers say beside their patterns, but their ids and names. */
+function spreadersOf({ inputs, outputs }: MappedModule): string {
+  const muxes = [...inputs].flatMap(([input, { sources }]) =>
+    sources.flatMap((source) => {
+      if (source.kind !== 'muxer') return [];
+      const {
+        id: _id,
+        name: _name,
+        topicGlob: _glob,
+        topicSelector: _selector,
+        ...rest
+      } = source.mux;
+      return [[input, rest]];
+    }),
+  );
+  const demuxes = [...outputs].flatMap(([output, targets]) =>
+    targets.flatMap((target) =>
+      target.kind === 'demuxer' ? [[output, target.demux.dataType]] : [],
+    ),
+  );
+  return JSON.stringify([muxes, demuxes].map((list) => [...list].sort()));
+}
+
+function* sessionChanges(running: Session, edited: Session): Iterable<SessionChange> {
+  const session = (effect: ChangeEffect, words: string): SessionChange => ({
+    effect,
+    moduleId: undefined,
+    words,
+  });
+  const [old, next] = [graphOf(running).details, graphOf(edited).details];
+  if (old.name !== next.name)
+    yield session('none', `The session is called ${next.name || 'nothing'}.`);
+  if (old.lockstepHertz !== next.lockstepHertz) {
+    const rate =
+      next.lockstepHertz === 0 ? 'as often as usual' : `${next.lockstepHertz} times a second`;
+    yield session('live', `Lockstep passes come ${rate}.`);
+  }
+  if (old.startWithMaster !== next.startWithMaster) {
+    const words = next.startWithMaster
+      ? 'starts with the master'
+      : 'does not start with the master';
+    yield session('none', `The session ${words}.`);
+  }
+  const said = ({ description, tags, authors, editable }: typeof old): unknown => [
+    description,
+    tags,
+    authors,
+    editable,
+  ];
+  if (!sameValue(said(old), said(next)))
+    yield session('none', 'What is said about the session changes.');
+  if ((running.extension?.editorJson ?? '') !== (edited.extension?.editorJson ?? '')) {
+    yield session('none', 'The nodes lie elsewhere.');
+  }
+}
+
+/** In a few words: `2 changes apply at once · mirror restarts`; empty when nothing that runs changes. */
+export function changeSummary(changes: readonly SessionChange[]): string {
+  const count = (effect: ChangeEffect): number =>
+    new Set(changes.filter((one) => one.effect === effect).map((one) => one.moduleId)).size;
+  const live = changes.filter(({ effect }) => effect === 'live').length;
+  const modules = (effect: ChangeEffect, verb: string): string => {
+    const number = count(effect);
+    if (number === 0) return '';
+    return number === 1 ? `1 module ${verb}s` : `${number} modules ${verb}`;
+  };
+  const words = [
+    live === 0 ? '' : live === 1 ? '1 change applies at once' : `${live} changes apply at once`,
+    modules('restart', 'restart'),
+    modules('start', 'start'),
+    modules('end', 'end'),
+  ];
+  return words.filter((word) => word !== '').join(' · ');
+}

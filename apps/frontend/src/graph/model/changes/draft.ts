@@ -1,0 +1,88 @@
+import { fromJson, toJson, type Session } from '@ubii/proto';
+
+const SESSION = 'ubii.sessions.Session';
+const PREFIX = 'ubii.graph.draft.';
+const VERSION = 1;
+
+/** Work on a session that is not saved. */
+export interface Draft {
+  readonly sessionId: string;
+  /** Revision of the session it began with. */
+  readonly revision: number;
+  /** The session it began with: what others did since can be merged. */
+  readonly base: Session;
+  readonly edited: Session;
+  /** Epoch milliseconds. */
+  readonly savedMs: number;
+}
+
+/** Where drafts are kept; `localStorage` is one. */
+export type DraftStorage = Pick<Storage, 'getItem' | 'setItem' | 'removeItem' | 'key' | 'length'>;
+
+/** A draft as text. */
+export function draftText({ sessionId, revision, base, edited, savedMs }: Draft): string {
+  return JSON.stringify({
+    version: VERSION,
+    sessionId,
+    revision,
+    savedMs,
+    base: toJson(SESSION, base),
+    edited: toJson(SESSION, edited),
+  });
+}
+
+/** A draft of its text; undefined when it is none of ours. */
+export function parseDraft(text: string): Draft | undefined {
+  try {
+    const json = JSON.parse(text) as Partial<Record<keyof Draft | 'version', unknown>> | null;
+    if (json?.version !== VERSION) return undefined;
+    const { sessionId, revision, savedMs } = json;
+    if (typeof sessionId !== 'string') return undefined;
+    if (typeof revision !== 'number' || typeof savedMs !== 'number') return undefined;
+    const base = fromJson(SESSION, json.base);
+    return { sessionId, revision, savedMs, base, edited: fromJson(SESSION, json.edited) };
+  } catch {
+    return undefined;
+  }
+}
+
+/** @returns false when there is no room, or storing is not allowed: people have to know */
+export function saveDraft(storage: DraftStorage, draft: Draft): boolean {
+  try {
+    storage.setItem(`${PREFIX}${draft.sessionId}`, draftText(draft));
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+export function findDraft(storage: DraftStorage, sessionId: string): Draft | undefined {
+  try {
+    const text = storage.getItem(`${PREFIX}${sessionId}`);
+    const draft = text === null ? undefined : parseDraft(text);
+    return draft?.sessionId === sessionId ? draft : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+export function removeDraft(storage: DraftStorage, sessionId: string): void {
+  try {
+    storage.removeItem(`${PREFIX}${sessionId}`);
+  } catch {
+    // Where nothing can be stored there is nothing to remove.
+  }
+}
+
+/** Drafts that are kept, newest first. */
+export function listDrafts(storage: DraftStorage): Draft[] {
+  try {
+    const keys = Array.from({ length: storage.length }, (_, index) => storage.key(index) ?? '');
+    return keys
+      .filter((key) => key.startsWith(PREFIX))
+      .flatMap((key) => findDraft(storage, key.slice(PREFIX.length)) ?? [])
+      .sort((a, b) => b.savedMs - a.savedMs);
+  } catch {
+    return [];
+  }
+}

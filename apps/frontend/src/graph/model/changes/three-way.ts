@@ -1,0 +1,48 @@
+import { sameValue } from './same-value.ts';
+
+/** What becomes of one thing that two people may have changed. */
+export type ThreeWay<T> =
+  | { readonly kind: 'same' | 'mine' | 'theirs'; readonly value: T }
+  /** Both, in different ways. */
+  | { readonly kind: 'conflict'; readonly value: T };
+
+/** Whoever changed it wins; when both did, mine stands. */
+export function threeWay<T>(base: T, mine: T, theirs: T): ThreeWay<T> {
+  if (sameValue(mine, theirs)) return { kind: 'same', value: mine };
+  if (sameValue(base, mine)) return { kind: 'theirs', value: theirs };
+  if (sameValue(base, theirs)) return { kind: 'mine', value: mine };
+  return { kind: 'conflict', value: mine };
+}
+
+/** Members of an object, each on its own. */
+export function mergeMembers<T extends object>(
+  base: T,
+  mine: T,
+  theirs: T,
+  onConflict: (member: keyof T & string, theirs: unknown, mine: unknown) => void,
+): T {
+  const merged: Record<string, unknown> = {};
+  const members = new Set([...Object.keys(mine), ...Object.keys(theirs)]);
+  for (const member of members as Set<keyof T & string>) {
+    const result = threeWay<unknown>(base[member], mine[member], theirs[member]);
+    if (result.kind === 'conflict') onConflict(member, theirs[member], mine[member]);
+    if (result.value !== undefined || member in mine) merged[member] = result.value;
+  }
+  return merged as T;
+}
+
+/** Entries of a map, each on its own. */
+export function mergeEntries<V>(
+  base: ReadonlyMap<string, V>,
+  mine: ReadonlyMap<string, V>,
+  theirs: ReadonlyMap<string, V>,
+  onConflict: (key: string, theirs: V | undefined, mine: V | undefined) => void,
+): Map<string, V> {
+  const merged = new Map<string, V>();
+  for (const key of new Set([...mine.keys(), ...theirs.keys()])) {
+    const result = threeWay(base.get(key), mine.get(key), theirs.get(key));
+    if (result.kind === 'conflict') onConflict(key, theirs.get(key), mine.get(key));
+    if (result.value !== undefined) merged.set(key, result.value);
+  }
+  return merged;
+}

@@ -1,0 +1,145 @@
+import { fromJson, toJson, type JsonObject, type JsonValue, type Session } from '@ubii/proto';
+import type { IOMapping, ProcessingModule, TopicInputMapping } from '@ubii/proto';
+import { sameValue } from '../changes/same-value.ts';
+import type { Standing } from '../graph.ts';
+
+/** An input that reads something else while a module is set aside. */
+export interface Detour {
+  readonly moduleId: string;
+  readonly was: TopicInputMapping;
+  readonly now: TopicInputMapping;
+}
+
+/** A module that a session knows of and does not run. Old clients do not see it at all. */
+export interface SetAside {
+  readonly standing: Exclude<Standing, 'active'>;
+  readonly module: ProcessingModule;
+  readonly mapping: IOMapping | undefined;
+  /** Where both stand in the lists of the session when nothing is set aside. */
+  readonly moduleIndex: number;
+  readonly mappingIndex: number;
+}
+
+/** All that is set aside in a session. */
+export interface Aside {
+  readonly modules: readonly SetAside[];
+  readonly detours: readonly Detour[];
+}
+
+export const NOTHING_ASIDE: Aside = { modules: [], detours: [] };
+
+/** The session as it would be with all its modules at work. */
+export function restored(session: Session, { modules, detours }: Aside): Session {
+  const taken = new Set(session.processingModules.map(({ id }) => id));
+  const back = modules.filter(({ module: { id } }) => {
+    const isFree = id !== '' && !taken.has(id);
+    taken.add(id);
+    return isFree;
+  });
+  if (back.length === 0) return session;
+  const processingModules = [...session.processingModules];
+  const ioMappings = session.ioMappings.map((mapping) => withoutDetours(mapping, detours));
+  for (const { module, moduleIndex } of sortedBy(back, 'moduleIndex')) {
+    processingModules.splice(moduleIndex, 0, module);
+  }
+  for (const { mapping, mappingIndex } of sortedBy(back, 'mappingIndex')) {
+    if (mapping !== undefined) ioMappings.splice(mappingIndex, 0, mapping);
+  }
+  return { ...session, processingModules, ioMappings };
+}
+
+const sortedBy = (list: readonly SetAside[], key: 'moduleIndex' | 'mappingIndex'): SetAside[] =>
+  [...list].sort((a, b) => a[key] - b[key]);
+
+function withoutDetours(mapping: IOMapping, detours: readonly Detour[]): IOMapping {
+  const own = detours.filter(({ moduleId }) => moduleId === mapping.processingModuleId);
+  if (own.length === 0) return mapping;
+  return {
+    ...mapping,
+    // What somebody has changed since stays as they changed it.
+    inputMappings: mapping.inputMappings.map(
+      (one) => own.find(({ now }) => sameValue(now, one))?.was ?? one,
+    ),
+  };
+}
+
+/** The session without the modules, and with the detours. */
+export function setAside(session: Session, { modules, detours }: Aside): Session {
+  if (modules.length === 0) return session;
+  const resting = new Set(modules.map(({ module }) => module));
+  const mappings = new Set(modules.map(({ mapping }) => mapping));
+  return {
+    ...session,
+    processingModules: session.processingModules.filter((module) => !resting.has(module)),
+    ioMappings: session.ioMappings
+      .filter((mapping) => !mappings.has(mapping))
+      .map((mapping) => {
+        const own = detours.filter(({ moduleId }) => moduleId === mapping.processingModuleId);
+        if (own.length === 0) return mapping;
+        const inputMappings = mapping.inputMappings.map(
+          (one) => own.find(({ was }) => was === one)?.now ?? one,
+        );
+        return { ...mapping, inputMappings };
+      }),
+  };
+}
+
+const MODULE = 'ubii.processing.ProcessingModule';
+const MAPPING = 'ubii.sessions.IOMapping';
+const INPUT = 'ubii.sessions.TopicInputMapping';
+
+/** For the editor data; undefined when nothing is set aside. */
+export function asideJson({ modules, detours }: Aside): JsonObject | undefined {
+  if (modules.length === 0) return undefined;
+  return {
+    modules: modules.map(({ standing, module, mapping, moduleIndex, mappingIndex }) => ({
+      standing,
+      module: toJson(MODULE, module),
+      mapping: mapping === undefined ? null : toJson(MAPPING, mapping),
+      moduleIndex,
+      mappingIndex,
+    })),
+    detours: detours.map(({ moduleId, was, now }) => ({
+      moduleId,
+      was: toJson(INPUT, was),
+      now: toJson(INPUT, now),
+    })),
+  };
+}
+
+/** Undefined when it is nothing of ours. */
+export function readAside(json: JsonValue | undefined): Aside | undefined {
+  if (!isObject(json) || !Array.isArray(json.modules) || !Array.isArray(json.detours)) {
+    return undefined;
+  }
+  try {
+    return { modules: json.modules.map(readModule), detours: json.detours.map(readDetour) };
+  } catch {
+    return undefined;
+  }
+}
+
+const isObject = (value: unknown): value is JsonObject =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+
+function readModule(json: JsonValue): SetAside {
+  if (!isObject(json)) throw new TypeError('no module');
+  const { standing, mapping, moduleIndex, mappingIndex } = json;
+  if (standing !== 'bypassed' && standing !== 'muted') throw new TypeError('no standing');
+  if (!isIndex(moduleIndex) || !isIndex(mappingIndex)) throw new TypeError('no place');
+  return {
+    standing,
+    module: fromJson(MODULE, json.module),
+    mapping: mapping === null ? undefined : fromJson(MAPPING, mapping),
+    moduleIndex,
+    mappingIndex,
+  };
+}
+
+const isIndex = (value: unknown): value is number => Number.isInteger(value) && Number(value) >= 0;
+
+function readDetour(json: JsonValue): Detour {
+  if (!isObject(json) || typeof json.moduleId !== 'string') throw new TypeError('no detour');
+  const { moduleId, was, now } = json;
+  return { moduleId, was: fromJson(INPUT, was), now: fromJson(INPUT, now) };
+}
