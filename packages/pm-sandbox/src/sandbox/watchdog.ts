@@ -37,8 +37,11 @@ export type Verdict<C> =
 
 /** A worker that has not begun to run by then never will, milliseconds. */
 const START_TIMEOUT_MS = 30_000;
-/** How long a worker may take no message, milliseconds. */
-const DEAF_TIMEOUT_MS = 500;
+/**
+ * How long a worker may take no message while no instance runs, milliseconds. Nobody is caught in a loop
+ * then; on a busy machine it merely gets no turn, and ending it would cost all its instances their state.
+ */
+const DEAF_TIMEOUT_MS = 5_000;
 
 /**
  * Looks at a worker again and again while calls are under way. It counts its looks, not time: a

@@ -162,7 +162,9 @@ describe('WorkerHost', () => {
     worker.tell({ kind: 'ready' });
     const run = faultFrom(worker.host.run(a, CALL));
     worker.endTurn();
-    worker.pass(1_000);
+    worker.pass(2_000);
+    expect(worker.ended).toEqual([]); // A busy machine gives it no turn.
+    worker.pass(5_000);
     expect((await run).message).toContain('does not answer');
     expect(worker.ended).toEqual([undefined]);
   });
