@@ -101,6 +101,14 @@ for (const [theme, screen] of SCREENS) {
     await page.goto(`/sessions/${session!.id}/text`);
     await expect(page.getByRole('textbox', { name: 'Session as JSON' })).toBeVisible();
     await expectAccessible(page);
+    await page.goto(`/sessions/${session!.id}/graph`);
+    await expect(page.getByRole('toolbar', { name: 'Graph tools' })).toBeVisible();
+    await expectAccessible(page);
+    if (screen === 'desktop') {
+      await page.getByRole('group', { name: 'Module noisy' }).click();
+      await expect(page.getByRole('heading', { name: 'noisy', exact: true })).toBeVisible();
+      await expectAccessible(page);
+    }
     await page.goto('/sessions');
     await expect(page.getByRole('list', { name: 'Sessions' })).toContainText('Noisy');
     await expectAccessible(page);

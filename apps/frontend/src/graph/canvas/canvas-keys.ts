@@ -8,6 +8,7 @@ import { removeAndReconnect } from '../model/selection/reconnect.ts';
 export interface CanvasActions {
   fit(): void;
   add(): void;
+  find(): void;
   cancel(): void;
   open(node: string): void;
 }
@@ -28,7 +29,7 @@ export function canvasKey(
   actions: CanvasActions,
 ): boolean {
   const { nodes, wire } = editor.selection.value;
-  if (event.ctrlKey || event.metaKey) return commandKey(editor, event);
+  if (event.ctrlKey || event.metaKey) return commandKey(editor, event, actions);
   if (event.altKey) return false;
   const arrow = ARROWS[event.key];
   if (arrow !== undefined) {
@@ -79,7 +80,11 @@ export function canvasKey(
   }
 }
 
-function commandKey(editor: GraphEditor, { key, shiftKey }: KeyboardEvent): boolean {
+function commandKey(
+  editor: GraphEditor,
+  { key, shiftKey }: KeyboardEvent,
+  actions: CanvasActions,
+): boolean {
   switch (key.toLowerCase()) {
     case 'z':
       if (shiftKey) editor.redo();
@@ -90,6 +95,9 @@ function commandKey(editor: GraphEditor, { key, shiftKey }: KeyboardEvent): bool
       return true;
     case 'a':
       editor.select(editor.graph.value.nodes.keys());
+      return true;
+    case 'f':
+      actions.find();
       return true;
     case 'd': {
       const copy = duplicate(editor.graph.value, editor.selection.value.nodes, randomUuid);

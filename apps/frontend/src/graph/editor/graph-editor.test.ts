@@ -62,24 +62,30 @@ describe('the graph editor', () => {
     const editor = editorOf(withRevision(3));
     editor.handleSession(withRevision(4, 'Renamed'));
     expect(editor.graph.value.details.name).toBe('Renamed');
-    expect(editor.theirs.value).toBeUndefined();
+    expect(editor.merged.value).toBeUndefined();
   });
 
-  it('keeps changes when others saved, until somebody decides', () => {
+  it('puts changes on top of what others saved meanwhile', () => {
     const editor = editorOf(withRevision(3));
     addTopic(editor, '/b');
     editor.handleSession(withRevision(4, 'Renamed'));
-    expect(editor.theirs.value?.name).toBe('Renamed');
+    expect(editor.merged.value).toEqual([]);
+    expect(editor.graph.value.details.name).toBe('Renamed');
     expect(editor.graph.value.nodes.has('topic:/b')).toBe(true);
-    editor.keepMine();
-    expect(editor.theirs.value).toBeUndefined();
     expect(editor.toSession().extension?.revision).toBe(4);
-    expect(editor.toSession().name).toBe('Two hands');
+    editor.undo();
+    expect(editor.changes.value).toBe(0);
+  });
 
-    editor.handleSession(withRevision(5, 'Once more'));
-    editor.takeTheirs();
-    expect(editor.graph.value.details.name).toBe('Once more');
-    expect(editor.graph.value.nodes.has('topic:/b')).toBe(false);
+  it('names what both changed, keeps mine, and takes theirs when asked', () => {
+    const editor = editorOf(withRevision(3));
+    editor.apply({ kind: 'setDetails', changes: { name: 'Mine' } });
+    editor.handleSession(withRevision(4, 'Theirs'));
+    expect(editor.graph.value.details.name).toBe('Mine');
+    const [conflict] = editor.merged.value ?? [];
+    editor.takeTheirs(conflict!);
+    expect(editor.graph.value.details.name).toBe('Theirs');
+    expect(editor.merged.value).toEqual([]);
   });
 
   it('hears how the session lives without losing changes', () => {
@@ -96,7 +102,7 @@ describe('the graph editor', () => {
     addTopic(editor, '/b');
     const draft = editor.toSession();
     const reloaded = editorOf(aSession());
-    reloaded.replace(draft);
+    reloaded.resume(editor.baseSession(), draft);
     expect(reloaded.graph.value.nodes.has('topic:/b')).toBe(true);
     expect(reloaded.changes.value).toBeGreaterThan(0);
   });

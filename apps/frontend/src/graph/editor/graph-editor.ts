@@ -13,8 +13,10 @@ import type { GraphCommand } from '../model/commands/graph-command.ts';
 import { graphOf } from '../model/graph-of.ts';
 import type { Graph, Point } from '../model/graph.ts';
 import { sessionOf } from '../model/session-of.ts';
+import type { Conflict } from '../model/changes/conflict.ts';
 import { withIds } from '../model/with-ids.ts';
 import { placesOf } from './places.ts';
+import { rebase } from './rebase.ts';
 import { isSameGraph } from './same-graph.ts';
 
 /** What is selected: nodes, or one wire. */
@@ -42,8 +44,8 @@ export interface GraphEditor {
   /** What the next undo takes back, in words; undefined when there is nothing. */
   readonly undoLabel: ComputedRef<string | undefined>;
   readonly redoLabel: ComputedRef<string | undefined>;
-  /** Somebody else saved the session while there were changes here. */
-  readonly theirs: Readonly<ShallowRef<Session | undefined>>;
+  /** Somebody else saved the session while there were changes here: what both changed. */
+  readonly merged: Readonly<ShallowRef<readonly Conflict[] | undefined>>;
   /** @param key the same for all commands that are one step: the parts of a drag, letters typed */
   apply(command: GraphCommand, key?: string): void;
   /** Ends such a step. */
@@ -60,12 +62,14 @@ export interface GraphEditor {
   mark(): Saved;
   /** The master has what was there at the mark. */
   handleSaved(session: Session, mark: Saved): void;
-  /** Shows another version of the session, as changes that are not saved. */
-  replace(draft: Session): void;
-  /** Forgets the changes made here and shows what the others saved. */
-  takeTheirs(): void;
-  /** Keeps the changes made here; saving replaces what the others saved. */
-  keepMine(): void;
+  /** Does it the way of the others. */
+  takeTheirs(conflict: Conflict): void;
+  /** What was merged was read. */
+  dismissMerge(): void;
+  /** What the changes began with, for keeping both. */
+  baseSession(): Session;
+  /** Takes up changes that were made before, to a session as it was then. */
+  resume(before: Session, edited: Session): void;
 }
 
 const NOTHING: Selection = { nodes: new Set(), wire: undefined };
@@ -81,7 +85,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
   const selection = shallowRef<Selection>(NOTHING);
   /** What is saved. */
   const saved = shallowRef({ graph: graph.value, steps: 0 });
-  const theirs = shallowRef<Session>();
+  const merged = shallowRef<readonly Conflict[]>();
   const changes = computed(() => {
     if (isSameGraph(graph.value, saved.value.graph)) return 0;
     return Math.max(1, Math.abs(state.value.past.length - saved.value.steps));
@@ -99,9 +103,20 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
   function reset(next: Session): void {
     base = withIds(next, uuid);
     session.value = next;
-    theirs.value = undefined;
+    merged.value = undefined;
     show(startEditing(graphOf(base)));
     saved.value = { graph: graph.value, steps: 0 };
+  }
+
+  /** Puts changes on top of what the master has now. */
+  function rebaseOn(next: Session, before: Graph, mine: Graph): void {
+    base = withIds(next, uuid);
+    session.value = next;
+    const theirs = graphOf(base);
+    const { state: rebased, conflicts } = rebase(before, mine, theirs);
+    saved.value = { graph: theirs, steps: 0 };
+    show(rebased);
+    merged.value = conflicts;
   }
 
   return {
@@ -112,7 +127,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     changes,
     undoLabel: computed(() => state.value.past.at(-1)?.label),
     redoLabel: computed(() => state.value.future.at(-1)?.label),
-    theirs,
+    merged,
     apply: (command, key) => show(perform(state.value, command, key)),
     seal: () => (state.value = seal(state.value)),
     undo: () => show(undo(state.value)),
@@ -126,10 +141,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     handleSession(next) {
       if (revisionOf(next) <= revisionOf(base)) session.value = next;
       else if (changes.value === 0) reset(next);
-      else {
-        session.value = next;
-        theirs.value = next;
-      }
+      else rebaseOn(next, graphOf(base), graph.value);
     },
     toSession() {
       const positions = placesOf(graph.value);
@@ -138,20 +150,19 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     handleSaved(next, sent) {
       base = next;
       session.value = next;
-      theirs.value = undefined;
+      merged.value = undefined;
       saved.value = sent;
     },
     mark: () => ({ graph: graph.value, steps: state.value.past.length }),
-    replace(draft) {
-      // The steps of it are not known any more, only where they led.
-      show({ graph: graphOf(withIds(draft, uuid)), past: [], future: [] });
+    takeTheirs(conflict) {
+      show(perform(state.value, conflict.takeTheirs));
+      merged.value = merged.value?.filter((other) => other !== conflict);
     },
-    takeTheirs: () => reset(theirs.value ?? session.value),
-    keepMine() {
-      const revision = theirs.value && revisionOf(theirs.value);
-      theirs.value = undefined;
-      if (revision === undefined || base.extension === undefined) return;
-      base = { ...base, extension: { ...base.extension, revision } };
+    dismissMerge: () => (merged.value = undefined),
+    baseSession: () => base,
+    resume(before, edited) {
+      rebaseOn(session.value, graphOf(before), graphOf(edited));
+      if (merged.value?.length === 0) merged.value = undefined;
     },
   };
 }

@@ -18,7 +18,7 @@ export function modeOf(kind: ModeKind): ProcessingMode {
     case 'trigger':
       return { triggerOnInput: { minDelayMs: 0, allInputsNeedUpdate: false } };
     case 'lockstep':
-      return { lockstep: {} };
+      return { lockstep: { processRequestEndpoint: '' } };
     case 'free':
       return { free: {} };
   }

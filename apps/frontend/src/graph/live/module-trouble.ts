@@ -3,9 +3,9 @@ import { ModuleEventKind, type ModuleEvent, type Session, type SessionProblem } 
 /** What is wrong with a module. */
 export interface ModuleTrouble {
   readonly count: number;
-  /** The first error that the session names now. */
+  /** The first error that the session names now, else what went wrong in the last seconds. */
   readonly failure: Pick<SessionProblem, 'message'> | undefined;
-  /** The newest event that says where in the code it happened. */
+  /** The newest event of something that went wrong; it may say where in the code. */
   readonly event: ModuleEvent | undefined;
 }
 
@@ -18,18 +18,25 @@ const BAD: ReadonlySet<ModuleEventKind> = new Set([
   ModuleEventKind.FAILED,
 ]);
 
-/** @param events oldest first */
+/** An error of a run counts for so long. */
+const RECENT_MS = 10_000;
+
+/**
+ * @param events oldest first
+ * @param nowMs epoch milliseconds, of the master's clock
+ */
 export function moduleTrouble(
   session: Pick<Session, 'extension'>,
   events: readonly ModuleEvent[],
   moduleId: string,
+  nowMs: number,
 ): ModuleTrouble {
   const problems = (session.extension?.problems ?? []).filter(
     (one) => one.moduleId === moduleId && !SAID_ANYWAY.has(one.code),
   );
-  return {
-    count: problems.length,
-    failure: problems.find(({ isError }) => isError),
-    event: events.findLast((one) => one.moduleId === moduleId && BAD.has(one.kind)),
-  };
+  const event = events.findLast((one) => one.moduleId === moduleId && BAD.has(one.kind));
+  const isRecent = event !== undefined && nowMs - event.timeMs < RECENT_MS;
+  const error = problems.find(({ isError }) => isError);
+  const count = problems.length + (isRecent && error === undefined ? 1 : 0);
+  return { count, failure: error ?? (isRecent ? event : undefined), event };
 }

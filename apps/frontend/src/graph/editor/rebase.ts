@@ -1,0 +1,33 @@
+import { mergeGraphs } from '../model/changes/merge-graphs.ts';
+import type { Conflict } from '../model/changes/conflict.ts';
+import { perform, startEditing, type EditState } from '../model/commands/edit-state.ts';
+import type { Graph } from '../model/graph.ts';
+
+/** Work of one's own on top of what somebody else saved. */
+export interface Rebased {
+  readonly state: EditState;
+  readonly conflicts: readonly Conflict[];
+}
+
+/** The changes from `base` to `mine`, as one step after `theirs`. */
+export function rebase(base: Graph, mine: Graph, theirs: Graph): Rebased {
+  const { graph, conflicts } = mergeGraphs(base, mine, theirs);
+  const patch = {
+    nodes: differing(theirs.nodes, graph.nodes),
+    wires: differing(theirs.wires, graph.wires),
+    details: graph.details,
+  };
+  const label = 'Your changes from before';
+  const state = perform(startEditing(theirs), { kind: 'patch', patch, label });
+  return { state, conflicts };
+}
+
+function differing<T>(
+  from: ReadonlyMap<string, T>,
+  to: ReadonlyMap<string, T>,
+): ReadonlyMap<string, T | undefined> {
+  const ids = new Set([...from.keys(), ...to.keys()]);
+  return new Map(
+    [...ids].filter((id) => from.get(id) !== to.get(id)).map((id) => [id, to.get(id)]),
+  );
+}

@@ -1,0 +1,37 @@
+import { fromJson, ModuleEventKind, type ModuleEvent } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { aSession } from '../../sessions/testing/a-session.ts';
+import { moduleTrouble } from './module-trouble.ts';
+
+const event = (timeMs: number, kind: ModuleEventKind): ModuleEvent => ({
+  ...fromJson('ubii.extension.ModuleEvent', { moduleId: 'module', message: 'broken', line: 7 }),
+  timeMs,
+  kind,
+});
+
+describe('moduleTrouble', () => {
+  it('is none where nothing is wrong; what rows say anyway does not count', () => {
+    const problems = [{ moduleId: 'module', code: 'output_not_mapped', message: 'x' }];
+    const session = aSession({ json: { extension: { problems } } });
+    expect(moduleTrouble(session, [event(1, ModuleEventKind.LOG)], 'module', 2)).toEqual({
+      count: 0,
+      failure: undefined,
+      event: undefined,
+    });
+  });
+
+  it('is an error of the last seconds, and what the session says', () => {
+    const failed = event(1000, ModuleEventKind.ERROR);
+    expect(moduleTrouble(aSession(), [failed], 'module', 2000)).toMatchObject({
+      count: 1,
+      failure: { message: 'broken' },
+    });
+    expect(moduleTrouble(aSession(), [failed], 'module', 60_000).failure).toBeUndefined();
+    const problems = [{ moduleId: 'module', message: 'given up', isError: true }];
+    const session = aSession({ json: { extension: { problems } } });
+    expect(moduleTrouble(session, [failed], 'module', 2000)).toMatchObject({
+      count: 1,
+      failure: { message: 'given up' },
+    });
+  });
+});
