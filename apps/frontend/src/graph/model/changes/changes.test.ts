@@ -106,6 +106,13 @@ describe('somebody else’s change', () => {
     expect(merged.details.name).toBe('Mine');
   });
 
+  it('shares what I did not touch', () => {
+    const theirs = graphOf(sessionOf(after(graph, constant('{"double":1}')), session));
+    const { graph: merged } = mergeGraphs(graph, after(graph, remove('topic:/in')), theirs);
+    expect(merged.nodes.get('module:b')).toBe(theirs.nodes.get('module:b'));
+    expect(mergeGraphs(graph, graph, theirs).graph.nodes).toEqual(theirs.nodes);
+  });
+
   it('of the same thing is a conflict that keeps both', () => {
     const { graph: merged, conflicts } = mergeGraphs(
       graph,

@@ -53,7 +53,7 @@ function mergeNodes(
   for (const id of new Set([...theirs.nodes.keys(), ...mine.nodes.keys()])) {
     const [b, m, t] = [base.nodes.get(id), mine.nodes.get(id), theirs.nodes.get(id)];
     if (m !== undefined && t !== undefined) {
-      nodes.set(id, mergeNode(b ?? m, m, t, conflicts));
+      nodes.set(id, mergedNode(b ?? m, m, t, conflicts));
     } else if (m !== undefined) {
       if (b === undefined || !sameNode(b, m)) nodes.set(id, m);
       if (b !== undefined && !sameNode(b, m)) conflicts.push(removedByThem(m));
@@ -63,6 +63,18 @@ function mergeNodes(
     }
   }
   return nodes;
+}
+
+/** Theirs or mine itself, where that is all there is to it: what is the same stays the same object. */
+function mergedNode(
+  base: GraphNode,
+  mine: GraphNode,
+  theirs: GraphNode,
+  conflicts: Conflict[],
+): GraphNode {
+  const whole = threeWay(base, mine, theirs);
+  if (whole.kind === 'same' || whole.kind === 'theirs') return theirs;
+  return whole.kind === 'mine' ? mine : mergeNode(base, mine, theirs, conflicts);
 }
 
 /** Where something lies does not count as a change of it. */
@@ -114,7 +126,8 @@ function mergeWires(
         });
       }
       const points = threeWay(origin.points, m.points, t.points).value;
-      wires.set(id, { ...m, via: via.value, points });
+      const merged = { ...m, via: via.value, points };
+      wires.set(id, sameValue(merged, t) ? t : merged);
     } else {
       // A wire that one of us added stays, one that one of us removed goes.
       const wire = m ?? t;

@@ -14,16 +14,11 @@ export function freeTopic(graph: Graph, { node, port }: PortRef): string {
   const source = graph.nodes.get(node);
   const name = source?.kind === 'module' ? source.module.name : '';
   const parts = [graph.details.name || 'session', name || 'module', ioName(port)];
-  return unusedTopic(graph, `/${parts.map(topicPart).join('/')}`);
+  return unusedTopic(topicsOf(graph), `/${parts.map(topicPart).join('/')}`);
 }
 
 /** The topic itself, or with the first number that makes it new. */
-export function unusedTopic(
-  graph: Graph,
-  wished: string,
-  alsoTaken: Iterable<string> = [],
-): string {
-  const taken = new Set([...topicsOf(graph), ...alsoTaken]);
+export function unusedTopic(taken: ReadonlySet<string>, wished: string): string {
   let topic = wished;
   for (let number = 2; taken.has(topic); number += 1) topic = `${wished}-${number}`;
   return topic;

@@ -1,3 +1,4 @@
+import type ELK from 'elkjs/lib/elk-api.js';
 import type { Point } from '../graph.ts';
 import { elkLayout } from './elk-layout.ts';
 import type { LayoutGraph } from './layout-graph.ts';
@@ -8,7 +9,7 @@ export type Layouter = (graph: LayoutGraph) => Promise<ReadonlyMap<string, Point
 /** What is used of a Worker. */
 export type LayoutThread = Pick<Worker, 'postMessage' | 'onmessage' | 'onerror' | 'terminate'>;
 
-type ElkConstructor = typeof import('elkjs/lib/elk-api.js').default;
+type ElkConstructor = typeof ELK;
 
 /** Bundlers and Node differ in what the default of a CommonJS module is. */
 async function loadElk(): Promise<ElkConstructor> {
@@ -21,13 +22,13 @@ async function loadElk(): Promise<ElkConstructor> {
 /** Lays out in a thread that is started for each question and ends with its answer. */
 export function threadLayouter(startThread: () => Promise<LayoutThread>): Layouter {
   return async (graph) => {
-    const [ELK, thread] = await Promise.all([loadElk(), startThread()]);
+    const [Elk, thread] = await Promise.all([loadElk(), startThread()]);
     try {
       // The library never hears of a thread that cannot start, and would wait for it for ever.
       const failed = new Promise<never>((_resolve, reject) => {
         thread.onerror = () => reject(new Error('The layout could not be computed in a worker.'));
       });
-      const elk = new ELK({ workerFactory: () => thread as Worker });
+      const elk = new Elk({ workerFactory: () => thread as Worker });
       return await Promise.race([elkLayout(elk, graph), failed]);
     } finally {
       thread.terminate();

@@ -11,7 +11,7 @@ import {
   muxerNode,
   topicNode,
 } from '../make-node.ts';
-import { unusedTopic } from '../commands/free-topic.ts';
+import { topicsOf, unusedTopic } from '../commands/free-topic.ts';
 import { wiresOf } from '../wires-of.ts';
 
 /** Marks a text as nodes of a graph. */
@@ -241,10 +241,12 @@ function wiresFromJson(
   ids: ReadonlyMap<string, string>,
 ): Wire[] {
   const topics = new Map<string, string>();
+  const taken = topicsOf(graph);
   const newTopic = (via: string): string => {
     let topic = topics.get(via);
     if (topic === undefined) {
-      topic = unusedTopic(graph, via, topics.values());
+      topic = unusedTopic(taken, via);
+      taken.add(topic);
       topics.set(via, topic);
     }
     return topic;

@@ -1,0 +1,120 @@
+import {
+  demuxTopic,
+  formatsFit,
+  hasPlaceholder,
+  identityOf,
+  identityRule,
+  muxSelector,
+  parseDemuxFormat,
+  REGEXP_PATTERNS,
+} from '@ubii/pm-sandbox';
+import {
+  globToRegExpSource,
+  parseDataFormat,
+  type Component,
+  type TopicDemux,
+  type TopicMux,
+} from '@ubii/proto';
+
+/** A topic that is there, with what is known of it. */
+export interface LiveTopic {
+  readonly topic: string;
+  /** In any spelling; empty: not known. */
+  readonly format: string;
+  /** Id of the client that publishes it, if that is known. */
+  readonly publisherId?: string;
+  /** Id of the device whose component has it, if that is known. */
+  readonly deviceId?: string;
+}
+
+/** One element the list of a muxer has now. */
+export interface MuxMatch {
+  readonly topic: string;
+  /** Undefined: none, so that what it goes to cannot tell it apart. [PM-43] */
+  readonly identity: string | undefined;
+  /** False: another data format, which the muxer leaves out. [PM-42] */
+  readonly fits: boolean;
+}
+
+/** What a muxer selects at the moment, or why it selects nothing. */
+export type MuxPreview =
+  | { readonly kind: 'matches'; readonly matches: readonly MuxMatch[] }
+  | { readonly kind: 'fault'; readonly reason: string };
+
+/**
+ * What a muxer would gather of the topics that are there, by the rules of the nodes [PM-41] [PM-43].
+ * @param topicsOf topics of the components that match a profile; without it profiles match nothing
+ */
+export function muxPreview(
+  mux: TopicMux,
+  topics: readonly LiveTopic[],
+  topicsOf: (profile: Component) => ReadonlySet<string> = () => new Set(),
+): MuxPreview {
+  const selector = muxSelector(mux);
+  if (selector === undefined) {
+    return { kind: 'fault', reason: 'It selects nothing yet: give it a pattern of topics.' };
+  }
+  try {
+    const selects = selectionOf(selector, topicsOf);
+    const rule = identityRule(mux, REGEXP_PATTERNS);
+    const format = parseDataFormat(mux.dataType);
+    const matches = topics.filter(({ topic }) => selects(topic));
+    return {
+      kind: 'matches',
+      matches: matches.map(({ topic, format: given, publisherId = '', deviceId = '' }) => ({
+        topic,
+        identity: identityOf(rule, {
+          topic,
+          bytes: NO_BYTES,
+          valueField: 0,
+          publisherId,
+          deviceId,
+        }),
+        fits: formatsFit(parseDataFormat(given), format),
+      })),
+    };
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    return { kind: 'fault', reason: `The pattern cannot be used: ${reason}` };
+  }
+}
+
+const NO_BYTES = new Uint8Array(0);
+
+function selectionOf(
+  selector: NonNullable<ReturnType<typeof muxSelector>>,
+  topicsOf: (profile: Component) => ReadonlySet<string>,
+): (topic: string) => boolean {
+  if (selector.kind === 'component') {
+    const topics = topicsOf(selector.profile);
+    return (topic) => topics.has(topic);
+  }
+  if (selector.kind === 'topic') return (topic) => topic === selector.topic;
+  const source = selector.kind === 'glob' ? globToRegExpSource(selector.glob) : selector.source;
+  const pattern = new RegExp(source);
+  return (topic) => pattern.test(topic);
+}
+
+/** Topics a demuxer would publish on for elements with these identities, or why it would not. [PM-45] */
+export type DemuxPreview =
+  | { readonly kind: 'topics'; readonly topics: readonly string[] }
+  | { readonly kind: 'fault'; readonly reason: string };
+
+export function demuxPreview(
+  { outputTopicFormat }: Pick<TopicDemux, 'outputTopicFormat'>,
+  identities: readonly string[],
+): DemuxPreview {
+  const format = parseDemuxFormat(outputTopicFormat);
+  if (!hasPlaceholder(format)) {
+    const reason =
+      'All elements would go to one topic: put {{#0}} or {{identity}} where they differ.';
+    return { kind: 'fault', reason };
+  }
+  const topics: string[] = [];
+  for (const identity of identities) {
+    const result = demuxTopic(format, [identity], identity);
+    if ('topic' in result) topics.push(result.topic);
+    else return { kind: 'fault', reason: `An element cannot be published: ${result.lacks}.` };
+  }
+  return { kind: 'topics', topics };
+}
