@@ -1,3 +1,4 @@
+import { decode, encode } from '@ubii/proto';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { graphOf } from '../graph-of.ts';
@@ -9,6 +10,7 @@ import { withIds } from '../with-ids.ts';
 import { applyCommand } from './apply-command.ts';
 import { perform, redo, startEditing, undo, type EditState } from './edit-state.ts';
 
+const SESSION = 'ubii.sessions.Session';
 const numbers = fc.array(fc.nat(60), { minLength: 1, maxLength: 60 });
 
 function counter(): () => string {
@@ -79,6 +81,7 @@ describe('commands on any graph', { timeout: TIMEOUT_MS }, () => {
         const session = withIds(loose, counter());
         const { graph } = edited(graphOf(session), list);
         const saved = sessionOf(graph, session);
+        expect(decode(SESSION, encode(SESSION, saved))).toStrictEqual(saved);
         expect(told(graphOf(saved))).toEqual(told(graph));
         expect(sessionOf(graphOf(saved), saved)).toStrictEqual(saved);
       }),
