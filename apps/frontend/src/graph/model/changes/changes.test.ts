@@ -13,6 +13,7 @@ import { aGraphOf, aModule, aSessionOf, ref, wiresIn } from '../testing/small-gr
 import { withIds } from '../with-ids.ts';
 import { changesBetween, changeSummary } from './changes-between.ts';
 import { draftText, findDraft, listDrafts, parseDraft, removeDraft, saveDraft } from './draft.ts';
+import { keepEditorData } from './keep-editor-data.ts';
 import { mergeGraphs } from './merge-graphs.ts';
 
 /** Many graphs take their time on a busy machine. */
@@ -111,6 +112,17 @@ describe('somebody else’s change', () => {
     const { graph: merged } = mergeGraphs(graph, after(graph, remove('topic:/in')), theirs);
     expect(merged.nodes.get('module:b')).toBe(theirs.nodes.get('module:b'));
     expect(mergeGraphs(graph, graph, theirs).graph.nodes).toEqual(theirs.nodes);
+  });
+
+  it('that lost the editor data gets it back [EX-22]', () => {
+    const positions = new Map([['module:a', { x: 1, y: 2 }]]);
+    const before = sessionOf(after(graph, { kind: 'move', positions }), session);
+    const name = 'By an old client';
+    const kept = keepEditorData({ ...before, name, extension: undefined }, before);
+    expect(graphOf(kept).nodes.get('module:a')?.position).toEqual({ x: 1, y: 2 });
+    expect(kept.name).toBe(name);
+    expect(keepEditorData(before, session)).toBe(before);
+    expect(keepEditorData(session, before).extension?.editorJson).not.toBe('');
   });
 
   it('of the same thing is a conflict that keeps both', () => {

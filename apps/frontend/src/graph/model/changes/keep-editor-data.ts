@@ -1,0 +1,13 @@
+import type { Session } from '@ubii/proto';
+import { withEditorJson } from '../session-details.ts';
+
+/**
+ * A session as somebody changed it, with the editor data it had before when they left it out: clients
+ * that do not know it may send sessions back without it. [EX-22]
+ * @param before the newest one that is known to have had it
+ */
+export function keepEditorData(changed: Session, before: Session): Session {
+  const had = before.extension?.editorJson ?? '';
+  const has = changed.extension?.editorJson ?? '';
+  return has === '' && had !== '' ? withEditorJson(changed, had) : changed;
+}
