@@ -62,6 +62,10 @@ export function canvasKey(
       actions.open(only);
       return true;
     }
+    case 'b':
+      return toggleStanding(editor, 'bypassed');
+    case 'm':
+      return toggleStanding(editor, 'muted');
     case 'f':
     case 'F':
       actions.fit();
@@ -78,6 +82,22 @@ export function canvasKey(
     default:
       return false;
   }
+}
+
+/** Lets the selected modules rest, or work again when all of them rest in that way. */
+function toggleStanding(editor: GraphEditor, standing: 'bypassed' | 'muted'): boolean {
+  const modules = [...editor.selection.value.nodes].flatMap((id) => {
+    const node = editor.graph.value.nodes.get(id);
+    return node?.kind === 'module' ? [node] : [];
+  });
+  if (modules.length === 0) return false;
+  const isOn = modules.every((node) => node.standing === standing);
+  editor.apply({
+    kind: 'setStanding',
+    nodes: modules.map(({ id }) => id),
+    standing: isOn ? 'active' : standing,
+  });
+  return true;
 }
 
 function commandKey(

@@ -1,7 +1,17 @@
-import { Copy, Download, FileBraces, Pencil, RotateCw, Square, Trash2 } from '@lucide/vue';
+import {
+  Copy,
+  Download,
+  FileBraces,
+  Pencil,
+  RotateCw,
+  Square,
+  Trash2,
+  Workflow,
+} from '@lucide/vue';
 import type { Session } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
 import { useRouter } from 'vue-router';
+import { graphLocation } from '../../graph/routes.ts';
 import type { MenuItem } from '../../ui/UiMenu.vue';
 import { saveFile } from '../file/save-file.ts';
 import { exportSession } from '../file/session-file.ts';
@@ -38,6 +48,10 @@ export function useSessionMenu(actions: SessionActions, removed: () => void): Se
     const known = await made(session);
     if (known) await router.push(sessionTextLocation(known.id));
   }
+  async function draw(session: Session): Promise<void> {
+    const known = await made(session);
+    if (known) await router.push(graphLocation(known.id));
+  }
   async function remove(session: Session): Promise<void> {
     await actions.remove(session);
     if (!actions.failures.value.has(session.id)) removed();
@@ -59,6 +73,7 @@ export function useSessionMenu(actions: SessionActions, removed: () => void): Se
     if (life.length > 0) life.push({ kind: 'separator' });
     return [
       ...life,
+      { text: 'Open graph', icon: Workflow, run: () => void draw(session) },
       { text: 'Rename', icon: Pencil, shortcut: 'F2', run: () => void rename(session) },
       { text: 'Duplicate', icon: Copy, run: () => void duplicate(session) },
       {
