@@ -152,6 +152,8 @@ describe('somebody else’s change', () => {
     expect(conflicts.map(({ what }) => what)).toEqual([
       'b, which you removed and somebody else changed',
     ]);
+    expect(after(merged, conflicts[0]!.takeTheirs)).toBe(merged);
+    expect(after(merged, conflicts[0]!.takeMine!).nodes.has('module:b')).toBe(false);
   });
 
   it('that removes what I changed or wired leaves it and asks', () => {

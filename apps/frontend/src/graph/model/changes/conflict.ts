@@ -1,6 +1,9 @@
 import type { GraphCommand } from '../commands/graph-command.ts';
 
-/** Where two people changed the same thing in different ways. What is here is as I have it. */
+/**
+ * Where two people changed the same thing in different ways. The merged graph has it my way, but for
+ * what I removed and they changed: that is there.
+ */
 export interface Conflict {
   /** Ids of what it is about. */
   readonly node: string | undefined;
@@ -9,8 +12,10 @@ export interface Conflict {
   readonly what: string;
   /** Their way, as it was before the merge; undefined: they removed it. */
   readonly theirs: unknown;
-  /** My way, which the merged graph has; undefined: I removed it. */
+  /** My way; undefined: I removed it. */
   readonly mine: unknown;
-  /** Does it their way instead. */
+  /** Does it their way; nothing, where it is their way already. */
   readonly takeTheirs: GraphCommand;
+  /** Does it my way where the merged graph has it theirs: removes it again. */
+  readonly takeMine: GraphCommand | undefined;
 }

@@ -36,6 +36,7 @@ export function mergeGraphs(base: Graph, mine: Graph, theirs: Graph): Merged {
       theirs: value,
       mine: own,
       takeTheirs: { kind: 'setDetails', changes: { [member]: value } },
+      takeMine: undefined,
     }),
   );
   const foreign = threeWay(base.foreign, mine.foreign, theirs.foreign).value;
@@ -91,6 +92,7 @@ const removedByThem = (node: GraphNode): Conflict => ({
   theirs: undefined,
   mine: node,
   takeTheirs: { kind: 'remove', nodes: [node.id] },
+  takeMine: undefined,
 });
 
 /** They went on with what I removed: it is there again, and I am asked. */
@@ -101,6 +103,7 @@ const removedByMe = (node: GraphNode): Conflict => ({
   theirs: node,
   mine: undefined,
   takeTheirs: { kind: 'all', commands: [], label: `Keep ${nodeName(node)}` },
+  takeMine: { kind: 'remove', nodes: [node.id] },
 });
 
 function mergeWires(
@@ -123,6 +126,7 @@ function mergeWires(
           theirs: t.via,
           mine: m.via,
           takeTheirs: { kind: 'setVia', wire: id, topic: t.via },
+          takeMine: undefined,
         });
       }
       const points = threeWay(origin.points, m.points, t.points).value;
@@ -212,6 +216,7 @@ function settleInput(
     theirs: portName(graph, from),
     mine: portName(graph, own.from),
     takeTheirs,
+    takeMine: undefined,
   });
   edit.removeWires([wire.id]);
 }

@@ -25,6 +25,7 @@ export function mergeNode(
       theirs: theirValue,
       mine: myValue,
       takeTheirs,
+      takeMine: undefined,
     });
   };
   const look = lookOf(base, mine, theirs);
