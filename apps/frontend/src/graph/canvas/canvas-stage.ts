@@ -29,6 +29,8 @@ const MAX_ZOOM = 2.5;
 const FIT_MARGIN = 56;
 /** Fitting does not blow up small graphs. */
 const MAX_FIT_ZOOM = 1;
+/** How long a pan rests before it has ended, milliseconds. */
+const LAYER_MS = 200;
 const NO_SIZE: Size = { width: 0, height: 0 };
 
 const snap = (value: number): number => Math.round(value / GRID) * GRID;
@@ -49,6 +51,8 @@ export class CanvasStage {
   /** Middles of sockets, seen from the top left of their node, by `portKey`. */
   readonly sockets = shallowReactive(new Map<string, Point>());
   readonly view: ShallowRef<View> = shallowRef({ x: 0, y: 0, k: 1 });
+  /** How large it is on the page, pixels. */
+  readonly viewport: ShallowRef<Size> = shallowRef({ width: 0, height: 0 });
   /** Under the nodes. */
   readonly wires = layer('wires');
   /** Over the nodes. */
@@ -58,6 +62,11 @@ export class CanvasStage {
   readonly #editor = new NodeEditor<Schemes>();
   readonly #area: AreaPlugin<Schemes>;
   readonly #handlers: StageHandlers;
+  readonly #observer = new ResizeObserver(() => {
+    const { clientWidth: width, clientHeight: height } = this.container;
+    this.viewport.value = { width, height };
+  });
+  #layerTimer: ReturnType<typeof setTimeout> | undefined;
   #dragged: string | undefined;
   #start: ReadonlyMap<string, Point> = new Map();
   /** One change of the stage after the other. */
@@ -67,6 +76,7 @@ export class CanvasStage {
     this.container = container;
     this.#handlers = handlers;
     this.#area = new AreaPlugin<Schemes>(container);
+    this.#observer.observe(container);
     this.#area.area.setDragHandler(
       new Drag({
         // Shift draws a box; the middle button pans everywhere.
@@ -90,6 +100,7 @@ export class CanvasStage {
         if (source === 'dblclick' || zoom < MIN_ZOOM || zoom > MAX_ZOOM) return undefined;
       } else if (type === 'translated' || type === 'zoomed') {
         this.view.value = { ...this.#area.area.transform };
+        if (type === 'translated') this.#keepLayer();
       } else if (type === 'nodepicked') {
         this.#pick(context.data.id);
       } else if (type === 'nodetranslate' && context.data.id === this.#dragged) {
@@ -234,7 +245,17 @@ export class CanvasStage {
   }
 
   destroy(): void {
+    clearTimeout(this.#layerTimer);
+    this.#observer.disconnect();
     this.#area.destroy();
+  }
+
+  /** While it is panned, the canvas is a layer of its own, which moves without being drawn anew. */
+  #keepLayer(): void {
+    const { style } = this.#area.area.content.holder;
+    style.willChange = 'transform';
+    clearTimeout(this.#layerTimer);
+    this.#layerTimer = setTimeout(() => (style.willChange = ''), LAYER_MS);
   }
 
   #pick(id: string): void {

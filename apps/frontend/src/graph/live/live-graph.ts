@@ -35,6 +35,8 @@ export interface LiveTopic {
   readonly isStale: boolean;
   readonly droppedPerSecond: number;
   readonly format: string;
+  /** Id of who published it last. */
+  readonly publisherId: string;
 }
 
 export interface RunTime {
@@ -49,6 +51,8 @@ export interface LiveGraph {
   /** Topics a muxer takes now. */
   matches(mux: TopicMux): readonly string[];
   module(id: string): ModuleStatistics | undefined;
+  /** Whether a module is reported of at all. */
+  has(id: string): boolean;
   /** Oldest first. */
   runTimes(id: string): readonly RunTime[];
   /** Oldest first. */
@@ -82,7 +86,9 @@ export function useLiveGraph(
     },
     { immediate: true },
   );
-  topics.onChanges(() => (known.value = []));
+  topics.onChanges(({ added, removed }) => {
+    if (added.length + removed.length > 0) known.value = [];
+  });
 
   useRafFn(
     () => {
@@ -102,7 +108,7 @@ export function useLiveGraph(
         continue;
       }
       const value = values.get(topic);
-      const { publishedMs, dataFormat } = rate.statistic;
+      const { publishedMs, dataFormat, publisherId } = rate.statistic;
       const next: LiveTopic = {
         hz: rate.hz,
         text: value?.text,
@@ -112,6 +118,7 @@ export function useLiveGraph(
         isStale: isStale(rate, false, nowMs),
         droppedPerSecond: rate.droppedPerSecond ?? 0,
         format: dataFormat,
+        publisherId,
       };
       const old = shown.get(topic);
       if (old === undefined || hasChanged(old, next)) shown.set(topic, next);
@@ -119,15 +126,17 @@ export function useLiveGraph(
   }
   onScopeDispose(() => values.close());
 
-  const modules = computed(() => {
-    const all = isAlive(session.value)
-      ? statistics.value.get(session.value.id)?.modules
-      : undefined;
-    return new Map(all?.map((one) => [one.moduleId, one]));
-  });
+  const modules = shallowReactive(new Map<string, ModuleStatistics>());
   const runTimes = shallowReactive(new Map<string, readonly RunTime[]>());
-  watch(modules, (all) => {
-    for (const [id, { runP50Ms: p50Ms, runP95Ms: p95Ms, runsPerSecond }] of all) {
+  const reported = computed(() =>
+    isAlive(session.value) ? statistics.value.get(session.value.id)?.modules : undefined,
+  );
+  watch(reported, (all = []) => {
+    const ids = new Set(all.map(({ moduleId }) => moduleId));
+    for (const id of [...modules.keys()]) if (!ids.has(id)) modules.delete(id);
+    for (const one of all) {
+      const { moduleId: id, runP50Ms: p50Ms, runP95Ms: p95Ms, runsPerSecond } = one;
+      modules.set(id, one);
       if (runsPerSecond === 0) continue;
       const next = [...(runTimes.get(id) ?? []), { timeMs: Date.now(), p50Ms, p95Ms }];
       runTimes.set(id, next.slice(-RUN_TIMES));
@@ -137,15 +146,20 @@ export function useLiveGraph(
   return {
     topic: (topic) => shown.get(topic),
     matches: (mux) => matchesOf(mux, known.value),
-    module: (id) => modules.value.get(id),
+    module: (id) => modules.get(id),
+    has: (id) => modules.has(id),
     runTimes: (id) => runTimes.get(id) ?? [],
     events,
   };
 }
 
+const rateText = ({ hz }: LiveTopic): string | undefined => hz?.toFixed(1);
+
 function hasChanged(a: LiveTopic, b: LiveTopic): boolean {
   return (
-    a.hz !== b.hz ||
+    a.publisherId !== b.publisherId ||
+    a.format !== b.format ||
+    rateText(a) !== rateText(b) ||
     a.text !== b.text ||
     a.spark !== b.spark ||
     a.isStale !== b.isStale ||
