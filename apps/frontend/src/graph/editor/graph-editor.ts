@@ -13,6 +13,7 @@ import type { GraphCommand } from '../model/commands/graph-command.ts';
 import { graphOf } from '../model/graph-of.ts';
 import type { Graph, Point } from '../model/graph.ts';
 import { sessionOf } from '../model/session-of.ts';
+import { keepEditorData } from '../model/changes/keep-editor-data.ts';
 import type { Conflict } from '../model/changes/conflict.ts';
 import { withIds } from '../model/with-ids.ts';
 import { placesOf } from './places.ts';
@@ -101,7 +102,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
   }
 
   function reset(next: Session): void {
-    base = withIds(next, uuid);
+    base = withIds(keepEditorData(next, base), uuid);
     session.value = next;
     merged.value = undefined;
     show(startEditing(graphOf(base)));
@@ -110,7 +111,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
 
   /** Puts changes on top of what the master has now. */
   function rebaseOn(next: Session, before: Graph, mine: Graph): void {
-    base = withIds(next, uuid);
+    base = withIds(keepEditorData(next, base), uuid);
     session.value = next;
     const theirs = graphOf(base);
     const { state: rebased, conflicts } = rebase(before, mine, theirs);

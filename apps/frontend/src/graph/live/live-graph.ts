@@ -1,5 +1,4 @@
 import {
-  globToRegExpSource,
   type ModuleEvent,
   type ModuleStatistics,
   type Session,
@@ -8,6 +7,7 @@ import {
 } from '@ubii/proto';
 import { useRafFn } from '@vueuse/core';
 import { computed, onScopeDispose, shallowReactive, shallowRef, watch, type Ref } from 'vue';
+import type { TopicRate } from '../../connection/topic-rates.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useSessionEvents } from '../../sessions/live/useSessionEvents.ts';
 import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.ts';
@@ -16,6 +16,11 @@ import { RowValues } from '../../topics/rows/row-values.ts';
 import { isStale } from '../../topics/rows/staleness.ts';
 import { NO_SPARK, type SparkLine } from '../../topics/rows/sparkline.ts';
 import type { Graph, Wire } from '../model/graph.ts';
+import {
+  muxPreview,
+  type LiveTopic as KnownTopic,
+  type MuxPreview,
+} from '../model/live/mux-preview.ts';
 
 /** How often counters are asked for, milliseconds, and values are drawn, Hz. */
 const STATISTICS_MS = 250;
@@ -48,8 +53,8 @@ export interface RunTime {
 /** What flows through a session, read by views; nothing is asked for while the page is hidden. */
 export interface LiveGraph {
   topic(topic: string): LiveTopic | undefined;
-  /** Topics a muxer takes now. */
-  matches(mux: TopicMux): readonly string[];
+  /** What a muxer gathers now, or why it gathers nothing. */
+  preview(mux: TopicMux): MuxPreview;
   module(id: string): ModuleStatistics | undefined;
   /** Whether a module is reported of at all. */
   has(id: string): boolean;
@@ -75,14 +80,14 @@ export function useLiveGraph(
     return () => void subscription.close();
   });
   const wanted = computed(() => topicsOf(graph.value));
-  const known = shallowRef<readonly string[]>([]);
+  const known = shallowRef<readonly KnownTopic[]>([]);
 
   watch(
     [topics.rates, wanted],
     ([rates, names]) => {
       if (rates === undefined) return;
       values.show([...names].flatMap((name) => rates.get(name) ?? []));
-      if (rates.size !== known.value.length) known.value = [...rates.keys()];
+      if (rates.size !== known.value.length) known.value = [...rates.values()].map(knownTopic);
     },
     { immediate: true },
   );
@@ -145,7 +150,7 @@ export function useLiveGraph(
 
   return {
     topic: (topic) => shown.get(topic),
-    matches: (mux) => matchesOf(mux, known.value),
+    preview: (mux) => muxPreview(mux, known.value),
     module: (id) => modules.get(id),
     has: (id) => modules.has(id),
     runTimes: (id) => runTimes.get(id) ?? [],
@@ -168,6 +173,12 @@ function hasChanged(a: LiveTopic, b: LiveTopic): boolean {
   );
 }
 
+const knownTopic = ({ statistic }: TopicRate): KnownTopic => ({
+  topic: statistic.topic,
+  format: statistic.dataFormat,
+  publisherId: statistic.publisherId,
+});
+
 /** The topic whose values flow through a wire; undefined for constants and many topics. */
 export function topicOfWire({ nodes }: Graph, { from, to, via }: Wire): string | undefined {
   if (via !== undefined) return via;
@@ -183,21 +194,4 @@ export function topicsOf(graph: Graph): ReadonlySet<string> {
   for (const node of graph.nodes.values()) if (node.kind === 'topic') names.add(node.topic);
   for (const { via } of graph.wires.values()) if (via !== undefined) names.add(via);
   return names;
-}
-
-const MAX_MATCHES = 200;
-
-function matchesOf(
-  { topicGlob, topicSelector, component }: TopicMux,
-  topics: readonly string[],
-): readonly string[] {
-  if (component !== undefined) return [];
-  const source = topicGlob === '' ? topicSelector : globToRegExpSource(topicGlob);
-  if (source === '') return [];
-  try {
-    const pattern = new RegExp(source);
-    return topics.filter((topic) => pattern.test(topic)).slice(0, MAX_MATCHES);
-  } catch {
-    return [];
-  }
 }
