@@ -10,8 +10,8 @@ const event = (timeMs: number, kind: ModuleEventKind): ModuleEvent => ({
 });
 
 describe('moduleTrouble', () => {
-  it('is none where nothing is wrong; what rows say anyway does not count', () => {
-    const problems = [{ moduleId: 'module', code: 'output_not_mapped', message: 'x' }];
+  it('is none where nothing is wrong, or only with another module', () => {
+    const problems = [{ moduleId: 'other', message: 'x' }];
     const session = aSession({ json: { extension: { problems } } });
     expect(moduleTrouble(session, [event(1, ModuleEventKind.LOG)], 'module', 2)).toEqual({
       count: 0,

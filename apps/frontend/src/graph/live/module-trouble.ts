@@ -9,9 +9,6 @@ export interface ModuleTrouble {
   readonly event: ModuleEvent | undefined;
 }
 
-/** Said by a row without a wire, too. */
-const SAID_ANYWAY: ReadonlySet<string> = new Set(['output_not_mapped']);
-
 const BAD: ReadonlySet<ModuleEventKind> = new Set([
   ModuleEventKind.ERROR,
   ModuleEventKind.KILLED,
@@ -31,9 +28,7 @@ export function moduleTrouble(
   moduleId: string,
   nowMs: number,
 ): ModuleTrouble {
-  const problems = (session.extension?.problems ?? []).filter(
-    (one) => one.moduleId === moduleId && !SAID_ANYWAY.has(one.code),
-  );
+  const problems = (session.extension?.problems ?? []).filter((one) => one.moduleId === moduleId);
   const event = events.findLast((one) => one.moduleId === moduleId && BAD.has(one.kind));
   const isRecent = event !== undefined && nowMs - event.timeMs < RECENT_MS;
   const error = problems.find(({ isError }) => isError);

@@ -6,7 +6,6 @@ import {
   type SessionStatistics,
 } from '@ubii/proto';
 import { sessionTotals, type SessionTotals } from '../live/session-totals.ts';
-import { isWorthSaying } from '../words/problem-place.ts';
 import { isAlive, sessionState, stateLook, type StateLook } from '../state/session-state.ts';
 
 /** Which sessions are shown. */
@@ -32,7 +31,7 @@ export function sessionRow(
   statistics: SessionStatistics | undefined,
 ): SessionRow {
   const state = sessionState(session);
-  const problems = (session.extension?.problems ?? []).filter(isWorthSaying);
+  const problems = session.extension?.problems ?? [];
   const errors = problems.filter(({ isError }) => isError);
   return {
     session,

@@ -40,18 +40,7 @@ function place(
   return { moduleId, side: side === 'input' ? 'input' : 'output', name };
 }
 
-/** What the row of an input or output says by itself. */
-const SAID_ANYWAY: ReadonlySet<string> = new Set(['output_not_mapped']);
-
-/** True for what people should read; an output that goes nowhere is often meant so. */
-export function isWorthSaying({
-  isError,
-  code,
-}: Pick<SessionProblem, 'isError' | 'code'>): boolean {
-  return isError || !SAID_ANYWAY.has(code);
-}
-
-/** What is wrong with one input or output of a module, beside what its row says anyway. */
+/** What is wrong with one input or output of a module. */
 export function problemsOf(
   session: Placed,
   moduleId: string,
@@ -60,8 +49,7 @@ export function problemsOf(
 ): readonly SessionProblem[] {
   return (session.extension?.problems ?? []).filter((problem) => {
     const at = placeOf(session, problem.path);
-    const isHere = at?.moduleId === moduleId && at.side === side && at.name === name;
-    return isHere && isWorthSaying(problem);
+    return at?.moduleId === moduleId && at.side === side && at.name === name;
   });
 }
 
