@@ -6,7 +6,7 @@ const { ensureBuilt } = await import('./lib/builds.mjs');
 const { ensureInstalled } = await import('./lib/installation.mjs');
 const { runScript } = await import('./lib/steps.mjs');
 const { runBrowserTests, runInteropTests } = await import('./lib/suites.mjs');
-const { addCounts } = await import('./lib/test-results.mjs');
+const { addCounts, summary } = await import('./lib/test-results.mjs');
 
 await runScript(async () => {
   await ensureInstalled();
@@ -15,7 +15,6 @@ await runScript(async () => {
   const counts = [await runBrowserTests(await ensureBrowser(), args)];
   // Arguments choose among the browser tests; then the others are not meant.
   if (args.length === 0) counts.push(await runInteropTests());
-  const { passed, failed } = addCounts(counts);
-  process.stdout.write(`${passed} passed, ${failed} failed\n`);
-  if (failed > 0) process.exitCode = 1;
+  process.stdout.write(summary(counts));
+  if (addCounts(counts).failed > 0) process.exitCode = 1;
 });

@@ -7,7 +7,7 @@ const { runGate } = await import('./lib/gate.mjs');
 const { ensureInstalled } = await import('./lib/installation.mjs');
 const { runScript } = await import('./lib/steps.mjs');
 const { runBrowserTests, runInteropTests } = await import('./lib/suites.mjs');
-const { addCounts } = await import('./lib/test-results.mjs');
+const { addCounts, summary } = await import('./lib/test-results.mjs');
 
 /** @type {import('./lib/test-results.mjs').Counts[]} */
 const counts = [];
@@ -24,6 +24,5 @@ await runScript(async () => {
     throw error;
   }
 });
-const { passed, failed } = addCounts(counts);
-if (failed > 0) process.exitCode = 1;
-process.stdout.write(`${passed} passed, ${failed} failed\n`);
+if (addCounts(counts).failed > 0) process.exitCode = 1;
+process.stdout.write(summary(counts));

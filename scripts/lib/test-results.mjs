@@ -1,9 +1,10 @@
 import { existsSync, mkdirSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 
+import { formatFailedTests, readFailedTests } from './failed-tests.mjs';
 import { cacheFolder, readJson } from './repository.mjs';
 
-/** @typedef {{ passed: number, failed: number }} Counts */
+/** @typedef {{ passed: number, failed: number, tests?: import('./failed-tests.mjs').FailedTest[] }} Counts */
 
 /**
  * Where a test runner shall write its JSON report; an earlier one is removed.
@@ -32,7 +33,8 @@ export function readCounts(file, exitCode) {
     ? { passed: report.stats.expected + report.stats.flaky, failed: report.stats.unexpected }
     : { passed: report.numPassedTests ?? 0, failed: report.numFailedTests ?? 0 };
   if (exitCode !== 0 && counts.failed === 0) counts.failed = 1;
-  return counts;
+  const tests = readFailedTests(file);
+  return tests.length === 0 ? counts : { ...counts, tests };
 }
 
 /** @param {readonly Counts[]} all @returns {Counts} */
@@ -41,4 +43,15 @@ export function addCounts(all) {
     passed: all.reduce((sum, counts) => sum + counts.passed, 0),
     failed: all.reduce((sum, counts) => sum + counts.failed, 0),
   };
+}
+
+/**
+ * The end of a run of tests: which failed and why, then, as the last line, the counts.
+ *
+ * @param {readonly Counts[]} all
+ */
+export function summary(all) {
+  const { passed, failed } = addCounts(all);
+  const tests = all.flatMap((counts) => counts.tests ?? []);
+  return `${formatFailedTests(tests)}\n${passed} passed, ${failed} failed\n`;
 }

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { test } from 'node:test';
 
-import { addCounts, readCounts, reportFile } from './test-results.mjs';
+import { addCounts, readCounts, reportFile, summary } from './test-results.mjs';
 
 function counts(report, exitCode) {
   const file = reportFile('test-of-the-scripts');
@@ -27,4 +27,15 @@ test('counts add up', () => {
     { passed: 2, failed: 3 },
   ];
   assert.deepEqual(addCounts(all), { passed: 3, failed: 3 });
+});
+
+test('the last line has the counts, and what failed stands before it', () => {
+  const tests = [{ name: 'bad', isFlaky: false, message: 'no' }];
+  assert.equal(
+    summary([
+      { passed: 1, failed: 1, tests },
+      { passed: 2, failed: 0 },
+    ]),
+    '\nfailed: bad\n    no\n\n3 passed, 1 failed\n',
+  );
 });
