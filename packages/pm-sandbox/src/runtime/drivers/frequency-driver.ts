@@ -3,14 +3,14 @@ import type { TurnTask } from '../end-of-turn.ts';
 import type { ModeDriver, RunHost } from './mode-driver.ts';
 
 /**
- * Runs at fixed moments: run n is due n/hertz after the start, whatever happened to those before.
- * [PM-21] [PM-22]
+ * Runs at the start, then at fixed moments: the multiples of its interval on the clock of the node,
+ * whatever happened to the runs before. Instances of one frequency have the same moments, so that
+ * many of them cost one wake-up and one message. [PM-21] [PM-22]
  */
 export class FrequencyDriver implements ModeDriver, TurnTask {
   readonly #host: RunHost;
   readonly #intervalMs: number;
-  #startMs = 0;
-  /** Number of the run the timer waits for. */
+  /** Which multiple of the interval the timer waits for. */
   #next = 0;
   #cancel: Cancel | undefined;
   /** Waits for the end of a run that is late. */
@@ -27,8 +27,8 @@ export class FrequencyDriver implements ModeDriver, TurnTask {
 
   start(): void {
     this.stop();
-    this.#startMs = this.#host.monotonicMs();
-    this.#next = 0;
+    // The nearest one: between the first two runs there is at least half an interval.
+    this.#next = Math.round(this.#host.monotonicMs() / this.#intervalMs);
     // A run of another mode may be under way; that is nobody's overrun.
     if (this.#host.isBusy) this.#wait();
     else this.#handleDue();
@@ -70,7 +70,7 @@ export class FrequencyDriver implements ModeDriver, TurnTask {
     const nowMs = this.#host.monotonicMs();
     // Timers may fire a little early; the run they were set for is not due again then.
     const least = this.#next + 1;
-    const passed = Math.floor((nowMs - this.#startMs) / this.#intervalMs);
+    const passed = Math.floor(nowMs / this.#intervalMs);
     let next = Math.max(least, passed);
     while (this.#dueMs(next) <= nowMs) next++;
     this.#next = next;
@@ -78,6 +78,6 @@ export class FrequencyDriver implements ModeDriver, TurnTask {
   }
 
   #dueMs(run: number): number {
-    return this.#startMs + run * this.#intervalMs;
+    return run * this.#intervalMs;
   }
 }

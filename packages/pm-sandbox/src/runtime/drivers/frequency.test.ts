@@ -24,6 +24,20 @@ describe('a module with a frequency', () => {
     expect(startsMs).toEqual([0, 100, 200, 300]);
   });
 
+  it.each([
+    { startMs: 30, expected: [30, 100, 200, 300] },
+    { startMs: 70, expected: [70, 200, 300] },
+  ])(
+    '[PM-21] joins the moments all others have, at least half an interval after its start at $startMs ms',
+    async ({ startMs, expected }) => {
+      const { clock, startsMs, begin } = createStopwatch();
+      await clock.advance(startMs);
+      await begin({ mode: hertz(10) });
+      await clock.advance(300 - startMs);
+      expect(startsMs).toEqual(expected);
+    },
+  );
+
   it('[PM-21] does not drift when its intervals are no whole milliseconds', async () => {
     const { clock, startsMs, begin } = createStopwatch();
     await begin({ mode: hertz(60) });
