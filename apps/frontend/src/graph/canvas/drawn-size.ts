@@ -3,6 +3,7 @@ import type { GraphNode, Size } from '../model/graph.ts';
 /** As graph-node.css draws them, pixels at a zoom of 1. */
 const WIDTH = 184;
 const TOPIC: Size = { width: 174, height: 76 };
+const PICTURE = 94;
 const HEAD = 30;
 const ROW = 23;
 const ROWS_PADDING = 12;
@@ -16,13 +17,13 @@ export function drawnSize(node: GraphNode): Size {
   if (node.size !== undefined) return node.size;
   switch (node.kind) {
     case 'topic':
-      return TOPIC;
+      return node.format === 'image2D' ? { ...TOPIC, height: TOPIC.height + PICTURE } : TOPIC;
     case 'module':
       return { width: WIDTH, height: HEAD + ROWS_PADDING + ROW * node.ports.length + FOOT };
     case 'muxer':
       return { width: WIDTH, height: HEAD + ROWS_PADDING + PATTERN + ROW * (MATCHES + 1) };
     case 'demuxer':
-      return { width: WIDTH, height: HEAD + ROWS_PADDING + PATTERN + ROW };
+      return { width: WIDTH, height: HEAD + ROWS_PADDING + PATTERN + ROW * MATCHES };
     case 'constant':
       return { width: WIDTH, height: HEAD + ROWS_PADDING + ROW };
     case 'comment':

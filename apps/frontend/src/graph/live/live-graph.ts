@@ -25,6 +25,8 @@ import {
 /** How often counters are asked for, milliseconds, and values are drawn, Hz. */
 const STATISTICS_MS = 250;
 const DRAW_HZ = 6;
+/** How often pictures on topic nodes are renewed, Hz. */
+const PICTURE_HZ = 2;
 /** Run times kept for the chart of a module. */
 const RUN_TIMES = 120;
 
@@ -78,7 +80,7 @@ export function useLiveGraph(
     // Refused by the master: the wire then shows no value.
     subscription.ready.catch(() => undefined);
     return () => void subscription.close();
-  });
+  }, PICTURE_HZ);
   const wanted = computed(() => topicsOf(graph.value));
   const known = shallowRef<readonly KnownTopic[]>([]);
 

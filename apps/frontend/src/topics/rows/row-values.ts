@@ -35,9 +35,12 @@ export class RowValues {
   #hasFirst = false;
   /** Newest records that came during a pause. */
   readonly #waiting = new Map<string, TopicRecord>();
+  readonly #largeRateHz: number;
 
-  constructor(subscribe: SubscribeRow) {
+  /** @param largeRateHz how often large values come, for those who show more of them than their size */
+  constructor(subscribe: SubscribeRow, largeRateHz = LARGE_RATE_HZ) {
     this.#subscribe = subscribe;
+    this.#largeRateHz = largeRateHz;
   }
 
   get(topic: string): RowValue | undefined {
@@ -95,7 +98,7 @@ export class RowValues {
     const value = this.#values.get(topic) ?? new RowValue(rate.statistic.records);
     this.#values.delete(topic);
     this.#values.set(topic, value);
-    const maxRateHz = rate.statistic.valueBytes > LARGE_BYTES ? LARGE_RATE_HZ : ROW_RATE_HZ;
+    const maxRateHz = rate.statistic.valueBytes > LARGE_BYTES ? this.#largeRateHz : ROW_RATE_HZ;
     const unsubscribe = this.#subscribe(topic, maxRateHz, (record) => {
       const isFirst = value.record === undefined;
       if (this.#isPaused && !isFirst) this.#waiting.set(topic, record);

@@ -1,0 +1,39 @@
+import { isCompressedImage, type Image2D } from '@ubii/proto';
+import { rgbaPixels } from '../../topics/detail/image-pixels.ts';
+
+/** Pixels across at most: as large as it is drawn, on a screen of double density. */
+export const THUMB_WIDTH = 320;
+
+/**
+ * A raw picture made smaller by leaving out pixels: what is drawn as large as a stamp is not worth
+ * more. Pictures that are too short for the size they claim are given back as they are.
+ */
+export function shrunk(image: Image2D, maxWidth = THUMB_WIDTH): Image2D {
+  const { width, height, data } = image;
+  const step = Math.ceil(width / maxWidth);
+  const channels = data.length / (width * height);
+  if (step <= 1 || !Number.isInteger(channels)) return image;
+  const [w, h] = [Math.floor(width / step), Math.max(1, Math.floor(height / step))];
+  const small = new Uint8Array(w * h * channels);
+  let to = 0;
+  for (let y = 0; y < h; y++) {
+    for (let x = 0; x < w; x++) {
+      const from = (y * step * width + x * step) * channels;
+      for (let channel = 0; channel < channels; channel++) small[to++] = data[from + channel]!;
+    }
+  }
+  return { ...image, width: w, height: h, data: small };
+}
+
+/** A picture as a canvas draws it, small; encoded ones are decoded beside the page. */
+export async function thumbnail(image: Image2D): Promise<ImageBitmap | ImageData | undefined> {
+  if (isCompressedImage(image.data)) {
+    return createImageBitmap(new Blob([image.data as Uint8Array<ArrayBuffer>]), {
+      resizeWidth: THUMB_WIDTH,
+      resizeQuality: 'low',
+    });
+  }
+  const small = shrunk(image);
+  const pixels = rgbaPixels(small);
+  return pixels && new ImageData(pixels, small.width, small.height);
+}
