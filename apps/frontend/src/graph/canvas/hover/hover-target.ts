@@ -1,0 +1,65 @@
+import { topicOfWire } from '../../live/live-graph.ts';
+import type { Graph, PortRef } from '../../model/graph.ts';
+import { portFormat, portOf } from '../../model/port-format.ts';
+import { wiresAt } from '../../model/wires-of.ts';
+import { nodeTitle } from '../node-label.ts';
+
+/** What is under the pointer: a wire with its chip, or a socket. */
+export type HoverTarget =
+  | { readonly kind: 'wire'; readonly wire: string }
+  | { readonly kind: 'port'; readonly ref: PortRef };
+
+/** What is said of it. */
+export interface HoverWords {
+  readonly title: string;
+  /** Whose values are shown; undefined when there is no single topic. */
+  readonly topic: string | undefined;
+  readonly format: string;
+  /** What stands there instead of values. */
+  readonly note: string | undefined;
+}
+
+/** Reads what an element of the canvas stands for. */
+export function hoverTarget(element: Element | null): HoverTarget | undefined {
+  const found = element?.closest<HTMLElement>('[data-wire], [data-wire-chip], [data-port]');
+  const { wire, wireChip, node, port } = found?.dataset ?? {};
+  const id = wire ?? wireChip;
+  if (id !== undefined) return { kind: 'wire', wire: id };
+  return node === undefined || port === undefined ? undefined : { kind: 'port', ref: { node, port } };
+}
+
+export const isSameTarget = (a: HoverTarget | undefined, b: HoverTarget | undefined): boolean =>
+  a === b || (a !== undefined && b !== undefined && JSON.stringify(a) === JSON.stringify(b));
+
+export function hoverWords(graph: Graph, target: HoverTarget): HoverWords | undefined {
+  if (target.kind === 'wire') {
+    const wire = graph.wires.get(target.wire);
+    if (wire === undefined) return undefined;
+    const format = portFormat(graph, wire.from) ?? portFormat(graph, wire.to) ?? 'any format';
+    const ends = `${endWords(graph, wire.from)} → ${endWords(graph, wire.to)}`;
+    const source = graph.nodes.get(wire.from.node);
+    const note =
+      source?.kind === 'constant' ? `Always ${source.json}` : 'The values of many topics as a list';
+    const topic = topicOfWire(graph, wire);
+    return { title: ends, topic, format, note: topic === undefined ? note : undefined };
+  }
+  const port = portOf(graph, target.ref);
+  const node = graph.nodes.get(target.ref.node);
+  if (port === undefined || node === undefined) return undefined;
+  const format = `${portFormat(graph, target.ref) ?? (port.formatText || 'any format')}${port.isList ? ' list' : ''}`;
+  const [wire] = wiresAt(graph, target.ref);
+  const topic = node.kind === 'topic' ? node.topic : wire && topicOfWire(graph, wire);
+  const side = port.direction === 'in' ? 'Input' : 'Output';
+  const constant = node.kind === 'module' ? node.constants.get(port.name) : undefined;
+  const note = topic !== undefined ? undefined : wire ? 'The values of many topics as a list' : noteOf(constant);
+  return { title: `${side} ${port.name || nodeTitle(node)}`, topic, format, note };
+}
+
+const noteOf = (constant: string | undefined): string =>
+  constant === undefined ? 'Not connected' : `Not connected, always ${constant}`;
+
+function endWords(graph: Graph, ref: PortRef): string {
+  const node = graph.nodes.get(ref.node);
+  const port = portOf(graph, ref)?.name;
+  return [node ? nodeTitle(node) : '', port].filter(Boolean).join(' · ');
+}

@@ -1,0 +1,78 @@
+import { useDocumentVisibility, useRafFn } from '@vueuse/core';
+import { onScopeDispose, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
+import { parseDataFormat, DATA_FORMATS, type TopicRecord } from '@ubii/proto';
+import { useConnection } from '../../connection/useConnection.ts';
+import { LastValues, type PassedValue } from './last-values.ts';
+
+/** How often what is read is renewed, Hz. */
+const READ_HZ = 6;
+/** How often records come at most, Hz; pictures are large. */
+const RATE_HZ = 60;
+const PICTURE_HZ = 5;
+
+/** The last values of a topic at one moment. */
+export interface PassedView {
+  /** Newest first. */
+  readonly values: readonly PassedValue[];
+  readonly line: readonly number[];
+  /** The moment it shows, milliseconds of this machine's clock. */
+  readonly nowMs: number;
+  readonly newest: TopicRecord | undefined;
+}
+
+const NOTHING: PassedView = { values: [], line: [], nowMs: 0, newest: undefined };
+
+/** What passes on a topic while the calling scope lives and the page is seen; nothing is asked for else. */
+export function useLastValues(
+  topic: Readonly<Ref<string | undefined>>,
+): Readonly<ShallowRef<PassedView>> {
+  const { client, topics } = useConnection();
+  const visibility = useDocumentVisibility();
+  const view = shallowRef<PassedView>(NOTHING);
+  let last = new LastValues();
+  let newest: TopicRecord | undefined;
+
+  function arrivedMs(isFirst: boolean): number {
+    // The first may have been there for long: it came when the master says.
+    const publishedMs = isFirst
+      ? (topics.rates.value?.get(topic.value ?? '')?.statistic.publishedMs ?? 0)
+      : 0;
+    const nowMs = Date.now();
+    return publishedMs > 0 ? Math.min(nowMs, publishedMs - topics.clockOffsetMs.value) : nowMs;
+  }
+
+  watch(
+    [topic, visibility],
+    ([name, seen], [before], onCleanup) => {
+      if (name !== before) {
+        last = new LastValues();
+        newest = undefined;
+        view.value = NOTHING;
+      }
+      if (name === undefined || seen === 'hidden') return;
+      const known = topics.rates.value?.get(name)?.statistic.dataFormat ?? '';
+      const format = parseDataFormat(known);
+      const isPicture = format !== undefined && DATA_FORMATS[format].family === 'image';
+      const subscription = client
+        .subscribe(name, { maxRateHz: isPicture ? PICTURE_HZ : RATE_HZ })
+        .onRecord((record) => {
+          newest = record;
+          last.add(record, arrivedMs(last.count === 0));
+        });
+      // Refused by the master: there is nothing to show then.
+      subscription.ready.catch(() => undefined);
+      onCleanup(() => void subscription.close());
+    },
+    { immediate: true },
+  );
+  const { pause } = useRafFn(
+    () => {
+      const nowMs = Date.now();
+      if (last.count > 0)
+        view.value = { values: last.values, line: last.line(nowMs), nowMs, newest };
+    },
+    { fpsLimit: READ_HZ },
+  );
+  onScopeDispose(pause);
+  return view;
+}

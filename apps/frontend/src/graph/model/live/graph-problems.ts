@@ -1,0 +1,67 @@
+import type { Session } from '@ubii/proto';
+import type { Graph } from '../graph.ts';
+import { wiresAt } from '../wires-of.ts';
+import { ownProblems, type GraphProblem, type Surroundings } from './own-problems.ts';
+import { problemsInGraph, type PlacedProblem } from './problems-in-graph.ts';
+
+/** All that is wrong, by where it is. */
+
+export interface GraphProblems {
+  /** Errors first. */
+  readonly all: readonly GraphProblem[];
+  readonly ofNode: ReadonlyMap<string, readonly GraphProblem[]>;
+  /** By node and port, a space between them. */
+  readonly ofPort: ReadonlyMap<string, readonly GraphProblem[]>;
+  readonly ofWire: ReadonlyMap<string, readonly GraphProblem[]>;
+}
+
+/**
+ * What the master says of a session as it is saved, and what can be seen of it as it is edited.
+ * @param session as the master has it
+ */
+export function graphProblems(
+  graph: Graph,
+  session: Pick<Session, 'ioMappings' | 'processingModules' | 'extension'>,
+  around: Surroundings,
+): GraphProblems {
+  const own = ownProblems(graph, around);
+  const told = problemsInGraph(graph, session).flatMap((placed) => toldProblem(graph, placed) ?? []);
+  const isTold = ({ code, node, port }: GraphProblem): boolean =>
+    told.some(
+      (one) => one.node === node && one.code === code && (one.port ?? port) === (port ?? one.port),
+    );
+  const all = [...told, ...own.filter((one) => !isTold(one))];
+  all.sort((a, b) => Number(b.isError) - Number(a.isError));
+  return {
+    all,
+    ofNode: grouped(all, ({ node }) => (node === undefined ? [] : [node])),
+    ofPort: grouped(all, ({ node, port }) => (port === undefined ? [] : [`${node} ${port}`])),
+    ofWire: grouped(all, ({ wires }) => wires),
+  };
+}
+
+/** Undefined when it has been dealt with since: the wire it was about is gone. */
+function toldProblem(graph: Graph, placed: PlacedProblem): GraphProblem | undefined {
+  const { problem, node, port, wires } = placed;
+  const { code, isError, message, path } = problem;
+  const isAboutWire = path.endsWith('.topic') || path.includes('.topicMux');
+  if (isAboutWire && node !== undefined && port !== undefined) {
+    if (wiresAt(graph, { node, port }).length === 0) return undefined;
+  }
+  return { code, isError, message, node, port, wires };
+}
+
+function grouped(
+  all: readonly GraphProblem[],
+  keysOf: (problem: GraphProblem) => readonly string[],
+): ReadonlyMap<string, readonly GraphProblem[]> {
+  const groups = new Map<string, GraphProblem[]>();
+  for (const problem of all) {
+    for (const key of keysOf(problem)) {
+      const group = groups.get(key);
+      if (group === undefined) groups.set(key, [problem]);
+      else group.push(problem);
+    }
+  }
+  return groups;
+}

@@ -1,0 +1,110 @@
+import { fitOf } from '../fit/fit-of.ts';
+import type { Graph, ModuleNode } from '../graph.ts';
+import { wiresOf } from '../wires-of.ts';
+import { cyclesIn } from './cycles.ts';
+
+/** Something wrong in a graph, at its place. */
+export interface GraphProblem {
+  /** As the master names it. [SE-4] [SE-5] */
+  readonly code: string;
+  readonly isError: boolean;
+  /** One sentence for people. */
+  readonly message: string;
+  /** Undefined: about the session as a whole. */
+  readonly node: string | undefined;
+  readonly port: string | undefined;
+  readonly wires: readonly string[];
+}
+
+/** What is known of modules and nodes elsewhere; undefined while it is not known. */
+export interface Surroundings {
+  /** Names of modules that the library or a node has. */
+  readonly modules: ReadonlySet<string> | undefined;
+  /** Ids of nodes that can be given modules now. */
+  readonly nodes: ReadonlySet<string> | undefined;
+}
+
+/** What can be seen to be wrong before the master has seen it. */
+export function ownProblems(graph: Graph, around: Surroundings): GraphProblem[] {
+  return [
+    ...misfits(graph),
+    ...moduleProblems(graph, around),
+    ...doubleWriters(graph),
+    ...cycles(graph),
+  ];
+}
+
+/** True when there is no code of a module anywhere. */
+export function isMissing({ module }: ModuleNode, { modules }: Surroundings): boolean {
+  return module.onProcessingStringified === '' && modules !== undefined && !modules.has(module.name);
+}
+
+function* misfits(graph: Graph): Iterable<GraphProblem> {
+  for (const { id, from, to } of graph.wires.values()) {
+    const fit = fitOf(graph, from, to);
+    if (fit.fits) continue;
+    const isInput = graph.nodes.get(to.node)?.kind === 'module';
+    const { node, port } = isInput ? to : from;
+    yield { ...error('format_mismatch', fit.reason), node, port, wires: [id] };
+  }
+}
+
+function* moduleProblems(graph: Graph, around: Surroundings): Iterable<GraphProblem> {
+  for (const node of graph.nodes.values()) {
+    if (node.kind !== 'module') continue;
+    const { module, id, ports } = node;
+    if (isMissing(node, around)) {
+      const message = `There is no module ${quoted(module.name)}: it has no code, and neither the library nor any node has one of that name. Import it in the module library, or start a node that has it.`;
+      yield { ...error('module_unknown', message), node: id };
+      continue;
+    }
+    const isPlaced = module.nodeId !== '' && module.extension?.replaceable !== true;
+    if (isPlaced && around.nodes !== undefined && !around.nodes.has(module.nodeId)) {
+      const message = `The node that ${quoted(module.name)} is to run on is not there; start it, or choose another.`;
+      yield { ...warning('node_unavailable', message), node: id };
+    }
+    for (const { name, direction, isDeclared, id: port } of ports) {
+      if (isDeclared) continue;
+      const others = ports.filter((one) => one.isDeclared && one.direction === direction);
+      const known = others.map((one) => one.name).join(', ') || 'none';
+      const message = `The module ${quoted(module.name)} has no ${direction}put ${quoted(name)}; it has ${known}.`;
+      const code = direction === 'in' ? 'unknown_input' : 'unknown_output';
+      yield { ...error(code, message), node: id, port };
+    }
+  }
+}
+
+function* doubleWriters(graph: Graph): Iterable<GraphProblem> {
+  for (const node of graph.nodes.values()) {
+    if (node.kind !== 'topic') continue;
+    const writers = wiresOf(graph, node.id).in;
+    if (writers.length < 2) continue;
+    const names = writers.map(({ from }) => quoted(nameOf(graph, from.node))).join(' and ');
+    yield {
+      ...warning('topic_written_twice', `${names} all write this topic; whoever writes last wins.`),
+      node: node.id,
+      wires: writers.map(({ id }) => id),
+    };
+  }
+}
+
+function* cycles(graph: Graph): Iterable<GraphProblem> {
+  for (const { nodes, wires } of cyclesIn(graph)) {
+    const names = nodes.map((id) => quoted(nameOf(graph, id)));
+    const who = names.length === 1 ? `${names[0]} feeds itself` : `${names.join(', ')} feed each other`;
+    const message = `${who}; see to it that the values do not grow without end.`;
+    for (const [index, node] of nodes.entries())
+      yield { ...warning('cycle', message), node, wires: index === 0 ? wires : [] };
+  }
+}
+
+const error = (code: string, message: string): GraphProblem => ({ ...PLACE, code, message, isError: true });
+const warning = (code: string, message: string): GraphProblem => ({ ...PLACE, code, message, isError: false });
+const PLACE = { node: undefined, port: undefined, wires: [] } as const;
+
+const quoted = (name: string): string => `"${name || 'no name'}"`;
+function nameOf(graph: Graph, id: string): string {
+  const node = graph.nodes.get(id);
+  if (node?.kind === 'module') return node.module.name;
+  return node?.kind === 'demuxer' ? node.demux.name : id;
+}
