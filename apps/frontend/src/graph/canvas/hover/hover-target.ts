@@ -25,7 +25,9 @@ export function hoverTarget(element: Element | null): HoverTarget | undefined {
   const { wire, wireChip, node, port } = found?.dataset ?? {};
   const id = wire ?? wireChip;
   if (id !== undefined) return { kind: 'wire', wire: id };
-  return node === undefined || port === undefined ? undefined : { kind: 'port', ref: { node, port } };
+  return node === undefined || port === undefined
+    ? undefined
+    : { kind: 'port', ref: { node, port } };
 }
 
 export const isSameTarget = (a: HoverTarget | undefined, b: HoverTarget | undefined): boolean =>
@@ -51,7 +53,12 @@ export function hoverWords(graph: Graph, target: HoverTarget): HoverWords | unde
   const topic = node.kind === 'topic' ? node.topic : wire && topicOfWire(graph, wire);
   const side = port.direction === 'in' ? 'Input' : 'Output';
   const constant = node.kind === 'module' ? node.constants.get(port.name) : undefined;
-  const note = topic !== undefined ? undefined : wire ? 'The values of many topics as a list' : noteOf(constant);
+  const note =
+    topic !== undefined
+      ? undefined
+      : wire
+        ? 'The values of many topics as a list'
+        : noteOf(constant);
   return { title: `${side} ${port.name || nodeTitle(node)}`, topic, format, note };
 }
 

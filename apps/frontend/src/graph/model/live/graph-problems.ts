@@ -25,7 +25,9 @@ export function graphProblems(
   around: Surroundings,
 ): GraphProblems {
   const own = ownProblems(graph, around);
-  const told = problemsInGraph(graph, session).flatMap((placed) => toldProblem(graph, placed) ?? []);
+  const told = problemsInGraph(graph, session).flatMap(
+    (placed) => toldProblem(graph, placed) ?? [],
+  );
   const isTold = ({ code, node, port }: GraphProblem): boolean =>
     told.some(
       (one) => one.node === node && one.code === code && (one.port ?? port) === (port ?? one.port),

@@ -36,7 +36,9 @@ export function ownProblems(graph: Graph, around: Surroundings): GraphProblem[] 
 
 /** True when there is no code of a module anywhere. */
 export function isMissing({ module }: ModuleNode, { modules }: Surroundings): boolean {
-  return module.onProcessingStringified === '' && modules !== undefined && !modules.has(module.name);
+  return (
+    module.onProcessingStringified === '' && modules !== undefined && !modules.has(module.name)
+  );
 }
 
 function* misfits(graph: Graph): Iterable<GraphProblem> {
@@ -91,15 +93,26 @@ function* doubleWriters(graph: Graph): Iterable<GraphProblem> {
 function* cycles(graph: Graph): Iterable<GraphProblem> {
   for (const { nodes, wires } of cyclesIn(graph)) {
     const names = nodes.map((id) => quoted(nameOf(graph, id)));
-    const who = names.length === 1 ? `${names[0]} feeds itself` : `${names.join(', ')} feed each other`;
+    const who =
+      names.length === 1 ? `${names[0]} feeds itself` : `${names.join(', ')} feed each other`;
     const message = `${who}; see to it that the values do not grow without end.`;
     for (const [index, node] of nodes.entries())
       yield { ...warning('cycle', message), node, wires: index === 0 ? wires : [] };
   }
 }
 
-const error = (code: string, message: string): GraphProblem => ({ ...PLACE, code, message, isError: true });
-const warning = (code: string, message: string): GraphProblem => ({ ...PLACE, code, message, isError: false });
+const error = (code: string, message: string): GraphProblem => ({
+  ...PLACE,
+  code,
+  message,
+  isError: true,
+});
+const warning = (code: string, message: string): GraphProblem => ({
+  ...PLACE,
+  code,
+  message,
+  isError: false,
+});
 const PLACE = { node: undefined, port: undefined, wires: [] } as const;
 
 const quoted = (name: string): string => `"${name || 'no name'}"`;
