@@ -1,8 +1,11 @@
 import { randomUuid } from '../../connection/random-uuid.ts';
 import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { CanvasContext } from '../editor/use-graph-editor.ts';
 import type { Point } from '../model/graph.ts';
+import type { Alignment, Axis } from '../model/selection/arrange.ts';
 import { duplicate } from '../model/selection/clipboard.ts';
-import { removeAndReconnect } from '../model/selection/reconnect.ts';
+import { viewKey } from './view-keys.ts';
+import { goToEnd, walkWires } from './wire-walk.ts';
 
 /** What keys do besides editing the graph. */
 export interface CanvasActions {
@@ -13,6 +16,12 @@ export interface CanvasActions {
   open(node: string): void;
 }
 
+/** What keys work on. */
+export interface CanvasKeys extends Pick<CanvasContext, 'stage' | 'commands' | 'points'> {
+  readonly editor: GraphEditor;
+  readonly actions: CanvasActions;
+}
+
 const STEP = 10;
 const BIG_STEP = 40;
 const ARROWS: Readonly<Record<string, Point>> = {
@@ -21,40 +30,54 @@ const ARROWS: Readonly<Record<string, Point>> = {
   ArrowUp: { x: 0, y: -1 },
   ArrowDown: { x: 0, y: 1 },
 };
+/** With Alt, by the place of the key: on some keyboards Alt gives other letters. */
+const ALIGN: Readonly<Record<string, Alignment>> = {
+  KeyA: 'left',
+  KeyD: 'right',
+  KeyW: 'top',
+  KeyS: 'bottom',
+  KeyH: 'center',
+  KeyV: 'middle',
+};
+const SPREAD: Readonly<Record<string, Axis>> = { KeyH: 'x', KeyV: 'y' };
 
 /** Does what a key asks for. @returns true when it was one of ours */
-export function canvasKey(
-  editor: GraphEditor,
-  event: KeyboardEvent,
-  actions: CanvasActions,
-): boolean {
-  const { nodes, wire } = editor.selection.value;
-  if (event.ctrlKey || event.metaKey) return commandKey(editor, event, actions);
-  if (event.altKey) return false;
+export function canvasKey(keys: CanvasKeys, event: KeyboardEvent): boolean {
   const arrow = ARROWS[event.key];
-  if (arrow !== undefined) {
-    if (nodes.size === 0) return false;
-    const step = event.shiftKey ? BIG_STEP : STEP;
-    const places = editor.places.value;
-    const moved = [...nodes].map((id) => {
-      const { x, y } = places.get(id) ?? { x: 0, y: 0 };
-      return [id, { x: x + arrow.x * step, y: y + arrow.y * step }] as const;
-    });
-    editor.apply({ kind: 'move', positions: new Map(moved) }, 'arrows');
-    return true;
+  if (event.ctrlKey || event.metaKey) {
+    if (arrow === undefined) return commandKey(keys, event);
+    return keys.commands.resize(scaled(arrow, STEP));
   }
+  if (event.altKey) return alignKey(keys, event);
+  if (arrow !== undefined) return arrowKey(keys, arrow, event.shiftKey);
+  return plainKey(keys, event) || viewKey(keys.stage, keys.editor, keys.actions, event);
+}
+
+const scaled = ({ x, y }: Point, by: number): Point => ({ x: x * by, y: y * by });
+
+/** Moves what is selected; from a wire, goes to its ends and to the wires beside it. */
+function arrowKey({ editor, commands, points, stage }: CanvasKeys, arrow: Point, isBig: boolean) {
+  const { nodes, wire } = editor.selection.value;
+  const way = scaled(arrow, isBig ? BIG_STEP : STEP);
+  if (nodes.size > 0 || points.selected !== undefined) return commands.move(way);
+  if (wire !== undefined) {
+    if (arrow.x !== 0) return goToEnd(editor, stage, wire, arrow.x > 0 ? 'to' : 'from');
+    return walkWires(editor, stage, arrow.y > 0 ? 1 : -1);
+  }
+  void stage.pan(scaled(way, -4));
+  return true;
+}
+
+function plainKey({ editor, commands, points, actions, stage }: CanvasKeys, event: KeyboardEvent) {
+  const { nodes, wire } = editor.selection.value;
   switch (event.key) {
     case 'Delete':
     case 'Backspace':
-      if (wire !== undefined) editor.apply({ kind: 'remove', wires: [wire] });
       // With Shift, what fed the nodes feeds what they fed.
-      else if (nodes.size > 0 && event.shiftKey)
-        editor.apply(removeAndReconnect(editor.graph.value, [...nodes]));
-      else if (nodes.size > 0) editor.apply({ kind: 'remove', nodes: [...nodes] });
-      else return false;
-      return true;
+      return commands.remove(event.shiftKey);
     case 'Escape':
-      actions.cancel();
+      if (points.selected === undefined) actions.cancel();
+      else points.select(undefined);
       return true;
     case 'Enter': {
       const [only] = nodes;
@@ -66,10 +89,21 @@ export function canvasKey(
       return toggleStanding(editor, 'bypassed');
     case 'm':
       return toggleStanding(editor, 'muted');
-    case 'f':
-    case 'F':
-      actions.fit();
+    case 'x':
+      return commands.detach();
+    case 'i':
+      return commands.insert();
+    case 'w':
+    case 'W':
+      return walkWires(editor, stage, event.shiftKey ? -1 : 1);
+    case 'p':
+      if (wire === undefined) return false;
+      commands.addPoint(wire);
       return true;
+    case ']':
+      return points.walk(1);
+    case '[':
+      return points.walk(-1);
     case 'Tab':
       // Only on the canvas itself: from node to node it goes as everywhere.
       if (event.shiftKey || nodes.size > 0) return false;
@@ -82,6 +116,13 @@ export function canvasKey(
     default:
       return false;
   }
+}
+
+function alignKey({ commands }: CanvasKeys, { code, shiftKey }: KeyboardEvent): boolean {
+  const axis = shiftKey ? SPREAD[code] : undefined;
+  if (axis !== undefined) return commands.distribute(axis);
+  const alignment = shiftKey ? undefined : ALIGN[code];
+  return alignment !== undefined && commands.align(alignment);
 }
 
 /** Lets the selected modules rest, or work again when all of them rest in that way. */
@@ -101,9 +142,8 @@ function toggleStanding(editor: GraphEditor, standing: 'bypassed' | 'muted'): bo
 }
 
 function commandKey(
-  editor: GraphEditor,
+  { editor, commands, actions }: CanvasKeys,
   { key, shiftKey }: KeyboardEvent,
-  actions: CanvasActions,
 ): boolean {
   switch (key.toLowerCase()) {
     case 'z':
@@ -118,6 +158,11 @@ function commandKey(
       return true;
     case 'f':
       actions.find();
+      return true;
+    case 'g':
+      // Taken from the browser also where there is nothing to frame.
+      if (shiftKey) commands.unframe();
+      else commands.frame();
       return true;
     case 'd': {
       const copy = duplicate(editor.graph.value, editor.selection.value.nodes, randomUuid);

@@ -2,38 +2,14 @@ import { NodeEditor, type GetSchemes } from 'rete';
 import { AreaPlugin, Drag } from 'rete-area-plugin';
 import { shallowReactive, shallowRef, type ShallowRef } from 'vue';
 import type { Point, PortRef, Size } from '../model/graph.ts';
+import { bounds, type Box as NodeBox } from '../model/selection/arrange.ts';
+import { limitZoom, MAX_ZOOM, MIN_ZOOM, viewOf, type Box, type View } from './stage-view.ts';
 
 type Schemes = GetSchemes<{ id: string }, { id: string; source: string; target: string }>;
 
-/** Where the canvas is looked at: the place of its origin in pixels, and the zoom. */
-export interface View extends Point {
-  readonly k: number;
-}
-
-/** A box on the canvas. */
-export interface Box extends Point, Size {}
-
-/** What people do on the stage. */
-export interface StageHandlers {
-  /** A pointer went down on a node. */
-  picked(id: string): void;
-  /** Nodes that go along when this one is dragged. */
-  companions(id: string): Iterable<string>;
-  /** Nodes were dragged to new places. */
-  moved(places: ReadonlyMap<string, Point>): void;
-}
-
-const GRID = 10;
-const MIN_ZOOM = 0.1;
-const MAX_ZOOM = 2.5;
-const FIT_MARGIN = 56;
-/** Fitting does not blow up small graphs. */
-const MAX_FIT_ZOOM = 1;
 /** How long a pan rests before it has ended, milliseconds. */
 const LAYER_MS = 200;
 const NO_SIZE: Size = { width: 0, height: 0 };
-
-const snap = (value: number): number => Math.round(value / GRID) * GRID;
 
 /** Key of a port in maps. */
 export const portKey = ({ node, port }: PortRef): string => `${node} ${port}`;
@@ -58,33 +34,27 @@ export class CanvasStage {
   /** Over the nodes. */
   readonly chips = layer('chips');
   readonly container: HTMLElement;
+  /** While it is true, every pointer pans. */
+  isPanning = false;
 
   readonly #editor = new NodeEditor<Schemes>();
   readonly #area: AreaPlugin<Schemes>;
-  readonly #handlers: StageHandlers;
   readonly #observer = new ResizeObserver(() => {
     const { clientWidth: width, clientHeight: height } = this.container;
     this.viewport.value = { width, height };
   });
   #layerTimer: ReturnType<typeof setTimeout> | undefined;
-  #dragged: string | undefined;
-  #start: ReadonlyMap<string, Point> = new Map();
+  /** Nodes that a hand holds: they stay where it puts them. */
+  #held: ReadonlySet<string> = new Set();
   /** One change of the stage after the other. */
   #queue: Promise<void> = Promise.resolve();
 
-  constructor(container: HTMLElement, handlers: StageHandlers) {
+  constructor(container: HTMLElement) {
     this.container = container;
-    this.#handlers = handlers;
     this.#area = new AreaPlugin<Schemes>(container);
     this.#observer.observe(container);
     this.#area.area.setDragHandler(
-      new Drag({
-        // Shift draws a box; the middle button pans everywhere.
-        down: (event) =>
-          !event.shiftKey &&
-          (event.pointerType !== 'mouse' || event.button === 0 || event.button === 1),
-        move: () => true,
-      }),
+      new Drag({ down: (event) => this.#isPan(event), move: () => true }),
     );
     this.#area.area.content.add(this.wires);
     this.#area.area.content.add(this.chips);
@@ -93,26 +63,20 @@ export class CanvasStage {
       const { type } = context;
       if (type === 'render') {
         if (context.data.type !== 'node') return context;
-        context.data.element.classList.add('graph-node-holder');
-        this.elements.set(context.data.payload.id, context.data.element);
+        const { payload, element } = context.data;
+        // Nodes are dragged with everything that belongs to it elsewhere; see drag/node-drag.ts.
+        this.#area.nodeViews.get(payload.id)?.dragHandler.destroy();
+        element.classList.add('graph-node-holder');
+        this.elements.set(payload.id, element);
       } else if (type === 'zoom') {
         const { zoom, source } = context.data;
         if (source === 'dblclick' || zoom < MIN_ZOOM || zoom > MAX_ZOOM) return undefined;
       } else if (type === 'translated' || type === 'zoomed') {
         this.view.value = { ...this.#area.area.transform };
         if (type === 'translated') this.#keepLayer();
-      } else if (type === 'nodepicked') {
-        this.#pick(context.data.id);
-      } else if (type === 'nodetranslate' && context.data.id === this.#dragged) {
-        const { x, y } = context.data.position;
-        const position = { x: snap(x), y: snap(y) };
-        return { ...context, data: { ...context.data, position } };
       } else if (type === 'nodetranslated') {
         const { id, position } = context.data;
-        this.positions.set(id, position);
-        if (id === this.#dragged) this.#takeAlong(position);
-      } else if (type === 'nodedragged') {
-        this.#drop();
+        if (this.elements.has(id)) this.positions.set(id, position);
       }
       return context;
     });
@@ -136,10 +100,23 @@ export class CanvasStage {
     const added = [...places.keys()].filter((id) => !this.elements.has(id));
     await Promise.all(added.map((id) => this.#editor.addNode({ id })));
     const moved = [...places].filter(([id, { x, y }]) => {
+      if (this.#held.has(id)) return false;
       const old = this.positions.get(id);
       return old?.x !== x || old.y !== y;
     });
     await Promise.all(moved.map(([id, place]) => this.#area.translate(id, { ...place })));
+  }
+
+  /** Puts nodes somewhere at once; what is not on the stage is left out. */
+  put(places: Iterable<readonly [id: string, place: Point]>): void {
+    for (const [id, place] of places) {
+      if (this.elements.has(id)) void this.#area.translate(id, { ...place });
+    }
+  }
+
+  /** These stay where they are put, whatever `show` says, until it is called with others. */
+  hold(ids: ReadonlySet<string>): void {
+    this.#held = ids;
   }
 
   /** A place on the page, on the canvas. */
@@ -186,47 +163,42 @@ export class CanvasStage {
     }
   }
 
-  /** The box around nodes; around all without a list. */
-  boxOf(ids: Iterable<string> = this.positions.keys()): Box | undefined {
-    let left = Infinity;
-    let top = Infinity;
-    let right = -Infinity;
-    let bottom = -Infinity;
-    for (const id of ids) {
+  /** What is seen of the canvas. */
+  get seen(): Box {
+    const { x, y, k } = this.view.value;
+    const { width, height } = this.viewport.value;
+    return { x: -x / k, y: -y / k, width: width / k, height: height / k };
+  }
+
+  /** Nodes as they lie now. */
+  boxes(ids: Iterable<string> = this.positions.keys()): NodeBox[] {
+    return [...ids].flatMap((id) => {
       const position = this.positions.get(id);
-      if (position === undefined) continue;
-      const { width, height } = this.sizes.get(id) ?? NO_SIZE;
-      left = Math.min(left, position.x);
-      top = Math.min(top, position.y);
-      right = Math.max(right, position.x + width);
-      bottom = Math.max(bottom, position.y + height);
-    }
-    return left === Infinity
-      ? undefined
-      : { x: left, y: top, width: right - left, height: bottom - top };
+      return position === undefined
+        ? []
+        : [{ id, ...position, ...(this.sizes.get(id) ?? NO_SIZE) }];
+    });
+  }
+
+  /** The box around nodes; around all without a list. */
+  boxOf(ids?: Iterable<string>): Box | undefined {
+    const boxes = this.boxes(ids);
+    return boxes.length === 0 ? undefined : bounds(boxes);
   }
 
   /** Shows all nodes, or these. @param inset pixels at the bottom that something covers */
   async fit(ids?: Iterable<string>, inset = 0): Promise<void> {
     const box = this.boxOf(ids);
-    const { clientWidth, clientHeight } = this.container;
-    if (box === undefined || clientWidth === 0) return;
-    const width = clientWidth - 2 * FIT_MARGIN;
-    const height = clientHeight - 2 * FIT_MARGIN - inset;
-    const k = Math.max(
-      MIN_ZOOM,
-      Math.min(width / Math.max(box.width, 1), height / Math.max(box.height, 1), MAX_FIT_ZOOM),
-    );
+    const { clientWidth: width, clientHeight: height } = this.container;
+    if (box === undefined || width === 0) return;
+    const { x, y, k } = viewOf(box, { width, height }, inset);
     await this.#area.area.zoom(k);
-    await this.#area.area.translate(
-      FIT_MARGIN + (width - box.width * k) / 2 - box.x * k,
-      FIT_MARGIN + (height - box.height * k) / 2 - box.y * k,
-    );
+    await this.#area.area.translate(x, y);
   }
 
   /** Zooms around the middle of what is seen. */
   async zoomTo(k: number): Promise<void> {
-    const wanted = Math.min(MAX_ZOOM, Math.max(MIN_ZOOM, k));
+    const wanted = limitZoom(k);
     const { clientWidth, clientHeight } = this.container;
     const { x, y, k: old } = this.view.value;
     const factor = 1 - wanted / old;
@@ -244,6 +216,12 @@ export class CanvasStage {
     await this.#area.area.translate(clientWidth / 2 - x * k, clientHeight / 2 - y * k);
   }
 
+  /** Moves what is seen, by pixels. */
+  async pan(by: Point): Promise<void> {
+    const { x, y } = this.view.value;
+    await this.#area.area.translate(x + by.x, y + by.y);
+  }
+
   destroy(): void {
     clearTimeout(this.#layerTimer);
     this.#observer.disconnect();
@@ -258,39 +236,11 @@ export class CanvasStage {
     this.#layerTimer = setTimeout(() => (style.willChange = ''), LAYER_MS);
   }
 
-  #pick(id: string): void {
-    this.#handlers.picked(id);
-    this.#dragged = id;
-    const along = [id, ...this.#handlers.companions(id)];
-    this.#start = new Map(
-      along.flatMap((one) => {
-        const position = this.positions.get(one);
-        return position === undefined ? [] : [[one, position] as const];
-      }),
-    );
-  }
-
-  #takeAlong({ x, y }: Point): void {
-    const start = this.#dragged === undefined ? undefined : this.#start.get(this.#dragged);
-    if (start === undefined) return;
-    for (const [id, from] of this.#start) {
-      if (id === this.#dragged) continue;
-      void this.#area.translate(id, { x: from.x + x - start.x, y: from.y + y - start.y });
-    }
-  }
-
-  #drop(): void {
-    const id = this.#dragged;
-    if (id === undefined) return;
-    this.#dragged = undefined;
-    const from = this.#start.get(id);
-    const to = this.positions.get(id);
-    if (from === undefined || to === undefined || (from.x === to.x && from.y === to.y)) return;
-    const by = { x: to.x - from.x, y: to.y - from.y };
-    const places = [...this.#start].map(
-      ([one, old]) => [one, { x: old.x + by.x, y: old.y + by.y }] as const,
-    );
-    this.#handlers.moved(new Map(places));
+  /** The middle button pans everywhere, others where nothing is; Shift draws a box. */
+  #isPan({ pointerType, button, shiftKey, target }: PointerEvent): boolean {
+    if (this.isPanning || (pointerType === 'mouse' && button === 1)) return true;
+    if (shiftKey || button !== 0) return false;
+    return !(target as Element).closest('[data-graph-node]');
   }
 }
 

@@ -14,12 +14,7 @@ function setUp() {
   let count = 0;
   const editor = createGraphEditor(aSession(), () => `uuid-${(count += 1)}`);
   editor.apply({ kind: 'add', nodes: [topicNode('/n', { format: 'double' })] });
-  const nothing = (): void => undefined;
-  const stage = new CanvasStage(document.createElement('div'), {
-    picked: nothing,
-    companions: () => [],
-    moved: nothing,
-  });
+  const stage = new CanvasStage(document.createElement('div'));
   stages.push(stage);
   return { editor, gesture: new ConnectGesture(editor, stage, () => []) };
 }

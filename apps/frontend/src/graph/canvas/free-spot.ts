@@ -1,7 +1,8 @@
 import type { Graph, Point } from '../model/graph.ts';
 import type { CanvasStage } from './canvas-stage.ts';
 
-const GRID = 10;
+/** What nodes and points lie on. */
+export const GRID = 10;
 /** Half of a small node: what is dropped lies under the pointer. */
 export const NODE_HALF: Point = { x: 90, y: 30 };
 const NODE = { width: 180, height: 76 };

@@ -1,7 +1,8 @@
 import { useEventListener } from '@vueuse/core';
 import { shallowRef, type ShallowRef } from 'vue';
 import type { GraphEditor } from '../editor/graph-editor.ts';
-import type { Box, CanvasStage } from './canvas-stage.ts';
+import type { CanvasStage } from './canvas-stage.ts';
+import type { Box } from './stage-view.ts';
 
 /** Draws a box with Shift held down, and selects what it touches. @returns the box, in pixels of the canvas */
 export function useBoxSelect(

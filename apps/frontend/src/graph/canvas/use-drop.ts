@@ -1,11 +1,12 @@
-import type { Ref } from 'vue';
+import { watch, type Ref } from 'vue';
 import { randomUuid } from '../../connection/random-uuid.ts';
 import type { GraphEditor } from '../editor/graph-editor.ts';
 import type { Point, PortRef } from '../model/graph.ts';
 import { insertOnWire } from '../model/selection/insert.ts';
-import type { DraggedItem } from '../palette/drag-item.ts';
+import { draggedItem, type DraggedItem } from '../palette/drag-item.ts';
 import type { CanvasStage } from './canvas-stage.ts';
 import { socketUnder, type ConnectGesture } from './connect-gesture.ts';
+import type { InsertTarget } from './drag/insert-target.ts';
 import { freeSpot, NODE_HALF, onGrid } from './free-spot.ts';
 import { newNode, type NewNode } from './new-nodes.ts';
 
@@ -15,6 +16,7 @@ export interface DropTarget {
   readonly editor: GraphEditor;
   readonly stage: CanvasStage;
   readonly gesture: ConnectGesture;
+  readonly target: InsertTarget;
   /** Puts it on the canvas by itself. */
   place(item: NewNode, at: Point): void;
 }
@@ -26,15 +28,16 @@ const BEFORE = -280;
 const BEHIND = 110;
 
 /** What was dragged from the palette lands on a socket, on a wire or on the canvas. */
-export function useDrop(target: DropTarget): (dragged: DraggedItem) => void {
-  const { host, editor, stage, gesture, place } = target;
+export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
+  const { host, editor, stage, gesture, target: wires, place } = on;
+  useWireUnder(on);
 
   return ({ item, clientX, clientY }) => {
+    const wire = wires.end();
     const under = document.elementFromPoint(clientX, clientY);
     if (!host.value?.contains(under)) return;
     const pointer = stage.toCanvas(clientX, clientY);
     const at = { x: pointer.x - NODE_HALF.x, y: pointer.y - NODE_HALF.y / 2 };
-    const wire = under?.closest<HTMLElement>('[data-wire]')?.dataset['wire'];
     if (wire !== undefined && insert(item, wire, at)) return;
     const port = socketUnder({ clientX, clientY });
     const node = port && editor.graph.value.nodes.get(port.node);
@@ -46,7 +49,6 @@ export function useDrop(target: DropTarget): (dragged: DraggedItem) => void {
   };
 
   function insert(item: NewNode, wire: string, at: Point): boolean {
-    if (item.kind !== 'module') return false;
     const node = newNode(item, onGrid(at), randomUuid);
     const command = insertOnWire(editor.graph.value, wire, node);
     if (command === undefined) return false;
@@ -72,4 +74,28 @@ export function useDrop(target: DropTarget): (dragged: DraggedItem) => void {
     if (gesture.connect(own, port, at, step)) editor.select([port.node]);
     editor.seal();
   }
+}
+
+/** How near a wire what is dragged goes in between, pixels. */
+const WIRE_PX = 22;
+
+/** Lights the wire that would take in what is dragged from the palette. */
+function useWireUnder({ host, editor, stage, target }: DropTarget): void {
+  let item: NewNode | undefined;
+  watch(draggedItem, (dragged) => {
+    if (dragged === undefined) {
+      if (item !== undefined) target.end();
+      item = undefined;
+      return;
+    }
+    if (dragged.item !== item) {
+      item = dragged.item;
+      target.begin(editor.graph.value, newNode(item, { x: 0, y: 0 }, randomUuid));
+    }
+    const { clientX, clientY } = dragged;
+    const isOver = host.value?.contains(document.elementFromPoint(clientX, clientY)) === true;
+    const hasPort = socketUnder({ clientX, clientY }) !== undefined;
+    const reach = isOver && !hasPort ? WIRE_PX / stage.view.value.k : -1;
+    target.over(stage.toCanvas(clientX, clientY), reach);
+  });
 }

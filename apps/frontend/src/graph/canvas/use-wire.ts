@@ -2,7 +2,7 @@ import { computed, type ComputedRef } from 'vue';
 import { DATA_FORMATS, type DataFormatFamily } from '@ubii/proto';
 import { useCanvas, useGraphContext } from '../editor/use-graph-editor.ts';
 import { topicOfWire, type LiveTopic } from '../live/live-graph.ts';
-import type { Wire } from '../model/graph.ts';
+import type { Point, Wire } from '../model/graph.ts';
 import { portFormat, portOf } from '../model/port-format.ts';
 import { wirePath, type WirePath } from './wire-path.ts';
 
@@ -12,6 +12,8 @@ export interface WireLook {
   readonly family: ComputedRef<DataFormatFamily>;
   readonly isList: ComputedRef<boolean>;
   readonly live: ComputedRef<LiveTopic | undefined>;
+  /** What it is led through now, also while it is dragged. */
+  readonly points: ComputedRef<readonly Point[]>;
   readonly isSelected: ComputedRef<boolean>;
   /** Another node or wire is what is looked at. */
   readonly isDim: ComputedRef<boolean>;
@@ -19,19 +21,28 @@ export interface WireLook {
 
 export function useWire(wire: () => Wire): WireLook {
   const { editor, live } = useGraphContext();
-  const { stage, gesture } = useCanvas();
+  const { stage, gesture, drag, points: wirePoints } = useCanvas();
   const format = computed(() => {
     const { from, to } = wire();
     const graph = editor.graph.value;
     return portFormat(graph, from) ?? portFormat(graph, to);
   });
   const isSelected = computed(() => editor.selection.value.wire === wire().id);
+  const points = computed(() => {
+    const { id, points: own } = wire();
+    const shown = wirePoints.shown.value;
+    if (shown?.wire === id) return shown.points;
+    if (own.length === 0 || !drag.taken.value.has(id)) return own;
+    const by = drag.by.value;
+    return own.map(({ x, y }) => ({ x: x + by.x, y: y + by.y }));
+  });
   return {
     path: computed(() => {
-      const { from, to, points } = wire();
+      const { from, to } = wire();
       const [start, end] = [stage.socketAt(from, 'out'), stage.socketAt(to, 'in')];
-      return start && end && wirePath(start, end, points);
+      return start && end && wirePath(start, end, points.value);
     }),
+    points,
     family: computed(() => (format.value ? DATA_FORMATS[format.value].family : 'system')),
     isList: computed(() => portOf(editor.graph.value, wire().from)?.isList === true),
     live: computed(() => {

@@ -6,44 +6,83 @@ export interface WirePath {
   readonly middle: Point;
 }
 
+/** A cubic curve between two of the points a wire is led through. */
+export interface Curve {
+  readonly from: Point;
+  readonly a: Point;
+  readonly b: Point;
+  readonly to: Point;
+}
+
 /** Corners of wires that go back. */
 const RADIUS = 14;
 /** How far a wire leaves a socket before it turns. */
 const REACH = 20;
 const MIN_BEND = 30;
+/** How far a curve through points keeps its direction, as a share of its length. */
+const ROUNDNESS = 0.36;
 
 const round = (value: number): number => Math.round(value * 10) / 10;
 const at = ({ x, y }: Point): string => `${round(x)} ${round(y)}`;
 
 /** From an output to an input, through the points it is led through. */
 export function wirePath(from: Point, to: Point, points: readonly Point[] = []): WirePath {
-  if (points.length > 0) return through([from, ...points, to]);
-  return to.x - from.x >= REACH ? forward(from, to) : backward(from, to);
+  if (goesBack(from, to, points)) {
+    const corners = cornersOf(from, to);
+    const [, , a, b] = corners as [Point, Point, Point, Point];
+    return { d: rounded(corners), middle: middleOf(a, b) };
+  }
+  const curves = curvesOf(from, to, points);
+  const d = curves.map(({ a, b, to: end }) => `C${at(a)} ${at(b)} ${at(end)}`).join('');
+  return { d: `M${at(from)}${d}`, middle: middleOfLongest(curves) };
 }
 
-function forward(from: Point, to: Point): WirePath {
-  const bend = Math.max(MIN_BEND, (to.x - from.x) / 2);
+/** A wire without points goes back in steps; with points, it goes where it is led. */
+export const goesBack = (from: Point, to: Point, points: readonly Point[]): boolean =>
+  points.length === 0 && to.x - from.x < REACH;
+
+/** One curve to each point and one to the end: smooth at the points, flat at both sockets. */
+export function curvesOf(from: Point, to: Point, points: readonly Point[]): Curve[] {
+  if (points.length === 0) {
+    const bend = Math.max(MIN_BEND, (to.x - from.x) / 2);
+    return [{ from, a: { x: from.x + bend, y: from.y }, b: { x: to.x - bend, y: to.y }, to }];
+  }
+  const stops = [from, ...points, to];
+  const directions = stops.map((_, index): Point => {
+    const [before, after] = [stops[index - 1], stops[index + 1]];
+    if (before === undefined || after === undefined) return { x: 1, y: 0 };
+    const whole = length(before, after) || 1;
+    return { x: (after.x - before.x) / whole, y: (after.y - before.y) / whole };
+  });
+  return stops.slice(1).map((stop, index): Curve => {
+    const start = stops[index]!;
+    const bend = ROUNDNESS * length(start, stop);
+    const [out, into] = [directions[index]!, directions[index + 1]!];
+    return {
+      from: start,
+      a: { x: start.x + out.x * bend, y: start.y + out.y * bend },
+      b: { x: stop.x - into.x * bend, y: stop.y - into.y * bend },
+      to: stop,
+    };
+  });
+}
+
+export function onCurve({ from, a, b, to }: Curve, t: number): Point {
+  const s = 1 - t;
+  const [p, q, r, u] = [s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t];
   return {
-    d: `M${at(from)}C${at({ x: from.x + bend, y: from.y })} ${at({ x: to.x - bend, y: to.y })} ${at(to)}`,
-    middle: middleOf(from, to),
+    x: p * from.x + q * a.x + r * b.x + u * to.x,
+    y: p * from.y + q * a.y + r * b.y + u * to.y,
   };
 }
 
-/** Steps with round corners: out, half way down, back, the other half, in. */
-function backward(from: Point, to: Point): WirePath {
+/** Steps: out, half way down, back, the other half, in. */
+export function cornersOf(from: Point, to: Point): readonly Point[] {
   const right = from.x + REACH;
   const left = to.x - REACH;
   const y =
     Math.abs(to.y - from.y) < 4 * RADIUS ? Math.max(from.y, to.y) + 60 : (from.y + to.y) / 2;
-  const corners = [
-    from,
-    { x: right, y: from.y },
-    { x: right, y },
-    { x: left, y },
-    { x: left, y: to.y },
-    to,
-  ];
-  return { d: rounded(corners), middle: { x: (left + right) / 2, y } };
+  return [from, { x: right, y: from.y }, { x: right, y }, { x: left, y }, { x: left, y: to.y }, to];
 }
 
 function rounded(corners: readonly Point[]): string {
@@ -56,15 +95,13 @@ function rounded(corners: readonly Point[]): string {
   return `${d}L${at(corners.at(-1)!)}`;
 }
 
-/** A curve through all points, flat at both ends. */
-function through(points: readonly Point[]): WirePath {
-  let d = `M${at(points[0]!)}`;
-  for (let index = 1; index < points.length; index += 1) {
-    const [from, to] = [points[index - 1]!, points[index]!];
-    const bend = Math.max(MIN_BEND, Math.abs(to.x - from.x) / 2);
-    d += `C${at({ x: from.x + bend, y: from.y })} ${at({ x: to.x - bend, y: to.y })} ${at(to)}`;
+/** The middle of the longest curve: beside the points, which are held there. */
+function middleOfLongest(curves: readonly Curve[]): Point {
+  let longest = curves[0]!;
+  for (const curve of curves) {
+    if (length(curve.from, curve.to) > length(longest.from, longest.to)) longest = curve;
   }
-  return { d, middle: points[Math.floor(points.length / 2)]! };
+  return onCurve(longest, 0.5);
 }
 
 const middleOf = (a: Point, b: Point): Point => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });

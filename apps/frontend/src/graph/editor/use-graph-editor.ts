@@ -1,6 +1,11 @@
 import { inject, type InjectionKey } from 'vue';
+import type { CanvasCommands } from '../canvas/canvas-commands.ts';
 import type { CanvasStage } from '../canvas/canvas-stage.ts';
 import type { ConnectGesture } from '../canvas/connect-gesture.ts';
+import type { InsertTarget } from '../canvas/drag/insert-target.ts';
+import type { NodeDrag } from '../canvas/drag/node-drag.ts';
+import type { NodeResize } from '../canvas/frames/node-resize.ts';
+import type { WirePoints } from '../canvas/points/wire-points.ts';
 import type { LiveGraph } from '../live/live-graph.ts';
 import type { GraphEditor } from './graph-editor.ts';
 
@@ -14,6 +19,12 @@ export interface GraphContext {
 export interface CanvasContext {
   readonly stage: CanvasStage;
   readonly gesture: ConnectGesture;
+  readonly drag: NodeDrag;
+  readonly target: InsertTarget;
+  readonly points: WirePoints;
+  readonly resize: NodeResize;
+  /** What menus and keys do to what is selected. */
+  readonly commands: CanvasCommands;
 }
 
 export const GRAPH_CONTEXT: InjectionKey<GraphContext> = Symbol('graph');

@@ -82,7 +82,7 @@ function ownJson(graph: Graph, node: GraphNode): JsonObject {
     case 'comment':
       return { text: node.text };
     case 'frame':
-      return { title: node.title };
+      return { title: node.title, ...(node.color !== '' && { color: node.color }) };
   }
 }
 

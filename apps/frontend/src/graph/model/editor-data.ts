@@ -22,6 +22,7 @@ export interface NodeRecord extends NodeLook {
   readonly targets?: readonly (readonly [node: string, input: string])[];
   readonly text?: string;
   readonly title?: string;
+  readonly color?: string;
 }
 
 /** What graph editors keep in a session. [EX-22] */
@@ -101,7 +102,7 @@ function takeEach<T>(
   else delete members[section];
 }
 
-const TEXTS = ['frame', 'topic', 'name', 'json', 'text', 'title'] as const;
+const TEXTS = ['frame', 'topic', 'name', 'json', 'text', 'title', 'color'] as const;
 const KNOWN: ReadonlySet<string> = new Set<string>([
   ...['kind', 'loose', 'x', 'y', 'width', 'height', 'collapsed', 'format', 'message', 'targets'],
   ...TEXTS,

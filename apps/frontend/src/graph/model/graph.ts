@@ -98,6 +98,8 @@ export interface CommentNode extends NodeBase {
 export interface FrameNode extends NodeBase {
   readonly kind: 'frame';
   readonly title: string;
+  /** One of `FRAME_COLORS`; others are kept and not shown; empty: none. */
+  readonly color: string;
 }
 
 export type GraphNode =

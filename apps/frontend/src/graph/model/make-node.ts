@@ -98,6 +98,11 @@ export function commentNode(id: string, text: string, look: NodeLook = {}): Comm
   return { ...base('comment', id, look), text, ports: [] };
 }
 
-export function frameNode(id: string, title: string, look: NodeLook = {}): FrameNode {
-  return { ...base('frame', id, look), title, ports: [] };
+export function frameNode(
+  id: string,
+  title: string,
+  look: NodeLook & { readonly color?: string } = {},
+): FrameNode {
+  const { color = '' } = look;
+  return { ...base('frame', id, look), title, color, ports: [] };
 }

@@ -164,7 +164,8 @@ function mergePlain(
     if (title.kind === 'conflict') {
       report('The title', theirs.title, mine.title, { kind: 'setText', node, text: theirs.title });
     }
-    return { ...mine, title: title.value };
+    const color = threeWay(base.color, mine.color, theirs.color).value;
+    return { ...mine, title: title.value, color };
   }
   return mine;
 }

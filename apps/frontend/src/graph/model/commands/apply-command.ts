@@ -10,6 +10,7 @@ import {
   setModule,
   setMuxer,
   setStanding,
+  setColor,
   setText,
   setValue,
 } from './edit-node.ts';
@@ -78,6 +79,7 @@ const RUNNERS: { readonly [K in CommandKind]: Runner<K> } = {
   setDemuxer,
   setValue,
   setText,
+  setColor,
   renameTopic,
   setVia,
   showTopic,

@@ -35,6 +35,8 @@ export function commandLabel(graph: Graph, command: GraphCommand): string {
       return `Change ${name(command.node)}`;
     case 'setText':
       return `Write ${name(command.node)}`;
+    case 'setColor':
+      return `Colour ${name(command.frame)}`;
     case 'renameTopic':
       return `Change the topic ${name(command.node)} to ${command.topic || 'nothing'}`;
     case 'setVia':

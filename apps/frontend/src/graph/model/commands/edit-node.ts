@@ -106,3 +106,6 @@ export const setText = (edit: GraphEdit, { node, text }: CommandOf<'setText'>): 
         return old;
     }
   });
+
+export const setColor = (edit: GraphEdit, { frame, color }: CommandOf<'setColor'>): void =>
+  editOf(edit, frame, 'frame', (old) => ({ ...old, color }));

@@ -68,6 +68,8 @@ export type GraphCommand =
   | { readonly kind: 'setValue'; readonly node: string; readonly json: string }
   /** The text of a comment, the title of a frame, the name of a constant. */
   | { readonly kind: 'setText'; readonly node: string; readonly text: string }
+  /** One of `FRAME_COLORS`, or empty. */
+  | { readonly kind: 'setColor'; readonly frame: string; readonly color: string }
   | { readonly kind: 'renameTopic'; readonly node: string; readonly topic: string }
   /** Another topic between two modules, for all wires that share it. */
   | { readonly kind: 'setVia'; readonly wire: string; readonly topic: string }

@@ -96,8 +96,8 @@ function nearest(
     for (const share of [0, 0.5, 1]) {
       const at = other[axis] + other[extent] * share;
       const by = at - (start + length * share);
-      const limit = best === undefined ? reach : Math.abs(best.by) - Number.EPSILON;
-      if (Math.abs(by) <= limit) best = { by, at };
+      const distance = Math.abs(by);
+      if (best === undefined ? distance <= reach : distance < Math.abs(best.by)) best = { by, at };
     }
   }
   return best;

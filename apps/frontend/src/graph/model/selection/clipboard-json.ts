@@ -43,7 +43,7 @@ export function nodeToJson(node: GraphNode): JsonObject {
     case 'comment':
       return { ...look, text: node.text };
     case 'frame':
-      return { ...look, title: node.title };
+      return { ...look, title: node.title, color: node.color };
   }
 }
 
@@ -113,7 +113,10 @@ function newNode(
     case 'comment':
       return commentNode(`comment:${uuid()}`, textOf(json, 'text'), look);
     case 'frame':
-      return frameNode(`frame:${uuid()}`, textOf(json, 'title'), look);
+      return frameNode(`frame:${uuid()}`, textOf(json, 'title'), {
+        ...look,
+        color: typeof json.color === 'string' ? json.color : '',
+      });
     default:
       throw new TypeError(`there is no kind of node called ${JSON.stringify(kind)}`);
   }

@@ -142,6 +142,11 @@ const MAKERS: { readonly [K in CommandKind]: Maker<K> } = {
     json: `{"double":${next()}}`,
   }),
   setText: (graph, next) => ({ kind: 'setText', node: nodeId(graph, next), text: `${next()}` }),
+  setColor: (graph, next) => ({
+    kind: 'setColor',
+    frame: nodeId(graph, next),
+    color: next() % 2 === 0 ? '' : 'teal',
+  }),
   renameTopic: (graph, next) => ({
     kind: 'renameTopic',
     node: nodeId(graph, next),

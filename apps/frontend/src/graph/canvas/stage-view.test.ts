@@ -1,0 +1,27 @@
+import { describe, expect, it } from 'vitest';
+import { limitZoom, MAX_ZOOM, MIN_ZOOM, viewOf } from './stage-view.ts';
+
+describe('viewOf', () => {
+  const viewport = { width: 1000, height: 700 };
+
+  it('puts a small box in the middle, at its own size', () => {
+    const { x, y, k } = viewOf({ x: 100, y: 50, width: 200, height: 100 }, viewport);
+    expect(k).toBe(1);
+    expect({ x: 200 * k + x, y: 100 * k + y }).toEqual({ x: 500, y: 350 });
+  });
+
+  it('shows all of a large box, above what covers the bottom', () => {
+    const box = { x: -500, y: 0, width: 4000, height: 3000 };
+    const { x, y, k } = viewOf(box, viewport, 60);
+    expect(box.x * k + x).toBeGreaterThan(0);
+    expect((box.x + box.width) * k + x).toBeLessThan(viewport.width);
+    expect(box.y * k + y).toBeGreaterThan(0);
+    expect((box.y + box.height) * k + y).toBeLessThan(viewport.height - 60);
+  });
+
+  it('keeps the zoom in its limits', () => {
+    expect(viewOf({ x: 0, y: 0, width: 1e6, height: 1e6 }, viewport).k).toBe(MIN_ZOOM);
+    expect(limitZoom(100)).toBe(MAX_ZOOM);
+    expect(limitZoom(0)).toBe(MIN_ZOOM);
+  });
+});

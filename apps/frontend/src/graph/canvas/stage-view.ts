@@ -1,0 +1,32 @@
+import type { Point, Size } from '../model/graph.ts';
+
+/** Where the canvas is looked at: the place of its origin in pixels, and the zoom. */
+export interface View extends Point {
+  readonly k: number;
+}
+
+/** A box on the canvas. */
+export interface Box extends Point, Size {}
+
+export const MIN_ZOOM = 0.1;
+export const MAX_ZOOM = 2.5;
+const FIT_MARGIN = 56;
+/** Fitting does not blow up small graphs. */
+const MAX_FIT_ZOOM = 1;
+
+export const limitZoom = (k: number): number => Math.min(MAX_ZOOM, Math.max(MIN_ZOOM, k));
+
+/** The view that shows all of a box. @param inset pixels at the bottom that something covers */
+export function viewOf(box: Box, viewport: Size, inset = 0): View {
+  const width = viewport.width - 2 * FIT_MARGIN;
+  const height = viewport.height - 2 * FIT_MARGIN - inset;
+  const k = Math.max(
+    MIN_ZOOM,
+    Math.min(width / Math.max(box.width, 1), height / Math.max(box.height, 1), MAX_FIT_ZOOM),
+  );
+  return {
+    x: FIT_MARGIN + (width - box.width * k) / 2 - box.x * k,
+    y: FIT_MARGIN + (height - box.height * k) / 2 - box.y * k,
+    k,
+  };
+}

@@ -1,0 +1,111 @@
+import { shallowRef, watch, type Ref, type ShallowRef } from 'vue';
+import { randomUuid } from '../../connection/random-uuid.ts';
+import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { Adapter } from '../model/fit/adapter.ts';
+import { adaptCommand } from '../model/fit/adapt.ts';
+import { offerCommand } from '../model/fit/fitting.ts';
+import type { Point } from '../model/graph.ts';
+import { areaUnder } from '../model/selection/frames.ts';
+import type { Addable } from './addable.ts';
+import type { CanvasStage } from './canvas-stage.ts';
+import type { ConnectGesture, Offer } from './connect-gesture.ts';
+import { drawnSize } from './drawn-size.ts';
+import { freeSpot, NODE_HALF, onGrid } from './free-spot.ts';
+import { inHost } from './in-host.ts';
+import { newNode, type NewNode } from './new-nodes.ts';
+
+/** The menu that adds by typing: where it is, and what for. */
+export interface AddingSpot {
+  /** Where what is chosen comes to stand, on the canvas. */
+  readonly at: Point;
+  readonly left: number;
+  readonly top: number;
+  /** The end of a wire that was dropped there. */
+  readonly end: Pick<Offer, 'from' | 'side'> | undefined;
+}
+
+export interface Adding {
+  readonly spot: Readonly<ShallowRef<AddingSpot | undefined>>;
+  /** @param clientX on the page, pixels */
+  askAt(clientX: number, clientY: number, end?: AddingSpot['end']): void;
+  askInMiddle(): void;
+  choose(chosen: Addable): void;
+  close(): void;
+  /** Puts something new on the canvas. */
+  place(item: NewNode, at: Point): void;
+  placeInMiddle(item: NewNode): void;
+  /** Puts in between what makes a refused wire fit. */
+  takeOffer(adapter: Adapter): void;
+}
+
+const MENU = { width: 290, height: 320 };
+
+/** Adds what is new: by typing, by dropping a wire on nothing, and in between what does not fit. */
+export function useAdding(
+  host: Ref<HTMLElement | null>,
+  editor: GraphEditor,
+  stage: CanvasStage,
+  gesture: ConnectGesture,
+): Adding {
+  const spot = shallowRef<AddingSpot>();
+
+  function askAt(clientX: number, clientY: number, end?: AddingSpot['end']): void {
+    const at = stage.toCanvas(clientX, clientY);
+    spot.value = { at, ...inHost(stage.container, clientX, clientY, MENU), end };
+  }
+  watch(gesture.offer, (offer) => {
+    if (offer === undefined) return;
+    askAt(offer.clientX, offer.clientY, { from: offer.from, side: offer.side });
+  });
+
+  function place(item: NewNode, at: Point): void {
+    const node = newNode(item, onGrid(at), randomUuid);
+    if (editor.graph.value.nodes.has(node.id)) {
+      // A topic stands on the canvas once: show where.
+      void stage.fit([node.id]);
+    } else {
+      const { nodes } = editor.graph.value;
+      const frames = stage.boxes().filter(({ id }) => nodes.get(id)?.kind === 'frame');
+      const isFrame = node.kind === 'frame';
+      const frame = isFrame ? undefined : areaUnder({ ...at, ...drawnSize(node) }, frames)?.id;
+      editor.apply({ kind: 'add', nodes: [{ ...node, frame }] });
+    }
+    editor.select([node.id]);
+  }
+
+  return {
+    spot,
+    askAt,
+    askInMiddle() {
+      const { left, top, width, height } = stage.container.getBoundingClientRect();
+      askAt(left + width / 2 - MENU.width / 2, top + height / 3);
+    },
+    choose({ item, offer }) {
+      const chosen = spot.value;
+      spot.value = undefined;
+      host.value?.focus();
+      if (chosen === undefined) return;
+      const { at, end } = chosen;
+      if (item !== undefined) place(item, at);
+      if (offer === undefined || end === undefined) return;
+      const left = end.side === 'out' ? at.x : at.x - 2 * NODE_HALF.x;
+      const position = onGrid({ x: left, y: at.y - NODE_HALF.y });
+      const options = { uuid: randomUuid, position };
+      editor.apply(offerCommand(editor.graph.value, end.from, offer, options));
+    },
+    close: () => (spot.value = undefined),
+    place,
+    placeInMiddle: (item) => place(item, freeSpot(stage, editor.graph.value, stage.middle)),
+    takeOffer(adapter) {
+      const refusal = gesture.refusal.value;
+      gesture.refusal.value = undefined;
+      if (refusal === undefined) return;
+      const { from, to } = refusal.fit;
+      const [a, b] = [stage.socketAt(from, 'out'), stage.socketAt(to, 'in')];
+      if (a === undefined || b === undefined) return;
+      const middle = { x: (a.x + b.x) / 2 - NODE_HALF.x, y: (a.y + b.y) / 2 - NODE_HALF.y };
+      const options = { uuid: randomUuid, position: freeSpot(stage, editor.graph.value, middle) };
+      editor.apply(adaptCommand(editor.graph.value, from, to, adapter, options));
+    },
+  };
+}

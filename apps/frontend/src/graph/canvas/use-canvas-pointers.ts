@@ -1,0 +1,63 @@
+import { useEventListener } from '@vueuse/core';
+import { onBeforeUnmount, watch } from 'vue';
+import type { CanvasContext } from '../editor/use-graph-editor.ts';
+import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { Point } from '../model/graph.ts';
+
+const CLICK_PX = 4;
+/** What the pointer does not fall through. */
+const THINGS = '[data-graph-node], [data-wire], [data-wire-chip]';
+
+/** Pointers on the canvas: what goes down on nodes drags them, on nothing selects nothing. */
+export function useCanvasPointers(
+  { stage, gesture, drag, points, resize }: CanvasContext,
+  editor: GraphEditor,
+  askAt: (clientX: number, clientY: number) => void,
+): void {
+  const { container } = stage;
+  let pressed: Point | undefined;
+
+  useEventListener(
+    container,
+    'pointerdown',
+    ({ target, clientX, clientY, shiftKey, ctrlKey, metaKey }) => {
+      gesture.refusal.value = undefined;
+      const isEmpty = !(target as Element).closest(THINGS);
+      const isAdding = shiftKey || ctrlKey || metaKey;
+      pressed = isEmpty && !isAdding && !stage.isPanning ? { x: clientX, y: clientY } : undefined;
+    },
+    { capture: true },
+  );
+  useEventListener(container, 'pointerdown', (event) => {
+    if (event.button !== 0 || stage.isPanning || gesture.pull.value !== undefined) return;
+    const target = event.target as Element;
+    // Text is selected in fields.
+    if (target.closest('input, textarea, select')) return;
+    const id = target.closest<HTMLElement>('[data-graph-node]')?.dataset['graphNode'];
+    if (id !== undefined) drag.press(event, id);
+  });
+  useEventListener(container, 'pointerup', ({ clientX, clientY }) => {
+    if (pressed && Math.hypot(clientX - pressed.x, clientY - pressed.y) < CLICK_PX)
+      editor.select([]);
+    pressed = undefined;
+  });
+  // The middle button pans; browsers would scroll with it.
+  useEventListener(container, 'mousedown', (event) => {
+    if (event.button === 1) event.preventDefault();
+  });
+  useEventListener(container, 'dblclick', ({ clientX, clientY, target }) => {
+    if (!(target as Element).closest(THINGS)) askAt(clientX, clientY);
+  });
+
+  watch(editor.graph, () => {
+    drag.handleGraph();
+    points.handleGraph();
+    resize.handleGraph();
+  });
+  onBeforeUnmount(() => {
+    gesture.cancel();
+    drag.cancel();
+    points.cancel();
+    resize.cancel();
+  });
+}

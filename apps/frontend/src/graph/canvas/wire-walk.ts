@@ -1,0 +1,53 @@
+import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { Wire } from '../model/graph.ts';
+import { wiresOf } from '../model/wires-of.ts';
+import type { CanvasStage } from './canvas-stage.ts';
+
+/**
+ * Goes on to the next wire of a node, or to the one before: of the selected node, else of the node
+ * at the start of the selected wire. Wires come from top to bottom, those that lead in first.
+ */
+export function walkWires(editor: GraphEditor, stage: CanvasStage, step: 1 | -1): boolean {
+  const { nodes, wire: id } = editor.selection.value;
+  const graph = editor.graph.value;
+  const selected = id === undefined ? undefined : graph.wires.get(id);
+  const [only] = nodes;
+  const node = selected === undefined ? only : (walked.get(editor) ?? selected.from.node);
+  if (node === undefined) return false;
+  const { in: incoming, out } = wiresOf(graph, node);
+  const height = (wire: Wire, side: 'in' | 'out'): number =>
+    stage.socketAt(side === 'in' ? wire.to : wire.from, side)?.y ?? 0;
+  const wires = [
+    ...incoming.toSorted((a, b) => height(a, 'in') - height(b, 'in')),
+    ...out.toSorted((a, b) => height(a, 'out') - height(b, 'out')),
+  ];
+  if (wires.length === 0) return false;
+  const at = wires.findIndex((wire) => wire.id === id);
+  if (at < 0 && selected !== undefined) {
+    // It was walked to from a node that it is not of.
+    walked.delete(editor);
+    return walkWires(editor, stage, step);
+  }
+  const next =
+    at < 0 ? (step > 0 ? 0 : wires.length - 1) : (at + step + wires.length) % wires.length;
+  walked.set(editor, node);
+  editor.selectWire(wires[next]!.id);
+  return true;
+}
+
+/** The node whose wires are walked along. */
+const walked = new WeakMap<GraphEditor, string>();
+
+/** From a wire to the node at one of its ends. */
+export function goToEnd(
+  editor: GraphEditor,
+  stage: CanvasStage,
+  id: string,
+  end: 'from' | 'to',
+): boolean {
+  const node = editor.graph.value.wires.get(id)?.[end].node;
+  if (node === undefined) return false;
+  editor.select([node]);
+  stage.elements.get(node)?.querySelector<HTMLElement>('[data-graph-node]')?.focus();
+  return true;
+}

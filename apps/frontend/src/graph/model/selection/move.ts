@@ -1,0 +1,36 @@
+import { commandLabel } from '../commands/command-label.ts';
+import type { GraphCommand } from '../commands/graph-command.ts';
+import type { Graph, Point } from '../graph.ts';
+import { wiresOf } from '../wires-of.ts';
+import type { Places } from './arrange.ts';
+
+/** Nodes, and what is in the frames among them. */
+export function goingAlong(graph: Graph, ids: Iterable<string>): Set<string> {
+  const moved = new Set([...ids].filter((id) => graph.nodes.has(id)));
+  for (const { id, frame } of graph.nodes.values()) {
+    if (frame !== undefined && moved.has(frame)) moved.add(id);
+  }
+  return moved;
+}
+
+/** Wires that lie between these nodes and are led through points: those move along. */
+export function pointsGoingAlong(graph: Graph, ids: ReadonlySet<string>): string[] {
+  return [...ids].flatMap((id) =>
+    wiresOf(graph, id).out.flatMap((wire) =>
+      ids.has(wire.to.node) && wire.points.length > 0 ? [wire.id] : [],
+    ),
+  );
+}
+
+/** Moves nodes by the same way, with the points of the wires between them. */
+export function moveTogether(graph: Graph, places: Places, by: Point): GraphCommand {
+  const move: GraphCommand = { kind: 'move', positions: places };
+  const ids = pointsGoingAlong(graph, new Set(places.keys()));
+  if (ids.length === 0) return move;
+  const reroutes = ids.map((wire): GraphCommand => {
+    const points = graph.wires.get(wire)?.points ?? [];
+    const moved = points.map(({ x, y }) => ({ x: x + by.x, y: y + by.y }));
+    return { kind: 'reroute', wire, points: moved };
+  });
+  return { kind: 'all', label: commandLabel(graph, move), commands: [move, ...reroutes] };
+}

@@ -1,0 +1,28 @@
+import type { GraphCommand } from '../commands/graph-command.ts';
+import type { Point, Wire } from '../graph.ts';
+
+/** Leads a wire through one more point. @param leg which of its points comes after it */
+export function addPoint({ id, points }: Wire, leg: number, at: Point): GraphCommand {
+  return rerouted('Add a point to a wire', id, points.toSpliced(leg, 0, at));
+}
+
+export function movePoint({ id, points }: Wire, index: number, to: Point): GraphCommand {
+  return rerouted(
+    'Move a point of a wire',
+    id,
+    points.map((point, at) => (at === index ? to : point)),
+  );
+}
+
+export function removePoint({ id, points }: Wire, index: number): GraphCommand {
+  return rerouted('Remove a point of a wire', id, points.toSpliced(index, 1));
+}
+
+/** Lets a wire go its own way again. */
+export function removePoints({ id }: Wire): GraphCommand {
+  return rerouted('Straighten a wire', id, []);
+}
+
+function rerouted(label: string, wire: string, points: readonly Point[]): GraphCommand {
+  return { kind: 'all', label, commands: [{ kind: 'reroute', wire, points }] };
+}
