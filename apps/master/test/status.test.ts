@@ -55,7 +55,7 @@ describe('the status of the master', () => {
     for (let i = 0; i < 10; i++) ada.publish('/a', 'double', i);
     clock.advance(2_000);
     clock.advance(2_000);
-    expect((await status()).samples).toEqual([
+    expect((await status()).samples).toMatchObject([
       { timeMs: startedMs + 2_000, recordsPerSecond: 5 },
       { timeMs: startedMs + 4_000, recordsPerSecond: 0 },
     ]);

@@ -46,6 +46,7 @@ export {
   componentTopic,
   EXTENSION_SERVICE_PREFIX,
   globToRegExpSource,
+  identifyTopic,
   INFO_TOPICS,
   isExtensionTopic,
   isMasterTopic,

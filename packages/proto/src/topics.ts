@@ -41,6 +41,14 @@ export function clientTopic(clientId: string): string {
   return `${EXTENSION_PREFIX}client/${clientId}`;
 }
 
+/**
+ * The topic on which somebody asks to be shown which device a client is: a string with the name of who asks.
+ * Anybody may publish there; a client that can be seen, heard or felt subscribes to its own. [EX-34]
+ */
+export function identifyTopic(clientId: string): string {
+  return `/${clientId}/identify`;
+}
+
 /** The topic on which the master publishes how a running session does, a few times a second. [SE-50] */
 export function sessionStatisticsTopic(sessionId: string): string {
   return `${EXTENSION_PREFIX}session/${sessionId}/statistics`;

@@ -1,4 +1,4 @@
-import type { MasterStatus } from '@ubii/proto';
+import type { MasterStatus, StatusSample } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { measureClock } from './clock-offset.ts';
 import {
@@ -23,7 +23,14 @@ function reply(nowMs: number, changes: Partial<MasterStatus> = {}): MasterStatus
     ...changes,
   } as unknown as MasterStatus;
 }
-const sample = (timeMs: number, rate = 1) => ({ timeMs, recordsPerSecond: rate });
+const sample = (timeMs: number, rate = 1): StatusSample => ({
+  timeMs,
+  recordsPerSecond: rate,
+  cpuPercent: 0,
+  busyPercent: 0,
+  delayMs: 0,
+  recordsOutPerSecond: 0,
+});
 const event = (timeMs: number, text: string) => ({ timeMs, kind: 0, text, clientId: '' }) as const;
 
 function merge(known: MasterView | undefined, next: MasterStatus): MasterView {

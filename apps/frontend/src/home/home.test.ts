@@ -108,6 +108,9 @@ describe('client facts', () => {
       text: '',
       clientId: 'c',
       sinceMs: 5,
+      remedy: '',
+      sessionId: '',
+      moduleId: '',
     };
     expect(awaySinceMs('c', [problem], [lost])).toBe(5);
     expect(awaySinceMs('c', [], [lost])).toBe(20);

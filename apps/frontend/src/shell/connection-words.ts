@@ -14,7 +14,9 @@ export function connectionWord(state: ConnectionState): { mark: MarkedState; tex
     case 'closed':
       return state.error?.reason === 'superseded'
         ? { mark: 'stopped', text: 'Taken over' }
-        : { mark: 'error', text: 'Not connected' };
+        : state.error?.reason === 'disconnected'
+          ? { mark: 'stopped', text: 'Disconnected' }
+          : { mark: 'error', text: 'Not connected' };
   }
 }
 
@@ -34,6 +36,7 @@ const CAUSES: Record<ConnectionErrorReason, string> = {
   timeout: 'The master does not answer',
   protocol: 'The master sent something this page does not understand',
   superseded: 'Another tab has taken this page’s place',
+  disconnected: 'This page was disconnected',
 };
 
 /**
@@ -76,6 +79,14 @@ export function connectionNotice(
           text: `${CAUSES.superseded}. It goes on there.`,
           next: undefined,
           action: 'Use this tab',
+        };
+      }
+      if (state.error.reason === 'disconnected') {
+        return {
+          tone: 'stopped',
+          text: state.error.message.replace('This client', 'This page'),
+          next: undefined,
+          action: 'Connect',
         };
       }
       return {

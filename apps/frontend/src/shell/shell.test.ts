@@ -51,6 +51,18 @@ describe('connectionNotice', () => {
     });
   });
 
+  it('says who disconnected this page, and offers to come back', () => {
+    const error = new ConnectionError(
+      'disconnected',
+      'This client was disconnected by Mara: too loud',
+    );
+    expect(connectionNotice({ status: 'closed', error }, NOW, true)).toMatchObject({
+      tone: 'stopped',
+      text: 'This page was disconnected by Mara: too loud',
+      action: 'Connect',
+    });
+  });
+
   it('says that nothing is retried after a terminal failure', () => {
     expect(connectionNotice(closed('protocol'), NOW, true)).toMatchObject({
       tone: 'error',

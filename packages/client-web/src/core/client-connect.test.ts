@@ -21,7 +21,7 @@ describe('client.connect()', () => {
         name: 'ada',
         description: 'a test',
         tags: ['x'],
-        extension: { recordLists: true, resumeToken: '' },
+        extension: { recordLists: true, library: 'client-web/0.1.0', resumeToken: '' },
       },
     });
     expect(client.id).toBe('client-1');

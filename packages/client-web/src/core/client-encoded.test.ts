@@ -344,7 +344,11 @@ describe('what a client is as a node', () => {
     expect(master.requests[0]?.client).toMatchObject({
       isDedicatedProcessingNode: true,
       processingModules: [module],
-      extension: { recordLists: true, node: { runsJavascript: true, libraries: ['http'] } },
+      extension: {
+        recordLists: true,
+        library: 'client-web/0.1.0',
+        node: { runsJavascript: true, libraries: ['http'] },
+      },
     });
   });
 

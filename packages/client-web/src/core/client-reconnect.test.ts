@@ -89,6 +89,33 @@ describe('a client whose socket drops [EX-5]', () => {
     expect(clock.pendingTimers).toBe(0);
   });
 
+  it('stops for good when somebody disconnected it (4010), and says who and why [EX-30]', async () => {
+    const { master, clock, states } = await setup();
+    master.drop(4010, 'by Mara: too loud');
+    await settle();
+    expect(states).toMatchObject([
+      {
+        status: 'closed',
+        error: {
+          reason: 'disconnected',
+          message: 'This client was disconnected by Mara: too loud',
+        },
+      },
+    ]);
+    await clock.advance(600_000);
+    expect(states).toHaveLength(1);
+    expect(clock.pendingTimers).toBe(0);
+  });
+
+  it('registers anew when told to connect again after 4010', async () => {
+    const { master, client } = await setup();
+    master.forget('client-1');
+    master.drop(4010, '');
+    await settle();
+    await client.connect();
+    expect(client.id).toBe('client-1');
+  });
+
   it('takes the identity back when told to connect again after 4001', async () => {
     const { master, client } = await setup();
     const records: unknown[] = [];

@@ -1,9 +1,10 @@
 /**
  * Why a link failed: `closed`: by us, by the master, or it broke · `refused`: by the master, or
  * nobody is there · `timeout` · `protocol`: what came makes no sense · `superseded`: another socket
- * uses this identity now.
+ * uses this identity now · `disconnected`: somebody removed this client, the message says who and why.
  */
-export type ConnectionErrorReason = 'closed' | 'refused' | 'timeout' | 'protocol' | 'superseded';
+export type ConnectionErrorReason =
+  'closed' | 'refused' | 'timeout' | 'protocol' | 'superseded' | 'disconnected';
 
 /** The link to the master failed. */
 export class ConnectionError extends Error {

@@ -227,7 +227,8 @@ export class Connection {
     const remedy = remedyFor(failure);
     if (remedy === 'stop') {
       // Not ours any more, so `close()` must not deregister it; `connect()` may take it back.
-      if (failure.error.reason === 'superseded') registration.invalidate();
+      const { reason } = failure.error;
+      if (reason === 'superseded' || reason === 'disconnected') registration.invalidate();
       this.#stop('ended', failure.error);
       return;
     }

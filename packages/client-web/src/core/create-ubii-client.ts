@@ -68,6 +68,9 @@ const SERVICES_WITH_CLIENT_ID: ReadonlySet<ServiceName> = new Set([
   'topicSubscription',
   'deviceRegistration',
   'deviceDeregistration',
+  'clientRename',
+  'clientDisconnect',
+  'clientThrottle',
 ]);
 
 /** A client on the given ports. */

@@ -8,6 +8,7 @@ describe('remedyFor() [EX-5]', () => {
     [4001, 'stop'],
     [4003, 'register-as-new'],
     [4004, 'register-again'],
+    [4010, 'stop'],
     [1000, 'register-again'],
     [1001, 'retry'],
     [1006, 'retry'],
@@ -52,6 +53,13 @@ describe('failureOfClose()', () => {
       'The master closed the link with code 4013: too many',
     );
     expect(failureOfClose(1006, '', true).error.message).toBe('The link to the master broke');
+  });
+
+  it('calls 4010 disconnected, and says who did it and why [EX-30]', () => {
+    const { error } = failureOfClose(4010, 'by Mara: too loud', true);
+    expect(error.reason).toBe('disconnected');
+    expect(error.message).toBe('This client was disconnected by Mara: too loud');
+    expect(failureOfClose(4010, '', true).error.message).toBe('This client was disconnected');
   });
 
   it('calls 4001 superseded', () => {

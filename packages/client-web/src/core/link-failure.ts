@@ -1,5 +1,5 @@
 import { ServiceError } from '@ubii/proto';
-import { ConnectionError } from './connection-error.ts';
+import { ConnectionError, type ConnectionErrorReason } from './connection-error.ts';
 
 /** Why a link ended, or did not come about. */
 export interface LinkFailure {
@@ -21,7 +21,17 @@ const REMEDIES: ReadonlyMap<number, Remedy> = new Map([
   [4001, 'stop'], // superseded: trying again would take the identity back, and so on for ever
   [4003, 'register-as-new'], // not this client
   [4004, 'register-again'], // unknown client
+  [4010, 'stop'], // disconnected: somebody wants it gone [EX-30]
   [1000, 'register-again'], // deregistered, on whose behalf ever [CL-16]
+]);
+
+/** Somebody removed this client [EX-30]. */
+const DISCONNECTED = 4010;
+
+/** Close codes that have a reason of their own. */
+const REASONS: ReadonlyMap<number, ConnectionErrorReason> = new Map([
+  [4001, 'superseded'],
+  [DISCONNECTED, 'disconnected'],
 ]);
 
 /** Errors of a registration that trying again does not cure. */
@@ -64,10 +74,12 @@ export function isUnknownClient(error: unknown): error is ServiceError {
 export function failureOfClose(code: number, reason: string, wasUp: boolean): LinkFailure {
   const why = reason === '' ? '' : `: ${reason}`;
   const message =
-    code === BROKEN
-      ? `The link to the master broke${why}`
-      : `The master closed the link with code ${code}${why}`;
-  const error = new ConnectionError(code === 4001 ? 'superseded' : 'closed', message);
+    code === DISCONNECTED
+      ? `This client was disconnected ${reason}`.trim()
+      : code === BROKEN
+        ? `The link to the master broke${why}`
+        : `The master closed the link with code ${code}${why}`;
+  const error = new ConnectionError(REASONS.get(code) ?? 'closed', message);
   return { error, code, wasUp };
 }
 

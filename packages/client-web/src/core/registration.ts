@@ -2,6 +2,7 @@ import { ClientState, ServiceError } from '@ubii/proto';
 import type { Init, NodeExtension, ProcessingModule } from '@ubii/proto';
 import { ConnectionError } from './connection-error.ts';
 import type { Identity } from './identity.ts';
+import { LIBRARY_NAME } from './library-name.ts';
 import type { IdentityStorage } from './ports/identity-storage.ts';
 import type { ServiceCalls } from './service-calls.ts';
 
@@ -169,6 +170,7 @@ export class Registration {
       ...(resumeToken === undefined ? {} : { id: this.#identity!.clientId }),
       extension: {
         recordLists: true, // [EX-2]
+        library: LIBRARY_NAME, // [EX-25]
         ...(resumeToken === undefined ? {} : { resumeToken }), // [EX-3]
         ...(node === undefined ? {} : { node }), // [PM-60]
       },

@@ -84,10 +84,10 @@ export class FakeMaster implements MemoryMaster {
   }
 
   /** Closes the sockets of all clients, as a broken network does. */
-  drop(code = 1006): void {
+  drop(code = 1006, reason = ''): void {
     for (const [id, peer] of [...this.#peers]) {
       this.#peers.delete(id);
-      peer.close(code, '');
+      peer.close(code, reason);
     }
   }
 

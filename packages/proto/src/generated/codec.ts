@@ -889,16 +889,113 @@ export function decodeTopicMuxList(r: Reader, into?: T.TopicMuxList): T.TopicMux
   return m;
 }
 
+export function encodeClientActivity(m: Init<T.ClientActivity>, w: Writer): void {
+  if (m.clientId != null) w.string(10, m.clientId);
+  if (m.firstSeenMs != null) w.double(17, m.firstSeenMs);
+  if (m.lastSeenMs != null) w.double(25, m.lastSeenMs);
+  if (m.connected != null) w.bool(32, m.connected);
+  if (m.connectedMs != null) w.double(41, m.connectedMs);
+  if (m.roundTripMs != null) w.double(49, m.roundTripMs);
+  if (m.roundTripAgeMs != null) w.double(57, m.roundTripAgeMs);
+  if (m.recordsIn != null) w.double(65, m.recordsIn);
+  if (m.bytesIn != null) w.double(73, m.bytesIn);
+  if (m.recordsOut != null) w.double(81, m.recordsOut);
+  if (m.bytesOut != null) w.double(89, m.bytesOut);
+  if (m.recordsInPerSecond != null) w.double(97, m.recordsInPerSecond);
+  if (m.bytesInPerSecond != null) w.double(105, m.bytesInPerSecond);
+  if (m.recordsOutPerSecond != null) w.double(113, m.recordsOutPerSecond);
+  if (m.bytesOutPerSecond != null) w.double(121, m.bytesOutPerSecond);
+  if (m.queuedRecords != null) w.int32(128, m.queuedRecords);
+  if (m.queuedBytes != null) w.double(137, m.queuedBytes);
+  if (m.dropped != null) w.double(145, m.dropped);
+  if (m.refused != null) w.double(153, m.refused);
+  if (m.protocolErrors != null) w.double(161, m.protocolErrors);
+  if (m.topicSubscriptions != null) w.int32(168, m.topicSubscriptions);
+  if (m.patternSubscriptions != null) w.int32(176, m.patternSubscriptions);
+  if (m.componentSubscriptions != null) w.int32(184, m.componentSubscriptions);
+  if (m.watchesEverything != null) w.bool(192, m.watchesEverything);
+  if (m.subscriptions != null) for (const e of m.subscriptions) { const at = w.open(202); encodeClientSubscription(e, w); w.close(at); }
+  if (m.ownedTopics != null) w.int32(208, m.ownedTopics);
+  if (m.userAgent != null) w.string(218, m.userAgent);
+  if (m.library != null) w.string(226, m.library);
+  if (m.addressKind != null) w.int32(232, m.addressKind);
+  if (m.throttle != null) { const at = w.open(242); encodeClientThrottle(m.throttle, w); w.close(at); }
+  if (m.workShare != null) w.double(249, m.workShare);
+}
+
+export function decodeClientActivity(r: Reader, into?: T.ClientActivity): T.ClientActivity {
+  const m: T.ClientActivity = into ?? { clientId: '', firstSeenMs: 0, lastSeenMs: 0, connected: false, connectedMs: 0, roundTripMs: 0, roundTripAgeMs: 0, recordsIn: 0, bytesIn: 0, recordsOut: 0, bytesOut: 0, recordsInPerSecond: 0, bytesInPerSecond: 0, recordsOutPerSecond: 0, bytesOutPerSecond: 0, queuedRecords: 0, queuedBytes: 0, dropped: 0, refused: 0, protocolErrors: 0, topicSubscriptions: 0, patternSubscriptions: 0, componentSubscriptions: 0, watchesEverything: false, subscriptions: [], ownedTopics: 0, userAgent: '', library: '', addressKind: 0, throttle: undefined, workShare: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.clientId = r.string(); break;
+      case 17: m.firstSeenMs = r.double(); break;
+      case 25: m.lastSeenMs = r.double(); break;
+      case 32: m.connected = r.bool(); break;
+      case 41: m.connectedMs = r.double(); break;
+      case 49: m.roundTripMs = r.double(); break;
+      case 57: m.roundTripAgeMs = r.double(); break;
+      case 65: m.recordsIn = r.double(); break;
+      case 73: m.bytesIn = r.double(); break;
+      case 81: m.recordsOut = r.double(); break;
+      case 89: m.bytesOut = r.double(); break;
+      case 97: m.recordsInPerSecond = r.double(); break;
+      case 105: m.bytesInPerSecond = r.double(); break;
+      case 113: m.recordsOutPerSecond = r.double(); break;
+      case 121: m.bytesOutPerSecond = r.double(); break;
+      case 128: m.queuedRecords = r.int32(); break;
+      case 137: m.queuedBytes = r.double(); break;
+      case 145: m.dropped = r.double(); break;
+      case 153: m.refused = r.double(); break;
+      case 161: m.protocolErrors = r.double(); break;
+      case 168: m.topicSubscriptions = r.int32(); break;
+      case 176: m.patternSubscriptions = r.int32(); break;
+      case 184: m.componentSubscriptions = r.int32(); break;
+      case 192: m.watchesEverything = r.bool(); break;
+      case 202: { const end = r.enter(); m.subscriptions.push(decodeClientSubscription(r)); r.end = end; break; }
+      case 208: m.ownedTopics = r.int32(); break;
+      case 218: m.userAgent = r.string(); break;
+      case 226: m.library = r.string(); break;
+      case 232: m.addressKind = r.int32() as T.ClientActivityAddressKind; break;
+      case 242: { const end = r.enter(); m.throttle = decodeClientThrottle(r, m.throttle); r.end = end; break; }
+      case 249: m.workShare = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeClientDisconnectRequest(m: Init<T.ClientDisconnectRequest>, w: Writer): void {
+  if (m.clientId != null) w.string(10, m.clientId);
+  if (m.targetId != null) w.string(18, m.targetId);
+  if (m.reason != null) w.string(26, m.reason);
+}
+
+export function decodeClientDisconnectRequest(r: Reader, into?: T.ClientDisconnectRequest): T.ClientDisconnectRequest {
+  const m: T.ClientDisconnectRequest = into ?? { clientId: '', targetId: '', reason: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.clientId = r.string(); break;
+      case 18: m.targetId = r.string(); break;
+      case 26: m.reason = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
 export function encodeClientExtension(m: Init<T.ClientExtension>, w: Writer): void {
   if (m.recordLists != null) w.bool(8, m.recordLists);
   if (m.resumeToken != null) w.string(18, m.resumeToken);
   if (m.resumed != null) w.bool(24, m.resumed);
   if (m.masterVersion != null) w.string(34, m.masterVersion);
   if (m.node != null) { const at = w.open(42); encodeNodeExtension(m.node, w); w.close(at); }
+  if (m.library != null) w.string(50, m.library);
 }
 
 export function decodeClientExtension(r: Reader, into?: T.ClientExtension): T.ClientExtension {
-  const m: T.ClientExtension = into ?? { recordLists: false, resumeToken: '', resumed: false, masterVersion: '', node: undefined };
+  const m: T.ClientExtension = into ?? { recordLists: false, resumeToken: '', resumed: false, masterVersion: '', node: undefined, library: '' };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -907,6 +1004,283 @@ export function decodeClientExtension(r: Reader, into?: T.ClientExtension): T.Cl
       case 24: m.resumed = r.bool(); break;
       case 34: m.masterVersion = r.string(); break;
       case 42: { const end = r.enter(); m.node = decodeNodeExtension(r, m.node); r.end = end; break; }
+      case 50: m.library = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeClientRenameRequest(m: Init<T.ClientRenameRequest>, w: Writer): void {
+  if (m.clientId != null) w.string(10, m.clientId);
+  if (m.targetId != null) w.string(18, m.targetId);
+  if (m.name != null) w.string(26, m.name);
+}
+
+export function decodeClientRenameRequest(r: Reader, into?: T.ClientRenameRequest): T.ClientRenameRequest {
+  const m: T.ClientRenameRequest = into ?? { clientId: '', targetId: '', name: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.clientId = r.string(); break;
+      case 18: m.targetId = r.string(); break;
+      case 26: m.name = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeClientReport(m: Init<T.ClientReport>, w: Writer): void {
+  if (m.masterTimeMs != null) w.double(9, m.masterTimeMs);
+  if (m.measuredMs != null) w.double(17, m.measuredMs);
+  if (m.clients != null) for (const e of m.clients) { const at = w.open(26); encodeClientActivity(e, w); w.close(at); }
+}
+
+export function decodeClientReport(r: Reader, into?: T.ClientReport): T.ClientReport {
+  const m: T.ClientReport = into ?? { masterTimeMs: 0, measuredMs: 0, clients: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.masterTimeMs = r.double(); break;
+      case 17: m.measuredMs = r.double(); break;
+      case 26: { const end = r.enter(); m.clients.push(decodeClientActivity(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeClientReportRequest(m: Init<T.ClientReportRequest>, w: Writer): void {
+  if (m.clientIds != null) for (const e of m.clientIds) w.string(10, e);
+  if (m.subscriptions != null) w.bool(16, m.subscriptions);
+}
+
+export function decodeClientReportRequest(r: Reader, into?: T.ClientReportRequest): T.ClientReportRequest {
+  const m: T.ClientReportRequest = into ?? { clientIds: [], subscriptions: false };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.clientIds.push(r.string()); break;
+      case 16: m.subscriptions = r.bool(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeClientSubscription(m: Init<T.ClientSubscription>, w: Writer): void {
+  if (m.topic != null) w.string(10, m.topic);
+  if (m.pattern != null) w.string(18, m.pattern);
+  if (m.component != null) { const at = w.open(26); encodeComponent(m.component, w); w.close(at); }
+  if (m.maxRateHz != null) w.double(33, m.maxRateHz);
+}
+
+export function decodeClientSubscription(r: Reader, into?: T.ClientSubscription): T.ClientSubscription {
+  const m: T.ClientSubscription = into ?? { topic: '', pattern: '', component: undefined, maxRateHz: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.topic = r.string(); break;
+      case 18: m.pattern = r.string(); break;
+      case 26: { const end = r.enter(); m.component = decodeComponent(r, m.component); r.end = end; break; }
+      case 33: m.maxRateHz = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeClientThrottle(m: Init<T.ClientThrottle>, w: Writer): void {
+  if (m.recordsPerSecond != null) w.double(9, m.recordsPerSecond);
+  if (m.byPolicy != null) w.bool(16, m.byPolicy);
+  if (m.byName != null) w.string(26, m.byName);
+  if (m.reason != null) w.string(34, m.reason);
+  if (m.sinceMs != null) w.double(41, m.sinceMs);
+  if (m.dropped != null) w.double(49, m.dropped);
+}
+
+export function decodeClientThrottle(r: Reader, into?: T.ClientThrottle): T.ClientThrottle {
+  const m: T.ClientThrottle = into ?? { recordsPerSecond: 0, byPolicy: false, byName: '', reason: '', sinceMs: 0, dropped: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.recordsPerSecond = r.double(); break;
+      case 16: m.byPolicy = r.bool(); break;
+      case 26: m.byName = r.string(); break;
+      case 34: m.reason = r.string(); break;
+      case 41: m.sinceMs = r.double(); break;
+      case 49: m.dropped = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeClientThrottleRequest(m: Init<T.ClientThrottleRequest>, w: Writer): void {
+  if (m.clientId != null) w.string(10, m.clientId);
+  if (m.targetId != null) w.string(18, m.targetId);
+  if (m.recordsPerSecond != null) w.double(25, m.recordsPerSecond);
+  if (m.reason != null) w.string(34, m.reason);
+}
+
+export function decodeClientThrottleRequest(r: Reader, into?: T.ClientThrottleRequest): T.ClientThrottleRequest {
+  const m: T.ClientThrottleRequest = into ?? { clientId: '', targetId: '', recordsPerSecond: 0, reason: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.clientId = r.string(); break;
+      case 18: m.targetId = r.string(); break;
+      case 25: m.recordsPerSecond = r.double(); break;
+      case 34: m.reason = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeLimit(m: Init<T.Limit>, w: Writer): void {
+  if (m.name != null) w.string(10, m.name);
+  if (m.value != null) w.double(17, m.value);
+  if (m.unit != null) w.string(26, m.unit);
+  if (m.reason != null) w.string(34, m.reason);
+  if (m.group != null) w.string(42, m.group);
+  if (m.use != null) { const at = w.open(50); encodeLimitUse(m.use, w); w.close(at); }
+  if (m.hits != null) w.double(57, m.hits);
+}
+
+export function decodeLimit(r: Reader, into?: T.Limit): T.Limit {
+  const m: T.Limit = into ?? { name: '', value: 0, unit: '', reason: '', group: '', use: undefined, hits: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.name = r.string(); break;
+      case 17: m.value = r.double(); break;
+      case 26: m.unit = r.string(); break;
+      case 34: m.reason = r.string(); break;
+      case 42: m.group = r.string(); break;
+      case 50: { const end = r.enter(); m.use = decodeLimitUse(r, m.use); r.end = end; break; }
+      case 57: m.hits = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeLimitList(m: Init<T.LimitList>, w: Writer): void {
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeLimit(e, w); w.close(at); }
+}
+
+export function decodeLimitList(r: Reader, into?: T.LimitList): T.LimitList {
+  const m: T.LimitList = into ?? { elements: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.elements.push(decodeLimit(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeLimitUse(m: Init<T.LimitUse>, w: Writer): void {
+  if (m.value != null) w.double(9, m.value);
+  if (m.clientId != null) w.string(18, m.clientId);
+  if (m.sessionId != null) w.string(26, m.sessionId);
+}
+
+export function decodeLimitUse(r: Reader, into?: T.LimitUse): T.LimitUse {
+  const m: T.LimitUse = into ?? { value: 0, clientId: '', sessionId: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.value = r.double(); break;
+      case 18: m.clientId = r.string(); break;
+      case 26: m.sessionId = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeLogField(m: Init<T.LogField>, w: Writer): void {
+  if (m.name != null) w.string(10, m.name);
+  if (m.value != null) w.string(18, m.value);
+}
+
+export function decodeLogField(r: Reader, into?: T.LogField): T.LogField {
+  const m: T.LogField = into ?? { name: '', value: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.name = r.string(); break;
+      case 18: m.value = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeLogLine(m: Init<T.LogLine>, w: Writer): void {
+  if (m.number != null) w.double(9, m.number);
+  if (m.timeMs != null) w.double(17, m.timeMs);
+  if (m.level != null) w.int32(24, m.level);
+  if (m.message != null) w.string(34, m.message);
+  if (m.fields != null) for (const e of m.fields) { const at = w.open(42); encodeLogField(e, w); w.close(at); }
+}
+
+export function decodeLogLine(r: Reader, into?: T.LogLine): T.LogLine {
+  const m: T.LogLine = into ?? { number: 0, timeMs: 0, level: 0, message: '', fields: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.number = r.double(); break;
+      case 17: m.timeMs = r.double(); break;
+      case 24: m.level = r.int32() as T.LogLevel; break;
+      case 34: m.message = r.string(); break;
+      case 42: { const end = r.enter(); m.fields.push(decodeLogField(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeLogRequest(m: Init<T.LogRequest>, w: Writer): void {
+  if (m.cursor != null) w.double(9, m.cursor);
+  if (m.level != null) w.int32(16, m.level);
+  if (m.count != null) w.int32(24, m.count);
+}
+
+export function decodeLogRequest(r: Reader, into?: T.LogRequest): T.LogRequest {
+  const m: T.LogRequest = into ?? { cursor: 0, level: 0, count: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.cursor = r.double(); break;
+      case 16: m.level = r.int32() as T.LogLevel; break;
+      case 24: m.count = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeLogTail(m: Init<T.LogTail>, w: Writer): void {
+  if (m.cursor != null) w.double(9, m.cursor);
+  if (m.reset != null) w.bool(16, m.reset);
+  if (m.missed != null) w.double(25, m.missed);
+  if (m.lines != null) for (const e of m.lines) { const at = w.open(34); encodeLogLine(e, w); w.close(at); }
+}
+
+export function decodeLogTail(r: Reader, into?: T.LogTail): T.LogTail {
+  const m: T.LogTail = into ?? { cursor: 0, reset: false, missed: 0, lines: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.cursor = r.double(); break;
+      case 16: m.reset = r.bool(); break;
+      case 25: m.missed = r.double(); break;
+      case 34: { const end = r.enter(); m.lines.push(decodeLogLine(r)); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -955,10 +1329,13 @@ export function encodeMasterStatus(m: Init<T.MasterStatus>, w: Writer): void {
   if (m.events != null) for (const e of m.events) { const at = w.open(154); encodeStatusEvent(e, w); w.close(at); }
   if (m.problems != null) for (const e of m.problems) { const at = w.open(162); encodeStatusProblem(e, w); w.close(at); }
   if (m.addresses != null) for (const e of m.addresses) { const at = w.open(170); encodeMasterAddress(e, w); w.close(at); }
+  if (m.busyPercent != null) w.double(177, m.busyPercent);
+  if (m.delayMs != null) w.double(185, m.delayMs);
+  if (m.processors != null) w.int32(192, m.processors);
 }
 
 export function decodeMasterStatus(r: Reader, into?: T.MasterStatus): T.MasterStatus {
-  const m: T.MasterStatus = into ?? { masterId: '', name: '', version: '', startedMs: 0, nowMs: 0, recordsIn: 0, recordsOut: 0, bytesIn: 0, bytesOut: 0, dropped: 0, refused: 0, topics: 0, clientsActive: 0, clientsInactive: 0, clientsUnavailable: 0, cpuPercent: 0, memoryBytes: 0, samples: [], events: [], problems: [], addresses: [] };
+  const m: T.MasterStatus = into ?? { masterId: '', name: '', version: '', startedMs: 0, nowMs: 0, recordsIn: 0, recordsOut: 0, bytesIn: 0, bytesOut: 0, dropped: 0, refused: 0, topics: 0, clientsActive: 0, clientsInactive: 0, clientsUnavailable: 0, cpuPercent: 0, memoryBytes: 0, samples: [], events: [], problems: [], addresses: [], busyPercent: 0, delayMs: 0, processors: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -983,6 +1360,9 @@ export function decodeMasterStatus(r: Reader, into?: T.MasterStatus): T.MasterSt
       case 154: { const end = r.enter(); m.events.push(decodeStatusEvent(r)); r.end = end; break; }
       case 162: { const end = r.enter(); m.problems.push(decodeStatusProblem(r)); r.end = end; break; }
       case 170: { const end = r.enter(); m.addresses.push(decodeMasterAddress(r)); r.end = end; break; }
+      case 177: m.busyPercent = r.double(); break;
+      case 185: m.delayMs = r.double(); break;
+      case 192: m.processors = r.int32(); break;
       default: skipField(r, tag);
     }
   }
@@ -1119,6 +1499,70 @@ export function decodeModuleStatistics(r: Reader, into?: T.ModuleStatistics): T.
       case 97: m.outputs = r.double(); break;
       case 105: m.outputsRefused = r.double(); break;
       case 112: m.waiting = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeModuleVersion(m: Init<T.ModuleVersion>, w: Writer): void {
+  if (m.number != null) w.int32(8, m.number);
+  if (m.timeMs != null) w.double(17, m.timeMs);
+  if (m.origin != null) w.int32(24, m.origin);
+  if (m.version != null) w.string(34, m.version);
+  if (m.byteLength != null) w.int32(40, m.byteLength);
+  if (m.current != null) w.bool(48, m.current);
+  if (m.module != null) { const at = w.open(58); encodeProcessingModule(m.module, w); w.close(at); }
+}
+
+export function decodeModuleVersion(r: Reader, into?: T.ModuleVersion): T.ModuleVersion {
+  const m: T.ModuleVersion = into ?? { number: 0, timeMs: 0, origin: 0, version: '', byteLength: 0, current: false, module: undefined };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.number = r.int32(); break;
+      case 17: m.timeMs = r.double(); break;
+      case 24: m.origin = r.int32() as T.ModuleVersionOrigin; break;
+      case 34: m.version = r.string(); break;
+      case 40: m.byteLength = r.int32(); break;
+      case 48: m.current = r.bool(); break;
+      case 58: { const end = r.enter(); m.module = decodeProcessingModule(r, m.module); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeModuleVersionList(m: Init<T.ModuleVersionList>, w: Writer): void {
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeModuleVersion(e, w); w.close(at); }
+}
+
+export function decodeModuleVersionList(r: Reader, into?: T.ModuleVersionList): T.ModuleVersionList {
+  const m: T.ModuleVersionList = into ?? { elements: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.elements.push(decodeModuleVersion(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeModuleVersionRequest(m: Init<T.ModuleVersionRequest>, w: Writer): void {
+  if (m.name != null) w.string(10, m.name);
+  if (m.moduleId != null) w.string(18, m.moduleId);
+  if (m.number != null) w.int32(24, m.number);
+}
+
+export function decodeModuleVersionRequest(r: Reader, into?: T.ModuleVersionRequest): T.ModuleVersionRequest {
+  const m: T.ModuleVersionRequest = into ?? { name: '', moduleId: '', number: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.name = r.string(); break;
+      case 18: m.moduleId = r.string(); break;
+      case 24: m.number = r.int32(); break;
       default: skipField(r, tag);
     }
   }
@@ -1333,10 +1777,13 @@ export function encodeStatusProblem(m: Init<T.StatusProblem>, w: Writer): void {
   if (m.text != null) w.string(26, m.text);
   if (m.clientId != null) w.string(34, m.clientId);
   if (m.sinceMs != null) w.double(41, m.sinceMs);
+  if (m.remedy != null) w.string(50, m.remedy);
+  if (m.sessionId != null) w.string(58, m.sessionId);
+  if (m.moduleId != null) w.string(66, m.moduleId);
 }
 
 export function decodeStatusProblem(r: Reader, into?: T.StatusProblem): T.StatusProblem {
-  const m: T.StatusProblem = into ?? { code: '', severity: 0, text: '', clientId: '', sinceMs: 0 };
+  const m: T.StatusProblem = into ?? { code: '', severity: 0, text: '', clientId: '', sinceMs: 0, remedy: '', sessionId: '', moduleId: '' };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1345,6 +1792,9 @@ export function decodeStatusProblem(r: Reader, into?: T.StatusProblem): T.Status
       case 26: m.text = r.string(); break;
       case 34: m.clientId = r.string(); break;
       case 41: m.sinceMs = r.double(); break;
+      case 50: m.remedy = r.string(); break;
+      case 58: m.sessionId = r.string(); break;
+      case 66: m.moduleId = r.string(); break;
       default: skipField(r, tag);
     }
   }
@@ -1354,15 +1804,23 @@ export function decodeStatusProblem(r: Reader, into?: T.StatusProblem): T.Status
 export function encodeStatusSample(m: Init<T.StatusSample>, w: Writer): void {
   if (m.timeMs != null) w.double(9, m.timeMs);
   if (m.recordsPerSecond != null) w.float(21, m.recordsPerSecond);
+  if (m.cpuPercent != null) w.double(25, m.cpuPercent);
+  if (m.busyPercent != null) w.double(33, m.busyPercent);
+  if (m.delayMs != null) w.double(41, m.delayMs);
+  if (m.recordsOutPerSecond != null) w.double(49, m.recordsOutPerSecond);
 }
 
 export function decodeStatusSample(r: Reader, into?: T.StatusSample): T.StatusSample {
-  const m: T.StatusSample = into ?? { timeMs: 0, recordsPerSecond: 0 };
+  const m: T.StatusSample = into ?? { timeMs: 0, recordsPerSecond: 0, cpuPercent: 0, busyPercent: 0, delayMs: 0, recordsOutPerSecond: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 9: m.timeMs = r.double(); break;
       case 21: m.recordsPerSecond = r.float(); break;
+      case 25: m.cpuPercent = r.double(); break;
+      case 33: m.busyPercent = r.double(); break;
+      case 41: m.delayMs = r.double(); break;
+      case 49: m.recordsOutPerSecond = r.double(); break;
       default: skipField(r, tag);
     }
   }
@@ -1843,9 +2301,13 @@ export function encodeServiceReply(m: Init<T.ServiceReply>, w: Writer): void {
   if (m.topicStatistics != null) { const at = w.open(8002); encodeTopicStatistics(m.topicStatistics, w); w.close(at); }
   if (m.masterStatus != null) { const at = w.open(8010); encodeMasterStatus(m.masterStatus, w); w.close(at); }
   if (m.nodeList != null) { const at = w.open(8018); encodeNodeList(m.nodeList, w); w.close(at); }
+  if (m.clientReport != null) { const at = w.open(8026); encodeClientReport(m.clientReport, w); w.close(at); }
+  if (m.limitList != null) { const at = w.open(8034); encodeLimitList(m.limitList, w); w.close(at); }
+  if (m.logTail != null) { const at = w.open(8042); encodeLogTail(m.logTail, w); w.close(at); }
+  if (m.moduleVersionList != null) { const at = w.open(8050); encodeModuleVersionList(m.moduleVersionList, w); w.close(at); }
 }
 
-const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList'] as const;
+const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList'] as const;
 export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceReply {
   const m: T.ServiceReply = into ?? {};
   let type = into && setMember(into, ServiceReply_type);
@@ -1877,6 +2339,10 @@ export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceR
       case 8002: type = only(m, type, 'topicStatistics'); { const end = r.enter(); m.topicStatistics = decodeTopicStatistics(r, m.topicStatistics); r.end = end; break; }
       case 8010: type = only(m, type, 'masterStatus'); { const end = r.enter(); m.masterStatus = decodeMasterStatus(r, m.masterStatus); r.end = end; break; }
       case 8018: type = only(m, type, 'nodeList'); { const end = r.enter(); m.nodeList = decodeNodeList(r, m.nodeList); r.end = end; break; }
+      case 8026: type = only(m, type, 'clientReport'); { const end = r.enter(); m.clientReport = decodeClientReport(r, m.clientReport); r.end = end; break; }
+      case 8034: type = only(m, type, 'limitList'); { const end = r.enter(); m.limitList = decodeLimitList(r, m.limitList); r.end = end; break; }
+      case 8042: type = only(m, type, 'logTail'); { const end = r.enter(); m.logTail = decodeLogTail(r, m.logTail); r.end = end; break; }
+      case 8050: type = only(m, type, 'moduleVersionList'); { const end = r.enter(); m.moduleVersionList = decodeModuleVersionList(r, m.moduleVersionList); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -1904,9 +2370,15 @@ export function encodeServiceRequest(m: Init<T.ServiceRequest>, w: Writer): void
   if (m.notifyCondition != null) { const at = w.open(146); encodeNotifyCondition(m.notifyCondition, w); w.close(at); }
   if (m.topicStatisticsRequest != null) { const at = w.open(8002); encodeTopicStatisticsRequest(m.topicStatisticsRequest, w); w.close(at); }
   if (m.masterStatusRequest != null) { const at = w.open(8010); encodeMasterStatusRequest(m.masterStatusRequest, w); w.close(at); }
+  if (m.clientReportRequest != null) { const at = w.open(8018); encodeClientReportRequest(m.clientReportRequest, w); w.close(at); }
+  if (m.clientRenameRequest != null) { const at = w.open(8026); encodeClientRenameRequest(m.clientRenameRequest, w); w.close(at); }
+  if (m.clientDisconnectRequest != null) { const at = w.open(8034); encodeClientDisconnectRequest(m.clientDisconnectRequest, w); w.close(at); }
+  if (m.clientThrottleRequest != null) { const at = w.open(8042); encodeClientThrottleRequest(m.clientThrottleRequest, w); w.close(at); }
+  if (m.logRequest != null) { const at = w.open(8050); encodeLogRequest(m.logRequest, w); w.close(at); }
+  if (m.moduleVersionRequest != null) { const at = w.open(8058); encodeModuleVersionRequest(m.moduleVersionRequest, w); w.close(at); }
 }
 
-const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest'] as const;
+const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest', 'clientReportRequest', 'clientRenameRequest', 'clientDisconnectRequest', 'clientThrottleRequest', 'logRequest', 'moduleVersionRequest'] as const;
 export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.ServiceRequest {
   const m: T.ServiceRequest = into ?? { topic: '' };
   let type = into && setMember(into, ServiceRequest_type);
@@ -1933,6 +2405,12 @@ export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.Serv
       case 146: type = only(m, type, 'notifyCondition'); { const end = r.enter(); m.notifyCondition = decodeNotifyCondition(r, m.notifyCondition); r.end = end; break; }
       case 8002: type = only(m, type, 'topicStatisticsRequest'); { const end = r.enter(); m.topicStatisticsRequest = decodeTopicStatisticsRequest(r, m.topicStatisticsRequest); r.end = end; break; }
       case 8010: type = only(m, type, 'masterStatusRequest'); { const end = r.enter(); m.masterStatusRequest = decodeMasterStatusRequest(r, m.masterStatusRequest); r.end = end; break; }
+      case 8018: type = only(m, type, 'clientReportRequest'); { const end = r.enter(); m.clientReportRequest = decodeClientReportRequest(r, m.clientReportRequest); r.end = end; break; }
+      case 8026: type = only(m, type, 'clientRenameRequest'); { const end = r.enter(); m.clientRenameRequest = decodeClientRenameRequest(r, m.clientRenameRequest); r.end = end; break; }
+      case 8034: type = only(m, type, 'clientDisconnectRequest'); { const end = r.enter(); m.clientDisconnectRequest = decodeClientDisconnectRequest(r, m.clientDisconnectRequest); r.end = end; break; }
+      case 8042: type = only(m, type, 'clientThrottleRequest'); { const end = r.enter(); m.clientThrottleRequest = decodeClientThrottleRequest(r, m.clientThrottleRequest); r.end = end; break; }
+      case 8050: type = only(m, type, 'logRequest'); { const end = r.enter(); m.logRequest = decodeLogRequest(r, m.logRequest); r.end = end; break; }
+      case 8058: type = only(m, type, 'moduleVersionRequest'); { const end = r.enter(); m.moduleVersionRequest = decodeModuleVersionRequest(r, m.moduleVersionRequest); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -2394,7 +2872,22 @@ export const CODECS: {
   'ubii.devices.TopicDemuxList': { encode: encodeTopicDemuxList, decode: decodeTopicDemuxList },
   'ubii.devices.TopicMux': { encode: encodeTopicMux, decode: decodeTopicMux },
   'ubii.devices.TopicMuxList': { encode: encodeTopicMuxList, decode: decodeTopicMuxList },
+  'ubii.extension.ClientActivity': { encode: encodeClientActivity, decode: decodeClientActivity },
+  'ubii.extension.ClientDisconnectRequest': { encode: encodeClientDisconnectRequest, decode: decodeClientDisconnectRequest },
   'ubii.extension.ClientExtension': { encode: encodeClientExtension, decode: decodeClientExtension },
+  'ubii.extension.ClientRenameRequest': { encode: encodeClientRenameRequest, decode: decodeClientRenameRequest },
+  'ubii.extension.ClientReport': { encode: encodeClientReport, decode: decodeClientReport },
+  'ubii.extension.ClientReportRequest': { encode: encodeClientReportRequest, decode: decodeClientReportRequest },
+  'ubii.extension.ClientSubscription': { encode: encodeClientSubscription, decode: decodeClientSubscription },
+  'ubii.extension.ClientThrottle': { encode: encodeClientThrottle, decode: decodeClientThrottle },
+  'ubii.extension.ClientThrottleRequest': { encode: encodeClientThrottleRequest, decode: decodeClientThrottleRequest },
+  'ubii.extension.Limit': { encode: encodeLimit, decode: decodeLimit },
+  'ubii.extension.LimitList': { encode: encodeLimitList, decode: decodeLimitList },
+  'ubii.extension.LimitUse': { encode: encodeLimitUse, decode: decodeLimitUse },
+  'ubii.extension.LogField': { encode: encodeLogField, decode: decodeLogField },
+  'ubii.extension.LogLine': { encode: encodeLogLine, decode: decodeLogLine },
+  'ubii.extension.LogRequest': { encode: encodeLogRequest, decode: decodeLogRequest },
+  'ubii.extension.LogTail': { encode: encodeLogTail, decode: decodeLogTail },
   'ubii.extension.MasterAddress': { encode: encodeMasterAddress, decode: decodeMasterAddress },
   'ubii.extension.MasterStatus': { encode: encodeMasterStatus, decode: decodeMasterStatus },
   'ubii.extension.MasterStatusRequest': { encode: encodeMasterStatusRequest, decode: decodeMasterStatusRequest },
@@ -2402,6 +2895,9 @@ export const CODECS: {
   'ubii.extension.ModuleExtension': { encode: encodeModuleExtension, decode: decodeModuleExtension },
   'ubii.extension.ModuleReports': { encode: encodeModuleReports, decode: decodeModuleReports },
   'ubii.extension.ModuleStatistics': { encode: encodeModuleStatistics, decode: decodeModuleStatistics },
+  'ubii.extension.ModuleVersion': { encode: encodeModuleVersion, decode: decodeModuleVersion },
+  'ubii.extension.ModuleVersionList': { encode: encodeModuleVersionList, decode: decodeModuleVersionList },
+  'ubii.extension.ModuleVersionRequest': { encode: encodeModuleVersionRequest, decode: decodeModuleVersionRequest },
   'ubii.extension.NodeExtension': { encode: encodeNodeExtension, decode: decodeNodeExtension },
   'ubii.extension.NodeInfo': { encode: encodeNodeInfo, decode: decodeNodeInfo },
   'ubii.extension.NodeList': { encode: encodeNodeList, decode: decodeNodeList },

@@ -106,6 +106,40 @@ export const DeviceType = {
 export type DeviceType = (typeof DeviceType)[keyof typeof DeviceType];
 
 /**
+ * How near the other end of the client's socket is.
+ *
+ * `ubii.extension.ClientActivity.AddressKind`
+ */
+export const ClientActivityAddressKind = {
+  /** It has not had a socket yet. */
+  UNKNOWN: 0,
+  /** A program of the master's own machine, or a proxy there. */
+  LOOPBACK: 1,
+  /** A private or link-local network. */
+  PRIVATE: 2,
+  /** Any other address. */
+  PUBLIC: 3,
+} as const;
+export type ClientActivityAddressKind = (typeof ClientActivityAddressKind)[keyof typeof ClientActivityAddressKind];
+
+/**
+ * How bad it is, from worst to best.
+ *
+ * `ubii.extension.LogLevel`
+ */
+export const LogLevel = {
+  /** Something broke that should not. */
+  LOG_ERROR: 0,
+  /** Something was refused or is going wrong; the master goes on. */
+  LOG_WARN: 1,
+  /** Something a person who runs the master wants to know. */
+  LOG_INFO: 2,
+  /** Something that helps to find a fault. */
+  LOG_DEBUG: 3,
+} as const;
+export type LogLevel = (typeof LogLevel)[keyof typeof LogLevel];
+
+/**
  * Which kind of network it leads through.
  *
  * `ubii.extension.MasterAddress.Kind`
@@ -163,6 +197,21 @@ export const ModuleOrigin = {
   MODULE_ORIGIN_NODE: 4,
 } as const;
 export type ModuleOrigin = (typeof ModuleOrigin)[keyof typeof ModuleOrigin];
+
+/**
+ * Where a version is from.
+ *
+ * `ubii.extension.ModuleVersion.Origin`
+ */
+export const ModuleVersionOrigin = {
+  /** A service call saved it. */
+  SAVED: 0,
+  /** Somebody changed the file. */
+  FILE: 1,
+  /** It was there when the history began. */
+  FOUND: 2,
+} as const;
+export type ModuleVersionOrigin = (typeof ModuleVersionOrigin)[keyof typeof ModuleVersionOrigin];
 
 /**
  * What tells the elements of a multiplexer apart. Rule PM-43.
@@ -245,6 +294,14 @@ export const StatusEventKind = {
   FILE_BROKEN: 7,
   /** A session runs without some of its modules. */
   SESSION_DEGRADED: 8,
+  /** Somebody gave a client another name. */
+  CLIENT_RENAMED: 9,
+  /** Somebody removed a client. */
+  CLIENT_DISCONNECTED: 10,
+  /** A client was throttled, or its throttle was changed or lifted. */
+  CLIENT_THROTTLED: 11,
+  /** The master, a publisher or a module takes more than the machine can give. Rule EX-45. */
+  OVERLOAD: 12,
 } as const;
 export type StatusEventKind = (typeof StatusEventKind)[keyof typeof StatusEventKind];
 
@@ -947,6 +1004,90 @@ export interface TopicMuxList {
 }
 
 /**
+ * What one client does. Counts are totals since it registered; rates are those of the last measurement.
+ *
+ * `ubii.extension.ClientActivity`
+ */
+export interface ClientActivity {
+  /** Id of the client. */
+  clientId: string;
+  /** When it registered: milliseconds since the Unix epoch, master's clock. */
+  firstSeenMs: number;
+  /** Its last sign of life, the same clock. Rule CL-11. */
+  lastSeenMs: number;
+  /** It has an open socket. */
+  connected: boolean;
+  /** Since when it has that socket, the same clock; 0 when it has none. */
+  connectedMs: number;
+  /** Time from the last PING to its PONG, milliseconds; 0 before the first. Rule CL-15. */
+  roundTripMs: number;
+  /** Age of that measurement, milliseconds; 0 when there was none. */
+  roundTripAgeMs: number;
+  /** Records it published. */
+  recordsIn: number;
+  /** Encoded bytes of them. */
+  bytesIn: number;
+  /** Records that were handed to its socket. */
+  recordsOut: number;
+  /** Encoded bytes of them. */
+  bytesOut: number;
+  /** Records it published a second. */
+  recordsInPerSecond: number;
+  /** Bytes of them a second. */
+  bytesInPerSecond: number;
+  /** Records handed to its socket a second. */
+  recordsOutPerSecond: number;
+  /** Bytes of them a second. */
+  bytesOutPerSecond: number;
+  /** Records that wait because its socket cannot take more. */
+  queuedRecords: number;
+  /** Bytes that wait: those records, and what the system has not taken from its socket. */
+  queuedBytes: number;
+  /** Records it did not get because it was too slow. */
+  dropped: number;
+  /** Records of its own that were refused: malformed, forbidden, over a limit or a throttle. */
+  refused: number;
+  /** Messages of its own that cannot be read. */
+  protocolErrors: number;
+  /** Subscriptions by topic. */
+  topicSubscriptions: number;
+  /** Subscriptions by regular expression. */
+  patternSubscriptions: number;
+  /** Subscriptions by component profile. */
+  componentSubscriptions: number;
+  /** One of its devices watches every topic. */
+  watchesEverything: boolean;
+  /** The subscriptions, when they were asked for; at most 1000. */
+  subscriptions: ClientSubscription[];
+  /** Topics that hold a value of its own. */
+  ownedTopics: number;
+  /** The User-Agent of its socket, at most 256 characters; empty when it sent none. */
+  userAgent: string;
+  /** What the client says of its library, at most 64 characters; empty when it says nothing. */
+  library: string;
+  /** How near it is. The address itself is not told. */
+  addressKind: ClientActivityAddressKind;
+  /** The throttle in force; absent when there is none. */
+  throttle: ClientThrottle | undefined;
+  /** Estimated share of the work of forwarding records that is on its account, 0 to 1. Rule EX-27. */
+  workShare: number;
+}
+
+/**
+ * Removes a client. Rule EX-30.
+ *
+ * `ubii.extension.ClientDisconnectRequest`
+ */
+export interface ClientDisconnectRequest {
+  /** Id of the client that asks; empty when none does. */
+  clientId: string;
+  /** Id of the client to remove. */
+  targetId: string;
+  /** Why, for the person it affects, a few words; may be empty. */
+  reason: string;
+}
+
+/**
  * What a client of this project and a master of this project tell each other at registration, beyond
  * what existing clients know. A client sends it to opt in; a master answers with it only to a client
  * that sent it. Rules EX-1 to EX-6.
@@ -968,6 +1109,209 @@ export interface ClientExtension {
   masterVersion: string;
   /** Client to master: what it is as a node; absent when it runs no modules. Rule PM-60. */
   node: NodeExtension | undefined;
+  /** Client to master: name and version of its library, such as client-web/0.1.0. Rule EX-25. */
+  library: string;
+}
+
+/**
+ * Gives a client another name. Rule EX-29.
+ *
+ * `ubii.extension.ClientRenameRequest`
+ */
+export interface ClientRenameRequest {
+  /** Id of the client that asks; empty when none does. */
+  clientId: string;
+  /** Id of the client to rename. */
+  targetId: string;
+  /** The new name, for people. */
+  name: string;
+}
+
+/**
+ * What clients do, and what they take of the master.
+ *
+ * `ubii.extension.ClientReport`
+ */
+export interface ClientReport {
+  /** When this was taken: milliseconds since the Unix epoch, master's clock. */
+  masterTimeMs: number;
+  /** The time over which rates and shares were measured, milliseconds; 0 before the first measurement. */
+  measuredMs: number;
+  /** The clients asked for that there are, in the order in which they registered. */
+  clients: ClientActivity[];
+}
+
+/**
+ * Asks what clients do. Rules EX-25 to EX-28.
+ *
+ * `ubii.extension.ClientReportRequest`
+ */
+export interface ClientReportRequest {
+  /** Ids of the clients it is about; empty asks for all. */
+  clientIds: string[];
+  /** True: the subscriptions of each client are wanted as well, and not their number alone. */
+  subscriptions: boolean;
+}
+
+/**
+ * One subscription of a client. One of topic, pattern and component is set.
+ *
+ * `ubii.extension.ClientSubscription`
+ */
+export interface ClientSubscription {
+  /** The topic. */
+  topic: string;
+  /** The regular expression. */
+  pattern: string;
+  /** The component profile. */
+  component: Component | undefined;
+  /** Records a second of one topic at most; 0 for every record. Rule TD-28. */
+  maxRateHz: number;
+}
+
+/**
+ * What keeps a client from publishing as much as it wants to. Rules EX-31 to EX-33.
+ *
+ * `ubii.extension.ClientThrottle`
+ */
+export interface ClientThrottle {
+  /** Records it may publish a second, and at once. */
+  recordsPerSecond: number;
+  /** True: the master's own policy made it, and lifts it. Rule EX-48. */
+  byPolicy: boolean;
+  /** Name of who asked for it; empty when nobody said so. */
+  byName: string;
+  /** Why; empty when nobody said so. */
+  reason: string;
+  /** Since when: milliseconds since the Unix epoch, master's clock. */
+  sinceMs: number;
+  /** Records that were dropped because of it. */
+  dropped: number;
+}
+
+/**
+ * Limits what a client publishes. Rules EX-31 to EX-33.
+ *
+ * `ubii.extension.ClientThrottleRequest`
+ */
+export interface ClientThrottleRequest {
+  /** Id of the client that asks; empty when none does. */
+  clientId: string;
+  /** Id of the client to throttle. */
+  targetId: string;
+  /** Records it may publish a second, and at once; 0 lifts the throttle. */
+  recordsPerSecond: number;
+  /** Why, for the person it affects, a few words; may be empty. */
+  reason: string;
+}
+
+/**
+ * One limit.
+ *
+ * `ubii.extension.Limit`
+ */
+export interface Limit {
+  /** Name, as errors, metrics and problems show it. */
+  name: string;
+  /** What is allowed. */
+  value: number;
+  /** What the value counts: bytes, ms, topics, records/s, ... */
+  unit: string;
+  /** Why it is this number. */
+  reason: string;
+  /** The heading it stands under: messages, storage, subscriptions, rates, queues, sessions, time, statistics. */
+  group: string;
+  /** How near the master is to it; absent when that is not measured. */
+  use: LimitUse | undefined;
+  /** How often it was met since the master started. */
+  hits: number;
+}
+
+/**
+ * The limits a master runs with. Rules EX-35 and EX-36.
+ *
+ * `ubii.extension.LimitList`
+ */
+export interface LimitList {
+  /** Each limit once, related ones together. */
+  elements: Limit[];
+}
+
+/**
+ * How near the master is to a limit.
+ *
+ * `ubii.extension.LimitUse`
+ */
+export interface LimitUse {
+  /** Of a limit of the whole master, what is used; of one of each client or session, the largest use of any. */
+  value: number;
+  /** The client with that use; empty when the limit is not one of each client, or nobody uses anything. */
+  clientId: string;
+  /** The session with that use; empty likewise. */
+  sessionId: string;
+}
+
+/**
+ * One value that belongs to a log line.
+ *
+ * `ubii.extension.LogField`
+ */
+export interface LogField {
+  /** Its name, such as clientId. */
+  name: string;
+  /** Its value as text. */
+  value: string;
+}
+
+/**
+ * One line of the master's log.
+ *
+ * `ubii.extension.LogLine`
+ */
+export interface LogLine {
+  /** Grows by one from line to line. */
+  number: number;
+  /** Milliseconds since the Unix epoch, master's clock. */
+  timeMs: number;
+  /** How bad it is. */
+  level: LogLevel;
+  /** What happened. */
+  message: string;
+  /** What belongs to it: names and values, in their order. */
+  fields: LogField[];
+}
+
+/**
+ * Asks for lines of the master's log. Rules EX-37 to EX-39.
+ *
+ * `ubii.extension.LogRequest`
+ */
+export interface LogRequest {
+  /** Cursor of the reply the client already has; 0 asks for all that is kept. */
+  cursor: number;
+  /** The least severe lines that are wanted. */
+  level: LogLevel;
+  /** Lines wanted at most, the newest ones; 0 means 1000. */
+  count: number;
+}
+
+/**
+ * Lines of the master's log after the cursor of the request.
+ *
+ * `ubii.extension.LogTail`
+ */
+export interface LogTail {
+  /** To be sent with the next request. */
+  cursor: number;
+  /** True when this is all there is: the cursor was 0 or of another run of the master. */
+  reset: boolean;
+  /**
+   * Lines after the cursor, of any level, that are not in the list because they are kept no more or were
+   * more than wanted.
+   */
+  missed: number;
+  /** Oldest first. */
+  lines: LogLine[];
 }
 
 /**
@@ -1035,6 +1379,15 @@ export interface MasterStatus {
   problems: StatusProblem[];
   /** Where the master can be reached, best first. */
   addresses: MasterAddress[];
+  /**
+   * Share of the time in which the master's one thread was busy, in the last measurement, percent. At 100
+   * everything waits. Rule EX-45.
+   */
+  busyPercent: number;
+  /** How late the master comes to what is to be done, in the last measurement: 99th percentile, milliseconds. */
+  delayMs: number;
+  /** Cores of the machine. */
+  processors: number;
 }
 
 /**
@@ -1147,6 +1500,52 @@ export interface ModuleStatistics {
   outputsRefused: number;
   /** Triggers that wait for the run under way or the minimal delay. */
   waiting: number;
+}
+
+/**
+ * One version of a module.
+ *
+ * `ubii.extension.ModuleVersion`
+ */
+export interface ModuleVersion {
+  /** Grows by one from version to version of one module. */
+  number: number;
+  /** When it became the module: milliseconds since the Unix epoch, master's clock. */
+  timeMs: number;
+  /** Where it is from. */
+  origin: ModuleVersionOrigin;
+  /** What the author calls it, semantic versioning; empty when it has no such name. */
+  version: string;
+  /** Encoded size of the module, bytes. */
+  byteLength: number;
+  /** It is what the module is now. None is when the module was deleted. */
+  current: boolean;
+  /** The module, where it was asked for. */
+  module: ProcessingModule | undefined;
+}
+
+/**
+ * The versions of one module that are kept.
+ *
+ * `ubii.extension.ModuleVersionList`
+ */
+export interface ModuleVersionList {
+  /** Newest first. */
+  elements: ModuleVersion[];
+}
+
+/**
+ * Asks for the earlier versions of a module. Rules EX-40 to EX-44.
+ *
+ * `ubii.extension.ModuleVersionRequest`
+ */
+export interface ModuleVersionRequest {
+  /** Name of a stored module; empty for a module of a session. */
+  name: string;
+  /** Of a module of a session: its id there; empty for a stored module. */
+  moduleId: string;
+  /** The version whose module is wanted; 0 lists the versions without their modules. */
+  number: number;
 }
 
 /**
@@ -1312,7 +1711,8 @@ export interface StatusEvent {
 export interface StatusProblem {
   /**
    * Stable name of the kind of problem: client_silent, client_slow, limit_reached, protocol_errors,
-   * file_broken, session_degraded.
+   * file_broken, session_degraded, client_throttled, publisher_noisy, module_slow, master_busy,
+   * machine_busy.
    */
   code: string;
   /** How bad it is. */
@@ -1323,6 +1723,12 @@ export interface StatusProblem {
   clientId: string;
   /** Since when: milliseconds since the Unix epoch, master's clock. */
   sinceMs: number;
+  /** What to do about it, one sentence; empty when nobody can do anything. */
+  remedy: string;
+  /** The session it is about; empty when it is about none. */
+  sessionId: string;
+  /** The module of that session it is about; empty when it is about none. */
+  moduleId: string;
 }
 
 /**
@@ -1335,6 +1741,14 @@ export interface StatusSample {
   timeMs: number;
   /** Records received per second. */
   recordsPerSecond: number;
+  /** Share of one core used, percent; more than 100 when several are. */
+  cpuPercent: number;
+  /** Share of the time in which the master's one thread was busy, percent. */
+  busyPercent: number;
+  /** How late the master came to what was to be done: 99th percentile, milliseconds. */
+  delayMs: number;
+  /** Records handed to subscribers per second. */
+  recordsOutPerSecond: number;
 }
 
 /**
@@ -1720,6 +2134,14 @@ export interface ServiceReply {
   masterStatus?: MasterStatus | undefined;
   /** The nodes that can run modules. Rule PM-61. */
   nodeList?: NodeList | undefined;
+  /** What clients do. Rule EX-25. */
+  clientReport?: ClientReport | undefined;
+  /** The limits in force. Rule EX-35. */
+  limitList?: LimitList | undefined;
+  /** Lines of the log. Rule EX-37. */
+  logTail?: LogTail | undefined;
+  /** Versions of a module. Rule EX-40. */
+  moduleVersionList?: ModuleVersionList | undefined;
 }
 
 /**
@@ -1768,6 +2190,18 @@ export interface ServiceRequest {
   topicStatisticsRequest?: TopicStatisticsRequest | undefined;
   /** Which samples and events are wanted. Rule EX-16. */
   masterStatusRequest?: MasterStatusRequest | undefined;
+  /** Which clients a report is wanted of. Rule EX-25. */
+  clientReportRequest?: ClientReportRequest | undefined;
+  /** Another name for a client. Rule EX-29. */
+  clientRenameRequest?: ClientRenameRequest | undefined;
+  /** Which client is to be removed. Rule EX-30. */
+  clientDisconnectRequest?: ClientDisconnectRequest | undefined;
+  /** Which client is to be throttled. Rule EX-31. */
+  clientThrottleRequest?: ClientThrottleRequest | undefined;
+  /** Which lines of the log are wanted. Rule EX-37. */
+  logRequest?: LogRequest | undefined;
+  /** Which versions of which module are wanted. Rule EX-40. */
+  moduleVersionRequest?: ModuleVersionRequest | undefined;
 }
 
 /**
@@ -2125,7 +2559,22 @@ export interface MessageTypes {
   'ubii.devices.TopicDemuxList': TopicDemuxList;
   'ubii.devices.TopicMux': TopicMux;
   'ubii.devices.TopicMuxList': TopicMuxList;
+  'ubii.extension.ClientActivity': ClientActivity;
+  'ubii.extension.ClientDisconnectRequest': ClientDisconnectRequest;
   'ubii.extension.ClientExtension': ClientExtension;
+  'ubii.extension.ClientRenameRequest': ClientRenameRequest;
+  'ubii.extension.ClientReport': ClientReport;
+  'ubii.extension.ClientReportRequest': ClientReportRequest;
+  'ubii.extension.ClientSubscription': ClientSubscription;
+  'ubii.extension.ClientThrottle': ClientThrottle;
+  'ubii.extension.ClientThrottleRequest': ClientThrottleRequest;
+  'ubii.extension.Limit': Limit;
+  'ubii.extension.LimitList': LimitList;
+  'ubii.extension.LimitUse': LimitUse;
+  'ubii.extension.LogField': LogField;
+  'ubii.extension.LogLine': LogLine;
+  'ubii.extension.LogRequest': LogRequest;
+  'ubii.extension.LogTail': LogTail;
   'ubii.extension.MasterAddress': MasterAddress;
   'ubii.extension.MasterStatus': MasterStatus;
   'ubii.extension.MasterStatusRequest': MasterStatusRequest;
@@ -2133,6 +2582,9 @@ export interface MessageTypes {
   'ubii.extension.ModuleExtension': ModuleExtension;
   'ubii.extension.ModuleReports': ModuleReports;
   'ubii.extension.ModuleStatistics': ModuleStatistics;
+  'ubii.extension.ModuleVersion': ModuleVersion;
+  'ubii.extension.ModuleVersionList': ModuleVersionList;
+  'ubii.extension.ModuleVersionRequest': ModuleVersionRequest;
   'ubii.extension.NodeExtension': NodeExtension;
   'ubii.extension.NodeInfo': NodeInfo;
   'ubii.extension.NodeList': NodeList;

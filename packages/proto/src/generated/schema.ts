@@ -34,6 +34,16 @@ enum ubii.devices.Component.IOType
 enum ubii.devices.Device.DeviceType
 0 PARTICIPANT
 1 WATCHER
+enum ubii.extension.ClientActivity.AddressKind
+0 UNKNOWN
+1 LOOPBACK
+2 PRIVATE
+3 PUBLIC
+enum ubii.extension.LogLevel
+0 LOG_ERROR
+1 LOG_WARN
+2 LOG_INFO
+3 LOG_DEBUG
 enum ubii.extension.MasterAddress.Kind
 0 LOOPBACK
 1 WIFI
@@ -53,6 +63,10 @@ enum ubii.extension.ModuleOrigin
 2 MODULE_ORIGIN_FOLDER
 3 MODULE_ORIGIN_STORED
 4 MODULE_ORIGIN_NODE
+enum ubii.extension.ModuleVersion.Origin
+0 SAVED
+1 FILE
+2 FOUND
 enum ubii.extension.MuxIdentity
 0 MUX_IDENTITY_PATTERN
 1 MUX_IDENTITY_CLIENT_ID
@@ -81,6 +95,10 @@ enum ubii.extension.StatusEvent.Kind
 6 FILE_CHANGED
 7 FILE_BROKEN
 8 SESSION_DEGRADED
+9 CLIENT_RENAMED
+10 CLIENT_DISCONNECTED
+11 CLIENT_THROTTLED
+12 OVERLOAD
 enum ubii.extension.StatusProblem.Severity
 0 WARNING
 1 ERROR
@@ -286,12 +304,109 @@ message ubii.devices.TopicMux
 1003 identity_group int32
 message ubii.devices.TopicMuxList
 1 elements ubii.devices.TopicMux *
+message ubii.extension.ClientActivity
+1 client_id string
+2 first_seen_ms double
+3 last_seen_ms double
+4 connected bool
+5 connected_ms double
+6 round_trip_ms double
+7 round_trip_age_ms double
+8 records_in double
+9 bytes_in double
+10 records_out double
+11 bytes_out double
+12 records_in_per_second double
+13 bytes_in_per_second double
+14 records_out_per_second double
+15 bytes_out_per_second double
+16 queued_records int32
+17 queued_bytes double
+18 dropped double
+19 refused double
+20 protocol_errors double
+21 topic_subscriptions int32
+22 pattern_subscriptions int32
+23 component_subscriptions int32
+24 watches_everything bool
+25 subscriptions ubii.extension.ClientSubscription *
+26 owned_topics int32
+27 user_agent string
+28 library string
+29 address_kind ubii.extension.ClientActivity.AddressKind
+30 throttle ubii.extension.ClientThrottle
+31 work_share double
+message ubii.extension.ClientDisconnectRequest
+1 client_id string
+2 target_id string
+3 reason string
 message ubii.extension.ClientExtension
 1 record_lists bool
 2 resume_token string
 3 resumed bool
 4 master_version string
 5 node ubii.extension.NodeExtension
+6 library string
+message ubii.extension.ClientRenameRequest
+1 client_id string
+2 target_id string
+3 name string
+message ubii.extension.ClientReport
+1 master_time_ms double
+2 measured_ms double
+3 clients ubii.extension.ClientActivity *
+message ubii.extension.ClientReportRequest
+1 client_ids string *
+2 subscriptions bool
+message ubii.extension.ClientSubscription
+1 topic string
+2 pattern string
+3 component ubii.devices.Component
+4 max_rate_hz double
+message ubii.extension.ClientThrottle
+1 records_per_second double
+2 by_policy bool
+3 by_name string
+4 reason string
+5 since_ms double
+6 dropped double
+message ubii.extension.ClientThrottleRequest
+1 client_id string
+2 target_id string
+3 records_per_second double
+4 reason string
+message ubii.extension.Limit
+1 name string
+2 value double
+3 unit string
+4 reason string
+5 group string
+6 use ubii.extension.LimitUse
+7 hits double
+message ubii.extension.LimitList
+1 elements ubii.extension.Limit *
+message ubii.extension.LimitUse
+1 value double
+2 client_id string
+3 session_id string
+message ubii.extension.LogField
+1 name string
+2 value string
+message ubii.extension.LogLine
+1 number double
+2 time_ms double
+3 level ubii.extension.LogLevel
+4 message string
+5 fields ubii.extension.LogField *
+message ubii.extension.LogRequest
+1 cursor double
+2 level ubii.extension.LogLevel
+3 count int32
+message ubii.extension.LogTail
+1 cursor double
+2 reset bool
+3 missed double
+4 lines ubii.extension.LogLine *
 message ubii.extension.MasterAddress
 1 kind ubii.extension.MasterAddress.Kind
 2 interface_name string
@@ -318,6 +433,9 @@ message ubii.extension.MasterStatus
 19 events ubii.extension.StatusEvent *
 20 problems ubii.extension.StatusProblem *
 21 addresses ubii.extension.MasterAddress *
+22 busy_percent double
+23 delay_ms double
+24 processors int32
 message ubii.extension.MasterStatusRequest
 1 since_ms double
 message ubii.extension.ModuleEvent
@@ -356,6 +474,20 @@ message ubii.extension.ModuleStatistics
 12 outputs double
 13 outputs_refused double
 14 waiting int32
+message ubii.extension.ModuleVersion
+1 number int32
+2 time_ms double
+3 origin ubii.extension.ModuleVersion.Origin
+4 version string
+5 byte_length int32
+6 current bool
+7 module ubii.processing.ProcessingModule
+message ubii.extension.ModuleVersionList
+1 elements ubii.extension.ModuleVersion *
+message ubii.extension.ModuleVersionRequest
+1 name string
+2 module_id string
+3 number int32
 message ubii.extension.NodeExtension
 1 kind ubii.extension.NodeExtension.Kind
 2 runs_javascript bool
@@ -414,9 +546,16 @@ message ubii.extension.StatusProblem
 3 text string
 4 client_id string
 5 since_ms double
+6 remedy string
+7 session_id string
+8 module_id string
 message ubii.extension.StatusSample
 1 time_ms double
 2 records_per_second float
+3 cpu_percent double
+4 busy_percent double
+5 delay_ms double
+6 records_out_per_second double
 message ubii.extension.TopicStatistic
 1 topic string
 2 data_format string
@@ -546,6 +685,10 @@ message ubii.services.ServiceReply
 1000 topic_statistics ubii.extension.TopicStatistics type
 1001 master_status ubii.extension.MasterStatus type
 1002 node_list ubii.extension.NodeList type
+1003 client_report ubii.extension.ClientReport type
+1004 limit_list ubii.extension.LimitList type
+1005 log_tail ubii.extension.LogTail type
+1006 module_version_list ubii.extension.ModuleVersionList type
 message ubii.services.ServiceRequest
 1 topic string
 2 client ubii.clients.Client type
@@ -567,6 +710,12 @@ message ubii.services.ServiceRequest
 18 notify_condition ubii.conditions.NotifyCondition type
 1000 topic_statistics_request ubii.extension.TopicStatisticsRequest type
 1001 master_status_request ubii.extension.MasterStatusRequest type
+1002 client_report_request ubii.extension.ClientReportRequest type
+1003 client_rename_request ubii.extension.ClientRenameRequest type
+1004 client_disconnect_request ubii.extension.ClientDisconnectRequest type
+1005 client_throttle_request ubii.extension.ClientThrottleRequest type
+1006 log_request ubii.extension.LogRequest type
+1007 module_version_request ubii.extension.ModuleVersionRequest type
 message ubii.services.request.TopicSubscription
 1 client_id string
 2 subscribe_topics string *

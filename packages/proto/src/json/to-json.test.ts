@@ -92,6 +92,7 @@ describe('toJson [SV-4]', () => {
       resumeToken: '',
       resumed: false,
       masterVersion: '',
+      library: '',
     });
   });
 });

@@ -35,6 +35,13 @@ describe('the service table', () => {
       '/services/ubii/node_list',
       '/services/ubii/session_pause',
       '/services/ubii/session_resume',
+      '/services/ubii/client_report',
+      '/services/ubii/client_rename',
+      '/services/ubii/client_disconnect',
+      '/services/ubii/client_throttle',
+      '/services/ubii/limit_list',
+      '/services/ubii/log_tail',
+      '/services/ubii/module_version_list',
     ]);
   });
 

@@ -1,5 +1,6 @@
 import type { ServiceReply, ServiceRequest } from '../generated/messages.ts';
 import { withoutPayload, withOptionalPayload, withPayload } from './define-service.ts';
+import { OPERATION_SERVICES } from './operation-services.ts';
 import { PROCESSING_MODULE_SERVICES } from './processing-module-services.ts';
 import { SESSION_SERVICES } from './session-services.ts';
 import { TOPIC_MAPPING_SERVICES } from './topic-mapping-services.ts';
@@ -142,6 +143,7 @@ export const SERVICES = {
     'session',
     'Lets the held session with the given id run on.',
   ),
+  ...OPERATION_SERVICES,
   ...PROCESSING_MODULE_SERVICES,
   ...SESSION_SERVICES,
   ...TOPIC_MAPPING_SERVICES,

@@ -1,9 +1,10 @@
-import { StatusProblemSeverity, type StatusProblem } from '@ubii/proto';
+import { StatusProblemSeverity } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
 import type { Core } from '../core.ts';
 import type { LimitName } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
 import { quote } from '../topics/topic-names.ts';
+import type { Problem } from './problem.ts';
 
 /** Problems told at most: what a page can show. */
 const MOST_PROBLEMS = 100;
@@ -20,14 +21,14 @@ const COMMON_LIMITS: ReadonlySet<LimitName> = new Set<LimitName>([
 ]);
 
 /** What is wrong now, most severe first [EX-18]. */
-export function listProblems(core: Core): StatusProblem[] {
+export function listProblems(core: Core): Problem[] {
   const problems = [...limitProblems(core)];
   problems.push(...fileProblems(core), ...sessionProblems(core));
   for (const client of core.clients.values()) problems.push(...clientProblems(core, client));
   return problems.sort((a, b) => b.severity - a.severity).slice(0, MOST_PROBLEMS);
 }
 
-function* limitProblems({ limitWatch, clock, limits }: Core): Iterable<StatusProblem> {
+function* limitProblems({ limitWatch, clock, limits }: Core): Iterable<Problem> {
   for (const { limit, streak, clientId } of limitWatch.hits()) {
     if (!streak.isOn(clock.monotonicMs())) continue;
     const isCommon = COMMON_LIMITS.has(limit);
@@ -35,6 +36,9 @@ function* limitProblems({ limitWatch, clock, limits }: Core): Iterable<StatusPro
       code: 'limit_reached',
       severity: isCommon ? StatusProblemSeverity.ERROR : StatusProblemSeverity.WARNING,
       text: `The limit ${limit} (${limits[limit]}) was met, ${streak.count} times so far; what goes beyond is refused.`,
+      remedy: isCommon
+        ? 'Remove what is not needed, or raise the limit.'
+        : 'Look whether the program means to do that; else split what it does, or raise the limit.',
       clientId,
       sinceMs: epochMs(clock, streak.sinceMs),
     };
@@ -42,20 +46,20 @@ function* limitProblems({ limitWatch, clock, limits }: Core): Iterable<StatusPro
 }
 
 /** [SE-23] */
-function* fileProblems({ processing, startedMs }: Core): Iterable<StatusProblem> {
+function* fileProblems({ processing, startedMs }: Core): Iterable<Problem> {
   for (const { where, reason } of processing.files.broken()) {
     yield {
       code: 'file_broken',
       severity: StatusProblemSeverity.WARNING,
       text: `${where} cannot be read, and is left alone: ${reason}`,
-      clientId: '',
+      remedy: 'Mend the file by hand, or remove it; what it says then counts at once.',
       sinceMs: startedMs,
     };
   }
 }
 
 /** [SE-12] */
-function* sessionProblems({ processing, clock }: Core): Iterable<StatusProblem> {
+function* sessionProblems({ processing, clock }: Core): Iterable<Problem> {
   for (const session of processing.sessions.list()) {
     if (session.life !== 'degraded') continue;
     const first = session.problems().find(({ isError }) => isError);
@@ -63,13 +67,15 @@ function* sessionProblems({ processing, clock }: Core): Iterable<StatusProblem> 
       code: 'session_degraded',
       severity: StatusProblemSeverity.WARNING,
       text: `The session ${quote(session.label)} runs without some of its modules. ${first?.message ?? ''}`.trim(),
-      clientId: '',
+      remedy: 'Open the session to see which modules do not run, and why.',
+      sessionId: session.id,
+      moduleId: first?.moduleId ?? '',
       sinceMs: epochMs(clock, session.lifeSinceMs),
     };
   }
 }
 
-function* clientProblems({ clock }: Core, client: Client): Iterable<StatusProblem> {
+function* clientProblems({ clock }: Core, client: Client): Iterable<Problem> {
   const nowMs = clock.monotonicMs();
   const { socket, label, protocolErrors, id: clientId } = client;
   const { outbox } = client.subscriber;
@@ -81,6 +87,7 @@ function* clientProblems({ clock }: Core, client: Client): Iterable<StatusProble
       ...warning,
       code: 'client_silent',
       text: `${label} has not been heard of for ${silentSeconds} s; after 10 s its values end.`,
+      remedy: 'See whether the device sleeps or has lost its network; it comes back by itself.',
       sinceMs: epochMs(clock, client.statusSinceMs),
     };
   }
@@ -89,6 +96,7 @@ function* clientProblems({ clock }: Core, client: Client): Iterable<StatusProble
       ...warning,
       code: 'client_slow',
       text: `${label} takes data more slowly than it comes: ${outbox.drops.count} records were dropped so far, the newest values win.`,
+      remedy: 'Let it subscribe to less or at a lower rate, or give it a better network.',
       sinceMs: epochMs(clock, outbox.drops.isOn(nowMs) ? outbox.drops.sinceMs : nowMs),
     };
   }
@@ -97,6 +105,7 @@ function* clientProblems({ clock }: Core, client: Client): Iterable<StatusProble
       ...warning,
       code: 'protocol_errors',
       text: `${label} sent ${protocolErrors.count} messages so far that cannot be read; they are refused.`,
+      remedy: 'The program does not speak this protocol, or has a fault; update it.',
       sinceMs: epochMs(clock, protocolErrors.sinceMs),
     };
   }

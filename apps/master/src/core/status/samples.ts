@@ -16,6 +16,7 @@ export class Samples {
   readonly #samples: StatusSample[] = [];
   readonly #cancel: Cancel;
   #recordsIn = 0;
+  #recordsOut = 0;
   #takenMs: number;
   #cpuPercent = 0;
 
@@ -47,13 +48,23 @@ export class Samples {
 
   #take(): void {
     const nowMs = this.#clock.monotonicMs();
-    const { recordsIn } = this.#counters;
+    const { recordsIn, recordsOut } = this.#counters;
     const seconds = (nowMs - this.#takenMs) / 1000;
-    const recordsPerSecond = seconds > 0 ? (recordsIn - this.#recordsIn) / seconds : 0;
+    const perSecond = (count: number): number => (seconds > 0 ? count / seconds : 0);
+    const recordsPerSecond = perSecond(recordsIn - this.#recordsIn);
+    const recordsOutPerSecond = perSecond(recordsOut - this.#recordsOut);
     this.#takenMs = nowMs;
     this.#recordsIn = recordsIn;
+    this.#recordsOut = recordsOut;
     this.#cpuPercent = this.#usage.cpuPercent();
-    this.#samples.push({ timeMs: this.#clock.nowMs(), recordsPerSecond });
+    this.#samples.push({
+      timeMs: this.#clock.nowMs(),
+      recordsPerSecond,
+      recordsOutPerSecond,
+      cpuPercent: this.#cpuPercent,
+      busyPercent: 0,
+      delayMs: 0,
+    });
     if (this.#samples.length > KEPT_SAMPLES) this.#samples.shift();
   }
 }
