@@ -8,7 +8,7 @@ import {
   type Ref,
   type ShallowRef,
 } from 'vue';
-import type { TopicChanges } from '../connection/topic-rates.ts';
+import type { TopicChanges, TopicRate } from '../connection/topic-rates.ts';
 import { useConnection } from '../connection/useConnection.ts';
 import { nameOf } from './rows/row-view.ts';
 import { RowValues } from './rows/row-values.ts';
@@ -32,6 +32,8 @@ export interface TopicTreeWishes {
   readonly order: Ref<TopicOrder>;
   /** Freezes the rows. Counters are totals, so nothing is lost. */
   readonly isPaused: Ref<boolean>;
+  /** Which topics are in the tree at all. @default all */
+  readonly accepts?: (topic: string) => boolean;
 }
 
 /** The topic tree, live. */
@@ -55,7 +57,13 @@ export interface TopicTreeView {
 }
 
 /** Feeds the model from the master's counters and draws it a few times a second while the page is seen. */
-export function useTopicTree({ search, format, order, isPaused }: TopicTreeWishes): TopicTreeView {
+export function useTopicTree({
+  search,
+  format,
+  order,
+  isPaused,
+  accepts = () => true,
+}: TopicTreeWishes): TopicTreeView {
   const { client, clients, topics, isConnected } = useConnection();
   const findPublisher = useFindPublisher();
   const model = new TopicsModel(findPublisher);
@@ -77,13 +85,15 @@ export function useTopicTree({ search, format, order, isPaused }: TopicTreeWishe
     tick.value += 1;
   }
 
+  const accepted = ({ statistic }: TopicRate): boolean => accepts(statistic.topic);
   const waiting: TopicChanges[] = [];
-  topics.onChanges((changes) => {
+  topics.onChanges(({ added, removed }) => {
+    const changes = { added: added.filter(accepted), removed: removed.filter(accepted) };
     if (isPaused.value) waiting.push(changes);
     else model.apply(changes);
   });
   watch(topics.rates, () => (isStatisticsNew = true), { flush: 'sync' });
-  model.apply({ added: [...(topics.rates.value?.values() ?? [])], removed: [] });
+  model.apply({ added: [...(topics.rates.value?.values() ?? [])].filter(accepted), removed: [] });
 
   useRafFn(
     () => {

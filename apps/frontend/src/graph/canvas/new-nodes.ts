@@ -7,7 +7,8 @@ import { newConstantNode, newDemuxerNode, newModuleNode, newMuxerNode } from '..
 export type NewNode =
   | { readonly kind: 'topic'; readonly topic: string; readonly format: string }
   | { readonly kind: 'module'; readonly module: ProcessingModule }
-  | { readonly kind: 'muxer' | 'demuxer' | 'constant' | 'comment' | 'frame' };
+  | { readonly kind: 'muxer'; readonly name?: string; readonly topicGlob?: string }
+  | { readonly kind: 'demuxer' | 'constant' | 'comment' | 'frame' };
 
 const FRAME_SIZE = { width: 320, height: 220 };
 
@@ -19,7 +20,11 @@ export function newNode(what: NewNode, position: Point, uuid: () => string): Gra
     case 'module':
       return newModuleNode(what.module, uuid(), { position });
     case 'muxer':
-      return newMuxerNode(uuid(), { name: 'Muxer' }, { position });
+      return newMuxerNode(
+        uuid(),
+        { name: what.name ?? 'Muxer', topicGlob: what.topicGlob ?? '' },
+        { position },
+      );
     case 'demuxer':
       return newDemuxerNode(uuid(), { name: 'Demuxer' }, { position });
     case 'constant':

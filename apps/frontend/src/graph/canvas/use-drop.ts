@@ -3,7 +3,9 @@ import { randomUuid } from '../../connection/random-uuid.ts';
 import type { GraphEditor } from '../editor/graph-editor.ts';
 import type { Point, PortRef } from '../model/graph.ts';
 import { insertOnWire } from '../model/selection/insert.ts';
-import { draggedItem, type DraggedItem } from '../palette/drag-item.ts';
+import { canRun } from '../../sessions/words/node-words.ts';
+import { draggedItem, type DraggedItem, type HostItem } from '../palette/drag-item.ts';
+import { placeCommand } from '../palette/place-command.ts';
 import type { CanvasStage } from './canvas-stage.ts';
 import { socketUnder, type ConnectGesture } from './connect-gesture.ts';
 import type { InsertTarget } from './drag/insert-target.ts';
@@ -17,6 +19,8 @@ export interface DropTarget {
   readonly stage: CanvasStage;
   readonly gesture: ConnectGesture;
   readonly target: InsertTarget;
+  /** Says in one line what could not be done. */
+  tell(sentence: string): void;
   /** Puts it on the canvas by itself. */
   place(item: NewNode, at: Point): void;
 }
@@ -29,13 +33,17 @@ const BEHIND = 110;
 
 /** What was dragged from the palette lands on a socket, on a wire or on the canvas. */
 export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
-  const { host, editor, stage, gesture, target: wires, place } = on;
+  const { host, editor, stage, gesture, target: wires, place, tell } = on;
   useWireUnder(on);
 
   return ({ item, clientX, clientY }) => {
     const wire = wires.end();
     const under = document.elementFromPoint(clientX, clientY);
     if (!host.value?.contains(under)) return;
+    if (item.kind === 'host') {
+      runOn(item, under);
+      return;
+    }
     const pointer = stage.toCanvas(clientX, clientY);
     const at = { x: pointer.x - NODE_HALF.x, y: pointer.y - NODE_HALF.y / 2 };
     if (wire !== undefined && insert(item, wire, at)) return;
@@ -47,6 +55,19 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
       place(item, at);
     }
   };
+
+  function runOn({ host: runner }: HostItem, under: Element | null): void {
+    const id = under?.closest<HTMLElement>('[data-graph-node]')?.dataset['graphNode'];
+    const node = id === undefined ? undefined : editor.graph.value.nodes.get(id);
+    if (node?.kind !== 'module') {
+      tell('Drop it on a module, which then runs there.');
+    } else if (!canRun(runner, node.module)) {
+      tell(`${runner.name || 'This node'} cannot run ${node.module.name}.`);
+    } else {
+      editor.apply(placeCommand(node, runner.clientId));
+      editor.select([node.id]);
+    }
+  }
 
   function insert(item: NewNode, wire: string, at: Point): boolean {
     const node = newNode(item, onGrid(at), randomUuid);
@@ -83,6 +104,7 @@ const WIRE_PX = 22;
 function useWireUnder({ host, editor, stage, target }: DropTarget): void {
   let item: NewNode | undefined;
   watch(draggedItem, (dragged) => {
+    if (dragged?.item.kind === 'host') return;
     if (dragged === undefined) {
       if (item !== undefined) target.end();
       item = undefined;

@@ -27,8 +27,8 @@ const STATISTICS_MS = 250;
 const DRAW_HZ = 6;
 /** How often pictures on topic nodes are renewed, Hz. */
 const PICTURE_HZ = 2;
-/** Run times kept for the chart of a module. */
-const RUN_TIMES = 120;
+/** Run times kept for the chart of a module: a minute at five reports a second. */
+const RUN_TIMES = 300;
 
 /** What is shown of a topic on the canvas. */
 export interface LiveTopic {

@@ -1,9 +1,16 @@
-import { shallowRef } from 'vue';
+import type { NodeInfo } from '@ubii/proto';
+import { computed, shallowRef } from 'vue';
 import type { NewNode } from '../canvas/new-nodes.ts';
+
+/** A node that runs modules: dropped on a module it runs that one. */
+export interface HostItem {
+  readonly kind: 'host';
+  readonly host: NodeInfo;
+}
 
 /** What is being dragged from the palette, and where it is on the page, pixels. */
 export interface DraggedItem {
-  readonly item: NewNode;
+  readonly item: NewNode | HostItem;
   readonly label: string;
   readonly clientX: number;
   readonly clientY: number;
@@ -11,6 +18,12 @@ export interface DraggedItem {
 
 /** One at a time, for one person has one pointer. */
 export const draggedItem = shallowRef<DraggedItem>();
+
+/** The node that runs modules, while one is dragged. */
+export const draggedHost = computed(() => {
+  const item = draggedItem.value?.item;
+  return item?.kind === 'host' ? item.host : undefined;
+});
 
 /** Pointers that move less than this have clicked, pixels. */
 const CLICK_PX = 5;
@@ -22,10 +35,10 @@ const CLICK_PX = 5;
  */
 export function dragItem(
   start: PointerEvent,
-  item: NewNode,
+  item: DraggedItem['item'],
   label: string,
   drop: (dragged: DraggedItem) => void,
-  click: () => void,
+  click: () => void = () => undefined,
 ): void {
   if (start.pointerType === 'mouse' && start.button !== 0) return;
   start.preventDefault();

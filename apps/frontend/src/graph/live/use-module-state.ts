@@ -1,0 +1,33 @@
+import type { ProcessingModule } from '@ubii/proto';
+import { computed, type ComputedRef } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { sessionState } from '../../sessions/state/session-state.ts';
+import { moduleStatus, type StatusLook } from '../../sessions/words/module-status.ts';
+import { useGraphContext } from '../editor/use-graph-editor.ts';
+import type { ModuleNode } from '../model/graph.ts';
+import { moduleTrouble, type ModuleTrouble } from './module-trouble.ts';
+
+/** A module as it is at the master. */
+export interface ModuleState {
+  /** Undefined while it is not saved. */
+  readonly real: ComputedRef<ProcessingModule | undefined>;
+  readonly trouble: ComputedRef<ModuleTrouble>;
+  readonly status: ComputedRef<StatusLook | undefined>;
+}
+
+export function useModuleState(node: () => ModuleNode): ModuleState {
+  const { editor, live } = useGraphContext();
+  const { topics } = useConnection();
+  const real = computed(() =>
+    editor.session.value.processingModules.find(({ id }) => id === node().module.id),
+  );
+  const trouble = computed(() => {
+    const { id } = node().module;
+    return moduleTrouble(editor.session.value, live.events.value, id, topics.masterTimeMs.value);
+  });
+  const status = computed(() => {
+    const isFailing = trouble.value.failure !== undefined;
+    return real.value && moduleStatus(real.value, sessionState(editor.session.value), isFailing);
+  });
+  return { real, trouble, status };
+}

@@ -1,0 +1,12 @@
+import type { GraphCommand } from '../model/commands/graph-command.ts';
+import type { ModuleNode } from '../model/graph.ts';
+
+/** Makes a module run on a node. @param nodeId empty: the master chooses */
+export function placeCommand(node: ModuleNode, nodeId: string): GraphCommand {
+  const { extension } = node.module;
+  return {
+    kind: 'setModule',
+    node: node.id,
+    changes: { nodeId, extension: extension && { ...extension, replaceable: false } },
+  };
+}
