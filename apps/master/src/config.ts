@@ -68,6 +68,27 @@ export const OPTIONS = {
     description: 'Listen on all networks of this machine, so that phones can join.',
     parse: parseSwitch,
   }),
+  https: option<'on' | 'off'>({
+    placeholder: 'on|off',
+    fallback: 'on',
+    description:
+      'HTTPS on the same port as HTTP, where others than this machine can reach it; browsers give sensors and cameras to no other pages. The master makes its certificates itself.',
+    parse: parseChoice('on', 'off'),
+  }),
+  tlsCertificate: option<string | undefined>({
+    placeholder: '<file>',
+    fallback: undefined,
+    fallbackText: 'its own',
+    description: 'Certificate for HTTPS that somebody else issued, with its chain, as PEM.',
+    parse: parseFilePath,
+  }),
+  tlsKey: option<string | undefined>({
+    placeholder: '<file>',
+    fallback: undefined,
+    fallbackText: 'its own',
+    description: 'Private key of that certificate, as PEM.',
+    parse: parseFilePath,
+  }),
   dataDir: option({
     placeholder: '<folder>',
     fallback: defaultDataDir(),

@@ -19,6 +19,7 @@ import { Re2Patterns } from './adapters/patterns/re2-patterns.ts';
 import { openStorage } from './adapters/storage/open-storage.ts';
 import { HmacResumeTokens } from './adapters/tokens/hmac-resume-tokens.ts';
 import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
+import { openHttps } from './adapters/tls/open-https.ts';
 import { ProcessUsage } from './adapters/usage/process-usage.ts';
 import { TopicDataSockets } from './adapters/ws/topic-data-sockets.ts';
 import type { Config } from './config.ts';
@@ -66,12 +67,13 @@ export async function startMaster({
     allowedOrigins: config.allowedOrigins,
     isOwnAddress,
   });
+  const https = await openHttps(config, host, log);
   const limits = DEFAULT_LIMITS;
   const { sandboxes, libraries } = openSandboxes(workerFile, config.allowFetch);
   const storage = openStorage(config.dataDir);
   const library = await TrustedLibrary.open(moduleLibrary(), config.modules, log);
   const reachability = (): Reachability =>
-    describeReachability(host, listeners.ports, listNetworkAddresses());
+    describeReachability(host, listeners.ports, listNetworkAddresses(), https !== undefined);
 
   const master = createMaster(
     {
@@ -101,10 +103,12 @@ export async function startMaster({
     version,
     maxRequestBytes: limits.frameBytes,
     frontendFolder,
+    authority: https?.authority,
   });
   const listeners = new Listeners({
     host,
     log,
+    onePort: https?.onePort,
     handleRequest: (request, response) => app.routing(request, response),
     handleUpgrade: (request, socket, head) => sockets.handleUpgrade(request, socket, head),
   });
@@ -113,6 +117,7 @@ export async function startMaster({
     const closed = listeners.close();
     const ended = master.close();
     library.close();
+    https?.close();
     const cut = setTimeout(() => {
       sockets.terminate();
       listeners.cut();

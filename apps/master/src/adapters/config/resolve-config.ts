@@ -155,6 +155,11 @@ function checkTogether(config: Config, options: GivenOptions): void {
       `--lan listens on all networks and --host on "${config.host}" only: leave one of the two out.`,
     );
   }
+  if ((config.tlsCertificate === undefined) !== (config.tlsKey === undefined)) {
+    throw new ConfigError(
+      'A certificate and its key belong together: give both --tls-certificate and --tls-key, or neither.',
+    );
+  }
 }
 
 function messageOf(error: unknown): string {

@@ -4,6 +4,7 @@ import type { FastifyInstance } from 'fastify';
 import type { Master } from '../../core/master.ts';
 import type { Log } from '../../core/ports/index.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
+import { addAuthority } from './authority-routes.ts';
 import { guardOrigins } from './cross-origin.ts';
 import { replyErrors } from './error-replies.ts';
 import { addFrontend } from './frontend.ts';
@@ -21,6 +22,8 @@ export interface HttpAppOptions {
   readonly maxRequestBytes: number;
   /** The built frontend. */
   readonly frontendFolder: string;
+  /** Certificate of the master's own authority, PEM; undefined when it has none. */
+  readonly authority: string | undefined;
 }
 
 /** Everything the master answers over HTTP. It listens nowhere: `routing` takes requests of any server. */
@@ -42,6 +45,7 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
   replyErrors(app, log);
   addServices(app, { master, maxRequestBytes });
   addStatus(app, { ...options, edgeMetrics: () => counts.metrics() });
+  if (options.authority !== undefined) addAuthority(app, options.authority);
   await addFrontend(app, frontendFolder);
   await app.ready();
   return app;

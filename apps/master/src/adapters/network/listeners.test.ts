@@ -21,6 +21,7 @@ afterEach(async () => {
 
 function listeners(): Listeners {
   const created = new Listeners({
+    onePort: undefined,
     host: 'localhost',
     log,
     handleRequest: (_request, response) => response.end('hello'),
@@ -90,6 +91,7 @@ describe('opening ports', () => {
 
   it('explains a host that is none of this machine', async () => {
     const elsewhere = new Listeners({
+      onePort: undefined,
       host: '192.0.2.1',
       log,
       handleRequest: () => {},

@@ -2,6 +2,7 @@ import { createServer } from 'node:http';
 import type { IncomingMessage, RequestListener, Server } from 'node:http';
 import type { Duplex } from 'node:stream';
 
+import type { OnePort } from '../tls/one-port.ts';
 import type { LegacyPorts } from '../../config.ts';
 import type { Log } from '../../core/ports/index.ts';
 import { explainListenError } from './explain-listen-error.ts';
@@ -12,6 +13,8 @@ export interface ListenersOptions {
   readonly host: string;
   readonly handleRequest: RequestListener;
   readonly handleUpgrade: (request: IncomingMessage, socket: Duplex, head: Buffer) => void;
+  /** Answers HTTPS on the same ports; undefined: they are for HTTP only. */
+  readonly onePort: OnePort | undefined;
   readonly log: Log;
 }
 
@@ -75,6 +78,7 @@ export class Listeners {
 
   /** Cuts what is still being answered. Upgraded connections are not ours any more. */
   cut(): void {
+    this.#options.onePort?.cut();
     for (const server of this.#servers()) server.closeAllConnections();
   }
 
@@ -91,8 +95,10 @@ export class Listeners {
   }
 
   #createServer(): Server {
-    const { handleRequest, handleUpgrade } = this.#options;
-    return createServer(handleRequest).on('upgrade', handleUpgrade);
+    const { handleRequest, handleUpgrade, onePort } = this.#options;
+    const server = createServer(handleRequest).on('upgrade', handleUpgrade);
+    onePort?.attach(server);
+    return server;
   }
 
   #servers(): readonly Server[] {

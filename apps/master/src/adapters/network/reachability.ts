@@ -28,11 +28,13 @@ export interface Reachability {
 /**
  * @param host what the master listens on
  * @param networks addresses of this machine, best first
+ * @param isSecure whether others can use HTTPS; browsers need nothing of the kind on this machine
  */
 export function describeReachability(
   host: string,
   ports: ListeningPorts,
   networks: readonly NetworkAddress[],
+  isSecure = false,
 ): Reachability {
   const reachable = isLoopbackHost(host)
     ? []
@@ -40,7 +42,7 @@ export function describeReachability(
   const networkAddresses = reachable.map(({ kind, interfaceName, address }) => ({
     kind: KINDS[kind],
     interfaceName,
-    url: urlOf(address, ports.main),
+    url: urlOf(address, ports.main, isSecure ? 'https' : 'http'),
   }));
   const localUrl = urlOf(WILDCARDS.includes(host) ? 'localhost' : host, ports.main);
   const isLocal = isLoopbackHost(host) || WILDCARDS.includes(host);
@@ -65,6 +67,6 @@ export function describeReachability(
   };
 }
 
-function urlOf(host: string, port: number): string {
-  return `http://${host.includes(':') ? `[${host}]` : host}:${port}`;
+function urlOf(host: string, port: number, scheme: 'http' | 'https' = 'http'): string {
+  return `${scheme}://${host.includes(':') ? `[${host}]` : host}:${port}`;
 }

@@ -30,6 +30,15 @@ describe('what the terminal shows', () => {
     expect(bestPhoneUrl(reachability)).toBe('http://10.0.0.2:8080');
   });
 
+  it('tells phones that they have to trust the certificate once', () => {
+    const networks = [{ kind: 'wifi', interfaceName: 'wlan0', address: '10.0.0.2' }] as const;
+    const reachability = describeReachability('::', ports, networks, true);
+    const text = formatBanner({ ...facts, reachability });
+    expect(text).toContain('https://10.0.0.2:8080   Wi-Fi, wlan0');
+    expect(text).toContain('open http://localhost:8080 in two browsers');
+    expect(text).toContain('accept the certificate once');
+  });
+
   it('draws a code', async () => {
     expect((await formatQrCode('http://10.0.0.2:8080')).split('\n').length).toBeGreaterThan(10);
   });

@@ -49,11 +49,13 @@ export function formatBanner(facts: BannerFacts): string {
         ]),
     ['Data', dataDir],
   ];
-  const openUrl = devUrl ?? bestPhoneUrl(reachability) ?? localUrl;
+  const openUrl = devUrl ?? localUrl;
   const next = [
     `Next: open ${openUrl} in two browsers and choose the mouse-pointer example.`,
     networkAddresses.length > 0
-      ? 'Phones in the same network open the address, or scan the code.'
+      ? networkAddresses[0]?.url.startsWith('https:')
+        ? 'Phones in the same network open the address, or scan the code, and accept the certificate once.'
+        : 'Phones in the same network open the address, or scan the code.'
       : 'Phones cannot reach this master: to let them in, end it and start it with  npm start -- --lan',
     'Ctrl-C ends the master. All flags:  npm start -- --help',
   ];

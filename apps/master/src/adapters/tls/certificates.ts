@@ -1,0 +1,170 @@
+import { X509Certificate } from 'node:crypto';
+import { join } from 'node:path';
+import { createSecureContext } from 'node:tls';
+
+import type { Log } from '../../core/ports/index.ts';
+import { ConfigError } from '../config/config-error.ts';
+import { isIpAddress } from '../network/address-kinds.ts';
+import { readCertificate, writeCertificate } from './certificate-files.ts';
+import type { CertificateFiles } from './certificate-files.ts';
+import type { Issued } from './issue-certificates.ts';
+
+export interface CertificatesOptions {
+  readonly dataDir: string;
+  /** Files of a certificate somebody else issued; then none is made. */
+  readonly own: CertificateFiles | undefined;
+  /** Host names and addresses this machine has now. */
+  readonly names: () => readonly string[];
+  /** For people: whose authority it is. */
+  readonly masterName: string;
+  readonly nowMs: () => number;
+  readonly log: Log;
+}
+
+/** A leaf is issued anew when it ends sooner than this. */
+const RENEW_BEFORE_MS = 30 * 24 * 60 * 60 * 1000;
+
+/**
+ * The certificates of a master: an authority of its own, made at the first start and kept in the data
+ * directory, and a leaf for the names and addresses of this machine. Phones that trust the authority
+ * trust every later leaf.
+ */
+export class Certificates {
+  readonly #options: CertificatesOptions;
+  readonly #authority: Issued | undefined;
+  #served: Issued;
+  /** What the leaf was asked to be good for; some of it may be beyond its authority. */
+  #names: ReadonlySet<string>;
+
+  /** @throws ConfigError when files are there and cannot be used */
+  static async open(options: CertificatesOptions): Promise<Certificates> {
+    if (options.own !== undefined) {
+      const given = readCertificate(options.own);
+      if (given === undefined) {
+        throw new ConfigError(
+          `There is no certificate at ${options.own.certificate} (--tls-certificate), or no key at ${options.own.key} (--tls-key).`,
+        );
+      }
+      checkPair(given, 'Use a certificate and the key it was made for, both as PEM.');
+      return new Certificates(options, undefined, given, []);
+    }
+    const authority = await openAuthority(options);
+    const names = options.names();
+    const leaf = readCertificate(filesOf(options.dataDir, 'leaf'));
+    const isKept =
+      leaf !== undefined &&
+      lasts(leaf, authority, options.nowMs()) &&
+      names.every((name) => isFor(leaf, name));
+    const served = isKept ? leaf : await renewLeaf(authority, names, options);
+    return new Certificates(options, authority, served, names);
+  }
+
+  private constructor(
+    options: CertificatesOptions,
+    authority: Issued | undefined,
+    served: Issued,
+    names: readonly string[],
+  ) {
+    this.#options = options;
+    this.#authority = authority;
+    this.#served = served;
+    this.#names = new Set(names);
+  }
+
+  /** What the servers show. */
+  get served(): Issued {
+    return this.#served;
+  }
+
+  /** Certificate of the authority that people may install, PEM; none when the certificate is the operator's. */
+  get authority(): string | undefined {
+    return this.#authority?.certificate;
+  }
+
+  /**
+   * Issues another leaf when names or addresses have come, or when it ends soon.
+   *
+   * @returns whether there is a new one to be served
+   */
+  async renewIfNeeded(): Promise<boolean> {
+    const authority = this.#authority;
+    if (authority === undefined) return false;
+    const names = this.#options.names();
+    const areKnown = names.every((name) => this.#names.has(name));
+    if (areKnown && lasts(this.#served, authority, this.#options.nowMs())) return false;
+    this.#served = await renewLeaf(authority, names, this.#options);
+    this.#names = new Set(names);
+    return true;
+  }
+}
+
+function filesOf(dataDir: string, name: 'authority' | 'leaf'): CertificateFiles {
+  const folder = join(dataDir, 'tls');
+  return { certificate: join(folder, `${name}.pem`), key: join(folder, `${name}.key`) };
+}
+
+async function openAuthority(options: CertificatesOptions): Promise<Issued> {
+  const files = filesOf(options.dataDir, 'authority');
+  const kept = readCertificate(files);
+  if (kept !== undefined) {
+    checkPair(
+      kept,
+      `Delete both ${files.certificate} and ${files.key}: another authority is made, and devices that trusted this one are to install that.`,
+    );
+    return kept;
+  }
+  const { issueAuthority } = await import('./issue-certificates.ts');
+  const name = `Ubi-Interact ${options.masterName}`;
+  const authority = await issueAuthority(name, options.names(), options.nowMs());
+  writeCertificate(files, authority);
+  options.log.info('made a certificate authority for this master', { file: files.certificate });
+  return authority;
+}
+
+async function renewLeaf(
+  authority: Issued,
+  names: readonly string[],
+  { dataDir, nowMs, log }: CertificatesOptions,
+): Promise<Issued> {
+  const { issueLeaf } = await import('./issue-certificates.ts');
+  const leaf = await issueLeaf(authority, names, nowMs());
+  writeCertificate(filesOf(dataDir, 'leaf'), leaf);
+  const beyond = names.filter((name) => !isFor(leaf, name));
+  if (beyond.length > 0) {
+    log.warn(
+      `HTTPS will not be trusted at ${beyond.join(', ')}: the authority of this master vouches for private networks and for the addresses it was made with. Use --tls-certificate there.`,
+    );
+  }
+  return leaf;
+}
+
+/** Whether a leaf comes from this authority, goes with its key, and does not end soon. */
+function lasts(leaf: Issued, authority: Issued, nowMs: number): boolean {
+  try {
+    createSecureContext({ cert: leaf.certificate, key: leaf.key });
+    const certificate = new X509Certificate(leaf.certificate);
+    return (
+      Date.parse(certificate.validTo) - nowMs > RENEW_BEFORE_MS &&
+      certificate.verify(new X509Certificate(authority.certificate).publicKey)
+    );
+  } catch {
+    return false;
+  }
+}
+
+function isFor(leaf: Issued, name: string): boolean {
+  const certificate = new X509Certificate(leaf.certificate);
+  return (
+    (isIpAddress(name) ? certificate.checkIP(name) : certificate.checkHost(name)) !== undefined
+  );
+}
+
+/** @throws ConfigError when certificate and key are none, or do not go together */
+function checkPair({ certificate, key }: Issued, remedy: string): void {
+  try {
+    createSecureContext({ cert: certificate, key });
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    throw new ConfigError(`The certificate for HTTPS cannot be used (${reason}). ${remedy}`);
+  }
+}
