@@ -1,5 +1,11 @@
 import { expect, type Locator, type Page } from '@playwright/test';
 
+/** On the page, pixels. */
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
 /** The graph of a session, with a mouse. */
 export class GraphPage {
   readonly page: Page;
@@ -42,7 +48,7 @@ export class GraphPage {
   }
 
   /** Drags with a real mouse, in steps, as a hand does. */
-  async drag(from: Locator, to: { x: number; y: number }): Promise<void> {
+  async drag(from: Locator, to: Place): Promise<void> {
     const { mouse } = this.page;
     await from.scrollIntoViewIfNeeded();
     const start = await middleOf(from);
@@ -58,8 +64,46 @@ export class GraphPage {
     await this.drag(from, await middleOf(to));
   }
 
+  /** Goes there with the button held down, in steps, as a hand does. */
+  async pull(from: Place, to: Place): Promise<void> {
+    const { mouse } = this.page;
+    await mouse.move(from.x, from.y);
+    await mouse.down();
+    await mouse.move((from.x + to.x) / 2, (from.y + to.y) / 2, { steps: 4 });
+    await mouse.move(to.x, to.y, { steps: 4 });
+  }
+
+  async pullBy(from: Place, x: number, y: number): Promise<void> {
+    await this.pull(from, { x: from.x + x, y: from.y + y });
+  }
+
+  /** Where a node is taken to be dragged: its head, or the title of a frame. */
+  async grip(label: string): Promise<Place> {
+    const { x, y } = await this.box(label);
+    return { x: x + 40, y: y + 14 };
+  }
+
+  async box(label: string): Promise<Place & { width: number; height: number }> {
+    return await boxOf(this.node(label));
+  }
+
+  /** The middle between two sockets: where a wire between them passes. */
+  async between(from: Locator, to: Locator): Promise<Place> {
+    const [a, b] = [await middleOf(from), await middleOf(to)];
+    return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+  }
+
+  /** The points wires are led through. */
+  get points(): Locator {
+    return this.canvas.locator('[data-wire-point]');
+  }
+
+  async middleOf(locator: Locator): Promise<Place> {
+    return await middleOf(locator);
+  }
+
   /** A place on the canvas, as a share of its width and height. */
-  async spot(x: number, y: number): Promise<{ x: number; y: number }> {
+  async spot(x: number, y: number): Promise<Place> {
     const box = await boxOf(this.canvas);
     return { x: box.x + box.width * x, y: box.y + box.height * y };
   }
@@ -71,7 +115,7 @@ async function boxOf(locator: Locator) {
   return box;
 }
 
-async function middleOf(locator: Locator): Promise<{ x: number; y: number }> {
+async function middleOf(locator: Locator): Promise<Place> {
   const { x, y, width, height } = await boxOf(locator);
   return { x: x + width / 2, y: y + height / 2 };
 }

@@ -40,6 +40,8 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     const wire = wires.end();
     const under = document.elementFromPoint(clientX, clientY);
     if (!host.value?.contains(under)) return;
+    // What was dropped is gone on with by keys.
+    host.value.focus();
     if (item.kind === 'host') {
       runOn(item, under);
       return;
