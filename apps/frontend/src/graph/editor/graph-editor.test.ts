@@ -47,6 +47,20 @@ describe('the graph editor', () => {
     expect(again.places.value).toEqual(editor.places.value);
   });
 
+  it('has nothing to save after saving, also when the news of it come before the answer', () => {
+    const editor = editorOf(aSession());
+    addTopic(editor, '/b');
+    const mark = editor.mark();
+    const sent = editor.toSession();
+    const answer = { ...sent, extension: { ...sent.extension!, revision: 4 } };
+    editor.handleSession(answer);
+    editor.handleSaved(answer, mark);
+    expect(editor.changes.value).toBe(0);
+    expect(editor.merged.value).toBeUndefined();
+    addTopic(editor, '/c');
+    expect(editor.changes.value).toBe(1);
+  });
+
   it('has nothing to save after saving, but what was done meanwhile', () => {
     const editor = editorOf(aSession());
     addTopic(editor, '/b');

@@ -149,6 +149,11 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
       return sessionOf(applyCommand(graph.value, { kind: 'move', positions }).graph, base);
     },
     handleSaved(next, sent) {
+      if (revisionOf(next) > 0 && revisionOf(next) === revisionOf(base)) {
+        // The news of it came first: what is here stands on top of it already.
+        if (merged.value?.length === 0) merged.value = undefined;
+        return;
+      }
       base = next;
       session.value = next;
       merged.value = undefined;

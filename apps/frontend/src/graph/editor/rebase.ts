@@ -1,5 +1,6 @@
 import { mergeGraphs } from '../model/changes/merge-graphs.ts';
 import type { Conflict } from '../model/changes/conflict.ts';
+import { sameValue } from '../model/changes/same-value.ts';
 import { perform, startEditing, type EditState } from '../model/commands/edit-state.ts';
 import type { Graph } from '../model/graph.ts';
 
@@ -15,7 +16,7 @@ export function rebase(base: Graph, mine: Graph, theirs: Graph): Rebased {
   const patch = {
     nodes: differing(theirs.nodes, graph.nodes),
     wires: differing(theirs.wires, graph.wires),
-    details: graph.details,
+    details: sameValue(graph.details, theirs.details) ? undefined : graph.details,
   };
   const label = 'Your changes from before';
   const state = perform(startEditing(theirs), { kind: 'patch', patch, label });
