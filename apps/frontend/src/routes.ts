@@ -2,6 +2,7 @@ import type { RouteRecordRaw } from 'vue-router';
 import { examplesRoutes } from './examples/routes.ts';
 import { graphRoutes } from './graph/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
+import { performanceRoutes } from './performance/routes.ts';
 import { sessionsRoutes } from './sessions/routes.ts';
 import { topicsRoutes } from './topics/routes.ts';
 
@@ -25,6 +26,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...graphRoutes,
   ...modulesRoutes,
   ...topicsRoutes,
+  ...performanceRoutes,
   ...examplesRoutes,
   {
     path: '/settings',

@@ -1,0 +1,47 @@
+import { useLocalStorage } from '@vueuse/core';
+import { computed, reactive } from 'vue';
+import { formatNumber } from '../../ui/readouts/format-number.ts';
+
+/** A number field: what is written, what it says, and what is wrong with it. */
+export interface NumberField {
+  text: string;
+  /** The number; `undefined` while there is an error. */
+  readonly value: number | undefined;
+  readonly error: string | undefined;
+}
+
+/**
+ * A number that is remembered in this browser.
+ * @param key of the storage
+ */
+export function useNumber(
+  key: string,
+  {
+    initial,
+    min,
+    max,
+    isWhole = true,
+  }: {
+    readonly initial: number;
+    readonly min: number;
+    readonly max: number;
+    readonly isWhole?: boolean;
+  },
+): NumberField {
+  const text = useLocalStorage(`ubii.performance.${key}`, String(initial));
+  const number = computed(() => {
+    const trimmed = text.value.trim();
+    return trimmed === '' ? NaN : Number(trimmed);
+  });
+  const error = computed(() => {
+    const isFine = number.value >= min && number.value <= max;
+    if (isFine && (!isWhole || Number.isInteger(number.value))) return undefined;
+    const kind = isWhole ? 'a whole number' : 'a number';
+    return `It must be ${kind} from ${formatNumber(min)} to ${formatNumber(max)}.`;
+  });
+  return reactive({
+    text,
+    error,
+    value: computed(() => (error.value === undefined ? number.value : undefined)),
+  });
+}

@@ -1,0 +1,55 @@
+import { readResult } from './read-result.ts';
+import type { TestResult } from './test-result.ts';
+
+const DATABASE = 'ubii.performance';
+const STORE = 'results';
+const VERSION = 1;
+
+/** Where results are kept between visits. */
+export interface ResultStore {
+  /** All that can be read. */
+  load(): Promise<TestResult[]>;
+  put(result: TestResult): Promise<void>;
+  remove(ids: readonly string[]): Promise<void>;
+}
+
+/** In this browser, for this master's origin. @throws DOMException where the browser keeps nothing */
+export async function openResultStore(): Promise<ResultStore> {
+  const database = await opened();
+  const change = (work: (store: IDBObjectStore) => void): Promise<void> =>
+    new Promise((resolve, reject) => {
+      const transaction = database.transaction(STORE, 'readwrite');
+      transaction.oncomplete = () => resolve();
+      transaction.onabort = () => reject(transaction.error ?? new Error('It was not kept.'));
+      work(transaction.objectStore(STORE));
+    });
+  return {
+    async load() {
+      const all = await answer<unknown[]>(
+        database.transaction(STORE, 'readonly').objectStore(STORE).getAll(),
+      );
+      return all.flatMap((value) => {
+        try {
+          return [readResult(value, 'result')];
+        } catch {
+          return []; // of another version of this page
+        }
+      });
+    },
+    put: (result) => change((store) => store.put(result)),
+    remove: (ids) => change((store) => ids.forEach((id) => store.delete(id))),
+  };
+}
+
+function opened(): Promise<IDBDatabase> {
+  const request = indexedDB.open(DATABASE, VERSION);
+  request.onupgradeneeded = () => request.result.createObjectStore(STORE, { keyPath: 'id' });
+  return answer(request);
+}
+
+function answer<T>(request: IDBRequest<T>): Promise<T> {
+  return new Promise((resolve, reject) => {
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error ?? new Error('The browser keeps nothing.'));
+  });
+}

@@ -1,0 +1,35 @@
+import { createClient, type UbiiClient } from '@ubii/client-web';
+import type { Leavings } from './leavings.ts';
+
+/** A client of a test's own: what it does on the master goes with it. */
+export interface TestClient {
+  readonly client: UbiiClient;
+  /** Deregisters it, with its topics and subscriptions. */
+  close(): Promise<void>;
+}
+
+/** @throws ConnectionError or ServiceError when it cannot connect */
+export async function openTestClient(
+  name: string,
+  leavings: Leavings,
+  options: { readonly publishIntervalMs?: number } = {},
+): Promise<TestClient> {
+  const client = createClient({
+    name,
+    description: 'A test of the performance page',
+    tags: ['performance test'],
+    ...options,
+  });
+  await client.connect();
+  const leaving = { kind: 'client', id: client.id } as const;
+  leavings.add(leaving);
+  return {
+    client,
+    async close() {
+      // Without a connection the master still knows it: it is taken away after the next
+      const isHeard = client.state.status === 'connected';
+      await client.close();
+      if (isHeard) leavings.drop(leaving);
+    },
+  };
+}

@@ -1,0 +1,188 @@
+import { ServiceError } from '@ubii/proto';
+import { useEventListener } from '@vueuse/core';
+import { inject, onScopeDispose, provide, shallowRef, watch, type InjectionKey } from 'vue';
+import { randomUuid } from '../../connection/random-uuid.ts';
+import { useConnection } from '../../connection/useConnection.ts';
+import type { Findings, TestKind } from '../measure/findings.ts';
+import type { TestRun } from '../measure/test-run.ts';
+import { createKeptResults, type KeptResults } from '../results/kept-results.ts';
+import { openResultStore } from '../results/result-store.ts';
+import type { Parameter, TestEnd } from '../results/test-result.ts';
+import { isAbandoned } from '../session-speed/speed-session.ts';
+import { TEST_TITLES } from '../words/test-words.ts';
+import { circumstances } from './circumstances.ts';
+import { createLeavings, removalRequest, type Leaving, type Leavings } from './leavings.ts';
+import type { RunState } from './run-state.ts';
+import { systemClock } from './system-clock.ts';
+
+/** The page's tests and their results. */
+export interface Performance {
+  readonly run: Readonly<{ value: RunState }>;
+  readonly results: KeptResults;
+  readonly leavings: Leavings;
+  /** Starts a test, unless one runs. What it finds is kept. */
+  start(
+    kind: TestKind,
+    parameters: readonly Parameter[],
+    measure: (run: TestRun) => Promise<Findings>,
+  ): void;
+  /** Ends the test under way; what it has measured is kept. */
+  stop(): void;
+}
+
+const PERFORMANCE: InjectionKey<Performance> = Symbol('performance');
+
+export function usePerformance(): Performance {
+  const performance = inject(PERFORMANCE);
+  if (!performance) throw new Error('usePerformance() needs providePerformance() on the page.');
+  return performance;
+}
+
+/** Why a test was ended before its time. */
+type EndCause = Exclude<TestEnd, 'complete'> | 'left';
+
+const HIDDEN_NOTE =
+  'The page was hidden for a part of the test. Browsers slow hidden pages down: the numbers say little.';
+
+/** Sets up what the page needs; a test that runs when the page is left ends with it. */
+export function providePerformance(): Performance {
+  const connection = useConnection();
+  const { client, isConnected } = connection;
+  const run = shallowRef<RunState>({ status: 'idle' });
+  const results = createKeptResults(openResultStore);
+  const leavings = createLeavings(sessionStorage);
+  let ending: AbortController | undefined;
+  let hasBeenHidden = false;
+
+  function end(cause: EndCause): void {
+    ending?.abort(cause);
+    if (run.value.status === 'running') run.value = { ...run.value, isEnding: true };
+  }
+
+  function start(
+    kind: TestKind,
+    parameters: readonly Parameter[],
+    measure: (run: TestRun) => Promise<Findings>,
+  ): void {
+    if (run.value.status === 'running') return;
+    const mine = new AbortController();
+    ending = mine;
+    hasBeenHidden = document.hidden;
+    const startedMs = Date.now();
+    const around = circumstances(connection, { navigator, location });
+    run.value = {
+      status: 'running',
+      kind,
+      progress: { share: 0, words: 'Preparing' },
+      isEnding: false,
+    };
+    const test: TestRun = {
+      clock: systemClock,
+      signal: mine.signal,
+      report(progress) {
+        if (run.value.status === 'running') run.value = { ...run.value, progress };
+      },
+    };
+
+    async function work(): Promise<void> {
+      const findings = await measure(test);
+      const cause = mine.signal.aborted ? (mine.signal.reason as EndCause) : 'complete';
+      if (cause === 'left') return;
+      if (findings.figures.length === 0) {
+        run.value =
+          cause === 'disconnected'
+            ? {
+                status: 'failed',
+                kind,
+                reason: 'The connection broke before anything was measured.',
+              }
+            : { status: 'idle' };
+        return;
+      }
+      const id = randomUuid();
+      await results.put({
+        id,
+        kind,
+        name: nameOf(kind, parameters),
+        startedMs,
+        durationMs: Date.now() - startedMs,
+        ended: cause,
+        parameters,
+        circumstances: around,
+        findings: hasBeenHidden
+          ? { ...findings, notes: [HIDDEN_NOTE, ...findings.notes] }
+          : findings,
+      });
+      run.value = { status: 'done', kind, resultId: id };
+    }
+    work()
+      .catch((cause: unknown) => {
+        if (mine.signal.reason === 'left') return;
+        const reason = cause instanceof Error ? cause.message : String(cause);
+        run.value = { status: 'failed', kind, reason };
+      })
+      .finally(() => {
+        if (leavings.all.length > 0 && isConnected.value) void tidyUp().catch(() => undefined);
+      });
+  }
+
+  /** Ends what an earlier visit could not: a crash, a closed tab. */
+  async function tidyUp(): Promise<void> {
+    // What a test of this visit has put there belongs to it
+    if (run.value.status === 'running') return;
+    for (const leaving of leavings.all) await remove(leaving);
+    const { elements } = await client.call('sessionRuntimeGetList');
+    const { elements: there } = await client.call('clientGetList');
+    const ids = new Set(there.map(({ id }) => id));
+    const abandoned = elements.filter((session) => isAbandoned(session, (id) => ids.has(id)));
+    for (const { id } of abandoned) await remove({ kind: 'session', id });
+  }
+  async function remove(leaving: Leaving): Promise<void> {
+    try {
+      if (leaving.kind === 'client') await client.call('clientDeregistration', { id: leaving.id });
+      else await client.call('sessionRuntimeRemove', { id: leaving.id });
+    } catch (cause) {
+      if (!(cause instanceof ServiceError && cause.code === 'not_found')) throw cause;
+    }
+    leavings.drop(leaving);
+  }
+
+  watch(
+    isConnected,
+    (connected) => {
+      // It is tried again with the next connection, and with the next visit
+      if (connected) tidyUp().catch(() => undefined);
+      else end('disconnected');
+    },
+    { immediate: true },
+  );
+  useEventListener(document, 'visibilitychange', () => {
+    hasBeenHidden ||= document.hidden;
+  });
+  onScopeDispose(() => end('left'));
+  // A page that is closed or loaded anew has no time for an answer
+  useEventListener(window, 'pagehide', () => {
+    for (const leaving of leavings.all) {
+      const body = new Blob([removalRequest(leaving)], { type: 'application/json' });
+      navigator.sendBeacon('/services/json', body);
+    }
+  });
+
+  const performance: Performance = {
+    run,
+    results,
+    leavings,
+    start,
+    stop: () => end('stopped'),
+  };
+  provide(PERFORMANCE, performance);
+  return performance;
+}
+
+/** What is called like what was chosen can be told apart without opening it. */
+function nameOf(kind: TestKind, parameters: readonly Parameter[]): string {
+  const chosen = parameters
+    .slice(0, 2)
+    .map(({ value, unit }) => (unit === undefined ? `${value}` : `${value} ${unit}`));
+  return `${TEST_TITLES[kind]}: ${chosen.join(', ')}`;
+}

@@ -1,0 +1,76 @@
+import type { Init, ProcessingModule, Session } from '@ubii/proto';
+import { processingMode, type SpeedParameters } from './speed-parameters.ts';
+
+/** Marks the sessions of this test, together with the id of the client each belongs to. */
+const TAG = 'performance-test';
+
+/** Topics of one run, below those of the client that measures. */
+export interface SpeedTopics {
+  readonly stamp: string;
+  readonly echo: string;
+  readonly duration: string;
+}
+
+export function speedTopics(clientId: string): SpeedTopics {
+  const topic = (name: string): string => `/${clientId}/performance/${name}`;
+  return { stamp: topic('stamp'), echo: topic('echo'), duration: topic('duration') };
+}
+
+/** The temporary session: so many load generators on one node. The first one's outputs are measured. */
+export function speedSession(
+  parameters: SpeedParameters,
+  {
+    ownerId,
+    nodeId,
+    topics,
+    module,
+    uuid,
+  }: {
+    /** The page's client. */
+    readonly ownerId: string;
+    readonly nodeId: string;
+    readonly topics: SpeedTopics;
+    /** The load generator with its code: a node knows it by its text. */
+    readonly module: Init<ProcessingModule>;
+    readonly uuid: () => string;
+  },
+): Init<Session> {
+  const ids = Array.from({ length: parameters.instances }, uuid);
+  const name = module.name ?? '';
+  return {
+    name: 'Session speed test',
+    description: 'A test of the performance page. It ends with the test.',
+    tags: [TAG, ownerId],
+    processingModules: ids.map((id) => ({
+      ...module,
+      id,
+      nodeId,
+      processingMode: processingMode(parameters),
+    })),
+    ioMappings: ids.map((id, index) => ({
+      processingModuleId: id,
+      processingModuleName: name,
+      inputMappings: [
+        { inputName: 'iterations', constantJson: JSON.stringify({ int32: parameters.iterations }) },
+        { inputName: 'stamp', topic: topics.stamp },
+      ],
+      outputMappings:
+        index > 0
+          ? []
+          : [
+              { outputName: 'durationMs', topic: topics.duration },
+              { outputName: 'echo', topic: topics.echo },
+            ],
+    })),
+  };
+}
+
+/** True for a session of this test that nobody can end any more: its page is gone. */
+export function isAbandoned(
+  { tags }: Pick<Session, 'tags'>,
+  isThere: (clientId: string) => boolean,
+): boolean {
+  if (!tags.includes(TAG)) return false;
+  const owner = tags.find((tag) => tag !== TAG);
+  return owner === undefined || !isThere(owner);
+}

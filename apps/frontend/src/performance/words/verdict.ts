@@ -1,0 +1,67 @@
+import type { Findings, TestKind } from '../measure/findings.ts';
+
+/** What the numbers come to, in one sentence. */
+export interface Verdict {
+  readonly tone: 'good' | 'fair' | 'poor';
+  readonly text: string;
+}
+
+/** Below this, people see no difference to none; a pointer sticks to the hand. Milliseconds. */
+const UNNOTICED_MS = 20;
+/** Up to this a reaction feels direct (R. B. Miller, Response time in man-computer conversational transactions, 1968). */
+const DIRECT_MS = 100;
+/** A frame of 60 Hz and a good round trip. */
+const SCREEN_GOOD_MS = 40;
+
+const round = (ms: number): string => (ms < 9.95 ? ms.toFixed(1) : ms.toFixed(0));
+
+export function verdictOf(kind: TestKind, { figures }: Findings): Verdict | undefined {
+  const value = (key: string): number | undefined => figures.find((one) => one.key === key)?.value;
+  switch (kind) {
+    case 'round-trip': {
+      const p95 = value('immediate.p95') ?? value('aggregated.p95');
+      return p95 === undefined ? undefined : byLatency(p95, UNNOTICED_MS, 'back');
+    }
+    case 'screen': {
+      const p95 = value('total.p95');
+      return p95 === undefined ? undefined : byLatency(p95, SCREEN_GOOD_MS, 'on the screen');
+    }
+    case 'load': {
+      const knee = value('knee');
+      const peak = value('peak');
+      if (knee !== undefined) {
+        return {
+          tone: 'good',
+          text: `About ${Math.round(knee)} records a second get through in time.`,
+        };
+      }
+      return peak === undefined
+        ? undefined
+        : { tone: 'poor', text: 'The lowest rate was too much already. Begin with a lower one.' };
+    }
+    case 'session-speed':
+      return bySpeed(value);
+  }
+}
+
+function byLatency(p95: number, goodMs: number, where: string): Verdict {
+  const fact = `95 of 100 values are ${where} within ${round(p95)} ms`;
+  if (p95 <= goodMs) return { tone: 'good', text: `${fact}: nobody notices.` };
+  if (p95 <= DIRECT_MS) {
+    return {
+      tone: 'fair',
+      text: `${fact}: fine for buttons, noticeable when something follows a hand.`,
+    };
+  }
+  return { tone: 'poor', text: `${fact}: people feel that they wait.` };
+}
+
+function bySpeed(value: (key: string) => number | undefined): Verdict | undefined {
+  const runs = value('runs');
+  if (runs === undefined) return undefined;
+  const late = (value('overruns') ?? 0) + (value('errors') ?? 0);
+  const fact = `${runs.toFixed(0)} runs a second, p95 ${round(value('run.p95') ?? 0)} ms`;
+  return late === 0
+    ? { tone: 'good', text: `${fact}, none late or failed.` }
+    : { tone: 'poor', text: `${fact}, but ${late.toFixed(0)} were late or failed.` };
+}
