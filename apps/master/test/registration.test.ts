@@ -159,6 +159,7 @@ describe('registration', () => {
     expect(ada.registered.extension).toBeUndefined();
     expect(ben.registered.extension).toEqual({
       recordLists: true,
+      library: '',
       resumeToken: `token-of-${ben.id}`,
       resumed: false,
       masterVersion: '1.2.3',

@@ -1,3 +1,4 @@
+import type { ClientMeter } from './clients/client-meter.ts';
 import type { ClientRegistry } from './clients/client-registry.ts';
 import type { SocketAdmission } from './clients/socket-admission.ts';
 import type { DeviceRegistry } from './devices/device-registry.ts';
@@ -8,6 +9,7 @@ import type { MasterPorts, MasterSettings } from './settings.ts';
 import type { Counters } from './status/counters.ts';
 import type { EventLog } from './status/event-log.ts';
 import type { LimitWatch } from './status/limit-watch.ts';
+import type { Load } from './status/load.ts';
 import type { Samples } from './status/samples.ts';
 import type { SubscriptionTable } from './topics/subscription-table.ts';
 import type { TopicTable } from './topics/topic-table.ts';
@@ -29,4 +31,6 @@ export interface Core extends MasterPorts {
   readonly limitWatch: LimitWatch;
   readonly events: EventLog;
   readonly samples: Samples;
+  readonly load: Load;
+  readonly clientMeter: ClientMeter;
 }

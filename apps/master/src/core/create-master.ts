@@ -2,6 +2,8 @@ import { StatusEventKind, type ServiceRequest } from '@ubii/proto';
 import { TextCache } from '@ubii/proto/wire';
 import { ClientRegistry } from './clients/client-registry.ts';
 import { CLOSE } from './clients/close-codes.ts';
+import { ClientMeter } from './clients/client-meter.ts';
+import { Dismissals } from './clients/dismissals.ts';
 import { Liveness } from './clients/liveness.ts';
 import { RegistrationBudget } from './clients/registration-budget.ts';
 import { SocketAdmission } from './clients/socket-admission.ts';
@@ -10,7 +12,13 @@ import { DeviceRegistry } from './devices/device-registry.ts';
 import { InfoTopics } from './info/info-topics.ts';
 import { MasterPublisher } from './info/master-publisher.ts';
 import { DEFAULT_LIMITS, type Limits } from './limits.ts';
-import type { ConnectionQuery, Master, MasterMetrics, ServiceAnswer } from './master.ts';
+import type {
+  ConnectionPeer,
+  ConnectionQuery,
+  Master,
+  MasterMetrics,
+  ServiceAnswer,
+} from './master.ts';
 import type { ClientConnection } from './ports/client-connection.ts';
 import type { ConnectionHandle } from './ports/connection-handle.ts';
 import { answerRequest, refuse } from './services/router.ts';
@@ -21,6 +29,7 @@ import { LimitWatch } from './status/limit-watch.ts';
 import { tellOfGone } from './processing/local-topics.ts';
 import { createProcessing, type Processing } from './sessions/create-processing.ts';
 import { readMetrics } from './status/metrics.ts';
+import { Load } from './status/load.ts';
 import { Samples } from './status/samples.ts';
 import { EndOfTurn } from './topics/end-of-turn.ts';
 import { PatternTable } from './topics/pattern-table.ts';
@@ -45,8 +54,9 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     openConnection(
       query: ConnectionQuery,
       connection: ClientConnection,
+      peer?: ConnectionPeer,
     ): ConnectionHandle | undefined {
-      return core.sockets.open(query, connection);
+      return core.sockets.open(query, connection, peer);
     },
     metrics(): MasterMetrics {
       return readMetrics(core);
@@ -54,6 +64,7 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     async close(): Promise<void> {
       liveness.close();
       core.samples.close();
+      core.load.close();
       for (const { socket } of core.clients.values()) {
         socket?.close(CLOSE.goingAway.code, CLOSE.goingAway.reason);
       }
@@ -104,9 +115,11 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
   const budget = new RegistrationBudget(limitWatch);
   const shared = { ...ports, limits: limitWatch, events, topics, subscriptions, info, budget };
   const devices: DeviceRegistry = new DeviceRegistry(shared);
+  const dismissals = new Dismissals();
   const clients: ClientRegistry = new ClientRegistry({
     ...shared,
     devices,
+    dismissals,
     createSubscriber: subscriberFactory({ ...publishing, clock, endOfTurn }),
     onPresence: (client) => processing.handlePresence(client.id),
   });
@@ -117,6 +130,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     topicTexts: new TextCache(),
     limitWatch,
     clients,
+    dismissals,
     onSign: (client) => clients.handleSign(client),
     onClosed: (socket) => sockets.handleClosed(socket),
     onNodeMessage: (client, bytes) => processing.reports.handleMessage(client, bytes),
@@ -132,7 +146,11 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     publishing,
     publisher,
   });
-  const samples = new Samples(clock, ports.usage, counters);
+  const clientMeter = new ClientMeter(clients);
+  const load = new Load(clock, ports.usage, (seconds) => {
+    clientMeter.measure(seconds);
+  });
+  const samples = new Samples(clock, load, counters);
   events.add(StatusEventKind.MASTER_STARTED, 'The master started');
   return {
     ...ports,
@@ -151,5 +169,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     limitWatch,
     events,
     samples,
+    load,
+    clientMeter,
   };
 }

@@ -1,4 +1,5 @@
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
+import type { AddressKind } from './ports/address-kind.ts';
 import type { ClientConnection } from './ports/client-connection.ts';
 import type { ConnectionHandle } from './ports/connection-handle.ts';
 
@@ -13,6 +14,13 @@ export interface ServiceAnswer {
 export interface ConnectionQuery {
   readonly clientId: string | undefined;
   readonly token: string | undefined;
+}
+
+/** Who opens a socket, as the transport sees it; what it cannot tell is left out [EX-25]. */
+export interface ConnectionPeer {
+  /** The header `User-Agent`, of any length. */
+  readonly userAgent?: string | undefined;
+  readonly addressKind?: AddressKind | undefined;
 }
 
 /** One measured quantity with its values, fit for Prometheus. Labels come from closed lists. */
@@ -43,6 +51,7 @@ export interface Master {
   openConnection(
     query: ConnectionQuery,
     connection: ClientConnection,
+    peer?: ConnectionPeer,
   ): ConnectionHandle | undefined;
   readonly metrics: () => MasterMetrics;
   /** Ends every timer, closes every connection with code 1001, and ends modules and workers. */

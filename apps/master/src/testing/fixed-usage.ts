@@ -1,9 +1,12 @@
-import type { ResourceUsage } from '../core/ports/resource-usage.ts';
+import type { ResourceUsage, UsageMeasurement } from '../core/ports/resource-usage.ts';
 
-/** A process that always takes the same. */
+/** A process that takes what the test says; without a word always the same. */
 export class FixedUsage implements ResourceUsage {
-  cpuPercent(): number {
-    return 12.5;
+  readonly processors = 4;
+  measured: UsageMeasurement = { cpuPercent: 12.5, busyPercent: 5, delayMs: 1 };
+
+  measure(): UsageMeasurement {
+    return this.measured;
   }
 
   memoryBytes(): number {

@@ -16,6 +16,7 @@ import {
 } from '@ubii/proto';
 import { DEFAULT_LIMITS } from '../core/limits.ts';
 import type { ConnectionHandle } from '../core/ports/connection-handle.ts';
+import type { ConnectionPeer } from '../core/master.ts';
 import { RecordingConnection, type Sent } from './recording-connection.ts';
 import type { TestMaster } from './test-master.ts';
 
@@ -49,11 +50,12 @@ export class TestClient {
   }
 
   /** Opens a socket; the one before, if any, is left as it is. Returns whether the master took it. */
-  open(token = this.token): boolean {
+  open(token = this.token, peer?: ConnectionPeer): boolean {
     this.connection = new RecordingConnection();
     this.#handle = this.#testMaster.master.openConnection(
       { clientId: this.id, token },
       this.connection,
+      peer,
     );
     this.#testMaster.clock.endTurn();
     return this.#handle !== undefined;

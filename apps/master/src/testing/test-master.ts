@@ -44,6 +44,7 @@ export class TestMaster {
   readonly clock: FakeClock;
   readonly log = new RecordingLog();
   readonly tokens = new PlainTokens();
+  readonly usage = new FixedUsage();
   readonly storage: MemoryStorage;
   readonly master: Master;
 
@@ -58,7 +59,7 @@ export class TestMaster {
         tokens: this.tokens,
         log: this.log,
         patterns: patterns ?? new NativePatterns(),
-        usage: new FixedUsage(),
+        usage: this.usage,
         sandboxes: sandboxes ?? createInlineSandboxes(),
         storage: this.storage,
         library: () => library,

@@ -1,5 +1,7 @@
 import { BlockList, isIP } from 'node:net';
 
+import type { AddressKind } from '../../core/ports/index.ts';
+
 const loopback = new BlockList();
 loopback.addSubnet('127.0.0.0', 8);
 loopback.addAddress('::1', 'ipv6');
@@ -26,6 +28,16 @@ export function isPrivateAddress(host: string): boolean {
 /** True for an IPv4 or IPv6 address, without brackets. */
 export function isIpAddress(host: string): boolean {
   return isIP(host) !== 0;
+}
+
+/** How near the other end of a connection is; undefined when the system does not say. */
+export function kindOfPeer(remoteAddress: string | undefined): AddressKind | undefined {
+  if (remoteAddress === undefined) return undefined;
+  // An IPv6 socket calls IPv4 addresses so, and link-local ones have a zone.
+  const address = remoteAddress.replace(/^::ffff:(?=\d+\.)/i, '').replace(/%.*$/, '');
+  if (!isIpAddress(address)) return undefined;
+  if (isIn(loopback, address)) return 'loopback';
+  return isPrivateAddress(address) ? 'private' : 'public';
 }
 
 function isIn(list: BlockList, host: string): boolean {

@@ -5,6 +5,7 @@ import type { WebSocket } from 'ws';
 
 import type { Master } from '../../core/master.ts';
 import type { Log } from '../../core/ports/index.ts';
+import { kindOfPeer } from '../network/address-kinds.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
 import { refuseUpgrade } from './refuse-upgrade.ts';
 import { WebSocketConnection } from './websocket-connection.ts';
@@ -51,7 +52,7 @@ export class TopicDataSockets {
       return;
     }
     this.#server.handleUpgrade(request, socket, head, (webSocket) => {
-      this.#open(webSocket, socket, request.url ?? '');
+      this.#open(webSocket, socket, request);
     });
   }
 
@@ -60,9 +61,16 @@ export class TopicDataSockets {
     for (const webSocket of this.#server.clients) webSocket.terminate();
   }
 
-  #open(webSocket: WebSocket, socket: Duplex, url: string): void {
+  #open(webSocket: WebSocket, socket: Duplex, request: IncomingMessage): void {
     const { master, log, maxMessageBytes } = this.#options;
-    const opened = master.openConnection(queryOf(url), new WebSocketConnection(webSocket, socket));
+    const opened = master.openConnection(
+      queryOf(request.url ?? ''),
+      new WebSocketConnection(webSocket, socket),
+      {
+        userAgent: request.headers['user-agent'],
+        addressKind: kindOfPeer(request.socket.remoteAddress),
+      }, // [EX-25]
+    );
     // A socket that breaks reports an error before it closes; without a listener it would be thrown.
     webSocket.on('error', (error: NodeJS.ErrnoException) => {
       log.debug('a socket failed', { reason: error.message });

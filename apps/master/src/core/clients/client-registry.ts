@@ -11,9 +11,16 @@ import type { ClientSubscriber } from '../topics/subscriber.ts';
 import { TokenBucket } from '../topics/token-bucket.ts';
 import { quote } from '../topics/topic-names.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
+import { oneLine } from '../one-line.ts';
 import { Client, specOf, type ClientSpec } from './client.ts';
+import { closeReason } from './close-reason.ts';
+import { CLOSE } from './close-codes.ts';
+import type { Dismissals } from './dismissals.ts';
 import { nextStatus, type ClientEvent, type ClientStatus } from './client-states.ts';
 import type { RegistrationBudget } from './registration-budget.ts';
+
+/** Characters kept of what a client says of its library [EX-25]. */
+const MAX_LIBRARY_LENGTH = 64;
 
 /** What a client registry works on. */
 export interface ClientContext {
@@ -28,6 +35,7 @@ export interface ClientContext {
   readonly info: InfoTopics;
   readonly budget: RegistrationBudget;
   readonly createSubscriber: (clientId: string, isExtension: boolean) => ClientSubscriber;
+  readonly dismissals: Dismissals;
   /** The client can be reached now, or no longer: as a node it matters [SE-31]. */
   readonly onPresence: (client: Client) => void;
 }
@@ -88,6 +96,7 @@ export class ClientRegistry {
     if (known !== undefined) this.handleSign(known);
     else {
       this.#clients.set(client.id, client);
+      this.#context.dismissals.forget(client.id); // [EX-30]
       const isBack = earlierId !== undefined;
       this.#context.events.add(
         isBack ? StatusEventKind.CLIENT_RETURNED : StatusEventKind.CLIENT_JOINED,
@@ -124,6 +133,28 @@ export class ClientRegistry {
     if (status === 'unavailable' || status === 'active') this.#context.onPresence(client);
   }
 
+  /**
+   * Gives a client another name, which all others hear of [EX-29] [CL-31].
+   * @throws ServiceError when there is no room for it
+   */
+  rename(client: Client, name: string): void {
+    const { budget, info } = this.#context;
+    const spec = { ...client.spec, name };
+    const growth = sizeOf(spec) - sizeOf(client.spec);
+    budget.require(client, growth);
+    budget.add(client, growth);
+    client.spec = spec;
+    info.announceClient(client);
+  }
+
+  /** Removes a client because somebody wants it gone; it is told why, now or when it comes back [EX-30]. */
+  dismiss(client: Client, why: string): void {
+    const reason = closeReason(why);
+    this.#context.dismissals.add(client.id, reason);
+    client.socket?.close(CLOSE.disconnected.code, reason);
+    this.handleEvent(client, 'deregistered');
+  }
+
   /** The id this registration may have because it proves to be the one who had it [EX-3]. */
   #provenId({ id, extension }: ClientMessage): string | undefined {
     const token = extension?.resumeToken ?? '';
@@ -147,17 +178,23 @@ export class ClientRegistry {
       recordBudget: new TokenBucket(recordsPerSecond, nowMs),
       byteBudget: new TokenBucket(publishedBytesPerSecond, nowMs),
       nowMs,
+      epochMs: clock.nowMs(),
     });
   }
 
   /** Takes over what the client says of itself, if there is room for it. */
   #describe(client: Client, message: ClientMessage): void {
     const { budget } = this.#context;
-    const spec = specOf(message);
+    const described = specOf(message);
+    // What somebody renamed keeps that name until it says another one itself. [EX-29]
+    const isSameName = described.name === client.ownName;
+    const spec = isSameName ? { ...described, name: client.spec.name } : described;
     const growth = sizeOf(spec) - (this.#clients.has(client.id) ? sizeOf(client.spec) : 0);
     budget.require(client, growth);
     budget.add(client, growth);
     client.spec = spec;
+    client.ownName = described.name;
+    client.library = oneLine(message.extension?.library ?? '', MAX_LIBRARY_LENGTH); // [EX-25]
     client.node = client.isExtension ? message.extension?.node : undefined; // [PM-60]
     client.subscriber.outbox.hearsOfGone = client.node !== undefined; // [TD-42]
     client.takesRecordLists = message.extension?.recordLists ?? false; // [EX-2]

@@ -1,11 +1,14 @@
 import type { Client as ClientMessage, Device, NodeExtension } from '@ubii/proto';
+import type { AddressKind } from '../ports/address-kind.ts';
 import { Streak } from '../status/streak.ts';
 import type { PublishingClient } from '../topics/publication.ts';
 import type { ClientSubscriber } from '../topics/subscriber.ts';
 import type { TokenBucket } from '../topics/token-bucket.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import { wireState, type ClientStatus } from './client-states.ts';
+import type { Throttle } from './throttle.ts';
 import type { TopicDataSocket } from './topic-data-socket.ts';
+import { Traffic } from './traffic.ts';
 
 /** What a client said of itself: everything but its id, state and devices, and without secrets. */
 export type ClientSpec = Omit<ClientMessage, 'id' | 'devices' | 'state' | 'latency' | 'extension'>;
@@ -18,7 +21,16 @@ export interface ClientParts {
   readonly subscriber: ClientSubscriber;
   readonly recordBudget: TokenBucket;
   readonly byteBudget: TokenBucket;
+  /** Monotonic and epoch milliseconds. */
   readonly nowMs: number;
+  readonly epochMs: number;
+}
+
+/** Who is at the other end of a socket, as far as the transport can tell [EX-25]. */
+export interface Peer {
+  /** Empty when it sent none. */
+  readonly userAgent: string;
+  readonly addressKind: AddressKind | undefined;
 }
 
 /** A registered client. Times are monotonic milliseconds. */
@@ -27,12 +39,24 @@ export class Client implements PublishingClient {
   /** It sent `Client.extension` at registration [EX-1]. */
   readonly isExtension: boolean;
   readonly subscriber: ClientSubscriber;
-  readonly recordBudget: TokenBucket;
+  recordBudget: TokenBucket;
   readonly byteBudget: TokenBucket;
+  readonly traffic = new Traffic();
   readonly ownedTopics = new Set<TopicEntry>();
   readonly devices = new Map<string, Device>();
 
   spec: ClientSpec;
+  /** The name it said it has; `spec` has another one when somebody renamed it [EX-29]. */
+  ownName: string;
+  /** Name and version of its library; empty when it does not say. */
+  library = '';
+  /** Of its last socket. */
+  peer: Peer = { userAgent: '', addressKind: undefined };
+  /** When it opened its socket, epoch milliseconds. */
+  socketOpenedMs = 0;
+  /** When it registered, epoch milliseconds. */
+  readonly firstSeenMs: number;
+  throttle: Throttle | undefined = undefined;
   /** What it said of itself as a node; undefined when it is none [PM-60]. */
   node: NodeExtension | undefined = undefined;
   /** Takes lists of records [EX-2]. */
@@ -54,6 +78,8 @@ export class Client implements PublishingClient {
   constructor(parts: ClientParts) {
     this.id = parts.id;
     this.spec = parts.spec;
+    this.ownName = parts.spec.name;
+    this.firstSeenMs = parts.epochMs;
     this.isExtension = parts.isExtension;
     this.subscriber = parts.subscriber;
     this.recordBudget = parts.recordBudget;

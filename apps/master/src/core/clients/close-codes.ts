@@ -6,5 +6,6 @@ export const CLOSE = {
   unknownClient: { code: 4004, reason: 'unknown client' },
   protocolErrors: { code: 4008, reason: 'protocol errors' },
   tooSlow: { code: 4009, reason: 'too slow' },
+  disconnected: { code: 4010, reason: 'disconnected' },
   tooMany: { code: 4013, reason: 'too many' },
 } as const;

@@ -1,18 +1,28 @@
-import type { ConnectionQuery } from '../master.ts';
+import type { ConnectionPeer, ConnectionQuery } from '../master.ts';
+import { oneLine } from '../one-line.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ResumeTokens } from '../ports/resume-tokens.ts';
 import type { Client } from './client.ts';
 import type { ClientRegistry } from './client-registry.ts';
 import { CLOSE } from './close-codes.ts';
+import type { Dismissals } from './dismissals.ts';
 import { TopicDataSocket, type SocketContext } from './topic-data-socket.ts';
 
 /** What lets sockets in. */
 export interface AdmissionContext extends SocketContext {
   readonly clients: ClientRegistry;
   readonly tokens: ResumeTokens;
+  readonly dismissals: Dismissals;
 }
 
-type CloseReason = (typeof CLOSE)[keyof typeof CLOSE];
+/** Characters kept of a User-Agent [EX-25]. */
+const MAX_USER_AGENT_LENGTH = 256;
+
+/** A code with what is said with it. */
+interface CloseReason {
+  readonly code: number;
+  readonly reason: string;
+}
 
 /** Decides which socket is whose, and keeps count of them. */
 export class SocketAdmission {
@@ -29,10 +39,14 @@ export class SocketAdmission {
   }
 
   /** Makes this connection the socket of its client, or closes it and says why. */
-  open(query: ConnectionQuery, connection: ClientConnection): TopicDataSocket | undefined {
+  open(
+    query: ConnectionQuery,
+    connection: ClientConnection,
+    { userAgent = '', addressKind }: ConnectionPeer = {},
+  ): TopicDataSocket | undefined {
     const { clients, counters, topics, subscriptions } = this.#context;
     const client = clients.get(query.clientId ?? '');
-    const refusal = this.#refusal(client, query.token);
+    const refusal = this.#refusal(client, query);
     if (client === undefined || refusal !== undefined) {
       const { code, reason } = refusal ?? CLOSE.unknownClient;
       counters.connectionsRefused++;
@@ -45,6 +59,8 @@ export class SocketAdmission {
     counters.connectionsOpened++;
     const socket = new TopicDataSocket(this.#context, client, connection);
     client.socket = socket;
+    client.socketOpenedMs = this.#context.clock.nowMs();
+    client.peer = { userAgent: oneLine(userAgent, MAX_USER_AGENT_LENGTH), addressKind };
     socket.setRecordLists(client.takesRecordLists); // [TD-3] [TD-4]
     const { outbox } = client.subscriber;
     if (client.heardSequence !== undefined) {
@@ -71,9 +87,14 @@ export class SocketAdmission {
     this.#context.clients.handleEvent(client, 'socket closed');
   }
 
-  #refusal(client: Client | undefined, token: string | undefined): CloseReason | undefined {
-    const { tokens, limits, limitWatch } = this.#context;
-    if (client === undefined) return CLOSE.unknownClient; // [TD-6]
+  #refusal(client: Client | undefined, query: ConnectionQuery): CloseReason | undefined {
+    const { tokens, limits, limitWatch, dismissals } = this.#context;
+    const { clientId = '', token } = query;
+    if (client === undefined) {
+      const reason = dismissals.reasonOf(clientId);
+      if (reason !== undefined) return { ...CLOSE.disconnected, reason }; // [EX-30]
+      return CLOSE.unknownClient; // [TD-6]
+    }
     if (client.isExtension && !tokens.verify(client.id, token ?? '')) return CLOSE.notThisClient; // [EX-4]
     if (client.socket === undefined && this.#open >= limits.sockets) {
       limitWatch.count('sockets', client.id);

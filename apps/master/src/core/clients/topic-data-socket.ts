@@ -248,6 +248,7 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
   #refuse(code: ServiceErrorCode, limit: LimitName | undefined, describe: () => string): void {
     const { counters, limitWatch } = this.#context;
     counters.refused[code]++;
+    this.client.traffic.refused++;
     if (limit !== undefined) limitWatch.count(limit, this.client.id);
     if (this.#mayTellError()) {
       this.#connection.sendError(new ServiceError(code, describe()).toWire());

@@ -1,7 +1,19 @@
+/** What the process took of the machine over some time. */
+export interface UsageMeasurement {
+  /** Share of one core used by all threads, percent: 100 is one core. */
+  readonly cpuPercent: number;
+  /** Share of the time in which the thread of the master was busy, percent. At 100 everything waits. */
+  readonly busyPercent: number;
+  /** How late the thread came to what was due: 99th percentile, milliseconds. */
+  readonly delayMs: number;
+}
+
 /** What the process takes from the machine. */
 export interface ResourceUsage {
-  /** Share of one core used since the call before, percent; 0 at the first call. */
-  cpuPercent(): number;
+  /** What was taken since the call before; zeros at the first call. For one caller. */
+  measure(): UsageMeasurement;
   /** Resident memory, bytes. */
   memoryBytes(): number;
+  /** Cores of the machine, at least 1. */
+  readonly processors: number;
 }

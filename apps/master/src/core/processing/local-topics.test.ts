@@ -65,6 +65,7 @@ function setup() {
     recordBudget: new TokenBucket(1e6, 0),
     byteBudget: new TokenBucket(1e9, 0),
     nowMs: 0,
+    epochMs: 0,
   });
   const port = new LocalTopics({
     ...publishing,

@@ -1,3 +1,4 @@
+import { Traffic } from '../clients/traffic.ts';
 import type {
   Cancel,
   EncodedRecord,
@@ -44,6 +45,8 @@ export class LocalTopics implements TopicPort {
       ownedTopics: new Set(),
       recordBudget: new TokenBucket(limits.recordsPerSecond, nowMs),
       byteBudget: new TokenBucket(limits.publishedBytesPerSecond, nowMs),
+      traffic: new Traffic(),
+      throttle: undefined,
     };
   }
 

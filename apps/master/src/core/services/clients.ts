@@ -50,7 +50,13 @@ export const listLatencies: ServiceHandler = (core) => ({
 /** The id of the client that sends a request, as far as the request says it [CL-11]. */
 export function callerId(request: ServiceRequest): string {
   return (
-    request.topicSubscription?.clientId || request.device?.clientId || request.client?.id || ''
+    request.topicSubscription?.clientId ||
+    request.device?.clientId ||
+    request.client?.id ||
+    request.clientRenameRequest?.clientId ||
+    request.clientDisconnectRequest?.clientId ||
+    request.clientThrottleRequest?.clientId ||
+    ''
   );
 }
 

@@ -1,4 +1,10 @@
 import { SERVICES, type ServiceName } from '@ubii/proto';
+import {
+  controlThrottle,
+  disconnectClient,
+  renameClient,
+  reportClients,
+} from './client-control.ts';
 import { deregisterClient, listClients, listLatencies, registerClient } from './clients.ts';
 import {
   deregisterDevice,
@@ -59,6 +65,10 @@ const DOMAIN_HANDLERS = {
   topicStatistics,
   masterStatus,
   nodeList: listNodes,
+  clientReport: reportClients,
+  clientRename: renameClient,
+  clientDisconnect: disconnectClient,
+  clientThrottle: controlThrottle,
   sessionRuntimeAdd: addSession,
   sessionRuntimeGet: getSession,
   sessionRuntimeGetList: listSessions,

@@ -8,7 +8,8 @@ import { listProblems } from './problems.ts';
  * @param sinceMs Samples and events after this moment are wanted; 0 for all that are kept.
  */
 export function readMasterStatus(core: Core, sinceMs: number): Init<MasterStatus> {
-  const { counters, clients, settings } = core;
+  const { counters, clients, settings, load } = core;
+  const { cpuPercent, busyPercent, delayMs } = load.latest;
   const states = clients.countByStatus();
   return {
     masterId: core.id,
@@ -26,8 +27,11 @@ export function readMasterStatus(core: Core, sinceMs: number): Init<MasterStatus
     clientsActive: states.active,
     clientsInactive: states.inactive,
     clientsUnavailable: states.unavailable,
-    cpuPercent: core.samples.cpuPercent,
-    memoryBytes: core.samples.memoryBytes,
+    cpuPercent,
+    busyPercent,
+    delayMs,
+    processors: load.processors,
+    memoryBytes: load.memoryBytes,
     samples: core.samples.since(sinceMs),
     events: core.events.since(sinceMs),
     problems: listProblems(core),

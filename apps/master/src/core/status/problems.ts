@@ -1,5 +1,6 @@
 import { StatusProblemSeverity } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
+import { describeThrottle } from '../clients/throttle.ts';
 import type { Core } from '../core.ts';
 import type { LimitName } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
@@ -77,7 +78,7 @@ function* sessionProblems({ processing, clock }: Core): Iterable<Problem> {
 
 function* clientProblems({ clock }: Core, client: Client): Iterable<Problem> {
   const nowMs = clock.monotonicMs();
-  const { socket, label, protocolErrors, id: clientId } = client;
+  const { socket, label, protocolErrors, throttle, id: clientId } = client;
   const { outbox } = client.subscriber;
   const warning = { severity: StatusProblemSeverity.WARNING, clientId };
   // A client that closed its socket and stays away is an event, not a problem.
@@ -98,6 +99,17 @@ function* clientProblems({ clock }: Core, client: Client): Iterable<Problem> {
       text: `${label} takes data more slowly than it comes: ${outbox.drops.count} records were dropped so far, the newest values win.`,
       remedy: 'Let it subscribe to less or at a lower rate, or give it a better network.',
       sinceMs: epochMs(clock, outbox.drops.isOn(nowMs) ? outbox.drops.sinceMs : nowMs),
+    };
+  }
+  if (throttle !== undefined) {
+    yield {
+      ...warning,
+      code: 'client_throttled', // [EX-33]
+      text: `${label} is ${describeThrottle(throttle)}; ${throttle.dropped} of its records were dropped so far.`,
+      remedy: throttle.byPolicy
+        ? 'Let it publish less, or at a lower rate; the throttle ends by itself then.'
+        : 'Let it publish less, or lift the throttle.',
+      sinceMs: throttle.sinceMs,
     };
   }
   if (protocolErrors.isOn(nowMs)) {

@@ -1,7 +1,7 @@
 import type { StatusSample } from '@ubii/proto';
 import type { Cancel, Clock } from '../ports/clock.ts';
-import type { ResourceUsage } from '../ports/resource-usage.ts';
 import type { Counters } from './counters.ts';
+import type { Load } from './load.ts';
 
 /** [EX-17], milliseconds. */
 const SAMPLE_INTERVAL_MS = 2_000;
@@ -11,30 +11,20 @@ const KEPT_SAMPLES = 300;
 /** Looks at the master every two seconds, and keeps what it saw. */
 export class Samples {
   readonly #clock: Clock;
-  readonly #usage: ResourceUsage;
+  readonly #load: Load;
   readonly #counters: Counters;
   readonly #samples: StatusSample[] = [];
   readonly #cancel: Cancel;
   #recordsIn = 0;
   #recordsOut = 0;
   #takenMs: number;
-  #cpuPercent = 0;
 
-  constructor(clock: Clock, usage: ResourceUsage, counters: Counters) {
+  constructor(clock: Clock, load: Load, counters: Counters) {
     this.#clock = clock;
-    this.#usage = usage;
+    this.#load = load;
     this.#counters = counters;
     this.#takenMs = clock.monotonicMs();
     this.#cancel = clock.every(SAMPLE_INTERVAL_MS, () => this.#take());
-  }
-
-  /** Share of one core used between the last two samples, percent. */
-  get cpuPercent(): number {
-    return this.#cpuPercent;
-  }
-
-  get memoryBytes(): number {
-    return this.#usage.memoryBytes();
   }
 
   /** Samples after this moment, oldest first. */
@@ -56,14 +46,11 @@ export class Samples {
     this.#takenMs = nowMs;
     this.#recordsIn = recordsIn;
     this.#recordsOut = recordsOut;
-    this.#cpuPercent = this.#usage.cpuPercent();
     this.#samples.push({
       timeMs: this.#clock.nowMs(),
       recordsPerSecond,
       recordsOutPerSecond,
-      cpuPercent: this.#cpuPercent,
-      busyPercent: 0,
-      delayMs: 0,
+      ...this.#load.latest,
     });
     if (this.#samples.length > KEPT_SAMPLES) this.#samples.shift();
   }

@@ -28,6 +28,7 @@ export class Outbox implements Flushable {
   #batch: BatchNode | undefined = undefined;
   #isTouched = false;
   #handedBytes = 0;
+  #handedRecords = 0;
   /** Undefined while nothing waits, which is nearly always. */
   #waiting: WaitingRecords | undefined = undefined;
   readonly #owed = new Set<TopicEntry>();
@@ -48,6 +49,16 @@ export class Outbox implements Flushable {
   /** Records that wait because the socket cannot take more. */
   get waitingCount(): number {
     return this.#waiting?.count ?? 0;
+  }
+
+  /** Bytes of them. */
+  get waitingBytes(): number {
+    return this.#waiting?.byteLength ?? 0;
+  }
+
+  /** Records handed to connections so far. */
+  get handedRecords(): number {
+    return this.#handedRecords;
   }
 
   /** Bytes of records handed to connections so far. */
@@ -197,6 +208,7 @@ export class Outbox implements Flushable {
   #hand(batch: BatchNode): void {
     this.#connection?.send(batch);
     this.#handedBytes += batch.byteLength;
+    this.#handedRecords += batch.count;
     this.#context.onSent(batch.count, batch.byteLength);
   }
 }

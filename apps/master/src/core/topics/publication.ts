@@ -1,10 +1,23 @@
+import type { Throttle } from '../clients/throttle.ts';
 import type { TokenBucket } from './token-bucket.ts';
 import type { TopicEntry, TopicOwner } from './topic-entry.ts';
+
+/** What is counted of a client that publishes [EX-26]. */
+export interface PublishedCounts {
+  recordsIn: number;
+  bytesIn: number;
+  /** Records given to subscribers, once for each. */
+  recordsCaused: number;
+  bytesCaused: number;
+}
 
 /** A client as somebody who publishes. */
 export interface PublishingClient extends TopicOwner {
   readonly recordBudget: TokenBucket;
   readonly byteBudget: TokenBucket;
+  readonly traffic: PublishedCounts;
+  /** What makes its budget smaller than that of others [EX-31]. */
+  readonly throttle: Throttle | undefined;
 }
 
 /** The most memory a kept record may take, as a multiple of its length. */

@@ -1,7 +1,7 @@
 import { isMasterTopic } from '@ubii/proto';
 import type { Limits } from '../limits.ts';
 import type { Counters } from '../status/counters.ts';
-import type { Publication } from './publication.ts';
+import type { Publication, PublishingClient } from './publication.ts';
 import { REFUSALS, type Refusal } from './refusals.ts';
 import type { SubscriptionTable } from './subscription-table.ts';
 import { isEventField } from './topic-entry.ts';
@@ -47,10 +47,17 @@ function checkClients(context: PublishContext, publication: Publication): Refusa
 function checkRate(publication: Publication): Refusal | undefined {
   const client = publication.client!;
   const { monotonicMs } = publication;
-  if (!client.recordBudget.take(1, monotonicMs)) return REFUSALS.tooManyRecords;
+  if (!client.recordBudget.take(1, monotonicMs)) return tooManyRecords(client);
   return client.byteBudget.take(publication.byteLength, monotonicMs)
     ? undefined
     : REFUSALS.tooManyBytes;
+}
+
+/** [EX-32] */
+function tooManyRecords({ throttle }: PublishingClient): Refusal {
+  if (throttle === undefined) return REFUSALS.tooManyRecords;
+  throttle.dropped++;
+  return REFUSALS.throttled;
 }
 
 function findTopic({ topics }: PublishContext, publication: Publication): void {
@@ -102,8 +109,12 @@ function takeOwnership({ topics }: PublishContext, { entry, client }: Publicatio
 }
 
 function countIn({ counters }: PublishContext, publication: Publication): void {
+  const { traffic } = publication.client!;
+  const { byteLength } = publication;
   counters.recordsIn++;
-  counters.bytesIn += publication.byteLength;
+  counters.bytesIn += byteLength;
+  traffic.recordsIn++;
+  traffic.bytesIn += byteLength;
 }
 
 function storeAndDeliver(context: PublishContext, publication: Publication): void {
@@ -113,7 +124,14 @@ function storeAndDeliver(context: PublishContext, publication: Publication): voi
   const { direct, sampled } = context.subscriptions.targetsOf(entry);
   const record = publication.keepRecord(); // [TD-11]
   context.topics.store(entry, record, valueField, publication.nowMs);
-  entry.publisherId = publication.client?.id ?? '';
+  const { client } = publication;
+  entry.publisherId = client?.id ?? '';
+  if (client !== undefined) {
+    const { traffic } = client; // [EX-27]
+    const receivers = direct.length + sampled.length;
+    traffic.recordsCaused += receivers;
+    traffic.bytesCaused += receivers * record.byteLength;
+  }
   const isEvent = entry.isNews || isEventField(valueField);
   for (let i = 0; i < direct.length; i++) direct[i]!.deliver(entry, record, isEvent); // [TD-14]
   for (let i = 0; i < sampled.length; i++) {

@@ -1,4 +1,5 @@
 import type { ServiceErrorCode } from '@ubii/proto';
+import { describeThrottle } from '../clients/throttle.ts';
 import type { LimitName, Limits } from '../limits.ts';
 import type { Publication } from './publication.ts';
 import { quote } from './topic-names.ts';
@@ -40,6 +41,12 @@ export const REFUSALS = {
     limit: 'recordsPerSecond',
     describe: ({ topic }, { recordsPerSecond }) =>
       `The record on ${quote(topic)} came too soon: a client publishes at most ${recordsPerSecond} records per second (limit recordsPerSecond).`,
+  },
+  /** [EX-32] */
+  throttled: {
+    code: 'resource_exhausted',
+    describe: ({ topic, client }) =>
+      `The record on ${quote(topic)} was dropped: this client is ${client?.throttle === undefined ? 'throttled' : describeThrottle(client.throttle)}.`,
   },
   tooManyBytes: {
     code: 'resource_exhausted',

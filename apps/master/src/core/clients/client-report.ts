@@ -1,0 +1,107 @@
+import {
+  ClientActivityAddressKind,
+  type ClientActivity,
+  type ClientReportRequest,
+  type ClientSubscription,
+  type ClientThrottle,
+  type Init,
+  type ClientReport,
+} from '@ubii/proto';
+import type { Core } from '../core.ts';
+import type { AddressKind } from '../ports/address-kind.ts';
+import type { Clock } from '../ports/clock.ts';
+import type { ClientSubscriber } from '../topics/subscriber.ts';
+import type { Client } from './client.ts';
+import type { Throttle } from './throttle.ts';
+
+/** Subscriptions listed of one client [EX-25]. */
+const MAX_SUBSCRIPTIONS = 1_000;
+
+const ADDRESS_KINDS: Readonly<Record<AddressKind, ClientActivity['addressKind']>> = {
+  loopback: ClientActivityAddressKind.LOOPBACK,
+  private: ClientActivityAddressKind.PRIVATE,
+  public: ClientActivityAddressKind.PUBLIC,
+};
+
+/** What clients do, and what they take of the master [EX-25]. */
+export function readClientReport(core: Core, request: ClientReportRequest): Init<ClientReport> {
+  const { clients, clock, clientMeter } = core;
+  const wanted = new Set(request.clientIds);
+  const reported = [...clients.values()].filter(({ id }) => wanted.size === 0 || wanted.has(id));
+  return {
+    masterTimeMs: clock.nowMs(),
+    measuredMs: clientMeter.seconds * 1000,
+    clients: reported.map((client) => activityOf(client, clock, request.subscriptions)),
+  };
+}
+
+function activityOf(
+  client: Client,
+  clock: Clock,
+  withSubscriptions: boolean,
+): Init<ClientActivity> {
+  const { traffic, subscriber, socket, peer, throttle } = client;
+  const { recordsIn, bytesIn, refused, rates, workShare } = traffic;
+  const { outbox, topics, patterns, selections, watchers } = subscriber;
+  const { addressKind } = peer;
+  const isMeasured = client.latencyMs > 0;
+  const { throttledPerSecond: _, ...perSecond } = rates;
+  return {
+    clientId: client.id,
+    firstSeenMs: client.firstSeenMs,
+    lastSeenMs: clock.nowMs() - (clock.monotonicMs() - client.lastSignMs),
+    connected: socket !== undefined,
+    connectedMs: socket === undefined ? 0 : client.socketOpenedMs,
+    roundTripMs: client.latencyMs,
+    roundTripAgeMs: isMeasured ? clock.monotonicMs() - client.latencyMeasuredMs : 0,
+    recordsIn,
+    bytesIn,
+    recordsOut: outbox.handedRecords,
+    bytesOut: outbox.handedBytes,
+    ...perSecond,
+    queuedRecords: outbox.waitingCount,
+    queuedBytes: outbox.waitingBytes + (socket?.connection.queuedBytes ?? 0),
+    dropped: outbox.drops.count,
+    refused,
+    protocolErrors: client.protocolErrors.count,
+    topicSubscriptions: topics.size,
+    patternSubscriptions: patterns.size,
+    componentSubscriptions: selections.size,
+    watchesEverything: watchers.size > 0,
+    subscriptions: withSubscriptions ? subscriptionsOf(subscriber) : [],
+    ownedTopics: client.ownedTopics.size,
+    userAgent: peer.userAgent,
+    library: client.library,
+    addressKind:
+      addressKind === undefined ? ClientActivityAddressKind.UNKNOWN : ADDRESS_KINDS[addressKind],
+    ...(throttle !== undefined && { throttle: throttleOf(throttle) }),
+    workShare,
+  };
+}
+
+function subscriptionsOf(subscriber: ClientSubscriber): Init<ClientSubscription>[] {
+  const subscriptions: Init<ClientSubscription>[] = [];
+  for (const subscription of eachSubscription(subscriber)) {
+    if (subscriptions.push(subscription) >= MAX_SUBSCRIPTIONS) break;
+  }
+  return subscriptions;
+}
+
+/** What takes most of the master first. */
+function* eachSubscription(subscriber: ClientSubscriber): Iterable<Init<ClientSubscription>> {
+  const { topics, patterns, selections } = subscriber;
+  for (const { source, subscribers } of patterns) {
+    yield { pattern: source, maxRateHz: subscribers.get(subscriber) ?? 0 };
+  }
+  for (const { profile, subscribers } of selections) {
+    yield { component: profile, maxRateHz: subscribers.get(subscriber) ?? 0 };
+  }
+  for (const { topic, subscribers } of topics) {
+    yield { topic, maxRateHz: subscribers.get(subscriber) ?? 0 };
+  }
+}
+
+function throttleOf(throttle: Throttle): Init<ClientThrottle> {
+  const { recordsPerSecond, byPolicy, byName, reason, sinceMs, dropped } = throttle;
+  return { recordsPerSecond, byPolicy, byName, reason, sinceMs, dropped };
+}

@@ -1,0 +1,26 @@
+/** What keeps a client from publishing as much as it wants to [EX-31]. */
+export interface Throttle {
+  readonly recordsPerSecond: number;
+  /** Made, and to be lifted, by the policy of the master [EX-48]. */
+  readonly byPolicy: boolean;
+  /** Name of who asked for it; empty when nobody said so. */
+  readonly byName: string;
+  /** Why; empty when nobody said so. */
+  readonly reason: string;
+  /** Epoch milliseconds. */
+  readonly sinceMs: number;
+  /** Records that were dropped because of it. */
+  dropped: number;
+}
+
+/** The throttle as people read it: `throttled to 10 records per second by Mara: too loud`. */
+export function describeThrottle({
+  recordsPerSecond,
+  byPolicy,
+  byName,
+  reason,
+}: Omit<Throttle, 'dropped'>): string {
+  const who = byPolicy ? ' by the policy of the master' : byName === '' ? '' : ` by ${byName}`;
+  const why = reason === '' ? '' : `: ${reason}`;
+  return `throttled to ${recordsPerSecond} records per second${who}${why}`;
+}

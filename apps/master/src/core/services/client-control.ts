@@ -1,0 +1,91 @@
+import { ServiceError, StatusEventKind } from '@ubii/proto';
+import { readClientReport } from '../clients/client-report.ts';
+import { throttleClient, unthrottleClient } from '../clients/throttling.ts';
+import type { Core } from '../core.ts';
+import { oneLine } from '../one-line.ts';
+import type { ServiceHandler } from './handler.ts';
+import { requireElements } from './list-limits.ts';
+
+/** Characters of a client's name [EX-29]. */
+const MAX_NAME_LENGTH = 100;
+/** Characters of the reason somebody gives. */
+const MAX_REASON_LENGTH = 200;
+/** The slowest throttle: a record in ten seconds [EX-31]. */
+const MIN_RECORDS_PER_SECOND = 0.1;
+
+/** `/services/ubii/client_report` [EX-25] */
+export const reportClients: ServiceHandler = (core, request) => {
+  const wanted = request.clientReportRequest!;
+  requireElements(core, wanted.clientIds);
+  return { clientReport: readClientReport(core, wanted) };
+};
+
+/** `/services/ubii/client_rename` [EX-29] */
+export const renameClient: ServiceHandler = (core, request) => {
+  const { clientId, targetId, name } = request.clientRenameRequest!;
+  const client = core.clients.require(targetId, 'client_rename_request.target_id');
+  if (name === '' || name !== oneLine(name, MAX_NAME_LENGTH)) {
+    throw new ServiceError(
+      'invalid_argument',
+      `A name has 1 to ${MAX_NAME_LENGTH} characters on one line, without spaces around it.`,
+    );
+  }
+  if (name !== client.spec.name) {
+    const text = `${client.label} is called ${name} now${by(core, clientId)}`;
+    core.clients.rename(client, name);
+    core.events.add(StatusEventKind.CLIENT_RENAMED, text, client.id);
+  }
+  return { client: client.toMessage() };
+};
+
+/** `/services/ubii/client_disconnect` [EX-30] */
+export const disconnectClient: ServiceHandler = (core, request) => {
+  const { clientId, targetId, reason } = request.clientDisconnectRequest!;
+  const client = core.clients.require(targetId, 'client_disconnect_request.target_id');
+  const why = oneLine(reason, MAX_REASON_LENGTH);
+  const who = by(core, clientId) || ' by somebody';
+  const told = `${who.trim()}${why === '' ? '' : `: ${why}`}`;
+  const { label } = client;
+  core.clients.dismiss(client, told);
+  core.events.add(
+    StatusEventKind.CLIENT_DISCONNECTED,
+    `${label} was disconnected ${told}`,
+    targetId,
+  );
+  core.log.info('a client was disconnected', { clientId: targetId, told });
+  return { success: { title: 'Success', message: `${label} is disconnected.` } };
+};
+
+/** `/services/ubii/client_throttle` [EX-31] */
+export const controlThrottle: ServiceHandler = (core, request) => {
+  const { clientId, targetId, recordsPerSecond, reason } = request.clientThrottleRequest!;
+  const client = core.clients.require(targetId, 'client_throttle_request.target_id');
+  const byName = nameOfCaller(core, clientId);
+  if (recordsPerSecond === 0) {
+    unthrottleClient(core, client, byName);
+    return { success: { title: 'Success', message: `${client.label} is throttled no longer.` } };
+  }
+  if (!(recordsPerSecond >= MIN_RECORDS_PER_SECOND && Number.isFinite(recordsPerSecond))) {
+    throw new ServiceError(
+      'invalid_argument',
+      `The member records_per_second is ${recordsPerSecond}, but a throttle is ${MIN_RECORDS_PER_SECOND} or more records per second, or 0 to lift it.`,
+    );
+  }
+  throttleClient(core, client, {
+    recordsPerSecond,
+    byPolicy: false,
+    byName,
+    reason: oneLine(reason, MAX_REASON_LENGTH),
+  });
+  const message = `${client.label} is throttled to ${recordsPerSecond} records per second.`;
+  return { success: { title: 'Success', message } };
+};
+
+function nameOfCaller({ clients }: Core, clientId: string): string {
+  return oneLine(clients.get(clientId)?.label ?? '', MAX_NAME_LENGTH);
+}
+
+function by(core: Core, clientId: string): string {
+  const name = nameOfCaller(core, clientId);
+  return name === '' ? '' : ` by ${name}`;
+}
