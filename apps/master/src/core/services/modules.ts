@@ -20,7 +20,9 @@ export const saveModule: ServiceHandler = async (core, request) => {
     );
   }
   requireRoom(core.limitWatch, modules.stored, 'ubii.processing.ProcessingModule', module);
-  return { processingModule: await modules.save(module) };
+  const saved = await modules.save(module);
+  core.processing.reload.look();
+  return { processingModule: saved };
 };
 
 /** `/services/processing_module/database/delete` [SE-22] */

@@ -23,6 +23,7 @@ import { Lockstep } from './lockstep/lockstep.ts';
 import { handleFailed, handleStarted, handleStopped } from './module-reports.ts';
 import { handleNodeBack, handleNodeGone } from './node-changes.ts';
 import { NodeReports } from './node-reports.ts';
+import { ModuleReload } from './reload-modules.ts';
 import type { Session } from './session.ts';
 import { SessionNews } from './session-news.ts';
 import { SessionTable } from './session-table.ts';
@@ -51,6 +52,7 @@ export interface Processing {
   readonly localNode: LocalNode;
   readonly reports: NodeReports;
   readonly files: FileNews;
+  readonly reload: ModuleReload;
   /** A node says that a module runs, or has ended. Returns false when no session has it there [SE-32]. */
   handleReport(nodeId: string, moduleId: string, isRunning: boolean): boolean;
   /** A client can be reached, or no longer [SE-31]. */
@@ -187,6 +189,8 @@ export function createProcessing(parts: ProcessingParts): Processing {
     recheck: (session) => sessions.recheck(session),
   });
 
+  const reload = new ModuleReload({ library: modules, sessions, news });
+
   let isClosed = false;
   /** [SE-24] */
   function rememberIfWished(session: Session): void {
@@ -223,6 +227,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     localNode: local,
     reports,
     files,
+    reload,
     handleReport,
     handlePresence(clientId) {
       const node = nodes.get(clientId);
@@ -236,6 +241,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     async close() {
       isClosed = true;
       files.close();
+      reload.close();
       supervision.close();
       lockstep.close();
       for (const store of [storage.sessions, storage.modules, storage.running]) store.close();

@@ -38,6 +38,7 @@ export type ProblemCode =
   | 'node_gone'
   | 'node_cannot_pause'
   | 'node_cannot_update'
+  | 'module_not_reloaded'
   | 'node_without_lockstep'
   | 'node_late';
 
