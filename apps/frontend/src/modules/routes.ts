@@ -1,8 +1,16 @@
 import type { RouteLocationRaw, RouteRecordRaw } from 'vue-router';
 
+/** A name as a part of an address. */
+const segment = (name: string): string => encodeURIComponent(name).replaceAll('.', '%2E');
+
 /** Where a module is shown, by its name. */
 export function moduleLocation(name: string): RouteLocationRaw {
-  return { path: `/modules/${encodeURIComponent(name).replaceAll('.', '%2E')}` };
+  return { path: `/modules/${segment(name)}` };
+}
+
+/** Where a module is written, by its name; with a name of unsaved work, that. */
+export function moduleEditorLocation(name: string): RouteLocationRaw {
+  return { path: `/modules/${segment(name)}/edit` };
 }
 
 export const modulesRoutes: readonly RouteRecordRaw[] = [
@@ -10,5 +18,10 @@ export const modulesRoutes: readonly RouteRecordRaw[] = [
     path: '/modules/:name?',
     component: () => import('./ModulesPage.vue'),
     meta: { title: 'Modules' },
+  },
+  {
+    path: '/modules/:name/edit',
+    component: () => import('./editor/ModuleEditorPage.vue'),
+    meta: { title: 'Edit', parent: { title: 'Modules', to: '/modules' } },
   },
 ];

@@ -1,18 +1,20 @@
 import { ConnectionError } from '@ubii/client-web';
 import { ServiceError, type ProcessingModule } from '@ubii/proto';
-import { Copy, Download, Trash2 } from '@lucide/vue';
+import { Copy, Download, Pencil, Trash2 } from '@lucide/vue';
 import { shallowRef, type ShallowRef } from 'vue';
 import { useRouter } from 'vue-router';
 import { useConnection } from '../connection/useConnection.ts';
 import { saveFile } from '../sessions/file/save-file.ts';
 import type { TextFile } from '../sessions/file/session-file.ts';
-import { copyName } from '../sessions/text/session-spec.ts';
+import { copyName, freeName } from '../sessions/text/session-spec.ts';
 import { useToasts } from '../ui/toasts/toasts.ts';
 import type { MenuItem } from '../ui/UiMenu.vue';
-import { exportModule, importModule } from './file/module-file.ts';
+import { draftNames, dropDraft, keepDraft } from './editor/draft/draft-store.ts';
+import type { ModuleDraft } from './editor/draft/module-draft.ts';
+import { exportModule, exportModules, importModules } from './file/module-file.ts';
 import { isDeletable, type ModuleEntry } from './library/module-entry.ts';
 import type { ModuleLibrary } from './library/useModuleLibrary.ts';
-import { moduleLocation } from './routes.ts';
+import { moduleEditorLocation, moduleLocation } from './routes.ts';
 
 /** What people do with modules of the library. */
 export interface ModuleActions {
@@ -20,6 +22,10 @@ export interface ModuleActions {
   readonly failure: ShallowRef<string | undefined>;
   menuFor(entry: ModuleEntry): readonly MenuItem[];
   importFiles(files: readonly TextFile[]): Promise<void>;
+  /** All of these in one file. */
+  exportAll(entries: readonly ModuleEntry[]): void;
+  /** Begins a new module; it is at the master once it is saved. */
+  create(draft: ModuleDraft): Promise<void>;
 }
 
 export function useModuleActions(library: ModuleLibrary): ModuleActions {
@@ -55,6 +61,7 @@ export function useModuleActions(library: ModuleLibrary): ModuleActions {
     const { name, id } = module;
     const done = await attempt(() => client.call('processingModuleDatabaseDelete', { id, name }));
     if (done === undefined) return;
+    dropDraft(name);
     await router.push('/modules');
     toasts.show(`Deleted ${name}`, {
       text: 'Undo',
@@ -64,21 +71,46 @@ export function useModuleActions(library: ModuleLibrary): ModuleActions {
 
   async function importFiles(files: readonly TextFile[]): Promise<void> {
     for (const file of files) {
-      const read = importModule(file);
+      const read = importModules(file);
       if (read.kind === 'broken') {
         failure.value = read.message;
         return;
       }
-      const saved = await attempt(() => save(read.module));
-      if (saved === undefined) return;
-      await router.push(moduleLocation(read.module.name));
+      for (const module of read.modules) {
+        const saved = await attempt(() => save(module));
+        if (saved === undefined) return;
+      }
+      const [first] = read.modules;
+      if (read.modules.length > 1) toasts.show(`Imported ${read.modules.length} modules`);
+      if (first) await router.push(moduleLocation(first.name));
     }
+  }
+
+  async function create(template: ModuleDraft): Promise<void> {
+    const taken = new Set([
+      ...draftNames(),
+      ...(library.entries.value ?? []).map((one) => one.module.name),
+    ]);
+    const draft = { ...template, name: freeName(template.name, taken) };
+    keepDraft(draft.name, { draft, base: undefined });
+    await router.push(moduleEditorLocation(draft.name));
   }
 
   return {
     failure,
     importFiles,
+    exportAll: (entries) => saveFile(exportModules(entries.map(({ module }) => module))),
+    create,
     menuFor: (entry) => [
+      ...(isDeletable(entry)
+        ? [
+            {
+              text: 'Edit or rename',
+              icon: Pencil,
+              run: () => void router.push(moduleEditorLocation(entry.module.name)),
+            },
+          ]
+        : []),
       {
         text: 'Duplicate',
         icon: Copy,

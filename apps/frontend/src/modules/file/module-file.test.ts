@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { aSession } from '../../sessions/testing/a-session.ts';
-import { exportModule, importModule } from './module-file.ts';
+import { exportModule, exportModules, importModules } from './module-file.ts';
 
 const [mirror] = aSession().processingModules;
 
@@ -9,14 +9,24 @@ describe('a module as a file', () => {
     const file = exportModule({ ...mirror!, nodeId: 'n', status: 2 });
     expect(file.name).toBe('mirror.pm');
     expect(file.text).not.toMatch(/"status"|"nodeId"|"sessionId"|"id"/);
-    expect(importModule(file)).toMatchObject({
+    expect(importModules(file)).toMatchObject({
       kind: 'read',
-      module: {
-        name: 'mirror',
-        id: '',
-        onProcessingStringified: '() => ({})',
-        inputs: mirror!.inputs,
-      },
+      modules: [
+        {
+          name: 'mirror',
+          id: '',
+          onProcessingStringified: '() => ({})',
+          inputs: mirror!.inputs,
+        },
+      ],
+    });
+  });
+
+  it('may hold several', () => {
+    const file = exportModules([mirror!, { ...mirror!, name: 'other' }]);
+    expect(file.name).toBe('modules.pm');
+    expect(importModules(file)).toMatchObject({
+      modules: [{ name: 'mirror' }, { name: 'other' }],
     });
   });
 
@@ -25,7 +35,7 @@ describe('a module as a file', () => {
     ['{}', 'x.pm holds no module: it has no name.'],
     ['{ "name": [] }', 'x.pm: name must be'],
   ])('says why %j is none', (text, message) => {
-    const read = importModule({ name: 'x.pm', text });
+    const read = importModules({ name: 'x.pm', text });
     expect(read).toMatchObject({ kind: 'broken', message: expect.stringContaining(message) });
   });
 });

@@ -1,4 +1,4 @@
-import { DecodeError, fromJson, toJson, type ProcessingModule } from '@ubii/proto';
+import { DecodeError, fromJson, toJson, type JsonObject, type ProcessingModule } from '@ubii/proto';
 import { fileName, type TextFile } from '../../sessions/file/session-file.ts';
 import { jsonLines } from '../../sessions/text/json-lines.ts';
 import { moduleSpec } from '../../sessions/text/session-spec.ts';
@@ -8,35 +8,54 @@ export const MODULE_FILE_ENDING = '.pm';
 
 const MODULE = 'ubii.processing.ProcessingModule';
 
-/** A file's module, or one sentence why it is none. */
-export type ReadModule =
-  | { readonly kind: 'read'; readonly module: ProcessingModule }
+/** A file's modules, or one sentence why it holds none. */
+export type ReadModules =
+  | { readonly kind: 'read'; readonly modules: readonly ProcessingModule[] }
   | { readonly kind: 'broken'; readonly message: string };
 
-/** A module as one file; its place and life are not part of it. */
-export function exportModule(module: ProcessingModule): TextFile {
+/** What is kept of a module; its place and life are not part of it. */
+function moduleJson(module: ProcessingModule): JsonObject {
   const json = toJson(MODULE, { ...moduleSpec(module), id: '', nodeId: '' });
   const { id: _id, status: _status, sessionId: _session, nodeId: _node, ...kept } = json;
+  return kept;
+}
+
+/** A module as one file. */
+export function exportModule(module: ProcessingModule): TextFile {
   return {
     name: `${fileName(module.name) || 'module'}${MODULE_FILE_ENDING}`,
-    text: `${JSON.stringify(kept, undefined, 2)}\n`,
+    text: `${JSON.stringify(moduleJson(module), undefined, 2)}\n`,
   };
 }
 
-export function importModule({ name, text }: TextFile): ReadModule {
+/** Several modules as one file, a list of them. */
+export function exportModules(modules: readonly ProcessingModule[]): TextFile {
+  return {
+    name: `modules${MODULE_FILE_ENDING}`,
+    text: `${JSON.stringify(modules.map(moduleJson), undefined, 2)}\n`,
+  };
+}
+
+/** The module of a file, or the list of them. */
+export function importModules({ name, text }: TextFile): ReadModules {
   const lines = jsonLines(text);
   if (lines.kind === 'broken') {
     return { kind: 'broken', message: `${name}, line ${lines.line}: ${lines.message}` };
   }
-  try {
-    const module = fromJson(MODULE, JSON.parse(text));
-    if (module.name === '') {
-      return { kind: 'broken', message: `${name} holds no module: it has no name.` };
+  const parsed = JSON.parse(text) as unknown;
+  const modules: ProcessingModule[] = [];
+  for (const one of Array.isArray(parsed) ? (parsed as unknown[]) : [parsed]) {
+    try {
+      const module = fromJson(MODULE, one);
+      if (module.name === '') {
+        return { kind: 'broken', message: `${name} holds no module: it has no name.` };
+      }
+      modules.push({ ...module, id: '', nodeId: '', sessionId: '', status: 0 });
+    } catch (cause) {
+      if (!(cause instanceof DecodeError)) throw cause;
+      const reason = cause.message.slice(cause.message.indexOf(': ') + 2);
+      return { kind: 'broken', message: `${name}: ${reason}.` };
     }
-    return { kind: 'read', module: { ...module, id: '', nodeId: '', sessionId: '', status: 0 } };
-  } catch (cause) {
-    if (!(cause instanceof DecodeError)) throw cause;
-    const reason = cause.message.slice(cause.message.indexOf(': ') + 2);
-    return { kind: 'broken', message: `${name}: ${reason}.` };
   }
+  return { kind: 'read', modules };
 }

@@ -1,0 +1,22 @@
+import type { ModuleText } from '../text/module-text.ts';
+
+const ARROW = /^(?:async\s+)?\(?\s*([\w$]+)\s*\)?\s*=>\s*\{/;
+const FUNCTION = /^(?:async\s+)?function\s*[\w$]*\s*\(\s*([\w$]+)\s*\)\s*\{/;
+
+/**
+ * A class whose members are what `onCreated` puts into the state: TypeScript finds their types by the
+ * assignments in its constructor. Without such, a class without members.
+ */
+export function stateSource({ sections }: ModuleText): string {
+  const created = sections.find(({ callback }) => callback === 'onCreated')?.source ?? '';
+  const head = ARROW.exec(created) ?? FUNCTION.exec(created);
+  const end = created.lastIndexOf('}');
+  const name = head?.[1];
+  const body =
+    head && name !== undefined && end > head[0].length
+      ? created
+          .slice(head[0].length, end)
+          .replaceAll(new RegExp(`(?<![\\w$.])${name.replaceAll('$', '\\$')}\\.`, 'g'), 'this.')
+      : '';
+  return `export class OwnState {\n  constructor() {\n${body}\n  }\n}\n`;
+}

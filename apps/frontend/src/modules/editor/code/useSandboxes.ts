@@ -1,0 +1,18 @@
+import type { SandboxFactory } from '@ubii/pm-sandbox';
+import { onScopeDispose } from 'vue';
+
+/** Sandboxes of this page, loaded when they are asked for first, and ended with it. */
+export function useSandboxes(): () => Promise<SandboxFactory> {
+  let opening: Promise<SandboxFactory> | undefined;
+  let isOver = false;
+  onScopeDispose(() => {
+    isOver = true;
+    void opening?.then((sandboxes) => sandboxes.close());
+  });
+  return () =>
+    (opening ??= import('@ubii/pm-sandbox/browser').then(({ createBrowserSandboxes }) => {
+      const sandboxes = createBrowserSandboxes({ maxWorkers: 2 });
+      if (isOver) void sandboxes.close();
+      return sandboxes;
+    }));
+}

@@ -1,0 +1,51 @@
+import { moduleProblems } from '@ubii/pm-sandbox';
+import { parseDataFormat } from '@ubii/proto';
+import { moduleOf, type ModuleDraft } from './module-draft.ts';
+
+/** What is wrong with the fields of a draft: a sentence by the place of the field, as `inputs[0].name`. */
+export type DraftProblems = ReadonlyMap<string, string>;
+
+const IDENTIFIER = /^[\p{ID_Start}$_][\p{ID_Continue}$]*$/u;
+/** As the runtime limits it. [PM-20] */
+const MAX_HERTZ = 240;
+
+/** @param taken names of other modules */
+export function draftProblems(draft: ModuleDraft, taken: ReadonlySet<string>): DraftProblems {
+  const problems = new Map<string, string>();
+  for (const { path, message } of moduleProblems(moduleOf(draft))) {
+    const place = path.replace('.internalName', '.name');
+    // What the text lacks is said in the text
+    if (place !== 'onProcessingStringified' && !problems.has(place)) problems.set(place, message);
+  }
+  const name = draft.name.trim();
+  if (name !== '' && taken.has(name)) {
+    problems.set('name', `There is a module ${name} already. Choose another name.`);
+  }
+  for (const side of ['inputs', 'outputs'] as const) {
+    draft[side].forEach((io, index) => {
+      const place = `${side}[${index}]`;
+      if (io.name !== '' && !IDENTIFIER.test(io.name) && !problems.has(`${place}.name`)) {
+        problems.set(
+          `${place}.name`,
+          'Use letters, digits and _, so that the code can say it as one word.',
+        );
+      }
+      if (io.format !== '' && parseDataFormat(io.format) === undefined) {
+        problems.set(`${place}.format`, `${io.format} is no data format; any record will pass.`);
+      }
+    });
+  }
+  const { kind, hertz, minDelayMs } = draft.mode;
+  if (kind === 'frequency' && !(hertz > 0 && hertz <= MAX_HERTZ)) {
+    problems.set('mode.hertz', `Between 0 and ${MAX_HERTZ} times a second, such as 30.`);
+  }
+  if (kind === 'trigger' && !(minDelayMs >= 0)) {
+    problems.set('mode.minDelayMs', 'Milliseconds, 0 or more.');
+  }
+  return problems;
+}
+
+/** Formats nobody knows are allowed. [PM-3] */
+export function isFatalProblem(place: string): boolean {
+  return !place.endsWith('.format');
+}

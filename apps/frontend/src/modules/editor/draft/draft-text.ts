@@ -1,0 +1,35 @@
+import type { IoDraft, ModeDraft, ModuleDraft } from './module-draft.ts';
+
+const ioWords = ({ name, format, isList }: IoDraft): string =>
+  `${name}: ${isList ? 'list of ' : ''}${format || 'any format'}`;
+
+function modeText({ kind, hertz, minDelayMs, allInputsNeedUpdate }: ModeDraft): string {
+  switch (kind) {
+    case 'frequency':
+      return `at ${hertz} Hz`;
+    case 'trigger': {
+      const when = allInputsNeedUpdate ? 'when all inputs arrived' : 'when an input arrives';
+      return minDelayMs > 0 ? `${when}, not sooner than ${minDelayMs} ms` : when;
+    }
+    case 'lockstep':
+      return 'in lockstep';
+    case 'free':
+      return 'as often as it can';
+  }
+}
+
+/** All of a module as one text, to be compared line by line: what is declared, then the code. */
+export function draftText(draft: ModuleDraft): string {
+  const lines = [
+    `Name: ${draft.name}`,
+    `Description: ${draft.description}`,
+    ...draft.inputs.map((io) => `Input ${ioWords(io)}`),
+    ...draft.outputs.map((io) => `Output ${ioWords(io)}`),
+    `Runs: ${modeText(draft.mode)}`,
+    `Tags: ${draft.tags.join(', ')}`,
+    `Authors: ${draft.authors.join(', ')}`,
+    `Libraries: ${draft.libraries.join(', ')}`,
+    `Version: ${draft.version}`,
+  ];
+  return `${lines.map((line) => `// ${line}`.trimEnd()).join('\n')}\n\n${draft.code}`;
+}

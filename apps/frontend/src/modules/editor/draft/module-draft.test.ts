@@ -1,0 +1,79 @@
+import { fromJson } from '@ubii/proto';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { draftProblems } from './draft-problems.ts';
+import { draftNames, dropDraft, keepDraft, readDraft } from './draft-store.ts';
+import { draftOf, isSameDraft, moduleOf } from './module-draft.ts';
+import { TEMPLATES } from './templates.ts';
+import { splitText } from '../text/module-text.ts';
+
+const module = fromJson('ubii.processing.ProcessingModule', {
+  name: 'doubler',
+  tags: ['arithmetic'],
+  authors: ['Anna'],
+  inputs: [{ internalName: 'number', messageFormat: 'double' }],
+  outputs: [
+    { internalName: 'each', messageFormat: 'ubii.dataStructure.Vector2', isRecordList: true },
+  ],
+  processingMode: { triggerOnInput: { minDelayMs: 5, allInputsNeedUpdate: true } },
+  language: 'JS',
+  onProcessingStringified: '(d, inputs) => ({ outputs: {} })',
+  extension: { version: '1.2.0', libraries: ['http'] },
+});
+const draft = draftOf(module);
+
+describe('a draft', () => {
+  it('gives back the module it was made of', () => {
+    expect(moduleOf(draft)).toEqual(module);
+  });
+
+  it('is the same when only the space between callbacks differs', () => {
+    expect(isSameDraft(draft, { ...draft, code: `\n\n${draft.code}` })).toBe(true);
+    expect(isSameDraft(draft, { ...draft, code: `${draft.code} x` })).toBe(false);
+    expect(isSameDraft(draft, { ...draft, tags: [] })).toBe(false);
+  });
+
+  it('says what is wrong beside the field', () => {
+    const io = { name: 'a', format: 'double', isList: false };
+    const broken = {
+      ...draft,
+      name: 'clock',
+      inputs: [io, io, { ...io, name: 'two words' }, { ...io, name: 'b', format: 'whatever' }],
+      mode: { ...draft.mode, kind: 'frequency', hertz: Number.NaN },
+    } as const;
+    expect([...draftProblems(broken, new Set(['clock'])).keys()].sort()).toEqual([
+      'inputs[1].name',
+      'inputs[2].name',
+      'inputs[3].format',
+      'mode.hertz',
+      'name',
+    ]);
+    expect(draftProblems(draft, new Set()).size).toBe(0);
+  });
+
+  it.each(TEMPLATES.map(({ title, draft: one }) => [title, one] as const))(
+    'begins well: %s',
+    (_title, one) => {
+      expect(draftProblems(one, new Set()).size).toBe(0);
+      expect(splitText(one.code).problems).toEqual([]);
+    },
+  );
+});
+
+describe('unsaved work', () => {
+  beforeEach(() => localStorage.clear());
+
+  it('is there again, until it is dropped', () => {
+    keepDraft('doubler', { draft, base: undefined });
+    expect(readDraft('doubler')).toEqual({ draft, base: undefined });
+    expect(draftNames()).toEqual(['doubler']);
+    dropDraft('doubler');
+    expect(readDraft('doubler')).toBeUndefined();
+  });
+
+  it('is nothing when it cannot be read', () => {
+    localStorage.setItem('ubii.moduleDraft.a', '{"draft":{"name":3}}');
+    localStorage.setItem('ubii.moduleDraft.b', '{');
+    expect(readDraft('a')).toBeUndefined();
+    expect(readDraft('b')).toBeUndefined();
+  });
+});

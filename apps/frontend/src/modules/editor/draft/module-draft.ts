@@ -1,0 +1,151 @@
+import { parseMode } from '@ubii/pm-sandbox';
+import {
+  DATA_FORMATS,
+  fromJson,
+  parseDataFormat,
+  ProcessingModuleLanguage,
+  type Init,
+  type ModuleIO,
+  type ProcessingMode,
+  type ProcessingModule,
+} from '@ubii/proto';
+import { composeText, sourcesOf, splitText } from '../text/module-text.ts';
+
+/** An input or output as it is written in the form. */
+export interface IoDraft {
+  readonly name: string;
+  /** Short name of a data format, what the module says when it is another one, or empty for any. */
+  readonly format: string;
+  readonly isList: boolean;
+}
+
+export type ModeKind = 'frequency' | 'trigger' | 'lockstep' | 'free';
+
+/** When it runs, with the parameters of all kinds, so that none is lost by a look at another. */
+export interface ModeDraft {
+  readonly kind: ModeKind;
+  readonly hertz: number;
+  readonly minDelayMs: number;
+  readonly allInputsNeedUpdate: boolean;
+}
+
+/** A module as it is being written. Plain data: it is kept as JSON. */
+export interface ModuleDraft {
+  readonly name: string;
+  readonly description: string;
+  readonly tags: readonly string[];
+  readonly authors: readonly string[];
+  readonly version: string;
+  readonly libraries: readonly string[];
+  readonly inputs: readonly IoDraft[];
+  readonly outputs: readonly IoDraft[];
+  readonly mode: ModeDraft;
+  /** All callbacks, see module-text.ts. */
+  readonly code: string;
+}
+
+const DEFAULT_HERTZ = 30;
+
+function ioDraft({ internalName, messageFormat, isRecordList }: ModuleIO): IoDraft {
+  return {
+    name: internalName,
+    format: parseDataFormat(messageFormat) ?? messageFormat,
+    isList: isRecordList,
+  };
+}
+
+function modeDraft(mode: ProcessingMode | undefined): ModeDraft {
+  const parsed = parseMode(mode);
+  return {
+    kind: parsed.kind,
+    hertz: parsed.kind === 'frequency' ? parsed.hertz : DEFAULT_HERTZ,
+    minDelayMs: parsed.kind === 'trigger' ? parsed.minDelayMs : 0,
+    allInputsNeedUpdate: parsed.kind === 'trigger' && parsed.allInputsNeedUpdate,
+  };
+}
+
+export function draftOf(module: ProcessingModule): ModuleDraft {
+  return {
+    name: module.name,
+    description: module.description,
+    tags: module.tags,
+    authors: module.authors,
+    version: module.extension?.version ?? '',
+    libraries: module.extension?.libraries ?? [],
+    inputs: module.inputs.map(ioDraft),
+    outputs: module.outputs.map(ioDraft),
+    mode: modeDraft(module.processingMode),
+    code: composeText(module),
+  };
+}
+
+function ioOf({ name, format, isList }: IoDraft): Init<ModuleIO> {
+  const known = parseDataFormat(format);
+  return {
+    internalName: name,
+    messageFormat: known ? DATA_FORMATS[known].messageType : format,
+    isRecordList: isList,
+  };
+}
+
+function modeOf({ kind, hertz, minDelayMs, allInputsNeedUpdate }: ModeDraft): Init<ProcessingMode> {
+  switch (kind) {
+    case 'frequency':
+      return { frequency: { hertz } };
+    case 'trigger':
+      return { triggerOnInput: { minDelayMs, allInputsNeedUpdate } };
+    case 'lockstep':
+      return { lockstep: {} };
+    case 'free':
+      return { free: {} };
+  }
+}
+
+/** The module a draft says. */
+export function moduleOf(draft: ModuleDraft): ProcessingModule {
+  const { name, description, tags, authors, version, libraries } = draft;
+  const module: ProcessingModule = {
+    ...fromJson('ubii.processing.ProcessingModule', {}),
+    name: name.trim(),
+    description,
+    tags: [...tags],
+    authors: [...authors],
+    language: ProcessingModuleLanguage.JS,
+    ...sourcesOf(splitText(draft.code)),
+  };
+  return fromInit(module, {
+    inputs: draft.inputs.map(ioOf),
+    outputs: draft.outputs.map(ioOf),
+    processingMode: modeOf(draft.mode),
+    extension: { version, libraries: [...libraries] },
+  });
+}
+
+/** Fills in what the form has no field for. */
+function fromInit(
+  module: ProcessingModule,
+  init: {
+    readonly inputs: readonly Init<ModuleIO>[];
+    readonly outputs: readonly Init<ModuleIO>[];
+    readonly processingMode: Init<ProcessingMode>;
+    readonly extension: { readonly version: string; readonly libraries: readonly string[] };
+  },
+): ProcessingModule {
+  const { inputs, outputs, processingMode, extension } = fromJson(
+    'ubii.processing.ProcessingModule',
+    JSON.parse(JSON.stringify(init)),
+  );
+  return { ...module, inputs, outputs, processingMode, extension };
+}
+
+/** Whether both say the same. */
+export function isSameDraft(a: ModuleDraft, b: ModuleDraft): boolean {
+  return fingerprint(a) === fingerprint(b);
+}
+
+/** The code counts by its callbacks: the spaces between them are nobody's change. */
+function fingerprint({ code, name, ...rest }: ModuleDraft): string {
+  const split = splitText(code);
+  const isSound = split.problems.length === 0;
+  return JSON.stringify([name.trim(), rest, isSound ? sourcesOf(split) : code]);
+}

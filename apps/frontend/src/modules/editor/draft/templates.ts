@@ -1,0 +1,115 @@
+import type { IoDraft, ModeDraft, ModuleDraft } from './module-draft.ts';
+
+/** A module to begin with. */
+export interface ModuleTemplate {
+  readonly title: string;
+  /** One sentence. */
+  readonly about: string;
+  readonly draft: ModuleDraft;
+}
+
+const io = (name: string, format: string, isList = false): IoDraft => ({ name, format, isList });
+const mode = (kind: ModeDraft['kind'], rest: Partial<ModeDraft> = {}): ModeDraft => ({
+  kind,
+  hertz: 30,
+  minDelayMs: 0,
+  allInputsNeedUpdate: false,
+  ...rest,
+});
+
+function draft(name: string, rest: Partial<ModuleDraft>): ModuleDraft {
+  return {
+    name,
+    description: '',
+    tags: [],
+    authors: [],
+    version: '',
+    libraries: [],
+    inputs: [],
+    outputs: [],
+    mode: mode('trigger'),
+    code: '',
+    ...rest,
+  };
+}
+
+export const TEMPLATES: readonly ModuleTemplate[] = [
+  {
+    title: 'Blank',
+    about: 'One number in, one number out.',
+    draft: draft('new-module', {
+      inputs: [io('value', 'double')],
+      outputs: [io('result', 'double')],
+      code: `onProcessing = (deltaTimeMs, inputs, state) => {
+  if (!inputs.value) return;
+  return { outputs: { result: { double: inputs.value.double } } };
+};
+`,
+    }),
+  },
+  {
+    title: 'Change each value',
+    about: 'Runs when a point arrives, and puts out another one.',
+    draft: draft('change-point', {
+      inputs: [io('point', 'vector2')],
+      outputs: [io('changed', 'vector2')],
+      code: `onProcessing = (deltaTimeMs, inputs, state) => {
+  if (!inputs.point) return;
+  const { x, y } = inputs.point.vector2;
+  return { outputs: { changed: { vector2: { x: 1 - x, y } } } };
+};
+`,
+    }),
+  },
+  {
+    title: 'Remember',
+    about: 'Keeps state between its runs: a smoothed number.',
+    draft: draft('smooth-number', {
+      inputs: [io('value', 'double')],
+      outputs: [io('smooth', 'double')],
+      code: `onCreated = (state) => {
+  state.smooth = 0;
+};
+
+onProcessing = (deltaTimeMs, inputs, state) => {
+  if (!inputs.value) return;
+  state.smooth += 0.1 * (inputs.value.double - state.smooth);
+  return { outputs: { smooth: { double: state.smooth } } };
+};
+`,
+    }),
+  },
+  {
+    title: 'Generate',
+    about: 'Takes nothing, and puts out a wave 30 times a second.',
+    draft: draft('wave', {
+      outputs: [io('wave', 'double')],
+      mode: mode('frequency'),
+      code: `onCreated = (state) => {
+  state.timeMs = 0;
+};
+
+onProcessing = (deltaTimeMs, inputs, state) => {
+  state.timeMs += deltaTimeMs;
+  return { outputs: { wave: { double: Math.sin(state.timeMs / 500) } } };
+};
+`,
+    }),
+  },
+  {
+    title: 'Many devices',
+    about: 'Takes a point of each device, and gives each one its answer.',
+    draft: draft('answer-each', {
+      inputs: [io('points', 'vector2', true)],
+      outputs: [io('distances', 'double', true)],
+      code: `onProcessing = (deltaTimeMs, inputs, state) => {
+  const elements = inputs.points.elements.map(({ identity, vector2 }) => ({
+    identity,
+    double: Math.hypot(vector2.x - 0.5, vector2.y - 0.5),
+  }));
+  return { outputs: { distances: { elements } } };
+};
+`,
+    }),
+  },
+];

@@ -1,0 +1,99 @@
+/** A slash after one of these begins an expression, not a division. */
+const BEFORE_REGEXP =
+  /(?:^|[([{,;:=!&|?+\-*%~^<>]|\b(?:return|typeof|case|in|of|void|delete|await))$/;
+
+/** End of what begins with this quote: past its closing one, or the end of a broken line. */
+function endOfString(text: string, start: number): number {
+  const quote = text[start];
+  for (let at = start + 1; at < text.length; at++) {
+    if (text[at] === '\\') at++;
+    else if (text[at] === quote) return at + 1;
+    else if (text[at] === '\n') return at;
+  }
+  return text.length;
+}
+
+function endOfRegExp(text: string, start: number): number {
+  let isInClass = false;
+  for (let at = start + 1; at < text.length; at++) {
+    const letter = text[at];
+    if (letter === '\\') at++;
+    else if (letter === '\n') return start + 1;
+    else if (letter === '[') isInClass = true;
+    else if (letter === ']') isInClass = false;
+    else if (letter === '/' && !isInClass) return at + 1;
+  }
+  return start + 1;
+}
+
+/** A template with the expressions in it. */
+function endOfTemplate(text: string, start: number): number {
+  for (let at = start + 1; at < text.length; at++) {
+    if (text[at] === '\\') at++;
+    else if (text[at] === '`') return at + 1;
+    else if (text[at] === '$' && text[at + 1] === '{') at = endOfBraces(text, at + 1) - 1;
+  }
+  return text.length;
+}
+
+function endOfBraces(text: string, start: number): number {
+  let depth = 0;
+  for (let at = start; at < text.length;) {
+    const next = endOfToken(text, at, '');
+    if (next === at + 1) {
+      if (text[at] === '{') depth++;
+      if (text[at] === '}' && --depth === 0) return next;
+    }
+    at = next;
+  }
+  return text.length;
+}
+
+function endOfToken(text: string, at: number, before: string): number {
+  switch (text[at]) {
+    case '"':
+    case "'":
+      return endOfString(text, at);
+    case '`':
+      return endOfTemplate(text, at);
+    case '/': {
+      if (text[at + 1] === '/') {
+        const end = text.indexOf('\n', at);
+        return end < 0 ? text.length : end;
+      }
+      if (text[at + 1] === '*') {
+        const end = text.indexOf('*/', at + 2);
+        return end < 0 ? text.length : end + 2;
+      }
+      return BEFORE_REGEXP.test(before.trimEnd()) ? endOfRegExp(text, at) : at + 1;
+    }
+    default:
+      return at + 1;
+  }
+}
+
+const blank = (text: string): string => text.replace(/[^\n]/g, ' ');
+
+/**
+ * The text with everything blanked that stands in brackets, strings, templates, regular expressions and
+ * comments; what is left is what stands outside. It has the same length and lines. Text that is not
+ * closed reaches to the end.
+ */
+export function maskSource(text: string): string {
+  let mask = '';
+  let depth = 0;
+  let tail = '';
+  for (let at = 0; at < text.length;) {
+    const end = endOfToken(text, at, tail);
+    const token = text.slice(at, end);
+    const isLetter = end === at + 1;
+    if (isLetter && '([{'.includes(token)) depth++;
+    const isOutside = isLetter && depth === 0;
+    if (isLetter && ')]}'.includes(token)) depth = Math.max(0, depth - 1);
+    mask += isOutside ? token : blank(token);
+    const isComment = token.startsWith('//') || token.startsWith('/*');
+    if (!isComment) tail = (tail + token).slice(-24);
+    at = end;
+  }
+  return mask;
+}

@@ -1,0 +1,144 @@
+import { constantRecord } from '@ubii/pm-sandbox';
+import {
+  DATA_FORMATS,
+  fromJson,
+  isMessageType,
+  parseDataFormat,
+  toJson,
+  type IOMapping,
+  type JsonValue,
+} from '@ubii/proto';
+import type { IoDraft, ModuleDraft } from '../draft/module-draft.ts';
+
+/** Where the values of one input come from while it is tried. */
+export interface TryInput {
+  /** `form`: members one by one; `json`: a record as text; `topic`: live, of the master. */
+  readonly source: 'form' | 'json' | 'topic';
+  /** Elements of a list; a single input uses the first. */
+  readonly values: readonly JsonValue[];
+  readonly json: string;
+  /** Of a list a glob. */
+  readonly topic: string;
+}
+
+/** A member of a value that a form can set. */
+export interface ValueLeaf {
+  /** As in `position.x`; empty for the value itself. */
+  readonly path: string;
+  readonly value: number | string | boolean;
+}
+
+/** More members than this are easier to write as JSON. */
+const MAX_LEAVES = 16;
+
+/** A neutral value of a data format as JSON. */
+export function neutralJson(formatText: string): JsonValue {
+  const format = parseDataFormat(formatText) ?? 'double';
+  const { messageType, createDefault } = DATA_FORMATS[format];
+  const value = createDefault();
+  return isMessageType(messageType) ? toJson(messageType, value as never) : (value as JsonValue);
+}
+
+/** Whether a form can set values of this format: not bytes, and not what only the master says. */
+export function hasForm(formatText: string): boolean {
+  const format = parseDataFormat(formatText);
+  const family = DATA_FORMATS[format ?? 'double'].family;
+  return (
+    family !== 'image' && family !== 'system' && leavesOf(neutralJson(formatText)) !== undefined
+  );
+}
+
+/** The members of a value a form can set; `undefined` when there are none or too many. */
+export function leavesOf(value: JsonValue): readonly ValueLeaf[] | undefined {
+  const leaves: ValueLeaf[] = [];
+  const collect = (part: JsonValue, path: string): boolean => {
+    if (typeof part === 'number' || typeof part === 'string' || typeof part === 'boolean') {
+      leaves.push({ path, value: part });
+      return leaves.length <= MAX_LEAVES;
+    }
+    if (part === null || Array.isArray(part)) return false;
+    return Object.entries(part).every(([name, inner]) =>
+      collect(inner as JsonValue, path === '' ? name : `${path}.${name}`),
+    );
+  };
+  return collect(value, '') && leaves.length > 0 ? leaves : undefined;
+}
+
+/** The value with one member set. */
+export function withLeaf(value: JsonValue, path: string, leaf: ValueLeaf['value']): JsonValue {
+  if (path === '') return leaf;
+  const [name = '', ...rest] = path.split('.');
+  const object = value as Record<string, JsonValue>;
+  return { ...object, [name]: withLeaf(object[name] ?? {}, rest.join('.'), leaf) };
+}
+
+/** What an input begins with. */
+export function newTryInput(io: IoDraft): TryInput {
+  const value = neutralJson(io.format);
+  const format = parseDataFormat(io.format) ?? 'double';
+  return {
+    source: hasForm(io.format) ? 'form' : 'json',
+    values: io.isList ? [value, value] : [value],
+    json: JSON.stringify(io.isList ? [{ [format]: value }] : { [format]: value }, undefined, 2),
+    topic: '',
+  };
+}
+
+const topicOf = (name: string): string => `/try/${name}`;
+
+/** A record ready to be put, or why there is none. */
+export type TryRecords =
+  | { readonly records: readonly { readonly topic: string; readonly bytes: Uint8Array }[] }
+  | { readonly problem: string };
+
+/** What a form or a text says; nothing for a topic. */
+export function recordsOf(io: IoDraft, input: TryInput): TryRecords {
+  if (input.source === 'topic') return { records: [] };
+  const format = parseDataFormat(io.format);
+  let members: unknown[];
+  if (input.source === 'form') {
+    members = input.values
+      .slice(0, io.isList ? undefined : 1)
+      .map((value) => ({ [format ?? 'double']: value }));
+  } else {
+    if (input.json.trim() === '') return { records: [] };
+    try {
+      const parsed = JSON.parse(input.json) as unknown;
+      members = Array.isArray(parsed) ? parsed : [parsed];
+    } catch (cause) {
+      return { problem: `This is not JSON: ${cause instanceof Error ? cause.message : ''}` };
+    }
+    if (!io.isList && members.length !== 1)
+      return { problem: 'One record is expected, not a list.' };
+  }
+  const records: { topic: string; bytes: Uint8Array }[] = [];
+  for (const [index, member] of members.entries()) {
+    const read = constantRecord(JSON.stringify(member), format);
+    if ('problem' in read) {
+      const problem = read.problem.replace(/the constant/, 'this');
+      return { problem: `${problem.slice(0, 1).toUpperCase()}${problem.slice(1)}.` };
+    }
+    const topic = io.isList ? `${topicOf(io.name)}/${index + 1}` : topicOf(io.name);
+    records.push({ topic, bytes: read.bytes });
+  }
+  return { records };
+}
+
+/** What is mapped to what; outputs are taken from the sandbox. */
+export function tryMapping(
+  { inputs }: Pick<ModuleDraft, 'inputs'>,
+  inputOf: (name: string) => TryInput | undefined,
+): IOMapping {
+  return fromJson('ubii.sessions.IOMapping', {
+    inputMappings: inputs.map((io) => {
+      const input = inputOf(io.name);
+      const live = input?.source === 'topic' ? input.topic : '';
+      if (!io.isList) return { inputName: io.name, topic: live || topicOf(io.name) };
+      const topicGlob = live || `${topicOf(io.name)}/*`;
+      const topicMux = live
+        ? { id: io.name, topicGlob }
+        : { id: io.name, topicGlob, identityMatchPattern: '[^/]+$' };
+      return { inputName: io.name, topicMux };
+    }),
+  });
+}

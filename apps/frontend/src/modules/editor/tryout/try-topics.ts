@@ -1,0 +1,69 @@
+import { globToRegExpSource } from '@ubii/proto';
+import { recordValueField } from '@ubii/proto/wire';
+import type {
+  Cancel,
+  EncodedRecord,
+  TopicListener,
+  TopicPort,
+  TopicSelector,
+} from '@ubii/pm-sandbox';
+
+interface Subscription {
+  readonly selects: (topic: string) => boolean;
+  readonly listener: TopicListener;
+}
+
+function matcher(selector: TopicSelector): (topic: string) => boolean {
+  switch (selector.kind) {
+    case 'topic':
+      return (topic) => topic === selector.topic;
+    case 'glob': {
+      const pattern = new RegExp(globToRegExpSource(selector.glob));
+      return (topic) => pattern.test(topic);
+    }
+    case 'regex': {
+      const pattern = new RegExp(selector.source);
+      return (topic) => pattern.test(topic);
+    }
+    case 'component':
+      return () => false;
+  }
+}
+
+/** The topics a module sees while it is tried: of this page alone, nothing reaches the master. */
+export class TryTopics implements TopicPort {
+  readonly #records = new Map<string, EncodedRecord>();
+  readonly #subscriptions = new Set<Subscription>();
+
+  subscribe(selector: TopicSelector, listener: TopicListener): Cancel {
+    const subscription = { selects: matcher(selector), listener };
+    this.#subscriptions.add(subscription);
+    for (const [topic, record] of this.#records) {
+      if (subscription.selects(topic)) listener.onRecord(record);
+    }
+    return () => void this.#subscriptions.delete(subscription);
+  }
+
+  /** What a module puts out is taken from its sandbox; it goes nowhere. */
+  publish(): undefined {
+    return undefined;
+  }
+
+  put(topic: string, bytes: Uint8Array, publisherId: string): void {
+    const record = { topic, bytes, publisherId, valueField: recordValueField(bytes) };
+    this.#records.set(topic, record);
+    for (const { selects, listener } of [...this.#subscriptions]) {
+      if (selects(topic)) listener.onRecord(record);
+    }
+  }
+
+  /** Forgets the values of topics that are not among these. */
+  keepOnly(topics: ReadonlySet<string>): void {
+    for (const topic of [...this.#records.keys()]) {
+      if (topics.has(topic) || !this.#records.delete(topic)) continue;
+      for (const { selects, listener } of this.#subscriptions) {
+        if (selects(topic)) listener.onGone(topic);
+      }
+    }
+  }
+}

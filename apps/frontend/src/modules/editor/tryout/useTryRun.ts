@@ -1,0 +1,282 @@
+import type { ModuleFault, SandboxFactory, SandboxResult } from '@ubii/pm-sandbox';
+import {
+  decodeRecord,
+  encodeRecord,
+  ModuleEventKind,
+  type ModuleEvent,
+  type RecordInit,
+  type TopicRecord,
+} from '@ubii/proto';
+import {
+  computed,
+  onScopeDispose,
+  shallowReactive,
+  shallowRef,
+  watch,
+  type ComputedRef,
+  type ShallowRef,
+} from 'vue';
+import { perFrame } from '../../../connection/per-frame.ts';
+import { useConnection } from '../../../connection/useConnection.ts';
+import { withEvent } from '../../../sessions/live/event-log.ts';
+import { sparkNumbers } from '../../../topics/values/value-series.ts';
+import { moduleOf, type ModuleDraft } from '../draft/module-draft.ts';
+import { browserClock } from './browser-clock.ts';
+import { newTryInput, recordsOf, tryMapping, type TryInput } from './try-input.ts';
+import { TryRun, type TryStatus } from './try-run.ts';
+
+/** What one output gave last. */
+export interface TryOutput {
+  readonly records: readonly { readonly record: TopicRecord; readonly name: string }[];
+  /** The first number of the values before, oldest first. */
+  readonly series: readonly number[];
+}
+
+/** How the newest runs did. */
+export interface TryRuns {
+  readonly count: number;
+  /** Milliseconds of the newest ones, oldest first. */
+  readonly durationsMs: readonly number[];
+}
+
+export interface TrySession {
+  readonly status: Readonly<ShallowRef<TryStatus>>;
+  readonly runs: Readonly<ShallowRef<TryRuns>>;
+  readonly outputs: Readonly<ShallowRef<ReadonlyMap<string, TryOutput>>>;
+  readonly events: Readonly<ShallowRef<readonly ModuleEvent[]>>;
+  /** Why it ended: it was killed, or could not be made. */
+  readonly fault: Readonly<ShallowRef<ModuleFault | undefined>>;
+  /** The code, inputs, outputs or mode changed since it was started. */
+  readonly isOutdated: ComputedRef<boolean>;
+  readonly inputProblems: ComputedRef<ReadonlyMap<string, string>>;
+  inputOf(name: string): TryInput | undefined;
+  setInput(name: string, change: Partial<TryInput>): void;
+  step(): Promise<void>;
+  run(): Promise<void>;
+  pause(): void;
+  restart(): Promise<void>;
+}
+
+/** Runs that are drawn. */
+const MAX_DURATIONS = 64;
+const MAX_SERIES = 120;
+/** Passes of a module in lockstep, as of a session that says nothing else. [SE-40] */
+const PASS_MS = 1000 / 60;
+const NO_RUNS: TryRuns = { count: 0, durationsMs: [] };
+
+export function useTryRun(
+  draft: () => ModuleDraft,
+  openSandboxes: () => Promise<SandboxFactory>,
+): TrySession {
+  const { client } = useConnection();
+  const status = shallowRef<TryStatus>('off');
+  const runs = shallowRef<TryRuns>(NO_RUNS);
+  const outputs = shallowRef<ReadonlyMap<string, TryOutput>>(new Map());
+  const events = shallowRef<readonly ModuleEvent[]>([]);
+  const fault = shallowRef<ModuleFault>();
+  const inputs = shallowReactive(new Map<string, { key: string; input: TryInput }>());
+  const opened = shallowRef('');
+
+  let current: Promise<TryRun> | undefined;
+  let count = 0;
+  let durations: number[] = [];
+  let results = new Map<string, SandboxResult['outputs'][number]>();
+  let waiting: ModuleEvent[] = [];
+
+  const draw = perFrame(() => {
+    runs.value = { count, durationsMs: [...durations] };
+    if (results.size > 0) {
+      const next = new Map(outputs.value);
+      for (const [name, output] of results) next.set(name, shown(output, next.get(name)));
+      results = new Map();
+      outputs.value = next;
+    }
+    if (waiting.length > 0) events.value = withEvent(events.value, waiting);
+    waiting = [];
+  });
+
+  function handleResult({ durationMs, outputs: given }: SandboxResult): void {
+    count += 1;
+    durations = [...durations.slice(1 - MAX_DURATIONS), durationMs];
+    for (const output of given) results.set(output.name, output);
+    draw();
+  }
+
+  function open(): Promise<TryRun> {
+    return (current ??= openSandboxes().then(
+      (sandboxes) =>
+        new TryRun(sandboxes, browserClock, {
+          onResult: handleResult,
+          onEvent(event) {
+            // The one that gave up says what the kill said
+            if (event.kind === ModuleEventKind.FAILED) return;
+            waiting.push(event);
+            draw();
+          },
+          onStatus: (next) => (status.value = next),
+          onFault: (found) => (fault.value = found),
+        }),
+    ));
+  }
+
+  const what = (): string => {
+    const { code, inputs: takes, outputs: gives, mode } = draft();
+    return JSON.stringify([code, takes, gives, mode]);
+  };
+  const inputOf = (name: string): TryInput | undefined => inputs.get(name)?.input;
+
+  watch(
+    () => draft().inputs,
+    (list) => {
+      for (const io of list) {
+        const key = JSON.stringify(io);
+        if (inputs.get(io.name)?.key !== key) inputs.set(io.name, { key, input: newTryInput(io) });
+      }
+    },
+    { immediate: true },
+  );
+
+  const given = computed(() =>
+    draft().inputs.map((io) => {
+      const input = inputOf(io.name);
+      return { io, read: input ? recordsOf(io, input) : { records: [] } };
+    }),
+  );
+  const lives = computed(() =>
+    draft().inputs.flatMap((io) => {
+      const input = inputOf(io.name);
+      return input?.source === 'topic' && input.topic !== ''
+        ? [{ name: io.name, topic: input.topic, isList: io.isList }]
+        : [];
+    }),
+  );
+
+  function putAll(run: TryRun): void {
+    const records = given.value.flatMap(({ read }) => ('records' in read ? read.records : []));
+    for (const { topic, bytes } of records) run.topics.put(topic, bytes, client.id);
+  }
+  const mapping = () => tryMapping(draft(), inputOf);
+
+  // What is typed counts at once, as if it had been published
+  watch(
+    () => JSON.stringify([...inputs.values()]),
+    async () => {
+      if (!current || status.value === 'off') return;
+      const run = await current;
+      run.remap(mapping());
+      putAll(run);
+    },
+  );
+
+  // Live topics: the newest values of the master, as long as somebody looks
+  watch(
+    () => JSON.stringify(lives.value),
+    async (_now, _before, onCleanup) => {
+      const ends: (() => void)[] = [];
+      onCleanup(() => ends.forEach((end) => end()));
+      const list = lives.value;
+      if (list.length === 0) return;
+      const run = await open();
+      for (const { topic, isList } of list) {
+        const subscription = isList ? client.subscribe({ glob: topic }) : client.subscribe(topic);
+        subscription.onRecord((record) => {
+          run.topics.put(record.topic, encodeRecord(record as RecordInit), record.clientId);
+        });
+        ends.push(() => void subscription.close());
+      }
+    },
+    { immediate: true },
+  );
+
+  async function restart(): Promise<void> {
+    const run = await open();
+    count = 0;
+    durations = [];
+    results = new Map();
+    outputs.value = new Map();
+    events.value = [];
+    fault.value = undefined;
+    runs.value = NO_RUNS;
+    opened.value = what();
+    putAll(run);
+    await run.open(moduleOf(draft()), mapping());
+  }
+  const isOutdated = computed(() => status.value !== 'off' && opened.value !== what());
+
+  async function ready(): Promise<TryRun> {
+    const run = await open();
+    if (status.value === 'off' || status.value === 'failed' || isOutdated.value) await restart();
+    return run;
+  }
+
+  let passes: ReturnType<typeof setInterval> | undefined;
+  const endPasses = (): void => clearInterval(passes);
+
+  onScopeDispose(() => {
+    endPasses();
+    void current?.then((run) => run.close());
+  });
+
+  return {
+    status,
+    runs,
+    outputs,
+    events,
+    fault,
+    isOutdated,
+    inputProblems: computed(
+      () =>
+        new Map(
+          given.value.flatMap(({ io, read }) =>
+            'problem' in read ? [[io.name, read.problem] as const] : [],
+          ),
+        ),
+    ),
+    inputOf,
+    setInput(name, change) {
+      const entry = inputs.get(name);
+      if (entry) inputs.set(name, { ...entry, input: { ...entry.input, ...change } });
+    },
+    async step() {
+      endPasses();
+      const run = await ready();
+      if (status.value === 'failed') return;
+      await run.step();
+    },
+    async run() {
+      const run = await ready();
+      run.run();
+      endPasses();
+      if (!run.isLockstep || run.status !== 'running') return;
+      passes = setInterval(() => void run.pass(PASS_MS), PASS_MS);
+    },
+    pause() {
+      endPasses();
+      void current?.then((run) => run.pause());
+    },
+    restart,
+  };
+}
+
+type Given = SandboxResult['outputs'][number];
+
+function shown(output: Given, before: TryOutput | undefined): TryOutput {
+  const values =
+    'value' in output
+      ? [{ value: output.value, name: '' }]
+      : output.elements.map(({ value, identity, params, index }) => ({
+          value,
+          name: params?.join(', ') ?? identity ?? String(index + 1),
+        }));
+  const records = values.flatMap(({ value, name }) => {
+    const record = decodeRecord(value.bytes);
+    return record.format === undefined ? [] : [{ record, name }];
+  });
+  const first = records[0]?.record;
+  const [number] = first ? sparkNumbers(first.format, first.value) : [];
+  const series = before?.series ?? [];
+  return {
+    records,
+    series: number === undefined ? series : [...series.slice(1 - MAX_SERIES), number],
+  };
+}

@@ -1,0 +1,185 @@
+import { ConnectionError } from '@ubii/client-web';
+import { ModuleOrigin, ServiceError, type ProcessingModule } from '@ubii/proto';
+import { computed, ref, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
+import { usePoll } from '../../connection/poll.ts';
+import { useConnection } from '../../connection/useConnection.ts';
+import { dropDraft, keepDraft, readDraft } from './draft/draft-store.ts';
+import { draftProblems, isFatalProblem, type DraftProblems } from './draft/draft-problems.ts';
+import { draftOf, isSameDraft, moduleOf, type ModuleDraft } from './draft/module-draft.ts';
+import { reconcile } from './draft/reconcile.ts';
+
+/** A file on the master's disk that is changed shows here within this time, milliseconds. */
+const INTERVAL_MS = 1000;
+
+/** `readonly`: it came with the program or from a folder, and cannot be changed here. [SE-22] */
+export type EditorStatus = 'loading' | 'missing' | 'readonly' | 'ready';
+
+/** One module as it is being written. */
+export interface ModuleEditor {
+  readonly status: ComputedRef<EditorStatus>;
+  readonly draft: Readonly<ShallowRef<ModuleDraft | undefined>>;
+  /** As it was at the master when the draft was made; `undefined` for one never saved. */
+  readonly base: Readonly<ShallowRef<ModuleDraft | undefined>>;
+  /** What somebody else made of it meanwhile, while there is a question to be answered. */
+  readonly theirs: Readonly<ShallowRef<ModuleDraft | undefined>>;
+  /** It is gone at the master while there is work on it here. */
+  readonly isGone: Readonly<Ref<boolean>>;
+  readonly isChanged: ComputedRef<boolean>;
+  readonly problems: ComputedRef<DraftProblems>;
+  readonly failure: Readonly<ShallowRef<string | undefined>>;
+  readonly isSaving: Readonly<Ref<boolean>>;
+  edit(change: Partial<ModuleDraft>): void;
+  /** Back to what the master has. */
+  discard(): void;
+  takeTheirs(): void;
+  keepMine(): void;
+  /** @returns the module as it is stored now; undefined when it was refused */
+  save(): Promise<ProcessingModule | undefined>;
+}
+
+export function useModuleEditor(
+  /** The name in the address: the module's own until it is saved under another one. */
+  address: string,
+  taken: () => readonly string[],
+  onOverwritten: () => void,
+): ModuleEditor {
+  const { client, isConnected } = useConnection();
+  const kept = readDraft(address);
+  const draft = shallowRef(kept?.draft);
+  const base = shallowRef(kept?.base);
+  const theirs = shallowRef<ModuleDraft>();
+  /** What was said no to, so that it is not asked twice. */
+  const refused = shallowRef<ModuleDraft>();
+  const isGone = ref(false);
+  const isKnown = ref(false);
+  const isReadonly = ref(false);
+  const failure = shallowRef<string>();
+  const isSaving = ref(false);
+
+  const isChanged = computed(
+    () =>
+      draft.value !== undefined &&
+      (base.value === undefined || !isSameDraft(draft.value, base.value)),
+  );
+  const problems = computed<DraftProblems>(() => {
+    if (!draft.value) return new Map();
+    const own = base.value?.name;
+    return draftProblems(draft.value, new Set(taken().filter((name) => name !== own)));
+  });
+
+  function take(next: ModuleDraft): void {
+    base.value = next;
+    draft.value = next;
+    theirs.value = undefined;
+    refused.value = undefined;
+  }
+
+  /** What the master has now. */
+  function look(stored: ModuleDraft | undefined): void {
+    isKnown.value = true;
+    if (isSaving.value) return;
+    const seen = reconcile({
+      draft: draft.value,
+      base: base.value,
+      stored,
+      refused: refused.value,
+    });
+    isGone.value = seen.kind === 'gone';
+    if (seen.kind === 'take') {
+      const hadOne = base.value !== undefined;
+      take(seen.draft);
+      if (hadOne) onOverwritten();
+    } else if (seen.kind === 'same') {
+      base.value = seen.base;
+      theirs.value = undefined;
+    } else theirs.value = seen.kind === 'ask' ? seen.theirs : undefined;
+  }
+
+  async function refresh(): Promise<void> {
+    const name = base.value?.name ?? address;
+    try {
+      const { elements } = await client.call('processingModuleDatabaseGet', { name });
+      const found = elements[0];
+      const origin = found?.extension?.origin;
+      isReadonly.value = found !== undefined && origin !== ModuleOrigin.MODULE_ORIGIN_STORED;
+      // A new module of a name somebody has: the field says so
+      if (isReadonly.value && draft.value) {
+        isKnown.value = true;
+        isReadonly.value = false;
+      } else look(found && draftOf(found));
+    } catch (cause) {
+      if (cause instanceof ConnectionError) return;
+      if (!(cause instanceof ServiceError)) throw cause;
+      if (cause.code === 'not_found') look(undefined);
+      else failure.value = cause.message;
+    }
+  }
+  usePoll(refresh, INTERVAL_MS, isConnected);
+
+  watch([draft, base], () => {
+    if (!draft.value) return;
+    if (!isChanged.value) dropDraft(address);
+    else if (!keepDraft(address, { draft: draft.value, base: base.value })) {
+      failure.value =
+        'This browser has no room to keep unsaved work: save before the page is closed.';
+    }
+  });
+
+  return {
+    status: computed(() => {
+      if (draft.value) return isReadonly.value ? 'readonly' : 'ready';
+      if (!isKnown.value) return isReadonly.value ? 'readonly' : 'loading';
+      return 'missing';
+    }),
+    draft,
+    base,
+    theirs,
+    isGone,
+    isChanged,
+    problems,
+    failure,
+    isSaving,
+    edit(change) {
+      if (draft.value) draft.value = { ...draft.value, ...change };
+    },
+    discard() {
+      if (base.value) take(base.value);
+    },
+    takeTheirs() {
+      if (theirs.value) take(theirs.value);
+    },
+    keepMine() {
+      refused.value = theirs.value;
+      base.value = theirs.value ?? base.value;
+      theirs.value = undefined;
+    },
+    async save() {
+      const mine = draft.value;
+      if (!mine || [...problems.value.keys()].some(isFatalProblem)) return undefined;
+      failure.value = undefined;
+      isSaving.value = true;
+      try {
+        const before = base.value?.name;
+        const saved = await client.call('processingModuleDatabaseSave', moduleOf(mine));
+        if (before !== undefined && before !== saved.name && !isGone.value) {
+          await client.call('processingModuleDatabaseDelete', { name: before });
+        }
+        const stored = draftOf(saved);
+        base.value = stored;
+        theirs.value = undefined;
+        isGone.value = false;
+        // What was typed while it travelled stays
+        if (draft.value && isSameDraft(draft.value, mine))
+          draft.value = { ...stored, code: mine.code };
+        dropDraft(address);
+        return saved;
+      } catch (cause) {
+        if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
+        failure.value = cause.message;
+        return undefined;
+      } finally {
+        isSaving.value = false;
+      }
+    },
+  };
+}
