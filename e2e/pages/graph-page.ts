@@ -47,6 +47,30 @@ export class GraphPage {
     return this.palette.locator(`[data-palette-module="${name}"]`);
   }
 
+  palettePart(name: string): Locator {
+    return this.palette.locator(`[data-palette-part="${name}"]`);
+  }
+
+  /** A node that runs modules. */
+  paletteHost(name: string): Locator {
+    return this.palette.locator(`[data-palette-host="${name}"]`);
+  }
+
+  /** The field in the row of an input that nothing is wired to. */
+  value(node: string, input: string): Locator {
+    return this.node(node).getByLabel(`Value of ${input}`, { exact: true });
+  }
+
+  /** The mark that something is wrong with a node, or with one of its ports. */
+  problems(node: string): Locator {
+    return this.node(node).getByRole('button', { name: /^\d+ problems?: / });
+  }
+
+  /** What passes where the pointer rests. */
+  get passing(): Locator {
+    return this.page.locator('[data-hover-card]');
+  }
+
   /** Drags with a real mouse, in steps, as a hand does. */
   async drag(from: Locator, to: Place): Promise<void> {
     const { mouse } = this.page;

@@ -5,7 +5,7 @@ import {
   type TopicMux,
   type TopicRecord,
 } from '@ubii/proto';
-import { useRafFn } from '@vueuse/core';
+import { useDocumentVisibility, useRafFn } from '@vueuse/core';
 import { computed, onScopeDispose, shallowReactive, shallowRef, watch, type Ref } from 'vue';
 import type { TopicRate } from '../../connection/topic-rates.ts';
 import { useConnection } from '../../connection/useConnection.ts';
@@ -84,11 +84,12 @@ export function useLiveGraph(
   const wanted = computed(() => topicsOf(graph.value));
   const known = shallowRef<readonly KnownTopic[]>([]);
 
+  const visibility = useDocumentVisibility();
   watch(
-    [topics.rates, wanted],
-    ([rates, names]) => {
+    [topics.rates, wanted, visibility],
+    ([rates, names, seen]) => {
       if (rates === undefined) return;
-      values.show([...names].flatMap((name) => rates.get(name) ?? []));
+      values.show(seen === 'hidden' ? [] : [...names].flatMap((name) => rates.get(name) ?? []));
       if (rates.size !== known.value.length) known.value = [...rates.values()].map(knownTopic);
     },
     { immediate: true },

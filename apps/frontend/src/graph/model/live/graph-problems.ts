@@ -7,7 +7,7 @@ import { problemsInGraph, type PlacedProblem } from './problems-in-graph.ts';
 /** All that is wrong, by where it is. */
 
 export interface GraphProblems {
-  /** Errors first. */
+  /** Each once, errors first. */
   readonly all: readonly GraphProblem[];
   readonly ofNode: ReadonlyMap<string, readonly GraphProblem[]>;
   /** By node and port, a space between them. */
@@ -32,13 +32,17 @@ export function graphProblems(
     told.some(
       (one) => one.node === node && one.code === code && (one.port ?? port) === (port ?? one.port),
     );
-  const all = [...told, ...own.filter((one) => !isTold(one))];
-  all.sort((a, b) => Number(b.isError) - Number(a.isError));
+  const hasCycle = told.some(({ code }) => code.endsWith('cycle'));
+  const more = own
+    .filter((one) => !isTold(one))
+    .map((one) => (hasCycle && one.code === 'cycle' ? { ...one, isEcho: true } : one));
+  const every = [...told, ...more];
+  every.sort((a, b) => Number(b.isError) - Number(a.isError));
   return {
-    all,
-    ofNode: grouped(all, ({ node }) => (node === undefined ? [] : [node])),
-    ofPort: grouped(all, ({ node, port }) => (port === undefined ? [] : [`${node} ${port}`])),
-    ofWire: grouped(all, ({ wires }) => wires),
+    all: every.filter(({ isEcho }) => isEcho !== true),
+    ofNode: grouped(every, ({ node }) => (node === undefined ? [] : [node])),
+    ofPort: grouped(every, ({ node, port }) => (port === undefined ? [] : [`${node} ${port}`])),
+    ofWire: grouped(every, ({ wires }) => wires),
   };
 }
 
@@ -62,7 +66,8 @@ function grouped(
     for (const key of keysOf(problem)) {
       const group = groups.get(key);
       if (group === undefined) groups.set(key, [problem]);
-      else group.push(problem);
+      // The master says of the module what the editor says of the topic; once is enough in one place.
+      else if (group.every(({ code }) => code !== problem.code)) group.push(problem);
     }
   }
   return groups;

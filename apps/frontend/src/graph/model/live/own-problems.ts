@@ -14,6 +14,8 @@ export interface GraphProblem {
   readonly node: string | undefined;
   readonly port: string | undefined;
   readonly wires: readonly string[];
+  /** Said of something else already, and shown here because it is about this, too. */
+  readonly isEcho?: boolean;
 }
 
 /** What is known of modules and nodes elsewhere; undefined while it is not known. */
@@ -81,9 +83,10 @@ function* doubleWriters(graph: Graph): Iterable<GraphProblem> {
     if (node.kind !== 'topic') continue;
     const writers = wiresOf(graph, node.id).in;
     if (writers.length < 2) continue;
-    const names = writers.map(({ from }) => quoted(nameOf(graph, from.node))).join(' and ');
+    const names = writers.map(({ from }) => quoted(nameOf(graph, from.node)));
+    const who = names.length === 2 ? `Both ${names.join(' and ')}` : `All of ${names.join(', ')}`;
     yield {
-      ...warning('topic_written_twice', `${names} all write this topic; whoever writes last wins.`),
+      ...warning('topic_written_twice', `${who} write this topic; whoever writes last wins.`),
       node: node.id,
       wires: writers.map(({ id }) => id),
     };
@@ -94,10 +97,12 @@ function* cycles(graph: Graph): Iterable<GraphProblem> {
   for (const { nodes, wires } of cyclesIn(graph)) {
     const names = nodes.map((id) => quoted(nameOf(graph, id)));
     const who =
-      names.length === 1 ? `${names[0]} feeds itself` : `${names.join(', ')} feed each other`;
+      names.length === 1
+        ? `The module ${names[0]} feeds itself`
+        : `The modules ${names.join(', ')} feed each other`;
     const message = `${who}; see to it that the values do not grow without end.`;
     for (const [index, node] of nodes.entries())
-      yield { ...warning('cycle', message), node, wires: index === 0 ? wires : [] };
+      yield { ...warning('cycle', message), node, wires, isEcho: index > 0 };
   }
 }
 
