@@ -5,7 +5,8 @@ const WIDTH = 184;
 const TOPIC: Size = { width: 174, height: 76 };
 const PICTURE = 94;
 const HEAD = 30;
-const ROW = 23;
+/** Rows are higher for fingers. */
+const ROW = globalThis.matchMedia?.('(pointer: coarse)').matches === true ? 32 : 23;
 const ROWS_PADDING = 12;
 const FOOT = 24;
 const PATTERN = 28;
@@ -21,9 +22,9 @@ export function drawnSize(node: GraphNode): Size {
     case 'module':
       return { width: WIDTH, height: HEAD + ROWS_PADDING + ROW * node.ports.length + FOOT };
     case 'muxer':
-      return { width: WIDTH, height: HEAD + ROWS_PADDING + PATTERN + ROW * (MATCHES + 1) };
+      return { width: WIDTH, height: HEAD + ROWS_PADDING + PATTERN + ROW * (MATCHES + 2) };
     case 'demuxer':
-      return { width: WIDTH, height: HEAD + ROWS_PADDING + PATTERN + ROW * MATCHES };
+      return { width: WIDTH, height: HEAD + ROWS_PADDING + PATTERN + ROW * (MATCHES + 1) };
     case 'constant':
       return { width: WIDTH, height: HEAD + ROWS_PADDING + ROW };
     case 'comment':

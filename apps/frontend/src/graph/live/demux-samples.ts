@@ -4,7 +4,7 @@ import { demuxPreview, type DemuxPreview, type MuxPreview } from '../model/live/
 import { wiresOf } from '../model/wires-of.ts';
 
 /** Sample topics shown. */
-const MAX_SAMPLES = 4;
+const MAX_SAMPLES = 3;
 /** Stands for an identity when nothing gives one yet. */
 const EXAMPLE = 'identity';
 
