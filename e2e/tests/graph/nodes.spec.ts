@@ -254,3 +254,40 @@ test('problems stand where they are: at nodes, at topics and on wires', async ({
     'whoever writes last wins',
   );
 });
+
+test('thousands of topics are a tree of which only what is seen is drawn', async ({
+  room,
+  master,
+}) => {
+  const many = await room.program('many');
+  const names = Array.from({ length: 3000 }, (_, at) => `/many/group-${at % 30}/topic-${at}`);
+  for (const name of names) many.publish(name, 'double', 1);
+  const graph = new GraphPage(await room.atDesk('Anna'));
+  await graph.open(await aSession(master, { name: 'Many' }));
+  const tree = graph.palette.getByRole('treegrid', { name: 'Topics' });
+  const count = graph.palette.getByRole('heading', { name: /^Topics/ });
+  await expect(count).toContainText('3000', LISTS);
+  expect(await tree.getByRole('row').count()).toBeLessThan(80);
+
+  await test.step('a search finds one of them, which goes into the graph by keyboard', async () => {
+    await graph.palette.getByRole('searchbox').fill('topic-2345');
+    await expect(count).toContainText('1 of 3000');
+    const row = graph.paletteTopic('/many/group-5/topic-2345');
+    await expect(row).toContainText('1.00');
+    await tree.getByRole('row').first().focus();
+    await graph.page.keyboard.press('ArrowDown');
+    await graph.page.keyboard.press('ArrowDown');
+    await expect(row).toBeFocused();
+    await graph.page.keyboard.press('Enter');
+    await expect(graph.node('Topic /many/group-5/topic-2345')).toBeVisible();
+  });
+
+  await test.step('a branch is a muxer of all that is below it', async () => {
+    await graph.drag(
+      graph.palette.locator('[data-palette-branch="/many/group-5"]'),
+      await graph.spot(0.5, 0.7),
+    );
+    await expect(graph.node('Muxer group-5')).toContainText('/many/group-5/**');
+    await expect(graph.node('Muxer group-5')).toContainText('and 97 more');
+  });
+});
