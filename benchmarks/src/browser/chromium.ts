@@ -4,7 +4,8 @@ import type { ModuleCalls } from './calls-page.ts';
 import { servePage } from './serve-page.ts';
 
 const SYSTEM_CHROMIUM = '/usr/bin/chromium';
-const FLAGS = [
+/** How browsers to measure in are started. */
+export const CHROMIUM_FLAGS = [
   // The browser's own sandbox does not start as root.
   ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
   '--disable-gpu',
@@ -28,7 +29,7 @@ export interface BrowserPage {
 
 export async function openBrowserPage(): Promise<BrowserPage> {
   const served = await servePage();
-  const browser = await chromium.launch({ executablePath: findChromium()!, args: FLAGS });
+  const browser = await chromium.launch({ executablePath: findChromium()!, args: CHROMIUM_FLAGS });
   const page = await browser.newPage();
   await page.goto(served.url);
   return {

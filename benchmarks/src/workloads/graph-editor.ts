@@ -1,0 +1,161 @@
+import { setTimeout as sleep } from 'node:timers/promises';
+import { findChromium } from '../browser/chromium.ts';
+import { descendantPids } from '../cpu-time.ts';
+import { startBrowserCpu } from '../graph/browser-cpu.ts';
+import { farthestMs, type CanvasPage } from '../graph/canvas-page.ts';
+import { GESTURES, zoomIn, type Gesture } from '../graph/gestures.ts';
+import {
+  EDITOR,
+  openGraphSubjects,
+  REFERENCE,
+  type GraphSubject,
+  type OpenGraph,
+} from '../graph/graph-subjects.ts';
+import { percentile } from '../statistics.ts';
+import { startLap } from './stopwatch.ts';
+import type { FigureInfo, Measurement, MeasureOptions, Subject, Workload } from './workload.ts';
+
+const MODULES = 200;
+/** A gesture takes longer than what other workloads measure at a time. */
+const LENGTH_FACTOR = 5;
+/** What is done goes at least so far, pixels of the page. */
+const MIN_MOVE_PX = 20;
+const MIN_ZOOM_FACTOR = 1.2;
+/** Values that must have changed of those that were seen. */
+const MIN_CHANGED = 0.5;
+
+function figure(key: string, label: string, unit: string, bound?: number): FigureInfo {
+  const bounds: Record<string, number> = bound === undefined ? {} : { [EDITOR]: bound };
+  return { key, label, unit, isHigherBetter: false, goals: {}, bounds };
+}
+
+/** A running session as a graph, seen and moved with the mouse, beside plain boxes and lines. */
+export const graphEditor: Workload = {
+  name: 'graph-editor',
+  group: 'graph-editor',
+  title: `Graph editor: ${MODULES} modules, ${2 * MODULES} wires, 1000 records/s`,
+  figures: [
+    ...GESTURES.flatMap(({ key, label }) => [
+      figure(`${key}P50Ms`, `${label}, frame p50`, 'ms', 16.7),
+      figure(`${key}P95Ms`, `${label}, frame p95`, 'ms', 33),
+      figure(`${key}MainMs`, `${label}, main thread a frame`, 'ms'),
+      figure(`${key}OtherMs`, `${label}, other threads a frame`, 'ms'),
+    ]),
+    figure('hiddenMainMs', 'hidden, main thread a second', 'ms'),
+    figure('hiddenFrames', 'hidden, messages a second', '/s', 2),
+    figure('hiddenChanges', 'hidden, changes drawn a second', '/s', 0),
+  ],
+  reference: REFERENCE,
+  // The browser has many threads of its own.
+  placement: 'anywhere',
+  roundShare: 1 / 5,
+  whyNot: () =>
+    findChromium() === undefined
+      ? 'there is no Chromium; install one, or name it in UBII_CHROMIUM'
+      : undefined,
+  open: async (setting) => {
+    const size = { modules: MODULES, showsTopics: false, isRunning: true };
+    const { subjects, master } = await openGraphSubjects(setting, size);
+    return subjects.map((subject): Subject => ({
+      name: subject.name,
+      pids: [],
+      measure: (options) => measureGraph(subject, master.pid, options),
+    }));
+  },
+};
+
+async function measureGraph(
+  subject: GraphSubject,
+  masterPid: number,
+  { warmUpMs, measureMs }: MeasureOptions,
+): Promise<Measurement> {
+  const graph = await subject.open();
+  // The browser and the master are all that this process has started.
+  const stopLap = startLap(descendantPids(process.pid));
+  const figures: Record<string, number> = {};
+  const faults: string[] = [];
+  let frames = 0;
+  let otherCpuShare = 0;
+  try {
+    for (const gesture of GESTURES) {
+      const { zoom } = gesture;
+      if (zoom !== undefined) await zoomIn(graph.canvas, graph.middle, zoom);
+      await sleep(warmUpMs);
+      const isLive = subject.name === EDITOR && zoom !== undefined;
+      const before = isLive ? await graph.canvas.watch('liveTexts') : [];
+      const measured = await measureGesture(graph, gesture, masterPid, LENGTH_FACTOR * measureMs);
+      frames += measured.frames;
+      Object.assign(figures, measured.figures);
+      faults.push(...measured.faults);
+      if (isLive) faults.push(...stillValues(before, await graph.canvas.watch('liveTexts')));
+    }
+    Object.assign(figures, await measureHidden(graph.canvas, masterPid, measureMs));
+  } finally {
+    otherCpuShare = stopLap().otherCpuShare;
+    await graph.canvas.close();
+  }
+  return { figures, faults, deliveries: frames, otherCpuShare };
+}
+
+async function measureGesture(
+  { canvas, middle }: OpenGraph,
+  { key, label, perform }: Gesture,
+  masterPid: number,
+  forMs: number,
+) {
+  const node = await canvas.watch('nodeNear', middle.x, middle.y);
+  const begin = await canvas.watch('place', node);
+  const stopCpu = startBrowserCpu([masterPid]);
+  await canvas.watch('start');
+  const done = perform(canvas, middle, forMs);
+  await sleep(farthestMs(forMs));
+  const on = await canvas.watch('place', node);
+  await done;
+  const intervals = (await canvas.watch('stop')).sort((a, b) => a - b);
+  const { mainMs, otherMs } = stopCpu();
+  const hasMoved =
+    Math.hypot(on.x - begin.x, on.y - begin.y) >= MIN_MOVE_PX ||
+    Math.max(on.scale / begin.scale, begin.scale / on.scale) >= MIN_ZOOM_FACTOR;
+  return {
+    frames: intervals.length,
+    figures: {
+      [`${key}P50Ms`]: roundMs(percentile(intervals, 0.5)),
+      [`${key}P95Ms`]: roundMs(percentile(intervals, 0.95)),
+      [`${key}MainMs`]: mainMs / intervals.length,
+      [`${key}OtherMs`]: otherMs / intervals.length,
+    },
+    faults: hasMoved ? [] : [`${label}: nothing moved`],
+  };
+}
+
+/** Browsers tell the times of frames in steps of 0.1 ms. */
+const roundMs = (ms: number): number => Math.round(ms * 10) / 10;
+
+function stillValues(before: readonly string[], after: readonly string[]): string[] {
+  const old = new Set(before);
+  const changed = after.filter((text) => !old.has(text)).length;
+  if (after.length > 0 && changed >= MIN_CHANGED * after.length) return [];
+  return [`of ${after.length} values that are seen, ${changed} changed`];
+}
+
+async function measureHidden(canvas: CanvasPage, masterPid: number, forMs: number) {
+  const session = await canvas.page.context().newCDPSession(canvas.page);
+  let messages = 0;
+  session.on('Network.webSocketFrameReceived', () => (messages += 1));
+  await canvas.watch('hide');
+  // What was on its way arrives.
+  await sleep(forMs);
+  await session.send('Network.enable');
+  const stopCpu = startBrowserCpu([masterPid]);
+  const seconds = (LENGTH_FACTOR * forMs) / 1000;
+  messages = 0;
+  await sleep(1000 * seconds);
+  const { mainMs } = stopCpu();
+  const changes = await canvas.watch('show');
+  await session.detach();
+  return {
+    hiddenMainMs: mainMs / seconds,
+    hiddenFrames: messages / seconds,
+    hiddenChanges: changes / seconds,
+  };
+}
