@@ -75,7 +75,6 @@ async function measureGraph(
   const figures: Record<string, number> = {};
   const faults: string[] = [];
   let frames = 0;
-  let otherCpuShare = 0;
   try {
     for (const gesture of GESTURES) {
       const { zoom } = gesture;
@@ -90,11 +89,11 @@ async function measureGraph(
       if (isLive) faults.push(...stillValues(before, await graph.canvas.watch('liveTexts')));
     }
     Object.assign(figures, await measureHidden(graph.canvas, masterPid, measureMs));
+    const { otherCpuShare } = stopLap();
+    return { figures, faults, deliveries: frames, otherCpuShare };
   } finally {
-    otherCpuShare = stopLap().otherCpuShare;
     await graph.canvas.close();
   }
-  return { figures, faults, deliveries: frames, otherCpuShare };
 }
 
 async function measureGesture(

@@ -3,6 +3,7 @@ import { AreaPlugin, Drag } from 'rete-area-plugin';
 import { shallowReactive, shallowRef, type ShallowRef } from 'vue';
 import type { Point, PortRef, Size } from '../model/graph.ts';
 import { bounds, type Box as NodeBox } from '../model/selection/arrange.ts';
+import { detailAt, seenArea, type Detail } from './seen-area.ts';
 import { limitZoom, MAX_ZOOM, MIN_ZOOM, viewOf, type Box, type View } from './stage-view.ts';
 
 type Schemes = GetSchemes<{ id: string }, { id: string; source: string; target: string }>;
@@ -29,6 +30,13 @@ export class CanvasStage {
   readonly view: ShallowRef<View> = shallowRef({ x: 0, y: 0, k: 1 });
   /** How large it is on the page, pixels. */
   readonly viewport: ShallowRef<Size> = shallowRef({ width: 0, height: 0 });
+  /** What is drawn: changes seldom, where `view` changes with every frame of a pan. */
+  readonly area: ShallowRef<Box> = shallowRef({ x: 0, y: 0, width: 0, height: 0 });
+  readonly detail: ShallowRef<Detail> = shallowRef('near');
+  /** It is being panned, zoomed or dragged: what else is drawn can wait. */
+  readonly isMoving: ShallowRef<boolean> = shallowRef(false);
+  /** Under all. */
+  readonly ground = layer('ground');
   /** Under the nodes. */
   readonly wires = layer('wires');
   /** Over the nodes. */
@@ -42,8 +50,10 @@ export class CanvasStage {
   readonly #observer = new ResizeObserver(() => {
     const { clientWidth: width, clientHeight: height } = this.container;
     this.viewport.value = { width, height };
+    this.area.value = seenArea(this.view.value, this.viewport.value, undefined);
   });
   #layerTimer: ReturnType<typeof setTimeout> | undefined;
+  #movingTimer: ReturnType<typeof setTimeout> | undefined;
   /** Nodes that a hand holds: they stay where it puts them. */
   #held: ReadonlySet<string> = new Set();
   /** One change of the stage after the other. */
@@ -56,6 +66,7 @@ export class CanvasStage {
     this.#area.area.setDragHandler(
       new Drag({ down: (event) => this.#isPan(event), move: () => true }),
     );
+    this.#area.area.content.add(this.ground);
     this.#area.area.content.add(this.wires);
     this.#area.area.content.add(this.chips);
     this.#editor.use(this.#area);
@@ -72,11 +83,13 @@ export class CanvasStage {
         const { zoom, source } = context.data;
         if (source === 'dblclick' || zoom < MIN_ZOOM || zoom > MAX_ZOOM) return undefined;
       } else if (type === 'translated' || type === 'zoomed') {
-        this.view.value = { ...this.#area.area.transform };
+        this.#look();
         if (type === 'translated') this.#keepLayer();
+        this.#noteMoving();
       } else if (type === 'nodetranslated') {
         const { id, position } = context.data;
-        if (this.elements.has(id)) this.positions.set(id, position);
+        this.#place(id, position);
+        if (this.#held.has(id)) this.#noteMoving();
       }
       return context;
     });
@@ -224,8 +237,31 @@ export class CanvasStage {
 
   destroy(): void {
     clearTimeout(this.#layerTimer);
+    clearTimeout(this.#movingTimer);
     this.#observer.disconnect();
     this.#area.destroy();
+  }
+
+  #look(): void {
+    const view = { ...this.#area.area.transform };
+    this.view.value = view;
+    this.area.value = seenArea(view, this.viewport.value, this.area.value);
+    this.detail.value = detailAt(view.k);
+  }
+
+  #noteMoving(): void {
+    this.isMoving.value = true;
+    clearTimeout(this.#movingTimer);
+    this.#movingTimer = setTimeout(() => (this.isMoving.value = false), LAYER_MS);
+  }
+
+  /** Not by the transform that Rete sets: with one for each node, browsers paint hundreds of layers. */
+  #place(id: string, { x, y }: Point): void {
+    const holder = this.elements.get(id);
+    if (holder === undefined) return;
+    holder.style.left = `${x}px`;
+    holder.style.top = `${y}px`;
+    this.positions.set(id, { x, y });
   }
 
   /** While it is panned, the canvas is a layer of its own, which moves without being drawn anew. */

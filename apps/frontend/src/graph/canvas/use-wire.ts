@@ -4,10 +4,12 @@ import { useCanvas, useGraphContext } from '../editor/use-graph-editor.ts';
 import { topicOfWire, type LiveTopic } from '../live/live-graph.ts';
 import type { Point, Wire } from '../model/graph.ts';
 import { portFormat, portOf } from '../model/port-format.ts';
-import { wirePath, type WirePath } from './wire-path.ts';
+import { overlaps } from './seen-area.ts';
+import { wireBox, wirePath, type WirePath } from './wire-path.ts';
 
 /** How a wire looks now. */
 export interface WireLook {
+  /** Undefined while it is not on the screen. */
   readonly path: ComputedRef<WirePath | undefined>;
   readonly family: ComputedRef<DataFormatFamily>;
   readonly isList: ComputedRef<boolean>;
@@ -36,12 +38,18 @@ export function useWire(wire: () => Wire): WireLook {
     const by = drag.by.value;
     return own.map(({ x, y }) => ({ x: x + by.x, y: y + by.y }));
   });
+  const ends = computed(() => {
+    const { from, to } = wire();
+    const [start, end] = [stage.socketAt(from, 'out'), stage.socketAt(to, 'in')];
+    return start && end && ([start, end] as const);
+  });
+  const isSeen = computed(
+    () => ends.value && overlaps(wireBox(...ends.value, points.value), stage.area.value),
+  );
   return {
-    path: computed(() => {
-      const { from, to } = wire();
-      const [start, end] = [stage.socketAt(from, 'out'), stage.socketAt(to, 'in')];
-      return start && end && wirePath(start, end, points.value);
-    }),
+    path: computed(() =>
+      ends.value && isSeen.value ? wirePath(...ends.value, points.value) : undefined,
+    ),
     points,
     family: computed(() => (format.value ? DATA_FORMATS[format.value].family : 'system')),
     isList: computed(() => portOf(editor.graph.value, wire().from)?.isList === true),

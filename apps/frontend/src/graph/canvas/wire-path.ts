@@ -1,4 +1,5 @@
 import type { Point } from '../model/graph.ts';
+import type { Box } from './stage-view.ts';
 
 /** How a wire is drawn, and where its chip stands. */
 export interface WirePath {
@@ -21,6 +22,10 @@ const REACH = 20;
 const MIN_BEND = 30;
 /** How far a curve through points keeps its direction, as a share of its length. */
 const ROUNDNESS = 0.36;
+/** How far below its ends a wire goes that goes back. */
+const DETOUR = 60;
+/** How far a wire without points may go beyond its ends. */
+const ROOM = DETOUR + RADIUS;
 
 const round = (value: number): number => Math.round(value * 10) / 10;
 const at = ({ x, y }: Point): string => `${round(x)} ${round(y)}`;
@@ -35,6 +40,17 @@ export function wirePath(from: Point, to: Point, points: readonly Point[] = []):
   const curves = curvesOf(from, to, points);
   const d = curves.map(({ a, b, to: end }) => `C${at(a)} ${at(b)} ${at(end)}`).join('');
   return { d: `M${at(from)}${d}`, middle: middleOfLongest(curves) };
+}
+
+/** What a wire does not leave. */
+export function wireBox(from: Point, to: Point, points: readonly Point[] = []): Box {
+  const all = [from, ...points, to];
+  const x = Math.min(...all.map((point) => point.x));
+  const y = Math.min(...all.map((point) => point.y));
+  const width = Math.max(...all.map((point) => point.x)) - x;
+  const height = Math.max(...all.map((point) => point.y)) - y;
+  const room = points.length > 0 ? ROOM + ROUNDNESS * Math.hypot(width, height) : ROOM;
+  return { x: x - room, y: y - room, width: width + 2 * room, height: height + 2 * room };
 }
 
 /** A wire without points goes back in steps; with points, it goes where it is led. */
@@ -81,7 +97,7 @@ export function cornersOf(from: Point, to: Point): readonly Point[] {
   const right = from.x + REACH;
   const left = to.x - REACH;
   const y =
-    Math.abs(to.y - from.y) < 4 * RADIUS ? Math.max(from.y, to.y) + 60 : (from.y + to.y) / 2;
+    Math.abs(to.y - from.y) < 4 * RADIUS ? Math.max(from.y, to.y) + DETOUR : (from.y + to.y) / 2;
   return [from, { x: right, y: from.y }, { x: right, y }, { x: left, y }, { x: left, y: to.y }, to];
 }
 

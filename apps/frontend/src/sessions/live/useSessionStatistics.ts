@@ -1,6 +1,6 @@
 import { sessionStatisticsTopic, type SessionStatistics } from '@ubii/proto';
-import { tryOnScopeDispose } from '@vueuse/core';
-import { shallowRef, type ShallowRef } from 'vue';
+import { tryOnScopeDispose, useDocumentVisibility } from '@vueuse/core';
+import { shallowRef, watch, type ShallowRef } from 'vue';
 import { perFrame } from '../../connection/per-frame.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 
@@ -16,12 +16,28 @@ export function useSessionStatistics(sessionId = '*'): Readonly<ShallowRef<Stati
   const newest = new Map<string, SessionStatistics>();
   const shown = shallowRef<StatisticsById>(new Map());
   const draw = perFrame(() => (shown.value = new Map(newest)));
-  const subscription = client
-    .subscribe({ glob: sessionStatisticsTopic(sessionId) }, { format: 'sessionStatistics' })
-    .onRecord(({ value }) => {
-      newest.set(value.sessionId, value);
-      draw();
-    });
-  tryOnScopeDispose(() => void subscription.close());
+  const subscribe = () =>
+    client
+      .subscribe({ glob: sessionStatisticsTopic(sessionId) }, { format: 'sessionStatistics' })
+      .onRecord(({ value }) => {
+        newest.set(value.sessionId, value);
+        draw();
+      });
+  // Those of many modules are long: none are sent to a page that nobody sees.
+  const visibility = useDocumentVisibility();
+  let subscription: ReturnType<typeof subscribe> | undefined;
+  const end = (): void => {
+    void subscription?.close();
+    subscription = undefined;
+  };
+  watch(
+    visibility,
+    (now) => {
+      end();
+      if (now === 'visible') subscription = subscribe();
+    },
+    { immediate: true },
+  );
+  tryOnScopeDispose(end);
   return shown;
 }
