@@ -43,6 +43,38 @@ describe('the session mirror-pointer', () => {
   });
 });
 
+describe('the session smooth-pointer', () => {
+  it('answers every position with a calmer one', async () => {
+    const topic = '/examples/smooth-pointer';
+    const { clock, topics, values, events } = await startSession(
+      EXAMPLE_SESSIONS['smooth-pointer'],
+    );
+    for (const x of [0, 1]) {
+      topics.put(`${topic}/pointer`, 'vector2', { x, y: 0.5 });
+      await clock.advance(20);
+    }
+    const [first, second] = values(`${topic}/smoothed`) as { x: number; y: number }[];
+    expect(first).toEqual({ x: 0, y: 0.5 });
+    expect(second!.x).toBeGreaterThan(0);
+    expect(second!.x).toBeLessThan(1);
+    expect(events).toEqual([]);
+  });
+});
+
+describe('the session gather-pointers', () => {
+  it('counts those that are near one another, mice and fingers alike', async () => {
+    const { clock, topics, values, events } = await startSession(
+      EXAMPLE_SESSIONS['gather-pointers'],
+    );
+    const pointer = 'web-example-mouse-pointer/mouse_client_position';
+    topics.put(`/${ANN}/${pointer}`, 'vector2', { x: 0.5, y: 0.5 });
+    topics.put(`/${BOB}/smartphone/touch_position`, 'vector2', { x: 0.55, y: 0.5 });
+    await clock.advance(50);
+    expect(values('/examples/gather-pointers/near_count').at(-1)).toBe(2);
+    expect(events).toEqual([]);
+  });
+});
+
 describe('the session smoothing-chain', () => {
   it('lets a wave flow through four modules', async () => {
     const topic = '/examples/smoothing-chain';

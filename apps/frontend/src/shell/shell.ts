@@ -1,4 +1,5 @@
 import { inject, shallowRef, type InjectionKey, type ShallowRef } from 'vue';
+import type { Command } from './palette/command.ts';
 
 /** What floats over the page; one at a time. */
 export type ShellDialog = 'palette' | 'connect-phone' | 'shortcuts' | 'identity';
@@ -8,9 +9,14 @@ export interface Shell {
   readonly dialog: ShallowRef<ShellDialog | undefined>;
   /** What the page is about, when that has a name; `usePageTitle` sets it. */
   readonly pageTitle: ShallowRef<string | undefined>;
+  /** What can be done on the page, for the palette; `usePageCommands` sets it. */
+  readonly pageCommands: ShallowRef<readonly Command[]>;
   open(dialog: ShellDialog): void;
   close(): void;
 }
+
+/** Where a page may put a title of its own making into the top bar, with a Teleport. */
+export const PAGE_TITLE_ID = 'page-title';
 
 export const SHELL: InjectionKey<Shell> = Symbol('shell');
 
@@ -19,6 +25,7 @@ export function createShell(): Shell {
   return {
     dialog,
     pageTitle: shallowRef<string>(),
+    pageCommands: shallowRef<readonly Command[]>([]),
     open: (next) => (dialog.value = next),
     close: () => (dialog.value = undefined),
   };

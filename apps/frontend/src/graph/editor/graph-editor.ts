@@ -15,6 +15,7 @@ import type { Graph, Point } from '../model/graph.ts';
 import { sessionOf } from '../model/session-of.ts';
 import { keepEditorData } from '../model/changes/keep-editor-data.ts';
 import type { Conflict } from '../model/changes/conflict.ts';
+import { graphNews, type GraphNews } from '../model/changes/graph-news.ts';
 import { withIds } from '../model/with-ids.ts';
 import { placesOf } from './places.ts';
 import { rebase } from './rebase.ts';
@@ -32,6 +33,12 @@ export interface Saved {
   readonly steps: number;
 }
 
+/** What somebody else saved. */
+export interface News {
+  readonly revision: number;
+  readonly changes: readonly GraphNews[];
+}
+
 /** A session being edited as a graph. Everything people do to it goes through `apply`. */
 export interface GraphEditor {
   /** As the master has it: its life, problems and what was saved last. */
@@ -47,6 +54,8 @@ export interface GraphEditor {
   readonly redoLabel: ComputedRef<string | undefined>;
   /** Somebody else saved the session while there were changes here: what both changed. */
   readonly merged: Readonly<ShallowRef<readonly Conflict[] | undefined>>;
+  /** What somebody else saved last, until it was read. */
+  readonly news: Readonly<ShallowRef<News | undefined>>;
   /** @param key the same for all commands that are one step: the parts of a drag, letters typed */
   apply(command: GraphCommand, key?: string): void;
   /** Ends such a step. */
@@ -65,6 +74,8 @@ export interface GraphEditor {
   handleSaved(session: Session, mark: Saved): void;
   /** Does it the way of the others. */
   takeTheirs(conflict: Conflict): void;
+  /** Leaves it as it is here, or brings it back to that. */
+  takeMine(conflict: Conflict): void;
   /** What was merged was read. */
   dismissMerge(): void;
   /** What the changes began with, for keeping both. */
@@ -87,6 +98,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
   /** What is saved. */
   const saved = shallowRef({ graph: graph.value, steps: 0 });
   const merged = shallowRef<readonly Conflict[]>();
+  const news = shallowRef<News>();
   const changes = computed(() => {
     if (isSameGraph(graph.value, saved.value.graph)) return 0;
     return Math.max(1, Math.abs(state.value.past.length - saved.value.steps));
@@ -109,6 +121,10 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     saved.value = { graph: graph.value, steps: 0 };
   }
 
+  function settle(conflict: Conflict): void {
+    merged.value = merged.value?.filter((other) => other !== conflict);
+  }
+
   /** Puts changes on top of what the master has now. */
   function rebaseOn(next: Session, before: Graph, mine: Graph): void {
     base = withIds(keepEditorData(next, base), uuid);
@@ -129,6 +145,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     undoLabel: computed(() => state.value.past.at(-1)?.label),
     redoLabel: computed(() => state.value.future.at(-1)?.label),
     merged,
+    news,
     apply: (command, key) => show(perform(state.value, command, key)),
     seal: () => (state.value = seal(state.value)),
     undo: () => show(undo(state.value)),
@@ -140,9 +157,15 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
       selection.value = { nodes: new Set(), wire };
     },
     handleSession(next) {
-      if (revisionOf(next) <= revisionOf(base)) session.value = next;
-      else if (changes.value === 0) reset(next);
-      else rebaseOn(next, graphOf(base), graph.value);
+      if (revisionOf(next) <= revisionOf(base)) {
+        session.value = next;
+        return;
+      }
+      const before = graphOf(base);
+      if (changes.value === 0) reset(next);
+      else rebaseOn(next, before, graph.value);
+      const said = graphNews(before, graphOf(base));
+      news.value = said.length === 0 ? undefined : { revision: revisionOf(next), changes: said };
     },
     toSession() {
       const positions = placesOf(graph.value);
@@ -162,9 +185,16 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     mark: () => ({ graph: graph.value, steps: state.value.past.length }),
     takeTheirs(conflict) {
       show(perform(state.value, conflict.takeTheirs));
-      merged.value = merged.value?.filter((other) => other !== conflict);
+      settle(conflict);
     },
-    dismissMerge: () => (merged.value = undefined),
+    takeMine(conflict) {
+      if (conflict.takeMine !== undefined) show(perform(state.value, conflict.takeMine));
+      settle(conflict);
+    },
+    dismissMerge() {
+      merged.value = undefined;
+      news.value = undefined;
+    },
     baseSession: () => base,
     resume(before, edited) {
       rebaseOn(session.value, graphOf(before), graphOf(edited));

@@ -14,18 +14,27 @@ export interface Drafts {
   /** Goes on with what was found. */
   take(): void;
   discard(): void;
+  /** Changes of a session are somewhere else now. */
+  forget(sessionId: string): void;
+  /** Writes nothing more down, until `resume`: what is there belongs to somebody else. */
+  pause(): void;
+  resume(): void;
 }
 
 const KEEP_MS = 400;
+
+/** Set in the state of the history by who leads here in the middle of the work. */
+export const GO_ON = { goOn: true } as const;
 
 export function useDraft(editor: GraphEditor): Drafts {
   const { id: sessionId } = editor.session.value;
   const found = shallowRef(findDraft(localStorage, sessionId));
   const isFull = shallowRef(false);
+  let isPaused = false;
 
   function keep(): void {
     // What was found waits for an answer.
-    if (found.value !== undefined) return;
+    if (found.value !== undefined || isPaused) return;
     if (editor.changes.value === 0) {
       removeDraft(localStorage, sessionId);
       return;
@@ -38,20 +47,34 @@ export function useDraft(editor: GraphEditor): Drafts {
   const keepSoon = useDebounceFn(keep, KEEP_MS);
   watch([editor.graph, editor.changes], () => void keepSoon());
   useEventListener(window, 'pagehide', keep);
+  // While nothing is kept, leaving loses it: the browser asks.
+  useEventListener(window, 'beforeunload', (event: BeforeUnloadEvent) => {
+    if (isFull.value && editor.changes.value > 0) event.preventDefault();
+  });
   onScopeDispose(keep);
+
+  function take(): void {
+    const draft = found.value;
+    found.value = undefined;
+    if (draft !== undefined) editor.resume(draft.base, draft.edited);
+  }
+  const { state } = history as { readonly state: Partial<typeof GO_ON> | null };
+  if (state?.goOn === true) take();
 
   return {
     found,
     isFull,
     keep,
-    take() {
-      const draft = found.value;
-      found.value = undefined;
-      if (draft !== undefined) editor.resume(draft.base, draft.edited);
-    },
+    take,
     discard() {
       found.value = undefined;
       removeDraft(localStorage, sessionId);
     },
+    forget(id) {
+      removeDraft(localStorage, id);
+      if (id === sessionId) isPaused = true;
+    },
+    pause: () => (isPaused = true),
+    resume: () => (isPaused = false),
   };
 }

@@ -1,8 +1,10 @@
 import { ConnectionError } from '@ubii/client-web';
-import { ServiceError } from '@ubii/proto';
-import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
-import { useSessionActions } from '../../sessions/actions/useSessionActions.ts';
+import { ServiceError, type Session, type SessionProblem } from '@ubii/proto';
+import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import type { SessionActions } from '../../sessions/actions/useSessionActions.ts';
 import type { LifeAction } from '../../sessions/state/session-state.ts';
+import { problemsInGraph, type PlacedProblem } from '../model/live/problems-in-graph.ts';
 import type { GraphEditor } from './graph-editor.ts';
 
 /** Brings changes to the master, and the session to life. */
@@ -10,42 +12,135 @@ export interface Saving {
   readonly isBusy: ComputedRef<boolean>;
   /** Why the last intent failed, one sentence. */
   readonly failure: Readonly<ShallowRef<string | undefined>>;
+  /** What the master found wrong with what was to be saved, and where. [SE-3] */
+  readonly problems: Readonly<ShallowRef<readonly PlacedProblem[]>>;
+  /** It was asked for while the master was not there, and is done when it is back. */
+  readonly isWaiting: Readonly<ShallowRef<boolean>>;
+  /** The newest revision that was saved here. */
+  readonly savedRevision: Readonly<ShallowRef<number>>;
   /** @returns whether the master has everything now */
   save(): Promise<boolean>;
   /** Saves what is not saved before anything starts. */
   act(action: LifeAction): Promise<void>;
+  /** Tries something else at the master; a refusal stands where failures stand. */
+  attempt<T>(intent: () => Promise<T>): Promise<T | undefined>;
 }
 
-export function useSave(editor: GraphEditor): Saving {
-  const actions = useSessionActions();
-  const isSaving = shallowRef(false);
-  const failure = shallowRef<string>();
+const isProblems = (value: unknown): value is readonly SessionProblem[] =>
+  Array.isArray(value) && value.length > 0;
 
-  async function save(): Promise<boolean> {
-    if (editor.changes.value === 0) return true;
-    const mark = editor.mark();
-    isSaving.value = true;
+export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
+  const { client, sessions, isConnected } = useConnection();
+  const isSaving = shallowRef(false);
+  const isWaiting = shallowRef(false);
+  const failure = shallowRef<string>();
+  const savedRevision = shallowRef(-1);
+  const problems = shallowRef<readonly PlacedProblem[]>([]);
+
+  function fail(cause: ServiceError | ConnectionError): void {
+    failure.value = cause.message;
+    const found = cause instanceof ServiceError ? cause.details['problems'] : undefined;
+    problems.value = isProblems(found)
+      ? problemsInGraph(editor.graph.value, editor.toSession(), found)
+      : [];
+  }
+
+  async function attempt<T>(intent: () => Promise<T>): Promise<T | undefined> {
     failure.value = undefined;
+    problems.value = [];
     try {
-      const next = editor.toSession();
-      const saved = await actions.calls.update(next, {});
+      return await intent();
+    } catch (cause) {
+      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
+      fail(cause);
+      return undefined;
+    }
+  }
+
+  /** Stored sessions go by their names: a renamed one leaves no other behind. [SE-21] */
+  function send(): Promise<Session> {
+    const next = editor.toSession();
+    const { name } = editor.session.value;
+    return next.name === name
+      ? actions.calls.update(next, {})
+      : actions.calls.rename({ ...next, name }, next.name);
+  }
+
+  /** Somebody else may have saved: what the master has is merged in. @returns whether it had news */
+  async function catchUp(): Promise<boolean> {
+    const before = editor.baseSession();
+    const newest = await client.call('sessionRuntimeGet', { id: editor.session.value.id });
+    sessions.take(newest);
+    editor.handleSession(newest);
+    return editor.baseSession() !== before;
+  }
+  const isSettled = (): boolean => (editor.merged.value ?? []).length === 0;
+
+  async function saveNow(): Promise<boolean> {
+    const { name } = editor.graph.value.details;
+    const isTaken = (sessions.list.value ?? []).some(
+      (other) => other.name === name && other.id !== editor.session.value.id,
+    );
+    if (isTaken && name !== editor.session.value.name) {
+      failure.value = `Another session is called ${name}. Give this one a name of its own.`;
+      return false;
+    }
+    const mark = editor.mark();
+    try {
+      const saved = await send();
+      savedRevision.value = saved.extension?.revision ?? -1;
       editor.handleSaved(saved, mark);
       return true;
     } catch (cause) {
-      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      failure.value = cause.message;
+      const isOld = cause instanceof ServiceError && cause.code === 'failed_precondition';
+      // Where both changed the same, people choose first
+      if (!isOld || !(await catchUp())) throw cause;
+      return isSettled() ? saveNow() : false;
+    }
+  }
+
+  async function save(): Promise<boolean> {
+    failure.value = undefined;
+    problems.value = [];
+    if (editor.changes.value === 0) return true;
+    if (!isConnected.value) {
+      isWaiting.value = true;
+      return false;
+    }
+    isSaving.value = true;
+    try {
+      return await saveNow();
+    } catch (cause) {
+      // The link went while it was on its way: it is tried again, and merged should it have arrived.
+      if (cause instanceof ConnectionError) isWaiting.value = true;
+      else if (cause instanceof ServiceError) fail(cause);
+      else throw cause;
       return false;
     } finally {
       isSaving.value = false;
     }
   }
 
+  watch(isConnected, async (connected) => {
+    if (!connected || !isWaiting.value) return;
+    isWaiting.value = false;
+    const isThere = await attempt(async () => {
+      await catchUp();
+      return true;
+    });
+    if (isThere && isSettled()) await save();
+  });
+
   return {
     isBusy: computed(() => isSaving.value || actions.busy.value.has(editor.session.value.id)),
     failure: computed(
       () => failure.value ?? actions.failures.value.get(editor.session.value.id),
     ) as Saving['failure'],
+    problems,
+    isWaiting,
+    savedRevision,
     save,
+    attempt,
     async act(action) {
       const needsSaving = action === 'start' || action === 'restart' || action === 'resume';
       if (needsSaving && !(await save())) return;

@@ -28,8 +28,12 @@ export interface SessionActions {
   duplicate(session: Session): Promise<Session | undefined>;
   rename(session: Session, name: string): Promise<void>;
   update(session: Session, changes: Init<Session>): Promise<void>;
-  /** Removes it at once, and offers to bring it back. */
-  remove(session: Session): Promise<void>;
+  /**
+   * Removes it at once, and offers to bring it back.
+   * @param onRestored is told when somebody took that offer
+   * @returns whether it is gone
+   */
+  remove(session: Session, onRestored?: (session: Session) => void): Promise<boolean>;
   dismiss(id: string): void;
 }
 
@@ -69,13 +73,20 @@ export function useSessionActions(): SessionActions {
     }
   }
 
-  async function remove(session: Session): Promise<void> {
+  async function remove(
+    session: Session,
+    onRestored?: (session: Session) => void,
+  ): Promise<boolean> {
     const removed = await attempt(session.id, () => calls.remove(session));
-    if (removed === undefined) return;
+    if (removed === undefined) return false;
     toasts.show(`Deleted ${session.name || 'a session'}`, {
       text: 'Undo',
-      run: () => void attempt('', () => calls.restore(removed)),
+      run: () =>
+        void attempt('', () => calls.restore(removed)).then(
+          (restored) => restored && onRestored?.(restored),
+        ),
     });
+    return true;
   }
 
   return {

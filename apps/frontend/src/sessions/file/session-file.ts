@@ -1,6 +1,6 @@
 import type { Init, Session } from '@ubii/proto';
 import { withoutPlaces } from '../text/session-spec.ts';
-import { readSessionText, sessionText, type ReadSession } from '../text/session-text.ts';
+import { sessionText } from '../text/session-text.ts';
 
 /** Ends the name of an exported session; the master's own files have it too. [SE-20] */
 export const SESSION_FILE_ENDING = '.session';
@@ -20,13 +20,6 @@ export function exportSession(spec: Init<Session>): TextFile {
     name: `${fileName(spec.name ?? '') || 'session'}${SESSION_FILE_ENDING}`,
     text: sessionText(withoutPlaces(spec)),
   };
-}
-
-/** A file's session; without a name it gets that of the file. */
-export function importSession({ name, text }: TextFile): ReadSession {
-  const read = readSessionText(text);
-  if (read.kind === 'broken' || read.session.name !== '') return read;
-  return { ...read, session: { ...read.session, name: name.replace(/\.[^.]+$/, '') } };
 }
 
 /** Without signs that file systems do not like. */

@@ -18,7 +18,7 @@ export async function readFiles(files: FileList | readonly File[] | null): Promi
  */
 export function useFileDrop(
   target: Readonly<Ref<HTMLElement | null>>,
-  onFiles: (files: readonly TextFile[]) => void,
+  onFiles: (files: readonly File[]) => void,
 ): Readonly<ShallowRef<boolean>> {
   const isOver = shallowRef(false);
   /** Every child that is entered counts. */
@@ -36,7 +36,7 @@ export function useFileDrop(
     if (!hasFiles(event)) return;
     event.preventDefault();
     enter(-depth);
-    void readFiles(event.dataTransfer?.files ?? null).then(onFiles);
+    onFiles([...(event.dataTransfer?.files ?? [])]);
   });
   return isOver;
 }

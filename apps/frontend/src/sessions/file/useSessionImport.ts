@@ -1,50 +1,109 @@
 import { ConnectionError } from '@ubii/client-web';
-import { ServiceError } from '@ubii/proto';
-import { useRouter } from 'vue-router';
+import { ServiceError, type Session } from '@ubii/proto';
+import { shallowRef, type ShallowRef } from 'vue';
+import { useRouter, type RouteLocationRaw } from 'vue-router';
 import { randomUuid } from '../../connection/random-uuid.ts';
+import { useConnection } from '../../connection/useConnection.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import type { SessionCalls } from '../actions/session-calls.ts';
-import { sessionLocation } from '../routes.ts';
 import { sessionCopy, sessionSpec } from '../text/session-spec.ts';
+import { sessionText } from '../text/session-text.ts';
 import { useSessionDraft } from '../text/useSessionDraft.ts';
-import { importSession, type TextFile } from './session-file.ts';
+import { knownModules } from './known-modules.ts';
+import { openSessionFile } from './open-session-file.ts';
+import { preparedFile, type PreparedFile } from './prepared-file.ts';
 
-/**
- * Makes sessions of files. What is wrong with one is shown beside its text, so that it can be put
- * right.
- */
-export function useSessionImport(
-  calls: SessionCalls,
-): (files: readonly TextFile[]) => Promise<void> {
+/** Files on their way to become sessions. */
+export interface SessionImport {
+  readonly isReading: Readonly<ShallowRef<boolean>>;
+  /** What was read and waits for an answer. */
+  readonly asked: Readonly<ShallowRef<readonly PreparedFile[] | undefined>>;
+  /** Reads files. What is fine becomes a session at once, unless there is something to ask or to say. */
+  take(files: readonly File[]): Promise<void>;
+  /** Makes a session of each that can be one. */
+  create(): Promise<void>;
+  /** Opens the text of a file, to put right what is wrong with it. */
+  edit(text: string): Promise<void>;
+  cancel(): void;
+}
+
+/** How a page imports. */
+export interface ImportOptions {
+  readonly calls: SessionCalls;
+  /** Whether people are asked before anything is made, even when all is well. */
+  readonly isAsking?: () => boolean;
+  readonly locationOf: (sessionId: string) => RouteLocationRaw;
+}
+
+/** Makes sessions of files; the page of sessions and the graph do it in the same way. */
+export function useSessionImport({ calls, isAsking, locationOf }: ImportOptions): SessionImport {
+  const { client } = useConnection();
   const router = useRouter();
   const toasts = useToasts();
   const draft = useSessionDraft();
+  const asked = shallowRef<readonly PreparedFile[]>();
+  const isReading = shallowRef(false);
 
-  async function take(file: TextFile): Promise<string | undefined> {
-    const read = importSession(file);
-    if (read.kind === 'broken') return undefined;
+  async function edit(text: string): Promise<void> {
+    asked.value = undefined;
+    draft.value = text;
+    await router.push({ path: '/sessions/new', query: { try: '1' } });
+  }
+
+  /** @returns undefined when the master refused it, and its text is open with the reasons */
+  async function made(session: Session): Promise<Session | undefined> {
     try {
-      const session = await calls.create(sessionCopy(sessionSpec(read.session), randomUuid));
-      return session.id;
+      return await calls.create(sessionCopy(sessionSpec(session), randomUuid));
     } catch (cause) {
       if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
+      await edit(sessionText(sessionSpec(session)));
       return undefined;
     }
   }
 
-  return async (files) => {
+  async function createAll(files: readonly PreparedFile[]): Promise<void> {
+    asked.value = undefined;
     const ids: string[] = [];
     for (const file of files) {
-      const id = await take(file);
-      if (id === undefined) {
-        draft.value = file.text;
-        await router.push({ path: '/sessions/new', query: { try: '1' } });
-        return;
-      }
-      ids.push(id);
+      if (file.kind === 'broken') continue;
+      const session = await made(file.session);
+      if (session === undefined) return;
+      ids.push(session.id);
     }
     const [only] = ids;
-    if (ids.length === 1 && only !== undefined) await router.push(sessionLocation(only));
+    if (ids.length === 1 && only !== undefined) await router.push(locationOf(only));
     else if (ids.length > 1) toasts.show(`Imported ${ids.length} sessions`);
+  }
+
+  async function take(files: readonly File[]): Promise<void> {
+    if (files.length === 0 || isReading.value) return;
+    isReading.value = true;
+    try {
+      const library = await knownModules(client);
+      const prepared: PreparedFile[] = [];
+      for (const file of files) {
+        prepared.push(preparedFile(await openSessionFile(file), library, randomUuid));
+      }
+      const [only] = prepared;
+      const isFine = prepared.every((one) => one.kind === 'ready' && one.missing.length === 0);
+      if (isAsking?.() !== true) {
+        if (isFine) return await createAll(prepared);
+        // What is wrong with a single one stands beside its lines
+        const text = only?.kind === 'broken' ? only.text : undefined;
+        if (prepared.length === 1 && text !== undefined) return await edit(text);
+      }
+      asked.value = prepared;
+    } finally {
+      isReading.value = false;
+    }
+  }
+
+  return {
+    isReading,
+    asked,
+    take,
+    edit,
+    create: () => createAll(asked.value ?? []),
+    cancel: () => (asked.value = undefined),
   };
 }

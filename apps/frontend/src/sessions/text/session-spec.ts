@@ -1,4 +1,5 @@
 import type { Init, ProcessingModule, Session } from '@ubii/proto';
+import { copiedEditorData } from './copied-editor-data.ts';
 
 /**
  * What people make of a session, without what the master adds: its life, its problems, where modules
@@ -48,7 +49,9 @@ export function sessionCopy(spec: Init<Session>, uuid: () => string): Init<Sessi
     processingModuleId:
       ids.get(mapping.processingModuleId ?? '') ?? mapping.processingModuleId ?? '',
   }));
-  return { ...spec, id: '', processingModules, ioMappings };
+  const editorJson = copiedEditorData(spec.extension?.editorJson ?? '', ids, uuid);
+  const extension = editorJson === '' ? spec.extension : { ...spec.extension, editorJson };
+  return { ...spec, id: '', processingModules, ioMappings, extension };
 }
 
 /** Takes the places off its modules: nodes of here are not there. */

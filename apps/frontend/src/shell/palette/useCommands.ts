@@ -212,6 +212,7 @@ export function useCommands(): ComputedRef<Command[]> {
   );
 
   return computed(() => [
+    ...shell.pageCommands.value,
     ...pages,
     ...examples,
     ...(isConnected.value ? [] : [reconnect]),

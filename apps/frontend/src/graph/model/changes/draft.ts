@@ -86,3 +86,10 @@ export function listDrafts(storage: DraftStorage): Draft[] {
     return [];
   }
 }
+
+/** A session came back under another id: its draft goes with it. */
+export function moveDraft(storage: DraftStorage, from: string, to: string): void {
+  const draft = findDraft(storage, from);
+  if (draft === undefined || from === to) return;
+  if (saveDraft(storage, { ...draft, sessionId: to })) removeDraft(storage, from);
+}

@@ -1,0 +1,65 @@
+import { clientOfPresence, parsePresence, type PresenceRecord } from './presence-record.ts';
+
+/** Somebody else who has the session open. */
+export interface Present extends PresenceRecord {
+  readonly clientId: string;
+  /** When it was heard, milliseconds of a steady clock. */
+  readonly heardMs: number;
+}
+
+/** Nobody is heard of for this long and still there, milliseconds. [EX-25] */
+export const PRESENCE_AGE_MS = 45_000;
+
+/** What became of who is there. */
+export interface BoardChange {
+  readonly arrived: readonly string[];
+  readonly left: readonly string[];
+}
+
+const NOTHING: BoardChange = { arrived: [], left: [] };
+
+/** Who else has one session open, by what their editors say. [EX-25] */
+export class PresenceBoard {
+  readonly #sessionId: string;
+  readonly #ownId: () => string;
+  readonly #present = new Map<string, Present>();
+
+  constructor(sessionId: string, ownId: () => string) {
+    this.#sessionId = sessionId;
+    this.#ownId = ownId;
+  }
+
+  /** In the order in which they came. */
+  get list(): readonly Present[] {
+    return [...this.#present.values()];
+  }
+
+  /** Takes what was published on a topic. */
+  hear(topic: string, text: string, nowMs: number): BoardChange {
+    const clientId = clientOfPresence(topic);
+    if (clientId === undefined || clientId === this.#ownId()) return NOTHING;
+    const record = parsePresence(text);
+    if (record?.session !== this.#sessionId) return this.drop(clientId);
+    const isNew = !this.#present.has(clientId);
+    this.#present.set(clientId, { ...record, clientId, heardMs: nowMs });
+    return isNew ? { arrived: [clientId], left: [] } : NOTHING;
+  }
+
+  /** A client is gone, or has closed the session. */
+  drop(...clientIds: readonly string[]): BoardChange {
+    const left = clientIds.filter((id) => this.#present.delete(id));
+    return left.length === 0 ? NOTHING : { arrived: [], left };
+  }
+
+  /** Takes out who has not been heard of for too long; who is hidden says nothing on purpose. */
+  expire(nowMs: number): BoardChange {
+    const silent = this.list.filter(
+      ({ isHidden, heardMs }) => !isHidden && nowMs - heardMs > PRESENCE_AGE_MS,
+    );
+    return this.drop(...silent.map(({ clientId }) => clientId));
+  }
+
+  clear(): void {
+    this.#present.clear();
+  }
+}

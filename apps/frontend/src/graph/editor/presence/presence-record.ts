@@ -1,0 +1,66 @@
+import { componentTopic } from '@ubii/proto';
+
+/** Where an editor says what it has open. [EX-25] */
+export const PRESENCE_GLOB = presenceTopic('*');
+
+/** @param clientId `*` for all clients */
+export function presenceTopic(clientId: string): string {
+  return componentTopic(clientId, 'graph_editor', 'presence');
+}
+
+/** The client whose editor says something on a topic; undefined for another topic. */
+export function clientOfPresence(topic: string): string | undefined {
+  const clientId = topic.split('/')[1];
+  return clientId !== undefined && topic === presenceTopic(clientId) ? clientId : undefined;
+}
+
+export const isPresenceTopic = (topic: string): boolean => clientOfPresence(topic) !== undefined;
+
+/** What one editor says of itself. */
+export interface PresenceRecord {
+  /** Id of the session that is open in it; empty: none any more. */
+  readonly session: string;
+  /** Ids of the nodes that are selected. */
+  readonly nodes: readonly string[];
+  /** It has changes that are not saved. */
+  readonly isEditing: boolean;
+  /** Its page is not seen now; until it says otherwise, it says nothing. */
+  readonly isHidden: boolean;
+  /** The newest revision that was saved in it; -1: none. */
+  readonly savedRevision: number;
+}
+
+/** More are not drawn anyway. [EX-25] */
+export const MAX_NODES = 64;
+/** Longer texts are nobody's presence. [EX-25] */
+const MAX_LENGTH = 16_384;
+
+export function presenceText(record: PresenceRecord): string {
+  const { session, nodes, isEditing, isHidden, savedRevision } = record;
+  return JSON.stringify({
+    session,
+    ...(nodes.length > 0 && { nodes: nodes.slice(0, MAX_NODES) }),
+    ...(isEditing && { editing: true }),
+    ...(isHidden && { hidden: true }),
+    ...(savedRevision >= 0 && { saved: savedRevision }),
+  });
+}
+
+/** What a text says; undefined when it is none of ours: anybody may publish there. */
+export function parsePresence(text: string): PresenceRecord | undefined {
+  if (text.length > MAX_LENGTH) return undefined;
+  try {
+    const json = JSON.parse(text) as Readonly<Record<string, unknown>> | null;
+    if (typeof json?.session !== 'string') return undefined;
+    const nodes: readonly unknown[] = Array.isArray(json.nodes) ? json.nodes : [];
+    return {
+      session: json.session,
+      nodes: nodes.filter((id) => typeof id === 'string').slice(0, MAX_NODES),
+      isEditing: json.editing === true,
+      isHidden: json.hidden === true,
+      savedRevision: typeof json.saved === 'number' ? json.saved : -1,
+    };
+  } catch {
+    return undefined;
+  }
+}

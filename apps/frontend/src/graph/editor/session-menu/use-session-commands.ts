@@ -1,0 +1,182 @@
+import {
+  Copy,
+  Download,
+  FilePlus,
+  FolderOpen,
+  Import,
+  Pencil,
+  Save,
+  SaveAll,
+  Trash2,
+} from '@lucide/vue';
+import type { Init, Session } from '@ubii/proto';
+import { computed, ref, type ComputedRef, type Ref } from 'vue';
+import { useRouter } from 'vue-router';
+import { randomUuid } from '../../../connection/random-uuid.ts';
+import { useConnection } from '../../../connection/useConnection.ts';
+import type { SessionActions } from '../../../sessions/actions/useSessionActions.ts';
+import { completeSession } from '../../../sessions/file/complete-session.ts';
+import { knownModules } from '../../../sessions/file/known-modules.ts';
+import { saveFile } from '../../../sessions/file/save-file.ts';
+import { exportSession } from '../../../sessions/file/session-file.ts';
+import { copyName, sessionCopy, sessionSpec } from '../../../sessions/text/session-spec.ts';
+import { graphLocation } from '../../routes.ts';
+import type { GraphEditor } from '../graph-editor.ts';
+import { moveDraft } from '../../model/changes/draft.ts';
+import type { Drafts } from '../use-draft.ts';
+import type { Saving } from '../use-save.ts';
+import { chooseFiles } from './choose-files.ts';
+import type { SessionCommand } from './session-command.ts';
+
+/** Which question of the session menu is open. */
+export type SessionQuestion = 'open' | 'saveAs' | 'rename';
+
+export interface SessionCommands {
+  readonly list: ComputedRef<readonly SessionCommand[]>;
+  readonly question: Ref<SessionQuestion | undefined>;
+  /** Names that other sessions have. */
+  readonly taken: ComputedRef<ReadonlySet<string>>;
+  readonly copyName: ComputedRef<string>;
+  saveAs(name: string): Promise<void>;
+  open(session: Session): Promise<void>;
+}
+
+interface Parts {
+  readonly editor: GraphEditor;
+  readonly saving: Saving;
+  readonly drafts: Drafts;
+  readonly actions: SessionActions;
+  readonly importFiles: (files: readonly File[]) => void;
+}
+
+/** What people do with the session as a whole. */
+export function useSessionCommands(parts: Parts): SessionCommands {
+  const { editor, saving, drafts, actions, importFiles } = parts;
+  const { client, sessions } = useConnection();
+  const router = useRouter();
+  const question = ref<SessionQuestion>();
+  const name = computed(() => editor.graph.value.details.name || 'Session');
+  const taken = computed(() => {
+    const others = (sessions.list.value ?? []).filter(({ id }) => id !== editor.session.value.id);
+    return new Set(others.map((other) => other.name));
+  });
+  const copy = computed(() => copyName(name.value, new Set([...taken.value, name.value])));
+
+  /** Makes a session and shows it. @returns undefined when the master refused it, which is shown */
+  async function make(spec: Init<Session>): Promise<Session | undefined> {
+    const made = await saving.attempt(() => actions.calls.create(spec));
+    if (made) await router.push(graphLocation(made.id));
+    return made;
+  }
+  const ownCopy = (as: string): Init<Session> => ({
+    ...sessionCopy(sessionSpec(editor.toSession()), randomUuid),
+    name: as,
+  });
+
+  async function saveAs(as: string): Promise<void> {
+    const { id } = editor.session.value;
+    const made = await make(ownCopy(as));
+    // The changes went along: nothing of them is left behind in the other
+    if (made) drafts.forget(id);
+  }
+
+  async function exportFile(): Promise<void> {
+    const library = (await knownModules(client)) ?? [];
+    saveFile(exportSession(sessionSpec(completeSession(editor.toSession(), library))));
+  }
+
+  async function remove(): Promise<void> {
+    const session = editor.session.value;
+    drafts.keep();
+    drafts.pause();
+    const isGone = await actions.remove(session, (restored) => {
+      moveDraft(localStorage, session.id, restored.id);
+      void router.push(graphLocation(restored.id));
+    });
+    if (isGone) await router.push('/sessions');
+    else drafts.resume();
+  }
+
+  const list = computed((): readonly SessionCommand[] => [
+    {
+      id: 'new',
+      text: 'New',
+      title: 'New empty session',
+      icon: FilePlus,
+      run: () => void make({ name: 'Session' }),
+    },
+    {
+      id: 'open',
+      text: 'Open…',
+      title: 'Open another session',
+      icon: FolderOpen,
+      shortcut: 'Ctrl O',
+      run: () => (question.value = 'open'),
+    },
+    {
+      id: 'save',
+      text: 'Save',
+      title: 'Save this session',
+      icon: Save,
+      shortcut: 'Ctrl S',
+      isFirst: true,
+      isDisabled: editor.changes.value === 0,
+      run: () => void saving.save(),
+    },
+    {
+      id: 'save-as',
+      text: 'Save as…',
+      title: 'Save this session as another one',
+      icon: SaveAll,
+      shortcut: 'Ctrl Shift S',
+      run: () => (question.value = 'saveAs'),
+    },
+    {
+      id: 'rename',
+      text: 'Rename',
+      title: 'Rename this session',
+      icon: Pencil,
+      run: () => (question.value = 'rename'),
+    },
+    {
+      id: 'duplicate',
+      text: 'Duplicate',
+      title: 'Duplicate this session',
+      icon: Copy,
+      run: () => void make(ownCopy(copy.value)),
+    },
+    {
+      id: 'import',
+      text: 'Import…',
+      title: 'Import a session file',
+      icon: Import,
+      isFirst: true,
+      run: () => chooseFiles('.session,.json', importFiles),
+    },
+    {
+      id: 'export',
+      text: 'Export',
+      title: 'Export this session as a file',
+      icon: Download,
+      run: () => void exportFile(),
+    },
+    {
+      id: 'delete',
+      text: 'Delete',
+      title: 'Delete this session',
+      icon: Trash2,
+      danger: true,
+      isFirst: true,
+      run: () => void remove(),
+    },
+  ]);
+
+  /** One that is only stored is made first. */
+  async function open(session: Session): Promise<void> {
+    const known =
+      session.id === '' ? await saving.attempt(() => actions.calls.open(session)) : session;
+    if (known) await router.push(graphLocation(known.id));
+  }
+
+  return { list, question, taken, copyName: copy, saveAs, open };
+}

@@ -1,0 +1,22 @@
+import { useEventListener } from '@vueuse/core';
+import type { SessionCommand } from './session-command.ts';
+
+const KEYS: Readonly<Record<string, string>> = {
+  s: 'save',
+  'shift s': 'save-as',
+  o: 'open',
+};
+
+/** Ctrl S and its kind, wherever the focus is: browsers would save the page. */
+export function useSessionKeys(commands: () => readonly SessionCommand[]): void {
+  useEventListener(window, 'keydown', (event: KeyboardEvent) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.defaultPrevented) return;
+    const id = KEYS[`${event.shiftKey ? 'shift ' : ''}${event.key.toLowerCase()}`];
+    if (id === undefined) return;
+    // Behind a question nothing happens.
+    event.preventDefault();
+    if (document.querySelector('[role="dialog"][data-state="open"]')) return;
+    const command = commands().find((one) => one.id === id);
+    if (command && command.isDisabled !== true) command.run();
+  });
+}

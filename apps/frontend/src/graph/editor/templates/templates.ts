@@ -1,0 +1,62 @@
+import { EXAMPLE_SESSIONS } from '@ubii/modules';
+import type { Init, Session } from '@ubii/proto';
+
+/** A session to start from. */
+export interface Template {
+  /** Its name among the example sessions. */
+  readonly id: keyof typeof EXAMPLE_SESSIONS;
+  /** What it does, two or three words. */
+  readonly title: string;
+  /** What one sees, one sentence. */
+  readonly sentence: string;
+  readonly session: Init<Session>;
+  /**
+   * The topic that takes a pointer: a live one stands in its place, of a phone or of this browser.
+   * Undefined: it finds its pointers itself, or needs none.
+   */
+  readonly pointerTopic: string | undefined;
+  /** Nothing flows before somebody points. */
+  readonly needsPointer: boolean;
+}
+
+const template = (
+  id: Template['id'],
+  title: string,
+  sentence: string,
+  { pointerTopic, needsPointer = pointerTopic !== undefined }: Partial<Template> = {},
+): Template => ({
+  id,
+  title,
+  sentence,
+  session: EXAMPLE_SESSIONS[id],
+  pointerTopic,
+  needsPointer,
+});
+
+/** Simple ones first. */
+export const TEMPLATES: readonly Template[] = [
+  template('smooth-pointer', 'Smooth a pointer', 'A shaky pointer goes in, a calm one comes out.', {
+    pointerTopic: '/examples/smooth-pointer/pointer',
+  }),
+  template(
+    'mirror-pointer',
+    'Mirror a pointer',
+    'Left becomes right; two switches say which way.',
+    {
+      pointerTopic: '/examples/mirror-pointer/pointer',
+    },
+  ),
+  template(
+    'gather-pointers',
+    'Gather everybody',
+    'A muxer takes the pointers of all who are here.',
+    {
+      needsPointer: true,
+    },
+  ),
+  template(
+    'smoothing-chain',
+    'Smoothing chain',
+    'Four modules in a row. It needs nothing from outside.',
+  ),
+];

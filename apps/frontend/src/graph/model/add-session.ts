@@ -1,0 +1,41 @@
+import type { Session } from '@ubii/proto';
+import type { GraphCommand } from './commands/graph-command.ts';
+import type { Graph, GraphNode, Point, Size } from './graph.ts';
+import { graphOf } from './graph-of.ts';
+import { placeNew } from './layout/place-graph.ts';
+import { copyText, paste } from './selection/clipboard.ts';
+import { withIds } from './with-ids.ts';
+
+/** How a whole session is put into a graph. */
+export interface AddSessionOptions {
+  uuid(): string;
+  /** Top left of what is added. */
+  readonly position: Point;
+  readonly sizeOf: (node: GraphNode) => Size;
+  /** What the step is called. */
+  readonly label: string;
+  /** What the graph is called from now on. */
+  readonly as?: { readonly name: string; readonly description: string };
+}
+
+/** One step that adds all of a session, or why it cannot be. */
+export type AddedSession =
+  | { readonly kind: 'added'; readonly command: GraphCommand; readonly ids: readonly string[] }
+  | { readonly kind: 'broken'; readonly reason: string };
+
+/** Modules get ids of their own; topics are the same topics. */
+export function addSession(
+  graph: Graph,
+  session: Session,
+  { uuid, position, sizeOf, label, as }: AddSessionOptions,
+): AddedSession {
+  const added = placeNew(graphOf(withIds(session, uuid)), sizeOf);
+  const pasted = paste(graph, copyText(added, added.nodes.keys()), { uuid, position, label });
+  if (pasted.kind === 'foreign') {
+    return { kind: 'broken', reason: 'It is too large to be added to a graph.' };
+  }
+  if (pasted.kind === 'broken') return pasted;
+  const commands: GraphCommand[] = [pasted.command];
+  if (as !== undefined) commands.push({ kind: 'setDetails', changes: as });
+  return { kind: 'added', ids: pasted.ids, command: { kind: 'all', label, commands } };
+}

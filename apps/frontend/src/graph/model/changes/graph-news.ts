@@ -1,0 +1,70 @@
+import { nodeName, portName } from '../commands/command-label.ts';
+import type { Graph, GraphNode } from '../graph.ts';
+import { sameValue } from './same-value.ts';
+
+/** Something that became different in a graph, in words, and where. */
+export interface GraphNews {
+  /** `added statistics`, to stand behind a name. */
+  readonly words: string;
+  /** The node it is about; undefined: it is gone, or it is about the whole. */
+  readonly node: string | undefined;
+}
+
+/** What somebody changed. Where things lie counts only when nothing else is different. */
+export function graphNews(before: Graph, after: Graph): GraphNews[] {
+  const news = [...nodeNews(before, after), ...wireNews(before, after)];
+  if (before.details.name !== after.details.name) {
+    news.push({ words: `called the session ${after.details.name}`, node: undefined });
+  } else if (!sameValue(before.details, after.details)) {
+    news.push({ words: 'changed what is said about the session', node: undefined });
+  }
+  if (news.length > 0) return news;
+  const moved = [...after.nodes.values()].filter(
+    (node) => !sameValue(before.nodes.get(node.id)?.position, node.position),
+  );
+  return moved.length === 0
+    ? []
+    : [
+        {
+          words: moved.length === 1 ? `moved ${nodeName(moved[0])}` : `moved ${moved.length} nodes`,
+          node: moved[0]?.id,
+        },
+      ];
+}
+
+function* nodeNews(before: Graph, after: Graph): Iterable<GraphNews> {
+  for (const [id, node] of after.nodes) {
+    const old = before.nodes.get(id);
+    if (old === undefined) yield { words: `added ${nodeName(node)}`, node: id };
+    else if (!sameValue(essence(old), essence(node))) {
+      yield { words: `changed ${nodeName(node)}`, node: id };
+    }
+  }
+  for (const [id, node] of before.nodes) {
+    if (!after.nodes.has(id)) yield { words: `removed ${nodeName(node)}`, node: undefined };
+  }
+}
+
+/** A node without how it lies, and without what only the master says of it. */
+function essence(node: GraphNode): unknown {
+  const { position: _p, size: _s, isCollapsed: _c, frame: _f, ports: _o, ...rest } = node;
+  if (rest.kind !== 'module') return rest;
+  const { status: _status, sessionId: _session, nodeId, extension, ...module } = rest.module;
+  // Where the master had the choice, its choice is nobody's change
+  const place = extension?.replaceable === true ? '' : nodeId;
+  return { ...rest, module: { ...module, nodeId: place } };
+}
+
+function* wireNews(before: Graph, after: Graph): Iterable<GraphNews> {
+  for (const [id, { from, to }] of after.wires) {
+    if (before.wires.has(id)) continue;
+    yield { words: `connected ${portName(after, from)} to ${portName(after, to)}`, node: to.node };
+  }
+  for (const [id, { from, to }] of before.wires) {
+    if (after.wires.has(id)) continue;
+    // A wire of a node that went has gone with it
+    if (!after.nodes.has(from.node) || !after.nodes.has(to.node)) continue;
+    const words = `took ${portName(before, to)} off ${portName(before, from)}`;
+    yield { words, node: to.node };
+  }
+}

@@ -1,0 +1,53 @@
+import type { ProcessingModule } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { graphOf } from '../../graph/model/graph-of.ts';
+import { aSession } from '../testing/a-session.ts';
+import { completeSession, missingWords, withPlaceholders } from './complete-session.ts';
+
+const [module] = aSession().processingModules as [ProcessingModule];
+let count = 0;
+const uuid = (): string => `uuid-${(count += 1)}`;
+/** As a file has it that only names its modules. */
+const named = () => aSession({ json: { processingModules: [{ id: 'module', name: 'mirror' }] } });
+
+describe('completeSession', () => {
+  it('puts in what the library has, below what the session says [SE-1]', () => {
+    const session = completeSession(named(), [{ ...module, id: '', description: 'Mirrors.' }]);
+    expect(session.processingModules[0]).toMatchObject({
+      id: 'module',
+      description: 'Mirrors.',
+      onProcessingStringified: '() => ({})',
+    });
+    expect(session.processingModules[0]?.inputs).toHaveLength(3);
+  });
+
+  it('leaves alone what has its code', () => {
+    const session = aSession();
+    const other = { ...module, onProcessingStringified: '() => 1' };
+    expect(completeSession(session, [other])).toBe(session);
+  });
+});
+
+describe('withPlaceholders', () => {
+  it('keeps modules that nobody has, whole and with their wires', () => {
+    const { session, missing } = withPlaceholders(named(), [], uuid);
+    expect(missing).toEqual(['mirror']);
+    expect(session.processingModules).toEqual([]);
+    const graph = graphOf(session);
+    const node = graph.nodes.get('module:module');
+    expect(node).toMatchObject({ kind: 'module', standing: 'muted' });
+    expect(graph.wires.size).toBe(2);
+  });
+
+  it('has nothing to say when somebody has them, or the code is in the file', () => {
+    expect(withPlaceholders(named(), [module], uuid).missing).toEqual([]);
+    const session = aSession();
+    expect(withPlaceholders(session, [], uuid)).toEqual({ session, missing: [] });
+  });
+
+  it('says it in one sentence', () => {
+    expect(missingWords([])).toBe('');
+    expect(missingWords(['pose'])).toContain('The module pose is not known here.');
+    expect(missingWords(['pose', 'hand'])).toContain('2 modules are not known here: pose, hand.');
+  });
+});

@@ -1,0 +1,85 @@
+import type { ProcessingModule, Session } from '@ubii/proto';
+import { graphOf } from '../../graph/model/graph-of.ts';
+import { applyCommand } from '../../graph/model/commands/apply-command.ts';
+import { sessionOf } from '../../graph/model/session-of.ts';
+import { withIds } from '../../graph/model/with-ids.ts';
+
+/**
+ * The session with what the library knows of modules that it only names, as a master would fill it in
+ * [SE-1]: so a file has all it needs elsewhere.
+ */
+export function completeSession(session: Session, library: readonly ProcessingModule[]): Session {
+  const known = new Map(library.map((module) => [module.name, module]));
+  const processingModules = session.processingModules.map((module) => {
+    const stored = hasCode(module) ? undefined : known.get(module.name);
+    return stored === undefined ? module : completed(module, stored);
+  });
+  const isSame = processingModules.every((one, index) => one === session.processingModules[index]);
+  return isSame ? session : { ...session, processingModules };
+}
+
+const hasCode = (module: ProcessingModule): boolean => module.onProcessingStringified !== '';
+
+/** What the session says goes first. */
+function completed(module: ProcessingModule, stored: ProcessingModule): ProcessingModule {
+  const said = Object.entries(module).filter(([, value]: [string, unknown]) => !isNothing(value));
+  return {
+    ...stored,
+    ...(Object.fromEntries(said) as Partial<ProcessingModule>),
+    id: module.id,
+    nodeId: module.nodeId,
+    sessionId: '',
+    status: 0,
+  };
+}
+
+const isNothing = (value: unknown): boolean =>
+  value === undefined ||
+  value === '' ||
+  value === 0 ||
+  (Array.isArray(value) && value.length === 0);
+
+/** A session with what nobody here can run set aside. */
+export interface WithPlaceholders {
+  readonly session: Session;
+  /** Names of modules that have no code and that nobody offers, each once. */
+  readonly missing: readonly string[];
+}
+
+/**
+ * Keeps modules that nobody here knows as muted ones, whole and with their wires: a master refuses a
+ * session that has to run them. [SE-4] They are put to work again when somebody has them.
+ * @param uuid gives a new UUID
+ */
+export function withPlaceholders(
+  session: Session,
+  library: readonly ProcessingModule[],
+  uuid: () => string,
+): WithPlaceholders {
+  const known = new Set(library.map(({ name }) => name));
+  const base = withIds(session, uuid);
+  const missing = base.processingModules.filter(
+    (module) => !hasCode(module) && !known.has(module.name),
+  );
+  if (missing.length === 0) return { session, missing: [] };
+  const graph = graphOf(base);
+  const ids = new Set(missing.map(({ id }) => id));
+  const nodes = [...graph.nodes.values()].flatMap((node) =>
+    node.kind === 'module' && ids.has(node.module.id) ? [node.id] : [],
+  );
+  const muted = applyCommand(graph, { kind: 'setStanding', nodes, standing: 'muted' });
+  return {
+    session: sessionOf(muted.graph, base),
+    missing: [...new Set(missing.map(({ name }) => name || 'a module without a name'))],
+  };
+}
+
+/** One clear sentence on what is missing; empty when nothing is. */
+export function missingWords(missing: readonly string[]): string {
+  if (missing.length === 0) return '';
+  const what =
+    missing.length === 1
+      ? `The module ${missing[0]!} is not known here. It is kept as a placeholder, muted,`
+      : `${missing.length} modules are not known here: ${missing.join(', ')}. They are kept as placeholders, muted,`;
+  return `${what} with all wires.`;
+}

@@ -1,0 +1,40 @@
+import type { ProcessingModule, Session } from '@ubii/proto';
+import { withPlaceholders } from './complete-session.ts';
+import type { ReadFile } from './read-session-file.ts';
+
+/** A file, ready to become a session, and what there is to say about it. */
+export type PreparedFile =
+  | {
+      readonly kind: 'ready';
+      readonly name: string;
+      readonly session: Session;
+      /** Names of modules nobody here has. */
+      readonly missing: readonly string[];
+      /** What in it is not understood, one sentence each. */
+      readonly doubts: readonly string[];
+    }
+  | Extract<ReadFile, { kind: 'broken' }>;
+
+/**
+ * @param library what is known here; `undefined` when nobody could be asked, so that nothing is missing
+ */
+export function preparedFile(
+  file: ReadFile,
+  library: readonly ProcessingModule[] | undefined,
+  uuid: () => string,
+): PreparedFile {
+  if (file.kind === 'broken') return file;
+  const { session, missing } =
+    library === undefined
+      ? { session: file.session, missing: [] }
+      : withPlaceholders(file.session, library, uuid);
+  return {
+    kind: 'ready',
+    name: file.name,
+    session,
+    missing,
+    doubts: file.problems.map(({ line, message }) =>
+      line === undefined ? message : `Line ${line}: ${message}`,
+    ),
+  };
+}

@@ -1,0 +1,92 @@
+import type { Session } from '@ubii/proto';
+import { readSessionText, type TextProblem } from '../text/session-text.ts';
+import { FILE_LIMITS } from './file-limits.ts';
+import { isSessionLike, recogniseForeign } from './foreign-file.ts';
+import type { TextFile } from './session-file.ts';
+
+/** A file as a session, or one sentence why it is none. */
+export type ReadFile =
+  | {
+      readonly kind: 'read';
+      readonly name: string;
+      readonly session: Session;
+      /** What is only doubtful. */
+      readonly problems: readonly TextProblem[];
+    }
+  | {
+      readonly kind: 'broken';
+      readonly name: string;
+      /** Names the file and the place in it. */
+      readonly message: string;
+      /** It was meant as a session, so that it can be put right by hand: the text. */
+      readonly text: string | undefined;
+    };
+
+/** @param text what is in the file; the session of one without a name gets that of the file */
+export function readSessionFile({ name, text }: TextFile): ReadFile {
+  const broken = (message: string, canEdit = false): ReadFile => ({
+    kind: 'broken',
+    name,
+    message,
+    text: canEdit && text.length <= FILE_LIMITS.textToEdit ? text : undefined,
+  });
+  if (text.trim() === '') return broken(`${name} is empty.`);
+  if (text.includes('\0')) return broken(`${name} is no text, so it holds no session.`);
+  const value = parsed(text);
+  const foreign = recogniseForeign(value);
+  if (foreign)
+    return broken(`${name} is ${foreign.what}, and no session. ${foreign.advice}`.trim());
+  if (value !== undefined && !isObject(value)) {
+    return broken(`${name} holds no session: a session is an object, { … }.`);
+  }
+  const read = readSessionText(text);
+  if (read.kind === 'broken') {
+    const [first] = read.problems;
+    const place = first?.line === undefined ? '' : `, line ${first.line}`;
+    const reason = first?.message ?? 'It cannot be read.';
+    return broken(`${name}${place}: ${reason}`, true);
+  }
+  if (value === undefined || !isSessionLike(value)) {
+    return broken(`${name} holds no session: it has neither modules nor mappings.`, true);
+  }
+  const tooMany = overLimit(read.session);
+  if (tooMany) return broken(`${name} has ${tooMany}.`);
+  const session =
+    read.session.name === ''
+      ? { ...read.session, name: name.replace(/\.[^.]+$/, '') }
+      : read.session;
+  return { kind: 'read', name, session, problems: read.problems };
+}
+
+/** Why a file is not read at all; `undefined` when it is. */
+export function refuseSize(name: string, bytes: number): ReadFile | undefined {
+  if (bytes <= FILE_LIMITS.bytes) return undefined;
+  const size = (of: number): string => `${Math.round(of / 1024 / 1024)} MB`;
+  const message = `${name} has ${size(bytes)}. Sessions of more than ${size(FILE_LIMITS.bytes)} are not read: the master takes none that large.`;
+  return { kind: 'broken', name, message, text: undefined };
+}
+
+function parsed(text: string): unknown {
+  try {
+    return JSON.parse(text) as unknown;
+  } catch {
+    return undefined;
+  }
+}
+
+const isObject = (value: unknown): value is Readonly<Record<string, unknown>> =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+
+function overLimit({ processingModules, ioMappings }: Session): string | undefined {
+  const count = (of: number): string => of.toLocaleString('en');
+  if (processingModules.length > FILE_LIMITS.modules) {
+    return `${count(processingModules.length)} modules; a session has at most ${FILE_LIMITS.modules}`;
+  }
+  const mapped = ioMappings.reduce(
+    (sum, { inputMappings, outputMappings }) => sum + inputMappings.length + outputMappings.length,
+    0,
+  );
+  return mapped > FILE_LIMITS.mappings
+    ? `${count(mapped)} mapped inputs and outputs; a session has at most ${count(FILE_LIMITS.mappings)}`
+    : undefined;
+}
