@@ -14,6 +14,11 @@ export class GraphPage {
   readonly inspector: Locator;
   readonly refusal: Locator;
   readonly life: Locator;
+  /** The name of the session in the top bar. */
+  readonly title: Locator;
+  /** Who else has it open. */
+  readonly others: Locator;
+  readonly importDialog: Locator;
 
   constructor({ page }: { page: Page }) {
     this.page = page;
@@ -22,11 +27,42 @@ export class GraphPage {
     this.inspector = page.getByRole('complementary', { name: 'What is selected' });
     this.refusal = page.getByRole('alertdialog', { name: 'This wire does not fit' });
     this.life = page.getByRole('toolbar', { name: 'Life of the session' });
+    this.title = page.getByRole('button', { name: /, rename$/ });
+    this.others = page.getByRole('group', { name: 'Who else is here' });
+    this.importDialog = page.getByRole('dialog', { name: /Import|no session/ });
   }
 
   async open(sessionId: string): Promise<void> {
     await this.page.goto(`/sessions/${sessionId}/graph`);
     await expect(this.canvas).toBeVisible();
+  }
+
+  /** Chooses what is done with the session as a whole. */
+  async choose(action: string): Promise<void> {
+    await this.page.getByRole('button', { name: 'Session menu' }).click();
+    await this.page.getByRole('menuitem', { name: action }).click();
+  }
+
+  async rename(name: string): Promise<void> {
+    await this.title.click();
+    const field = this.page.getByRole('textbox', { name: 'Name of the session' });
+    await field.fill(name);
+    await field.press('Enter');
+  }
+
+  /** Drops a file on the canvas, as from the desktop of the system. */
+  async dropFile(name: string, text: string): Promise<void> {
+    const dataTransfer = await this.page.evaluateHandle(
+      ([fileName, content]) => {
+        const transfer = new DataTransfer();
+        transfer.items.add(new File([content], fileName, { type: 'application/json' }));
+        return transfer;
+      },
+      [name, text] as const,
+    );
+    await this.canvas.dispatchEvent('dragenter', { dataTransfer });
+    await expect(this.page.getByText('Drop to import')).toBeVisible();
+    await this.canvas.dispatchEvent('drop', { dataTransfer });
   }
 
   /** `Module low-pass`, `Topic /a/b`. */

@@ -66,6 +66,12 @@ export interface GraphEditor {
   selectWire(wire: string): void;
   /** Hears what the master has now. */
   handleSession(session: Session): void;
+  /**
+   * Lets what the master tells wait while a save is on its way: the news of it may come before its
+   * answer, and is nobody else's.
+   * @returns what ends that
+   */
+  hold(): () => void;
   /** Puts down everything as it was arranged now: for saving. */
   toSession(): Session;
   /** What there is to save now, to be told when it was. */
@@ -136,6 +142,28 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     merged.value = conflicts;
   }
 
+  let holds = 0;
+  let held: Session | undefined;
+
+  function hear(next: Session): void {
+    if (revisionOf(next) <= revisionOf(base)) {
+      session.value = next;
+      return;
+    }
+    const before = graphOf(base);
+    const kept = withIds(keepEditorData(next, base), uuid);
+    const said = graphNews(before, graphOf(kept));
+    if (said.length === 0) {
+      // How it lives, or where the master put what: nothing to undo is lost by that.
+      base = kept;
+      session.value = next;
+      return;
+    }
+    if (changes.value === 0) reset(next);
+    else rebaseOn(next, before, graph.value);
+    news.value = said.length === 0 ? undefined : { revision: revisionOf(next), changes: said };
+  }
+
   return {
     session,
     graph,
@@ -157,15 +185,18 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
       selection.value = { nodes: new Set(), wire };
     },
     handleSession(next) {
-      if (revisionOf(next) <= revisionOf(base)) {
-        session.value = next;
-        return;
-      }
-      const before = graphOf(base);
-      if (changes.value === 0) reset(next);
-      else rebaseOn(next, before, graph.value);
-      const said = graphNews(before, graphOf(base));
-      news.value = said.length === 0 ? undefined : { revision: revisionOf(next), changes: said };
+      if (holds > 0) held = next;
+      else hear(next);
+    },
+    hold() {
+      holds += 1;
+      return () => {
+        holds -= 1;
+        const next = held;
+        if (holds > 0 || next === undefined) return;
+        held = undefined;
+        hear(next);
+      };
     },
     toSession() {
       const positions = placesOf(graph.value);

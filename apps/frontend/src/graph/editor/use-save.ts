@@ -86,12 +86,15 @@ export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
       return false;
     }
     const mark = editor.mark();
+    const release = editor.hold();
     try {
       const saved = await send();
       savedRevision.value = saved.extension?.revision ?? -1;
       editor.handleSaved(saved, mark);
+      release();
       return true;
     } catch (cause) {
+      release();
       const isOld = cause instanceof ServiceError && cause.code === 'failed_precondition';
       // Where both changed the same, people choose first
       if (!isOld || !(await catchUp())) throw cause;

@@ -1,5 +1,5 @@
 import type { ProcessingModule, Session } from '@ubii/proto';
-import { withPlaceholders } from './complete-session.ts';
+import { completeSession, withPlaceholders } from './complete-session.ts';
 import type { ReadFile } from './read-session-file.ts';
 
 /** A file, ready to become a session, and what there is to say about it. */
@@ -27,7 +27,7 @@ export function preparedFile(
   const { session, missing } =
     library === undefined
       ? { session: file.session, missing: [] }
-      : withPlaceholders(file.session, library, uuid);
+      : withPlaceholders(completeSession(file.session, library), library, uuid);
   return {
     kind: 'ready',
     name: file.name,

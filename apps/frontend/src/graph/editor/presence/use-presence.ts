@@ -45,7 +45,7 @@ export function usePresence(editor: GraphEditor, saving: Saving): Presence {
   const present = shallowRef<readonly Present[]>([]);
   const hasOthers = computed(() => present.value.length > 0);
   /** Who saved what, also after they have left. */
-  const savers = new Map<number, string>();
+  const savers = shallowRef<ReadonlyMap<number, string>>(new Map());
   const nameOf = (id: string): string => clients.find(id)?.name ?? 'Somebody';
 
   function show({ arrived, left }: BoardChange, isSaid: boolean): void {
@@ -97,7 +97,8 @@ export function usePresence(editor: GraphEditor, saving: Saving): Presence {
           if (clientId !== '' && !topic.startsWith(`/${clientId}/`)) return;
           const change = board.hear(topic, value, performance.now());
           for (const { clientId: id, savedRevision } of board.list) {
-            if (savedRevision >= 0) savers.set(savedRevision, id);
+            if (savedRevision < 0 || savers.value.has(savedRevision)) continue;
+            savers.value = new Map(savers.value).set(savedRevision, id);
           }
           show(change, isSaid);
           // They know of this one from now on, what is selected included
@@ -140,7 +141,7 @@ export function usePresence(editor: GraphEditor, saving: Saving): Presence {
       }));
     }),
     savedBy(revision) {
-      const id = savers.get(revision);
+      const id = savers.value.get(revision);
       return id === undefined ? undefined : nameOf(id);
     },
   };

@@ -19,18 +19,28 @@ export function graphNews(before: Graph, after: Graph): GraphNews[] {
     news.push({ words: 'changed what is said about the session', node: undefined });
   }
   if (news.length > 0) return news;
-  const moved = [...after.nodes.values()].filter(
-    (node) => !sameValue(before.nodes.get(node.id)?.position, node.position),
+  const moved = [...after.nodes.values()].filter((node) => {
+    const old = before.nodes.get(node.id);
+    return old === undefined || !sameValue(look(old), look(node));
+  });
+  if (moved.length > 0) {
+    const words =
+      moved.length === 1 ? `moved ${nodeName(moved[0])}` : `moved ${moved.length} nodes`;
+    return [{ words, node: moved[0]?.id }];
+  }
+  const led = [...after.wires.values()].find(
+    ({ id, points, via }) =>
+      !sameValue(before.wires.get(id)?.points, points) || before.wires.get(id)?.via !== via,
   );
-  return moved.length === 0
-    ? []
-    : [
-        {
-          words: moved.length === 1 ? `moved ${nodeName(moved[0])}` : `moved ${moved.length} nodes`,
-          node: moved[0]?.id,
-        },
-      ];
+  return led === undefined ? [] : [{ words: 'led wires elsewhere', node: led.to.node }];
 }
+
+const look = ({ position, size, isCollapsed, frame }: GraphNode): unknown => ({
+  position,
+  size,
+  isCollapsed,
+  frame,
+});
 
 function* nodeNews(before: Graph, after: Graph): Iterable<GraphNews> {
   for (const [id, node] of after.nodes) {

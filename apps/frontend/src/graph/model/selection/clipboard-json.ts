@@ -1,5 +1,5 @@
 import { fromJson, parseDataFormat, toJson, type JsonObject, type JsonValue } from '@ubii/proto';
-import type { GraphNode, Wire } from '../graph.ts';
+import type { GraphNode, ModuleNode, Standing, Wire } from '../graph.ts';
 import {
   commentNode,
   constantNode,
@@ -33,6 +33,7 @@ export function nodeToJson(node: GraphNode): JsonObject {
         module: toJson('ubii.processing.ProcessingModule', node.module),
         constants: [...node.constants].map((pair) => [...pair]),
         standing: node.standing,
+        mapped: [undeclared(node, 'in'), undeclared(node, 'out')],
       };
     case 'muxer':
       return { ...look, message: toJson('ubii.devices.TopicMux', node.mux) };
@@ -91,10 +92,16 @@ function newNode(
       });
     case 'module': {
       const module = fromJson('ubii.processing.ProcessingModule', json.module);
-      const constants = new Map(pairs(json.constants));
+      const [mappedInputs, mappedOutputs] = Array.isArray(json.mapped) ? json.mapped : [];
       return moduleNode(
         { ...module, id: uuid(), sessionId: '', status: 0 },
-        { ...look, constants },
+        {
+          ...look,
+          constants: new Map(pairs(json.constants)),
+          standing: STANDINGS.find((one) => one === json.standing) ?? 'active',
+          mappedInputs: texts(mappedInputs),
+          mappedOutputs: texts(mappedOutputs),
+        },
       );
     }
     case 'muxer': {
@@ -121,6 +128,17 @@ function newNode(
       throw new TypeError(`there is no kind of node called ${JSON.stringify(kind)}`);
   }
 }
+
+const STANDINGS: readonly Standing[] = ['bypassed', 'muted'];
+
+/** Names that only mappings know: of modules that nobody has, mostly. */
+const undeclared = ({ ports }: ModuleNode, direction: 'in' | 'out'): string[] =>
+  ports
+    .filter((port) => port.direction === direction && !port.isDeclared)
+    .map(({ name }) => name);
+
+const texts = (value: unknown): string[] =>
+  Array.isArray(value) ? value.filter((one) => typeof one === 'string') : [];
 
 function textOf(json: Record<string, JsonValue>, name: string): string {
   const value = json[name];

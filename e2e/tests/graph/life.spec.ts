@@ -1,0 +1,242 @@
+import { readFile } from 'node:fs/promises';
+import { SERVICES } from '@ubii/proto';
+import { callService } from '../../fixtures/call-service.ts';
+import type { MasterProcess } from '../../fixtures/master-process.ts';
+import { expect, test } from '../../fixtures/test.ts';
+import { GraphPage } from '../../pages/graph-page.ts';
+import { Shell } from '../../pages/shell.ts';
+
+/** A session that is kept on the disk. */
+async function aSession(master: MasterProcess, modules: readonly string[]): Promise<string> {
+  const { sessionList } = await callService(master.addresses, {
+    topic: SERVICES.sessionDatabaseSave.topic,
+    session: { name: 'Chain', processingModules: modules.map((name) => ({ name })) },
+  });
+  return sessionList!.elements[0]!.id;
+}
+
+const FOREIGN = JSON.stringify({
+  name: 'Dance',
+  processingModules: [{ name: 'low-pass' }, { name: 'body-pose' }],
+  ioMappings: [
+    {
+      processingModuleName: 'body-pose',
+      inputMappings: [{ inputName: 'image', topic: '/cam/image' }],
+    },
+  ],
+});
+
+test('a file with modules nobody has comes in whole, says what is missing, and goes out again', async ({
+  room,
+  master,
+}) => {
+  const id = await aSession(master, ['threshold']);
+  const anna = new GraphPage(await room.atDesk('Anna'));
+  await anna.open(id);
+  await anna.dropFile('dance.session', FOREIGN);
+  await expect(anna.importDialog).toContainText('The module body-pose is not known here');
+  await anna.importDialog.getByRole('button', { name: 'Add to this graph' }).click();
+  await expect(anna.node('Module body-pose')).toBeVisible();
+  await expect(anna.node('Topic /cam/image')).toBeVisible();
+  await expect(anna.socket('Module body-pose', 'Input image')).toHaveAccessibleName(/1 connected/);
+  await expect(anna.page.getByText('body-pose is not known here')).toBeVisible();
+
+  await test.step('it is saved and exported with all it has', async () => {
+    await anna.page.keyboard.press('Control+s');
+    await expect(anna.life.getByRole('button', { name: /Save/ })).toBeHidden();
+    const [download] = await Promise.all([
+      anna.page.waitForEvent('download'),
+      anna.choose('Export'),
+    ]);
+    const text = await readFile(await download.path(), 'utf8');
+    expect(text).toContain('body-pose');
+    expect(JSON.parse(text)).toMatchObject({
+      processingModules: [
+        { name: 'threshold', onProcessingStringified: expect.any(String) },
+        { name: 'low-pass', onProcessingStringified: expect.any(String) },
+      ],
+    });
+  });
+
+  await test.step('one step takes it back', async () => {
+    await anna.canvas.focus();
+    await anna.page.keyboard.press('Control+z');
+    await expect(anna.node('Module body-pose')).toBeHidden();
+    await expect(anna.node('Module low-pass')).toBeHidden();
+    await expect(anna.node('Module threshold')).toBeVisible();
+  });
+});
+
+test('files that are none are named with the place, and nothing is lost', async ({
+  room,
+  master,
+}) => {
+  const id = await aSession(master, ['threshold']);
+  const anna = new GraphPage(await room.atDesk('Anna'));
+  await anna.open(id);
+  const flow = JSON.stringify([{ id: 'a', type: 'inject', z: 'b', wires: [[]] }]);
+  const cases = [
+    ['broken.session', '{\n"processingModules": [\n{,}]}', 'broken.session, line 3:'],
+    ['flows.json', flow, 'flows.json is a Node-RED flow, and no session.'],
+    ['huge.session', ' '.repeat(50 * 1024 * 1024), 'huge.session has 50 MB.'],
+    ['large.session', `{"processingModules":[${' '.repeat(2_000_000)}`, 'large.session, line 1'],
+  ] as const;
+  for (const [name, text, words] of cases) {
+    await anna.dropFile(name, text);
+    await expect(anna.importDialog).toContainText(words);
+    await anna.importDialog.getByRole('button', { name: 'Close' }).last().click();
+    await expect(anna.importDialog).toBeHidden();
+  }
+  await expect(anna.node('Module threshold')).toBeVisible();
+});
+
+test('a session is renamed, copied, saved as another one, opened, deleted and brought back', async ({
+  room,
+  master,
+}) => {
+  const id = await aSession(master, ['threshold']);
+  const anna = new GraphPage(await room.atDesk('Anna'));
+  await anna.open(id);
+  await anna.rename('First');
+  await anna.page.keyboard.press('Control+s');
+  await expect(anna.title).toHaveText('First');
+  await expect(anna.life.getByRole('button', { name: /Save/ })).toBeHidden();
+
+  await test.step('a copy takes along what is not saved', async () => {
+    await anna.drag(anna.paletteModule('statistics'), await anna.spot(0.6, 0.2));
+    await expect(anna.node('Module statistics')).toBeVisible();
+    await anna.choose('Duplicate');
+    await expect(anna.title).toHaveText('First copy');
+    await expect(anna.node('Module statistics')).toBeVisible();
+  });
+
+  await test.step('saved as another one', async () => {
+    await anna.page.keyboard.press('Control+Shift+s');
+    const dialog = anna.page.getByRole('dialog', { name: 'Save as another session' });
+    await dialog.getByRole('textbox', { name: 'Name' }).fill('Second');
+    await dialog.getByRole('button', { name: 'Save' }).click();
+    await expect(anna.title).toHaveText('Second');
+  });
+
+  await test.step('the first one is found, and its changes are still there', async () => {
+    await anna.page.keyboard.press('Control+o');
+    const dialog = anna.page.getByRole('dialog', { name: 'Open a session' });
+    await dialog.getByRole('searchbox').fill('First');
+    await expect(dialog.getByRole('button', { name: /^Second/ })).toBeHidden();
+    await dialog.getByRole('button', { name: /^First threshold/ }).click();
+    await expect(anna.title).toHaveText('First');
+    await anna.page.getByRole('button', { name: 'Go on with them' }).click();
+    await expect(anna.node('Module statistics')).toBeVisible();
+  });
+
+  await test.step('deleted, and brought back with the changes', async () => {
+    await anna.choose('Delete');
+    await expect(anna.page).toHaveURL(/\/sessions$/);
+    await anna.page.getByRole('button', { name: 'Undo' }).click();
+    await expect(anna.title).toHaveText('First');
+    await anna.page.getByRole('button', { name: 'Go on with them' }).click();
+    await expect(anna.node('Module statistics')).toBeVisible();
+  });
+
+  await test.step('what the menu has, the palette finds', async () => {
+    await anna.page.keyboard.press('Control+k');
+    await anna.page.getByRole('combobox').fill('new empty session');
+    await anna.page.keyboard.press('Enter');
+    await expect(anna.title).toHaveText('Session');
+    await expect(anna.page.getByRole('region', { name: 'How to begin' })).toBeVisible();
+  });
+});
+
+test('two people see each other, what they are at, and when one leaves [EX-25]', async ({
+  room,
+  master,
+}) => {
+  const id = await aSession(master, ['threshold', 'statistics']);
+  const anna = new GraphPage(await room.atDesk('Anna'));
+  const benDesk = await room.atDesk('Ben');
+  const ben = new GraphPage(benDesk);
+  await anna.open(id);
+  await expect(anna.others).toBeHidden();
+  await ben.open(id);
+  await expect(anna.others).toContainText('Ben is here');
+  await expect(ben.others).toContainText('Anna is here');
+  await ben.node('Module statistics').focus();
+  await expect(anna.others).toContainText('Ben is at statistics');
+  await expect(anna.page.locator('[data-peer="Ben"]')).toBeVisible();
+
+  await test.step('what both changed is decided by hand', async () => {
+    await anna.rename('Of Anna');
+    await expect(ben.others).toContainText('Anna is editing');
+    await ben.rename('Of Ben');
+    await ben.page.keyboard.press('Control+s');
+    const conflicts = anna.page.getByRole('list', { name: 'Conflicts' });
+    await expect(anna.page.getByRole('alert')).toContainText('Ben saved this session');
+    await conflicts.getByRole('button', { name: /Of Ben/ }).click();
+    await expect(anna.title).toHaveText('Of Ben');
+  });
+
+  await test.step('on another page, Ben is not here any more', async () => {
+    await new Shell(ben.page).go('Home');
+    await expect(anna.others).toBeHidden();
+    await ben.open(id);
+    await expect(anna.others).toContainText('Ben');
+    await benDesk.context.close();
+    await expect(anna.others).toBeHidden();
+  });
+});
+
+test('the work goes on while the master is away, and is saved when it is back', async ({
+  room,
+  master,
+}) => {
+  const id = await aSession(master, ['threshold']);
+  const desk = await room.atDesk('Anna');
+  const anna = new GraphPage(desk);
+  await anna.open(id);
+  await expect(anna.paletteModule('statistics')).toBeVisible();
+  desk.watch.expect(/net::ERR_CONNECTION_REFUSED/, /WebSocket connection to .* failed/);
+  await master.stop();
+  await expect(anna.life).toContainText('Not connected');
+  await anna.drag(anna.paletteModule('statistics'), await anna.spot(0.6, 0.2));
+  await expect(anna.life).toContainText('kept in this browser');
+  await anna.page.keyboard.press('Control+s');
+  await expect(anna.life).toContainText('saved when the master is back');
+  await master.startAgain();
+  await expect(anna.life).not.toContainText('Not connected');
+  await expect(anna.node('Module statistics')).toBeVisible();
+  await expect(anna.life.getByRole('button', { name: /Save/ })).toBeHidden();
+  await anna.page.reload();
+  await expect(anna.node('Module statistics')).toBeVisible();
+});
+
+test('an example runs with the finger of a phone, one click after it was chosen', async ({
+  room,
+}) => {
+  const ines = await room.withPhone('Ines');
+  await ines.page.goto('/examples/mouse-pointer');
+  const pad = ines.page.getByRole('application', { name: 'Pointer pad' });
+  await pad.tap({ position: { x: 40, y: 60 } });
+
+  const anna = new GraphPage(await room.atDesk('Anna'));
+  await anna.page.goto('/sessions/new');
+  await anna.page.getByRole('button', { name: 'Draw it as a graph' }).click();
+  const begin = anna.page.getByRole('region', { name: 'How to begin' });
+  await expect(begin).toContainText('Takes the pointer of Ines.');
+  await begin.getByRole('button', { name: /^Smooth a pointer/ }).click();
+  await expect(anna.title).toHaveText('Smooth a pointer');
+  await anna.life.getByRole('button', { name: 'Start' }).click();
+  await expect(anna.life).toContainText('Running');
+  await expect(async () => {
+    await pad.tap({ position: { x: 200, y: 200 } });
+    await pad.tap({ position: { x: 60, y: 300 } });
+    await expect(anna.node('Topic /examples/smooth-pointer/smoothed')).toContainText(/0\.\d/, {
+      timeout: 2_000,
+    });
+  }).toPass();
+
+  await test.step('it was one step', async () => {
+    await anna.canvas.focus();
+    await anna.page.keyboard.press('Control+z');
+    await expect(begin).toBeVisible();
+  });
+});
