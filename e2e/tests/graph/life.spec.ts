@@ -147,7 +147,7 @@ test('a session is renamed, copied, saved as another one, opened, deleted and br
   });
 });
 
-test('two people see each other, what they are at, and when one leaves [EX-25]', async ({
+test('two people see each other, what they are at, and when one leaves [EX-49]', async ({
   room,
   master,
 }) => {

@@ -7,7 +7,7 @@ export interface Present extends PresenceRecord {
   readonly heardMs: number;
 }
 
-/** Nobody is heard of for this long and still there, milliseconds. [EX-25] */
+/** Nobody is heard of for this long and still there, milliseconds. [EX-49] */
 export const PRESENCE_AGE_MS = 45_000;
 
 /** What became of who is there. */
@@ -18,7 +18,7 @@ export interface BoardChange {
 
 const NOTHING: BoardChange = { arrived: [], left: [] };
 
-/** Who else has one session open, by what their editors say. [EX-25] */
+/** Who else has one session open, by what their editors say. [EX-49] */
 export class PresenceBoard {
   readonly #sessionId: string;
   readonly #ownId: () => string;

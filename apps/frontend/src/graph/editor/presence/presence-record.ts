@@ -1,6 +1,6 @@
 import { componentTopic } from '@ubii/proto';
 
-/** Where an editor says what it has open. [EX-25] */
+/** Where an editor says what it has open. [EX-49] */
 export const PRESENCE_GLOB = presenceTopic('*');
 
 /** @param clientId `*` for all clients */
@@ -30,9 +30,9 @@ export interface PresenceRecord {
   readonly savedRevision: number;
 }
 
-/** More are not drawn anyway. [EX-25] */
+/** More are not drawn anyway. [EX-49] */
 export const MAX_NODES = 64;
-/** Longer texts are nobody's presence. [EX-25] */
+/** Longer texts are nobody's presence. [EX-49] */
 const MAX_LENGTH = 16_384;
 
 export function presenceText(record: PresenceRecord): string {

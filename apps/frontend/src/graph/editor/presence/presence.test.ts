@@ -20,7 +20,7 @@ const record = (changes: Partial<PresenceRecord> = {}): PresenceRecord => ({
 const boardOf = (): PresenceBoard => new PresenceBoard('session', () => 'me');
 const ids = (board: PresenceBoard): string[] => board.list.map(({ clientId }) => clientId);
 
-describe('the record of an editor [EX-25]', () => {
+describe('the record of an editor [EX-49]', () => {
   it('says all that is known of it', () => {
     const full = record({ nodes: ['topic:/a'], isEditing: true, isHidden: true, savedRevision: 4 });
     expect(parsePresence(presenceText(full))).toEqual(full);
@@ -47,7 +47,7 @@ describe('the record of an editor [EX-25]', () => {
   });
 });
 
-describe('who else has a session open [EX-25]', () => {
+describe('who else has a session open [EX-49]', () => {
   it('hears who comes, and who closes it', () => {
     const board = boardOf();
     const topic = presenceTopic('anna');

@@ -28,13 +28,13 @@ export interface Presence {
   savedBy(revision: number): string | undefined;
 }
 
-/** At most five records a second. [EX-25] */
+/** At most five records a second. [EX-49] */
 const PUBLISH_MS = 200;
-/** While others are there, each says again that they are. [EX-25] */
+/** While others are there, each says again that they are. [EX-49] */
 const REPEAT_MS = 15_000;
 const EXPIRE_MS = 5_000;
 
-/** Tells others that this session is open here, and hears of them. [EX-25] */
+/** Tells others that this session is open here, and hears of them. [EX-49] */
 export function usePresence(editor: GraphEditor, saving: Saving): Presence {
   const { client, clients, isConnected } = useConnection();
   const toasts = useToasts();
