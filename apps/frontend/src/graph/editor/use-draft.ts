@@ -23,8 +23,18 @@ export interface Drafts {
 
 const KEEP_MS = 400;
 
-/** Set in the state of the history by who leads here in the middle of the work. */
-export const GO_ON = { goOn: true } as const;
+/** Put into the state of the history by who leads here in the middle of the work. */
+export interface GoOn {
+  readonly goOn: true;
+  /** Saving was asked for, and could not be done yet. */
+  readonly save: boolean;
+}
+
+/** What was put there. */
+export function goOnHere(): GoOn | undefined {
+  const { state } = history as { readonly state: Partial<GoOn> | null };
+  return state?.goOn === true ? { goOn: true, save: state.save === true } : undefined;
+}
 
 export function useDraft(editor: GraphEditor): Drafts {
   const { id: sessionId } = editor.session.value;
@@ -58,8 +68,7 @@ export function useDraft(editor: GraphEditor): Drafts {
     found.value = undefined;
     if (draft !== undefined) editor.resume(draft.base, draft.edited);
   }
-  const { state } = history as { readonly state: Partial<typeof GO_ON> | null };
-  if (state?.goOn === true) take();
+  if (goOnHere()) take();
 
   return {
     found,

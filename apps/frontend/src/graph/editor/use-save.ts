@@ -126,12 +126,15 @@ export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
 
   watch(isConnected, async (connected) => {
     if (!connected || !isWaiting.value) return;
-    isWaiting.value = false;
-    const isThere = await attempt(async () => {
+    try {
       await catchUp();
-      return true;
-    });
-    if (isThere && isSettled()) await save();
+    } catch (cause) {
+      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
+      // The link went again, or the session is not there: whoever finds it again goes on with this.
+      return;
+    }
+    isWaiting.value = false;
+    if (isSettled()) await save();
   });
 
   return {

@@ -8,7 +8,8 @@ import { sessionSpec } from '../../sessions/text/session-spec.ts';
 import { moveDraft } from '../model/changes/draft.ts';
 import { graphLocation } from '../routes.ts';
 import type { GraphEditor } from './graph-editor.ts';
-import { GO_ON, type Drafts } from './use-draft.ts';
+import type { Drafts, GoOn } from './use-draft.ts';
+import type { Saving } from './use-save.ts';
 
 /** What is done when the master does not have the session any more. */
 export interface SessionGone {
@@ -18,13 +19,20 @@ export interface SessionGone {
   putBack(): Promise<void>;
 }
 
+interface GoneParts {
+  readonly editor: GraphEditor;
+  readonly saving: Saving;
+  readonly drafts: Drafts;
+  readonly calls: SessionCalls;
+}
+
 /**
  * A master that was started anew has its stored sessions under other ids: the editor goes on with the
  * one of the same name. What it does not have at all stays on the screen.
  */
 export function useSessionGone(
   isGone: () => boolean,
-  { editor, drafts, calls }: { editor: GraphEditor; drafts: Drafts; calls: SessionCalls },
+  { editor, saving, drafts, calls }: GoneParts,
 ): SessionGone {
   const { client, isConnected } = useConnection();
   const router = useRouter();
@@ -39,7 +47,8 @@ export function useSessionGone(
     drafts.keep();
     moveDraft(localStorage, editor.session.value.id, id);
     drafts.pause();
-    await router.replace({ ...(graphLocation(id) as object), state: GO_ON });
+    const state: GoOn = { goOn: true, save: saving.isWaiting.value };
+    await router.replace({ ...(graphLocation(id) as object), state: { ...state } });
   }
 
   async function look(): Promise<void> {
