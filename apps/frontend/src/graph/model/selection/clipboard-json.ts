@@ -133,9 +133,7 @@ const STANDINGS: readonly Standing[] = ['bypassed', 'muted'];
 
 /** Names that only mappings know: of modules that nobody has, mostly. */
 const undeclared = ({ ports }: ModuleNode, direction: 'in' | 'out'): string[] =>
-  ports
-    .filter((port) => port.direction === direction && !port.isDeclared)
-    .map(({ name }) => name);
+  ports.filter((port) => port.direction === direction && !port.isDeclared).map(({ name }) => name);
 
 const texts = (value: unknown): string[] =>
   Array.isArray(value) ? value.filter((one) => typeof one === 'string') : [];
