@@ -1,6 +1,7 @@
 export * from './core/ports/index.ts';
 export { createMaster } from './core/create-master.ts';
 export { DEFAULT_LIMITS } from './core/limits.ts';
+export { LogTail } from './core/status/log-tail.ts';
 export type { LimitName, Limits } from './core/limits.ts';
 export type { MasterEndpoints, MasterPorts, MasterSettings } from './core/settings.ts';
 export type {

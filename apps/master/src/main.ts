@@ -10,6 +10,7 @@ import { bestPhoneUrl, formatBanner } from './adapters/terminal/banner.ts';
 import { formatEndpoints } from './adapters/terminal/endpoints-line.ts';
 import { formatQrCode } from './adapters/terminal/qr-code.ts';
 import type { Config } from './config.ts';
+import { LogTail } from './index.ts';
 import { startMaster } from './start-master.ts';
 import type { RunningMaster } from './start-master.ts';
 
@@ -55,17 +56,18 @@ function findWorker(): URL {
   return existsSync(beside) ? beside : new URL('../dist/pm-worker.js', import.meta.url);
 }
 
-function createLog({ logLevel, logFormat }: Config): StreamLog {
+function createLog({ logLevel, logFormat }: Config): LogTail {
   const format = logFormat === 'auto' ? (process.stderr.isTTY ? 'text' : 'json') : logFormat;
-  return new StreamLog({
+  const written = new StreamLog({
     level: logLevel,
     format,
     write: (line) => process.stderr.write(`${line}\n`),
     nowMs: Date.now,
   });
+  return new LogTail(written, Date.now, logLevel === 'debug');
 }
 
-function endInGoodOrder(master: RunningMaster, log: StreamLog): void {
+function endInGoodOrder(master: RunningMaster, log: LogTail): void {
   let endingSince: number | undefined;
   const end = (exitCode: number): void => {
     if (endingSince !== undefined) {

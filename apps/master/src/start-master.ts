@@ -2,7 +2,7 @@ import { moduleLibrary } from '@ubii/modules';
 import { openSandboxes } from './adapters/processing/open-sandboxes.ts';
 import { TrustedLibrary } from './adapters/processing/trusted-library.ts';
 import { createMaster, DEFAULT_LIMITS } from './index.ts';
-import type { Log } from './index.ts';
+import type { LogTail } from './index.ts';
 import { SystemClock } from './adapters/clock/system-clock.ts';
 import { prepareDataDir } from './adapters/config/prepare-data-dir.ts';
 import { createHttpApp } from './adapters/http/http-app.ts';
@@ -29,7 +29,7 @@ const CLOSE_GRACE_MS = 500;
 
 export interface MasterParts {
   readonly config: Config;
-  readonly log: Log;
+  readonly log: LogTail;
   readonly version: string;
   /** The built frontend. */
   readonly frontendFolder: string;
@@ -81,6 +81,7 @@ export async function startMaster({
       ids: randomIds,
       tokens,
       log,
+      logTail: log,
       patterns: new Re2Patterns(limits.patternInstructions),
       usage: new ProcessUsage(),
       sandboxes,

@@ -1,5 +1,6 @@
 import type { ClientMeter } from './clients/client-meter.ts';
 import type { ClientRegistry } from './clients/client-registry.ts';
+import type { RegistrationBudget } from './clients/registration-budget.ts';
 import type { SocketAdmission } from './clients/socket-admission.ts';
 import type { DeviceRegistry } from './devices/device-registry.ts';
 import type { InfoTopics } from './info/info-topics.ts';
@@ -11,6 +12,8 @@ import type { EventLog } from './status/event-log.ts';
 import type { LimitWatch } from './status/limit-watch.ts';
 import type { Load } from './status/load.ts';
 import type { Samples } from './status/samples.ts';
+import type { PatternTable } from './topics/pattern-table.ts';
+import type { SelectionTable } from './topics/selection-table.ts';
 import type { SubscriptionTable } from './topics/subscription-table.ts';
 import type { TopicTable } from './topics/topic-table.ts';
 
@@ -21,10 +24,13 @@ export interface Core extends MasterPorts {
   readonly settings: MasterSettings;
   readonly limits: Limits;
   readonly topics: TopicTable;
+  readonly patternTable: PatternTable;
+  readonly selectionTable: SelectionTable;
   readonly subscriptions: SubscriptionTable;
   readonly clients: ClientRegistry;
   readonly sockets: SocketAdmission;
   readonly devices: DeviceRegistry;
+  readonly budget: RegistrationBudget;
   readonly info: InfoTopics;
   readonly processing: Processing;
   readonly counters: Counters;

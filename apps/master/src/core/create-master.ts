@@ -79,7 +79,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
   const startedMs = clock.nowMs();
   const id = ports.ids.uuid();
   const counters = new Counters();
-  const events = new EventLog(clock);
+  const events = new EventLog(clock, log);
   const limitWatch = new LimitWatch(limits, clock, log, events);
 
   const patterns = new PatternTable({
@@ -159,10 +159,13 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     settings,
     limits,
     topics,
+    patternTable: patterns,
+    selectionTable: selections,
     subscriptions,
     clients,
     sockets,
     devices,
+    budget,
     info,
     processing,
     counters,

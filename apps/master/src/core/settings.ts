@@ -8,6 +8,7 @@ import type { PatternCompiler } from './ports/pattern-compiler.ts';
 import type { ResourceUsage } from './ports/resource-usage.ts';
 import type { ResumeTokens } from './ports/resume-tokens.ts';
 import type { Limits } from './limits.ts';
+import type { LogTail } from './status/log-tail.ts';
 
 /** What the core needs from outside. */
 export interface MasterPorts {
@@ -15,6 +16,8 @@ export interface MasterPorts {
   readonly ids: IdSource;
   readonly tokens: ResumeTokens;
   readonly log: Log;
+  /** Keeps the last lines of `log`, and of what else the process logs [EX-37]. */
+  readonly logTail: LogTail;
   readonly patterns: PatternCompiler;
   readonly usage: ResourceUsage;
   /** Where modules on the master run. Opened when the first of them comes; the core closes it. */

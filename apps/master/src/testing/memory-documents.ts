@@ -57,6 +57,7 @@ export class MemoryStorage implements SessionStorage {
   readonly sessions = new MemoryDocuments();
   readonly modules = new MemoryDocuments();
   readonly running = new MemoryDocuments();
+  readonly history = new MemoryDocuments();
 }
 
 function parse(text: string): StoredDocument {

@@ -11,6 +11,7 @@ import {
 import { createMaster } from '../core/create-master.ts';
 import type { Limits } from '../core/limits.ts';
 import type { Master } from '../core/master.ts';
+import { LogTail } from '../core/status/log-tail.ts';
 import type { PatternCompiler } from '../core/ports/pattern-compiler.ts';
 import type { MasterEndpoints } from '../core/settings.ts';
 import { FakeClock } from './fake-clock.ts';
@@ -46,18 +47,21 @@ export class TestMaster {
   readonly tokens = new PlainTokens();
   readonly usage = new FixedUsage();
   readonly storage: MemoryStorage;
+  readonly logTail: LogTail;
   readonly master: Master;
 
   constructor(options: TestMasterOptions = {}) {
     const { limits = {}, patterns, endpoints, clock, library = [], sandboxes } = options;
     this.clock = clock ?? new FakeClock();
+    this.logTail = new LogTail(this.log, () => this.clock.nowMs(), false);
     this.storage = options.storage ?? new MemoryStorage();
     this.master = createMaster(
       {
         clock: this.clock,
         ids: new SequentialIds(),
         tokens: this.tokens,
-        log: this.log,
+        log: this.logTail,
+        logTail: this.logTail,
         patterns: patterns ?? new NativePatterns(),
         usage: this.usage,
         sandboxes: sandboxes ?? createInlineSandboxes(),

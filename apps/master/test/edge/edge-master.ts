@@ -7,6 +7,7 @@ import { onTestFinished } from 'vitest';
 
 import { resolveConfig } from '../../src/adapters/config/resolve-config.ts';
 import { StreamLog } from '../../src/adapters/log/stream-log.ts';
+import { LogTail } from '../../src/index.ts';
 import { startMaster } from '../../src/start-master.ts';
 
 /** A master with all its adapters on free ports of loopback, closed when the test ends. */
@@ -29,12 +30,13 @@ export interface EdgeMasterOptions {
 
 export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<EdgeMaster> {
   const logged: string[] = [];
-  const log = new StreamLog({
+  const written = new StreamLog({
     level: 'debug',
     format: 'json',
     write: (line) => logged.push(line),
     nowMs: Date.now,
   });
+  const log = new LogTail(written, Date.now, true);
   const dataDir = options.dataDir ?? newFolder();
   const flags = ['--port', '0', '--data-dir', dataDir, '--legacy-ports', 'off'];
   const master = await startMaster({

@@ -8,12 +8,14 @@ export function openStorage(dataDir: string): SessionStorage & { settled(): Prom
   const sessions = new FileDocuments(join(dataDir, 'sessions'), '.session');
   const modules = new FileDocuments(join(dataDir, 'modules'), '.pm');
   const running = new FileDocuments(join(dataDir, 'running'), '.session');
+  const history = new FileDocuments(join(dataDir, 'history'), '.json');
   return {
     sessions,
     modules,
     running,
+    history,
     async settled() {
-      await Promise.all([sessions.settled(), modules.settled(), running.settled()]);
+      await Promise.all([sessions, modules, running, history].map((store) => store.settled()));
     },
   };
 }

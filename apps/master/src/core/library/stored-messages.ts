@@ -65,6 +65,13 @@ export class StoredMessages<T extends keyof StoredTypes & MessageType> {
     return undefined;
   }
 
+  /** Encoded bytes of all messages. */
+  get byteLength(): number {
+    let sum = 0;
+    for (const { byteLength } of this.#refresh().values()) sum += byteLength;
+    return sum;
+  }
+
   /** Encoded bytes of all messages but the one of this name. */
   bytesBeside(name: string): number {
     let sum = 0;

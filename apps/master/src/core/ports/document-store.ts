@@ -33,4 +33,6 @@ export interface SessionStorage {
   readonly modules: DocumentStore;
   /** Sessions that are started again with the next master, by id [SE-24]. */
   readonly running: DocumentStore;
+  /** Earlier versions of modules [EX-42]. */
+  readonly history: DocumentStore;
 }

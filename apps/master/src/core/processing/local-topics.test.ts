@@ -26,7 +26,12 @@ function setup() {
   const ids = new SequentialIds();
   const limits = DEFAULT_LIMITS;
   const counters = new Counters();
-  const limitWatch = new LimitWatch(limits, clock, new RecordingLog(), new EventLog(clock));
+  const limitWatch = new LimitWatch(
+    limits,
+    clock,
+    new RecordingLog(),
+    new EventLog(clock, new RecordingLog()),
+  );
   const patterns = new PatternTable({
     clock,
     compiler: new NativePatterns(),

@@ -52,7 +52,6 @@ export const disconnectClient: ServiceHandler = (core, request) => {
     `${label} was disconnected ${told}`,
     targetId,
   );
-  core.log.info('a client was disconnected', { clientId: targetId, told });
   return { success: { title: 'Success', message: `${label} is disconnected.` } };
 };
 

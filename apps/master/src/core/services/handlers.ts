@@ -14,6 +14,9 @@ import {
   registerDevice,
 } from './devices.ts';
 import type { ServiceHandler } from './handler.ts';
+import { listLimits } from './limits.ts';
+import { tailLog } from './log.ts';
+import { listModuleVersions } from './module-versions.ts';
 import { describeServer, listServices, masterStatus } from './server.ts';
 import {
   addRunningModules,
@@ -69,6 +72,9 @@ const DOMAIN_HANDLERS = {
   clientRename: renameClient,
   clientDisconnect: disconnectClient,
   clientThrottle: controlThrottle,
+  limitList: listLimits,
+  logTail: tailLog,
+  moduleVersionList: listModuleVersions,
   sessionRuntimeAdd: addSession,
   sessionRuntimeGet: getSession,
   sessionRuntimeGetList: listSessions,

@@ -1,4 +1,9 @@
-import { ModuleOrigin, ServiceError, type ProcessingModule } from '@ubii/proto';
+import {
+  ModuleOrigin,
+  ModuleVersionOrigin,
+  ServiceError,
+  type ProcessingModule,
+} from '@ubii/proto';
 import type { Core } from '../core.ts';
 import { requireRoom } from '../library/require-room.ts';
 import { matchesModule } from '../library/module-profiles.ts';
@@ -20,8 +25,11 @@ export const saveModule: ServiceHandler = async (core, request) => {
     );
   }
   requireRoom(core.limitWatch, modules.stored, 'ubii.processing.ProcessingModule', module);
+  const before = modules.stored.get(module.name);
   const saved = await modules.save(module);
   core.processing.reload.look();
+  const { history } = core.processing;
+  await history.record(`module ${module.name}`, before, saved, ModuleVersionOrigin.SAVED); // [EX-41]
   return { processingModule: saved };
 };
 

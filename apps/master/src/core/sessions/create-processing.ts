@@ -6,7 +6,9 @@ import type { DeviceRegistry } from '../devices/device-registry.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import { MASTER_ALIAS, SessionLibrary } from '../library/session-library.ts';
 import { FileNews } from '../library/file-news.ts';
+import { ModuleHistory } from '../library/module-history.ts';
 import { ModuleLibrary } from '../library/module-library.ts';
+import { watchModuleFiles } from '../library/stored-module-versions.ts';
 import { StoredMessages } from '../library/stored-messages.ts';
 import { LocalNode, type RuntimeHooks } from '../processing/local-node.ts';
 import { LocalTopics } from '../processing/local-topics.ts';
@@ -53,6 +55,7 @@ export interface Processing {
   readonly reports: NodeReports;
   readonly files: FileNews;
   readonly reload: ModuleReload;
+  readonly history: ModuleHistory;
   /** A node says that a module runs, or has ended. Returns false when no session has it there [SE-32]. */
   handleReport(nodeId: string, moduleId: string, isRunning: boolean): boolean;
   /** A client can be reached, or no longer [SE-31]. */
@@ -81,6 +84,9 @@ export function createProcessing(parts: ProcessingParts): Processing {
     masterId,
     log,
   });
+
+  const history = new ModuleHistory({ store: storage.history, clock, log });
+  const unwatchModules = watchModuleFiles(history, storedModules);
 
   const { libraries = [], capacity = DEFAULT_CAPACITY } = settings;
   const nodes = new NodeTable(
@@ -183,6 +189,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     drafts,
     life,
     library: sessionLibrary,
+    history,
   });
   const supervision = new Supervision(life, {
     passes: (session) => lockstep.statistics(session),
@@ -228,6 +235,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     reports,
     files,
     reload,
+    history,
     handleReport,
     handlePresence(clientId) {
       const node = nodes.get(clientId);
@@ -242,9 +250,11 @@ export function createProcessing(parts: ProcessingParts): Processing {
       isClosed = true;
       files.close();
       reload.close();
+      unwatchModules();
       supervision.close();
       lockstep.close();
-      for (const store of [storage.sessions, storage.modules, storage.running]) store.close();
+      for (const store of [storage.sessions, storage.modules, storage.running, storage.history])
+        store.close();
       await local.close();
       await sandboxes.close();
     },

@@ -1,11 +1,13 @@
 import {
   encode,
+  ModuleVersionOrigin,
   ServiceError,
   type NodeInfo,
   type ProcessingModule,
   type Session as SessionMessage,
   type SessionProblem,
 } from '@ubii/proto';
+import { isSame, type ModuleHistory } from '../library/module-history.ts';
 import type { SessionLibrary } from '../library/session-library.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
@@ -29,6 +31,7 @@ export interface SessionsContext {
   readonly drafts: DraftContext;
   readonly life: LifeContext;
   readonly library: SessionLibrary;
+  readonly history: ModuleHistory;
 }
 
 /** Everything that can be done with sessions. Requests are checked before anything is changed. */
@@ -104,12 +107,23 @@ export class Sessions {
     // Others may have been faster while the code was looked at.
     this.require(session.id);
     this.#requireNewest(session, message);
+    const before = new Map(session.modules.map(({ id, spec }) => [id, spec]));
     updateSession(this.#context.life, session, draft);
+    this.#recordVersions(session, before);
     session.byteLength = byteLength;
     session.warnings = this.#warningsOf(draft, warnings);
     this.#context.life.news.announceChange(session);
     this.#context.table.reindex(session);
     this.#context.life.onModules(session);
+  }
+
+  /** [EX-41] */
+  #recordVersions(session: Session, before: ReadonlyMap<string, ProcessingModule>): void {
+    for (const { id, spec } of session.modules) {
+      const old = before.get(id);
+      if (old === undefined || isSame(old, spec)) continue;
+      void this.#context.history.record(`instance ${id}`, old, spec, ModuleVersionOrigin.SAVED);
+    }
   }
 
   /** [SE-16] */

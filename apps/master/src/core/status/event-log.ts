@@ -1,21 +1,34 @@
-import type { StatusEvent, StatusEventKind } from '@ubii/proto';
+import { StatusEventKind, type StatusEvent } from '@ubii/proto';
 import type { Clock } from '../ports/clock.ts';
+import type { Log } from '../ports/log.ts';
 
 /** Events kept [EX-17]: what a page can show, in some 30 KB. */
 const KEPT_EVENTS = 200;
 
+/** What is logged where it happens, with more about it, and what people see without a log. */
+const NOT_LOGGED: ReadonlySet<StatusEventKind> = new Set([
+  StatusEventKind.MASTER_STARTED,
+  StatusEventKind.LIMIT_REACHED,
+  StatusEventKind.FILE_CHANGED,
+  StatusEventKind.FILE_BROKEN,
+]);
+
 /** What happened lately, for people [EX-16]. */
 export class EventLog {
   readonly #clock: Clock;
+  readonly #log: Log;
   readonly #events: StatusEvent[] = [];
 
-  constructor(clock: Clock) {
+  constructor(clock: Clock, log: Log) {
     this.#clock = clock;
+    this.#log = log;
   }
 
   add(kind: StatusEventKind, text: string, clientId = ''): void {
     this.#events.push({ timeMs: this.#clock.nowMs(), kind, text, clientId });
     if (this.#events.length > KEPT_EVENTS) this.#events.shift();
+    if (NOT_LOGGED.has(kind)) return;
+    this.#log.info(text, clientId === '' ? {} : { clientId });
   }
 
   /** Events after this moment, oldest first. */

@@ -1,0 +1,24 @@
+import type { Init, Limit } from '@ubii/proto';
+import { LIMITS, type LimitName } from '../limits.ts';
+import { LIMIT_USES } from '../status/limit-uses.ts';
+import type { ServiceHandler } from './handler.ts';
+
+/** `/services/ubii/limit_list` [EX-35] */
+export const listLimits: ServiceHandler = (core) => {
+  const { limits, limitWatch } = core;
+  const hits = new Map([...limitWatch.hits()].map(({ limit, streak }) => [limit, streak.count]));
+  const elements = (Object.keys(LIMITS) as LimitName[]).map((name): Init<Limit> => {
+    const { unit, reason, group } = LIMITS[name];
+    const use = LIMIT_USES[name]?.(core);
+    return {
+      name,
+      value: limits[name],
+      unit,
+      reason,
+      group,
+      hits: hits.get(name) ?? 0,
+      ...(use !== undefined && { use }),
+    };
+  });
+  return { limitList: { elements } };
+};

@@ -1,0 +1,61 @@
+import { ServiceError, type ModuleVersion, type ProcessingModule } from '@ubii/proto';
+import type { Core } from '../core.ts';
+import { isSame, type HistoryKey } from '../library/module-history.ts';
+import { quote } from '../topics/topic-names.ts';
+import type { ServiceHandler } from './handler.ts';
+
+/** `/services/ubii/module_version_list` [EX-40] */
+export const listModuleVersions: ServiceHandler = ({ processing }, request) => {
+  const { name, moduleId, number } = request.moduleVersionRequest!;
+  if ((name === '') === (moduleId === '')) {
+    throw new ServiceError(
+      'invalid_argument',
+      'The request has to give either the name of a stored module or the id of a module of a session.',
+    );
+  }
+  const key: HistoryKey = name === '' ? `instance ${moduleId}` : `module ${name}`;
+  const what = name === '' ? `with the id ${quote(moduleId)}` : `named ${quote(name)}`;
+  const versions = processing.history.list(key);
+  if (versions === undefined) {
+    throw new ServiceError(
+      'not_found',
+      `No versions are kept of a module ${what}: it was not changed since versions are kept, or there is none.`,
+    );
+  }
+  const current = presentModule(processing, name, moduleId);
+  const isCurrent = newestIsCurrent(processing, key, versions, current);
+  if (number === 0) {
+    const elements = versions.map((version, index) => ({
+      ...version,
+      current: isCurrent && index === 0,
+    }));
+    return { moduleVersionList: { elements } };
+  }
+  const found = processing.history.get(key, number);
+  if (found === undefined) {
+    throw new ServiceError(
+      'not_found',
+      `The version ${number} of the module ${what} is not kept; the list has those that are.`,
+    );
+  }
+  const element = { ...found, current: isCurrent && number === versions[0]?.number };
+  return { moduleVersionList: { elements: [element] } };
+};
+
+function presentModule(
+  { modules, sessions }: Core['processing'],
+  name: string,
+  moduleId: string,
+): ProcessingModule | undefined {
+  return name === '' ? sessions.findModule(moduleId)?.module.spec : modules.stored.get(name);
+}
+
+function newestIsCurrent(
+  { history }: Core['processing'],
+  key: HistoryKey,
+  versions: readonly ModuleVersion[],
+  current: ProcessingModule | undefined,
+): boolean {
+  const newest = history.get(key, versions[0]?.number ?? 0)?.module;
+  return newest !== undefined && current !== undefined && isSame(newest, current);
+}
