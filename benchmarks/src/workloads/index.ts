@@ -5,6 +5,7 @@ import { MODULE_CALLS_IN_BROWSER } from './module-call-browser.ts';
 import { LOCKSTEPS } from './lockstep.ts';
 import { modules100 } from './modules-100.ts';
 import { roundTrip } from './round-trip.ts';
+import { topicsPage } from './topics-page.ts';
 import { trigger } from './trigger.ts';
 import type { Workload } from './workload.ts';
 
@@ -19,4 +20,5 @@ export const WORKLOADS: readonly Workload[] = [
   ...LOCKSTEPS,
   modules100,
   graphEditor,
+  topicsPage,
 ];

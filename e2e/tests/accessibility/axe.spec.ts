@@ -3,6 +3,7 @@ import type { Page } from '@playwright/test';
 import { callService } from '../../fixtures/call-service.ts';
 import { HostileClient } from '../../fixtures/hostile-client.ts';
 import { expect, test, type Room } from '../../fixtures/test.ts';
+import { PerformancePage } from '../../pages/performance-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
 const PAGES = [
@@ -12,6 +13,9 @@ const PAGES = [
   { name: 'modules', path: '/modules' },
   { name: 'a module', path: '/modules/clock' },
   { name: 'topics', path: '/topics' },
+  { name: 'performance', path: '/performance' },
+  { name: 'session speed', path: '/performance/session-speed' },
+  { name: 'results of tests', path: '/performance/results' },
   { name: 'examples', path: '/examples' },
   { name: 'mouse pointer', path: '/examples/mouse-pointer' },
   { name: 'settings', path: '/settings' },
@@ -111,6 +115,23 @@ for (const [theme, screen] of SCREENS) {
     }
     await page.goto('/sessions');
     await expect(page.getByRole('list', { name: 'Sessions' })).toContainText('Noisy');
+    await expectAccessible(page);
+  });
+
+  test(`what a test has measured is accessible, ${theme}, on a ${screen}`, async ({ room }) => {
+    const { page } = await enter(room, theme, screen);
+    const performance = new PerformancePage({ page });
+    await performance.open();
+    await performance.fill({ Rate: '20', 'Length of each': '1' });
+    await performance.measure();
+    await expect(page.locator('canvas').first()).toBeVisible();
+    await expectAccessible(page);
+    await performance.measure();
+    await performance.open('results');
+    for (const box of await page.getByRole('checkbox').all()) await box.check();
+    await expectAccessible(page);
+    await page.getByRole('button', { name: 'Compare 2' }).click();
+    await expect(page.locator('canvas').first()).toBeVisible();
     await expectAccessible(page);
   });
 

@@ -84,9 +84,9 @@ async function connectAll(
       await Promise.all(subscriptions.map(({ ready }) => ready));
       const { value, write } = numberedBytes(sizeBytes);
       return {
-        publish(sequence) {
+        publish(sequence, isLast) {
           write(index, sequence);
-          client.publish(topics[index]!, 'image2D', value);
+          client.publish(topics[index]!, 'image2D', value, { immediate: isLast });
         },
         onRecord(fn) {
           for (const subscription of subscriptions) {

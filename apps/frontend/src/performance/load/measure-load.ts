@@ -8,8 +8,11 @@ import { rampOf, type LoadParameters } from './load-parameters.ts';
 
 /** One connection of the test. */
 export interface LoadClient {
-  /** Publishes a record of the wanted size with this number. */
-  publish(sequence: number): void;
+  /**
+   * Publishes a record of the wanted size with this number.
+   * @param isLast nothing follows in this turn: everything leaves now, as one message
+   */
+  publish(sequence: number, isLast: boolean): void;
   /** Every record it gets: number of the client that published it, and the record's. */
   onRecord(fn: (publisher: number, sequence: number) => void): void;
 }
@@ -87,7 +90,7 @@ async function measureStep(
       lags.length = 0;
       traffic.startCounting();
     }
-    for (let due = pace.due(nowMs); due > 0; due--) traffic.publish();
+    traffic.publish(pace.due(nowMs));
     report((nowMs - startedMs) / stepMs);
     tickMs = clock.monotonicMs() + TICK_MS;
     await wait(TICK_MS, run);
@@ -136,13 +139,15 @@ class Traffic {
     for (const client of clients) client.onRecord((from, sequence) => this.#take(from, sequence));
   }
 
-  publish(): void {
-    const turn = this.#turn;
-    this.#turn = (turn + 1) % this.#clients.length;
-    const sequence = this.#next[turn]!++;
-    this.#sentMs[turn]![sequence % REMEMBERED] = this.#run.clock.monotonicMs();
-    this.#clients[turn]!.publish(sequence);
-    if (this.#isCounting) this.sent += 1;
+  publish(count: number): void {
+    for (let left = count; left > 0; left--) {
+      const turn = this.#turn;
+      this.#turn = (turn + 1) % this.#clients.length;
+      const sequence = this.#next[turn]!++;
+      this.#sentMs[turn]![sequence % REMEMBERED] = this.#run.clock.monotonicMs();
+      this.#clients[turn]!.publish(sequence, left <= this.#clients.length);
+      if (this.#isCounting) this.sent += 1;
+    }
   }
 
   startCounting(): void {

@@ -11,6 +11,7 @@ export interface Leavings {
   add(leaving: Leaving): void;
   /** It is gone. */
   drop(leaving: Leaving): void;
+  /** In the order in which they go: a session publishes on topics of its client. */
   readonly all: readonly Leaving[];
 }
 
@@ -32,7 +33,9 @@ export function createLeavings(storage: Pick<Storage, 'getItem' | 'setItem'>): L
       if (known.delete(id)) save();
     },
     get all() {
-      return [...known.values()];
+      const leavings = [...known.values()];
+      const of = (kind: Leaving['kind']) => leavings.filter((one) => one.kind === kind);
+      return [...of('session'), ...of('client')];
     },
   };
 }

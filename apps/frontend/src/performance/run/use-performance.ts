@@ -162,7 +162,10 @@ export function providePerformance(): Performance {
   onScopeDispose(() => end('left'));
   // A page that is closed or loaded anew has no time for an answer
   useEventListener(window, 'pagehide', () => {
-    for (const leaving of leavings.all) {
+    const sessions = leavings.all.filter(({ kind }) => kind === 'session');
+    // The client of a session keeps its topics until the last run is over: it is taken away on the
+    // next visit, or by the master, like every client whose page is closed. [TD-40]
+    for (const leaving of sessions.length > 0 ? sessions : leavings.all) {
       const body = new Blob([removalRequest(leaving)], { type: 'application/json' });
       navigator.sendBeacon('/services/json', body);
     }

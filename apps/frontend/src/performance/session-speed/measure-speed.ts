@@ -68,7 +68,9 @@ async function measure(
   let echoes = new Durations();
   const reports: SessionStatistics[] = [];
   let isCounting = false;
-  session.onDuration((durationMs) => durations.add(durationMs, clock.monotonicMs()));
+  session.onDuration((durationMs) => {
+    if (isCounting) durations.add(durationMs, clock.monotonicMs());
+  });
   session.onStatistics((statistics) => {
     if (isCounting) reports.push(statistics);
   });

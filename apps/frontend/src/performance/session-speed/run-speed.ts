@@ -19,6 +19,8 @@ const MODULE = 'load-generator';
 const POLL_MS = 50;
 /** Longer than the master waits for nodes. [SE-12] */
 const START_TIMEOUT_MS = 12_000;
+/** Until the last run is over. */
+const RUN_OUT_MS = 300;
 /** As many durations as a histogram needs: a free module has thousands a second. */
 const DURATION_RATE_HZ = 200;
 
@@ -45,6 +47,10 @@ export async function runSpeed(
     });
     const echo = client.subscribe(topics.echo, { format: 'double' });
     await Promise.all([duration.ready, echo.ready]);
+    // Whoever publishes first owns a topic, and what a client owns goes with it [TD-19, TD-40]
+    for (const topic of [topics.duration, topics.echo]) {
+      client.publish(topic, 'double', 0, { immediate: true });
+    }
     const start = async (): Promise<SpeedSession> => {
       const spec = speedSession(parameters, {
         ownerId,
@@ -58,7 +64,10 @@ export async function runSpeed(
       leavings.add(leaving);
       const remove = async (): Promise<void> => {
         // What cannot be removed now is removed with the next connection, or on the next visit
-        if (await isRemoved(client, id)) leavings.drop(leaving);
+        if (!(await isRemoved(client, id))) return;
+        leavings.drop(leaving);
+        // A run under way still publishes [PM-29]: on a topic whose owner is gone that would stay
+        await new Promise<void>((resolve) => run.clock.after(RUN_OUT_MS, resolve));
       };
       try {
         await whenRunning(client, id, run);

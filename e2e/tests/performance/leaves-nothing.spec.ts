@@ -1,0 +1,115 @@
+import { callService } from '../../fixtures/call-service.ts';
+import type { MasterAddresses } from '../../fixtures/master-process.ts';
+import { expect, test } from '../../fixtures/test.ts';
+import { PerformancePage } from '../../pages/performance-page.ts';
+import { Shell } from '../../pages/shell.ts';
+
+/** What tests put on the master: names of clients and sessions, and topics. */
+async function leftOn(addresses: MasterAddresses): Promise<string[]> {
+  const { clientList } = await callService(addresses, { topic: '/services/client/get_list' });
+  const { sessionList } = await callService(addresses, {
+    topic: '/services/session/runtime/get_list',
+  });
+  const { stringList } = await callService(addresses, { topic: '/services/topic_list' });
+  const clients = clientList!.elements
+    .map(({ name }) => name)
+    .filter((name) => /test( \d+)?$/.test(name));
+  return [
+    ...clients.map((name) => `client ${name}`),
+    ...sessionList!.elements.map(({ name }) => name),
+    ...(stringList?.elements ?? []).filter((topic) => topic.includes('/performance/')),
+  ];
+}
+
+/** A run so long that it is certainly still under way. */
+const LONG: readonly (readonly [place: string, fields: Readonly<Record<string, string>>])[] = [
+  ['round-trip', { 'Length of each': '300' }],
+  ['load', { 'Lowest rate': '20', 'Highest rate': '40', 'Length of a step': '60', Clients: '2' }],
+  ['session-speed', { Length: '300', Modules: '2' }],
+  ['screen', { Length: '300' }],
+];
+
+for (const [place, fields] of LONG) {
+  test(`a run that is stopped leaves nothing behind: ${place}`, async ({ master, room }) => {
+    const page = new PerformancePage(await room.atDesk('Anna'));
+    await page.open(place);
+    await page.fill(fields);
+    await page.begin();
+    await expect.poll(() => leftOn(master.addresses)).not.toEqual([]);
+    await page.stop.click();
+    await expect(page.start).toBeVisible();
+    await expect.poll(() => leftOn(master.addresses)).toEqual([]);
+  });
+}
+
+test('what was measured until a run was stopped is kept, and says so', async ({ room }) => {
+  const page = new PerformancePage(await room.atDesk('Anna'));
+  await page.open();
+  await page.fill({ Rate: '50', 'Length of each': '300' });
+  await page.begin();
+  await expect.poll(() => page.figure('immediate.returned').isVisible()).toBe(true);
+  await page.stop.click();
+  await expect(page.page.getByText('Stopped early: what was measured until then')).toBeVisible();
+});
+
+test('a session of a test ends with its page, however the page is left', async ({
+  master,
+  room,
+}) => {
+  const anna = await room.atDesk('Anna');
+  const page = new PerformancePage(anna);
+  const running = async (): Promise<void> => {
+    await page.fill({ Length: '300', Modules: '2' });
+    await page.begin();
+    await expect.poll(() => leftOn(master.addresses)).toContain('Session speed test');
+  };
+
+  await test.step('to another page of the program', async () => {
+    await page.open('session-speed');
+    await running();
+    await new Shell(anna.page).go('Home');
+    await expect.poll(() => leftOn(master.addresses)).toEqual([]);
+  });
+  await test.step('by a reload', async () => {
+    await page.open('session-speed');
+    await running();
+    await anna.page.reload();
+    await expect.poll(() => leftOn(master.addresses)).toEqual([]);
+  });
+  await test.step('by closing it', async () => {
+    await running();
+    await anna.page.close({ runBeforeUnload: false });
+    // Clients of a closed page are away for a while, as its own is
+    await expect.poll(() => leftOn(master.addresses)).not.toContain('Session speed test');
+  });
+});
+
+test('a run goes on while other tests are looked at, and no second one starts', async ({
+  room,
+}) => {
+  const page = new PerformancePage(await room.atDesk('Anna'));
+  await page.open();
+  await page.fill({ Rate: '20', 'Length of each': '300' });
+  await page.begin();
+  await page.places.getByRole('link', { name: 'Topic to screen' }).click();
+  await expect(page.start).toHaveAttribute('aria-disabled', 'true');
+  await page.places.getByRole('link', { name: /^Round trip/ }).click();
+  await page.stop.click();
+  await expect(page.start).not.toHaveAttribute('aria-disabled', 'true');
+});
+
+test('a run ends when the master goes, and what it measured is kept', async ({ master, room }) => {
+  const anna = await room.atDesk('Anna');
+  const page = new PerformancePage(anna);
+  await page.open();
+  await page.fill({ Rate: '50', 'Length of each': '300' });
+  await page.begin();
+  await expect.poll(() => page.figure('immediate.returned').isVisible()).toBe(true);
+  anna.watch.expect(/net::ERR_/, /WebSocket connection to .* failed/, /Failed to load resource/);
+  await master.stop();
+  await expect(page.page.getByText('Connection lost: what was measured until then')).toBeVisible();
+  await expect(page.start).toHaveAttribute('aria-disabled', 'true');
+  await master.startAgain();
+  await expect(page.start).not.toHaveAttribute('aria-disabled', 'true', { timeout: 60_000 });
+  await expect.poll(() => leftOn(master.addresses)).toEqual([]);
+});

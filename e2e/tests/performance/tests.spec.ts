@@ -1,0 +1,102 @@
+import { expect, test } from '../../fixtures/test.ts';
+import { PerformancePage } from '../../pages/performance-page.ts';
+
+test('the round trip is measured, immediate and aggregated', async ({ room }) => {
+  const page = new PerformancePage(await room.atDesk('Anna'));
+  await page.open();
+  await expect(page.page.getByText('Nothing was measured yet.')).toBeVisible();
+  await page.fill({ Rate: '40', 'Length of each': '2' });
+  await page.measure();
+  for (const way of ['immediate', 'aggregated']) {
+    expect(await page.figureValue(`${way}.sent`)).toBeGreaterThan(0);
+    expect(await page.figureValue(`${way}.lost`)).toBe(0);
+    expect(await page.figureValue(`${way}.returned`)).toBe(await page.figureValue(`${way}.sent`));
+    await expect(page.figure(`${way}.p95`)).toContainText('ms');
+    await expect(page.figure(`${way}.jitter`)).toContainText('ms');
+  }
+  const chart = page.chart('Immediate: how long records took');
+  await expect(chart.locator('canvas')).toBeVisible();
+  await expect(chart).toContainText(/Most often between .* ms/);
+
+  await test.step('a value is read with the keyboard', async () => {
+    const frame = chart.getByRole('img');
+    await frame.focus();
+    await frame.press('End');
+    await frame.press('ArrowLeft');
+    await expect(chart.locator('output')).toContainText('%');
+  });
+});
+
+test('the load is raised, and the page says who was the limit', async ({ room }) => {
+  const page = new PerformancePage(await room.atDesk('Anna'));
+  await page.open('load');
+  await page.fill({
+    Size: '64',
+    Clients: '2',
+    'Lowest rate': '50',
+    'Highest rate': '200',
+    'Each step times': '2',
+    'Length of a step': '1',
+  });
+  await page.measure();
+  expect(await page.figureValue('peak')).toBeGreaterThan(0);
+  await expect(page.page.getByRole('list', { name: 'Notes' })).toContainText(/records a second/);
+  await expect(page.chart('Latency by rate').locator('canvas')).toBeVisible();
+  await expect(page.chart('Who is busy').locator('canvas')).toBeVisible();
+});
+
+for (const mode of ['Frequency', 'Trigger on input', 'Lockstep', 'Free']) {
+  test(`modules run on the master, ${mode}`, async ({ room }) => {
+    const page = new PerformancePage(await room.atDesk('Anna'));
+    await page.open('session-speed');
+    await page.page.getByRole('radio', { name: mode, exact: true }).click();
+    await page.fill({ Modules: '2', 'Additions in each run': '1000', Length: '2' });
+    await page.measure();
+    expect(await page.figureValue('runs')).toBeGreaterThan(0);
+    expect(await page.figureValue('errors')).toBe(0);
+    await expect(page.figure('echo.p50')).toContainText('ms');
+    if (mode === 'Lockstep') await expect(page.figure('pass.p50')).toContainText('ms');
+  });
+}
+
+test('modules run in this tab and on a node', async ({ room }) => {
+  await room.node('Lab');
+  const page = new PerformancePage(await room.atDesk('Anna'));
+  await page.open('session-speed');
+  await page.fill({ Modules: '2', 'Additions in each run': '1000', Length: '2' });
+  for (const place of ['This tab', 'Lab']) {
+    await test.step(place, async () => {
+      await page.page.getByRole('combobox', { name: 'Runs on' }).click();
+      await page.page.getByRole('option', { name: place }).click();
+      await page.measure();
+      expect(await page.figureValue('runs')).toBeGreaterThan(0);
+      await expect(
+        page.page.getByRole('article', { name: `Session speed: ${place}, Frequency` }),
+      ).toBeVisible();
+    });
+  }
+});
+
+test('values are timed until they are drawn', async ({ room }) => {
+  const page = new PerformancePage(await room.atDesk('Anna'));
+  await page.open('screen');
+  await page.fill({ Length: '2' });
+  await page.measure();
+  expect(await page.figureValue('drawn')).toBeGreaterThan(0);
+  expect(await page.figureValue('lost')).toBe(0);
+  await expect(page.chart('Published to drawn').first().locator('canvas')).toBeVisible();
+});
+
+test('what is not filled in as it should be is said beside the field, and nothing starts', async ({
+  room,
+}) => {
+  const page = new PerformancePage(await room.atDesk('Anna'));
+  await page.open();
+  await page.fill({ Rate: '9999' });
+  await expect(page.page.getByRole('alert')).toContainText(
+    'It must be a whole number from 1 to 200.',
+  );
+  await expect(page.start).toHaveAttribute('aria-disabled', 'true');
+  await page.fill({ Rate: '50' });
+  await expect(page.start).not.toHaveAttribute('aria-disabled', 'true');
+});
