@@ -7,7 +7,7 @@ import type { Findings, TestKind } from '../measure/findings.ts';
 import type { TestRun } from '../measure/test-run.ts';
 import { createKeptResults, type KeptResults } from '../results/kept-results.ts';
 import { openResultStore } from '../results/result-store.ts';
-import type { Parameter, TestEnd } from '../results/test-result.ts';
+import type { Parameter, TestEnd, TestResult } from '../results/test-result.ts';
 import { isAbandoned } from '../session-speed/speed-session.ts';
 import { TEST_TITLES } from '../words/test-words.ts';
 import { circumstances } from './circumstances.ts';
@@ -103,7 +103,7 @@ export function providePerformance(): Performance {
       await results.put({
         id,
         kind,
-        name: nameOf(kind, parameters),
+        name: freeName(nameOf(kind, parameters), results.list.value ?? []),
         startedMs,
         durationMs: Date.now() - startedMs,
         ended: cause,
@@ -188,4 +188,13 @@ function nameOf(kind: TestKind, parameters: readonly Parameter[]): string {
     .slice(0, 2)
     .map(({ value, unit }) => (unit === undefined ? `${value}` : `${value} ${unit}`));
   return `${TEST_TITLES[kind]}: ${chosen.join(', ')}`;
+}
+
+/** Runs beside each other are told apart by their names. */
+function freeName(name: string, results: readonly TestResult[]): string {
+  const taken = new Set(results.map((result) => result.name));
+  if (!taken.has(name)) return name;
+  let number = 2;
+  while (taken.has(`${name} (${number})`)) number += 1;
+  return `${name} (${number})`;
 }
