@@ -42,6 +42,9 @@ describe('options', () => {
       legacyPorts: { services: 8102, topicData: 8104 },
       allowedOrigins: [],
       printEndpoints: undefined,
+      checks: 'warn',
+      busyPercent: 80,
+      publisherPercent: 40,
       logLevel: 'info',
       logFormat: 'auto',
     });
@@ -127,6 +130,8 @@ describe('a wrong value is explained in one sentence', () => {
     [['--legacy-ports', '8102'], 'two ports separated by a comma'],
     [['--legacy-ports', '1,2,3'], 'on, off, or two ports'],
     [['--print-endpoints', 'xml'], '--print-endpoints must be json'],
+    [['--busy-percent', '0'], '--busy-percent must be a number from 1 to 100'],
+    [['--publisher-percent', 'much'], '--publisher-percent must be a number from 1 to 100'],
     [['--log-level', 'loud'], 'error, warn, info or debug'],
     [['--allowed-origins', 'example.org'], 'such as https://example.org'],
     [['--name', ' '], '1 to 100 characters'],

@@ -9,9 +9,12 @@ import {
   parseLegacyPorts,
   parseName,
   parseOrigins,
+  parsePercent,
   parsePort,
   parseSwitch,
 } from './adapters/config/parse-values.ts';
+
+import { DEFAULT_CHECKS, type CheckSettings } from './core/checks/check-settings.ts';
 
 /** One option of the master. */
 export interface Option<T> {
@@ -146,6 +149,26 @@ export const OPTIONS = {
     description:
       'When ready, write one line of JSON with the addresses to standard output, for scripts; everything else goes to standard error.',
     parse: parseChoice('json'),
+  }),
+  checks: option<CheckSettings['checks']>({
+    placeholder: 'off|warn|throttle',
+    fallback: DEFAULT_CHECKS.checks,
+    description:
+      'What follows when a publisher, a module or the master takes more than the machine can give: nothing, a warning, or that noisy publishers are throttled as well.',
+    parse: parseChoice('off', 'warn', 'throttle'),
+  }),
+  busyPercent: option({
+    placeholder: '<percent>',
+    fallback: DEFAULT_CHECKS.busyPercent,
+    description: 'Share of the time, in percent, above which the master counts as busy.',
+    parse: parsePercent,
+  }),
+  publisherPercent: option({
+    placeholder: '<percent>',
+    fallback: DEFAULT_CHECKS.publisherPercent,
+    description:
+      "Share of the master's time, in percent, that the records of one client may take before it counts as noisy.",
+    parse: parsePercent,
   }),
   logLevel: option<'error' | 'warn' | 'info' | 'debug'>({
     placeholder: 'error|warn|info|debug',

@@ -88,7 +88,18 @@ export async function startMaster({
       storage,
       library: () => library.modules(),
     },
-    { name: config.name, version, limits, libraries, endpoints: () => reachability().endpoints },
+    {
+      name: config.name,
+      version,
+      limits,
+      libraries,
+      checks: {
+        checks: config.checks,
+        busyPercent: config.busyPercent,
+        publisherPercent: config.publisherPercent,
+      },
+      endpoints: () => reachability().endpoints,
+    },
   );
   const sockets = new TopicDataSockets({
     master,

@@ -1,3 +1,4 @@
+import type { OverloadChecks } from './checks/overload-checks.ts';
 import type { ClientMeter } from './clients/client-meter.ts';
 import type { ClientRegistry } from './clients/client-registry.ts';
 import type { RegistrationBudget } from './clients/registration-budget.ts';
@@ -38,5 +39,6 @@ export interface Core extends MasterPorts {
   readonly events: EventLog;
   readonly samples: Samples;
   readonly load: Load;
+  readonly checks: OverloadChecks;
   readonly clientMeter: ClientMeter;
 }

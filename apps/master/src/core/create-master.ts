@@ -1,5 +1,7 @@
 import { StatusEventKind, type ServiceRequest } from '@ubii/proto';
 import { TextCache } from '@ubii/proto/wire';
+import { DEFAULT_CHECKS } from './checks/check-settings.ts';
+import { OverloadChecks } from './checks/overload-checks.ts';
 import { ClientRegistry } from './clients/client-registry.ts';
 import { CLOSE } from './clients/close-codes.ts';
 import { ClientMeter } from './clients/client-meter.ts';
@@ -147,8 +149,19 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     publisher,
   });
   const clientMeter = new ClientMeter(clients);
-  const load = new Load(clock, ports.usage, (seconds) => {
+  const load: Load = new Load(clock, ports.usage, (seconds) => {
     clientMeter.measure(seconds);
+    checks.look();
+  });
+  const checks = new OverloadChecks({
+    clock,
+    limits,
+    events,
+    clients,
+    settings: { ...DEFAULT_CHECKS, ...settings.checks },
+    load: () => load,
+    nodes: processing.nodes,
+    sessions: () => processing.sessions.list(),
   });
   const samples = new Samples(clock, load, counters);
   events.add(StatusEventKind.MASTER_STARTED, 'The master started');
@@ -173,6 +186,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     events,
     samples,
     load,
+    checks,
     clientMeter,
   };
 }

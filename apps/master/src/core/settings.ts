@@ -7,6 +7,7 @@ import type { Log } from './ports/log.ts';
 import type { PatternCompiler } from './ports/pattern-compiler.ts';
 import type { ResourceUsage } from './ports/resource-usage.ts';
 import type { ResumeTokens } from './ports/resume-tokens.ts';
+import type { CheckSettings } from './checks/check-settings.ts';
 import type { Limits } from './limits.ts';
 import type { LogTail } from './status/log-tail.ts';
 
@@ -53,6 +54,8 @@ export interface MasterSettings {
   readonly libraries?: readonly string[];
   /** How many modules this master likes to run at once. Default: 100. */
   readonly capacity?: number;
+  /** What the master looks for in itself, where it differs from `DEFAULT_CHECKS` [EX-48]. */
+  readonly checks?: Partial<CheckSettings>;
   /** Limits that differ from `DEFAULT_LIMITS`. */
   readonly limits?: Partial<Limits>;
 }

@@ -13,7 +13,7 @@ import type { Limits } from '../core/limits.ts';
 import type { Master } from '../core/master.ts';
 import { LogTail } from '../core/status/log-tail.ts';
 import type { PatternCompiler } from '../core/ports/pattern-compiler.ts';
-import type { MasterEndpoints } from '../core/settings.ts';
+import type { MasterEndpoints, MasterSettings } from '../core/settings.ts';
 import { FakeClock } from './fake-clock.ts';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import type { SandboxFactory } from '@ubii/pm-sandbox';
@@ -28,6 +28,7 @@ import { TestClient } from './test-client.ts';
 /** What a test may want otherwise. */
 export interface TestMasterOptions {
   readonly limits?: Partial<Limits>;
+  readonly checks?: MasterSettings['checks'];
   readonly patterns?: PatternCompiler;
   readonly endpoints?: Partial<MasterEndpoints>;
   /** A clock that was there before: for a second run of the master. */
@@ -71,6 +72,7 @@ export class TestMaster {
       {
         version: '1.2.3',
         limits,
+        ...(options.checks && { checks: options.checks }),
         endpoints: () => ({
           ipEthernet: '',
           ipWlan: '',

@@ -84,6 +84,12 @@ export function parseFetchOrigins(text: string): readonly string[] {
   });
 }
 
+export function parsePercent(text: string): number {
+  const percent = /^\d+(\.\d+)?$/.test(text) ? Number(text) : Number.NaN;
+  if (!(percent >= 1 && percent <= 100)) throw new Error('a number from 1 to 100');
+  return percent;
+}
+
 export function parseChoice<const C extends string>(...choices: readonly C[]): (text: string) => C {
   return (text) => {
     const choice = choices.find((candidate) => candidate === text.toLowerCase());

@@ -24,7 +24,7 @@ const COMMON_LIMITS: ReadonlySet<LimitName> = new Set<LimitName>([
 /** What is wrong now, most severe first [EX-18]. */
 export function listProblems(core: Core): Problem[] {
   const problems = [...limitProblems(core)];
-  problems.push(...fileProblems(core), ...sessionProblems(core));
+  problems.push(...fileProblems(core), ...sessionProblems(core), ...core.checks.problems());
   for (const client of core.clients.values()) problems.push(...clientProblems(core, client));
   return problems.sort((a, b) => b.severity - a.severity).slice(0, MOST_PROBLEMS);
 }

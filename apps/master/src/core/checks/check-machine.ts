@@ -1,0 +1,77 @@
+import { StatusProblemSeverity } from '@ubii/proto';
+import type { Client } from '../clients/client.ts';
+import type { UsageMeasurement } from '../ports/resource-usage.ts';
+import { quote } from '../topics/topic-names.ts';
+import type { FoundProblem } from './findings.ts';
+import type { ModuleLoad } from './check-modules.ts';
+
+/** From here on everybody notices that the master is busy, percent [EX-46]. */
+const FULL_PERCENT = 95;
+/** Share of the work from which one client is named as the cause [EX-46]. */
+const CAUSE_SHARE = 1 / 3;
+
+/** What the machine is looked at with. */
+export interface MachineState {
+  readonly usage: UsageMeasurement;
+  readonly processors: number;
+  readonly busyPercent: number;
+  readonly clients: Iterable<Client>;
+  /** Modules that run on the master. */
+  readonly modules: readonly ModuleLoad[];
+}
+
+/** Whether the master, or all of its machine, has too much to do [EX-46]. */
+export function* checkMachine(state: MachineState): Iterable<[key: string, FoundProblem]> {
+  const { usage, processors, busyPercent } = state;
+  if (usage.busyPercent > busyPercent) yield ['master_busy', masterBusy(state)];
+  if (usage.cpuPercent > busyPercent * processors) yield ['machine_busy', machineBusy(state)];
+}
+
+function masterBusy({ usage, clients }: MachineState): FoundProblem {
+  const first = busiest(clients);
+  const cause =
+    first === undefined
+      ? 'no client stands out'
+      : `${percent(first.traffic.workShare * 100)} of the work with records is that of ${first.label}`;
+  return {
+    code: 'master_busy',
+    severity:
+      usage.busyPercent >= FULL_PERCENT
+        ? StatusProblemSeverity.ERROR
+        : StatusProblemSeverity.WARNING,
+    text: `The master is busy for ${percent(usage.busyPercent)} of the time and comes ${Math.round(usage.delayMs)} ms late to what is to be done, so that values arrive later; ${cause}.`,
+    clientId: first?.id ?? '',
+    remedy:
+      first === undefined
+        ? 'Publish less often, subscribe to less or at a lower rate, or run the master on a faster machine.'
+        : 'Let that client publish or subscribe at a lower rate, or throttle it.',
+  };
+}
+
+function machineBusy({ usage, processors, modules }: MachineState): FoundProblem {
+  const [first] = [...modules].sort((a, b) => b.coreShare - a.coreShare);
+  const cause =
+    first === undefined
+      ? 'no module runs on it'
+      : `the module ${quote(first.name)} of the session ${quote(first.sessionLabel)} takes most, ${percent(first.coreShare * 100)} of a core`;
+  return {
+    code: 'machine_busy',
+    severity: StatusProblemSeverity.WARNING,
+    text: `The master and its modules take ${percent(usage.cpuPercent / processors)} of the ${processors} cores of their machine; ${cause}.`,
+    remedy: 'Lower the frequency of modules, stop sessions, or let another node run some of them.',
+    sessionId: first?.sessionId ?? '',
+    moduleId: first?.moduleId ?? '',
+  };
+}
+
+function busiest(clients: Iterable<Client>): Client | undefined {
+  let most: Client | undefined;
+  for (const client of clients) {
+    if (most === undefined || client.traffic.workShare > most.traffic.workShare) most = client;
+  }
+  return most !== undefined && most.traffic.workShare >= CAUSE_SHARE ? most : undefined;
+}
+
+function percent(value: number): string {
+  return `${Math.round(value)} %`;
+}

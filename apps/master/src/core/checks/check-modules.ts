@@ -1,0 +1,77 @@
+import { StatusProblemSeverity, type ModuleStatistics } from '@ubii/proto';
+import type { Session } from '../sessions/session.ts';
+import { quote } from '../topics/topic-names.ts';
+import type { FoundProblem } from './findings.ts';
+
+/** Share of one core that a module may take [EX-47]. */
+const FULL_CORE = 0.9;
+
+/** What one running module takes. */
+export interface ModuleLoad {
+  readonly moduleId: string;
+  readonly name: string;
+  readonly nodeId: string;
+  readonly sessionId: string;
+  readonly sessionLabel: string;
+  /** Of one core: runs a second times the time of one. */
+  readonly coreShare: number;
+  readonly statistics: ModuleStatistics;
+}
+
+/** What the modules of sessions that live take, as their nodes report it. */
+export function loadsOf(sessions: readonly Session[]): ModuleLoad[] {
+  return sessions
+    .filter(({ isLive }) => isLive)
+    .flatMap((session) =>
+      session.modules.flatMap(({ id, name, nodeId, statistics }) => {
+        if (statistics === undefined) return [];
+        const { runsPerSecond, runP50Ms } = statistics;
+        const where = { sessionId: session.id, sessionLabel: session.label };
+        const coreShare = (runsPerSecond * runP50Ms) / 1000;
+        return [{ moduleId: id, name, nodeId, ...where, coreShare, statistics }];
+      }),
+    );
+}
+
+/**
+ * Which modules are too slow for what is asked of them [EX-47].
+ * @param overrunsBefore Overruns of each module at the last look.
+ * @param nodeLabel Name of a node for people.
+ * @param masterId The node that is no client.
+ */
+export function* checkModules(
+  modules: readonly ModuleLoad[],
+  overrunsBefore: ReadonlyMap<string, number>,
+  nodeLabel: (nodeId: string) => string,
+  masterId: string,
+): Iterable<[key: string, FoundProblem]> {
+  for (const {
+    moduleId,
+    name,
+    nodeId,
+    sessionId,
+    sessionLabel,
+    coreShare,
+    statistics,
+  } of modules) {
+    const { overruns, runP95Ms, runsPerSecond } = statistics;
+    const late = overruns - (overrunsBefore.get(moduleId) ?? overruns);
+    if (late <= 0 && coreShare <= FULL_CORE) continue;
+    const fact =
+      late > 0
+        ? 'and come later than its mode asks for'
+        : `so that it takes ${Math.round(coreShare * 100)} % of a core`;
+    yield [
+      `module_slow ${moduleId}`,
+      {
+        code: 'module_slow',
+        severity: StatusProblemSeverity.WARNING,
+        text: `The runs of the module ${quote(name)} of the session ${quote(sessionLabel)} take ${runP95Ms.toFixed(1)} ms on ${quote(nodeLabel(nodeId))}, ${Math.round(runsPerSecond)} times a second, ${fact}.`,
+        clientId: nodeId === masterId ? '' : nodeId,
+        remedy: 'Lower its frequency, make its code faster, or let a faster node run it.',
+        sessionId,
+        moduleId,
+      },
+    ];
+  }
+}

@@ -1,0 +1,37 @@
+import { StatusProblemSeverity } from '@ubii/proto';
+import type { Client } from '../clients/client.ts';
+import type { FoundProblem } from './findings.ts';
+
+/** Share of the master's thread that the records of a client take, percent [EX-47]. */
+export function threadPercentOf(client: Client, busyPercent: number): number {
+  return client.traffic.workShare * busyPercent;
+}
+
+/** The key of what is found about a publisher. */
+export function noisyKey(clientId: string): string {
+  return `publisher_noisy ${clientId}`;
+}
+
+/** Which clients take more of the master than one should [EX-47]. */
+export function* checkPublishers(
+  clients: Iterable<Client>,
+  busyPercent: number,
+  publisherPercent: number,
+): Iterable<[key: string, FoundProblem]> {
+  for (const client of clients) {
+    const { recordsInPerSecond, throttledPerSecond } = client.traffic.rates;
+    const percent = threadPercentOf(client, busyPercent);
+    // Who only listens is no publisher, however much it costs.
+    if (percent <= publisherPercent || recordsInPerSecond + throttledPerSecond === 0) continue;
+    yield [
+      noisyKey(client.id),
+      {
+        code: 'publisher_noisy',
+        severity: StatusProblemSeverity.WARNING,
+        text: `${client.label} publishes ${Math.round(recordsInPerSecond)} records per second, which take ${Math.round(percent)} % of the time of the master; everybody else shares the rest.`,
+        clientId: client.id,
+        remedy: 'Let it publish less often or smaller records, or throttle it.',
+      },
+    ];
+  }
+}
