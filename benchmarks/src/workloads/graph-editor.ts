@@ -29,6 +29,11 @@ function figure(key: string, label: string, unit: string, bound?: number): Figur
   return { key, label, unit, isHigherBetter: false, goals: {}, bounds };
 }
 
+const whyNot = (): string | undefined =>
+  findChromium() === undefined
+    ? 'there is no Chromium; install one, or name it in UBII_CHROMIUM'
+    : undefined;
+
 /** A running session as a graph, seen and moved with the mouse, beside plain boxes and lines. */
 export const graphEditor: Workload = {
   name: 'graph-editor',
@@ -49,10 +54,7 @@ export const graphEditor: Workload = {
   // The browser has many threads of its own.
   placement: 'anywhere',
   roundShare: 1 / 5,
-  whyNot: () =>
-    findChromium() === undefined
-      ? 'there is no Chromium; install one, or name it in UBII_CHROMIUM'
-      : undefined,
+  whyNot,
   open: async (setting) => {
     const size = { modules: MODULES, showsTopics: false, isRunning: true };
     const { subjects, master } = await openGraphSubjects(setting, size);
@@ -63,6 +65,40 @@ export const graphEditor: Workload = {
     }));
   },
 };
+
+/** The largest session that a master takes, with a node for each topic: from navigation until it is drawn. */
+export const graphEditorOpen: Workload = {
+  name: 'graph-editor-open',
+  group: 'graph-editor',
+  title: 'Graph editor: opening a session of 500 nodes and 740 wires',
+  figures: [
+    figure('openMs', 'until all nodes are drawn', 'ms', 3000),
+    figure('mainMs', 'main thread until then', 'ms'),
+  ],
+  reference: REFERENCE,
+  placement: 'anywhere',
+  roundShare: 1 / 5,
+  whyNot,
+  open: async (setting) => {
+    const size = { modules: 250, showsTopics: true, isRunning: false };
+    const { subjects, master } = await openGraphSubjects(setting, size);
+    return subjects.map((subject): Subject => ({
+      name: subject.name,
+      pids: [],
+      measure: () => measureOpening(subject, master.pid),
+    }));
+  },
+};
+
+async function measureOpening(subject: GraphSubject, masterPid: number): Promise<Measurement> {
+  const stopLap = startLap(descendantPids(process.pid));
+  const stopCpu = startBrowserCpu([masterPid]);
+  const { canvas, openMs } = await subject.open();
+  const { mainMs } = stopCpu();
+  const { otherCpuShare } = stopLap();
+  await canvas.close();
+  return { figures: { openMs, mainMs }, faults: [], deliveries: subject.nodeCount, otherCpuShare };
+}
 
 async function measureGraph(
   subject: GraphSubject,

@@ -1,5 +1,5 @@
 import { fanOut } from './fan-out.ts';
-import { graphEditor } from './graph-editor.ts';
+import { graphEditor, graphEditorOpen } from './graph-editor.ts';
 import { MODULE_CALLS } from './module-call.ts';
 import { MODULE_CALLS_IN_BROWSER } from './module-call-browser.ts';
 import { LOCKSTEPS } from './lockstep.ts';
@@ -21,4 +21,5 @@ export const WORKLOADS: readonly Workload[] = [
   modules100,
   graphEditor,
   topicsPage,
+  graphEditorOpen,
 ];
