@@ -23,6 +23,15 @@ describe('loopPosition', () => {
     expect(loopPosition(source, start).line).toBe(line === 1 ? start.line : line);
   });
 
+  it('is after what the engine knows, when one loop is there', () => {
+    const source = '(d, inputs) => {\n  if (inputs.a) return;\n  for (;;) {}\n}';
+    expect(loopPosition(source, { line: 2, column: 14 }).line).toBe(3);
+    expect(loopPosition(`${source} + ((x) => { while (1); })`, { line: 2, column: 14 }).line).toBe(
+      2,
+    );
+    expect(loopPosition(source, { line: 3, column: 11 }).line).toBe(3);
+  });
+
   it('is what a killed module reports [PM-53]', async () => {
     const factory = createEngineSandboxes(
       await createQuickJsEngine({ stackBytes: 64_000, nowMs: () => performance.now() }),
@@ -30,6 +39,7 @@ describe('loopPosition', () => {
     for (const [onProcessing, line] of [
       ['() => {\n  let a = 1;\n  for (;;) { a++ }\n}', 3],
       ['() => {\n  for (;;) {\n    Math.sqrt(2);\n  }\n}', 3],
+      ['(d, inputs) => {\n  if (inputs.none) return;\n  const a = Math.PI; for (;;) {}\n}', 3],
       ['() => {\n  const inner = () => {\n    while (true);\n  };\n  inner();\n}', 3],
     ] as const) {
       const { sandbox, run } = openSandbox(

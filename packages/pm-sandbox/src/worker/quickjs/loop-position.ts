@@ -4,9 +4,16 @@ interface Position {
   readonly column: number;
 }
 
+/** From its keyword to its end, places in a text. */
+interface Loop {
+  readonly start: number;
+  readonly end: number;
+}
+
 /**
- * Where a function that was interrupted loops. QuickJS knows the last call in a function, and where
- * none was made yet, only where the function begins; if there is one loop in it, that is the place.
+ * Where a function that was interrupted loops. QuickJS knows the last call or member that was looked up
+ * in a function, and where there was none yet, only where the function begins: when there is one loop
+ * in it, or one after that place, that is it.
  *
  * @param at where the engine says it was
  * @returns the loop, or `at` when there is none, or several
@@ -15,9 +22,16 @@ export function loopPosition(source: string, at: Position): Position {
   const text = blank(source);
   const start = indexOf(text, at);
   const body = bodyAfter(text, start);
-  if (body === undefined) return at;
-  const loops = outerLoops(text, body.start, body.end);
-  return loops.length === 1 ? positionAt(text, loops[0]!) : at;
+  const loops = body
+    ? outerLoops(text, body.start, body.end)
+    : loopsAfter(outerLoops(text, 0, text.length), start);
+  return loops.length === 1 ? positionAt(text, loops[0]!.start) : at;
+}
+
+/** None, when the place is in a loop itself. */
+function loopsAfter(loops: readonly Loop[], place: number): readonly Loop[] {
+  if (loops.some(({ start, end }) => start <= place && place < end)) return [];
+  return loops.filter(({ start }) => start > place);
 }
 
 /** The text with comments and the contents of strings blanked, line ends kept. */
@@ -41,15 +55,16 @@ function bodyAfter(text: string, start: number): { start: number; end: number } 
   return { start: open + 1, end: closing(text, open) };
 }
 
-/** Places of the loops between two places that are in no other loop. */
-function outerLoops(text: string, start: number, end: number): number[] {
-  const loops: number[] = [];
+/** The loops between two places that are in no other loop. */
+function outerLoops(text: string, start: number, end: number): Loop[] {
+  const loops: Loop[] = [];
   const keyword = /(?<![\w$.])(for|while|do)(?![\w$:])/g;
   keyword.lastIndex = start;
   for (let match = keyword.exec(text); match !== null; match = keyword.exec(text)) {
     if (match.index >= end) break;
-    loops.push(match.index);
-    keyword.lastIndex = loopEnd(text, match.index, match[1]!);
+    const loop = { start: match.index, end: loopEnd(text, match.index, match[1]!) };
+    loops.push(loop);
+    keyword.lastIndex = loop.end;
   }
   return loops;
 }

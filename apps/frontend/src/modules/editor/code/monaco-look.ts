@@ -8,6 +8,8 @@ export function editorOptions(): monaco.editor.IEditorOptions {
     fontSize: 12,
     lineHeight: 19,
     fontLigatures: false,
+    // Colour is for data
+    bracketPairColorization: { enabled: false },
     minimap: { enabled: false },
     scrollBeyondLastLine: false,
     renderLineHighlight: 'line',
