@@ -135,6 +135,40 @@ for (const [theme, screen] of SCREENS) {
     await expectAccessible(page);
   });
 
+  test(`a module that is written and tried is accessible, ${theme}, on a ${screen}`, async ({
+    master,
+    room,
+  }) => {
+    await callService(master.addresses, {
+      topic: '/services/processing_module/database/save',
+      processingModule: {
+        name: 'adder',
+        inputs: [
+          { internalName: 'value', messageFormat: 'double' },
+          { internalName: 'others', messageFormat: 'vector2', isRecordList: true },
+        ],
+        outputs: [{ internalName: 'sum', messageFormat: 'double' }],
+        onProcessingStringified: "() => { console.log('run'); throw new Error('again'); }",
+      },
+    });
+    const { page } = await enter(room, theme, screen);
+    await page.goto('/modules/adder/edit');
+    const code = page.getByRole('region', { name: 'Code', exact: true });
+    await expect(code.getByText('No problems found.')).toBeVisible();
+    await expectAccessible(page);
+    if (screen === 'phone') await page.getByRole('radio', { name: 'Try it' }).click();
+    const tryIt = page.getByRole('region', { name: 'Try it' });
+    await tryIt.getByRole('button', { name: 'Step' }).click();
+    await expect(tryIt.getByRole('region', { name: 'Log' })).toContainText('again');
+    await expectAccessible(page);
+    if (screen === 'phone') await page.getByRole('radio', { name: 'About' }).click();
+    await expectAccessible(page);
+    await page.goto('/modules');
+    await page.getByRole('button', { name: 'New', exact: true }).click();
+    await expect(page.getByRole('dialog')).toBeVisible();
+    await expectAccessible(page);
+  });
+
   test(`what opens over a page is accessible, ${theme}, on a ${screen}`, async ({ room }) => {
     const { page } = await enter(room, theme, screen);
     await page.goto('/');

@@ -4,9 +4,9 @@ import type { monaco } from './monaco.ts';
 export function editorOptions(): monaco.editor.IEditorOptions {
   const style = getComputedStyle(document.documentElement);
   return {
-    fontFamily: style.getPropertyValue('--font-mono').trim(),
-    fontSize: 12,
-    lineHeight: 19,
+    fontFamily: style.getPropertyValue('--font-code').trim(),
+    fontSize: 13,
+    lineHeight: 20,
     fontLigatures: false,
     // Colour is for data
     bracketPairColorization: { enabled: false },
@@ -29,4 +29,10 @@ export function editorOptions(): monaco.editor.IEditorOptions {
     editContext: false,
     lineDecorationsWidth: 8,
   };
+}
+
+/** Monaco measures letters once: it must do so with the face that is shown. */
+export async function remeasure(editor: { remeasureFonts(): void }): Promise<void> {
+  await document.fonts.load("13px 'JetBrains Mono Variable'");
+  editor.remeasureFonts();
 }

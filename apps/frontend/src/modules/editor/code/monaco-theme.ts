@@ -93,7 +93,6 @@ export function applyTheme(): void {
   const rules = Object.entries(TOKENS).map(([token, color]) => ({
     token,
     foreground: hexOf(probe, color).slice(1, 7),
-    ...(token === 'comment' && { fontStyle: 'italic' }),
   }));
   const isDark = parseInt(hexOf(probe, '--canvas').slice(1, 3), 16) < 128;
   probe.remove();
