@@ -8,8 +8,6 @@ export function editorOptions(): monaco.editor.IEditorOptions {
     fontSize: 13,
     lineHeight: 20,
     fontLigatures: false,
-    // Colour is for data
-    bracketPairColorization: { enabled: false },
     minimap: { enabled: false },
     scrollBeyondLastLine: false,
     renderLineHighlight: 'line',
