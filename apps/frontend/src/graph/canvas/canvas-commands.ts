@@ -90,11 +90,11 @@ export class CanvasCommands {
     return true;
   }
 
-  /** Leads a wire through a node; false where it does not fit. */
-  insertOn(wire: string, id: string): boolean {
+  /** Leads a wire through a node; false where it does not fit. @param leg the points before it */
+  insertOn(wire: string, id: string, leg = 0): boolean {
     const graph = this.#editor.graph.value;
     const node = graph.nodes.get(id);
-    const command = node && insertOnWire(graph, wire, node);
+    const command = node && insertOnWire(graph, wire, node, leg);
     if (command === undefined) return false;
     this.#editor.apply(command);
     return true;
@@ -109,8 +109,8 @@ export class CanvasCommands {
     const target = new InsertTarget(this.#stage);
     target.begin(this.#editor.graph.value, node);
     target.over({ x: box.x + box.width / 2, y: box.y + box.height / 2 }, box.height);
-    const wire = target.end();
-    return wire !== undefined && this.insertOn(wire, node.id);
+    const on = target.end();
+    return on !== undefined && this.insertOn(on.wire, node.id, on.leg);
   }
 
   align(alignment: Alignment): boolean {
@@ -131,7 +131,8 @@ export class CanvasCommands {
       const { x, y } = places.get(id) ?? { x: 0, y: 0 };
       return [id, { x: x + by.x, y: y + by.y }] as const;
     });
-    this.#editor.apply(moveTogether(graph, new Map(moved), by), 'arrows');
+    const key = `move ${[...ids].join(' ')}`;
+    this.#editor.apply(moveTogether(graph, new Map(moved), by), key);
     return true;
   }
 

@@ -6,6 +6,7 @@ import { adaptCommand } from '../model/fit/adapt.ts';
 import { offerCommand } from '../model/fit/fitting.ts';
 import type { Point } from '../model/graph.ts';
 import { areaUnder } from '../model/selection/frames.ts';
+import { insertOnWire } from '../model/selection/insert.ts';
 import type { Addable } from './addable.ts';
 import type { CanvasStage } from './canvas-stage.ts';
 import type { ConnectGesture, Offer } from './connect-gesture.ts';
@@ -13,6 +14,7 @@ import { drawnSize } from './drawn-size.ts';
 import { freeSpot, NODE_HALF, onGrid } from './free-spot.ts';
 import { inHost } from './in-host.ts';
 import { newNode, type NewNode } from './new-nodes.ts';
+import { roomiest } from './wire-hit.ts';
 
 /** The menu that adds by typing: where it is, and what for. */
 export interface AddingSpot {
@@ -22,6 +24,8 @@ export interface AddingSpot {
   readonly top: number;
   /** The end of a wire that was dropped there. */
   readonly end: Pick<Offer, 'from' | 'side'> | undefined;
+  /** The wire that was selected then: what fits goes in between. */
+  readonly wire: string | undefined;
 }
 
 export interface Adding {
@@ -51,7 +55,8 @@ export function useAdding(
 
   function askAt(clientX: number, clientY: number, end?: AddingSpot['end']): void {
     const at = stage.toCanvas(clientX, clientY);
-    spot.value = { at, ...inHost(stage.container, clientX, clientY, MENU), end };
+    const { wire } = editor.selection.value;
+    spot.value = { at, ...inHost(stage.container, clientX, clientY, MENU), end, wire };
   }
   watch(gesture.offer, (offer) => {
     if (offer === undefined) return;
@@ -73,6 +78,23 @@ export function useAdding(
     editor.select([node.id]);
   }
 
+  /** Puts something new on a wire, where there is most room. @returns whether it fits there */
+  function placeOnWire(item: NewNode, id: string | undefined): boolean {
+    const graph = editor.graph.value;
+    const wire = id === undefined ? undefined : graph.wires.get(id);
+    if (wire === undefined) return false;
+    const [from, to] = [stage.socketAt(wire.from, 'out'), stage.socketAt(wire.to, 'in')];
+    if (from === undefined || to === undefined) return false;
+    const { x, y, leg } = roomiest(from, to, wire.points);
+    const at = onGrid({ x: x - NODE_HALF.x, y: y - NODE_HALF.y });
+    const node = newNode(item, at, randomUuid);
+    const command = insertOnWire(graph, wire.id, node, leg);
+    if (command === undefined) return false;
+    editor.apply(command);
+    editor.select([node.id]);
+    return true;
+  }
+
   return {
     spot,
     askAt,
@@ -85,8 +107,8 @@ export function useAdding(
       spot.value = undefined;
       host.value?.focus();
       if (chosen === undefined) return;
-      const { at, end } = chosen;
-      if (item !== undefined) place(item, at);
+      const { at, end, wire } = chosen;
+      if (item !== undefined && !placeOnWire(item, wire)) place(item, at);
       if (offer === undefined || end === undefined) return;
       const left = end.side === 'out' ? at.x : at.x - 2 * NODE_HALF.x;
       const position = onGrid({ x: left, y: at.y - NODE_HALF.y });

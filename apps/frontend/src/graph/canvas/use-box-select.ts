@@ -2,44 +2,68 @@ import { useEventListener } from '@vueuse/core';
 import { shallowRef, type ShallowRef } from 'vue';
 import type { GraphEditor } from '../editor/graph-editor.ts';
 import type { CanvasStage } from './canvas-stage.ts';
+import { followPointer, isClick } from './drag/follow-pointer.ts';
+import { onPage, thingAt } from './thing-at.ts';
 import type { Box } from './stage-view.ts';
 
-/** Draws a box with Shift held down, and selects what it touches. @returns the box, in pixels of the canvas */
+/**
+ * Draws a box with Shift held down, and selects what it touches; frames are ground, and selected when
+ * they are all in it. Escape gives back what was selected. @returns the box, in pixels of the canvas
+ */
 export function useBoxSelect(
   container: HTMLElement,
   stage: CanvasStage,
   editor: GraphEditor,
 ): Readonly<ShallowRef<Box | undefined>> {
   const box = shallowRef<Box>();
+  let cancel: (() => void) | undefined;
+
   useEventListener(container, 'pointerdown', (start) => {
-    if (!start.shiftKey || start.button !== 0) return;
-    if ((start.target as Element).closest('[data-graph-node], [data-wire], [data-wire-chip]'))
+    const thing = thingAt(start.target);
+    if (!start.shiftKey || start.button !== 0 || (thing !== undefined && thing.kind !== 'frame'))
       return;
-    const before = new Set(editor.selection.value.nodes);
-    const { left, top } = container.getBoundingClientRect();
-    const move = (event: PointerEvent): void => {
-      const x = Math.min(start.clientX, event.clientX);
-      const y = Math.min(start.clientY, event.clientY);
-      const width = Math.abs(event.clientX - start.clientX);
-      const height = Math.abs(event.clientY - start.clientY);
-      box.value = { x: x - left, y: y - top, width, height };
-      const from = stage.toCanvas(x, y);
-      const to = stage.toCanvas(x + width, y + height);
-      const touched = [...stage.positions].filter(([id, at]) => {
-        const size = stage.sizes.get(id) ?? { width: 0, height: 0 };
-        return (
-          at.x < to.x && at.x + size.width > from.x && at.y < to.y && at.y + size.height > from.y
+    const before = editor.selection.value.nodes;
+    cancel?.();
+    cancel = followPointer(start, {
+      move(event) {
+        if (box.value === undefined && isClick(start, event)) return;
+        box.value = onPage(container, start, event);
+        const from = stage.toCanvas(
+          Math.min(start.clientX, event.clientX),
+          Math.min(start.clientY, event.clientY),
         );
-      });
-      editor.select([...before, ...touched.map(([id]) => id)]);
-    };
-    const end = (): void => {
-      box.value = undefined;
-      window.removeEventListener('pointermove', move);
-      window.removeEventListener('pointerup', end);
-    };
-    window.addEventListener('pointermove', move);
-    window.addEventListener('pointerup', end);
+        const { k } = stage.view.value;
+        const area = { ...from, width: box.value.width / k, height: box.value.height / k };
+        editor.select([...before, ...touchedBy(area)]);
+      },
+      drop() {
+        if (box.value === undefined && thing !== undefined) toggle(thing.id);
+        box.value = undefined;
+      },
+      cancel() {
+        if (box.value !== undefined) editor.select(before);
+        box.value = undefined;
+      },
+    });
   });
+
+  function toggle(id: string): void {
+    const { nodes } = editor.selection.value;
+    editor.select(nodes.has(id) ? [...nodes].filter((one) => one !== id) : [...nodes, id]);
+  }
+
+  function touchedBy(area: Box): string[] {
+    const { nodes } = editor.graph.value;
+    return stage.boxes().flatMap((node) => {
+      const isFrame = nodes.get(node.id)?.kind === 'frame';
+      return (isFrame ? isInside(node, area) : isTouching(node, area)) ? [node.id] : [];
+    });
+  }
   return box;
 }
+
+const isTouching = (a: Box, b: Box): boolean =>
+  a.x < b.x + b.width && a.x + a.width > b.x && a.y < b.y + b.height && a.y + a.height > b.y;
+
+const isInside = (a: Box, b: Box): boolean =>
+  a.x >= b.x && a.y >= b.y && a.x + a.width <= b.x + b.width && a.y + a.height <= b.y + b.height;

@@ -3,10 +3,9 @@ import { onBeforeUnmount, watch } from 'vue';
 import type { CanvasContext } from '../editor/use-graph-editor.ts';
 import type { GraphEditor } from '../editor/graph-editor.ts';
 import type { Point } from '../model/graph.ts';
+import { thingAt } from './thing-at.ts';
 
 const CLICK_PX = 4;
-/** What the pointer does not fall through. */
-const THINGS = '[data-graph-node], [data-wire], [data-wire-chip]';
 
 /** Pointers on the canvas: what goes down on nodes drags them, on nothing selects nothing. */
 export function useCanvasPointers(
@@ -22,7 +21,7 @@ export function useCanvasPointers(
     'pointerdown',
     ({ target, clientX, clientY, shiftKey, ctrlKey, metaKey }) => {
       gesture.refusal.value = undefined;
-      const isEmpty = !(target as Element).closest(THINGS);
+      const isEmpty = thingAt(target) === undefined;
       const isAdding = shiftKey || ctrlKey || metaKey;
       pressed = isEmpty && !isAdding && !stage.isPanning ? { x: clientX, y: clientY } : undefined;
     },
@@ -30,11 +29,12 @@ export function useCanvasPointers(
   );
   useEventListener(container, 'pointerdown', (event) => {
     if (event.button !== 0 || stage.isPanning || gesture.pull.value !== undefined) return;
-    const target = event.target as Element;
     // Text is selected in fields.
-    if (target.closest('input, textarea, select')) return;
-    const id = target.closest<HTMLElement>('[data-graph-node]')?.dataset['graphNode'];
-    if (id !== undefined) drag.press(event, id);
+    if ((event.target as Element).closest('input, textarea, select')) return;
+    const thing = thingAt(event.target);
+    if (thing === undefined || thing.kind === 'wire') return;
+    // With Shift a frame is ground, where a box begins.
+    if (thing.kind !== 'frame' || !event.shiftKey) drag.press(event, thing.id);
   });
   useEventListener(container, 'pointerup', ({ clientX, clientY }) => {
     if (pressed && Math.hypot(clientX - pressed.x, clientY - pressed.y) < CLICK_PX)
@@ -46,7 +46,7 @@ export function useCanvasPointers(
     if (event.button === 1) event.preventDefault();
   });
   useEventListener(container, 'dblclick', ({ clientX, clientY, target }) => {
-    if (!(target as Element).closest(THINGS)) askAt(clientX, clientY);
+    if (thingAt(target) === undefined) askAt(clientX, clientY);
   });
 
   watch(editor.graph, () => {

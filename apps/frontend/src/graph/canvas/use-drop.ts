@@ -2,6 +2,7 @@ import { watch, type Ref } from 'vue';
 import { randomUuid } from '../../connection/random-uuid.ts';
 import type { GraphEditor } from '../editor/graph-editor.ts';
 import type { Point, PortRef } from '../model/graph.ts';
+import type { InsertPlace } from '../model/selection/drop-nodes.ts';
 import { insertOnWire } from '../model/selection/insert.ts';
 import { canRun } from '../../sessions/words/node-words.ts';
 import { draggedItem, type DraggedItem, type HostItem } from '../palette/drag-item.ts';
@@ -37,7 +38,7 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
   useWireUnder(on);
 
   return ({ item, clientX, clientY }) => {
-    const wire = wires.end();
+    const spot = wires.end();
     const under = document.elementFromPoint(clientX, clientY);
     if (!host.value?.contains(under)) return;
     // What was dropped is gone on with by keys.
@@ -48,7 +49,7 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     }
     const pointer = stage.toCanvas(clientX, clientY);
     const at = { x: pointer.x - NODE_HALF.x, y: pointer.y - NODE_HALF.y / 2 };
-    if (wire !== undefined && insert(item, wire, at)) return;
+    if (spot !== undefined && insert(item, spot, at)) return;
     const port = socketUnder({ clientX, clientY });
     const node = port && editor.graph.value.nodes.get(port.node);
     if (port !== undefined && node?.kind === 'module' && item.kind === 'topic') {
@@ -71,9 +72,9 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     }
   }
 
-  function insert(item: NewNode, wire: string, at: Point): boolean {
+  function insert(item: NewNode, { wire, leg }: InsertPlace, at: Point): boolean {
     const node = newNode(item, onGrid(at), randomUuid);
-    const command = insertOnWire(editor.graph.value, wire, node);
+    const command = insertOnWire(editor.graph.value, wire, node, leg);
     if (command === undefined) return false;
     editor.apply(command);
     editor.select([node.id]);

@@ -1,8 +1,9 @@
 import { shallowRef, type ShallowRef } from 'vue';
 import type { Graph, GraphNode, Point, Wire } from '../../model/graph.ts';
 import { wiresToInsertOn } from '../../model/selection/insert.ts';
+import type { InsertPlace } from '../../model/selection/drop-nodes.ts';
 import type { CanvasStage } from '../canvas-stage.ts';
-import { nearestOn, spotsOf, type WireSpot } from '../wire-hit.ts';
+import { nearestOn, spotsOf, type NearSpot, type WireSpot } from '../wire-hit.ts';
 
 /** Places on a wire as it is drawn now; none when one of its ends is not on the stage. */
 export function spotsOnStage(
@@ -17,6 +18,7 @@ export function spotsOnStage(
 export class InsertTarget {
   /** Lit; undefined: none. */
   readonly wire: ShallowRef<string | undefined> = shallowRef();
+  #leg = 0;
   readonly #stage: Pick<CanvasStage, 'socketAt'>;
   #candidates: readonly { readonly id: string; readonly spots: readonly WireSpot[] }[] = [];
 
@@ -34,19 +36,20 @@ export class InsertTarget {
 
   /** Lights the nearest wire. @param reach how far off it may be, in units of the canvas */
   over(place: Point, reach: number): void {
-    let best: { id: string; distance: number } | undefined;
+    let best: (NearSpot & { readonly id: string }) | undefined;
     for (const { id, spots } of this.#candidates) {
-      const distance = nearestOn(spots, place)?.distance ?? Infinity;
-      if (distance <= Math.min(reach, best?.distance ?? reach)) best = { id, distance };
+      const spot = nearestOn(spots, place);
+      if (spot !== undefined && spot.distance <= (best?.distance ?? reach)) best = { ...spot, id };
     }
     this.wire.value = best?.id;
+    this.#leg = best?.leg ?? 0;
   }
 
-  /** @returns the wire it was over at last */
-  end(): string | undefined {
+  /** @returns where it was over a wire at last */
+  end(): InsertPlace | undefined {
     const wire = this.wire.value;
     this.wire.value = undefined;
     this.#candidates = [];
-    return wire;
+    return wire === undefined ? undefined : { wire, leg: this.#leg };
   }
 }

@@ -10,6 +10,7 @@ import { detach } from '../../model/selection/reconnect.ts';
 import { wiresOf } from '../../model/wires-of.ts';
 import type { CanvasStage } from '../canvas-stage.ts';
 import { GRID } from '../free-spot.ts';
+import { EdgePan } from './edge-pan.ts';
 import { followPointer, isClick } from './follow-pointer.ts';
 import { snapMove, type GuideLine } from './guides.ts';
 import type { InsertTarget } from './insert-target.ts';
@@ -51,6 +52,7 @@ export class NodeDrag {
   readonly #editor: GraphEditor;
   readonly #stage: CanvasStage;
   readonly #target: InsertTarget;
+  readonly #edge: EdgePan;
   #held: Held | undefined;
   #cancel: (() => void) | undefined;
 
@@ -58,6 +60,7 @@ export class NodeDrag {
     this.#editor = editor;
     this.#stage = stage;
     this.#target = target;
+    this.#edge = new EdgePan(stage, (event) => this.#move(event));
   }
 
   /** A pointer went down on a node. With Alt its wires come off. */
@@ -162,6 +165,7 @@ export class NodeDrag {
         anchor: grabbed,
       },
     );
+    this.#edge.update(event);
     this.by.value = by;
     this.lines.value = lines;
     this.#stage.put(held.boxes.map((box) => [box.id, { x: box.x + by.x, y: box.y + by.y }]));
@@ -182,14 +186,15 @@ export class NodeDrag {
     const by = this.by.value;
     if (by.x === 0 && by.y === 0 && !held.isDetached) return;
     const boxes = held.boxes.map((box) => ({ ...box, x: box.x + by.x, y: box.y + by.y }));
-    const wire = this.#target.wire.value;
-    const drop = { boxes, frames: this.#frames(), by, isDetached: held.isDetached, wire };
+    const on = this.#target.end();
+    const drop = { boxes, frames: this.#frames(), by, isDetached: held.isDetached, on };
     this.#editor.apply(dropNodes(this.#editor.graph.value, drop));
   }
 
   #end(): void {
     this.isPressed = false;
     this.#cancel = undefined;
+    this.#edge.stop();
     this.#target.end();
     if (this.#held === undefined) return;
     this.#held = undefined;

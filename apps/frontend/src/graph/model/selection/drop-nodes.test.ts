@@ -22,7 +22,7 @@ const drop: NodeDrop = {
   frames: [],
   by: { x: 10, y: 0 },
   isDetached: false,
-  wire: undefined,
+  on: undefined,
 };
 const framed = applyCommand(chain, {
   kind: 'add',
@@ -53,7 +53,11 @@ describe('what a drag did', () => {
       kind: 'add',
       nodes: [moduleNode(aModule('m', number, { o: 'double' }))],
     }).graph;
-    const command = dropNodes(more, { ...drop, boxes: [box('module:m')], wire: between.id });
+    const command = dropNodes(more, {
+      ...drop,
+      boxes: [box('module:m')],
+      on: { wire: between.id, leg: 1 },
+    });
     const state = perform(startEditing(more), command);
     expect(wiresIn(state.graph)).toEqual(
       expect.arrayContaining(['a.o > m.i (/ab)', 'm.o > b.i (/Test/m/o)']),
@@ -62,11 +66,31 @@ describe('what a drag did', () => {
     expect(undo(state).graph).toEqual(more);
   });
 
+  it('leads both halves of a wire through the points it had', () => {
+    const points = [1, 2, 3].map((x) => ({ x, y: 0 }));
+    const led = applyCommand(chain, { kind: 'reroute', wire: between.id, points }).graph;
+    const more = applyCommand(led, {
+      kind: 'add',
+      nodes: [moduleNode(aModule('m', number, { o: 'double' }))],
+    }).graph;
+    const graph = after(more, { boxes: [box('module:m')], on: { wire: between.id, leg: 2 } });
+    const pointsOf = (to: string) =>
+      [...graph.wires.values()].find((wire) => wire.to.node === to)?.points;
+    expect([pointsOf('module:m'), pointsOf('module:b')]).toEqual([
+      points.slice(0, 2),
+      points.slice(2),
+    ]);
+  });
+
   it('takes a node off its wires, and inserts it elsewhere', () => {
     const free = after(chain, { boxes: [box('module:b')], isDetached: true });
     expect(wiresIn(free).join()).not.toContain('b.');
     const first = [...chain.wires.values()].find(({ to }) => to.node === 'module:a')!;
-    const moved = after(chain, { boxes: [box('module:b')], isDetached: true, wire: first.id });
+    const moved = after(chain, {
+      boxes: [box('module:b')],
+      isDetached: true,
+      on: { wire: first.id, leg: 0 },
+    });
     expect(wiresIn(moved)).toEqual(expect.arrayContaining(['topic:/in > b.i']));
     expect(moved.wires.has(first.id)).toBe(false);
   });

@@ -8,6 +8,13 @@ import { insertOnWire } from './insert.ts';
 import { moveTogether } from './move.ts';
 import { detach } from './reconnect.ts';
 
+/** A place on a wire. */
+export interface InsertPlace {
+  readonly wire: string;
+  /** How many of the points of the wire come before it. */
+  readonly leg: number;
+}
+
 /** What became of nodes that were dragged. */
 export interface NodeDrop {
   /** All that were moved, as they lie now. */
@@ -17,20 +24,20 @@ export interface NodeDrop {
   readonly by: Point;
   /** Their wires came off on the way. */
   readonly isDetached: boolean;
-  /** The wire it was dropped on, when it was one node. */
-  readonly wire: string | undefined;
+  /** Where it was dropped on a wire, when it was one node. */
+  readonly on: InsertPlace | undefined;
 }
 
 /** All that a drag did, as one step. */
 export function dropNodes(graph: Graph, drop: NodeDrop): GraphCommand {
-  const { boxes, frames, by, isDetached, wire } = drop;
+  const { boxes, frames, by, isDetached, on } = drop;
   const moved = new Set(boxes.map(({ id }) => id));
   const free = isDetached ? [detach(graph, [...moved])] : [];
   const rest = free.reduce((before, command) => applyCommand(before, command).graph, graph);
   const places = new Map(boxes.map(({ id, x, y }) => [id, { x, y }]));
   const [only] = boxes;
   const node = only && rest.nodes.get(only.id);
-  const insert = wire !== undefined && node !== undefined && insertOnWire(rest, wire, node);
+  const insert = on && node && insertOnWire(rest, on.wire, node, on.leg);
   // What moved with its frame stays in it.
   const loose = boxes.filter(({ id }) => {
     const frame = rest.nodes.get(id)?.frame;

@@ -1,7 +1,15 @@
 import { nodeName } from '../commands/command-label.ts';
 import type { GraphCommand } from '../commands/graph-command.ts';
 import { endOf, fitEnds, type WireEnd } from '../fit/fit-of.ts';
-import type { Graph, GraphNode, Port, PortRef, Wire } from '../graph.ts';
+import {
+  wireId,
+  type Graph,
+  type GraphNode,
+  type Point,
+  type Port,
+  type PortRef,
+  type Wire,
+} from '../graph.ts';
 import { wiresAt, wiresOf } from '../wires-of.ts';
 
 /** Through which ports a node would take a wire. */
@@ -37,13 +45,17 @@ export function insertionOf(graph: Graph, wire: Wire, node: GraphNode): Insertio
   return input && output && { input: input.id, output: output.id };
 }
 
-/** Leads a wire through a node, which is added when it is not there; undefined when it does not fit. */
+/**
+ * Leads a wire through a node, which is added when it is not there; undefined when it does not fit.
+ * @param leg how many of the points of the wire come before the node
+ */
 export function insertOnWire(
   graph: Graph,
-  wireId: string,
+  id: string,
   node: GraphNode,
+  leg = 0,
 ): GraphCommand | undefined {
-  const wire = graph.wires.get(wireId);
+  const wire = graph.wires.get(id);
   const insertion = wire && insertionOf(graph, wire, node);
   if (wire === undefined || insertion === undefined) return undefined;
   const at = (port: string): PortRef => ({ node: node.id, port });
@@ -52,12 +64,20 @@ export function insertOnWire(
     label: `Insert ${nodeName(node)} on a wire`,
     commands: [
       { kind: 'add', nodes: graph.nodes.has(node.id) ? [] : [node] },
-      { kind: 'remove', wires: [wireId] },
+      { kind: 'remove', wires: [id] },
       connectKeepingTopic(graph, wire, at(insertion.input)),
       { kind: 'connect', from: at(insertion.output), to: wire.to },
+      reroute(wire.from, at(insertion.input), wire.points.slice(0, leg)),
+      reroute(at(insertion.output), wire.to, wire.points.slice(leg)),
     ],
   };
 }
+
+const reroute = (from: PortRef, to: PortRef, points: readonly Point[]): GraphCommand => ({
+  kind: 'reroute',
+  wire: wireId(from, to),
+  points,
+});
 
 /** What comes before the node stays on the topic it was on. */
 function connectKeepingTopic(graph: Graph, { from, via }: Wire, to: PortRef): GraphCommand {

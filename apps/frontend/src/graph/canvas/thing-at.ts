@@ -1,0 +1,35 @@
+import type { Box } from './stage-view.ts';
+
+/** What lies under a pointer. */
+export type Thing =
+  | { readonly kind: 'node' | 'frame'; readonly id: string }
+  | { readonly kind: 'wire'; readonly id: string };
+
+/** What an element of the canvas belongs to; undefined: the empty canvas. */
+export function thingAt(target: EventTarget | null): Thing | undefined {
+  const element = target instanceof Element ? target : undefined;
+  const node = element?.closest<HTMLElement>('[data-graph-node]');
+  const id = node?.dataset['graphNode'];
+  if (node && id !== undefined)
+    return { kind: node.classList.contains('frame') ? 'frame' : 'node', id };
+  const wire = element?.closest<HTMLElement>('[data-wire], [data-wire-chip]');
+  const { wire: own, wireChip } = wire?.dataset ?? {};
+  const wireId = own ?? wireChip;
+  return wireId === undefined ? undefined : { kind: 'wire', id: wireId };
+}
+
+interface ClientPoint {
+  readonly clientX: number;
+  readonly clientY: number;
+}
+
+/** The box between two places on the page, in pixels of an element. */
+export function onPage(element: HTMLElement, a: ClientPoint, b: ClientPoint): Box {
+  const { left, top } = element.getBoundingClientRect();
+  return {
+    x: Math.min(a.clientX, b.clientX) - left,
+    y: Math.min(a.clientY, b.clientY) - top,
+    width: Math.abs(b.clientX - a.clientX),
+    height: Math.abs(b.clientY - a.clientY),
+  };
+}
