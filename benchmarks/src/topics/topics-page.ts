@@ -22,8 +22,6 @@ export interface ListPage {
   scroll(forMs: number): Promise<void>;
   /** Bytes of the heap after a collection. */
   heapBytes(): Promise<number>;
-  /** Milliseconds in which the page's own thread worked, in all. */
-  busyMs(): Promise<number>;
   /** What stands in the rows that are seen. */
   rows(): Promise<string>;
   close(): Promise<void>;
@@ -44,7 +42,6 @@ export async function startListBrowser(): Promise<ListBrowser> {
       const page = await context.newPage();
       await page.goto(url, { waitUntil: 'commit' });
       const session = await context.newCDPSession(page);
-      await session.send('Performance.enable');
       return listPage(page, session, () => context.close());
     },
     stop: () => browser.close(),
@@ -74,10 +71,6 @@ function listPage(page: Page, session: CDPSession, close: () => Promise<void>): 
       await session.send('HeapProfiler.collectGarbage');
       const { usedSize } = await session.send('Runtime.getHeapUsage');
       return usedSize;
-    },
-    async busyMs() {
-      const { metrics } = await session.send('Performance.getMetrics');
-      return 1000 * (metrics.find(({ name }) => name === 'TaskDuration')?.value ?? 0);
     },
     rows: () => list.innerText(),
     close,
