@@ -145,6 +145,21 @@ test('a module is written, tried, saved, used by a session, changed under it and
     await expect(editor.save).toHaveAttribute('aria-description', /^Line \d+: /);
     await expectAnswer(program, 5, 15);
   });
+
+  await test.step('an earlier version is compared, restored and used', async () => {
+    await editor.beside('Versions');
+    const list = editor.versions.getByRole('list', { name: 'Versions, newest first' });
+    await expect(list.getByRole('listitem')).toHaveCount(2);
+    await list.getByRole('button').last().click();
+    await expect(
+      editor.versions.locator('.view-line').filter({ hasText: 'factor' }).first(),
+    ).toBeVisible();
+    await editor.versions.getByRole('button', { name: 'Restore' }).click();
+    await editor.expectCode('const factor = 2;');
+    await editor.saveIt();
+    await expectAnswer(program, 5, 10);
+    await expect(list.getByRole('listitem')).toHaveCount(3);
+  });
 });
 
 test('what is changed on the disk of the master appears, and asks when both changed', async ({
