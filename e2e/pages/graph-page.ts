@@ -19,6 +19,7 @@ export class GraphPage {
   /** Who else has it open. */
   readonly others: Locator;
   readonly importDialog: Locator;
+  readonly menu: Locator;
 
   constructor({ page }: { page: Page }) {
     this.page = page;
@@ -26,6 +27,7 @@ export class GraphPage {
     this.palette = page.getByRole('complementary', { name: 'What can be added' });
     this.inspector = page.getByRole('complementary', { name: 'What is selected' });
     this.refusal = page.getByRole('alertdialog', { name: 'This wire does not fit' });
+    this.menu = page.getByRole('menu', { name: /^What to do/ });
     this.life = page.getByRole('toolbar', { name: 'Life of the session' });
     this.title = page.getByRole('button', { name: /, rename$/ });
     this.others = page.getByRole('group', { name: 'Who else is here' });
@@ -73,6 +75,23 @@ export class GraphPage {
   /** A socket by the words before its format: `Input value`. */
   socket(node: string, name: string): Locator {
     return this.node(node).getByRole('button', { name: new RegExp(`^${name}, `) });
+  }
+
+  /** In the context menu, or in a menu of it. */
+  menuItem(text: string): Locator {
+    return this.page.getByRole('menuitem', { name: text, exact: true });
+  }
+
+  /** Presses a mouse button on the middle of the only wire, or of one of them. */
+  async pointAtWire(button: 'left' | 'right', wire = 0): Promise<void> {
+    const path = this.canvas.locator('[data-wire] .hit').nth(wire);
+    const { x, y } = await path.evaluate((element: SVGPathElement) => {
+      // A quarter of the way: the middle holds what flows.
+      const point = element.getPointAtLength(element.getTotalLength() * 0.3);
+      const on = point.matrixTransform(element.getScreenCTM() ?? undefined);
+      return { x: on.x, y: on.y };
+    });
+    await this.page.mouse.click(x, y, { button });
   }
 
   paletteTopic(topic: string): Locator {

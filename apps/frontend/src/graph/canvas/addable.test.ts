@@ -2,7 +2,7 @@ import { fromJson, type ProcessingModule } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { aSession } from '../../sessions/testing/a-session.ts';
 import { graphOf } from '../model/graph-of.ts';
-import { addables } from './addable.ts';
+import { addables, insertables } from './addable.ts';
 
 const module = (name: string, input: string): ProcessingModule =>
   fromJson('ubii.processing.ProcessingModule', {
@@ -50,4 +50,10 @@ describe('addables', () => {
     expect(found).not.toContain('low-pass');
     expect(found).not.toContain('/a/number');
   });
+});
+
+it('what goes into a wire takes what it carries, and gives what it feeds', () => {
+  const [wire] = graph.wires.keys();
+  expect(insertables(graph, sources, '', wire!).map(({ text }) => text)).toEqual(['mirror']);
+  expect(insertables(graph, sources, 'low', wire!)).toEqual([]);
 });

@@ -1,6 +1,8 @@
 import { isExtensionTopic, isMasterTopic, type ProcessingModule } from '@ubii/proto';
 import { fittingNodes, type KnownTopic, type NodeOffer } from '../model/fit/fitting.ts';
 import type { Graph, PortRef } from '../model/graph.ts';
+import { moduleNode } from '../model/make-node.ts';
+import { insertionOf } from '../model/selection/insert.ts';
 import type { NewNode } from './new-nodes.ts';
 
 /** What there is to choose from. */
@@ -38,15 +40,43 @@ export function addables(
   typed: string,
   end: PortRef | undefined,
 ): Addable[] {
-  const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
-  const has = ({ text, hint }: Addable): boolean => {
-    const all = `${text} ${hint}`.toLowerCase();
-    return words.every((word) => all.includes(word));
-  };
+  const has = saying(typed);
   const known = topics.filter(({ topic }) => !isMasterTopic(topic) && !isExtensionTopic(topic));
   const all = end === undefined ? looseItems(modules, known) : offers(graph, end, modules, known);
   return [...all.filter(has), ...newTopic(graph, typed.trim(), known, end)].slice(0, MAX_SHOWN);
 }
+
+/** Modules that fit the words typed, and can go into a wire. */
+export function insertables(
+  graph: Graph,
+  { modules }: AddableSources,
+  typed: string,
+  wireId: string,
+): Addable[] {
+  const wire = graph.wires.get(wireId);
+  if (wire === undefined) return [];
+  const fitting = modules.filter(
+    (module) => insertionOf(graph, wire, moduleNode(module)) !== undefined,
+  );
+  return looseModules(fitting).filter(saying(typed)).slice(0, MAX_SHOWN);
+}
+
+/** What has all the words. */
+function saying(typed: string): (one: Addable) => boolean {
+  const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
+  return ({ text, hint }) => {
+    const all = `${text} ${hint}`.toLowerCase();
+    return words.every((word) => all.includes(word));
+  };
+}
+
+const looseModules = (modules: readonly ProcessingModule[]): Addable[] =>
+  modules.map((module) => ({
+    key: `module ${module.name}`,
+    text: module.name,
+    hint: 'module',
+    item: { kind: 'module', module } as const,
+  }));
 
 function offers(
   graph: Graph,
@@ -70,12 +100,7 @@ function looseItems(
   topics: readonly KnownTopic[],
 ): Addable[] {
   return [
-    ...modules.map((module) => ({
-      key: `module ${module.name}`,
-      text: module.name,
-      hint: 'module',
-      item: { kind: 'module', module } as const,
-    })),
+    ...looseModules(modules),
     ...(Object.keys(PARTS) as (keyof typeof PARTS)[]).map((kind) => ({
       key: kind,
       text: PARTS[kind],

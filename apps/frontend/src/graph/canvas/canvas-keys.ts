@@ -4,6 +4,7 @@ import type { CanvasContext } from '../editor/use-graph-editor.ts';
 import type { Point } from '../model/graph.ts';
 import type { Alignment, Axis } from '../model/selection/arrange.ts';
 import { duplicate } from '../model/selection/clipboard.ts';
+import { collapseCommand } from './collapse.ts';
 import { viewKey } from './view-keys.ts';
 import { goToEnd, walkWires } from './wire-walk.ts';
 
@@ -85,6 +86,8 @@ function plainKey({ editor, commands, points, actions, stage }: CanvasKeys, even
       actions.open(only);
       return true;
     }
+    case 'c':
+      return collapse(editor);
     case 'b':
       return toggleStanding(editor, 'bypassed');
     case 'm':
@@ -123,6 +126,15 @@ function alignKey({ commands }: CanvasKeys, { code, shiftKey }: KeyboardEvent): 
   if (axis !== undefined) return commands.distribute(axis);
   const alignment = shiftKey ? undefined : ALIGN[code];
   return alignment !== undefined && commands.align(alignment);
+}
+
+/** Folds what is selected to headers, or opens it. */
+function collapse(editor: GraphEditor): boolean {
+  const { nodes } = editor.graph.value;
+  const chosen = [...editor.selection.value.nodes].flatMap((id) => nodes.get(id) ?? []);
+  const command = collapseCommand(chosen);
+  if (command !== undefined) editor.apply(command);
+  return command !== undefined;
 }
 
 /** Lets the selected modules rest, or work again when all of them rest in that way. */

@@ -37,6 +37,8 @@ export class CanvasStage {
   readonly isMoving: ShallowRef<boolean> = shallowRef(false);
   /** Under all. */
   readonly ground = layer('ground');
+  /** One finger selects instead of panning. */
+  readonly isSelecting: ShallowRef<boolean> = shallowRef(false);
   /** Under the nodes. */
   readonly wires = layer('wires');
   /** Over the nodes. */
@@ -229,6 +231,17 @@ export class CanvasStage {
     await this.#area.area.translate(clientWidth / 2 - x * k, clientHeight / 2 - y * k);
   }
 
+  /** Looks at another part: everything at once, as fingers do. */
+  async look({ x, y, k }: View): Promise<void> {
+    await this.#area.area.zoom(limitZoom(k));
+    await this.#area.area.translate(x, y);
+  }
+
+  /** What a pointer holds is let go as if it had been lost; Rete, too, pans until it hears of that. */
+  letGo(pointerId: number): void {
+    window.dispatchEvent(new PointerEvent('pointercancel', { pointerId }));
+  }
+
   /** Moves what is seen, by pixels. */
   async pan(by: Point): Promise<void> {
     const { x, y } = this.view.value;
@@ -276,6 +289,7 @@ export class CanvasStage {
   #isPan({ pointerType, button, shiftKey, target }: PointerEvent): boolean {
     if (this.isPanning || (pointerType === 'mouse' && button === 1)) return true;
     if (shiftKey || button !== 0) return false;
+    if (this.isSelecting.value && pointerType !== 'mouse') return false;
     return !(target as Element).closest('[data-graph-node]');
   }
 }

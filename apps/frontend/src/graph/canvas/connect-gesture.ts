@@ -37,14 +37,26 @@ export interface Offer {
   readonly clientY: number;
 }
 
+/** What takes up a wire; it is led to its other end by the same. */
+export type Hand = 'mouse' | 'touch' | 'pen' | 'key';
+
 /** Pointers that move less than this have clicked, pixels. */
 const CLICK_PX = 5;
+/** Fingers are less steady. */
+const TAP_PX = 10;
+/** How near to the middle of a socket a finger means it, pixels: half of what a finger hits. */
+export const FINGER_PX = 22;
+
+const handOf = ({ pointerType }: PointerEvent): Hand =>
+  pointerType === 'touch' || pointerType === 'pen' ? pointerType : 'mouse';
 
 /** Pulls wires: by dragging, or by a click on each end; with mouse, pen, finger and keyboard. */
 export class ConnectGesture {
   readonly pull: ShallowRef<Pull | undefined> = shallowRef();
   readonly refusal: ShallowRef<Refusal | undefined> = shallowRef();
   readonly offer: ShallowRef<Offer | undefined> = shallowRef();
+  /** A wire was taken up and let go at its start: its end is chosen next. */
+  readonly waiting: ShallowRef<Hand | undefined> = shallowRef();
   readonly #editor: GraphEditor;
   readonly #stage: CanvasStage;
   #stop: (() => void) | undefined;
@@ -74,14 +86,65 @@ export class ConnectGesture {
   pressKey(port: PortRef, element: HTMLElement): void {
     const { left, top } = element.getBoundingClientRect();
     const at = { clientX: left, clientY: top };
-    if (this.pull.value === undefined) this.#take(port, at);
-    else this.#finish(port, at);
+    if (this.pull.value !== undefined) {
+      this.#finish(port, at);
+      return;
+    }
+    this.#take(port, at);
+    this.waiting.value = 'key';
+  }
+
+  /** A finger chose where the wire that waits goes. @returns false when that says nothing */
+  tap(at: { clientX: number; clientY: number }): boolean {
+    const pull = this.pull.value;
+    if (pull === undefined) return false;
+    const port = this.nearestSocket(at) ?? socketUnder(at) ?? this.#onlyFitUnder(at);
+    const under = document.elementFromPoint(at.clientX, at.clientY);
+    if (port !== undefined && portKey(port) !== portKey(pull.from)) this.#finish(port, at);
+    else if (port !== undefined) this.cancel();
+    else if (under?.closest('[data-graph-node]')) return false;
+    else this.#drop(at);
+    return true;
+  }
+
+  /** The socket a finger means; those that fit first where several lie on each other. */
+  nearestSocket({ clientX, clientY }: { clientX: number; clientY: number }): PortRef | undefined {
+    const { x, y } = this.#stage.toCanvas(clientX, clientY);
+    const reach = FINGER_PX / this.#stage.view.value.k;
+    const fits = this.pull.value?.fits;
+    let best: PortRef | undefined;
+    let least = reach;
+    for (const { id: node, ports } of this.#editor.graph.value.nodes.values()) {
+      for (const { id: port, direction } of ports) {
+        const ref = { node, port };
+        if (!this.#stage.sockets.has(portKey(ref))) continue;
+        const at = this.#stage.socketAt(ref, direction);
+        if (at === undefined) continue;
+        const bonus = fits?.has(portKey(ref)) === true ? 0.5 : 0;
+        const far = Math.hypot(at.x - x, at.y - y) - bonus;
+        if (far <= least) [best, least] = [ref, far];
+      }
+    }
+    return best;
+  }
+
+  /** The port of the node there that takes the wire, if there is one and no more. */
+  #onlyFitUnder({ clientX, clientY }: { clientX: number; clientY: number }): PortRef | undefined {
+    const element = document.elementFromPoint(clientX, clientY);
+    const node = element?.closest<HTMLElement>('[data-graph-node]')?.dataset['graphNode'];
+    if (node === undefined) return undefined;
+    const ports = this.#editor.graph.value.nodes.get(node)?.ports ?? [];
+    const fitting = ports
+      .map(({ id }) => ({ node, port: id }))
+      .filter((ref) => this.pull.value?.fits.has(portKey(ref)) === true);
+    return fitting.length === 1 ? fitting[0] : undefined;
   }
 
   cancel(): void {
     this.#stop?.();
     this.#stop = undefined;
     this.pull.value = undefined;
+    this.waiting.value = undefined;
     this.refusal.value = undefined;
   }
 
@@ -117,37 +180,73 @@ export class ConnectGesture {
 
   #begin(port: PortRef, event: PointerEvent): void {
     const moving = this.#take(port, event);
+    const hand = handOf(event);
+    const reach = hand === 'touch' ? TAP_PX : CLICK_PX;
     const start = { x: event.clientX, y: event.clientY };
     let isClick = true;
+    /** Other fingers, and those that choose the end, are followed elsewhere. */
+    const isOther = (next: PointerEvent): boolean =>
+      this.waiting.value === undefined
+        ? next.pointerId !== event.pointerId
+        : next.pointerType === 'touch';
     const move = (next: PointerEvent): void => {
-      if (Math.hypot(next.clientX - start.x, next.clientY - start.y) > CLICK_PX) isClick = false;
-      this.#move(next);
+      if (isOther(next)) return;
+      if (Math.hypot(next.clientX - start.x, next.clientY - start.y) > reach) isClick = false;
+      if (!isClick) this.#move(next);
     };
     const up = (next: PointerEvent): void => {
+      if (isOther(next)) return;
       if (isClick) {
-        // A click on a wired input only touches it.
-        if (moving) this.cancel();
         isClick = false;
+        this.#wait(port, hand, moving);
         return;
       }
-      const over = socketUnder(next);
+      const over = this.#socketUnder(next);
       if (over !== undefined) this.#finish(over, next);
       else this.#drop(next);
     };
     const down = (next: PointerEvent): void => {
-      if (next.target instanceof Element && next.target.closest('[data-port]')) return;
+      if (isOther(next) || this.waiting.value === undefined) return;
+      if (next.target instanceof Element && next.target.closest('[data-port], [data-wire-hint]'))
+        return;
       // The second click of click and click, beside every socket.
       next.preventDefault();
       next.stopPropagation();
     };
+    const lost = (next: PointerEvent): void => {
+      if (next.pointerId === event.pointerId && this.waiting.value === undefined) this.cancel();
+    };
     window.addEventListener('pointermove', move);
     window.addEventListener('pointerup', up);
     window.addEventListener('pointerdown', down, true);
+    window.addEventListener('pointercancel', lost);
     this.#stop = () => {
       window.removeEventListener('pointermove', move);
       window.removeEventListener('pointerup', up);
       window.removeEventListener('pointerdown', down, true);
+      window.removeEventListener('pointercancel', lost);
     };
+  }
+
+  /** A click at one end: the next one chooses the other. */
+  #wait(port: PortRef, hand: Hand, moving: boolean): void {
+    if (!moving) {
+      this.waiting.value = hand;
+    } else if (hand === 'mouse') {
+      // A click on a wired input only touches it.
+      this.cancel();
+    } else {
+      // A tap on it asks for another source; the wire stays until there is one.
+      const pull = this.pull.value;
+      const fits = new Set(fittingPorts(this.#editor.graph.value, port).map(portKey));
+      if (pull) this.pull.value = { ...pull, from: port, side: 'in', moving: undefined, fits };
+      this.waiting.value = hand;
+    }
+  }
+
+  #socketUnder(event: PointerEvent): PortRef | undefined {
+    const near = event.pointerType === 'touch' ? this.nearestSocket(event) : undefined;
+    return near ?? socketUnder(event);
   }
 
   /** @returns true when it is the end of a wire that is there */
@@ -178,7 +277,7 @@ export class ConnectGesture {
     if (pull === undefined) return;
     this.refusal.value = undefined;
     const end = this.#stage.toCanvas(event.clientX, event.clientY);
-    this.pull.value = { ...pull, end, over: socketUnder(event) };
+    this.pull.value = { ...pull, end, over: this.#socketUnder(event) };
   }
 
   #finish(port: PortRef, at: { clientX: number; clientY: number }): void {
@@ -204,7 +303,7 @@ export class ConnectGesture {
   }
 
   /** Let go over nothing: a moved wire is taken off, a new one offers what fits. */
-  #drop(event: PointerEvent): void {
+  #drop(event: { clientX: number; clientY: number }): void {
     const pull = this.pull.value;
     this.cancel();
     if (pull === undefined) return;

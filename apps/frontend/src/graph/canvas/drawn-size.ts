@@ -1,4 +1,5 @@
 import type { GraphNode, Size } from '../model/graph.ts';
+import { canCollapse } from './collapse.ts';
 
 /** As graph-node.css draws them, pixels at a zoom of 1. */
 const WIDTH = 184;
@@ -15,6 +16,7 @@ const MATCHES = 3;
 
 /** About how large a node will be drawn, before it is. */
 export function drawnSize(node: GraphNode): Size {
+  if (node.isCollapsed && canCollapse(node)) return { width: WIDTH, height: HEAD };
   if (node.size !== undefined) return node.size;
   switch (node.kind) {
     case 'topic':

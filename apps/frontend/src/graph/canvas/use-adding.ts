@@ -4,7 +4,8 @@ import type { GraphEditor } from '../editor/graph-editor.ts';
 import type { Adapter } from '../model/fit/adapter.ts';
 import { adaptCommand } from '../model/fit/adapt.ts';
 import { offerCommand } from '../model/fit/fitting.ts';
-import type { Point } from '../model/graph.ts';
+import type { Point, PortRef } from '../model/graph.ts';
+import { portOf } from '../model/port-format.ts';
 import { areaUnder } from '../model/selection/frames.ts';
 import { insertOnWire } from '../model/selection/insert.ts';
 import type { Addable } from './addable.ts';
@@ -26,6 +27,15 @@ export interface AddingSpot {
   readonly end: Pick<Offer, 'from' | 'side'> | undefined;
   /** The wire that was selected then: what fits goes in between. */
   readonly wire: string | undefined;
+  /** The menu was asked to put something into the wire: nothing else is offered. */
+  readonly isInto?: boolean;
+}
+
+/** What a menu asks to add, at a place of the canvas: at a socket, into a wire, or by itself. */
+export interface AddingWish {
+  readonly at: Point;
+  readonly end: PortRef | undefined;
+  readonly wire: string | undefined;
 }
 
 export interface Adding {
@@ -33,6 +43,7 @@ export interface Adding {
   /** @param clientX on the page, pixels */
   askAt(clientX: number, clientY: number, end?: AddingSpot['end']): void;
   askInMiddle(): void;
+  askFor(wish: AddingWish): void;
   choose(chosen: Addable): void;
   close(): void;
   /** Puts something new on the canvas. */
@@ -42,6 +53,8 @@ export interface Adding {
   takeOffer(adapter: Adapter): void;
 }
 
+/** What is added to a socket stands this far from it. */
+const FROM_SOCKET = 90;
 const MENU = { width: 290, height: 320 };
 
 /** Adds what is new: by typing, by dropping a wire on nothing, and in between what does not fit. */
@@ -97,6 +110,16 @@ export function useAdding(
 
   return {
     spot,
+    askFor({ at: { x, y }, end: from, wire }) {
+      const view = stage.view.value;
+      const { left, top } = stage.container.getBoundingClientRect();
+      const side = from && portOf(editor.graph.value, from)?.direction;
+      const end = from && side && { from, side };
+      const gap = side === undefined ? 0 : side === 'out' ? FROM_SOCKET : -FROM_SOCKET;
+      const [clientX, clientY] = [x * view.k + view.x + left, y * view.k + view.y + top];
+      const place = inHost(stage.container, clientX, clientY, MENU);
+      spot.value = { at: { x: x + gap, y }, ...place, end, wire, isInto: wire !== undefined };
+    },
     askAt,
     askInMiddle() {
       const { left, top, width, height } = stage.container.getBoundingClientRect();

@@ -7,7 +7,7 @@ import { onPage, thingAt } from './thing-at.ts';
 import type { Box } from './stage-view.ts';
 
 /**
- * Draws a box with Shift held down, and selects what it touches; frames are ground, and selected when
+ * Draws a box with Shift held down or while fingers select, and selects what it touches; frames are ground, and selected when
  * they are all in it. Escape gives back what was selected. @returns the box, in pixels of the canvas
  */
 export function useBoxSelect(
@@ -20,8 +20,9 @@ export function useBoxSelect(
 
   useEventListener(container, 'pointerdown', (start) => {
     const thing = thingAt(start.target);
-    if (!start.shiftKey || start.button !== 0 || (thing !== undefined && thing.kind !== 'frame'))
-      return;
+    const isByFinger = stage.isSelecting.value && start.pointerType !== 'mouse';
+    const isAsked = (start.shiftKey || isByFinger) && start.button === 0;
+    if (!isAsked || (thing !== undefined && thing.kind !== 'frame')) return;
     const before = editor.selection.value.nodes;
     cancel?.();
     cancel = followPointer(start, {

@@ -19,10 +19,11 @@ export function useCanvasPointers(
   useEventListener(
     container,
     'pointerdown',
-    ({ target, clientX, clientY, shiftKey, ctrlKey, metaKey }) => {
+    ({ target, clientX, clientY, shiftKey, ctrlKey, metaKey, pointerType }) => {
       gesture.refusal.value = undefined;
       const isEmpty = thingAt(target) === undefined;
-      const isAdding = shiftKey || ctrlKey || metaKey;
+      const isByFinger = stage.isSelecting.value && pointerType !== 'mouse';
+      const isAdding = shiftKey || ctrlKey || metaKey || isByFinger;
       pressed = isEmpty && !isAdding && !stage.isPanning ? { x: clientX, y: clientY } : undefined;
     },
     { capture: true },

@@ -2,47 +2,87 @@ import { useEventListener } from '@vueuse/core';
 import { shallowRef, type Ref, type ShallowRef } from 'vue';
 import { randomUuid } from '../../connection/random-uuid.ts';
 import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { Point } from '../model/graph.ts';
 import { copyText, paste } from '../model/selection/clipboard.ts';
 
-/**
- * Copies, cuts and pastes nodes as text, within a graph and across sessions, while the canvas has the
- * focus. @returns why the last text could not be pasted
- */
+/** Nodes copied and pasted as text, within a graph and across sessions. */
+export interface GraphClipboard {
+  /** Why the last text could not be pasted. */
+  readonly problem: Readonly<ShallowRef<string | undefined>>;
+  copy(nodes: readonly string[]): void;
+  cut(nodes: readonly string[]): void;
+  /** Pastes what was copied last, with its top left there. */
+  pasteAt(at: Point): Promise<void>;
+}
+
+/** What was copied last in this tab: pages without a safe origin may not read the clipboard. */
+let lastCopied = '';
+
+/** Keys copy, cut and paste while the canvas has the focus. */
 export function useGraphClipboard(
   host: Ref<HTMLElement | null>,
   editor: GraphEditor,
-): Readonly<ShallowRef<string | undefined>> {
+): GraphClipboard {
   const problem = shallowRef<string>();
   const isHere = (): boolean => {
     const active = document.activeElement;
     if (active === null || /^(INPUT|TEXTAREA)$/.test(active.tagName)) return false;
     return host.value?.contains(active) === true;
   };
-  function copy(event: ClipboardEvent): boolean {
+  function take(event: ClipboardEvent): boolean {
     const { nodes } = editor.selection.value;
     if (!isHere() || nodes.size === 0) return false;
-    event.clipboardData?.setData('text/plain', copyText(editor.graph.value, [...nodes]));
+    lastCopied = copyText(editor.graph.value, [...nodes]);
+    event.clipboardData?.setData('text/plain', lastCopied);
     event.preventDefault();
     return true;
   }
-  useEventListener(document, 'copy', copy);
-  useEventListener(document, 'cut', (event: ClipboardEvent) => {
-    const { nodes } = editor.selection.value;
-    if (copy(event)) editor.apply({ kind: 'remove', nodes: [...nodes] });
-  });
-  useEventListener(document, 'paste', (event: ClipboardEvent) => {
+  /** @returns true when it was ours */
+  function put(text: string, position?: Point): boolean {
     problem.value = undefined;
-    if (!isHere()) return;
-    const text = event.clipboardData?.getData('text/plain') ?? '';
-    const pasted = paste(editor.graph.value, text, { uuid: randomUuid });
-    if (pasted.kind === 'foreign') return;
-    event.preventDefault();
+    const pasted = paste(editor.graph.value, text, { uuid: randomUuid, position });
+    if (pasted.kind === 'foreign') return false;
     if (pasted.kind === 'broken') {
       problem.value = pasted.reason;
-      return;
+      return true;
     }
     editor.apply(pasted.command);
     editor.select(pasted.ids);
+    return true;
+  }
+  useEventListener(document, 'copy', take);
+  useEventListener(document, 'cut', (event: ClipboardEvent) => {
+    const { nodes } = editor.selection.value;
+    if (take(event)) editor.apply({ kind: 'remove', nodes: [...nodes] });
   });
-  return problem;
+  useEventListener(document, 'paste', (event: ClipboardEvent) => {
+    problem.value = undefined;
+    if (isHere() && put(event.clipboardData?.getData('text/plain') ?? '')) event.preventDefault();
+  });
+
+  /** As if the key had been pressed: that works on pages without a safe origin, too. */
+  function press(what: 'copy' | 'cut', nodes: readonly string[]): void {
+    editor.select(nodes);
+    if (!isHere()) host.value?.focus({ preventScroll: true });
+    document.execCommand(what);
+  }
+  return {
+    problem,
+    copy: (nodes) => press('copy', nodes),
+    cut: (nodes) => press('cut', nodes),
+    async pasteAt(at) {
+      const text = (await readClipboard()) ?? lastCopied;
+      if (put(text, at) || put(lastCopied, at)) return;
+      problem.value = 'There are no nodes to paste. Copy some first, here or in another session.';
+    },
+  };
+}
+
+async function readClipboard(): Promise<string | undefined> {
+  try {
+    return await navigator.clipboard.readText();
+  } catch {
+    // Not allowed, or no safe origin.
+    return undefined;
+  }
 }

@@ -67,7 +67,8 @@ export class NodeDrag {
   press(start: PointerEvent, id: string): void {
     this.#cancel?.();
     const { nodes } = this.#editor.selection.value;
-    const isAdding = start.shiftKey || start.ctrlKey || start.metaKey;
+    const isByFinger = this.#stage.isSelecting.value && start.pointerType !== 'mouse';
+    const isAdding = start.shiftKey || start.ctrlKey || start.metaKey || isByFinger;
     if (isAdding) {
       this.#editor.select(nodes.has(id) ? [...nodes].filter((one) => one !== id) : [...nodes, id]);
     } else if (!nodes.has(id)) {

@@ -1,0 +1,35 @@
+import type { Graph } from '../../model/graph.ts';
+import { commentNode } from '../../model/make-node.ts';
+import { onGrid } from '../free-spot.ts';
+import { action, separated, type MenuEntry, type MenuPlace } from './menu-entry.ts';
+
+/** What can be done where nothing is. */
+export function canvasMenu(graph: Graph, { at, uuid, isTouch }: MenuPlace): MenuEntry[] {
+  const note = commentNode(`comment:${uuid()}`, '', { position: onGrid(at) });
+  const nodes = [...graph.nodes.keys()];
+  const isEmpty = nodes.length === 0;
+  return separated(
+    [
+      action('Add here…', { request: { kind: 'add', at } }, { shortcut: 'A' }),
+      action('Write a note here', {
+        command: { kind: 'add', nodes: [note] },
+        select: [note.id],
+        request: { kind: 'inspect', node: note.id },
+      }),
+      action('Paste here', { request: { kind: 'paste', at } }, { shortcut: 'Ctrl V' }),
+    ],
+    isEmpty
+      ? []
+      : [
+          action('Select all', { request: { kind: 'select', nodes } }, { shortcut: 'Ctrl A' }),
+          ...(isTouch ? [action('Select several', { request: { kind: 'selectMore' } })] : []),
+        ],
+    isEmpty
+      ? []
+      : [
+          action('Arrange all', { request: { kind: 'arrange' } }),
+          action('Show all', { request: { kind: 'fit' } }, { shortcut: 'F' }),
+          action('Find…', { request: { kind: 'find' } }, { shortcut: 'Ctrl F' }),
+        ],
+  );
+}

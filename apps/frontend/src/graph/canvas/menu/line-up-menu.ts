@@ -1,0 +1,82 @@
+import type { GraphCommand } from '../../model/commands/graph-command.ts';
+import type { Graph, GraphNode } from '../../model/graph.ts';
+import {
+  align,
+  distribute,
+  type Alignment,
+  type Box,
+  type Places,
+} from '../../model/selection/arrange.ts';
+import { frameAround } from '../../model/selection/frames.ts';
+import { action, type MenuAction, type MenuEntry, type MenuPlace } from './menu-entry.ts';
+
+const ALIGNMENTS: readonly (readonly [Alignment, text: string, shortcut: string])[] = [
+  ['left', 'Left edges', 'Alt A'],
+  ['center', 'Centres', 'Alt H'],
+  ['right', 'Right edges', 'Alt D'],
+  ['top', 'Top edges', 'Alt W'],
+  ['middle', 'Middles', 'Alt V'],
+  ['bottom', 'Bottom edges', 'Alt S'],
+];
+
+/** Frames nodes, and lines several of them up. */
+export function lineUpMenu(
+  graph: Graph,
+  nodes: readonly GraphNode[],
+  { boxOf, uuid }: MenuPlace,
+): MenuEntry[] {
+  const boxes: Box[] = nodes.flatMap(({ id }) => {
+    const box = boxOf(id);
+    return box === undefined ? [] : [{ id, ...box }];
+  });
+  const framed = nodes.filter(({ frame }) => frame !== undefined && graph.nodes.has(frame));
+  const frame = `frame:${uuid()}`;
+  return [
+    ...(nodes.some(({ kind }) => kind === 'frame')
+      ? []
+      : [
+          action(
+            'Put a frame around',
+            { command: frameAround(boxes, frame), select: [frame] },
+            { shortcut: 'Ctrl G' },
+          ),
+        ]),
+    ...(framed.length === 0
+      ? []
+      : [
+          action('Take out of the frame', {
+            command: { kind: 'setFrame', nodes: framed.map(({ id }) => id), frame: undefined },
+          }),
+        ]),
+    ...(boxes.length > 1
+      ? [{ kind: 'group', text: 'Line up', entries: lines(boxes) } as const]
+      : []),
+  ];
+}
+
+function lines(boxes: readonly Box[]): MenuAction[] {
+  // All of them get a place: those nobody has put anywhere yet would be laid out anew around the rest.
+  const move = (places: Places): GraphCommand => ({
+    kind: 'move',
+    positions: new Map([...boxes.map(({ id, x, y }) => [id, { x, y }] as const), ...places]),
+  });
+  return [
+    ...ALIGNMENTS.map(([alignment, text, shortcut]) =>
+      action(text, { command: move(align(boxes, alignment)) }, { shortcut }),
+    ),
+    ...(boxes.length > 2
+      ? [
+          action(
+            'Same gaps across',
+            { command: move(distribute(boxes, 'x')) },
+            { shortcut: 'Alt Shift H' },
+          ),
+          action(
+            'Same gaps down',
+            { command: move(distribute(boxes, 'y')) },
+            { shortcut: 'Alt Shift V' },
+          ),
+        ]
+      : []),
+  ];
+}

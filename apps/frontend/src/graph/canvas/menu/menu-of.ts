@@ -1,0 +1,27 @@
+import type { Graph } from '../../model/graph.ts';
+import { canvasMenu } from './canvas-menu.ts';
+import type { MenuEntry, MenuPlace, MenuTarget } from './menu-entry.ts';
+import { nodesMenu } from './nodes-menu.ts';
+import { socketMenu } from './socket-menu.ts';
+import { wireMenu } from './wire-menu.ts';
+
+/** What can be done with something on the canvas: only what applies; nothing for what is gone. */
+export function menuOf(graph: Graph, target: MenuTarget, place: MenuPlace): MenuEntry[] {
+  switch (target.kind) {
+    case 'nodes':
+      return nodesMenu(graph, target.nodes, place);
+    case 'wire':
+      return wireMenu(graph, target.wire, place);
+    case 'socket':
+      return socketMenu(graph, target.port, place);
+    case 'canvas':
+      return canvasMenu(graph, place);
+  }
+}
+
+/**
+ * The nodes a menu on one of them is about: all that are selected when it is one of those.
+ */
+export function nodesMeant(selected: ReadonlySet<string>, node: string): readonly string[] {
+  return selected.has(node) ? [...selected] : [node];
+}

@@ -1,0 +1,139 @@
+import { useEventListener } from '@vueuse/core';
+import { nextTick, shallowRef, type Ref, type ShallowRef } from 'vue';
+import { randomUuid } from '../../../connection/random-uuid.ts';
+import type { GraphEditor } from '../../editor/graph-editor.ts';
+import type { CanvasStage } from '../canvas-stage.ts';
+import { spotsOnStage } from '../drag/insert-target.ts';
+import { nearestOn } from '../wire-hit.ts';
+import { drawnSize } from '../drawn-size.ts';
+import type { MenuAction, MenuEntry, MenuRequest, MenuTarget } from './menu-entry.ts';
+import { menuOf, nodesMeant } from './menu-of.ts';
+import { foundAt, type Found } from './target-of.ts';
+
+/** A menu that is open, and where it was asked for on the page, pixels. */
+export interface OpenMenu {
+  readonly entries: readonly MenuEntry[];
+  readonly label: string;
+  readonly left: number;
+  readonly top: number;
+}
+
+export interface GraphMenu {
+  readonly open: Readonly<ShallowRef<OpenMenu | undefined>>;
+  /** For what lies there. */
+  ask(at: { clientX: number; clientY: number }, target: Element | null, isTouch: boolean): void;
+  choose(action: MenuAction): void;
+  /** Escape: back to where the keys were. */
+  close(): void;
+}
+
+/** What the menu works on. */
+export interface MenuSurroundings {
+  readonly host: Ref<HTMLElement | null>;
+  readonly editor: GraphEditor;
+  readonly stage: CanvasStage;
+  handle(request: MenuRequest): void;
+}
+
+const LABELS: Readonly<Record<MenuTarget['kind'], string>> = {
+  nodes: 'What to do with it',
+  wire: 'What to do with this wire',
+  socket: 'What to do with this socket',
+  canvas: 'What to do here',
+};
+/** How far below the top left of what has the focus a menu of the keyboard opens, pixels. */
+const KEY_INSET = 24;
+
+/** The context menu: right click, the menu key, Shift F10; long presses ask for it themselves. */
+export function useContextMenu({ host, editor, stage, handle }: MenuSurroundings): GraphMenu {
+  const open = shallowRef<OpenMenu>();
+  let back: HTMLElement | null = null;
+
+  function targetOf(found: Found): MenuTarget {
+    if (found.kind !== 'node') return found;
+    const nodes = nodesMeant(editor.selection.value.nodes, found.node);
+    return { kind: 'nodes', nodes };
+  }
+
+  function ask(
+    { clientX, clientY }: { clientX: number; clientY: number },
+    element: Element | null,
+    isTouch: boolean,
+  ): void {
+    const target = targetOf(foundAt(element));
+    const entries = menuOf(editor.graph.value, target, {
+      at: stage.toCanvas(clientX, clientY),
+      boxOf: (id) => {
+        const place = stage.positions.get(id);
+        const node = editor.graph.value.nodes.get(id);
+        if (place === undefined || node === undefined) return undefined;
+        return { ...place, ...(stage.sizes.get(id) ?? drawnSize(node)) };
+      },
+      spotOn(id) {
+        const wire = editor.graph.value.wires.get(id);
+        const place = stage.toCanvas(clientX, clientY);
+        return wire && nearestOn(spotsOnStage(stage, wire), place);
+      },
+      uuid: randomUuid,
+      isTouch,
+    });
+    if (entries.length === 0) return;
+    // What the menu is about is what is selected.
+    if (target.kind === 'wire') editor.selectWire(target.wire);
+    else if (target.kind === 'nodes') editor.select(target.nodes);
+    back = document.activeElement instanceof HTMLElement ? document.activeElement : null;
+    open.value = { entries, label: LABELS[target.kind], left: clientX, top: clientY };
+  }
+
+  async function close(): Promise<void> {
+    open.value = undefined;
+    await nextTick();
+    const isHere = back !== null && host.value?.contains(back) === true && back.isConnected;
+    (isHere ? back : host.value)?.focus({ preventScroll: true });
+  }
+
+  async function choose({ command, select, request }: MenuAction): Promise<void> {
+    await close();
+    if (command !== undefined) editor.apply(command);
+    if (select !== undefined) editor.select(select);
+    if (request !== undefined) handle(request);
+  }
+
+  useEventListener(host, 'contextmenu', (event) => {
+    const target = event.target instanceof Element ? event.target : null;
+    // Fields and what floats over the canvas keep the menu of the browser.
+    if (target?.closest('input, textarea, .floating') || !target?.closest('.graph-stage')) return;
+    event.preventDefault();
+    // Fingers ask by holding still; some browsers tell of that, too.
+    if (event instanceof PointerEvent && event.pointerType === 'touch') return;
+    if (open.value !== undefined && event.button !== 2) return;
+    ask(event, target, false);
+  });
+  useEventListener(host, 'keydown', (event) => {
+    const isAsked = event.key === 'ContextMenu' || (event.key === 'F10' && event.shiftKey);
+    if (!isAsked) return;
+    const { activeElement } = document;
+    if (activeElement === null || !host.value?.contains(activeElement)) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const element = elementMeant(activeElement);
+    const { left, top } = element.getBoundingClientRect();
+    ask({ clientX: left + KEY_INSET, clientY: top + KEY_INSET }, element, false);
+  });
+
+  /** With the focus on the canvas itself, what is selected is meant. */
+  function elementMeant(active: Element): Element {
+    if (active !== host.value) return active;
+    const { nodes, wire } = editor.selection.value;
+    const [node] = nodes;
+    const mark =
+      wire === undefined
+        ? node === undefined
+          ? undefined
+          : `[data-graph-node="${CSS.escape(node)}"]`
+        : `[data-wire="${CSS.escape(wire)}"]`;
+    return (mark === undefined ? null : host.value.querySelector(mark)) ?? stage.container;
+  }
+
+  return { open, ask, choose: (action) => void choose(action), close: () => void close() };
+}

@@ -1,0 +1,47 @@
+import type { Graph } from '../../model/graph.ts';
+import { onGrid } from '../free-spot.ts';
+import { addPoint, removePoints } from '../../model/selection/wire-points.ts';
+import { topicOfWire } from '../../live/live-graph.ts';
+import { action, separated, type MenuEntry, type MenuPlace } from './menu-entry.ts';
+
+/** What can be done with a wire, at the place that was pointed at. */
+export function wireMenu(graph: Graph, id: string, { at, spotOn }: MenuPlace): MenuEntry[] {
+  const wire = graph.wires.get(id);
+  if (wire === undefined) return [];
+  const topic = topicOfWire(graph, wire);
+  const spot = spotOn(id);
+  return separated(
+    [
+      action('Insert a module here…', { request: { kind: 'add', at, wire: id } }),
+      ...(spot === undefined
+        ? []
+        : [
+            action(
+              'Lead it through here',
+              { command: addPoint(wire, spot.leg, onGrid(spot)) },
+              { shortcut: 'P' },
+            ),
+          ]),
+      ...(wire.points.length > 0 ? [action('Straighten it', { command: removePoints(wire) })] : []),
+    ],
+    [
+      ...(wire.via === undefined
+        ? []
+        : [
+            action('Show its topic as a node', {
+              command: { kind: 'showTopic', wire: id, position: onGrid(at) },
+            }),
+          ]),
+      ...(topic === undefined
+        ? []
+        : [action('Open its topic', { request: { kind: 'open topic', name: topic } })]),
+    ],
+    [
+      action(
+        'Delete',
+        { command: { kind: 'remove', wires: [id] } },
+        { shortcut: 'Del', isDanger: true },
+      ),
+    ],
+  );
+}

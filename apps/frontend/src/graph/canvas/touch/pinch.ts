@@ -1,0 +1,66 @@
+import type { Point } from '../../model/graph.ts';
+import type { CanvasStage } from '../canvas-stage.ts';
+import { limitZoom, type View } from '../stage-view.ts';
+
+/** Two fingers that were only put down and lifted have tapped: within so many milliseconds and pixels. */
+const TAP_MS = 300;
+const TAP_PX = 12;
+
+/** Two fingers: the place between them stays between them, however they move. */
+export class Pinch {
+  readonly #stage: Pick<CanvasStage, 'container' | 'look' | 'view'>;
+  readonly #tapped: () => void;
+  #start:
+    { view: View; middle: Point; distance: number; timeMs: number; moved: number } | undefined;
+
+  /** @param tapped is told when both fingers were only put down and lifted */
+  constructor(stage: Pick<CanvasStage, 'container' | 'look' | 'view'>, tapped: () => void) {
+    this.#stage = stage;
+    this.#tapped = tapped;
+  }
+
+  get isOn(): boolean {
+    return this.#start !== undefined;
+  }
+
+  begin(fingers: readonly Point[], timeMs: number): void {
+    const { middle, distance } = this.#look(fingers);
+    this.#start = { view: { ...this.#stage.view.value }, middle, distance, timeMs, moved: 0 };
+  }
+
+  move(fingers: readonly Point[]): void {
+    const start = this.#start;
+    if (start === undefined || fingers.length < 2) return;
+    const { middle, distance } = this.#look(fingers);
+    const away = Math.hypot(middle.x - start.middle.x, middle.y - start.middle.y);
+    start.moved = Math.max(start.moved, away, Math.abs(distance - start.distance));
+    if (start.moved <= TAP_PX) return;
+    void this.#stage.look(pinched(start.view, start.middle, middle, distance / start.distance));
+  }
+
+  end(timeMs: number): void {
+    const start = this.#start;
+    this.#start = undefined;
+    if (start && start.moved <= TAP_PX && timeMs - start.timeMs < TAP_MS) this.#tapped();
+  }
+
+  #look([a = { x: 0, y: 0 }, b = a]: readonly Point[]): { middle: Point; distance: number } {
+    const { left, top } = this.#stage.container.getBoundingClientRect();
+    return {
+      middle: { x: (a.x + b.x) / 2 - left, y: (a.y + b.y) / 2 - top },
+      distance: Math.max(1, Math.hypot(a.x - b.x, a.y - b.y)),
+    };
+  }
+}
+
+/**
+ * The view after fingers have moved.
+ * @param from the place between them at first
+ * @param to the place between them now
+ * @param by how much further apart they are
+ */
+export function pinched(view: View, from: Point, to: Point, by: number): View {
+  const k = limitZoom(view.k * by);
+  const scale = k / view.k;
+  return { k, x: to.x - (from.x - view.x) * scale, y: to.y - (from.y - view.y) * scale };
+}

@@ -1,0 +1,194 @@
+import { useEventListener } from '@vueuse/core';
+import { shallowRef, type ShallowRef } from 'vue';
+import type { GraphEditor, Selection } from '../../editor/graph-editor.ts';
+import type { Point, PortRef } from '../../model/graph.ts';
+import type { CanvasStage } from '../canvas-stage.ts';
+import type { ConnectGesture } from '../connect-gesture.ts';
+import { Pinch } from './pinch.ts';
+
+/** What fingers do to. */
+export interface FingerTargets {
+  readonly editor: GraphEditor;
+  readonly stage: CanvasStage;
+  readonly gesture: ConnectGesture;
+  /** A finger or a pen was held still. */
+  held(at: { clientX: number; clientY: number }, element: Element | null): void;
+}
+
+/** How long a finger is held still for a menu, milliseconds. */
+export const HOLD_MS = 500;
+/** Fingers that move less than this have tapped, pixels. */
+const TAP_PX = 10;
+
+/** What the first finger does. Rete pans and drags by itself. */
+type Doing =
+  | { readonly kind: 'rete' }
+  /** Pans without Rete; a tap means something of its own. */
+  | {
+      readonly kind: 'pan';
+      readonly view: CanvasStage['view']['value'];
+      tap(at: PointerEvent): void;
+    }
+  /** Done: what the finger does until it is lifted means nothing more. */
+  | { readonly kind: 'nothing' };
+
+/**
+ * Fingers on the canvas: one pans, drags or pulls a wire, two zoom, tap and tap connects, and holding
+ * still asks for the menu. @returns where a finger is held still, in pixels of the canvas
+ */
+export function useFingers({
+  editor,
+  stage,
+  gesture,
+  held,
+}: FingerTargets): Readonly<ShallowRef<Point | undefined>> {
+  const holding = shallowRef<Point>();
+  const { container } = stage;
+  const fingers = new Map<number, Point>();
+  const pinch = new Pinch(stage, () => editor.undo());
+  let start: PointerEvent | undefined;
+  let doing: Doing = { kind: 'nothing' };
+  let before: Selection = editor.selection.value;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let isLettingGo = false;
+  /** The last finger meant something of ours: the browser is not to make a click of it. */
+  let isTaken = false;
+
+  function letGo(pointerId: number): void {
+    isLettingGo = true;
+    stage.letGo(pointerId);
+    isLettingGo = false;
+    doing = { kind: 'nothing' };
+  }
+
+  function stopHolding(): void {
+    clearTimeout(timer);
+    holding.value = undefined;
+  }
+  function hold(event: PointerEvent, element: Element | null): void {
+    const { left, top } = container.getBoundingClientRect();
+    holding.value = { x: event.clientX - left, y: event.clientY - top };
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      stopHolding();
+      letGo(event.pointerId);
+      gesture.cancel();
+      editor.selection.value = before;
+      held(event, element);
+    }, HOLD_MS);
+  }
+
+  function press(event: PointerEvent): void {
+    start = event;
+    before = editor.selection.value;
+    const target = event.target instanceof Element ? event.target : null;
+    if (gesture.pull.value !== undefined) {
+      event.stopPropagation();
+      doing = { kind: 'pan', view: stage.view.value, tap: (at) => gesture.tap(at) };
+      return;
+    }
+    const port = gesture.nearestSocket(event);
+    if (port !== undefined) {
+      event.stopPropagation();
+      gesture.press(event, port);
+      doing = { kind: 'rete' };
+      hold(event, socketElement(port) ?? target);
+      return;
+    }
+    hold(event, target);
+    const hit = target?.closest('.hit, [data-wire-chip]');
+    const wire = hit?.closest<HTMLElement>('[data-wire], [data-wire-chip]')?.dataset;
+    const id = wire?.['wire'] ?? wire?.['wireChip'];
+    if (id === undefined) {
+      doing = { kind: 'rete' };
+      return;
+    }
+    event.stopPropagation();
+    doing = { kind: 'pan', view: stage.view.value, tap: () => editor.selectWire(id) };
+  }
+
+  function socketElement({ node, port }: PortRef): Element | null {
+    const mark = `[data-port="${CSS.escape(port)}"]`;
+    return stage.elements.get(node)?.querySelector(mark) ?? null;
+  }
+
+  useEventListener(
+    container,
+    'pointerdown',
+    (event) => {
+      if (event.pointerType === 'pen') {
+        start = event;
+        before = editor.selection.value;
+        doing = { kind: 'rete' };
+        const target = event.target instanceof Element ? event.target : null;
+        if (event.button === 0 && gesture.pull.value === undefined) hold(event, target);
+      }
+      if (event.pointerType !== 'touch') return;
+      fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+      if (fingers.size === 1) {
+        press(event);
+        return;
+      }
+      event.stopPropagation();
+      stopHolding();
+      if (fingers.size > 2 || start === undefined) return;
+      const isWaiting = gesture.waiting.value !== undefined;
+      letGo(start.pointerId);
+      if (!isWaiting) gesture.cancel();
+      editor.selection.value = before;
+      pinch.begin([...fingers.values()], event.timeStamp);
+    },
+    { capture: true },
+  );
+
+  useEventListener(
+    window,
+    'pointermove',
+    (event) => {
+      const { pointerId, clientX: x, clientY: y } = event;
+      if (fingers.has(pointerId)) fingers.set(pointerId, { x, y });
+      if (pinch.isOn) pinch.move([...fingers.values()]);
+      if (start?.pointerId !== pointerId) return;
+      const [dx, dy] = [x - start.clientX, y - start.clientY];
+      if (Math.hypot(dx, dy) <= TAP_PX) return;
+      stopHolding();
+      if (doing.kind === 'pan') {
+        const { view } = doing;
+        void stage.look({ ...view, x: view.x + dx, y: view.y + dy });
+      }
+    },
+    { capture: true },
+  );
+
+  function lift(event: PointerEvent): void {
+    if (isLettingGo) return;
+    stopHolding();
+    const isOurs = doing.kind !== 'rete';
+    isTaken = isOurs;
+    const wasFinger = fingers.delete(event.pointerId);
+    if (pinch.isOn && fingers.size < 2) pinch.end(event.timeStamp);
+    if (start?.pointerId !== event.pointerId) {
+      if (wasFinger) event.stopPropagation();
+      return;
+    }
+    const moved = Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY);
+    if (doing.kind === 'pan' && event.type === 'pointerup' && moved <= TAP_PX) doing.tap(event);
+    // What was ours means nothing to the canvas.
+    if (isOurs) event.stopPropagation();
+    start = undefined;
+    doing = { kind: 'nothing' };
+  }
+  useEventListener(window, 'pointerup', lift, { capture: true });
+  useEventListener(window, 'pointercancel', lift, { capture: true });
+  // The mouse events browsers make of touches would take the focus out of an open menu.
+  useEventListener(
+    container,
+    'touchend',
+    (event) => {
+      if (isTaken && event.cancelable) event.preventDefault();
+    },
+    { passive: false },
+  );
+
+  return holding;
+}
