@@ -1,0 +1,158 @@
+import {
+  isExtensionTopic,
+  isMasterTopic,
+  parseDataFormat,
+  type ProcessingModule,
+} from '@ubii/proto';
+import { randomUuid } from '../../connection/random-uuid.ts';
+import type { AddableSources } from '../canvas/addable.ts';
+import { fitBetween } from '../canvas/port-fit.ts';
+import { nodeTitle } from '../canvas/node-label.ts';
+import { applyCommand } from '../model/commands/apply-command.ts';
+import { freeTopic } from '../model/commands/free-topic.ts';
+import { portName } from '../model/commands/command-label.ts';
+import type { GraphCommand } from '../model/commands/graph-command.ts';
+import { adaptCommand } from '../model/fit/adapt.ts';
+import type { Adapter } from '../model/fit/adapter.ts';
+import type { Graph, PortRef } from '../model/graph.ts';
+import { topicNode } from '../model/make-node.ts';
+import { portFormat, portOf } from '../model/port-format.ts';
+import { topicsOf } from '../live/live-graph.ts';
+
+/** What an input can read, or where an output can lead. */
+export interface Binding {
+  readonly key: string;
+  readonly text: string;
+  /** Its data format, in short. */
+  readonly hint: string;
+  readonly group: 'session' | 'topics' | 'misfits';
+  /** What choosing it does; undefined where it does not fit. */
+  readonly command: GraphCommand | undefined;
+  /** Why it does not fit, one sentence. */
+  readonly reason: string | undefined;
+  /** What would make it fit, best first. */
+  readonly offers: readonly Adapter[];
+  /** Makes it fit. */
+  adapt(adapter: Adapter): GraphCommand;
+}
+
+const MAX_SHOWN = 80;
+
+/** What fits the words typed, for an input or output: what fits first, and what does not, with reasons. */
+export function bindings(
+  graph: Graph,
+  ref: PortRef,
+  { modules, topics }: AddableSources,
+  typed: string,
+  uuid: () => string = randomUuid,
+): Binding[] {
+  const own = portOf(graph, ref);
+  if (own === undefined) return [];
+  const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
+  const said = ({ text, hint }: Pick<Binding, 'text' | 'hint'>): boolean =>
+    words.every((word) => `${text} ${hint}`.toLowerCase().includes(word));
+  const used = topicsOf(graph);
+  const known = topics.filter(
+    ({ topic }) => !isMasterTopic(topic) && !isExtensionTopic(topic) && !used.has(topic),
+  );
+  const all = [
+    ...portsOver(graph, ref).flatMap((far) => between(graph, ref, far, modules, uuid) ?? []),
+    ...known.flatMap(({ topic, format }) => {
+      const look = { format: parseDataFormat(format) };
+      return toTopic(graph, ref, topic, look, modules, uuid) ?? [];
+    }),
+  ].filter(said);
+  const rank = (one: Binding): number => ['session', 'topics', 'misfits'].indexOf(one.group);
+  all.sort((a, b) => rank(a) - rank(b));
+  return [...newTopic(graph, ref, typed.trim(), topics, uuid), ...all].slice(0, MAX_SHOWN);
+}
+
+/** Ports on the other side, of other nodes. */
+function portsOver(graph: Graph, ref: PortRef): PortRef[] {
+  const direction = portOf(graph, ref)?.direction;
+  return [...graph.nodes.values()].flatMap(({ id: node, ports }) =>
+    node === ref.node
+      ? []
+      : ports
+          .filter((port) => port.direction !== direction)
+          .map(({ id: port }) => ({ node, port })),
+  );
+}
+
+function between(
+  graph: Graph,
+  ref: PortRef,
+  far: PortRef,
+  modules: readonly ProcessingModule[],
+  uuid: () => string,
+): Binding | undefined {
+  const fit = fitBetween(graph, ref, far, modules);
+  const node = graph.nodes.get(far.node);
+  const port = portOf(graph, far);
+  if (fit === undefined || node === undefined || port === undefined) return undefined;
+  const { from, to, reason, offers } = fit;
+  // What can never be wired, and nothing helps, is noise here.
+  if (reason !== undefined && offers.length === 0) return undefined;
+  const format = portFormat(graph, far) ?? port.formatText;
+  return {
+    key: `${far.node} ${far.port}`,
+    text:
+      node.kind === 'topic' ? node.topic : [nodeTitle(node), port.name].filter(Boolean).join(' · '),
+    hint: `${format}${port.isList ? ' list' : ''}`,
+    group: reason === undefined ? 'session' : 'misfits',
+    command: reason === undefined ? { kind: 'connect', from, to } : undefined,
+    reason,
+    offers,
+    adapt: (adapter) => adaptCommand(graph, from, to, adapter, { uuid }),
+  };
+}
+
+/** To a topic that has no node yet. */
+function toTopic(
+  graph: Graph,
+  ref: PortRef,
+  topic: string,
+  look: Parameters<typeof topicNode>[1],
+  modules: readonly ProcessingModule[],
+  uuid: () => string,
+): Binding | undefined {
+  const isInput = portOf(graph, ref)?.direction === 'in';
+  const node = topicNode(topic, look);
+  const add: GraphCommand = { kind: 'add', nodes: [node] };
+  const wider = applyCommand(graph, add).graph;
+  const far = { node: node.id, port: isInput ? 'out' : 'in' };
+  const binding = between(wider, ref, far, modules, uuid);
+  if (binding === undefined) return undefined;
+  const label = isInput
+    ? `Connect ${topic} to ${portName(graph, ref)}`
+    : `Connect ${portName(graph, ref)} to ${topic}`;
+  const after = (command: GraphCommand): GraphCommand => ({
+    kind: 'all',
+    label,
+    commands: [add, command],
+  });
+  return {
+    ...binding,
+    group: binding.reason === undefined ? 'topics' : 'misfits',
+    command: binding.command && after(binding.command),
+    adapt: (adapter) => after(binding.adapt(adapter)),
+  };
+}
+
+/** A topic that nobody publishes yet: by the name typed, or for an output a name of its own. */
+function newTopic(
+  graph: Graph,
+  ref: PortRef,
+  typed: string,
+  known: AddableSources['topics'],
+  uuid: () => string,
+): Binding[] {
+  const isOutput = portOf(graph, ref)?.direction === 'out';
+  if (graph.nodes.get(ref.node)?.kind !== 'module' || /\s/.test(typed)) return [];
+  if (typed === '' && !isOutput) return [];
+  const topic = typed === '' ? freeTopic(graph, ref) : typed.startsWith('/') ? typed : `/${typed}`;
+  if (topicsOf(graph).has(topic) || known.some((one) => one.topic === topic)) return [];
+  const binding = toTopic(graph, ref, topic, {}, [], uuid);
+  if (binding?.command === undefined) return [];
+  return [{ ...binding, key: `new ${topic}`, text: `New topic ${topic}` }];
+}
