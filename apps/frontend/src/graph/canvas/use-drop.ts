@@ -50,7 +50,7 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     const pointer = stage.toCanvas(clientX, clientY);
     const at = { x: pointer.x - NODE_HALF.x, y: pointer.y - NODE_HALF.y / 2 };
     if (spot !== undefined && insert(item, spot, at)) return;
-    const port = socketUnder({ clientX, clientY });
+    const port = socketUnder({ clientX, clientY }) ?? gesture.nearestSocket({ clientX, clientY });
     const node = port && editor.graph.value.nodes.get(port.node);
     if (port !== undefined && node?.kind === 'module' && item.kind === 'topic') {
       mapTopic(item, port, { clientX, clientY });

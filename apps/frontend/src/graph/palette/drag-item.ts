@@ -25,11 +25,15 @@ export const draggedHost = computed(() => {
   return item?.kind === 'host' ? item.host : undefined;
 });
 
-/** Pointers that move less than this have clicked, pixels. */
+/** Pointers that move less than this have clicked, pixels; fingers are never quite still. */
 const CLICK_PX = 5;
+const TAP_PX = 10;
+/** How long a finger rests on an item until it drags it instead of the list, milliseconds. */
+const REST_MS = 220;
 
 /**
- * Follows a pointer that went down on an item of the palette; works for mouse, pen and finger.
+ * Follows a pointer that went down on an item of the palette; works for mouse, pen and finger. A
+ * finger scrolls the list, and drags the item when it moves sideways or has rested on it.
  * @param drop is told where it was let go
  * @param click is told when it was not dragged at all
  */
@@ -43,12 +47,31 @@ export function dragItem(
   if (start.pointerType === 'mouse' && start.button !== 0) return;
   start.preventDefault();
   const { clientX: x, clientY: y } = start;
-  const move = ({ clientX, clientY }: PointerEvent): void => {
-    const isStill = Math.hypot(clientX - x, clientY - y) < CLICK_PX;
-    if (isStill && draggedItem.value === undefined) return;
+  const isTouch = start.pointerType === 'touch';
+  const hold = ({ clientX, clientY }: { clientX: number; clientY: number }): void => {
     draggedItem.value = { item, label, clientX, clientY };
   };
+  const move = (event: PointerEvent): void => {
+    if (event.pointerId !== start.pointerId) return;
+    const [dx, dy] = [Math.abs(event.clientX - x), Math.abs(event.clientY - y)];
+    const isStill = Math.hypot(dx, dy) < (isTouch ? TAP_PX : CLICK_PX);
+    if (draggedItem.value === undefined) {
+      if (isStill) return;
+      if (isTouch && dy > dx) {
+        end();
+        return;
+      }
+    }
+    hold(event);
+  };
+  /** What is dragged is not scrolled, too. */
+  const scroll = (event: TouchEvent): void => {
+    if (draggedItem.value !== undefined && event.cancelable) event.preventDefault();
+  };
+  const rest = isTouch ? setTimeout(() => hold(start), REST_MS) : undefined;
   const end = (): void => {
+    clearTimeout(rest);
+    window.removeEventListener('touchmove', scroll);
     window.removeEventListener('pointermove', move);
     window.removeEventListener('pointerup', up);
     window.removeEventListener('pointercancel', end);
@@ -56,6 +79,7 @@ export function dragItem(
     draggedItem.value = undefined;
   };
   const up = (event: PointerEvent): void => {
+    if (event.pointerId !== start.pointerId) return;
     const dragged = draggedItem.value;
     end();
     if (dragged === undefined) click();
@@ -66,6 +90,7 @@ export function dragItem(
     event.stopPropagation();
     end();
   };
+  window.addEventListener('touchmove', scroll, { passive: false });
   window.addEventListener('pointermove', move);
   window.addEventListener('pointerup', up);
   window.addEventListener('pointercancel', end);

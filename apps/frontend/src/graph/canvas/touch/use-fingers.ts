@@ -66,6 +66,8 @@ export function useFingers({
     holding.value = undefined;
   }
   function hold(event: PointerEvent, element: Element | null): void {
+    // Fields have a menu of their own.
+    if (element?.closest('input, textarea, select')) return;
     const { left, top } = container.getBoundingClientRect();
     holding.value = { x: event.clientX - left, y: event.clientY - top };
     clearTimeout(timer);
