@@ -161,7 +161,7 @@ test('on a phone, modules are added, bound and started in the list', async ({ ro
     await page.getByRole('button', { name: 'What to do with low-pass' }).tap();
     await page.getByRole('menuitem', { name: 'Delete', exact: true }).tap();
     await expect(list.getByRole('heading', { name: 'low-pass' })).toBeHidden();
-    await page.getByRole('button', { name: 'Undo', exact: true }).tap();
+    await page.getByRole('button', { name: 'Undo', exact: true }).last().tap();
     await expect(list.getByRole('heading', { name: 'low-pass' })).toBeVisible();
   });
 });
