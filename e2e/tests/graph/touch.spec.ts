@@ -40,6 +40,17 @@ test('fingers wire, zoom, drag and ask for the menu on a tablet', async ({ room,
     await expect(hint).toBeHidden();
   });
 
+  await test.step('one finger pans, and drags a node', async () => {
+    const before = (await lowPass.boundingBox())!;
+    const spot = await graph.spot(0.5, 0.95);
+    await fingers.drag(spot, { x: spot.x, y: spot.y - 60 });
+    await expect.poll(async () => (await lowPass.boundingBox())!.y - before.y).toBeCloseTo(-60, -1);
+    const now = (await lowPass.boundingBox())!;
+    const head = { x: now.x + now.width / 2, y: now.y + 20 };
+    await fingers.drag(head, { x: head.x - 40, y: head.y + 50 });
+    await expect.poll(async () => (await lowPass.boundingBox())!.y - now.y).toBeGreaterThan(30);
+  });
+
   await test.step('two fingers zoom around the place between them', async () => {
     const before = (await lowPass.boundingBox())!;
     const { x, y } = await graph.spot(0.5, 0.5);
@@ -59,17 +70,6 @@ test('fingers wire, zoom, drag and ask for the menu on a tablet', async ({ room,
     const after = (await lowPass.boundingBox())!;
     expect(after.x - x).toBeCloseTo((before.x - x) * 1.5, -1);
     expect(await page.evaluate(() => visualViewport?.scale)).toBe(1);
-  });
-
-  await test.step('one finger pans, and drags a node', async () => {
-    const before = (await lowPass.boundingBox())!;
-    const spot = await graph.spot(0.5, 0.95);
-    await fingers.drag(spot, { x: spot.x, y: spot.y - 60 });
-    await expect.poll(async () => (await lowPass.boundingBox())!.y - before.y).toBeCloseTo(-60, -1);
-    const now = (await lowPass.boundingBox())!;
-    const head = { x: now.x + now.width / 2, y: now.y + 20 };
-    await fingers.drag(head, { x: head.x - 40, y: head.y + 50 });
-    await expect.poll(async () => (await lowPass.boundingBox())!.y - now.y).toBeGreaterThan(30);
   });
 
   await test.step('holding still asks for the menu', async () => {

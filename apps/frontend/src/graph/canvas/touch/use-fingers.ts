@@ -1,5 +1,5 @@
 import { useEventListener } from '@vueuse/core';
-import { shallowRef, type ShallowRef } from 'vue';
+import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 import type { GraphEditor, Selection } from '../../editor/graph-editor.ts';
 import type { Point, PortRef } from '../../model/graph.ts';
 import type { CanvasStage } from '../canvas-stage.ts';
@@ -50,6 +50,7 @@ export function useFingers({
   let doing: Doing = { kind: 'nothing' };
   let before: Selection = editor.selection.value;
   let timer: ReturnType<typeof setTimeout> | undefined;
+  let frame = 0;
   let isLettingGo = false;
   /** The last finger meant something of ours: the browser is not to make a click of it. */
   let isTaken = false;
@@ -63,6 +64,7 @@ export function useFingers({
 
   function stopHolding(): void {
     clearTimeout(timer);
+    cancelAnimationFrame(frame);
     holding.value = undefined;
   }
   function hold(event: PointerEvent, element: Element | null): void {
@@ -72,11 +74,14 @@ export function useFingers({
     holding.value = { x: event.clientX - left, y: event.clientY - top };
     clearTimeout(timer);
     timer = setTimeout(() => {
-      stopHolding();
-      letGo(event.pointerId);
-      gesture.cancel();
-      editor.selection.value = before;
-      held(event, element);
+      // On a busy page the finger may have moved, and its events wait for the next frame.
+      frame = requestAnimationFrame(() => {
+        stopHolding();
+        letGo(event.pointerId);
+        gesture.cancel();
+        editor.selection.value = before;
+        held(event, element);
+      });
     }, HOLD_MS);
   }
 
@@ -192,5 +197,6 @@ export function useFingers({
     { passive: false },
   );
 
+  onScopeDispose(stopHolding);
   return holding;
 }
