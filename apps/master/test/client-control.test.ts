@@ -81,6 +81,15 @@ describe('disconnecting a client', () => {
     expect(await disconnect(master, ben.id, 'too loud', mara.id)).toHaveProperty('success');
     expect(ben.closed).toEqual({ code: 4010, reason: 'by Mara: too loud' });
     expect(await names(master)).toEqual(['Mara']);
+    const { masterStatus } = await master.call({
+      topic: '/services/ubii/master_status',
+      masterStatusRequest: {},
+    });
+    expect(masterStatus!.events.at(-1)).toMatchObject({
+      kind: StatusEventKind.CLIENT_DISCONNECTED,
+      text: 'Ben was disconnected by Mara: too loud',
+    });
+    expect(masterStatus!.events.map(({ text }) => text)).not.toContain('Ben left');
     const { stringList } = await master.call({ topic: '/services/topic_list' });
     expect(stringList!.elements).not.toContain('/a');
   });

@@ -223,7 +223,9 @@ export class ClientRegistry {
     client.subscriber.sampler.discard();
     this.#clients.delete(client.id);
     budget.add(client, -client.registrationBytes);
-    if (event === 'deregistered') {
+    // Of one that somebody removed, that is told instead.
+    const isDismissed = this.#context.dismissals.reasonOf(client.id) !== undefined;
+    if (event === 'deregistered' && !isDismissed) {
       events.add(StatusEventKind.CLIENT_LEFT, `${client.label} left`, client.id);
     }
     info.announceClientGone(client); // [CL-31]
