@@ -11,6 +11,7 @@ test('every page of the navigation can be reached, shared by its address, and go
     ['Sessions', '/sessions'],
     ['Modules', '/modules'],
     ['Topics', '/topics'],
+    ['Performance', '/performance/round-trip'],
     ['Examples', '/examples'],
     ['Settings', '/settings'],
     ['Home', '/'],
