@@ -10,6 +10,7 @@ import {
 } from 'vue';
 import type { TopicChanges, TopicRate } from '../connection/topic-rates.ts';
 import { useConnection } from '../connection/useConnection.ts';
+import { isInternalTopic } from './internal-topics.ts';
 import { nameOf } from './rows/row-view.ts';
 import { RowValues } from './rows/row-values.ts';
 import type { FindPublisher } from './tree/publisher.ts';
@@ -32,7 +33,7 @@ export interface TopicTreeWishes {
   readonly order: Ref<TopicOrder>;
   /** Freezes the rows. Counters are totals, so nothing is lost. */
   readonly isPaused: Ref<boolean>;
-  /** Which topics are in the tree at all. @default all */
+  /** Which topics are in the tree at all, of those that are not internal. @default all */
   readonly accepts?: (topic: string) => boolean;
 }
 
@@ -85,7 +86,8 @@ export function useTopicTree({
     tick.value += 1;
   }
 
-  const accepted = ({ statistic }: TopicRate): boolean => accepts(statistic.topic);
+  const accepted = ({ statistic: { topic } }: TopicRate): boolean =>
+    !isInternalTopic(topic) && accepts(topic);
   const waiting: TopicChanges[] = [];
   topics.onChanges(({ added, removed }) => {
     const changes = { added: added.filter(accepted), removed: removed.filter(accepted) };

@@ -7,7 +7,7 @@ const TOPIC: Size = { width: 174, height: 76 };
 const PICTURE = 94;
 const HEAD = 30;
 /** Rows are higher for fingers. */
-const ROW = globalThis.matchMedia?.('(pointer: coarse)').matches === true ? 32 : 23;
+const ROW = globalThis.matchMedia?.('(pointer: coarse)').matches === true ? 32 : 24;
 const ROWS_PADDING = 12;
 const FOOT = 24;
 const PATTERN = 28;

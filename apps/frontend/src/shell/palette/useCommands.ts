@@ -26,6 +26,7 @@ import { sessionLocation } from '../../sessions/routes.ts';
 import { sessionState, stateLook } from '../../sessions/state/session-state.ts';
 import { useTabNode } from '../../tab-node/useTabNode.ts';
 import { useThemeChoice } from '../../theme/useTheme.ts';
+import { isInternalTopic } from '../../topics/internal-topics.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import { PAGES, SETTINGS_PAGE } from '../pages.ts';
 import { useShell } from '../shell.ts';
@@ -202,13 +203,15 @@ export function useCommands(): ComputedRef<Command[]> {
   );
 
   const streams = computed(() =>
-    [...(topics.rates.value?.values() ?? [])].map(({ statistic }): Command => ({
-      id: `topic ${statistic.topic}`,
-      kind: 'topic',
-      title: statistic.topic,
-      format: statistic.dataFormat,
-      run: go(`/topics?topic=${encodeURIComponent(statistic.topic)}`),
-    })),
+    [...(topics.rates.value?.values() ?? [])]
+      .filter(({ statistic }) => !isInternalTopic(statistic.topic))
+      .map(({ statistic }): Command => ({
+        id: `topic ${statistic.topic}`,
+        kind: 'topic',
+        title: statistic.topic,
+        format: statistic.dataFormat,
+        run: go(`/topics?topic=${encodeURIComponent(statistic.topic)}`),
+      })),
   );
 
   return computed(() => [

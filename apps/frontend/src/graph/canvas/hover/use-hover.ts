@@ -4,9 +4,8 @@ import { hoverTarget, isSameTarget, type HoverTarget } from './hover-target.ts';
 
 /** How long a pointer rests before values are asked for, milliseconds. */
 const REST_MS = 300;
-/** How long a finger is held down, and how far it may stray, pixels. */
-const HOLD_MS = 500;
-const STRAY_PX = 8;
+/** How long there is nothing after a press: whoever has just wired something goes on wiring. */
+const CALM_MS = 1200;
 
 /** What is pointed at, and where on the page. */
 export interface Hovered {
@@ -15,11 +14,14 @@ export interface Hovered {
   readonly clientY: number;
 }
 
-/** Follows what a pointer rests on, a finger holds, or the keyboard has reached on the canvas. */
+/** Follows what a pointer rests on, or the keyboard has reached on the canvas. Fingers ask by the menu. */
 export function useHover(container: HTMLElement): Readonly<ShallowRef<Hovered | undefined>> {
   const hovered = shallowRef<Hovered>();
   let next: HoverTarget | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
+  /** What was pressed last says nothing until the pointer has left it. */
+  let pressed: HoverTarget | undefined;
+  let calmUntil = 0;
 
   function hide(): void {
     clearTimeout(timer);
@@ -37,32 +39,23 @@ export function useHover(container: HTMLElement): Readonly<ShallowRef<Hovered | 
   useEventListener(container, 'pointerover', (event) => {
     if (event.pointerType === 'touch' || event.buttons !== 0) return;
     const target = hoverTarget(event.target as Element);
-    if (target === undefined) hide();
-    else if (!isSameTarget(target, next)) wait(target, event, REST_MS);
+    if (!isSameTarget(target, pressed)) pressed = undefined;
+    if (target === undefined || pressed !== undefined) hide();
+    else if (!isSameTarget(target, next))
+      wait(target, event, Math.max(REST_MS, calmUntil - event.timeStamp));
   });
   useEventListener(container, 'pointerleave', hide);
   useEventListener(container, 'wheel', hide, { passive: true });
-  let start = { x: 0, y: 0 };
+  useEventListener(container, 'pointerdown', hide, { capture: true });
   useEventListener(
-    container,
-    'pointerdown',
-    (event) => {
-      hide();
-      start = { x: event.clientX, y: event.clientY };
-      const chip = (event.target as Element).closest('[data-wire-chip], [data-port]');
-      const target = event.pointerType === 'touch' ? hoverTarget(chip) : undefined;
-      if (target) wait(target, start, HOLD_MS);
+    window,
+    'pointerup',
+    ({ target, timeStamp }) => {
+      pressed = hoverTarget(target instanceof Element ? target : null);
+      calmUntil = timeStamp + CALM_MS;
     },
     { capture: true },
   );
-  useEventListener(container, 'pointermove', (event) => {
-    const far = Math.hypot(event.clientX - start.x, event.clientY - start.y) > STRAY_PX;
-    if (event.pointerType === 'touch' && far) hide();
-  });
-  useEventListener(container, 'pointerup', (event) => {
-    // What a finger has brought up stays until the next touch.
-    if (event.pointerType === 'touch' && hovered.value === undefined) hide();
-  });
   useEventListener(container, 'focusin', (event) => {
     const element = event.target as Element;
     if (!element.matches('[data-port]:focus-visible')) return;

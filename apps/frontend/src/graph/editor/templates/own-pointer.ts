@@ -1,5 +1,5 @@
 import type { RegisteredDevice } from '@ubii/client-web';
-import { createSharedComposable, useEventListener } from '@vueuse/core';
+import { useEventListener } from '@vueuse/core';
 import { computed, shallowRef, watch, type ComputedRef, type Ref } from 'vue';
 import { useConnection } from '../../../connection/useConnection.ts';
 import {
@@ -7,6 +7,7 @@ import {
   POINTER_COMPONENT,
   POINTER_DEVICE,
 } from '../../../examples/mouse-pointer/pointer-topic.ts';
+import { whileUsed } from './while-used.ts';
 
 const COMPONENTS = [
   {
@@ -28,7 +29,7 @@ export interface OwnPointer {
  * One for all parts of the editor, as long as one of them is there. It is the device of the
  * mouse-pointer example, so that whatever takes that takes this.
  */
-export const useOwnPointer = createSharedComposable((): OwnPointer => {
+export const useOwnPointer = whileUsed((): OwnPointer => {
   const { client, isConnected } = useConnection();
   const isOn = shallowRef(false);
   const topic = computed(() => {

@@ -1,4 +1,4 @@
-import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
+import { shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 import { fromJson, toJson, type Session } from '@ubii/proto';
 import { randomUuid } from '../../../connection/random-uuid.ts';
 import { useConnection } from '../../../connection/useConnection.ts';
@@ -9,9 +9,8 @@ import { drawnSize } from '../../canvas/drawn-size.ts';
 import { addSession } from '../../model/add-session.ts';
 import type { Point } from '../../model/graph.ts';
 import type { GraphEditor } from '../graph-editor.ts';
-import { useOwnPointer } from './own-pointer.ts';
-import { livePointer } from './pointer-topics.ts';
 import type { Template } from './templates.ts';
+import { useExamplePointer } from './use-pointer.ts';
 import { withPointer } from './with-pointer.ts';
 
 /** A template and what can be seen of it before it is used. */
@@ -35,17 +34,9 @@ const SESSION = 'ubii.sessions.Session';
 const isDefaultName = (name: string): boolean => /^Session(?: \d+)?$/.test(name);
 
 export function useTemplates(editor: GraphEditor): Templates {
-  const { client, topics } = useConnection();
-  const own = useOwnPointer();
+  const { client } = useConnection();
+  const pointer = useExamplePointer();
   const list = shallowRef<readonly SeenTemplate[]>([]);
-  const pointer = computed(() => {
-    const live = [...(topics.rates.value?.values() ?? [])].map(({ statistic, hz = 0 }) => ({
-      topic: statistic.topic,
-      format: statistic.dataFormat,
-      hz,
-    }));
-    return livePointer(live, client.id);
-  });
 
   async function load(): Promise<void> {
     // The library is large, and only this list needs it
@@ -66,13 +57,12 @@ export function useTemplates(editor: GraphEditor): Templates {
 
   return {
     list,
-    pointer,
+    pointer: pointer.live,
     load,
     use(template, position) {
       const seen = list.value.find((one) => one.template === template)?.seen;
       if (seen === undefined) return 'The example is not here any more.';
-      const topic = pointer.value ?? own.topic.value;
-      if (template.needsPointer && pointer.value === undefined) own.isOn.value = true;
+      const topic = pointer.take(template);
       const { graph } = editor;
       const isEmpty = graph.value.nodes.size === 0;
       const isUnnamed = isEmpty && isDefaultName(graph.value.details.name);
