@@ -15,6 +15,7 @@ import { drawnSize } from './drawn-size.ts';
 import { freeSpot, NODE_HALF, onGrid } from './free-spot.ts';
 import { inHost } from './in-host.ts';
 import { newNode, type NewNode } from './new-nodes.ts';
+import { viewShowing } from './view-showing.ts';
 import { roomiest } from './wire-hit.ts';
 
 /** The menu that adds by typing: where it is, and what for. */
@@ -55,6 +56,8 @@ export interface Adding {
 
 /** What is added to a socket stands this far from it. */
 const FROM_SOCKET = 90;
+/** So few nodes are all shown when a new one does not fit on the screen. */
+const FEW = 8;
 const MENU = { width: 290, height: 320 };
 
 /** Adds what is new: by typing, by dropping a wire on nothing, and in between what does not fit. */
@@ -63,6 +66,7 @@ export function useAdding(
   editor: GraphEditor,
   stage: CanvasStage,
   gesture: ConnectGesture,
+  showAll: () => Promise<void>,
 ): Adding {
   const spot = shallowRef<AddingSpot>();
 
@@ -136,7 +140,15 @@ export function useAdding(
       const left = end.side === 'out' ? at.x : at.x - 2 * NODE_HALF.x;
       const position = onGrid({ x: left, y: at.y - NODE_HALF.y });
       const options = { uuid: randomUuid, position };
+      const before = editor.graph.value.nodes;
       editor.apply(offerCommand(editor.graph.value, end.from, offer, options));
+      const added = [...editor.graph.value.nodes.values()].find(({ id }) => !before.has(id));
+      if (added === undefined) return;
+      const box = { ...position, ...drawnSize(added) };
+      const view = viewShowing(stage.view.value, stage.viewport.value, box);
+      if (view === undefined) return;
+      if (editor.graph.value.nodes.size <= FEW) void showAll();
+      else void stage.look(view);
     },
     close: () => (spot.value = undefined),
     place,

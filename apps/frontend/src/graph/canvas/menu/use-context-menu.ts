@@ -4,6 +4,7 @@ import { randomUuid } from '../../../connection/random-uuid.ts';
 import type { GraphEditor } from '../../editor/graph-editor.ts';
 import type { CanvasStage } from '../canvas-stage.ts';
 import { spotsOnStage } from '../drag/insert-target.ts';
+import { hoverTarget, type HoverTarget } from '../hover/hover-target.ts';
 import { nearestOn } from '../wire-hit.ts';
 import { drawnSize } from '../drawn-size.ts';
 import type { MenuAction, MenuEntry, MenuRequest, MenuTarget } from './menu-entry.ts';
@@ -16,6 +17,8 @@ export interface OpenMenu {
   readonly label: string;
   readonly left: number;
   readonly top: number;
+  /** What a finger asked for, when values pass there. */
+  readonly about: HoverTarget | undefined;
 }
 
 export interface GraphMenu {
@@ -82,7 +85,9 @@ export function useContextMenu({ host, editor, stage, handle }: MenuSurroundings
     if (target.kind === 'wire') editor.selectWire(target.wire);
     else if (target.kind === 'nodes') editor.select(target.nodes);
     back = document.activeElement instanceof HTMLElement ? document.activeElement : null;
-    open.value = { entries, label: LABELS[target.kind], left: clientX, top: clientY };
+    const label = LABELS[target.kind];
+    const about = isTouch ? hoverTarget(element) : undefined;
+    open.value = { entries, label, left: clientX, top: clientY, about };
   }
 
   async function close(): Promise<void> {

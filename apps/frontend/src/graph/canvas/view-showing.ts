@@ -1,0 +1,28 @@
+import type { Size } from '../model/graph.ts';
+import type { View } from './stage-view.ts';
+
+/** How much stays free around what is brought into view, pixels; docks lie over top and bottom. */
+const MARGIN = { left: 24, top: 60, right: 24, bottom: 72 };
+
+/**
+ * The view moved as little as is needed to see a box of the canvas; undefined when it is seen. Of what
+ * is larger than the viewport, the beginning is shown.
+ */
+export function viewShowing(
+  view: View,
+  viewport: Size,
+  box: { readonly x: number; readonly y: number } & Size,
+): View | undefined {
+  const { x, y, k } = view;
+  const [left, top] = [box.x * k + x, box.y * k + y];
+  const [right, bottom] = [left + box.width * k, top + box.height * k];
+  const byX = moved(left, right, MARGIN.left, viewport.width - MARGIN.right);
+  const byY = moved(top, bottom, MARGIN.top, viewport.height - MARGIN.bottom);
+  return byX === 0 && byY === 0 ? undefined : { x: x + byX, y: y + byY, k };
+}
+
+function moved(from: number, to: number, least: number, most: number): number {
+  if (from >= least && to <= most) return 0;
+  // Too far right or below: back; but the beginning stays seen.
+  return Math.max(Math.min(0, most - to), least - from);
+}

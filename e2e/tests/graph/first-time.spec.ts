@@ -1,0 +1,131 @@
+import type { Locator, Page } from '@playwright/test';
+import { expect, test, type Room } from '../../fixtures/test.ts';
+import { GraphPage } from '../../pages/graph-page.ts';
+import { Fingers, middleOf } from '../../pages/touch.ts';
+
+const TABLET = { viewport: { width: 1024, height: 768 }, hasTouch: true, isMobile: true } as const;
+const MODULE = 'one-euro-filter-vector2';
+
+/** Somebody's phone, whose pointer is a topic as soon as it has touched the pad. */
+async function aPhone(room: Room): Promise<Locator> {
+  const { page } = await room.withPhone('Ines');
+  await page.goto('/examples/mouse-pointer');
+  const pad = page.getByRole('application', { name: 'Pointer pad' });
+  await pad.tap({ position: { x: 40, y: 60 } });
+  return pad;
+}
+
+async function anEmptyEditor(page: Page): Promise<GraphPage> {
+  await page.goto('/sessions/new');
+  await page.getByRole('button', { name: 'Draw it as a graph' }).click();
+  const graph = new GraphPage({ page });
+  await expect(page.getByRole('region', { name: 'How to begin' })).toBeVisible();
+  return graph;
+}
+
+const pointerOf = (graph: GraphPage): Locator =>
+  graph.palette.locator('[data-palette-topic$="/mouse_client_position"]');
+const module = `Module ${MODULE}`;
+
+/** The smoothed position is on the second topic, and its wire is told how often it comes. */
+async function seesItLive(graph: GraphPage, pad: Locator): Promise<void> {
+  const smoothed = graph.node('Topic /Session/one-euro-filter-vector2/smoothed');
+  await expect(async () => {
+    await pad.tap({ position: { x: 200, y: 200 } });
+    await pad.tap({ position: { x: 60, y: 300 } });
+    await expect(smoothed).toContainText(/0\.\d/, { timeout: 2_000 });
+    await expect(graph.canvas.locator('[data-wire-chip]').last()).toContainText('Hz', {
+      timeout: 2_000,
+    });
+  }).toPass();
+}
+
+test('at a desk, a pointer is smoothed onto a second topic from an empty editor', async ({
+  room,
+}) => {
+  const pad = await aPhone(room);
+  const { page } = await room.atDesk('Anna');
+  const graph = await anEmptyEditor(page);
+
+  await test.step('a click on the topic offers to add it', async () => {
+    await pointerOf(graph).click();
+    await page.getByRole('button', { name: /^Add mouse_client_position to the graph/ }).click();
+    await expect(graph.canvas.getByRole('group', { name: /^Topic / })).toBeVisible();
+    await expect(page.getByText('Next: drag a module in.')).toBeVisible();
+  });
+
+  await test.step('the module is found by what it does', async () => {
+    await graph.palette.getByLabel('Filter topics and modules').fill('smooth');
+    await graph.drag(graph.paletteModule(MODULE), await graph.spot(0.7, 0.2));
+    await expect(graph.node(module)).toBeVisible();
+  });
+
+  await test.step('a wire leads from the topic to its input', async () => {
+    await graph.dragTo(
+      graph.canvas.getByRole('button', { name: /^Output \/.*mouse_client_position, / }),
+      graph.socket(module, 'Input value'),
+    );
+    await expect(graph.socket(module, 'Input value')).toHaveAccessibleName(/1 connected/);
+  });
+
+  await test.step('nothing covers what is pulled next', async () => {
+    await expect(graph.passing).toBeHidden();
+    // Over the map, which lets a wire through.
+    await graph.drag(graph.socket(module, 'Output smoothed'), await graph.spot(0.94, 0.9));
+    const search = page.getByRole('combobox', { name: 'Connect to something new' });
+    await expect(search).toBeVisible();
+    await search.press('Enter');
+    await expect(graph.socket(module, 'Output smoothed')).toHaveAccessibleName(/1 connected/);
+  });
+
+  await test.step('it is started, and seen', async () => {
+    await expect(page.getByText('Next: press Start.')).toBeVisible();
+    await graph.life.getByRole('button', { name: 'Start' }).click();
+    await expect(graph.life).toContainText('Running');
+    await seesItLive(graph, pad);
+  });
+});
+
+test('with fingers on a tablet, a pointer is smoothed onto a second topic', async ({ room }) => {
+  const pad = await aPhone(room);
+  const { page } = await room.atDesk('Anna', TABLET);
+  const fingers = await Fingers.on(page);
+  const graph = await anEmptyEditor(page);
+
+  await test.step('a topic is dragged from the palette', async () => {
+    const row = pointerOf(graph);
+    await row.scrollIntoViewIfNeeded();
+    await fingers.drag(await middleOf(row), await graph.spot(0.2, 0.3));
+    await expect(graph.canvas.getByRole('group', { name: /^Topic / })).toBeVisible();
+  });
+
+  await test.step('a tap on a module offers to add it', async () => {
+    const row = graph.paletteModule(MODULE);
+    await row.scrollIntoViewIfNeeded();
+    await row.tap();
+    await page.getByRole('button', { name: `Add ${MODULE} to the graph` }).tap();
+    await expect(graph.node(module)).toBeVisible();
+  });
+
+  await test.step('wires are pulled to its input, and from its output to nothing', async () => {
+    const output = graph.canvas.getByRole('button', {
+      name: /^Output \/.*mouse_client_position, /,
+    });
+    const input = graph.socket(module, 'Input value');
+    await fingers.drag(await middleOf(output), await middleOf(input));
+    await expect(input).toHaveAccessibleName(/1 connected/);
+    const smoothed = graph.socket(module, 'Output smoothed');
+    await fingers.drag(await middleOf(smoothed), await graph.spot(0.85, 0.85));
+    await page.getByRole('option', { name: /^New topic/ }).tap();
+    await expect(smoothed).toHaveAccessibleName(/1 connected/);
+  });
+
+  await test.step('it is started, and seen; a finger held on the wire shows what passes', async () => {
+    await graph.life.getByRole('button', { name: 'Start' }).tap();
+    await expect(graph.life).toContainText('Running');
+    await seesItLive(graph, pad);
+    const chip = graph.canvas.locator('[data-wire-chip]').last();
+    await fingers.hold(await middleOf(chip), () => expect(graph.menu).toBeVisible());
+    await expect(graph.menu).toContainText('/Session/one-euro-filter-vector2/smoothed');
+  });
+});
