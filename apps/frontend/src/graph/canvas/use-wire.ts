@@ -4,6 +4,7 @@ import { useCanvas, useGraphContext } from '../editor/use-graph-editor.ts';
 import { topicOfWire, type LiveTopic } from '../live/live-graph.ts';
 import type { Point, Wire } from '../model/graph.ts';
 import { portFormat, portOf } from '../model/port-format.ts';
+import type { CanvasStage } from './canvas-stage.ts';
 import { overlaps } from './seen-area.ts';
 import { wireBox, wirePath, type WirePath } from './wire-path.ts';
 
@@ -19,6 +20,17 @@ export interface WireLook {
   readonly isSelected: ComputedRef<boolean>;
   /** Another node or wire is what is looked at. */
   readonly isDim: ComputedRef<boolean>;
+}
+
+/** Whether a wire is on the screen or close to it. */
+export function isWireSeen(stage: CanvasStage, wire: Wire): boolean {
+  const ends = endsOf(stage, wire);
+  return ends !== undefined && overlaps(wireBox(...ends, wire.points), stage.area.value);
+}
+
+function endsOf(stage: CanvasStage, { from, to }: Wire): readonly [Point, Point] | undefined {
+  const [start, end] = [stage.socketAt(from, 'out'), stage.socketAt(to, 'in')];
+  return start && end && [start, end];
 }
 
 export function useWire(wire: () => Wire): WireLook {
@@ -38,11 +50,7 @@ export function useWire(wire: () => Wire): WireLook {
     const by = drag.by.value;
     return own.map(({ x, y }) => ({ x: x + by.x, y: y + by.y }));
   });
-  const ends = computed(() => {
-    const { from, to } = wire();
-    const [start, end] = [stage.socketAt(from, 'out'), stage.socketAt(to, 'in')];
-    return start && end && ([start, end] as const);
-  });
+  const ends = computed(() => endsOf(stage, wire()));
   const isSeen = computed(
     () => ends.value && overlaps(wireBox(...ends.value, points.value), stage.area.value),
   );

@@ -6,7 +6,15 @@ import {
   type TopicRecord,
 } from '@ubii/proto';
 import { useDocumentVisibility, useRafFn } from '@vueuse/core';
-import { computed, onScopeDispose, shallowReactive, shallowRef, watch, type Ref } from 'vue';
+import {
+  computed,
+  onScopeDispose,
+  shallowReactive,
+  shallowRef,
+  watch,
+  type Ref,
+  type ShallowRef,
+} from 'vue';
 import type { TopicRate } from '../../connection/topic-rates.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useSessionEvents } from '../../sessions/live/useSessionEvents.ts';
@@ -15,6 +23,7 @@ import { isAlive } from '../../sessions/state/session-state.ts';
 import { RowValues } from '../../topics/rows/row-values.ts';
 import { isStale } from '../../topics/rows/staleness.ts';
 import { NO_SPARK, type SparkLine } from '../../topics/rows/sparkline.ts';
+import { DrawPace, RESTING_HZ } from './draw-pace.ts';
 import type { Graph, Wire } from '../model/graph.ts';
 import {
   muxPreview,
@@ -22,9 +31,8 @@ import {
   type MuxPreview,
 } from '../model/live/mux-preview.ts';
 
-/** How often counters are asked for, milliseconds, and values are drawn, Hz. */
+/** How often counters are asked for, milliseconds. */
 const STATISTICS_MS = 250;
-const DRAW_HZ = 6;
 /** How often pictures on topic nodes are renewed, Hz. */
 const PICTURE_HZ = 2;
 /** Run times kept for the chart of a module: a minute at five reports a second. */
@@ -54,6 +62,8 @@ export interface RunTime {
 
 /** What flows through a session, read by views; nothing is asked for while the page is hidden. */
 export interface LiveGraph {
+  /** Set while the canvas is moved: values are then drawn a few at a time. */
+  readonly isMoving: ShallowRef<boolean>;
   topic(topic: string): LiveTopic | undefined;
   /** What a muxer gathers now, or why it gathers nothing. */
   preview(mux: TopicMux): MuxPreview;
@@ -98,18 +108,23 @@ export function useLiveGraph(
     if (added.length + removed.length > 0) known.value = [];
   });
 
-  useRafFn(
-    () => {
-      values.sample(performance.now());
-      draw();
-    },
-    { fpsLimit: DRAW_HZ },
-  );
-  function draw(): void {
+  const isMoving = shallowRef(false);
+  const topicPace = new DrawPace();
+  const modulePace = new DrawPace();
+  const wantedList = computed(() => [...wanted.value]);
+  useRafFn(() => values.sample(performance.now()), { fpsLimit: RESTING_HZ });
+  useRafFn(() => {
+    const nowMs = performance.now();
+    drawTopics(topicPace.take(wantedList.value, nowMs, isMoving.value));
+    drawModules(modulePace.take([...reported.keys()], nowMs, isMoving.value));
+  });
+  watch(wanted, (names) => {
+    for (const topic of shown.keys()) if (!names.has(topic)) shown.delete(topic);
+  });
+  function drawTopics(due: readonly string[]): void {
     const rates = topics.rates.value;
     const nowMs = topics.masterTimeMs.value;
-    for (const topic of shown.keys()) if (!wanted.value.has(topic)) shown.delete(topic);
-    for (const topic of wanted.value) {
+    for (const topic of due) {
       const rate = rates?.get(topic);
       if (rate === undefined) {
         shown.delete(topic);
@@ -136,22 +151,34 @@ export function useLiveGraph(
 
   const modules = shallowReactive(new Map<string, ModuleStatistics>());
   const runTimes = shallowReactive(new Map<string, readonly RunTime[]>());
-  const reported = computed(() =>
-    isAlive(session.value) ? statistics.value.get(session.value.id)?.modules : undefined,
+  /** What was reported of each module and is not drawn yet. */
+  const reported = new Map<string, Report>();
+  watch(
+    () => (isAlive(session.value) ? statistics.value.get(session.value.id)?.modules : undefined),
+    (all = []) => {
+      const ids = new Set(all.map(({ moduleId }) => moduleId));
+      for (const id of [...modules.keys()]) if (!ids.has(id)) modules.delete(id);
+      for (const id of [...reported.keys()]) if (!ids.has(id)) reported.delete(id);
+      for (const newest of all) {
+        const { moduleId: id, runP50Ms: p50Ms, runP95Ms: p95Ms, runsPerSecond } = newest;
+        const times = reported.get(id)?.times ?? [];
+        if (runsPerSecond > 0) times.push({ timeMs: Date.now(), p50Ms, p95Ms });
+        reported.set(id, { newest, times });
+      }
+    },
   );
-  watch(reported, (all = []) => {
-    const ids = new Set(all.map(({ moduleId }) => moduleId));
-    for (const id of [...modules.keys()]) if (!ids.has(id)) modules.delete(id);
-    for (const one of all) {
-      const { moduleId: id, runP50Ms: p50Ms, runP95Ms: p95Ms, runsPerSecond } = one;
-      modules.set(id, one);
-      if (runsPerSecond === 0) continue;
-      const next = [...(runTimes.get(id) ?? []), { timeMs: Date.now(), p50Ms, p95Ms }];
-      runTimes.set(id, next.slice(-RUN_TIMES));
+  function drawModules(due: readonly string[]): void {
+    for (const id of due) {
+      const { newest, times } = reported.get(id)!;
+      reported.delete(id);
+      modules.set(id, newest);
+      if (times.length > 0)
+        runTimes.set(id, [...(runTimes.get(id) ?? []), ...times].slice(-RUN_TIMES));
     }
-  });
+  }
 
   return {
+    isMoving,
     topic: (topic) => shown.get(topic),
     preview: (mux) => muxPreview(mux, known.value),
     module: (id) => modules.get(id),
@@ -159,6 +186,11 @@ export function useLiveGraph(
     runTimes: (id) => runTimes.get(id) ?? [],
     events,
   };
+}
+
+interface Report {
+  readonly newest: ModuleStatistics;
+  readonly times: RunTime[];
 }
 
 const rateText = ({ hz }: LiveTopic): string | undefined => hz?.toFixed(1);
