@@ -54,6 +54,9 @@ export class CanvasStage {
     this.viewport.value = { width, height };
     this.area.value = seenArea(this.view.value, this.viewport.value, undefined);
   });
+  /** Lies over everything while a hand pans: browsers need not look what the pointer is over. */
+  readonly #shield = layer('shield');
+  #isHeld = false;
   #layerTimer: ReturnType<typeof setTimeout> | undefined;
   #movingTimer: ReturnType<typeof setTimeout> | undefined;
   /** Nodes that a hand holds: they stay where it puts them. */
@@ -66,7 +69,7 @@ export class CanvasStage {
     this.#area = new AreaPlugin<Schemes>(container);
     this.#observer.observe(container);
     this.#area.area.setDragHandler(
-      new Drag({ down: (event) => this.#isPan(event), move: () => true }),
+      new Drag({ down: (event) => this.#isPan(event) && this.#hold(), move: () => true }),
     );
     this.#area.area.content.add(this.ground);
     this.#area.area.content.add(this.wires);
@@ -87,6 +90,7 @@ export class CanvasStage {
       } else if (type === 'translated' || type === 'zoomed') {
         this.#look();
         if (type === 'translated') this.#keepLayer();
+        if (this.#isHeld) this.container.append(this.#shield);
         this.#noteMoving();
       } else if (type === 'nodetranslated') {
         const { id, position } = context.data;
@@ -260,6 +264,20 @@ export class CanvasStage {
     this.view.value = view;
     this.area.value = seenArea(view, this.viewport.value, this.area.value);
     this.detail.value = detailAt(view.k);
+  }
+
+  /** A hand pans, until it lets go. */
+  #hold(): boolean {
+    const release = (): void => {
+      this.#isHeld = false;
+      this.#shield.remove();
+      window.removeEventListener('pointerup', release, true);
+      window.removeEventListener('pointercancel', release, true);
+    };
+    this.#isHeld = true;
+    window.addEventListener('pointerup', release, true);
+    window.addEventListener('pointercancel', release, true);
+    return true;
   }
 
   #noteMoving(): void {

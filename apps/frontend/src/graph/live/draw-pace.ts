@@ -1,29 +1,16 @@
 /** How often values are drawn while the canvas rests, Hz. */
-export const RESTING_HZ = 6;
-/**
- * In how many frames all values are drawn once while the canvas is moved: half a second. To draw all of
- * them in one frame takes longer than a frame when there are hundreds; nobody reads them as they fly by.
- */
-const MOVING_FRAMES = 30;
+const RESTING_HZ = 6;
+/** While it is moved: to draw hundreds takes longer than a frame, and nobody reads what flies by. */
+const MOVING_HZ = 1;
 
-/** Says which of many values are drawn in a frame. */
+/** Says in which frames the values on a canvas are drawn. */
 export class DrawPace {
-  #next = 0;
   #drawnMs = -Infinity;
 
-  /**
-   * @param names of all values
-   * @returns all of them, none, or a few while the canvas is moved; each has its turn
-   */
-  take(names: readonly string[], nowMs: number, isMoving: boolean): readonly string[] {
-    if (!isMoving) {
-      if (nowMs - this.#drawnMs < 1000 / RESTING_HZ) return [];
-      this.#drawnMs = nowMs;
-      return names;
-    }
-    if (this.#next >= names.length) this.#next = 0;
-    const start = this.#next;
-    this.#next += Math.ceil(names.length / MOVING_FRAMES);
-    return names.slice(start, this.#next);
+  /** Whether it is time in this frame; if so, the next time is some frames later. */
+  take(nowMs: number, isMoving: boolean): boolean {
+    if (nowMs - this.#drawnMs < 1000 / (isMoving ? MOVING_HZ : RESTING_HZ)) return false;
+    this.#drawnMs = nowMs;
+    return true;
   }
 }

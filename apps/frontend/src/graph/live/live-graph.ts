@@ -23,7 +23,7 @@ import { isAlive } from '../../sessions/state/session-state.ts';
 import { RowValues } from '../../topics/rows/row-values.ts';
 import { isStale } from '../../topics/rows/staleness.ts';
 import { NO_SPARK, type SparkLine } from '../../topics/rows/sparkline.ts';
-import { DrawPace, RESTING_HZ } from './draw-pace.ts';
+import { DrawPace } from './draw-pace.ts';
 import type { Graph, Wire } from '../model/graph.ts';
 import {
   muxPreview,
@@ -62,7 +62,7 @@ export interface RunTime {
 
 /** What flows through a session, read by views; nothing is asked for while the page is hidden. */
 export interface LiveGraph {
-  /** Set while the canvas is moved: values are then drawn a few at a time. */
+  /** Set while the canvas is moved: values are then drawn less often. */
   readonly isMoving: ShallowRef<boolean>;
   topic(topic: string): LiveTopic | undefined;
   /** What a muxer gathers now, or why it gathers nothing. */
@@ -109,22 +109,22 @@ export function useLiveGraph(
   });
 
   const isMoving = shallowRef(false);
-  const topicPace = new DrawPace();
-  const modulePace = new DrawPace();
-  const wantedList = computed(() => [...wanted.value]);
-  useRafFn(() => values.sample(performance.now()), { fpsLimit: RESTING_HZ });
+  const samplePace = new DrawPace();
+  const drawPace = new DrawPace();
   useRafFn(() => {
     const nowMs = performance.now();
-    drawTopics(topicPace.take(wantedList.value, nowMs, isMoving.value));
-    drawModules(modulePace.take([...reported.keys()], nowMs, isMoving.value));
+    if (samplePace.take(nowMs, false)) values.sample(nowMs);
+    if (!drawPace.take(nowMs, isMoving.value)) return;
+    drawTopics();
+    drawModules();
   });
   watch(wanted, (names) => {
     for (const topic of shown.keys()) if (!names.has(topic)) shown.delete(topic);
   });
-  function drawTopics(due: readonly string[]): void {
+  function drawTopics(): void {
     const rates = topics.rates.value;
     const nowMs = topics.masterTimeMs.value;
-    for (const topic of due) {
+    for (const topic of wanted.value) {
       const rate = rates?.get(topic);
       if (rate === undefined) {
         shown.delete(topic);
@@ -167,14 +167,13 @@ export function useLiveGraph(
       }
     },
   );
-  function drawModules(due: readonly string[]): void {
-    for (const id of due) {
-      const { newest, times } = reported.get(id)!;
-      reported.delete(id);
+  function drawModules(): void {
+    for (const [id, { newest, times }] of reported) {
       modules.set(id, newest);
       if (times.length > 0)
         runTimes.set(id, [...(runTimes.get(id) ?? []), ...times].slice(-RUN_TIMES));
     }
+    reported.clear();
   }
 
   return {
