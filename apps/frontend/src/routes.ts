@@ -3,6 +3,7 @@ import { examplesRoutes } from './examples/routes.ts';
 import { graphRoutes } from './graph/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
 import { performanceRoutes } from './performance/routes.ts';
+import { publishRoutes } from './publish/routes.ts';
 import { sessionsRoutes } from './sessions/routes.ts';
 import { topicsRoutes } from './topics/routes.ts';
 
@@ -26,6 +27,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...graphRoutes,
   ...modulesRoutes,
   ...topicsRoutes,
+  ...publishRoutes,
   ...performanceRoutes,
   ...examplesRoutes,
   {

@@ -13,6 +13,7 @@ const PAGES = [
   { name: 'modules', path: '/modules' },
   { name: 'a module', path: '/modules/clock' },
   { name: 'topics', path: '/topics' },
+  { name: 'publish', path: '/publish?topic=/guest/position' },
   { name: 'performance', path: '/performance' },
   { name: 'session speed', path: '/performance/session-speed' },
   { name: 'results of tests', path: '/performance/results' },

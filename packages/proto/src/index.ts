@@ -2,7 +2,15 @@ export * from './generated/messages.ts';
 export { decode, encode, isMessageType, type MessageType } from './codec.ts';
 export { DecodeError } from './decode-error.ts';
 export type { Init } from './init.ts';
-export { fromJson } from './json/from-json.ts';
+export {
+  FIRST_EXTENSION_FIELD,
+  messageDescriptor,
+  type EnumDescriptor,
+  type FieldDescriptor,
+  type MessageDescriptor,
+  type ScalarType,
+} from './descriptor.ts';
+export { findJsonProblems, fromJson, type JsonProblem } from './json/from-json.ts';
 export { toJson } from './json/to-json.ts';
 export type { JsonObject, JsonValue } from './json/json-value.ts';
 export type { DataFormat, DataFormatValues } from './data-formats/data-format-values.ts';

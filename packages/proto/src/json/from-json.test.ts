@@ -4,7 +4,7 @@ import { decode, type MessageType } from '../codec.ts';
 import { DecodeError } from '../decode-error.ts';
 import { MESSAGES } from '../descriptor.ts';
 import { arbitraryMessage } from '../testing/arbitrary-message.ts';
-import { fromJson } from './from-json.ts';
+import { findJsonProblems, fromJson } from './from-json.ts';
 import { toJson } from './to-json.ts';
 
 const TYPES = [...MESSAGES.keys()] as MessageType[];
@@ -244,3 +244,28 @@ function withoutNegativeZero(value: unknown): unknown {
     Object.entries(value).map(([key, member]) => [key, withoutNegativeZero(member)]),
   );
 }
+
+describe('looking for everything that is wrong', () => {
+  const RECORD = 'ubii.topicData.TopicDataRecord';
+
+  it('names each place', () => {
+    const record = { topic: '/a', pose3D: { position: { x: 'left', y: 'up', u: 1 } } };
+    expect(findJsonProblems(RECORD, record)).toEqual([
+      { path: 'pose3D.position.x', sentence: 'must be a number, got "left"' },
+      { path: 'pose3D.position.y', sentence: 'must be a number, got "up"' },
+      { path: 'pose3D.position.u', sentence: 'is not known here; there are x, y, z' },
+    ]);
+    expect(findJsonProblems(RECORD, { int32List: { elements: [1, 1.5] } })).toEqual([
+      { path: 'int32List.elements[1]', sentence: 'must be an integer of 32 bits, got 1.5' },
+    ]);
+    expect(findJsonProblems(RECORD, { vector2List: { elements: 3 } })).toHaveLength(1);
+    expect(findJsonProblems(RECORD, [])).toHaveLength(1);
+  });
+
+  it('names what cannot stand side by side, and finds nothing in what is fine', () => {
+    expect(findJsonProblems(RECORD, { double: 1, bool: true })).toEqual([
+      { path: 'bool', sentence: 'cannot stand beside double' },
+    ]);
+    expect(findJsonProblems(RECORD, { topic: '/a', double: '1.5' })).toEqual([]);
+  });
+});

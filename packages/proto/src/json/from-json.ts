@@ -30,17 +30,49 @@ export function fromJson<T extends MessageType>(type: T, json: unknown): Message
   return readMessage(messageDescriptor(type), json, '', context) as MessageTypes[T];
 }
 
+/** One thing that is wrong with a message written as JSON. */
+export interface JsonProblem {
+  /** Where: `position.x`, `elements[2].id`; empty for the message itself. */
+  readonly path: string;
+  /** What, to be read after the path: `must be a number, got "a"`. */
+  readonly sentence: string;
+}
+
+/**
+ * Everything that is wrong with a message written as JSON, for people who write it: what `fromJson`
+ * refuses, and what it passes over: members the message does not have, and two members of which only
+ * one can be.
+ *
+ * @param json what `JSON.parse` returned
+ */
+export function findJsonProblems(type: MessageType, json: unknown): JsonProblem[] {
+  const problems: JsonProblem[] = [];
+  const context = { type, messagesLeft: MAX_NESTED_MESSAGES, problems };
+  try {
+    readMessage(messageDescriptor(type), json, '', context);
+  } catch (error) {
+    problems.push({ path: '', sentence: DecodeError.wrap(type, 0, error).message });
+  }
+  return problems;
+}
+
 interface Context {
   /** The message that is read, for errors. */
   readonly type: string;
   /** As the binary reader counts them. */
   messagesLeft: number;
+  /** When all are looked for; else the first one is thrown. */
+  readonly problems?: JsonProblem[];
 }
 
 function fail(context: Context, path: string, expected: string, received: unknown): never {
-  const where = path === '' ? 'it' : path;
-  const reason = `${where} must be ${expected}, got ${describe(received)}`;
-  throw new DecodeError(context.type, 0, reason);
+  const sentence = `must be ${expected}, got ${describe(received)}`;
+  if (context.problems) {
+    context.problems.push({ path, sentence });
+    // Nothing of what is read is used then.
+    return undefined as never;
+  }
+  throw new DecodeError(context.type, 0, `${path === '' ? 'it' : path} ${sentence}`);
 }
 
 function readMessage(
@@ -50,7 +82,7 @@ function readMessage(
   context: Context,
 ): object {
   if (typeof json !== 'object' || json === null || Array.isArray(json)) {
-    fail(context, path, 'an object', json);
+    return fail(context, path, 'an object', json);
   }
   if (--context.messagesLeft < 0) {
     throw new DecodeError(context.type, 0, `more than ${MAX_NESTED_MESSAGES} messages within one`);
@@ -59,8 +91,13 @@ function readMessage(
   const chosen = new Map<string, string>();
   for (const [key, value] of Object.entries(withoutLegacyMapping(type.name, json as object))) {
     const field = type.fieldByName.get(key);
-    if (field === undefined || value === null || value === undefined) continue;
     const memberPath = path === '' ? key : `${path}.${key}`;
+    if (field === undefined) {
+      const members = type.fields.map(({ jsonName }) => jsonName).join(', ');
+      const sentence = `is not known here; there are ${members}`;
+      context.problems?.push({ path: memberPath, sentence });
+    }
+    if (field === undefined || value === null || value === undefined) continue;
     if (field.repeated) {
       message[field.jsonName] = readList(field, value, memberPath, context);
       continue;
@@ -68,7 +105,10 @@ function readMessage(
     message[field.jsonName] = readValue(field.type, value, memberPath, context);
     if (field.oneof === undefined) continue;
     const other = chosen.get(field.oneof);
-    if (other !== undefined && other !== field.jsonName) delete message[other];
+    if (other !== undefined && other !== field.jsonName) {
+      delete message[other];
+      context.problems?.push({ path: memberPath, sentence: `cannot stand beside ${other}` });
+    }
     chosen.set(field.oneof, field.jsonName);
   }
   return message;
@@ -97,7 +137,7 @@ function readList(
   path: string,
   context: Context,
 ): unknown[] {
-  if (!Array.isArray(json)) fail(context, path, 'a list', json);
+  if (!Array.isArray(json)) return fail(context, path, 'a list', json);
   const list: unknown[] = [];
   (json as unknown[]).forEach((element, i) => {
     if (element === null || element === undefined) return;

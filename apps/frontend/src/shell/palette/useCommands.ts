@@ -10,6 +10,7 @@ import {
   Plus,
   QrCode,
   RotateCw,
+  Send,
   Square,
   Sun,
   Workflow,
@@ -87,6 +88,13 @@ export function useCommands(): ComputedRef<Command[]> {
       title: 'New session',
       icon: Plus,
       run: go('/sessions/new'),
+    },
+    {
+      id: 'action publish',
+      kind: 'action',
+      title: 'Publish a record',
+      icon: Send,
+      run: go('/publish'),
     },
     {
       id: 'action copy-address',

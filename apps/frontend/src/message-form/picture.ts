@@ -1,0 +1,43 @@
+import type { JsonObject } from '@ubii/proto';
+import { base64Of } from './base64.ts';
+
+/** Larger pictures are made smaller, pixels of the longer side. */
+const MAX_SIDE = 1280;
+/** Files up to this size are sent as they are, bytes. */
+const MAX_AS_IS = 300_000;
+const QUALITY = 0.85;
+
+/** The members of an Image2D: a JPEG of what is drawn. */
+export async function pictureOf(
+  source: CanvasImageSource,
+  width: number,
+  height: number,
+): Promise<JsonObject> {
+  const scale = Math.min(1, MAX_SIDE / Math.max(width, height));
+  const canvas = document.createElement('canvas');
+  canvas.width = Math.max(1, Math.round(width * scale));
+  canvas.height = Math.max(1, Math.round(height * scale));
+  canvas.getContext('2d')!.drawImage(source, 0, 0, canvas.width, canvas.height);
+  const blob = await new Promise<Blob | null>((resolve) =>
+    canvas.toBlob(resolve, 'image/jpeg', QUALITY),
+  );
+  if (!blob) throw new Error('The browser made no picture.');
+  return members(canvas.width, canvas.height, blob);
+}
+
+/** The members of an Image2D: the file itself when it is a small JPEG, PNG or WebP, else a JPEG of it. */
+export async function pictureOfFile(file: File): Promise<JsonObject> {
+  const bitmap = await createImageBitmap(file);
+  const { width, height } = bitmap;
+  const isAsIs =
+    file.size <= MAX_AS_IS &&
+    Math.max(width, height) <= MAX_SIDE &&
+    /^image\/(jpeg|png|webp)$/.test(file.type);
+  const picture = isAsIs ? members(width, height, file) : pictureOf(bitmap, width, height);
+  return picture.finally(() => bitmap.close());
+}
+
+async function members(width: number, height: number, blob: Blob): Promise<JsonObject> {
+  const data = base64Of(new Uint8Array(await blob.arrayBuffer()));
+  return { width, height, dataFormat: 'RGB8', data };
+}

@@ -1,0 +1,52 @@
+import { DATA_FORMATS, encodeRecord, type DataFormat } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { checkRecord, formatOfJson, newRecord, readRecord } from './record-json.ts';
+import { fillIn, variableSource } from './variables.ts';
+
+const source = {
+  uuid: () => 'u-1',
+  timestamp: () => '1000',
+  counter: () => '7',
+  random: () => '0.5',
+};
+
+describe('a record as JSON', () => {
+  it.each(Object.keys(DATA_FORMATS) as DataFormat[])(
+    '%s begins as one that can be sent',
+    (format) => {
+      const json = newRecord('/a', format);
+      expect(checkRecord(json, source)).toEqual([]);
+      const record = readRecord(json, source);
+      expect(record).toMatchObject({ topic: '/a', format });
+      expect(() => encodeRecord(record as never)).not.toThrow();
+    },
+  );
+
+  it('says what is missing and what is wrong', () => {
+    expect(checkRecord({ topic: '', double: 'abc' }, source)).toEqual([
+      { path: 'double', sentence: 'must be a number, got "abc"' },
+      { path: 'topic', sentence: 'must be given, such as /lab/light.' },
+    ]);
+    expect(checkRecord({ topic: '/a' }, source)[0]!.path).toBe('');
+    expect(checkRecord({ topic: '/a', double: 1, timestamp: {} }, source)[0]!.path).toBe(
+      'timestamp',
+    );
+    const image = { width: 2, height: 2, dataFormat: 'GRAY8', data: '' };
+    expect(checkRecord({ topic: '/a', image2D: image }, source)[0]).toMatchObject({
+      path: 'image2D.data',
+    });
+  });
+
+  it('takes variables where numbers and texts stand', () => {
+    const json = { topic: '/robot/{{uuid}}', vector2: { x: '{{counter}}', y: '{{ random }}' } };
+    expect(checkRecord(json, source)).toEqual([]);
+    expect(readRecord(json, source)).toEqual({
+      topic: '/robot/u-1',
+      format: 'vector2',
+      value: { x: 7, y: 0.5 },
+    });
+    expect(formatOfJson(json)).toBe('vector2');
+    expect(fillIn(['{{timestamp}} ms', '{{other}}'], source)).toEqual(['1000 ms', '{{other}}']);
+    expect(variableSource(() => 3).counter()).toBe('3');
+  });
+});

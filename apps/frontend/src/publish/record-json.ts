@@ -1,0 +1,82 @@
+import {
+  DATA_FORMATS,
+  findJsonProblems,
+  fromJson,
+  isDataFormat,
+  messageDescriptor,
+  type DataFormat,
+  type DataFormatValues,
+  type FieldDescriptor,
+  type JsonObject,
+  type JsonProblem,
+} from '@ubii/proto';
+import { defaultJson } from '../message-form/default-json.ts';
+import { fillIn, type VariableSource } from './variables.ts';
+
+const RECORD = 'ubii.topicData.TopicDataRecord';
+/** The rest of a record is the client's to say. */
+const NOT_TYPED = new Set(['timestamp', 'clientId', 'client_id']);
+
+/** A record as the client publishes it. */
+export interface OutgoingRecord {
+  readonly topic: string;
+  readonly format: DataFormat;
+  readonly value: DataFormatValues[DataFormat];
+}
+
+/** The member of a record that carries a data format. */
+export function recordField(format: DataFormat): FieldDescriptor {
+  return messageDescriptor(RECORD).fieldByName.get(format)!;
+}
+
+/** The data format of a record written as JSON. */
+export function formatOfJson(json: JsonObject): DataFormat | undefined {
+  return Object.keys(json).find((key): key is DataFormat => isDataFormat(key));
+}
+
+export function topicOfJson({ topic }: JsonObject): string {
+  return typeof topic === 'string' ? topic : '';
+}
+
+/** A record to begin with. */
+export function newRecord(topic: string, format: DataFormat): JsonObject {
+  return { topic, [format]: defaultJson(recordField(format).type) };
+}
+
+/** What keeps a record from being published. */
+export function checkRecord(json: JsonObject, source: VariableSource): JsonProblem[] {
+  const filled = fillIn(json, source) as JsonObject;
+  const problems = findJsonProblems(RECORD, filled);
+  const topic = topicOfJson(filled);
+  if (topic === '')
+    problems.push({ path: 'topic', sentence: 'must be given, such as /lab/light.' });
+  for (const key of Object.keys(json)) {
+    if (NOT_TYPED.has(key)) problems.push({ path: key, sentence: 'is filled in when it is sent.' });
+  }
+  const format = formatOfJson(json);
+  if (format === undefined) {
+    problems.push({ path: '', sentence: 'needs a value, such as "double": 0.5.' });
+  } else if (problems.length === 0) {
+    // What only the whole value can tell: the bytes of a picture.
+    const sentence = DATA_FORMATS[format].validate(valueOf(filled, format));
+    if (sentence !== undefined) problems.push(placed(sentence));
+  }
+  return problems;
+}
+
+/** A record that has no problems, ready to be published. */
+export function readRecord(json: JsonObject, source: VariableSource): OutgoingRecord {
+  const filled = fillIn(json, source) as JsonObject;
+  const format = formatOfJson(filled)!;
+  return { topic: topicOfJson(filled), format, value: valueOf(filled, format) };
+}
+
+function valueOf(json: JsonObject, format: DataFormat): DataFormatValues[DataFormat] {
+  return fromJson(RECORD, json)[format] as DataFormatValues[DataFormat];
+}
+
+/** `image2D.data must be …` is the path and what is wrong there. */
+function placed(sentence: string): JsonProblem {
+  const [path = '', ...rest] = sentence.split(' ');
+  return { path, sentence: rest.join(' ') };
+}

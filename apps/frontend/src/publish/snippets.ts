@@ -1,0 +1,56 @@
+import { randomUuid } from '../connection/random-uuid.ts';
+
+/** A record with a name, kept in this browser. */
+export interface Snippet {
+  readonly id: string;
+  readonly name: string;
+  /** The record as JSON text, with its variables. */
+  readonly text: string;
+  /** Records per second when it was kept. */
+  readonly rateHz: number;
+}
+
+export const MAX_SNIPPETS = 200;
+const KIND = 'ubii-publish-snippets';
+const MAX_NAME = 120;
+
+/** The list with one more, or with the one of that name replaced. */
+export function withSnippet(
+  snippets: readonly Snippet[],
+  name: string,
+  text: string,
+  rateHz: number,
+): Snippet[] {
+  const before = snippets.find((snippet) => snippet.name === name);
+  const next = { id: before?.id ?? randomUuid(), name, text, rateHz };
+  const rest = snippets.filter((snippet) => snippet !== before);
+  return [next, ...rest].slice(0, MAX_SNIPPETS);
+}
+
+export function snippetsFile(snippets: readonly Snippet[]): { name: string; text: string } {
+  return {
+    name: 'snippets.json',
+    text: JSON.stringify({ kind: KIND, version: 1, snippets }, null, 2),
+  };
+}
+
+/** The snippets in a file. @throws Error that says what the file is not */
+export function readSnippets(text: string): Snippet[] {
+  let file: unknown;
+  try {
+    file = JSON.parse(text);
+  } catch {
+    throw new Error('This file is no JSON.');
+  }
+  const { kind, snippets } = (file ?? {}) as { kind?: unknown; snippets?: unknown };
+  if (kind !== KIND || !Array.isArray(snippets)) throw new Error('This file holds no snippets.');
+  return snippets.slice(0, MAX_SNIPPETS).flatMap((one) => readSnippet(one) ?? []);
+}
+
+/** Undefined when it is none: of another version, or edited by hand. */
+export function readSnippet(value: unknown): Snippet | undefined {
+  const { name, text, rateHz } = (value ?? {}) as Record<string, unknown>;
+  if (typeof name !== 'string' || name === '' || typeof text !== 'string') return undefined;
+  const rate = typeof rateHz === 'number' && Number.isFinite(rateHz) ? rateHz : 1;
+  return { id: randomUuid(), name: name.slice(0, MAX_NAME), text, rateHz: rate };
+}

@@ -1,0 +1,165 @@
+import { DATA_FORMATS, type DataFormat, type TopicRecord } from '@ubii/proto';
+import { expect, test } from '../../fixtures/test.ts';
+import { PublishPage } from '../../pages/publish-page.ts';
+import { Shell } from '../../pages/shell.ts';
+
+const FORMATS = Object.keys(DATA_FORMATS) as DataFormat[];
+
+test('every data format is published from its form, and from the same record as JSON', async ({
+  room,
+}) => {
+  test.slow();
+  const robot = await room.program('Robot');
+  const records: TopicRecord[] = [];
+  const subscription = robot.subscribe({ glob: '/made/**' });
+  subscription.onRecord((record) => records.push(record));
+  await subscription.ready;
+  const publish = new PublishPage(await room.atDesk());
+  await publish.open();
+  await new Shell(publish.page).expectConnected();
+  for (const format of FORMATS) {
+    await test.step(format, async () => {
+      await publish.topic.fill(`/made/${format}`);
+      if (format !== 'double') await publish.choose(format);
+      await expect(publish.json).toHaveValue(new RegExp(`"${format}"`));
+      await publish.publish();
+      await expect
+        .poll(() => records.some((record) => record.topic === `/made/${format}`))
+        .toBe(true);
+      expect(records.find(({ topic }) => topic === `/made/${format}`)?.format).toBe(format);
+      const json = await publish.json.inputValue();
+      await publish.json.fill(json.replace(`/made/${format}`, `/made/json/${format}`));
+      await publish.publish();
+      await expect
+        .poll(() => records.find(({ topic }) => topic === `/made/json/${format}`)?.format)
+        .toBe(format);
+    });
+  }
+  await expect(publish.sent).toContainText(String(FORMATS.length * 2));
+});
+
+test('form and JSON are one record, and what is wrong stands beside the field and at its line', async ({
+  room,
+}) => {
+  const publish = new PublishPage(await room.atDesk());
+  await publish.open();
+  await publish.topic.fill('/lab/point');
+  await publish.choose('vector3');
+  await publish.field('y').fill('2.5');
+  await expect(publish.json).toHaveValue(/"y": 2\.5/);
+  await publish.json.fill('{"topic":"/lab/point","vector3":{"x":7,"y":"up","z":0}}');
+  await expect(publish.field('x')).toHaveValue('7');
+  await expect(publish.field('y')).toHaveAttribute('aria-invalid', 'true');
+  await expect(publish.form.getByText('Must be a number, got "up".')).toBeVisible();
+  await expect(
+    publish.page.getByRole('button', { name: /Line 1 vector3\.y must be/ }),
+  ).toBeVisible();
+  await publish.publish();
+  await expect(
+    publish.page.getByText(/Nothing was sent: vector3\.y must be a number/),
+  ).toBeVisible();
+  await expect(publish.sent).toContainText('0');
+  await publish.json.fill('{"topic": ');
+  await expect(publish.page.getByRole('button', { name: /Line 1 Expected a value/ })).toBeVisible();
+  await publish.json.fill('{"topic":"/lab/point","vector3":{"x":7,"y":1}}');
+  await publish.publish();
+  await expect(publish.sent).toContainText('1');
+});
+
+test('a record is repeated at a rate, with a new count in each, until it is stopped', async ({
+  room,
+}) => {
+  const robot = await room.program('Robot');
+  const values: number[] = [];
+  const subscription = robot
+    .subscribe('/lab/count', { format: 'double' })
+    .onRecord(({ value }) => values.push(value));
+  await subscription.ready;
+  const publish = new PublishPage(await room.atDesk());
+  await publish.open();
+  await new Shell(publish.page).expectConnected();
+  await publish.topic.fill('/lab/count');
+  await publish.field('double').fill('{{counter}}');
+  await publish.page.getByRole('textbox', { name: 'Rate' }).fill('50');
+  await publish.page.getByRole('button', { name: 'Repeat' }).click();
+  await expect(publish.page.getByText('Repeating at')).toBeVisible();
+  await expect.poll(() => values.length).toBeGreaterThan(3);
+  await publish.page.getByRole('button', { name: 'Stop' }).click();
+  await expect(publish.page.getByText('Not repeating')).toBeVisible();
+  expect(values.slice(1)).not.toContain(values[0]);
+});
+
+test('a record is kept as a snippet, and is there again after a reload', async ({ room }) => {
+  const publish = new PublishPage(await room.atDesk());
+  await publish.open();
+  await publish.topic.fill('/lab/light');
+  await publish.choose('bool');
+  await publish.page.getByRole('textbox', { name: 'Name of the snippet' }).fill('light on');
+  await publish.page.getByRole('button', { name: 'Save', exact: true }).click();
+  const file = publish.page.waitForEvent('download');
+  await publish.page.getByRole('button', { name: 'Export' }).click();
+  const path = await (await file).path();
+  await publish.page.reload();
+  await publish.page.getByRole('button', { name: 'light on', exact: true }).click();
+  await expect(publish.topic).toHaveValue('/lab/light');
+  await expect(publish.json).toHaveValue(/"bool": false/);
+  await publish.page.getByRole('button', { name: 'Delete light on' }).click();
+  await expect(publish.page.getByRole('list', { name: 'Snippets' })).toHaveCount(0);
+  await publish.page.locator('input[type=file]').last().setInputFiles(path);
+  await expect(publish.page.getByRole('button', { name: 'light on', exact: true })).toBeVisible();
+});
+
+test('a topic that is there is continued: by pointing, turning and picking', async ({ room }) => {
+  const robot = await room.program('Robot');
+  robot.publish('/lab/point', 'vector2', { x: 0.25, y: -0.5 });
+  const publish = new PublishPage(await room.atDesk());
+  await publish.open('/lab/point');
+  await expect(publish.field('x')).toHaveValue('0.25');
+  const got: TopicRecord[] = [];
+  await robot.subscribe('/lab/point').onRecord((record) => got.push(record)).ready;
+  await publish.page.getByRole('switch', { name: /Send while changing/ }).click();
+  await publish.page.getByTestId('pad').click({ position: { x: 196, y: 4 } });
+  await expect.poll(() => got.at(-1)?.value).toMatchObject({ x: expect.closeTo(1, 1) as number });
+  await publish.choose('quaternion');
+  await publish.page.getByRole('slider', { name: 'yaw, about z' }).press('End');
+  await expect.poll(() => got.at(-1)?.value).toMatchObject({ z: 1 });
+  await publish.choose('color');
+  await publish.page.getByLabel('Colour', { exact: true }).fill('#ff0000');
+  await expect.poll(() => got.at(-1)?.value).toMatchObject({ r: 1, g: 0, b: 0, a: 1 });
+});
+
+test('a picture is published from a file', async ({ room }) => {
+  const robot = await room.program('Robot');
+  const got: TopicRecord[] = [];
+  await robot.subscribe('/lab/picture').onRecord((record) => got.push(record)).ready;
+  const publish = new PublishPage(await room.atDesk());
+  await publish.open();
+  await publish.topic.fill('/lab/picture');
+  await publish.choose('image2D');
+  const png =
+    'iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAIAAAD91JpzAAAAEElEQVR4nGP4z8AARAwQCgAf7gP9i18U1AAAAABJRU5ErkJggg==';
+  await publish.form
+    .locator('input[type=file]')
+    .first()
+    .setInputFiles({ name: 'dot.png', mimeType: 'image/png', buffer: Buffer.from(png, 'base64') });
+  await expect(publish.page.getByAltText('The picture that is published')).toBeVisible();
+  await publish.publish();
+  await expect.poll(() => got.at(-1)?.value).toMatchObject({ width: 2, height: 2 });
+});
+
+test('the page is found from the palette and from a topic, and fits a phone', async ({ room }) => {
+  const robot = await room.program('Robot');
+  robot.publish('/lab/angle', 'double', 0.5);
+  const { page } = await room.withPhone();
+  await page.goto('/topics/%2Flab%2Fangle');
+  await page.getByRole('link', { name: 'Publish on this topic' }).click();
+  const publish = new PublishPage({ page });
+  await expect(publish.topic).toHaveValue('/lab/angle');
+  const shell = new Shell(page);
+  expect(await shell.overflowPx()).toBe(0);
+  await page.goto('/');
+  await shell.button('Find or do anything').click();
+  await shell.palette.getByRole('combobox').fill('publish a record');
+  await page.keyboard.press('Enter');
+  await expect(page).toHaveURL(/\/publish$/);
+});
