@@ -119,7 +119,7 @@ test('a topic that is there is continued: by pointing, turning and picking', asy
   await robot.subscribe('/lab/point').onRecord((record) => got.push(record)).ready;
   await publish.page.getByRole('switch', { name: /Send while changing/ }).click();
   await publish.page.getByTestId('pad').click({ position: { x: 196, y: 4 } });
-  await expect.poll(() => got.at(-1)?.value).toMatchObject({ x: expect.closeTo(1, 1) as number });
+  await expect.poll(() => got.at(-1)?.value).toMatchObject({ x: expect.closeTo(1, 1) });
   await publish.choose('quaternion');
   await publish.page.getByRole('slider', { name: 'yaw, about z' }).press('End');
   await expect.poll(() => got.at(-1)?.value).toMatchObject({ z: 1 });
