@@ -1,0 +1,53 @@
+import { useMediaQuery } from '@vueuse/core';
+import { computed, ref, type ComputedRef, type Ref } from 'vue';
+import type { GraphEditor } from './graph-editor.ts';
+
+/** What there is room for beside the canvas, and what somebody has opened. */
+export interface Room {
+  /** A phone. */
+  readonly isNarrow: Ref<boolean>;
+  /** The canvas needs the room: what is selected comes over it when it is asked for. */
+  readonly isCompact: Ref<boolean>;
+  /** Else the palette is a drawer over the canvas, which lets through what is dragged out of it. */
+  readonly isRoomy: Ref<boolean>;
+  readonly view: Ref<'graph' | 'list'>;
+  readonly isPaletteOpen: Ref<boolean>;
+  readonly isInspectorOpen: Ref<boolean>;
+  readonly hasInspector: ComputedRef<boolean>;
+  closeInspector(): void;
+  /** A drawer has done its part once something came out of it. */
+  closeDrawer(): void;
+}
+
+export function useRoom(editor: GraphEditor): Room {
+  const isNarrow = useMediaQuery('(max-width: 759px)');
+  const isCompact = useMediaQuery('(max-width: 1199px)');
+  const isRoomy = useMediaQuery('(min-width: 1000px)');
+  const view = ref<'graph' | 'list'>(isNarrow.value ? 'list' : 'graph');
+  const isPaletteOpen = ref(isRoomy.value);
+  const isInspectorOpen = ref(false);
+  const hasSelection = computed(
+    () => editor.selection.value.nodes.size > 0 || editor.selection.value.wire !== undefined,
+  );
+  return {
+    isNarrow,
+    isCompact,
+    isRoomy,
+    view,
+    isPaletteOpen,
+    isInspectorOpen,
+    hasInspector: computed(
+      () =>
+        !isCompact.value ||
+        isInspectorOpen.value ||
+        (isNarrow.value && view.value === 'list' && hasSelection.value),
+    ),
+    closeInspector() {
+      isInspectorOpen.value = false;
+      if (view.value === 'list') editor.select([]);
+    },
+    closeDrawer() {
+      if (!isRoomy.value) isPaletteOpen.value = false;
+    },
+  };
+}
