@@ -10,8 +10,17 @@ const sources = [
     block: /SERVICE_ERROR_CODES = \[([^\]]*)\]/,
     entry: /'([a-z_]+)'/g,
     page: 'docs/errors.md',
-    /** What is above the list of problems. */
-    section: /^.*?(?=^## Problems of sessions)/ms,
+    /** What is above the lists of problems. */
+    section: /^.*?(?=^## Problems of a master)/ms,
+    row: /^\| `([a-z_]+)`/gm,
+  },
+  {
+    code: 'apps/master/src/core/status/problem.ts',
+    /** The union `MasterProblemCode`. */
+    block: /type MasterProblemCode =(.*?);/s,
+    entry: /'([a-z_]+)'/g,
+    page: 'docs/errors.md',
+    section: /^## Problems of a master.*?(?=^## Problems of sessions)/ms,
     row: /^\| `([a-z_]+)`/gm,
   },
   {
