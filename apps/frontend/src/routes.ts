@@ -1,4 +1,5 @@
 import type { RouteRecordRaw } from 'vue-router';
+import { callsRoutes } from './calls/routes.ts';
 import { examplesRoutes } from './examples/routes.ts';
 import { graphRoutes } from './graph/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
@@ -28,6 +29,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...modulesRoutes,
   ...topicsRoutes,
   ...publishRoutes,
+  ...callsRoutes,
   ...performanceRoutes,
   ...examplesRoutes,
   {

@@ -14,6 +14,8 @@ const PAGES = [
   { name: 'a module', path: '/modules/clock' },
   { name: 'topics', path: '/topics' },
   { name: 'publish', path: '/publish?topic=/guest/position' },
+  { name: 'services', path: '/calls' },
+  { name: 'a service', path: '/calls/topicSubscription' },
   { name: 'performance', path: '/performance' },
   { name: 'session speed', path: '/performance/session-speed' },
   { name: 'results of tests', path: '/performance/results' },

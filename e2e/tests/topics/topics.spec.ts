@@ -133,3 +133,16 @@ test('a room without topics says so and offers the first', async ({ room }) => {
   await anna.page.getByRole('link', { name: 'Open the mouse pointer example' }).click();
   await expect(anna.page).toHaveURL(/\/examples\/mouse-pointer$/);
 });
+
+test('a value member by member shows what the record before it said', async ({ room }) => {
+  const robot = await room.program('Robot');
+  robot.publish('/lab/state', 'string', '{"mode":"idle","left":1}');
+  const topics = new TopicsPage(await room.atDesk());
+  await topics.page.goto('/topics/%2Flab%2Fstate');
+  const value = topics.detail.getByRole('list', { name: 'Value' });
+  await expect(value).toContainText('"idle"');
+  robot.publish('/lab/state', 'string', '{"mode":"busy","right":2}');
+  await expect(value).toContainText('was "idle"');
+  await expect(value).toContainText('gone, was 1');
+  await expect(value).toContainText('new');
+});

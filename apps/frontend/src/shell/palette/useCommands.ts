@@ -10,6 +10,7 @@ import {
   Plus,
   QrCode,
   RotateCw,
+  Phone,
   Send,
   Square,
   Sun,
@@ -95,6 +96,13 @@ export function useCommands(): ComputedRef<Command[]> {
       title: 'Publish a record',
       icon: Send,
       run: go('/publish'),
+    },
+    {
+      id: 'action call-service',
+      kind: 'action',
+      title: 'Call a service',
+      icon: Phone,
+      run: go('/calls'),
     },
     {
       id: 'action copy-address',

@@ -1,0 +1,31 @@
+import {
+  findJsonProblems,
+  messageDescriptor,
+  SERVICES,
+  type JsonObject,
+  type JsonProblem,
+  type MessageDescriptor,
+  type MessageType,
+  type ServiceName,
+} from '@ubii/proto';
+import { asObject, defaultJson } from '../message-form/default-json.ts';
+
+/** The message a service takes; undefined when it takes none. */
+export function requestType(service: ServiceName): MessageDescriptor | undefined {
+  const { requestFormat } = SERVICES[service];
+  return requestFormat === '' ? undefined : messageDescriptor(requestFormat);
+}
+
+/** A request to begin with; where a client is asked for, this one. */
+export function newRequest(service: ServiceName, clientId: string): JsonObject {
+  const type = requestType(service);
+  if (type === undefined) return {};
+  const json = asObject(defaultJson(type));
+  return type.fieldByName.has('clientId') ? { ...json, clientId } : json;
+}
+
+/** What keeps a request from being sent. */
+export function checkRequest(service: ServiceName, json: JsonObject): JsonProblem[] {
+  const type = SERVICES[service].requestFormat;
+  return type === '' ? [] : findJsonProblems(type as MessageType, json);
+}
