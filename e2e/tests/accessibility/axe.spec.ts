@@ -194,6 +194,36 @@ for (const [theme, screen] of SCREENS) {
   });
 }
 
+for (const theme of ['dark', 'light'] as const) {
+  test(`a graph that is begun on a tablet is accessible, ${theme}`, async ({ master, room }) => {
+    const { session } = await callService(master.addresses, {
+      topic: '/services/session/runtime/add',
+      session: { name: 'Begun' },
+    });
+    const { page } = await room.atDesk('Anna', {
+      viewport: { width: 1024, height: 768 },
+      hasTouch: true,
+      isMobile: true,
+      colorScheme: theme,
+      reducedMotion: 'reduce',
+    });
+    await page.goto(`/sessions/${session!.id}/graph`);
+    await expect(page.getByRole('region', { name: 'How to begin' })).toBeVisible();
+    await expect(page.getByRole('button', { name: /^Smooth a pointer/ })).toBeVisible();
+    await expectAccessible(page);
+    const add = page.getByRole('button', { name: 'Add to graph: low-pass' });
+    await page.locator('[data-palette-module="low-pass"]').tap();
+    await expect(add).toBeVisible();
+    await expectAccessible(page);
+    await add.tap();
+    await expect(page.getByRole('group', { name: 'Module low-pass' })).toBeVisible();
+    await expectAccessible(page);
+    await page.getByRole('button', { name: 'Details' }).tap();
+    await expect(page.getByRole('heading', { name: 'low-pass', exact: true })).toBeVisible();
+    await expectAccessible(page);
+  });
+}
+
 test('the strip that says the master is gone is accessible', async ({ master, room }) => {
   const { page, watch } = await room.atDesk('Anna', { reducedMotion: 'reduce' });
   await page.goto('/');

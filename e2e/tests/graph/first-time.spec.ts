@@ -49,7 +49,7 @@ test('at a desk, a pointer is smoothed onto a second topic from an empty editor'
 
   await test.step('a click on the topic offers to add it', async () => {
     await pointerOf(graph).click();
-    await page.getByRole('button', { name: /^Add mouse_client_position to the graph/ }).click();
+    await page.getByRole('button', { name: 'Add to graph: mouse_client_position' }).click();
     await expect(graph.canvas.getByRole('group', { name: /^Topic / })).toBeVisible();
     await expect(page.getByText('Next: drag a module in.')).toBeVisible();
   });
@@ -103,7 +103,7 @@ test('with fingers on a tablet, a pointer is smoothed onto a second topic', asyn
     const row = graph.paletteModule(MODULE);
     await row.scrollIntoViewIfNeeded();
     await row.tap();
-    await page.getByRole('button', { name: `Add ${MODULE} to the graph` }).tap();
+    await page.getByRole('button', { name: `Add to graph: ${MODULE}` }).tap();
     await expect(graph.node(module)).toBeVisible();
   });
 
@@ -127,5 +127,29 @@ test('with fingers on a tablet, a pointer is smoothed onto a second topic', asyn
     const chip = graph.canvas.locator('[data-wire-chip]').last();
     await fingers.hold(await middleOf(chip), () => expect(graph.menu).toBeVisible());
     await expect(graph.menu).toContainText('/Session/one-euro-filter-vector2/smoothed');
+  });
+});
+
+test('an example that is started from the list of sessions takes the pointer of this browser', async ({
+  room,
+}) => {
+  const { page } = await room.atDesk('Anna');
+  await page.goto('/sessions/new');
+  await page.getByRole('button', { name: 'Start smooth-pointer' }).click();
+  await expect(page.getByText('This browser’s pointer is a topic')).toBeVisible();
+  await page.getByRole('link', { name: 'Open graph' }).click();
+  const graph = new GraphPage({ page });
+  await expect(async () => {
+    await page.mouse.move(500, 300);
+    await page.mouse.move(700, 400);
+    await expect(graph.node('Topic /examples/smooth-pointer/smoothed')).toContainText(/0\.\d/, {
+      timeout: 2_000,
+    });
+  }).toPass();
+
+  await test.step('what the editor tells other editors is not among the topics', async () => {
+    await page.getByRole('link', { name: 'Topics', exact: true }).first().click();
+    await expect(page.getByRole('row', { name: /smoothed/ })).toBeVisible();
+    await expect(page.getByText('presence')).toHaveCount(0);
   });
 });
