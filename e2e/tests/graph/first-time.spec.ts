@@ -83,6 +83,11 @@ test('at a desk, a pointer is smoothed onto a second topic from an empty editor'
     await graph.life.getByRole('button', { name: 'Start' }).click();
     await expect(graph.life).toContainText('Running');
     await seesItLive(graph, pad);
+    await graph.canvas.locator('[data-wire-chip]').last().hover();
+    await expect(async () => {
+      await pad.tap({ position: { x: 120, y: 120 } });
+      await expect(graph.passing).toContainText(/0\.\d+, 0\.\d+/, { timeout: 2_000 });
+    }).toPass();
   });
 });
 
@@ -127,6 +132,10 @@ test('with fingers on a tablet, a pointer is smoothed onto a second topic', asyn
     const chip = graph.canvas.locator('[data-wire-chip]').last();
     await fingers.hold(await middleOf(chip), () => expect(graph.menu).toBeVisible());
     await expect(graph.menu).toContainText('/Session/one-euro-filter-vector2/smoothed');
+    await expect(async () => {
+      await pad.tap({ position: { x: 120, y: 120 } });
+      await expect(graph.menu).toContainText(/0\.\d+, 0\.\d+/, { timeout: 2_000 });
+    }).toPass();
   });
 });
 
