@@ -1,3 +1,4 @@
+import { readFile } from 'node:fs/promises';
 import { expect, test } from '../../fixtures/test.ts';
 import { TopicsPage } from '../../pages/topics-page.ts';
 
@@ -145,4 +146,17 @@ test('a value member by member shows what the record before it said', async ({ r
   await expect(value).toContainText('was "idle"');
   await expect(value).toContainText('gone, was 1');
   await expect(value).toContainText('new');
+});
+
+test('what is kept of a topic is told, and saved as a table', async ({ room }) => {
+  const robot = await room.program('Robot');
+  robot.publish('/lab/point', 'vector2', { x: 0.5, y: 1 });
+  const topics = new TopicsPage(await room.atDesk());
+  await topics.page.goto('/topics/%2Flab%2Fpoint');
+  await expect(topics.detail.getByText(/^1 of up to .* points kept/)).toBeVisible();
+  const download = topics.page.waitForEvent('download');
+  await topics.detail.getByRole('button', { name: 'Save what is kept as CSV' }).click();
+  const file = await download;
+  expect(file.suggestedFilename()).toBe('lab-point.csv');
+  expect(await readFile(await file.path(), 'utf8')).toMatch(/^time,time_ms,x,y\r\n.*,0\.5,1\r\n$/);
 });
