@@ -85,7 +85,8 @@ describe('what uses up time or memory ends its own instance [PM-53]', () => {
   it('greedy: pictures that are kept', async () => {
     const { run } = await create({
       onProcessing: '(dt, { image }, state) => { (state.all ??= []).push(image.image2D.data) }',
-      limits: { memoryBytes: 16 * 1024 * 1024 },
+      // It is about memory, also on a busy machine.
+      limits: { callTimeoutMs: 20_000, memoryBytes: 16 * 1024 * 1024 },
     });
     const value = {
       width: 1000,
