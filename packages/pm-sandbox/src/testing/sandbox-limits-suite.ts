@@ -9,8 +9,6 @@ export function describeSandboxLimits(
   const ENDLESS = {
     'a loop': '() => { for (;;) {} }',
     'a loop after an await': 'async () => { await null; for (;;) {} }',
-    'a chain of promises':
-      '() => { const next = () => Promise.resolve().then(next); next(); return new Promise(() => {}) }',
     'a getter of the result': '() => ({ get outputs() { for (;;) {} } })',
     'a regular expression': '() => /^(a+)+$/.test("a".repeat(40) + "!")',
   };
@@ -20,6 +18,16 @@ export function describeSandboxLimits(
       const { run, killed } = await create({ onProcessing });
       const fault = await faultFrom(run());
       expect(fault).toMatchObject({ kind: 'timeout', phase: 'onProcessing' });
+      expect(await killed).toEqual(fault);
+    });
+
+    it('end a chain of promises and name it: it uses up its time or its memory', async () => {
+      const onProcessing =
+        '() => { const next = () => Promise.resolve().then(next); next(); return new Promise(() => {}) }';
+      const { run, killed } = await create({ onProcessing });
+      const fault = await faultFrom(run());
+      expect(fault).toMatchObject({ phase: 'onProcessing' });
+      expect(['timeout', 'memory']).toContain(fault.kind);
       expect(await killed).toEqual(fault);
     });
 

@@ -233,6 +233,8 @@ export class QuickJsInstance implements EngineInstance {
   #poll(): CallResult | undefined {
     const result = this.#take(this.#callApi('poll', []));
     if (result !== undefined || this.#hostCalls > 0) return result;
+    // Without memory, what would settle it cannot be made.
+    if (this.#copy.wasRefusedMemory()) throw this.#outOfMemory();
     const message = `The promise of ${this.#phase} can never settle: nothing is left that could do it.`;
     throw this.#fatal('timeout', message);
   }
