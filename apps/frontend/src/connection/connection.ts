@@ -1,5 +1,6 @@
 import type { ConnectionState, RoundTrip, UbiiClient } from '@ubii/client-web';
 import type { ComputedRef, InjectionKey, Ref, ShallowRef } from 'vue';
+import type { ClientReportsStore } from './client-reports-store.ts';
 import type { ClientsStore } from './clients-store.ts';
 import type { MasterStatusStore } from './master-status-store.ts';
 import type { NodesStore } from './nodes-store.ts';
@@ -20,6 +21,7 @@ export interface Connection {
   readonly publishIntervalMs: Ref<number>;
   readonly master: MasterStatusStore;
   readonly clients: ClientsStore;
+  readonly reports: ClientReportsStore;
   readonly topics: TopicStatisticsStore;
   readonly sessions: SessionsStore;
   readonly nodes: NodesStore;

@@ -2,6 +2,7 @@ import { createClient, createTabIdentity } from '@ubii/client-web';
 import { useLocalStorage } from '@vueuse/core';
 import { computed, shallowRef, watch } from 'vue';
 import { describeAgent } from './agent-description.ts';
+import { createClientReportsStore } from './client-reports-store.ts';
 import { createClientsStore } from './clients-store.ts';
 import type { Connection } from './connection.ts';
 import { friendlyName } from './friendly-name.ts';
@@ -62,6 +63,7 @@ export function createConnection(): Connection {
     publishIntervalMs,
     master: createMasterStatusStore(client, isConnected, Date.now),
     clients: createClientsStore(client, isConnected),
+    reports: createClientReportsStore(client, isConnected),
     topics: createTopicStatisticsStore(client, isConnected, Date.now),
     sessions: createSessionsStore(client, isConnected),
     nodes: createNodesStore(client, isConnected),

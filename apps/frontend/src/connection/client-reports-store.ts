@@ -1,0 +1,63 @@
+import { ConnectionError, type UbiiClient } from '@ubii/client-web';
+import { ServiceError, type ClientActivity } from '@ubii/proto';
+import { computed, shallowRef, type Ref, type ShallowRef } from 'vue';
+import { createInterest } from './interest.ts';
+import { usePoll } from './poll.ts';
+
+/** What every client does and takes of the master; asked for only while someone looks. [EX-25] */
+export interface ClientReportsStore {
+  /** By client id; `undefined` until the first reply, kept while disconnected. */
+  readonly byId: Readonly<ShallowRef<ReadonlyMap<string, ClientActivity> | undefined>>;
+  /** When the newest reply was made: milliseconds since the Unix epoch, master's clock; 0 before. */
+  readonly masterTimeMs: Readonly<ShallowRef<number>>;
+  /** True when this is a master that has no such service. */
+  readonly isUnsupported: Readonly<ShallowRef<boolean>>;
+  /** Why the last question was not answered, when the master refused it. */
+  readonly error: Readonly<ShallowRef<ServiceError | undefined>>;
+  /** Wants reports this often while the calling component or scope lives, milliseconds. */
+  watch(intervalMs: number): void;
+  /** Asks at once: something was changed. */
+  refresh(): Promise<void>;
+}
+
+export function createClientReportsStore(
+  client: UbiiClient,
+  isConnected: Ref<boolean>,
+): ClientReportsStore {
+  const byId = shallowRef<ReadonlyMap<string, ClientActivity>>();
+  const masterTimeMs = shallowRef(0);
+  const isUnsupported = shallowRef(false);
+  const error = shallowRef<ServiceError>();
+  const interest = createInterest();
+
+  async function refresh(): Promise<void> {
+    try {
+      const report = await client.call('clientReport', {});
+      byId.value = new Map(report.clients.map((activity) => [activity.clientId, activity]));
+      masterTimeMs.value = report.masterTimeMs;
+      isUnsupported.value = false;
+      error.value = undefined;
+    } catch (cause) {
+      // A failed link shows in the connection's state, and the poll goes on after it.
+      if (cause instanceof ConnectionError) return;
+      if (!(cause instanceof ServiceError)) throw cause;
+      isUnsupported.value = cause.code === 'unimplemented' || cause.code === 'not_found';
+      error.value = cause;
+    }
+  }
+
+  usePoll(
+    refresh,
+    () => interest.intervalMs.value ?? 0,
+    computed(() => isConnected.value && interest.intervalMs.value !== undefined),
+  );
+
+  return {
+    byId,
+    masterTimeMs,
+    isUnsupported,
+    error,
+    watch: (intervalMs) => interest.express(intervalMs),
+    refresh,
+  };
+}
