@@ -1,9 +1,11 @@
+import { homedir } from 'node:os';
 import { moduleLibrary } from '@ubii/modules';
 import { openSandboxes } from './adapters/processing/open-sandboxes.ts';
 import { TrustedLibrary } from './adapters/processing/trusted-library.ts';
 import { createMaster, DEFAULT_LIMITS } from './index.ts';
 import type { LogTail } from './index.ts';
 import { SystemClock } from './adapters/clock/system-clock.ts';
+import { describeConfig } from './adapters/config/describe-config.ts';
 import { prepareDataDir } from './adapters/config/prepare-data-dir.ts';
 import { createHttpApp } from './adapters/http/http-app.ts';
 import { randomIds } from './adapters/ids/random-ids.ts';
@@ -93,6 +95,7 @@ export async function startMaster({
       version,
       limits,
       libraries,
+      startedWith: describeConfig(config, homedir()),
       checks: {
         checks: config.checks,
         busyPercent: config.busyPercent,

@@ -1,5 +1,5 @@
 import type { SandboxFactory } from '@ubii/pm-sandbox';
-import type { Init, MasterAddress, ProcessingModule } from '@ubii/proto';
+import type { Init, MasterAddress, ProcessingModule, SettingList } from '@ubii/proto';
 import type { Clock } from './ports/clock.ts';
 import type { SessionStorage } from './ports/document-store.ts';
 import type { IdSource } from './ports/id-source.ts';
@@ -56,6 +56,8 @@ export interface MasterSettings {
   readonly capacity?: number;
   /** What the master looks for in itself, where it differs from `DEFAULT_CHECKS` [EX-48]. */
   readonly checks?: Partial<CheckSettings>;
+  /** What the program was started with, for people, without secrets [EX-50]. Default: nothing. */
+  readonly startedWith?: Init<SettingList>;
   /** Limits that differ from `DEFAULT_LIMITS`. */
   readonly limits?: Partial<Limits>;
 }

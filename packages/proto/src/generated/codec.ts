@@ -1749,6 +1749,46 @@ export function decodeSessionStatistics(r: Reader, into?: T.SessionStatistics): 
   return m;
 }
 
+export function encodeSetting(m: Init<T.Setting>, w: Writer): void {
+  if (m.flag != null) w.string(10, m.flag);
+  if (m.value != null) w.string(18, m.value);
+  if (m.description != null) w.string(26, m.description);
+  if (m.given != null) w.bool(32, m.given);
+}
+
+export function decodeSetting(r: Reader, into?: T.Setting): T.Setting {
+  const m: T.Setting = into ?? { flag: '', value: '', description: '', given: false };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.flag = r.string(); break;
+      case 18: m.value = r.string(); break;
+      case 26: m.description = r.string(); break;
+      case 32: m.given = r.bool(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeSettingList(m: Init<T.SettingList>, w: Writer): void {
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeSetting(e, w); w.close(at); }
+  if (m.runtime != null) w.string(18, m.runtime);
+}
+
+export function decodeSettingList(r: Reader, into?: T.SettingList): T.SettingList {
+  const m: T.SettingList = into ?? { elements: [], runtime: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.elements.push(decodeSetting(r)); r.end = end; break; }
+      case 18: m.runtime = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
 export function encodeStatusEvent(m: Init<T.StatusEvent>, w: Writer): void {
   if (m.timeMs != null) w.double(9, m.timeMs);
   if (m.kind != null) w.int32(16, m.kind);
@@ -2305,9 +2345,10 @@ export function encodeServiceReply(m: Init<T.ServiceReply>, w: Writer): void {
   if (m.limitList != null) { const at = w.open(8034); encodeLimitList(m.limitList, w); w.close(at); }
   if (m.logTail != null) { const at = w.open(8042); encodeLogTail(m.logTail, w); w.close(at); }
   if (m.moduleVersionList != null) { const at = w.open(8050); encodeModuleVersionList(m.moduleVersionList, w); w.close(at); }
+  if (m.settingList != null) { const at = w.open(8058); encodeSettingList(m.settingList, w); w.close(at); }
 }
 
-const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList'] as const;
+const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList', 'settingList'] as const;
 export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceReply {
   const m: T.ServiceReply = into ?? {};
   let type = into && setMember(into, ServiceReply_type);
@@ -2343,6 +2384,7 @@ export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceR
       case 8034: type = only(m, type, 'limitList'); { const end = r.enter(); m.limitList = decodeLimitList(r, m.limitList); r.end = end; break; }
       case 8042: type = only(m, type, 'logTail'); { const end = r.enter(); m.logTail = decodeLogTail(r, m.logTail); r.end = end; break; }
       case 8050: type = only(m, type, 'moduleVersionList'); { const end = r.enter(); m.moduleVersionList = decodeModuleVersionList(r, m.moduleVersionList); r.end = end; break; }
+      case 8058: type = only(m, type, 'settingList'); { const end = r.enter(); m.settingList = decodeSettingList(r, m.settingList); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -2905,6 +2947,8 @@ export const CODECS: {
   'ubii.extension.SessionExtension': { encode: encodeSessionExtension, decode: decodeSessionExtension },
   'ubii.extension.SessionProblem': { encode: encodeSessionProblem, decode: decodeSessionProblem },
   'ubii.extension.SessionStatistics': { encode: encodeSessionStatistics, decode: decodeSessionStatistics },
+  'ubii.extension.Setting': { encode: encodeSetting, decode: decodeSetting },
+  'ubii.extension.SettingList': { encode: encodeSettingList, decode: decodeSettingList },
   'ubii.extension.StatusEvent': { encode: encodeStatusEvent, decode: decodeStatusEvent },
   'ubii.extension.StatusProblem': { encode: encodeStatusProblem, decode: decodeStatusProblem },
   'ubii.extension.StatusSample': { encode: encodeStatusSample, decode: decodeStatusSample },

@@ -1688,6 +1688,34 @@ export interface SessionStatistics {
 }
 
 /**
+ * One option of a master.
+ *
+ * `ubii.extension.Setting`
+ */
+export interface Setting {
+  /** Its flag, such as --data-dir. */
+  flag: string;
+  /** The value in force as people write it; paths below the home folder begin with ~. */
+  value: string;
+  /** What it does. */
+  description: string;
+  /** True when somebody set it, false when this is what it is by itself. */
+  given: boolean;
+}
+
+/**
+ * What a master was started with. Rule EX-50.
+ *
+ * `ubii.extension.SettingList`
+ */
+export interface SettingList {
+  /** Each option once, in the order of its help. */
+  elements: Setting[];
+  /** What the master runs on, such as Node.js v20.19.0, linux x64. */
+  runtime: string;
+}
+
+/**
  * Something that happened and that people may want to know.
  *
  * `ubii.extension.StatusEvent`
@@ -2142,6 +2170,8 @@ export interface ServiceReply {
   logTail?: LogTail | undefined;
   /** Versions of a module. Rule EX-40. */
   moduleVersionList?: ModuleVersionList | undefined;
+  /** What the master was started with. Rule EX-50. */
+  settingList?: SettingList | undefined;
 }
 
 /**
@@ -2592,6 +2622,8 @@ export interface MessageTypes {
   'ubii.extension.SessionExtension': SessionExtension;
   'ubii.extension.SessionProblem': SessionProblem;
   'ubii.extension.SessionStatistics': SessionStatistics;
+  'ubii.extension.Setting': Setting;
+  'ubii.extension.SettingList': SettingList;
   'ubii.extension.StatusEvent': StatusEvent;
   'ubii.extension.StatusProblem': StatusProblem;
   'ubii.extension.StatusSample': StatusSample;

@@ -535,6 +535,14 @@ message ubii.extension.SessionStatistics
 6 pass_p50_ms double
 7 pass_p95_ms double
 8 late_answers double
+message ubii.extension.Setting
+1 flag string
+2 value string
+3 description string
+4 given bool
+message ubii.extension.SettingList
+1 elements ubii.extension.Setting *
+2 runtime string
 message ubii.extension.StatusEvent
 1 time_ms double
 2 kind ubii.extension.StatusEvent.Kind
@@ -689,6 +697,7 @@ message ubii.services.ServiceReply
 1004 limit_list ubii.extension.LimitList type
 1005 log_tail ubii.extension.LogTail type
 1006 module_version_list ubii.extension.ModuleVersionList type
+1007 setting_list ubii.extension.SettingList type
 message ubii.services.ServiceRequest
 1 topic string
 2 client ubii.clients.Client type

@@ -31,6 +31,11 @@ export const OPERATION_SERVICES = {
     'limitList',
     'Lists the limits in force, with their reasons and their present use.',
   ),
+  settingList: withoutPayload(
+    '/services/ubii/setting_list',
+    'settingList',
+    'Lists the options the master was started with, without secrets.',
+  ),
   logTail: withPayload(
     '/services/ubii/log_tail',
     'logRequest',

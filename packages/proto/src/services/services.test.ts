@@ -40,6 +40,7 @@ describe('the service table', () => {
       '/services/ubii/client_disconnect',
       '/services/ubii/client_throttle',
       '/services/ubii/limit_list',
+      '/services/ubii/setting_list',
       '/services/ubii/log_tail',
       '/services/ubii/module_version_list',
     ]);

@@ -17,7 +17,7 @@ import type { ServiceHandler } from './handler.ts';
 import { listLimits } from './limits.ts';
 import { tailLog } from './log.ts';
 import { listModuleVersions } from './module-versions.ts';
-import { describeServer, listServices, masterStatus } from './server.ts';
+import { describeServer, listServices, listSettings, masterStatus } from './server.ts';
 import {
   addRunningModules,
   deleteModule,
@@ -73,6 +73,7 @@ const DOMAIN_HANDLERS = {
   clientDisconnect: disconnectClient,
   clientThrottle: controlThrottle,
   limitList: listLimits,
+  settingList: listSettings,
   logTail: tailLog,
   moduleVersionList: listModuleVersions,
   sessionRuntimeAdd: addSession,

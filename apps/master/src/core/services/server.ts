@@ -36,6 +36,11 @@ export const masterStatus: ServiceHandler = (core, request) => ({
   masterStatus: readMasterStatus(core, request.masterStatusRequest!.sinceMs),
 });
 
+/** `/services/ubii/setting_list` [EX-50] */
+export const listSettings: ServiceHandler = ({ settings }) => ({
+  settingList: { elements: [], ...settings.startedWith },
+});
+
 /**
  * `/services/service_list` [SV-9]
  * @param services The services that are answered.

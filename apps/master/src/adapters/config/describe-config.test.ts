@@ -1,0 +1,42 @@
+import { homedir } from 'node:os';
+import { join } from 'node:path';
+import { expect, it } from 'vitest';
+import { describeConfig } from './describe-config.ts';
+import { resolveConfig } from './resolve-config.ts';
+
+const HOME = homedir();
+
+function describe(...args: string[]): Record<string, string> {
+  const { elements } = describeConfig(resolveConfig(args, {}, HOME), HOME);
+  return Object.fromEntries(elements!.map(({ flag, value }) => [flag, value]));
+}
+
+it('[EX-50] tells every option as people write it', () => {
+  const told = describe('--lan', '--legacy-ports', 'off', '--checks', 'throttle');
+  expect(told).toMatchObject({
+    '--port': '8080',
+    '--lan': 'on',
+    '--legacy-ports': 'off',
+    '--modules': 'none',
+    '--allowed-origins': 'none',
+    '--checks': 'throttle',
+    '--busy-percent': '80',
+  });
+  expect(told).not.toHaveProperty('--help');
+});
+
+it('[EX-50] tells neither where keys lie nor whose home it is', () => {
+  const told = describe(
+    ...['--data-dir', join(HOME, 'ubii')],
+    ...['--tls-certificate', join(HOME, 'a.pem'), '--tls-key', join(HOME, 'secret.pem')],
+  );
+  expect(told['--data-dir']).toBe(join('~', 'ubii'));
+  expect(told['--tls-key']).toBe('given');
+  expect(Object.values(told).join(' ')).not.toContain(HOME);
+});
+
+it('[EX-50] tells what somebody set, and what it runs on', () => {
+  const { elements, runtime } = describeConfig(resolveConfig(['--port', '0'], {}, HOME), HOME);
+  expect(elements!.filter(({ given }) => given).map(({ flag }) => flag)).toEqual(['--port']);
+  expect(runtime).toContain(process.version);
+});

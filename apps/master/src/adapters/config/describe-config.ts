@@ -1,0 +1,44 @@
+import { arch, platform } from 'node:os';
+import { sep } from 'node:path';
+import type { Init, Setting, SettingList } from '@ubii/proto';
+
+import { OPTIONS, type Config, type LegacyPorts, type OptionName } from '../../config.ts';
+import { flagName } from './option-names.ts';
+
+/** What the program does in place of running. */
+const NO_SETTINGS: ReadonlySet<OptionName> = new Set(['help', 'version']);
+/** Where keys lie is nobody's business. */
+const SECRET: ReadonlySet<OptionName> = new Set(['tlsKey']);
+
+/**
+ * The options in force, for people who see how a master is set up from elsewhere [EX-50].
+ *
+ * @param home the home folder, which is written `~`
+ */
+export function describeConfig(config: Config, home: string): Init<SettingList> {
+  const names = (Object.keys(OPTIONS) as OptionName[]).filter((name) => !NO_SETTINGS.has(name));
+  const elements = names.map((name): Init<Setting> => ({
+    flag: flagName(name),
+    value: SECRET.has(name) && config[name] !== undefined ? 'given' : textOf(config, name, home),
+    description: OPTIONS[name].description,
+    given: config.given.has(name),
+  }));
+  return { elements, runtime: `Node.js ${process.version}, ${platform()} ${arch()}` };
+}
+
+function textOf(config: Config, name: OptionName, home: string): string {
+  const value: Config[OptionName] = config[name];
+  if (name === 'legacyPorts') return portsText(config.legacyPorts);
+  if (value === undefined) return name === 'printEndpoints' ? 'off' : 'none';
+  if (typeof value === 'boolean') return value ? 'on' : 'off';
+  if (Array.isArray(value)) return value.length === 0 ? 'none' : value.join(', ');
+  return withoutHome(String(value), home);
+}
+
+function portsText(ports: LegacyPorts | undefined): string {
+  return ports === undefined ? 'off' : `${ports.services},${ports.topicData}`;
+}
+
+function withoutHome(text: string, home: string): string {
+  return text === home || text.startsWith(`${home}${sep}`) ? `~${text.slice(home.length)}` : text;
+}
