@@ -24,7 +24,19 @@ const builds = {
   },
   frontend: {
     output: 'apps/frontend/dist/index.html',
-    inputs: [...everywhere, 'packages/client-web', 'apps/frontend', 'scripts/lib/precompress.mjs'],
+    inputs: [
+      ...everywhere,
+      'packages/client-web',
+      'apps/frontend',
+      'scripts/lib/precompress.mjs',
+      // The list of licences has what the programs are built from
+      ...[
+        'scripts/lib/licences.mjs',
+        'LICENSE',
+        'apps/master/package.json',
+        'apps/node/package.json',
+      ],
+    ],
     build: async () => {
       const vite = programFile('apps/frontend', 'vite');
       expectSuccess(await runNode(vite, ['build'], { cwd: inRoot('apps/frontend') }));
