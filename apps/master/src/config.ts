@@ -7,6 +7,7 @@ import {
   parseFilePath,
   parseHost,
   parseLegacyPorts,
+  parseLimits,
   parseName,
   parseOrigins,
   parsePercent,
@@ -15,6 +16,7 @@ import {
 } from './adapters/config/parse-values.ts';
 
 import { DEFAULT_CHECKS, type CheckSettings } from './core/checks/check-settings.ts';
+import type { Limits } from './core/limits.ts';
 
 /** One option of the master. */
 export interface Option<T> {
@@ -169,6 +171,14 @@ export const OPTIONS = {
     description:
       "Share of the master's time, in percent, that the records of one client may take before it counts as noisy.",
     parse: parsePercent,
+  }),
+  limits: option<Partial<Limits>>({
+    placeholder: '<name>=<number>,...',
+    fallback: {},
+    fallbackText: 'as built in',
+    description:
+      'Limits other than those built in: clients=20000,topics=500000. Settings, Limits in the frontend names them all, with their units and reasons.',
+    parse: parseLimits,
   }),
   logLevel: option<'error' | 'warn' | 'info' | 'debug'>({
     placeholder: 'error|warn|info|debug',

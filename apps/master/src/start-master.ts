@@ -70,7 +70,7 @@ export async function startMaster({
     isOwnAddress,
   });
   const https = await openHttps(config, host, log);
-  const limits = DEFAULT_LIMITS;
+  const limits = { ...DEFAULT_LIMITS, ...config.limits };
   const { sandboxes, libraries } = openSandboxes(workerFile, config.allowFetch);
   const storage = openStorage(config.dataDir);
   const library = await TrustedLibrary.open(moduleLibrary(), config.modules, log);

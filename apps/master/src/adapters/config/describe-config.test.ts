@@ -22,7 +22,14 @@ it('[EX-50] tells every option as people write it', () => {
     '--checks': 'throttle',
     '--busy-percent': '80',
   });
+  expect(told['--limits']).toBe('as built in');
   expect(told).not.toHaveProperty('--help');
+});
+
+it('[EX-50] tells limits as they were given, and refuses names of none', () => {
+  expect(describe('--limits', 'clients=7, topics=9')['--limits']).toBe('clients=7, topics=9');
+  expect(() => describe('--limits', 'guests=7')).toThrow(/limits by name.*"guests=7"/);
+  expect(() => describe('--limits', 'clients=0')).toThrow(/at least 1/);
 });
 
 it('[EX-50] tells neither where keys lie nor whose home it is', () => {

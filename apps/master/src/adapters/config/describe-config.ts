@@ -29,6 +29,7 @@ export function describeConfig(config: Config, home: string): Init<SettingList> 
 function textOf(config: Config, name: OptionName, home: string): string {
   const value: Config[OptionName] = config[name];
   if (name === 'legacyPorts') return portsText(config.legacyPorts);
+  if (name === 'limits') return limitsText(config.limits);
   if (value === undefined) return name === 'printEndpoints' ? 'off' : 'none';
   if (typeof value === 'boolean') return value ? 'on' : 'off';
   if (Array.isArray(value)) return value.length === 0 ? 'none' : value.join(', ');
@@ -37,6 +38,11 @@ function textOf(config: Config, name: OptionName, home: string): string {
 
 function portsText(ports: LegacyPorts | undefined): string {
   return ports === undefined ? 'off' : `${ports.services},${ports.topicData}`;
+}
+
+function limitsText(limits: Config['limits']): string {
+  const pairs = Object.entries(limits).map(([name, value]) => `${name}=${value}`);
+  return pairs.length === 0 ? 'as built in' : pairs.join(', ');
 }
 
 function withoutHome(text: string, home: string): string {

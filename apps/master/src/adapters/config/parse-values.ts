@@ -2,6 +2,7 @@ import { isIP } from 'node:net';
 import { resolve } from 'node:path';
 
 import type { LegacyPorts } from '../../config.ts';
+import { DEFAULT_LIMITS, type Limits } from '../../core/limits.ts';
 
 /*
  * Each function reads one option's text and throws an Error whose message is what was expected, to
@@ -88,6 +89,24 @@ export function parsePercent(text: string): number {
   const percent = /^\d+(\.\d+)?$/.test(text) ? Number(text) : Number.NaN;
   if (!(percent >= 1 && percent <= 100)) throw new Error('a number from 1 to 100');
   return percent;
+}
+
+/** Any limit of the list, by its name, as a whole number above 0 in its own unit. */
+export function parseLimits(text: string): Partial<Limits> {
+  const pairs = text
+    .split(',')
+    .map((pair) => pair.trim())
+    .filter((pair) => pair !== '');
+  return Object.fromEntries(
+    pairs.map((pair) => {
+      const [, name = '', number = ''] = /^(\w+)\s*=\s*(\d{1,15})$/.exec(pair) ?? [];
+      if (!Object.hasOwn(DEFAULT_LIMITS, name)) {
+        throw new Error(`limits by name with a number, such as clients=20000, not "${pair}"`);
+      }
+      if (Number(number) === 0) throw new Error(`at least 1 for the limit ${name}`);
+      return [name, Number(number)];
+    }),
+  );
 }
 
 export function parseChoice<const C extends string>(...choices: readonly C[]): (text: string) => C {

@@ -54,7 +54,7 @@ export class LimitWatch {
     this.count(limit, clientId);
     return new ServiceError(
       'resource_exhausted',
-      `This would be ${text}, which is the limit ${limit} of this master; remove what is not needed, or raise the limit in its configuration.`,
+      `This would be ${text}, which is the limit ${limit} of this master; remove what is not needed, or raise the limit with --limits ${limit}=<number>.`,
       { details: { limit, max: this.limits[limit] } },
     );
   }

@@ -38,8 +38,8 @@ function* limitProblems({ limitWatch, clock, limits }: Core): Iterable<Problem> 
       severity: isCommon ? StatusProblemSeverity.ERROR : StatusProblemSeverity.WARNING,
       text: `The limit ${limit} (${limits[limit]}) was met, ${streak.count} times so far; what goes beyond is refused.`,
       remedy: isCommon
-        ? 'Remove what is not needed, or raise the limit.'
-        : 'Look whether the program means to do that; else split what it does, or raise the limit.',
+        ? `Remove what is not needed, or raise the limit with --limits ${limit}=<number>.`
+        : `Look whether the program means to do that; else split what it does, or raise the limit with --limits ${limit}=<number>.`,
       clientId,
       sinceMs: epochMs(clock, streak.sinceMs),
     };
