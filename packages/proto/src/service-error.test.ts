@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { decode, encode } from './codec.ts';
 import { DecodeError } from './decode-error.ts';
+import { JoinProblem } from './generated/messages.ts';
 import { SERVICE_ERROR_CODES, ServiceError } from './service-error.ts';
 
 describe('ServiceError', () => {
@@ -35,6 +36,15 @@ describe('ServiceError', () => {
     const bytes = encode('ubii.general.Error', error.toWire());
     const received = ServiceError.fromWire(decode('ubii.general.Error', bytes));
     expect(received.details).toEqual({ problems: [problem] });
+  });
+
+  it('[AC-12] carries why somebody is not let in', () => {
+    const error = new ServiceError('unauthenticated', 'It was revoked.', {
+      details: { joinProblem: JoinProblem.JOIN_PROBLEM_REVOKED, name: 'stays here' },
+    });
+    const bytes = encode('ubii.general.Error', error.toWire());
+    const received = ServiceError.fromWire(decode('ubii.general.Error', bytes));
+    expect(received.details).toEqual({ joinProblem: JoinProblem.JOIN_PROBLEM_REVOKED });
   });
 
   it('[SV-5] gives nothing away of errors that are not ours', () => {

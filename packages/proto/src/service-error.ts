@@ -1,4 +1,4 @@
-import type { ErrorMessage, SessionProblem } from './generated/messages.ts';
+import type { ErrorMessage, JoinProblem, SessionProblem } from './generated/messages.ts';
 
 /** The closed list of reasons for which a request or a record is refused. */
 export const SERVICE_ERROR_CODES = [
@@ -41,7 +41,8 @@ export interface ServiceErrorOptions {
   readonly title?: string;
   /**
    * Facts for programs, for example the name of the member that is wrong. Stay in the process, except
-   * `problems`: the list of `SessionProblem`s of a session that was refused. [EX-24]
+   * `problems`, the list of `SessionProblem`s of a session that was refused [EX-24], and `joinProblem`,
+   * why somebody is not let in, a `JoinProblem` [AC-12].
    */
   readonly details?: Readonly<Record<string, unknown>>;
   readonly cause?: unknown;
@@ -79,25 +80,31 @@ export class ServiceError extends Error {
 
   /** The message for the wire. The stack never leaves the process. [SV-5] */
   toWire(): ErrorMessage {
-    const { problems } = this.details;
+    const { problems, joinProblem } = this.details;
     return {
       title: this.title,
       message: this.message,
       stack: '',
       code: this.code,
       problems: Array.isArray(problems) ? (problems as SessionProblem[]) : [],
+      join: typeof joinProblem === 'number' ? { problem: joinProblem as JoinProblem } : undefined,
     };
   }
 
   /**
    * Reads an error of a master. Original masters send no code: theirs is `internal`.
    */
-  static fromWire(error: Omit<ErrorMessage, 'problems'> & Partial<ErrorMessage>): ServiceError {
+  static fromWire(
+    error: Omit<ErrorMessage, 'problems' | 'join'> & Partial<ErrorMessage>,
+  ): ServiceError {
     const code = isServiceErrorCode(error.code) ? error.code : 'internal';
     const message = error.message.trim() || error.title.trim() || 'The master gave no reason.';
     return new ServiceError(code, message, {
       ...(error.title === '' ? {} : { title: error.title }),
-      ...((error.problems ?? []).length === 0 ? {} : { details: { problems: error.problems } }),
+      details: {
+        ...((error.problems ?? []).length === 0 ? {} : { problems: error.problems }),
+        ...(error.join === undefined ? {} : { joinProblem: error.join.problem }),
+      },
     });
   }
 }

@@ -889,6 +889,134 @@ export function decodeTopicMuxList(r: Reader, into?: T.TopicMuxList): T.TopicMux
   return m;
 }
 
+export function encodeAccessGrant(m: Init<T.AccessGrant>, w: Writer): void {
+  if (m.id != null) w.string(10, m.id);
+  if (m.label != null) w.string(18, m.label);
+  if (m.role != null) w.int32(24, m.role);
+  if (m.target != null) w.string(34, m.target);
+  if (m.createdMs != null) w.double(41, m.createdMs);
+  if (m.expiresMs != null) w.double(49, m.expiresMs);
+  if (m.maxJoins != null) w.int32(56, m.maxJoins);
+  if (m.readTopics != null) for (const e of m.readTopics) w.string(66, e);
+  if (m.writeTopics != null) for (const e of m.writeTopics) w.string(74, e);
+  if (m.revokedMs != null) w.double(81, m.revokedMs);
+  if (m.joins != null) w.int32(88, m.joins);
+  if (m.clientIds != null) for (const e of m.clientIds) w.string(98, e);
+  if (m.isTerminal != null) w.bool(104, m.isTerminal);
+  if (m.codeExpiresMs != null) w.double(113, m.codeExpiresMs);
+}
+
+export function decodeAccessGrant(r: Reader, into?: T.AccessGrant): T.AccessGrant {
+  const m: T.AccessGrant = into ?? { id: '', label: '', role: 0, target: '', createdMs: 0, expiresMs: 0, maxJoins: 0, readTopics: [], writeTopics: [], revokedMs: 0, joins: 0, clientIds: [], isTerminal: false, codeExpiresMs: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.id = r.string(); break;
+      case 18: m.label = r.string(); break;
+      case 24: m.role = r.int32() as T.AccessRole; break;
+      case 34: m.target = r.string(); break;
+      case 41: m.createdMs = r.double(); break;
+      case 49: m.expiresMs = r.double(); break;
+      case 56: m.maxJoins = r.int32(); break;
+      case 66: m.readTopics.push(r.string()); break;
+      case 74: m.writeTopics.push(r.string()); break;
+      case 81: m.revokedMs = r.double(); break;
+      case 88: m.joins = r.int32(); break;
+      case 98: m.clientIds.push(r.string()); break;
+      case 104: m.isTerminal = r.bool(); break;
+      case 113: m.codeExpiresMs = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeAccessGrantCreateRequest(m: Init<T.AccessGrantCreateRequest>, w: Writer): void {
+  if (m.clientId != null) w.string(10, m.clientId);
+  if (m.label != null) w.string(18, m.label);
+  if (m.role != null) w.int32(24, m.role);
+  if (m.target != null) w.string(34, m.target);
+  if (m.lifetimeMs != null) w.double(41, m.lifetimeMs);
+  if (m.maxJoins != null) w.int32(48, m.maxJoins);
+  if (m.readTopics != null) for (const e of m.readTopics) w.string(58, e);
+  if (m.writeTopics != null) for (const e of m.writeTopics) w.string(66, e);
+}
+
+export function decodeAccessGrantCreateRequest(r: Reader, into?: T.AccessGrantCreateRequest): T.AccessGrantCreateRequest {
+  const m: T.AccessGrantCreateRequest = into ?? { clientId: '', label: '', role: 0, target: '', lifetimeMs: 0, maxJoins: 0, readTopics: [], writeTopics: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.clientId = r.string(); break;
+      case 18: m.label = r.string(); break;
+      case 24: m.role = r.int32() as T.AccessRole; break;
+      case 34: m.target = r.string(); break;
+      case 41: m.lifetimeMs = r.double(); break;
+      case 48: m.maxJoins = r.int32(); break;
+      case 58: m.readTopics.push(r.string()); break;
+      case 66: m.writeTopics.push(r.string()); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeAccessGrantCreated(m: Init<T.AccessGrantCreated>, w: Writer): void {
+  if (m.grant != null) { const at = w.open(10); encodeAccessGrant(m.grant, w); w.close(at); }
+  if (m.token != null) w.string(18, m.token);
+  if (m.code != null) w.string(26, m.code);
+}
+
+export function decodeAccessGrantCreated(r: Reader, into?: T.AccessGrantCreated): T.AccessGrantCreated {
+  const m: T.AccessGrantCreated = into ?? { grant: undefined, token: '', code: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.grant = decodeAccessGrant(r, m.grant); r.end = end; break; }
+      case 18: m.token = r.string(); break;
+      case 26: m.code = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeAccessGrantList(m: Init<T.AccessGrantList>, w: Writer): void {
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeAccessGrant(e, w); w.close(at); }
+}
+
+export function decodeAccessGrantList(r: Reader, into?: T.AccessGrantList): T.AccessGrantList {
+  const m: T.AccessGrantList = into ?? { elements: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.elements.push(decodeAccessGrant(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeAccessGrantRevokeRequest(m: Init<T.AccessGrantRevokeRequest>, w: Writer): void {
+  if (m.clientId != null) w.string(10, m.clientId);
+  if (m.grantId != null) w.string(18, m.grantId);
+  if (m.reason != null) w.string(26, m.reason);
+}
+
+export function decodeAccessGrantRevokeRequest(r: Reader, into?: T.AccessGrantRevokeRequest): T.AccessGrantRevokeRequest {
+  const m: T.AccessGrantRevokeRequest = into ?? { clientId: '', grantId: '', reason: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.clientId = r.string(); break;
+      case 18: m.grantId = r.string(); break;
+      case 26: m.reason = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
 export function encodeClientActivity(m: Init<T.ClientActivity>, w: Writer): void {
   if (m.clientId != null) w.string(10, m.clientId);
   if (m.firstSeenMs != null) w.double(17, m.firstSeenMs);
@@ -921,10 +1049,12 @@ export function encodeClientActivity(m: Init<T.ClientActivity>, w: Writer): void
   if (m.addressKind != null) w.int32(232, m.addressKind);
   if (m.throttle != null) { const at = w.open(242); encodeClientThrottle(m.throttle, w); w.close(at); }
   if (m.workShare != null) w.double(249, m.workShare);
+  if (m.role != null) w.int32(320, m.role);
+  if (m.grantId != null) w.string(330, m.grantId);
 }
 
 export function decodeClientActivity(r: Reader, into?: T.ClientActivity): T.ClientActivity {
-  const m: T.ClientActivity = into ?? { clientId: '', firstSeenMs: 0, lastSeenMs: 0, connected: false, connectedMs: 0, roundTripMs: 0, roundTripAgeMs: 0, recordsIn: 0, bytesIn: 0, recordsOut: 0, bytesOut: 0, recordsInPerSecond: 0, bytesInPerSecond: 0, recordsOutPerSecond: 0, bytesOutPerSecond: 0, queuedRecords: 0, queuedBytes: 0, dropped: 0, refused: 0, protocolErrors: 0, topicSubscriptions: 0, patternSubscriptions: 0, componentSubscriptions: 0, watchesEverything: false, subscriptions: [], ownedTopics: 0, userAgent: '', library: '', addressKind: 0, throttle: undefined, workShare: 0 };
+  const m: T.ClientActivity = into ?? { clientId: '', firstSeenMs: 0, lastSeenMs: 0, connected: false, connectedMs: 0, roundTripMs: 0, roundTripAgeMs: 0, recordsIn: 0, bytesIn: 0, recordsOut: 0, bytesOut: 0, recordsInPerSecond: 0, bytesInPerSecond: 0, recordsOutPerSecond: 0, bytesOutPerSecond: 0, queuedRecords: 0, queuedBytes: 0, dropped: 0, refused: 0, protocolErrors: 0, topicSubscriptions: 0, patternSubscriptions: 0, componentSubscriptions: 0, watchesEverything: false, subscriptions: [], ownedTopics: 0, userAgent: '', library: '', addressKind: 0, throttle: undefined, workShare: 0, role: 0, grantId: '' };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -959,6 +1089,8 @@ export function decodeClientActivity(r: Reader, into?: T.ClientActivity): T.Clie
       case 232: m.addressKind = r.int32() as T.ClientActivityAddressKind; break;
       case 242: { const end = r.enter(); m.throttle = decodeClientThrottle(r, m.throttle); r.end = end; break; }
       case 249: m.workShare = r.double(); break;
+      case 320: m.role = r.int32() as T.AccessRole; break;
+      case 330: m.grantId = r.string(); break;
       default: skipField(r, tag);
     }
   }
@@ -992,10 +1124,13 @@ export function encodeClientExtension(m: Init<T.ClientExtension>, w: Writer): vo
   if (m.masterVersion != null) w.string(34, m.masterVersion);
   if (m.node != null) { const at = w.open(42); encodeNodeExtension(m.node, w); w.close(at); }
   if (m.library != null) w.string(50, m.library);
+  if (m.credential != null) w.string(82, m.credential);
+  if (m.credentialExpiresMs != null) w.double(89, m.credentialExpiresMs);
+  if (m.role != null) w.int32(96, m.role);
 }
 
 export function decodeClientExtension(r: Reader, into?: T.ClientExtension): T.ClientExtension {
-  const m: T.ClientExtension = into ?? { recordLists: false, resumeToken: '', resumed: false, masterVersion: '', node: undefined, library: '' };
+  const m: T.ClientExtension = into ?? { recordLists: false, resumeToken: '', resumed: false, masterVersion: '', node: undefined, library: '', credential: '', credentialExpiresMs: 0, role: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1005,6 +1140,9 @@ export function decodeClientExtension(r: Reader, into?: T.ClientExtension): T.Cl
       case 34: m.masterVersion = r.string(); break;
       case 42: { const end = r.enter(); m.node = decodeNodeExtension(r, m.node); r.end = end; break; }
       case 50: m.library = r.string(); break;
+      case 82: m.credential = r.string(); break;
+      case 89: m.credentialExpiresMs = r.double(); break;
+      case 96: m.role = r.int32() as T.AccessRole; break;
       default: skipField(r, tag);
     }
   }
@@ -1133,6 +1271,64 @@ export function decodeClientThrottleRequest(r: Reader, into?: T.ClientThrottleRe
       case 18: m.targetId = r.string(); break;
       case 25: m.recordsPerSecond = r.double(); break;
       case 34: m.reason = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeJoinCheck(m: Init<T.JoinCheck>, w: Writer): void {
+  if (m.role != null) w.int32(8, m.role);
+  if (m.problem != null) w.int32(16, m.problem);
+  if (m.message != null) w.string(26, m.message);
+  if (m.target != null) w.string(34, m.target);
+  if (m.expiresMs != null) w.double(41, m.expiresMs);
+  if (m.masterName != null) w.string(50, m.masterName);
+}
+
+export function decodeJoinCheck(r: Reader, into?: T.JoinCheck): T.JoinCheck {
+  const m: T.JoinCheck = into ?? { role: 0, problem: 0, message: '', target: '', expiresMs: 0, masterName: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.role = r.int32() as T.AccessRole; break;
+      case 16: m.problem = r.int32() as T.JoinProblem; break;
+      case 26: m.message = r.string(); break;
+      case 34: m.target = r.string(); break;
+      case 41: m.expiresMs = r.double(); break;
+      case 50: m.masterName = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeJoinCheckRequest(m: Init<T.JoinCheckRequest>, w: Writer): void {
+  if (m.token != null) w.string(10, m.token);
+}
+
+export function decodeJoinCheckRequest(r: Reader, into?: T.JoinCheckRequest): T.JoinCheckRequest {
+  const m: T.JoinCheckRequest = into ?? { token: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.token = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeJoinRefusal(m: Init<T.JoinRefusal>, w: Writer): void {
+  if (m.problem != null) w.int32(8, m.problem);
+}
+
+export function decodeJoinRefusal(r: Reader, into?: T.JoinRefusal): T.JoinRefusal {
+  const m: T.JoinRefusal = into ?? { problem: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.problem = r.int32() as T.JoinProblem; break;
       default: skipField(r, tag);
     }
   }
@@ -1945,10 +2141,11 @@ export function encodeErrorMessage(m: Init<T.ErrorMessage>, w: Writer): void {
   if (m.stack != null) w.string(26, m.stack);
   if (m.code != null) w.string(8002, m.code);
   if (m.problems != null) for (const e of m.problems) { const at = w.open(8010); encodeSessionProblem(e, w); w.close(at); }
+  if (m.join != null) { const at = w.open(8018); encodeJoinRefusal(m.join, w); w.close(at); }
 }
 
 export function decodeErrorMessage(r: Reader, into?: T.ErrorMessage): T.ErrorMessage {
-  const m: T.ErrorMessage = into ?? { title: '', message: '', stack: '', code: '', problems: [] };
+  const m: T.ErrorMessage = into ?? { title: '', message: '', stack: '', code: '', problems: [], join: undefined };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1957,6 +2154,7 @@ export function decodeErrorMessage(r: Reader, into?: T.ErrorMessage): T.ErrorMes
       case 26: m.stack = r.string(); break;
       case 8002: m.code = r.string(); break;
       case 8010: { const end = r.enter(); m.problems.push(decodeSessionProblem(r)); r.end = end; break; }
+      case 8018: { const end = r.enter(); m.join = decodeJoinRefusal(r, m.join); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -2346,9 +2544,13 @@ export function encodeServiceReply(m: Init<T.ServiceReply>, w: Writer): void {
   if (m.logTail != null) { const at = w.open(8042); encodeLogTail(m.logTail, w); w.close(at); }
   if (m.moduleVersionList != null) { const at = w.open(8050); encodeModuleVersionList(m.moduleVersionList, w); w.close(at); }
   if (m.settingList != null) { const at = w.open(8058); encodeSettingList(m.settingList, w); w.close(at); }
+  if (m.joinCheck != null) { const at = w.open(8162); encodeJoinCheck(m.joinCheck, w); w.close(at); }
+  if (m.accessGrantCreated != null) { const at = w.open(8170); encodeAccessGrantCreated(m.accessGrantCreated, w); w.close(at); }
+  if (m.accessGrant != null) { const at = w.open(8178); encodeAccessGrant(m.accessGrant, w); w.close(at); }
+  if (m.accessGrantList != null) { const at = w.open(8186); encodeAccessGrantList(m.accessGrantList, w); w.close(at); }
 }
 
-const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList', 'settingList'] as const;
+const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList', 'settingList', 'joinCheck', 'accessGrantCreated', 'accessGrant', 'accessGrantList'] as const;
 export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceReply {
   const m: T.ServiceReply = into ?? {};
   let type = into && setMember(into, ServiceReply_type);
@@ -2385,6 +2587,10 @@ export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceR
       case 8042: type = only(m, type, 'logTail'); { const end = r.enter(); m.logTail = decodeLogTail(r, m.logTail); r.end = end; break; }
       case 8050: type = only(m, type, 'moduleVersionList'); { const end = r.enter(); m.moduleVersionList = decodeModuleVersionList(r, m.moduleVersionList); r.end = end; break; }
       case 8058: type = only(m, type, 'settingList'); { const end = r.enter(); m.settingList = decodeSettingList(r, m.settingList); r.end = end; break; }
+      case 8162: type = only(m, type, 'joinCheck'); { const end = r.enter(); m.joinCheck = decodeJoinCheck(r, m.joinCheck); r.end = end; break; }
+      case 8170: type = only(m, type, 'accessGrantCreated'); { const end = r.enter(); m.accessGrantCreated = decodeAccessGrantCreated(r, m.accessGrantCreated); r.end = end; break; }
+      case 8178: type = only(m, type, 'accessGrant'); { const end = r.enter(); m.accessGrant = decodeAccessGrant(r, m.accessGrant); r.end = end; break; }
+      case 8186: type = only(m, type, 'accessGrantList'); { const end = r.enter(); m.accessGrantList = decodeAccessGrantList(r, m.accessGrantList); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -2418,9 +2624,12 @@ export function encodeServiceRequest(m: Init<T.ServiceRequest>, w: Writer): void
   if (m.clientThrottleRequest != null) { const at = w.open(8042); encodeClientThrottleRequest(m.clientThrottleRequest, w); w.close(at); }
   if (m.logRequest != null) { const at = w.open(8050); encodeLogRequest(m.logRequest, w); w.close(at); }
   if (m.moduleVersionRequest != null) { const at = w.open(8058); encodeModuleVersionRequest(m.moduleVersionRequest, w); w.close(at); }
+  if (m.joinCheckRequest != null) { const at = w.open(8162); encodeJoinCheckRequest(m.joinCheckRequest, w); w.close(at); }
+  if (m.accessGrantCreateRequest != null) { const at = w.open(8170); encodeAccessGrantCreateRequest(m.accessGrantCreateRequest, w); w.close(at); }
+  if (m.accessGrantRevokeRequest != null) { const at = w.open(8178); encodeAccessGrantRevokeRequest(m.accessGrantRevokeRequest, w); w.close(at); }
 }
 
-const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest', 'clientReportRequest', 'clientRenameRequest', 'clientDisconnectRequest', 'clientThrottleRequest', 'logRequest', 'moduleVersionRequest'] as const;
+const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest', 'clientReportRequest', 'clientRenameRequest', 'clientDisconnectRequest', 'clientThrottleRequest', 'logRequest', 'moduleVersionRequest', 'joinCheckRequest', 'accessGrantCreateRequest', 'accessGrantRevokeRequest'] as const;
 export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.ServiceRequest {
   const m: T.ServiceRequest = into ?? { topic: '' };
   let type = into && setMember(into, ServiceRequest_type);
@@ -2453,6 +2662,9 @@ export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.Serv
       case 8042: type = only(m, type, 'clientThrottleRequest'); { const end = r.enter(); m.clientThrottleRequest = decodeClientThrottleRequest(r, m.clientThrottleRequest); r.end = end; break; }
       case 8050: type = only(m, type, 'logRequest'); { const end = r.enter(); m.logRequest = decodeLogRequest(r, m.logRequest); r.end = end; break; }
       case 8058: type = only(m, type, 'moduleVersionRequest'); { const end = r.enter(); m.moduleVersionRequest = decodeModuleVersionRequest(r, m.moduleVersionRequest); r.end = end; break; }
+      case 8162: type = only(m, type, 'joinCheckRequest'); { const end = r.enter(); m.joinCheckRequest = decodeJoinCheckRequest(r, m.joinCheckRequest); r.end = end; break; }
+      case 8170: type = only(m, type, 'accessGrantCreateRequest'); { const end = r.enter(); m.accessGrantCreateRequest = decodeAccessGrantCreateRequest(r, m.accessGrantCreateRequest); r.end = end; break; }
+      case 8178: type = only(m, type, 'accessGrantRevokeRequest'); { const end = r.enter(); m.accessGrantRevokeRequest = decodeAccessGrantRevokeRequest(r, m.accessGrantRevokeRequest); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -2914,6 +3126,11 @@ export const CODECS: {
   'ubii.devices.TopicDemuxList': { encode: encodeTopicDemuxList, decode: decodeTopicDemuxList },
   'ubii.devices.TopicMux': { encode: encodeTopicMux, decode: decodeTopicMux },
   'ubii.devices.TopicMuxList': { encode: encodeTopicMuxList, decode: decodeTopicMuxList },
+  'ubii.extension.AccessGrant': { encode: encodeAccessGrant, decode: decodeAccessGrant },
+  'ubii.extension.AccessGrantCreateRequest': { encode: encodeAccessGrantCreateRequest, decode: decodeAccessGrantCreateRequest },
+  'ubii.extension.AccessGrantCreated': { encode: encodeAccessGrantCreated, decode: decodeAccessGrantCreated },
+  'ubii.extension.AccessGrantList': { encode: encodeAccessGrantList, decode: decodeAccessGrantList },
+  'ubii.extension.AccessGrantRevokeRequest': { encode: encodeAccessGrantRevokeRequest, decode: decodeAccessGrantRevokeRequest },
   'ubii.extension.ClientActivity': { encode: encodeClientActivity, decode: decodeClientActivity },
   'ubii.extension.ClientDisconnectRequest': { encode: encodeClientDisconnectRequest, decode: decodeClientDisconnectRequest },
   'ubii.extension.ClientExtension': { encode: encodeClientExtension, decode: decodeClientExtension },
@@ -2923,6 +3140,9 @@ export const CODECS: {
   'ubii.extension.ClientSubscription': { encode: encodeClientSubscription, decode: decodeClientSubscription },
   'ubii.extension.ClientThrottle': { encode: encodeClientThrottle, decode: decodeClientThrottle },
   'ubii.extension.ClientThrottleRequest': { encode: encodeClientThrottleRequest, decode: decodeClientThrottleRequest },
+  'ubii.extension.JoinCheck': { encode: encodeJoinCheck, decode: decodeJoinCheck },
+  'ubii.extension.JoinCheckRequest': { encode: encodeJoinCheckRequest, decode: decodeJoinCheckRequest },
+  'ubii.extension.JoinRefusal': { encode: encodeJoinRefusal, decode: decodeJoinRefusal },
   'ubii.extension.Limit': { encode: encodeLimit, decode: decodeLimit },
   'ubii.extension.LimitList': { encode: encodeLimitList, decode: decodeLimitList },
   'ubii.extension.LimitUse': { encode: encodeLimitUse, decode: decodeLimitUse },

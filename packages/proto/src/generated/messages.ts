@@ -106,6 +106,25 @@ export const DeviceType = {
 export type DeviceType = (typeof DeviceType)[keyof typeof DeviceType];
 
 /**
+ * What somebody may do. Rules AC-20 to AC-25.
+ *
+ * `ubii.extension.AccessRole`
+ */
+export const AccessRole = {
+  /** Nothing: a stranger, who has to join first. */
+  ACCESS_ROLE_NONE: 0,
+  /** Everything. */
+  ACCESS_ROLE_ADMIN: 1,
+  /** Everything but administration, and publishing in the name of others. */
+  ACCESS_ROLE_PARTICIPANT: 2,
+  /** Its own devices and topics, and those topics that its grant names. */
+  ACCESS_ROLE_PLAYER: 3,
+  /** See everything, change nothing. */
+  ACCESS_ROLE_VIEWER: 4,
+} as const;
+export type AccessRole = (typeof AccessRole)[keyof typeof AccessRole];
+
+/**
  * How near the other end of the client's socket is.
  *
  * `ubii.extension.ClientActivity.AddressKind`
@@ -121,6 +140,31 @@ export const ClientActivityAddressKind = {
   PUBLIC: 3,
 } as const;
 export type ClientActivityAddressKind = (typeof ClientActivityAddressKind)[keyof typeof ClientActivityAddressKind];
+
+/**
+ * Why somebody is not let in. Rule AC-12.
+ *
+ * `ubii.extension.JoinProblem`
+ */
+export const JoinProblem = {
+  /** Nothing stands against it. */
+  JOIN_PROBLEM_NONE: 0,
+  /** No token was shown. */
+  JOIN_PROBLEM_MISSING: 1,
+  /** Nobody was given this token or code. */
+  JOIN_PROBLEM_WRONG: 2,
+  /** Its time is over. */
+  JOIN_PROBLEM_EXPIRED: 3,
+  /** Somebody revoked it. */
+  JOIN_PROBLEM_REVOKED: 4,
+  /** As many have joined with it as may. */
+  JOIN_PROBLEM_USED: 5,
+  /** Too many wrong codes were tried; a code is looked at again a minute later. */
+  JOIN_PROBLEM_GUESSING: 6,
+  /** Joined, but the role is too low for what was asked. */
+  JOIN_PROBLEM_ROLE: 7,
+} as const;
+export type JoinProblem = (typeof JoinProblem)[keyof typeof JoinProblem];
 
 /**
  * How bad it is, from worst to best.
@@ -1004,6 +1048,104 @@ export interface TopicMuxList {
 }
 
 /**
+ * Leave to join, made by an admin. Rules AC-10 to AC-16.
+ *
+ * `ubii.extension.AccessGrant`
+ */
+export interface AccessGrant {
+  /** UUID, assigned by the master. */
+  id: string;
+  /** For people: what or whom it is for. */
+  label: string;
+  /** What those who join with it may do. */
+  role: AccessRole;
+  /** Path of the page that opens after joining, such as /devices/smart-device; empty for the start page. */
+  target: string;
+  /** When it was made: milliseconds since the Unix epoch, master's clock. */
+  createdMs: number;
+  /** From when on nobody joins with it any more, the same clock. Who has joined stays. */
+  expiresMs: number;
+  /** How many may join with it; 0 for any number. */
+  maxJoins: number;
+  /** Players only: globs of topics they may subscribe to beside their own. */
+  readTopics: string[];
+  /** Players only: globs of topics they may publish on beside their own. */
+  writeTopics: string[];
+  /** When it was revoked, the same clock; 0 when it was not. */
+  revokedMs: number;
+  /** How many have joined with it. */
+  joins: number;
+  /** Ids of its clients that are registered now. */
+  clientIds: string[];
+  /** The master made it itself, for the code in its terminal. */
+  isTerminal: boolean;
+  /** When the short code ends, the same clock. */
+  codeExpiresMs: number;
+}
+
+/**
+ * Asks for leave to join. Rule AC-10.
+ *
+ * `ubii.extension.AccessGrantCreateRequest`
+ */
+export interface AccessGrantCreateRequest {
+  /** Id of the client that asks; empty when none does. */
+  clientId: string;
+  /** For people, at most 100 characters on one line; may be empty. */
+  label: string;
+  /** Not ACCESS_ROLE_NONE. */
+  role: AccessRole;
+  /** Path of the page that opens after joining: begins with one slash; empty for the start page. */
+  target: string;
+  /** How long it can be joined with, milliseconds: at most 30 days; 0 for 12 hours. */
+  lifetimeMs: number;
+  /** How many may join with it; 0 for any number. */
+  maxJoins: number;
+  /** Players only: globs of topics they may subscribe to, at most 16. */
+  readTopics: string[];
+  /** Players only: globs of topics they may publish on, at most 16. */
+  writeTopics: string[];
+}
+
+/**
+ * Leave to join, with its secrets. They are shown this once. Rule AC-11.
+ *
+ * `ubii.extension.AccessGrantCreated`
+ */
+export interface AccessGrantCreated {
+  /** The grant. */
+  grant: AccessGrant | undefined;
+  /** The token: what stands in the QR code, as <origin>/join#<token>. */
+  token: string;
+  /** The code to type, such as K7QF-2MXR. */
+  code: string;
+}
+
+/**
+ * Grants, without secrets.
+ *
+ * `ubii.extension.AccessGrantList`
+ */
+export interface AccessGrantList {
+  /** The newest first. */
+  elements: AccessGrant[];
+}
+
+/**
+ * Takes leave to join back, with all who have joined. Rule AC-15.
+ *
+ * `ubii.extension.AccessGrantRevokeRequest`
+ */
+export interface AccessGrantRevokeRequest {
+  /** Id of the client that asks; empty when none does. */
+  clientId: string;
+  /** Id of the grant. */
+  grantId: string;
+  /** Why, for the persons it affects, a few words; may be empty. */
+  reason: string;
+}
+
+/**
  * What one client does. Counts are totals since it registered; rates are those of the last measurement.
  *
  * `ubii.extension.ClientActivity`
@@ -1071,6 +1213,10 @@ export interface ClientActivity {
   throttle: ClientThrottle | undefined;
   /** Estimated share of the work of forwarding records that is on its account, 0 to 1. Rule EX-27. */
   workShare: number;
+  /** What it may do. Rule AC-20. */
+  role: AccessRole;
+  /** Id of the grant it joined with; empty when it needed none. */
+  grantId: string;
 }
 
 /**
@@ -1111,6 +1257,15 @@ export interface ClientExtension {
   node: NodeExtension | undefined;
   /** Client to master: name and version of its library, such as client-web/0.1.0. Rule EX-25. */
   library: string;
+  /**
+   * Master to client: what shows later requests to come from this client, sent as
+   * "Authorization: Bearer <credential>"; empty when it needs none. A secret of the client. Rule AC-13.
+   */
+  credential: string;
+  /** Master to client: when the credential ends, milliseconds since the Unix epoch, master's clock. */
+  credentialExpiresMs: number;
+  /** Master to client: what the client may do. Rule AC-20. */
+  role: AccessRole;
 }
 
 /**
@@ -1203,6 +1358,49 @@ export interface ClientThrottleRequest {
   recordsPerSecond: number;
   /** Why, for the person it affects, a few words; may be empty. */
   reason: string;
+}
+
+/**
+ * What a token is good for, or what the caller may do.
+ *
+ * `ubii.extension.JoinCheck`
+ */
+export interface JoinCheck {
+  /** What whoever joins with it may do; ACCESS_ROLE_NONE when it is good for nothing. */
+  role: AccessRole;
+  /** Why it is good for nothing. */
+  problem: JoinProblem;
+  /** One sentence for people: what is wrong and what to do; empty when nothing is wrong. */
+  message: string;
+  /** Path of the page that opens after joining; empty for the start page. */
+  target: string;
+  /**
+   * Until when somebody can join with it, or until when the credential of the caller is good:
+   * milliseconds since the Unix epoch, master's clock; 0 when there is no end.
+   */
+  expiresMs: number;
+  /** Name of the master, as people see it. */
+  masterName: string;
+}
+
+/**
+ * Asks what a token is good for, before anybody joins with it. Rule AC-16.
+ *
+ * `ubii.extension.JoinCheckRequest`
+ */
+export interface JoinCheckRequest {
+  /** A token, or a code as somebody typed it. Empty: asks about the caller as it is. */
+  token: string;
+}
+
+/**
+ * Why somebody is not let in, as part of an error. Rule AC-12.
+ *
+ * `ubii.extension.JoinRefusal`
+ */
+export interface JoinRefusal {
+  /** Not JOIN_PROBLEM_NONE. */
+  problem: JoinProblem;
 }
 
 /**
@@ -1850,6 +2048,8 @@ export interface ErrorMessage {
   code: string;
   /** Of a session that was refused: all that is wrong with it. Rules SE-3 and EX-24. */
   problems: SessionProblem[];
+  /** Why somebody is not let in, when that is what the error is about. Rule AC-12. */
+  join: JoinRefusal | undefined;
 }
 
 /**
@@ -2172,6 +2372,14 @@ export interface ServiceReply {
   moduleVersionList?: ModuleVersionList | undefined;
   /** What the master was started with. Rule EX-50. */
   settingList?: SettingList | undefined;
+  /** What a token is good for. Rule AC-16. */
+  joinCheck?: JoinCheck | undefined;
+  /** Leave to join, with its secrets. Rule AC-11. */
+  accessGrantCreated?: AccessGrantCreated | undefined;
+  /** Leave to join. Rule AC-15. */
+  accessGrant?: AccessGrant | undefined;
+  /** All leave to join. Rule AC-14. */
+  accessGrantList?: AccessGrantList | undefined;
 }
 
 /**
@@ -2232,6 +2440,12 @@ export interface ServiceRequest {
   logRequest?: LogRequest | undefined;
   /** Which versions of which module are wanted. Rule EX-40. */
   moduleVersionRequest?: ModuleVersionRequest | undefined;
+  /** A token to be checked. Rule AC-16. */
+  joinCheckRequest?: JoinCheckRequest | undefined;
+  /** Leave to join that is wanted. Rule AC-10. */
+  accessGrantCreateRequest?: AccessGrantCreateRequest | undefined;
+  /** Leave to join that is taken back. Rule AC-15. */
+  accessGrantRevokeRequest?: AccessGrantRevokeRequest | undefined;
 }
 
 /**
@@ -2589,6 +2803,11 @@ export interface MessageTypes {
   'ubii.devices.TopicDemuxList': TopicDemuxList;
   'ubii.devices.TopicMux': TopicMux;
   'ubii.devices.TopicMuxList': TopicMuxList;
+  'ubii.extension.AccessGrant': AccessGrant;
+  'ubii.extension.AccessGrantCreateRequest': AccessGrantCreateRequest;
+  'ubii.extension.AccessGrantCreated': AccessGrantCreated;
+  'ubii.extension.AccessGrantList': AccessGrantList;
+  'ubii.extension.AccessGrantRevokeRequest': AccessGrantRevokeRequest;
   'ubii.extension.ClientActivity': ClientActivity;
   'ubii.extension.ClientDisconnectRequest': ClientDisconnectRequest;
   'ubii.extension.ClientExtension': ClientExtension;
@@ -2598,6 +2817,9 @@ export interface MessageTypes {
   'ubii.extension.ClientSubscription': ClientSubscription;
   'ubii.extension.ClientThrottle': ClientThrottle;
   'ubii.extension.ClientThrottleRequest': ClientThrottleRequest;
+  'ubii.extension.JoinCheck': JoinCheck;
+  'ubii.extension.JoinCheckRequest': JoinCheckRequest;
+  'ubii.extension.JoinRefusal': JoinRefusal;
   'ubii.extension.Limit': Limit;
   'ubii.extension.LimitList': LimitList;
   'ubii.extension.LimitUse': LimitUse;

@@ -34,11 +34,26 @@ enum ubii.devices.Component.IOType
 enum ubii.devices.Device.DeviceType
 0 PARTICIPANT
 1 WATCHER
+enum ubii.extension.AccessRole
+0 ACCESS_ROLE_NONE
+1 ACCESS_ROLE_ADMIN
+2 ACCESS_ROLE_PARTICIPANT
+3 ACCESS_ROLE_PLAYER
+4 ACCESS_ROLE_VIEWER
 enum ubii.extension.ClientActivity.AddressKind
 0 UNKNOWN
 1 LOOPBACK
 2 PRIVATE
 3 PUBLIC
+enum ubii.extension.JoinProblem
+0 JOIN_PROBLEM_NONE
+1 JOIN_PROBLEM_MISSING
+2 JOIN_PROBLEM_WRONG
+3 JOIN_PROBLEM_EXPIRED
+4 JOIN_PROBLEM_REVOKED
+5 JOIN_PROBLEM_USED
+6 JOIN_PROBLEM_GUESSING
+7 JOIN_PROBLEM_ROLE
 enum ubii.extension.LogLevel
 0 LOG_ERROR
 1 LOG_WARN
@@ -304,6 +319,40 @@ message ubii.devices.TopicMux
 1003 identity_group int32
 message ubii.devices.TopicMuxList
 1 elements ubii.devices.TopicMux *
+message ubii.extension.AccessGrant
+1 id string
+2 label string
+3 role ubii.extension.AccessRole
+4 target string
+5 created_ms double
+6 expires_ms double
+7 max_joins int32
+8 read_topics string *
+9 write_topics string *
+10 revoked_ms double
+11 joins int32
+12 client_ids string *
+13 is_terminal bool
+14 code_expires_ms double
+message ubii.extension.AccessGrantCreateRequest
+1 client_id string
+2 label string
+3 role ubii.extension.AccessRole
+4 target string
+5 lifetime_ms double
+6 max_joins int32
+7 read_topics string *
+8 write_topics string *
+message ubii.extension.AccessGrantCreated
+1 grant ubii.extension.AccessGrant
+2 token string
+3 code string
+message ubii.extension.AccessGrantList
+1 elements ubii.extension.AccessGrant *
+message ubii.extension.AccessGrantRevokeRequest
+1 client_id string
+2 grant_id string
+3 reason string
 message ubii.extension.ClientActivity
 1 client_id string
 2 first_seen_ms double
@@ -336,6 +385,8 @@ message ubii.extension.ClientActivity
 29 address_kind ubii.extension.ClientActivity.AddressKind
 30 throttle ubii.extension.ClientThrottle
 31 work_share double
+40 role ubii.extension.AccessRole
+41 grant_id string
 message ubii.extension.ClientDisconnectRequest
 1 client_id string
 2 target_id string
@@ -347,6 +398,9 @@ message ubii.extension.ClientExtension
 4 master_version string
 5 node ubii.extension.NodeExtension
 6 library string
+10 credential string
+11 credential_expires_ms double
+12 role ubii.extension.AccessRole
 message ubii.extension.ClientRenameRequest
 1 client_id string
 2 target_id string
@@ -375,6 +429,17 @@ message ubii.extension.ClientThrottleRequest
 2 target_id string
 3 records_per_second double
 4 reason string
+message ubii.extension.JoinCheck
+1 role ubii.extension.AccessRole
+2 problem ubii.extension.JoinProblem
+3 message string
+4 target string
+5 expires_ms double
+6 master_name string
+message ubii.extension.JoinCheckRequest
+1 token string
+message ubii.extension.JoinRefusal
+1 problem ubii.extension.JoinProblem
 message ubii.extension.Limit
 1 name string
 2 value double
@@ -588,6 +653,7 @@ message ubii.general.Error
 3 stack string
 1000 code string
 1001 problems ubii.extension.SessionProblem *
+1002 join ubii.extension.JoinRefusal
 message ubii.general.ErrorList
 1 elements ubii.general.Error *
 message ubii.general.Success
@@ -698,6 +764,10 @@ message ubii.services.ServiceReply
 1005 log_tail ubii.extension.LogTail type
 1006 module_version_list ubii.extension.ModuleVersionList type
 1007 setting_list ubii.extension.SettingList type
+1020 join_check ubii.extension.JoinCheck type
+1021 access_grant_created ubii.extension.AccessGrantCreated type
+1022 access_grant ubii.extension.AccessGrant type
+1023 access_grant_list ubii.extension.AccessGrantList type
 message ubii.services.ServiceRequest
 1 topic string
 2 client ubii.clients.Client type
@@ -725,6 +795,9 @@ message ubii.services.ServiceRequest
 1005 client_throttle_request ubii.extension.ClientThrottleRequest type
 1006 log_request ubii.extension.LogRequest type
 1007 module_version_request ubii.extension.ModuleVersionRequest type
+1020 join_check_request ubii.extension.JoinCheckRequest type
+1021 access_grant_create_request ubii.extension.AccessGrantCreateRequest type
+1022 access_grant_revoke_request ubii.extension.AccessGrantRevokeRequest type
 message ubii.services.request.TopicSubscription
 1 client_id string
 2 subscribe_topics string *

@@ -88,11 +88,14 @@ describe('toJson [SV-4]', () => {
     const subscription = toJson('ubii.services.request.TopicSubscription', { maxRateHz: 0 });
     expect(subscription).not.toHaveProperty('maxRateHz');
     expect(toJson('ubii.clients.Client', { extension: {} })['extension']).toEqual({
+      credential: '',
+      credentialExpiresMs: 0,
       recordLists: false,
       resumeToken: '',
       resumed: false,
       masterVersion: '',
       library: '',
+      role: 'ACCESS_ROLE_NONE',
     });
   });
 });

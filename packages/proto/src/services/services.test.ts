@@ -43,6 +43,10 @@ describe('the service table', () => {
       '/services/ubii/setting_list',
       '/services/ubii/log_tail',
       '/services/ubii/module_version_list',
+      '/services/ubii/join_check',
+      '/services/ubii/access_grant_create',
+      '/services/ubii/access_grant_list',
+      '/services/ubii/access_grant_revoke',
     ]);
   });
 

@@ -1,4 +1,5 @@
 import type { ServiceReply, ServiceRequest } from '../generated/messages.ts';
+import { ACCESS_SERVICES } from './access-services.ts';
 import { withoutPayload, withOptionalPayload, withPayload } from './define-service.ts';
 import { OPERATION_SERVICES } from './operation-services.ts';
 import { PROCESSING_MODULE_SERVICES } from './processing-module-services.ts';
@@ -144,6 +145,7 @@ export const SERVICES = {
     'Lets the held session with the given id run on.',
   ),
   ...OPERATION_SERVICES,
+  ...ACCESS_SERVICES,
   ...PROCESSING_MODULE_SERVICES,
   ...SESSION_SERVICES,
   ...TOPIC_MAPPING_SERVICES,

@@ -85,6 +85,7 @@ describe('frames', () => {
       stack: '',
       code: 'internal',
       problems: [],
+      join: undefined,
     };
     const [frame] = parseFrames(errorFrame(error));
     expect(decodeTopicData(frame?.payload ?? new Uint8Array()).error).toMatchObject(error);
