@@ -1,5 +1,6 @@
 import type { RouteRecordRaw } from 'vue-router';
 import { callsRoutes } from './calls/routes.ts';
+import { clientsRoutes } from './clients/routes.ts';
 import { examplesRoutes } from './examples/routes.ts';
 import { graphRoutes } from './graph/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
@@ -30,6 +31,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...topicsRoutes,
   ...publishRoutes,
   ...callsRoutes,
+  ...clientsRoutes,
   ...performanceRoutes,
   ...examplesRoutes,
   {

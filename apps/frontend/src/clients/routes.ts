@@ -1,6 +1,19 @@
-import type { RouteLocationRaw } from 'vue-router';
+import type { RouteLocationRaw, RouteRecordRaw } from 'vue-router';
 
-/** Where a client is shown. The address can be shared; some programs have ids that are no UUIDs. */
-export function clientLocation(clientId: string): RouteLocationRaw {
-  return { path: `/clients/${encodeURIComponent(clientId).replaceAll('.', '%2E')}` };
-}
+/** The path of a client's own address. Some programs have ids that are no UUIDs. */
+export const clientPath = (clientId: string): string =>
+  `/clients/${encodeURIComponent(clientId).replaceAll('.', '%2E')}`;
+
+/** Where a client is shown. The address can be shared. */
+export const clientLocation = (clientId: string): RouteLocationRaw => ({
+  path: clientPath(clientId),
+});
+
+export const clientsRoutes: readonly RouteRecordRaw[] = [
+  {
+    // Filters, order and view stand in the query; see filter/client-filter.ts.
+    path: '/clients/:id?',
+    component: () => import('./ClientsPage.vue'),
+    meta: { title: 'Clients' },
+  },
+];

@@ -1,6 +1,7 @@
 import { createClient, createTabIdentity } from '@ubii/client-web';
 import { useLocalStorage } from '@vueuse/core';
 import { computed, shallowRef, watch } from 'vue';
+import { adoptName } from './adopt-name.ts';
 import { describeAgent } from './agent-description.ts';
 import { createClientReportsStore } from './client-reports-store.ts';
 import { createClientsStore } from './clients-store.ts';
@@ -39,6 +40,8 @@ export function createConnection(): Connection {
   );
 
   watch(name, (next) => void client.rename(next));
+  const clients = createClientsStore(client, isConnected);
+  adoptName(client, clients, name, Date.now);
   watch(publishIntervalMs, (next) => client.setPublishIntervalMs(next));
 
   function connect(): void {
@@ -62,7 +65,7 @@ export function createConnection(): Connection {
     name,
     publishIntervalMs,
     master: createMasterStatusStore(client, isConnected, Date.now),
-    clients: createClientsStore(client, isConnected),
+    clients,
     reports: createClientReportsStore(client, isConnected),
     topics: createTopicStatisticsStore(client, isConnected, Date.now),
     sessions: createSessionsStore(client, isConnected),

@@ -1,4 +1,13 @@
-import { Activity, Blocks, House, ListTree, Settings, Shapes, Workflow } from '@lucide/vue';
+import {
+  Activity,
+  Blocks,
+  House,
+  ListTree,
+  Settings,
+  Shapes,
+  MonitorSmartphone,
+  Workflow,
+} from '@lucide/vue';
 import type { Component } from 'vue';
 
 /** A page of the navigation. Only pages that exist stand here. */
@@ -16,6 +25,13 @@ export const PAGES: readonly NavigationPage[] = [
   { title: 'Sessions', to: '/sessions', icon: Workflow, shortcut: 'G N' },
   { title: 'Modules', to: '/modules', icon: Blocks, shortcut: 'G M', isBehindMore: true },
   { title: 'Topics', to: '/topics', icon: ListTree, shortcut: 'G T' },
+  {
+    title: 'Clients',
+    to: '/clients',
+    icon: MonitorSmartphone,
+    shortcut: 'G C',
+    isBehindMore: true,
+  },
   {
     title: 'Performance',
     to: '/performance',

@@ -92,7 +92,7 @@ describe('matchShortcut', () => {
   });
 
   it('lets a key that completes no pair begin anew', () => {
-    expect(matchShortcut('G', 'c').shortcut?.text).toBe('Connect a phone');
+    expect(matchShortcut('G', '/').shortcut?.text).toBe('Find or do anything');
     expect(matchShortcut('G', 'g')).toEqual({ pending: 'G' });
     expect(matchShortcut('G', 'Escape')).toEqual({});
   });

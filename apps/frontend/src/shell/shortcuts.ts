@@ -27,8 +27,8 @@ export const ROW_KEYS: readonly { readonly keys: string; readonly text: string }
   { keys: '↑ ↓', text: 'Go from row to row' },
   { keys: 'Enter', text: 'Open it' },
   { keys: 'Space', text: 'Start, pause or resume a session' },
-  { keys: 'F2', text: 'Rename a session' },
-  { keys: 'Del', text: 'Delete a session or a stored module' },
+  { keys: 'F2', text: 'Rename a session or a client' },
+  { keys: 'Del', text: 'Delete a session or a stored module, disconnect a client' },
 ];
 
 /** How long the second key of a pair may take, milliseconds. */

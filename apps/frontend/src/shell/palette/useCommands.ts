@@ -19,6 +19,7 @@ import {
 import { useClipboard } from '@vueuse/core';
 import { computed, type ComputedRef } from 'vue';
 import { useRouter } from 'vue-router';
+import { clientPath } from '../../clients/routes.ts';
 import { bestAddress } from '../../connect-phone/addresses.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { EXAMPLES } from '../../examples/catalogue.ts';
@@ -214,7 +215,7 @@ export function useCommands(): ComputedRef<Command[]> {
       title: name || id,
       detail: description,
       letter: playerIdentity(id, name).letter,
-      run: go(`/topics?client=${encodeURIComponent(id)}`),
+      run: go(clientPath(id)),
     })),
   );
 

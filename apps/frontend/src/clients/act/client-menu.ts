@@ -1,0 +1,32 @@
+import { Copy, Gauge, ListTree, Pencil, Unplug, Zap } from '@lucide/vue';
+import type { MenuItem } from '../../ui/UiMenu.vue';
+import type { ClientView } from '../model/client-view.ts';
+
+/** What a menu of a client can lead to. */
+export type ClientIntent =
+  'identify' | 'rename' | 'topics' | 'copy-id' | 'throttle' | 'unthrottle' | 'disconnect';
+
+/** The menu of one client. What cannot be taken back stands last. */
+export function clientMenu(
+  view: ClientView,
+  run: (intent: ClientIntent, view: ClientView) => void,
+): readonly MenuItem[] {
+  const does = (intent: ClientIntent) => () => run(intent, view);
+  const isThrottled = view.activity?.throttle !== undefined;
+  return [
+    { text: 'Identify', icon: Zap, disabled: view.isSelf, run: does('identify') },
+    { text: 'Rename', icon: Pencil, shortcut: 'F2', run: does('rename') },
+    { text: 'Its topics', icon: ListTree, run: does('topics') },
+    { text: 'Copy its id', icon: Copy, run: does('copy-id') },
+    { kind: 'separator' },
+    { text: isThrottled ? 'Change throttle' : 'Throttle', icon: Gauge, run: does('throttle') },
+    ...(isThrottled ? [{ text: 'Lift throttle', icon: Gauge, run: does('unthrottle') }] : []),
+    {
+      text: 'Disconnect',
+      icon: Unplug,
+      shortcut: 'Del',
+      danger: true,
+      run: does('disconnect'),
+    },
+  ];
+}

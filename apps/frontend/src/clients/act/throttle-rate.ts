@@ -1,0 +1,27 @@
+/** The slowest throttle: a record in ten seconds. [EX-31] */
+const SLOWEST = 0.1;
+
+/** Records per second from what a person wrote, or what is wrong with it, one sentence. */
+export function readThrottleRate(
+  text: string,
+): { readonly rate: number } | { readonly problem: string } {
+  const written = text.trim().replace(',', '.');
+  const rate = Number(written);
+  if (written === '' || !Number.isFinite(rate)) {
+    return { problem: 'Write how many records per second, such as 30.' };
+  }
+  if (rate < SLOWEST) {
+    return {
+      problem: `The slowest is ${SLOWEST}: a record in ten seconds. To stop it, disconnect it.`,
+    };
+  }
+  return { rate };
+}
+
+/** A rate worth trying first: half of what it publishes now, in a round number. */
+export function suggestThrottleRate(recordsPerSecond: number): number {
+  const half = recordsPerSecond / 2;
+  if (half < 1) return 1;
+  const step = 10 ** Math.floor(Math.log10(half));
+  return Math.max(1, Math.floor(half / step) * step);
+}

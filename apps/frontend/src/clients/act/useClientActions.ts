@@ -1,0 +1,83 @@
+import { ConnectionError } from '@ubii/client-web';
+import { identifyTopic, ServiceError, type ClientSubscription } from '@ubii/proto';
+import { shallowRef, type ShallowRef } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { useToasts } from '../../ui/toasts/toasts.ts';
+import type { ClientView } from '../model/client-view.ts';
+
+/** What people do to clients. Each resolves with whether it was done; if not, `failure` says why. */
+export interface ClientActions {
+  /** Why the last intent failed; stays until the next one. */
+  readonly failure: ShallowRef<string | undefined>;
+  /** Asks a client to show which device it is. [EX-34] */
+  identify(view: ClientView): Promise<boolean>;
+  rename(view: ClientView, name: string): Promise<boolean>;
+  /** @param rate records per second; 0 lifts the throttle */
+  throttle(view: ClientView, rate: number, reason: string): Promise<boolean>;
+  disconnect(view: ClientView, reason: string): Promise<boolean>;
+}
+
+export function useClientActions(): ClientActions {
+  const { client, name, reports } = useConnection();
+  const toasts = useToasts();
+  const failure = shallowRef<string>();
+
+  async function attempt(intent: () => Promise<string>): Promise<boolean> {
+    failure.value = undefined;
+    try {
+      toasts.show(await intent());
+      void reports.refresh();
+      return true;
+    } catch (cause) {
+      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
+      failure.value = cause.message;
+      return false;
+    }
+  }
+
+  return {
+    failure,
+    identify: ({ client: { id }, label }) =>
+      attempt(async () => {
+        const topic = identifyTopic(id);
+        const report = await client.call('clientReport', { clientIds: [id], subscriptions: true });
+        // The value stays on the topic: without a connection it would be shown much later.
+        const [activity] = report.clients;
+        if (activity?.connected !== true) return `${label} has no connection now.`;
+        client.publish(topic, 'string', name.value, { immediate: true });
+        const listens = activity.subscriptions.some((one) => hears(one, topic));
+        return listens
+          ? `${label} was asked to show itself.`
+          : `${label} does not listen for this, so nothing may be seen.`;
+      }),
+    rename: ({ client: { id }, label, isSelf }, next) =>
+      attempt(async () => {
+        if (isSelf) name.value = next.trim();
+        else await client.call('clientRename', { targetId: id, name: next.trim() });
+        return `${label} is called ${next.trim()} now.`;
+      }),
+    throttle: ({ client: { id }, label }, recordsPerSecond, reason) =>
+      attempt(async () => {
+        await client.call('clientThrottle', { targetId: id, recordsPerSecond, reason });
+        return recordsPerSecond === 0
+          ? `${label} is throttled no longer.`
+          : `${label} is throttled to ${recordsPerSecond} records per second.`;
+      }),
+    disconnect: ({ client: { id }, label }, reason) =>
+      attempt(async () => {
+        await client.call('clientDisconnect', { targetId: id, reason });
+        return `${label} is disconnected.`;
+      }),
+  };
+}
+
+/** True when a subscription takes a topic. */
+function hears({ topic, pattern }: ClientSubscription, wanted: string): boolean {
+  if (pattern === '') return topic === wanted;
+  try {
+    return new RegExp(pattern).test(wanted);
+  } catch {
+    // Expressions are the master's kind; a browser may not read one.
+    return false;
+  }
+}

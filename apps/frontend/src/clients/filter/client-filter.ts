@@ -1,0 +1,137 @@
+import { ClientState } from '@ubii/proto';
+import { findClientColumn, type ClientColumnKey } from '../model/client-columns.ts';
+import type { ClientKind, ClientView } from '../model/client-view.ts';
+
+/** Which clients are wanted, and in which order; what stands in the address of the page. */
+export interface ClientWishes {
+  readonly text: string;
+  readonly state: 'here' | 'silent' | 'away' | undefined;
+  readonly kind: ClientKind | undefined;
+  readonly isBroken: boolean;
+  readonly sort: ClientColumnKey;
+  readonly isDescending: boolean;
+  /** `load`: who is hurting us. */
+  readonly view: 'all' | 'load';
+}
+
+export const NO_WISHES: ClientWishes = {
+  text: '',
+  state: undefined,
+  kind: undefined,
+  isBroken: false,
+  sort: 'name',
+  isDescending: false,
+  view: 'all',
+};
+
+const STATES = {
+  here: ClientState.ACTIVE,
+  silent: ClientState.INACTIVE,
+  away: ClientState.UNAVAILABLE,
+};
+const KINDS: readonly string[] = ['phone', 'browser', 'node', 'program'] satisfies ClientKind[];
+
+type Query = Readonly<Record<string, unknown>>;
+
+const first = (value: unknown): string => {
+  const text: unknown = Array.isArray(value) ? value[0] : value;
+  return typeof text === 'string' ? text : '';
+};
+
+/** What an address asks for; what is not understood is left out. */
+export function readWishes(query: Query): ClientWishes {
+  const state = first(query['state']);
+  const kind = first(query['kind']);
+  const column = findClientColumn(first(query['sort'])) ?? findClientColumn(NO_WISHES.sort)!;
+  const order = first(query['order']);
+  return {
+    text: first(query['q']),
+    state: Object.hasOwn(STATES, state) ? (state as keyof typeof STATES) : undefined,
+    kind: KINDS.includes(kind) ? (kind as ClientKind) : undefined,
+    isBroken: first(query['broken']) === '1',
+    sort: column.key,
+    isDescending: order === '' ? column.first === 'descending' : order === 'down',
+    view: first(query['view']) === 'load' ? 'load' : 'all',
+  };
+}
+
+/** The address that asks for it; what is as ever is left out, so that addresses stay short. */
+export function writeWishes(wishes: ClientWishes): Record<string, string> {
+  const column = findClientColumn(wishes.sort)!;
+  const query: Record<string, string> = {};
+  if (wishes.text !== '') query['q'] = wishes.text;
+  if (wishes.state) query['state'] = wishes.state;
+  if (wishes.kind) query['kind'] = wishes.kind;
+  if (wishes.isBroken) query['broken'] = '1';
+  if (wishes.sort !== NO_WISHES.sort) query['sort'] = wishes.sort;
+  if (wishes.isDescending !== (column.first === 'descending')) {
+    query['order'] = wishes.isDescending ? 'down' : 'up';
+  }
+  if (wishes.view !== NO_WISHES.view) query['view'] = wishes.view;
+  return query;
+}
+
+/** True when some clients may be left out. */
+export const isFiltering = ({ text, state, kind, isBroken }: ClientWishes): boolean =>
+  text.trim() !== '' || state !== undefined || kind !== undefined || isBroken;
+
+/** Those that are wanted. Every word of the text has to stand somewhere in what a client says of itself. */
+export function filterClients(
+  views: readonly ClientView[],
+  { text, state, kind, isBroken }: ClientWishes,
+): ClientView[] {
+  const wordsOfText = text.toLocaleLowerCase().split(/\s+/).filter(Boolean);
+  return views.filter(
+    (view) =>
+      (state === undefined || view.client.state === STATES[state]) &&
+      (kind === undefined || view.kinds.has(kind)) &&
+      (!isBroken || view.isBroken) &&
+      (wordsOfText.length === 0 || hasWords(view, wordsOfText)),
+  );
+}
+
+function hasWords({ client, agent, activity }: ClientView, wanted: readonly string[]): boolean {
+  const said = [
+    client.name,
+    client.id,
+    client.description,
+    agent,
+    activity?.library ?? '',
+    ...client.tags,
+    ...client.processingModules.map(({ name }) => name),
+    ...client.devices.flatMap(({ name, components }) => [
+      name,
+      ...components.flatMap((component) => [component.name, component.topic]),
+    ]),
+  ];
+  const text = said.join('\n').toLocaleLowerCase();
+  return wanted.every((word) => text.includes(word));
+}
+
+/** In the order that is wanted; what is not known goes last, and those alike stay in the order of names. */
+export function sortClients(
+  views: readonly ClientView[],
+  { sort, isDescending }: Pick<ClientWishes, 'sort' | 'isDescending'>,
+): ClientView[] {
+  const column = findClientColumn(sort)!;
+  const sign = isDescending ? -1 : 1;
+  return views
+    .map((view) => ({ view, value: column.valueOf(view) }))
+    .sort((a, b) => {
+      if (a.value === undefined || b.value === undefined) {
+        return (
+          Number(a.value === undefined) - Number(b.value === undefined) || byName(a.view, b.view)
+        );
+      }
+      return sign * compare(a.value, b.value) || byName(a.view, b.view);
+    })
+    .map(({ view }) => view);
+}
+
+function compare(a: number | string, b: number | string): number {
+  if (typeof a === 'string' && typeof b === 'string') return a.localeCompare(b);
+  return Number(a) - Number(b);
+}
+
+const byName = (a: ClientView, b: ClientView): number =>
+  a.label.localeCompare(b.label) || a.client.id.localeCompare(b.client.id);

@@ -1,0 +1,57 @@
+import type { Subscription } from '@ubii/client-web';
+import { identifyTopic } from '@ubii/proto';
+import { onScopeDispose, shallowRef, watch, type ShallowRef } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { readCall, type IdentifyCall } from './identify-calls.ts';
+
+const SEEN_KEY = 'ubii.identifySeen';
+const BUZZ_MS = [180, 120, 180];
+/** Calls that follow each other faster are one: a page must not flash all the time. */
+const REST_MS = 3000;
+
+/** The call this page shows now; assign `undefined` to dismiss it. `count` goes up with each flash. */
+export function useIdentifyCalls(): {
+  call: ShallowRef<IdentifyCall | undefined>;
+  count: Readonly<ShallowRef<number>>;
+} {
+  const { client, isConnected } = useConnection();
+  const call = shallowRef<IdentifyCall>();
+  const count = shallowRef(0);
+  const seen = {
+    load: () => sessionStorage.getItem(SEEN_KEY),
+    save: (text: string) => sessionStorage.setItem(SEEN_KEY, text),
+  };
+  let flashedMs = -Infinity;
+
+  function show(next: IdentifyCall): void {
+    call.value = next;
+    const nowMs = performance.now();
+    if (nowMs - flashedMs < REST_MS) return;
+    flashedMs = nowMs;
+    count.value += 1;
+    // Without a touch before, browsers refuse, and complain about it
+    if (navigator.userActivation?.hasBeenActive) navigator.vibrate?.(BUZZ_MS);
+  }
+
+  let subscription: Subscription<'string'> | undefined;
+  let topic = '';
+  // The id comes with the connection, and an original master may give another one.
+  watch(
+    isConnected,
+    (connected) => {
+      if (!connected || topic === identifyTopic(client.id)) return;
+      void subscription?.close();
+      topic = identifyTopic(client.id);
+      subscription = client.subscribe(topic, { format: 'string' }).onRecord((record) => {
+        const next = readCall(record, seen);
+        if (next) show(next);
+      });
+      // Refused by the master: then nobody can find this page by it, and nothing else is lost.
+      subscription.ready.catch(() => undefined);
+    },
+    { immediate: true },
+  );
+  onScopeDispose(() => void subscription?.close());
+
+  return { call, count };
+}

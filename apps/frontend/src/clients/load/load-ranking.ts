@@ -1,0 +1,109 @@
+import type { ClientActivity } from '@ubii/proto';
+import { formatBytes } from '../../ui/readouts/format-bytes.ts';
+import { formatNumber } from '../../ui/readouts/format-number.ts';
+import type { ClientView } from '../model/client-view.ts';
+
+/** By what clients are ranked: share of the master's work, bytes a second, bytes that wait. */
+export type LoadMeasure = 'work' | 'bandwidth' | 'queue';
+
+/** What one client costs the others, why, and what to do about it. */
+export interface ClientLoad {
+  readonly view: ClientView;
+  /** Of the master's work, 0 to 1. */
+  readonly workShare: number;
+  /** Both ways, bytes per second. */
+  readonly bytesPerSecond: number;
+  readonly queuedBytes: number;
+  /** Why it is here, one sentence. */
+  readonly cause: string;
+  /** What can be done, one sentence; empty when there is no need. */
+  readonly remedy: string;
+  readonly isTrouble: boolean;
+  /** Throttling helps only against what a client publishes. */
+  readonly isThrottleUseful: boolean;
+}
+
+/** A client with this share of the work, at least, is worth a thought. */
+const MUCH_WORK = 0.5;
+/** A thread that is less busy than this has room for everybody, percent. */
+const BUSY_PERCENT = 50;
+/** Which of a client's problems tell of load; what is being done about one comes before it. */
+const LOAD_PROBLEMS = ['client_slow', 'client_throttled', 'publisher_noisy'];
+
+/**
+ * Clients that cost something, the most costly first.
+ * @param busyPercent how busy the master's thread is
+ */
+export function rankLoads(
+  views: readonly ClientView[],
+  measure: LoadMeasure,
+  busyPercent: number,
+): ClientLoad[] {
+  return views
+    .flatMap((view) => (view.activity ? [loadOf(view, view.activity, busyPercent)] : []))
+    .filter((load) => load.isTrouble || load.workShare > 0 || load.queuedBytes > 0)
+    .sort(
+      (a, b) =>
+        loadValue(b, measure) - loadValue(a, measure) ||
+        Number(b.isTrouble) - Number(a.isTrouble) ||
+        a.view.label.localeCompare(b.view.label),
+    );
+}
+
+export function loadValue(load: ClientLoad, measure: LoadMeasure): number {
+  if (measure === 'work') return load.workShare;
+  return measure === 'bandwidth' ? load.bytesPerSecond : load.queuedBytes;
+}
+
+function loadOf(view: ClientView, activity: ClientActivity, busyPercent: number): ClientLoad {
+  const { bytesInPerSecond, bytesOutPerSecond, queuedBytes, workShare } = activity;
+  const problem = LOAD_PROBLEMS.map((code) => view.problems.find((one) => one.code === code)).find(
+    (one) => one !== undefined,
+  );
+  const heavy = workShare >= MUCH_WORK && busyPercent >= BUSY_PERCENT;
+  return {
+    view,
+    workShare,
+    bytesPerSecond: bytesInPerSecond + bytesOutPerSecond,
+    queuedBytes,
+    ...(problem
+      ? { cause: withoutName(problem.text, view.label), remedy: problem.remedy }
+      : ownWords(activity, heavy)),
+    isTrouble: problem !== undefined || heavy || activity.queuedRecords > 0,
+    isThrottleUseful: activity.throttle !== undefined || activity.recordsInPerSecond > 0,
+  };
+}
+
+function ownWords(activity: ClientActivity, isHeavy: boolean): { cause: string; remedy: string } {
+  const { recordsInPerSecond, recordsOutPerSecond, bytesInPerSecond, bytesOutPerSecond } = activity;
+  if (activity.queuedRecords > 0) {
+    return {
+      cause: `Takes data more slowly than it comes: ${formatNumber(activity.queuedRecords)} records wait.`,
+      remedy: 'Let it subscribe to less or at a lower rate, or give it a better network.',
+    };
+  }
+  if (recordsInPerSecond >= recordsOutPerSecond) {
+    return {
+      cause: `Publishes ${flow(recordsInPerSecond, bytesInPerSecond)}.`,
+      remedy: isHeavy ? 'Let it publish less often or smaller records, or throttle it.' : '',
+    };
+  }
+  const why = activity.watchesEverything ? ', for one of its devices watches every topic' : '';
+  return {
+    cause: `Receives ${flow(recordsOutPerSecond, bytesOutPerSecond)}${why}.`,
+    remedy: isHeavy ? 'Let it subscribe to less, or at a lower rate.' : '',
+  };
+}
+
+function flow(records: number, bytes: number): string {
+  const { digits, unit } = formatBytes(bytes, 'B/s');
+  const many = Math.round(records);
+  return `${formatNumber(many)} ${many === 1 ? 'record' : 'records'} per second, ${digits} ${unit ?? ''}`;
+}
+
+/** The master's sentence begins with the name, which stands beside it already. */
+function withoutName(text: string, name: string): string {
+  if (!text.startsWith(`${name} `)) return text;
+  const rest = text.slice(name.length + 1);
+  return rest.charAt(0).toLocaleUpperCase() + rest.slice(1);
+}

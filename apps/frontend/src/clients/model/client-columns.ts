@@ -1,0 +1,325 @@
+import { ClientActivityAddressKind, ClientState, type ClientActivity } from '@ubii/proto';
+import { formatBytes } from '../../ui/readouts/format-bytes.ts';
+import { formatNumber } from '../../ui/readouts/format-number.ts';
+import { formatRate } from '../../ui/readouts/format-rate.ts';
+import { formatAge } from '../../ui/readouts/format-time.ts';
+import { NO_VALUE, type Readout } from '../../ui/readouts/readout.ts';
+import type { ClientView } from './client-view.ts';
+
+/** What is known of a client, as a column: in the table while there is room, and to sort by. */
+export interface ClientColumn {
+  readonly key: ClientColumnKey;
+  /** In the head of the table. */
+  readonly head: string;
+  /** In full, where it stands alone. */
+  readonly title: string;
+  /** Pixels in the table; 0 for what is never a column of it. */
+  readonly width: number;
+  /** Which columns stay when there is little room: small ones. */
+  readonly priority: number;
+  /** What comes first when one sorts by it. */
+  readonly first: 'ascending' | 'descending';
+  readonly isText?: boolean;
+  /** To sort by; `undefined` goes last. */
+  valueOf(view: ClientView): number | string | undefined;
+  /** @param nowMs master's clock, epoch milliseconds */
+  show(view: ClientView, nowMs: number): Readout;
+  /** True when it asks for the eye. */
+  isWarning?(view: ClientView): boolean;
+}
+
+export type ClientColumnKey =
+  | 'name'
+  | 'state'
+  | 'trip'
+  | 'in'
+  | 'bytesIn'
+  | 'out'
+  | 'bytesOut'
+  | 'queue'
+  | 'dropped'
+  | 'refused'
+  | 'subscriptions'
+  | 'topics'
+  | 'work'
+  | 'modules'
+  | 'seen'
+  | 'first'
+  | 'throttle'
+  | 'agent'
+  | 'address';
+
+/** Above this, people notice. */
+const SLOW_MS = 50;
+/** Under this, an unchanged number is as good as nothing. */
+const NOTHING = 0.05;
+
+const ADDRESSES: Record<ClientActivity['addressKind'], string> = {
+  [ClientActivityAddressKind.UNKNOWN]: '',
+  [ClientActivityAddressKind.LOOPBACK]: 'this machine',
+  [ClientActivityAddressKind.PRIVATE]: 'local network',
+  [ClientActivityAddressKind.PUBLIC]: 'beyond',
+};
+
+/** Where the other end of a client's socket is, seen from the master; empty when nobody knows. */
+export const addressWords = (kind: ClientActivity['addressKind']): string => ADDRESSES[kind] ?? '';
+
+type Show = (value: number) => Readout;
+const count: Show = (value) => ({ digits: formatNumber(value) });
+const rate: Show = (value) => ({ digits: value < NOTHING ? '0' : formatRate(value) });
+const bytes: Show = (value) => formatBytes(value, '');
+const trip: Show = (ms) => ({ digits: ms < 1 ? '<1' : formatNumber(ms), unit: 'ms' });
+const percent: Show = (share) => ({ digits: formatNumber(share * 100), unit: '%' });
+
+type NumberColumn = Omit<ClientColumn, 'show' | 'valueOf' | 'first' | 'isText'>;
+
+/** A column of a number of the report, the most first. */
+function measured(
+  column: NumberColumn,
+  read: (activity: ClientActivity, view: ClientView) => number | undefined,
+  show: Show,
+): ClientColumn {
+  const valueOf = (view: ClientView): number | undefined =>
+    view.activity && read(view.activity, view);
+  return {
+    ...column,
+    first: 'descending',
+    valueOf,
+    show(view) {
+      const value = valueOf(view);
+      return value === undefined ? NO_VALUE : show(value);
+    },
+  };
+}
+
+/** A moment, as its age: what was last comes first. */
+function moment(column: NumberColumn, read: (activity: ClientActivity) => number): ClientColumn {
+  return {
+    ...column,
+    first: 'descending',
+    valueOf: ({ activity }) => activity && read(activity),
+    show: ({ activity }, nowMs) => {
+      const ms = activity === undefined ? 0 : read(activity);
+      return ms === 0 ? NO_VALUE : formatAge(nowMs - ms);
+    },
+  };
+}
+
+const words = (text: string): Readout => (text === '' ? NO_VALUE : { digits: text });
+
+/** Time to a client and back, milliseconds; `undefined` while it is not here or was not measured. */
+export function tripMs({ client, activity }: ClientView): number | undefined {
+  if (client.state !== ClientState.ACTIVE) return undefined;
+  return activity?.roundTripMs || client.latency || undefined;
+}
+
+const subscriptionsOf = (activity: ClientActivity): number =>
+  activity.topicSubscriptions + activity.patternSubscriptions + activity.componentSubscriptions;
+
+export const CLIENT_COLUMNS: readonly ClientColumn[] = [
+  {
+    key: 'name',
+    head: 'Client',
+    title: 'Name',
+    width: 0,
+    priority: 0,
+    first: 'ascending',
+    isText: true,
+    valueOf: ({ label }) => label.toLocaleLowerCase(),
+    show: ({ label }) => words(label),
+  },
+  {
+    key: 'state',
+    head: 'State',
+    title: 'State',
+    width: 92,
+    priority: 3,
+    first: 'ascending',
+    isText: true,
+    valueOf: ({ client, isBroken }) => (isBroken ? -1 : client.state),
+    show: ({ look }) => words(look.word),
+  },
+  {
+    key: 'trip',
+    head: 'Round trip',
+    title: 'Round trip',
+    width: 76,
+    priority: 2,
+    first: 'descending',
+    valueOf: tripMs,
+    show: (view) => {
+      const ms = tripMs(view);
+      return ms === undefined ? NO_VALUE : trip(ms);
+    },
+    isWarning: (view) => (tripMs(view) ?? 0) > SLOW_MS,
+  },
+  measured(
+    {
+      key: 'in',
+      head: 'Sends /s',
+      title: 'Records it publishes per second',
+      width: 68,
+      priority: 1,
+    },
+    ({ recordsInPerSecond }) => recordsInPerSecond,
+    rate,
+  ),
+  measured(
+    {
+      key: 'bytesIn',
+      head: 'Sends B/s',
+      title: 'Bytes it publishes per second',
+      width: 74,
+      priority: 6,
+    },
+    ({ bytesInPerSecond }) => bytesInPerSecond,
+    bytes,
+  ),
+  measured(
+    {
+      key: 'out',
+      head: 'Gets /s',
+      title: 'Records it receives per second',
+      width: 68,
+      priority: 1,
+    },
+    ({ recordsOutPerSecond }) => recordsOutPerSecond,
+    rate,
+  ),
+  measured(
+    {
+      key: 'bytesOut',
+      head: 'Gets B/s',
+      title: 'Bytes it receives per second',
+      width: 74,
+      priority: 6,
+    },
+    ({ bytesOutPerSecond }) => bytesOutPerSecond,
+    bytes,
+  ),
+  {
+    ...measured(
+      { key: 'queue', head: 'Queue', title: 'Bytes that wait for it', width: 64, priority: 4 },
+      ({ queuedBytes }) => queuedBytes,
+      bytes,
+    ),
+    isWarning: ({ activity }) => (activity?.queuedRecords ?? 0) > 0,
+  },
+  {
+    ...measured(
+      { key: 'dropped', head: 'Dropped', title: 'Records it did not get', width: 64, priority: 5 },
+      ({ dropped }) => dropped,
+      count,
+    ),
+    isWarning: ({ activity }) => (activity?.dropped ?? 0) > 0,
+  },
+  {
+    ...measured(
+      {
+        key: 'refused',
+        head: 'Refused',
+        title: 'Records of its own that were refused',
+        width: 64,
+        priority: 7,
+      },
+      ({ refused }) => refused,
+      count,
+    ),
+    isWarning: ({ activity }) => (activity?.refused ?? 0) > 0,
+  },
+  measured(
+    { key: 'subscriptions', head: 'Subscr.', title: 'Subscriptions', width: 60, priority: 7 },
+    subscriptionsOf,
+    count,
+  ),
+  measured(
+    {
+      key: 'topics',
+      head: 'Topics',
+      title: 'Topics with a value of its own',
+      width: 56,
+      priority: 9,
+    },
+    ({ ownedTopics }) => ownedTopics,
+    count,
+  ),
+  measured(
+    { key: 'work', head: 'Work', title: 'Share of the master’s work', width: 56, priority: 5 },
+    ({ workShare }) => workShare,
+    percent,
+  ),
+  {
+    key: 'modules',
+    head: 'Modules',
+    title: 'Modules it offers',
+    width: 62,
+    priority: 10,
+    first: 'descending',
+    valueOf: ({ client }) => client.processingModules.length,
+    show: ({ client }) => count(client.processingModules.length),
+  },
+  moment(
+    { key: 'seen', head: 'Seen', title: 'Last seen', width: 62, priority: 8 },
+    ({ lastSeenMs }) => lastSeenMs,
+  ),
+  moment(
+    { key: 'first', head: 'Since', title: 'First seen', width: 62, priority: 9 },
+    ({ firstSeenMs }) => firstSeenMs,
+  ),
+  {
+    ...measured(
+      { key: 'throttle', head: 'Throttle', title: 'Throttle in force', width: 0, priority: 0 },
+      ({ throttle }) => throttle?.recordsPerSecond,
+      (value) => ({ digits: formatRate(value), unit: '/s' }),
+    ),
+    isWarning: ({ activity }) => activity?.throttle !== undefined,
+  },
+  {
+    key: 'agent',
+    head: 'Agent',
+    title: 'Browser or library',
+    width: 0,
+    priority: 0,
+    first: 'ascending',
+    isText: true,
+    valueOf: ({ agent }) => agent.toLocaleLowerCase() || undefined,
+    show: ({ agent }) => words(agent),
+  },
+  {
+    key: 'address',
+    head: 'Address',
+    title: 'How near it is',
+    width: 92,
+    priority: 11,
+    first: 'ascending',
+    isText: true,
+    valueOf: ({ activity }) =>
+      activity ? addressWords(activity.addressKind) || undefined : undefined,
+    show: ({ activity }) => words(activity ? addressWords(activity.addressKind) : ''),
+  },
+];
+
+const BY_KEY = new Map(CLIENT_COLUMNS.map((column) => [column.key as string, column]));
+
+export const clientColumn = (key: ClientColumnKey): ClientColumn => BY_KEY.get(key)!;
+
+/** The column of this key, or `undefined` for a text that is none. */
+export const findClientColumn = (key: string): ClientColumn | undefined => BY_KEY.get(key);
+
+/** Pixels that the name and what stands at the ends of a row need. */
+const NAME_WIDTH = 300;
+
+/** The columns beside the name that fit, the most useful of them, in their order. */
+export function columnsThatFit(width: number): readonly ClientColumn[] {
+  const wanted = CLIENT_COLUMNS.filter((column) => column.width > 0).sort(
+    (a, b) => a.priority - b.priority,
+  );
+  let left = width - NAME_WIDTH;
+  const taken = new Set<ClientColumn>();
+  for (const column of wanted) {
+    if (column.width > left) break;
+    left -= column.width;
+    taken.add(column);
+  }
+  return CLIENT_COLUMNS.filter((column) => taken.has(column));
+}

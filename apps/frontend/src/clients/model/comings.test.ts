@@ -1,0 +1,44 @@
+import { StatusEventKind, type StatusEvent } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { aClient } from '../testing/a-client.ts';
+import { Comings, comingWords } from './comings.ts';
+
+const anna = aClient('a', { name: 'Anna' });
+const robot = aClient('r', { name: 'Robot' });
+
+describe('Comings', () => {
+  it('tells who left, and who is back as the same client', () => {
+    const comings = new Comings();
+    expect(comings.next([anna, robot])).toEqual([]);
+    expect(comings.next([anna])).toEqual([{ kind: 'left', clientId: 'r', name: 'Robot' }]);
+    expect(comings.next([anna, robot])).toEqual([{ kind: 'back', clientId: 'r', name: 'Robot' }]);
+  });
+
+  it('recognises a newcomer by the name of one who left, once', () => {
+    const comings = new Comings();
+    comings.next([robot]);
+    comings.next([]);
+    const again = aClient('r2', { name: 'Robot' });
+    expect(comings.next([again])).toEqual([
+      { kind: 'back', clientId: 'r2', name: 'Robot', isNew: true },
+    ]);
+    expect(comings.next([again, aClient('r3', { name: 'Robot' })])).toEqual([]);
+  });
+});
+
+describe('comingWords', () => {
+  const event = { clientId: 'r', timeMs: 1, text: 'Robot was disconnected by Mara: too loud' };
+
+  it('says who disconnected it, when somebody did', () => {
+    const left = { kind: 'left', clientId: 'r', name: 'Robot' } as const;
+    const disconnected: StatusEvent = { ...event, kind: StatusEventKind.CLIENT_DISCONNECTED };
+    expect(comingWords(left, [])).toBe('Robot has left.');
+    expect(comingWords(left, [disconnected])).toBe('Robot was disconnected by Mara: too loud.');
+  });
+
+  it('says that it is back', () => {
+    const back = { kind: 'back', clientId: 'r', name: 'Robot' } as const;
+    expect(comingWords(back, [])).toBe('Robot is back.');
+    expect(comingWords({ ...back, isNew: true }, [])).toContain('as a new client');
+  });
+});

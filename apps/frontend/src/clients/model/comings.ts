@@ -1,0 +1,53 @@
+import { StatusEventKind, type Client, type StatusEvent } from '@ubii/proto';
+
+/** Somebody left or came back while the page was open. */
+export interface Coming {
+  readonly kind: 'left' | 'back';
+  readonly clientId: string;
+  readonly name: string;
+  /** A newcomer with the name of one who left. */
+  readonly isNew?: boolean;
+}
+
+/** Tells who left and who came back from one list of clients to the next. */
+export class Comings {
+  #present: ReadonlyMap<string, string> | undefined;
+  /** Names of those who left, by id; the latest last. */
+  readonly #gone = new Map<string, string>();
+
+  /** What happened since the list before. The first list is how it is, and no news. */
+  next(clients: readonly Client[]): Coming[] {
+    const present = new Map(clients.map(({ id, name }) => [id, name || id]));
+    const before = this.#present;
+    this.#present = present;
+    if (before === undefined) return [];
+    const news: Coming[] = [];
+    for (const [clientId, name] of before) {
+      if (present.has(clientId)) continue;
+      this.#gone.set(clientId, name);
+      news.push({ kind: 'left', clientId, name });
+    }
+    for (const [clientId, name] of present) {
+      if (before.has(clientId)) continue;
+      if (this.#gone.delete(clientId)) news.push({ kind: 'back', clientId, name });
+      else if (this.#takeName(name)) news.push({ kind: 'back', clientId, name, isNew: true });
+    }
+    return news;
+  }
+
+  #takeName(name: string): boolean {
+    const found = [...this.#gone].find(([, gone]) => gone === name);
+    return found !== undefined && this.#gone.delete(found[0]);
+  }
+}
+
+/** @param events oldest first: the master knows who did it */
+export function comingWords(coming: Coming, events: readonly StatusEvent[]): string {
+  const { kind, name, clientId } = coming;
+  if (kind === 'back') {
+    return coming.isNew ? `${name} is here again, as a new client.` : `${name} is back.`;
+  }
+  const last = events.findLast((event) => event.clientId === clientId);
+  if (last?.kind === StatusEventKind.CLIENT_DISCONNECTED) return `${last.text}.`;
+  return `${name} has left.`;
+}

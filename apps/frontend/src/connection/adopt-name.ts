@@ -1,0 +1,30 @@
+import type { UbiiClient } from '@ubii/client-web';
+import { watch, type Ref } from 'vue';
+import type { ClientsStore } from './clients-store.ts';
+
+/** What this page said itself comes back as an announcement within this time, milliseconds. */
+const ECHO_MS = 5000;
+
+/**
+ * Takes over the name that somebody else gave this page, so that it calls itself as others see it.
+ * [EX-29] Echoes of what it said itself are not taken: two that follow each other would chase for ever.
+ * @param nowMs this machine's clock
+ */
+export function adoptName(
+  client: Pick<UbiiClient, 'id'>,
+  clients: Pick<ClientsStore, 'list' | 'find'>,
+  name: Ref<string>,
+  nowMs: () => number,
+): void {
+  const said = new Map<string, number>();
+  let announced: string | undefined;
+  watch(name, (next) => said.set(next, nowMs()), { immediate: true, flush: 'sync' });
+  watch(clients.list, () => {
+    const own = clients.find(client.id)?.name;
+    if (own === undefined || own === '' || own === announced) return;
+    const isFirst = announced === undefined;
+    announced = own;
+    for (const [text, saidMs] of said) if (nowMs() - saidMs > ECHO_MS) said.delete(text);
+    if (!isFirst && own !== name.value && !said.has(own)) name.value = own;
+  });
+}
