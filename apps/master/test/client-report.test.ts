@@ -46,6 +46,21 @@ describe('the client report', () => {
     expect(await of(ada)).toMatchObject({ recordsIn: 10, recordsInPerSecond: 0, workShare: 0 });
   });
 
+  it('has what a client said of its clock [TS-10]', async () => {
+    const { master, ada, ben, of } = await createRoom();
+    ada.socket.handleText('PING 1');
+    expect((await of(ada)).clock).toBeUndefined();
+    ada.socket.handleText('PING 2 -3600000.500 0.250 -12.5');
+    master.clock.advance(300);
+    expect((await of(ada)).clock).toEqual({
+      offsetMs: -3600000.5,
+      errorMs: 0.25,
+      driftPpm: -12.5,
+      ageMs: 300,
+    });
+    expect((await of(ben)).clock).toBeUndefined();
+  });
+
   it('says when it came, when it was heard of, and how far away it is [EX-25]', async () => {
     const { master, ada, of } = await createRoom();
     const startedMs = master.clock.nowMs();

@@ -174,8 +174,8 @@ class PeerConnection implements ClientConnection {
     this.#peer.sendText('PING');
   }
 
-  sendPong(): void {
-    this.#peer.sendText('PONG');
+  sendPong(text = 'PONG'): void {
+    this.#peer.sendText(text);
   }
 
   close(code: number, reason: string): void {

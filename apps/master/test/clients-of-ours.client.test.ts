@@ -300,3 +300,17 @@ describe('a client of ours that leaves', () => {
     );
   });
 });
+
+describe('the time of the master', () => {
+  it('is known to its clients, and the master knows how well [TS-1] [TS-10]', async () => {
+    const { world, ada } = await setupTwo();
+    await world.pass(5_000);
+    expect(ada.client.masterTime.nowMs()).toBe(world.clock.nowMs());
+    const { clientReport } = await world.test.call({
+      topic: '/services/ubii/client_report',
+      clientReportRequest: { clientIds: [ada.client.id] },
+    });
+    expect(clientReport?.clients[0]?.clock).toMatchObject({ offsetMs: 0, driftPpm: 0 });
+    expect(clientReport?.clients[0]?.clock?.errorMs).toBeGreaterThan(0);
+  });
+});

@@ -25,14 +25,25 @@ describe('the topic-data socket', () => {
     expect(ada.takeSent()).toEqual([{ kind: 'PONG' }]);
   });
 
-  it.each(['ping', 'PONG ', '', '{"topic":"/a"}', 'x'.repeat(100_000)])(
-    'calls other text a protocol error: %.20j [TD-2]',
-    async (other) => {
-      const { ada } = await withAda();
-      ada.socket.handleText(other);
-      expect(ada.takeErrors()).toMatchObject([{ code: 'invalid_argument', stack: '' }]);
-    },
-  );
+  it('answers a numbered PING with its time [TS-2]', async () => {
+    const { master, ada } = await withAda();
+    const now = master.clock.nowMs().toFixed(3);
+    ada.socket.handleText('PING 17');
+    ada.socket.handleText('PING 18 -1700000000000.125 0.250 -12.5');
+    expect(ada.takeSent()).toEqual([
+      { kind: 'PONG', text: `PONG 17 ${now} ${now}` },
+      { kind: 'PONG', text: `PONG 18 ${now} ${now}` },
+    ]);
+  });
+
+  it.each([
+    ...['ping', 'PONG ', '', '{"topic":"/a"}', 'x'.repeat(100_000)],
+    ...['PING ', 'PING x', 'PING 1 2', 'PING 1 2 3 4 5', 'PING 1 NaN 1 1', 'PING 12345678901'],
+  ])('calls other text a protocol error: %.20j [TD-2]', async (other) => {
+    const { ada } = await withAda();
+    ada.socket.handleText(other);
+    expect(ada.takeErrors()).toMatchObject([{ code: 'invalid_argument', stack: '' }]);
+  });
 
   it('sends single records to a legacy client, whatever it publishes [TD-3]', async () => {
     const { master, ada } = await withAda();

@@ -163,6 +163,7 @@ describe('registration', () => {
       resumeToken: `token-of-${ben.id}`,
       resumed: false,
       masterVersion: '1.2.3',
+      tellsTime: true,
     });
   });
 

@@ -42,6 +42,7 @@ export type { ReconnectPolicy } from './core/reconnect-policy.ts';
 export type { ClientProfile } from './core/registration.ts';
 export type { RoundTrip } from './core/round-trip.ts';
 export type { SubscribeOptions, Subscription } from './core/subscription.ts';
+export type { MasterTime, MasterTimeEstimate } from './core/time/master-time.ts';
 export type { TopicPattern } from './core/topic-pattern.ts';
 export type {
   ClientProblem,

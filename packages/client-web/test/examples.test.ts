@@ -89,6 +89,13 @@ describe('the examples', { timeout: TIMEOUT_MS }, () => {
         'refused: not_found',
       ],
     ],
+    [
+      'master-time.ts',
+      [
+        expect.stringMatching(/^the clock of the master is (ahead|behind)$/) as string,
+        'the record came soon',
+      ],
+    ],
     ['device.ts', ['touched at 0.25, 0.75', 'vibrates with 1']],
   ])('%s says what it should', async (name, expected) => {
     expect(await run(name, master.url).output).toEqual(expected);

@@ -23,6 +23,10 @@ export class FakeClock implements Clock {
     return this.#nowMs;
   }
 
+  preciseMs(): number {
+    return this.#nowMs;
+  }
+
   monotonicMs(): number {
     return this.#nowMs - this.#startMs;
   }

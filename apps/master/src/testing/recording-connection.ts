@@ -9,7 +9,7 @@ export type Sent =
   | { readonly kind: 'error'; readonly error: ErrorMessage }
   | { readonly kind: 'frame'; readonly frame: Uint8Array }
   | { readonly kind: 'PING' }
-  | { readonly kind: 'PONG' }
+  | { readonly kind: 'PONG'; readonly text?: string }
   | { readonly kind: 'close'; readonly code: number; readonly reason: string };
 
 /** A pipe without another end: keeps what it is given, and can be told to take nothing. */
@@ -53,8 +53,8 @@ export class RecordingConnection implements ClientConnection {
     this.#add({ kind: 'PING' });
   }
 
-  sendPong(): void {
-    this.#add({ kind: 'PONG' });
+  sendPong(text?: string): void {
+    this.#add(text === undefined ? { kind: 'PONG' } : { kind: 'PONG', text });
   }
 
   close(code: number, reason: string): void {

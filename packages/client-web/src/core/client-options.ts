@@ -28,6 +28,8 @@ export interface ClientOptions {
   readonly identity?: IdentityStorage;
   /** Records are collected this long and sent as one frame, milliseconds; 0: until the end of the turn. @default 15 */
   readonly publishIntervalMs?: number;
+  /** Stamp records in the master's time, not this machine's, where nobody says otherwise. [TS-9] @default false */
+  readonly stampInMasterTime?: boolean;
   /** A service call, and each step of connecting, may take this long, milliseconds. @default 10000 */
   readonly serviceTimeoutMs?: number;
   /** When to try again after the link failed. @default see DEFAULT_RECONNECT_POLICY */

@@ -3,6 +3,7 @@ import { next } from './connection-state.ts';
 import type { ConnectionEvent, ConnectionState } from './connection-state.ts';
 import { Deferred } from './deferred.ts';
 import { Link } from './link.ts';
+import type { LinkTime } from './link.ts';
 import { BROKEN, failureOf, isTold, remedyFor, unknownClient } from './link-failure.ts';
 import type { LinkFailure } from './link-failure.ts';
 import { Listeners } from './listeners.ts';
@@ -32,6 +33,8 @@ export interface ConnectionOptions {
   readonly handleBinary: (bytes: Uint8Array) => void;
   readonly handleUnknownText: (text: string) => void;
   readonly handleRoundTrip: (roundTripMs: number) => void;
+  /** For masters that tell their time. */
+  readonly time: LinkTime & { handleLink(): void };
   /** Puts devices and subscriptions back; part of every attempt. A rejection fails the attempt. */
   readonly restore: (arrival: Arrival) => Promise<void>;
 }
@@ -180,8 +183,9 @@ export class Connection {
     this.#handleArrival(arrival);
   }
 
-  #openLink({ identity, isExtended }: Membership): Link {
-    const { clock, transport, openTimeoutMs } = this.#options;
+  #openLink({ identity, isExtended, tellsTime }: Membership): Link {
+    const { clock, transport, openTimeoutMs, time } = this.#options;
+    time.handleLink(); // [TS-8]
     const link: Link = new Link({
       transport,
       // An original master knows no tokens.
@@ -192,6 +196,7 @@ export class Connection {
       handleBinary: this.#options.handleBinary,
       handleUnknownText: this.#options.handleUnknownText,
       handleRoundTrip: this.#options.handleRoundTrip,
+      time: tellsTime ? time : undefined,
       handleEnd: (failure) => {
         if (this.#link === link && this.#state.status === 'connected') this.#handleFailure(failure);
       },

@@ -38,6 +38,9 @@ import type { RoundTrip } from './round-trip.ts';
 import { ServiceCalls } from './service-calls.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';
 import { within } from './time-limit.ts';
+import { describeEstimate } from './time/describe-estimate.ts';
+import { MasterClock } from './time/master-clock.ts';
+import type { MasterTime } from './time/master-time.ts';
 import { TopicDataInbox } from './topic-data-inbox.ts';
 import type { TopicPattern } from './topic-pattern.ts';
 import { TopicSubscriptions } from './topic-subscriptions.ts';
@@ -89,6 +92,8 @@ class Client implements UbiiClient {
   readonly #inbox: TopicDataInbox;
   readonly #publishes: PublishBuffer;
   readonly #devices: DeviceRegistry;
+  readonly #masterClock: MasterClock;
+  readonly #stampsInMasterTime: boolean;
   readonly #roundTrips = new RoundTripWindow();
   readonly #roundTripListeners = new Listeners<RoundTrip>();
   readonly #problemListeners = new Listeners<ClientProblem>();
@@ -150,6 +155,8 @@ class Client implements UbiiClient {
       handleProblem,
       handleUnknownClient,
     });
+    this.#stampsInMasterTime = options.stampInMasterTime ?? false;
+    this.#masterClock = new MasterClock(clock, () => this.#connection.link?.measureTime());
     this.#connection = new Connection({
       clock,
       random,
@@ -162,6 +169,11 @@ class Client implements UbiiClient {
       handleRoundTrip: (roundTripMs) => {
         this.#roundTripListeners.emit(this.#roundTrips.add(roundTripMs));
         if (this.state.status === 'connected') this.#tellProfileInPassing();
+      },
+      time: {
+        handleLink: () => this.#masterClock.handleLink(),
+        handleExchange: (exchange) => this.#masterClock.handleExchange(exchange),
+        describeClock: () => describeEstimate(this.#masterClock.estimate),
       },
       restore: (arrival) => this.#restore(arrival),
     });
@@ -187,6 +199,10 @@ class Client implements UbiiClient {
 
   get roundTrip(): RoundTrip | undefined {
     return this.#roundTrips.current;
+  }
+
+  get masterTime(): MasterTime {
+    return this.#masterClock;
   }
 
   get counters(): ClientCounters {
@@ -326,7 +342,9 @@ class Client implements UbiiClient {
   }
 
   #publish(topic: string, format: DataFormat, value: unknown, options: PublishOptions = {}): void {
-    const timestampMs = options.timestampMs ?? this.#clock.nowMs();
+    const inMasterTime = options.stampInMasterTime ?? this.#stampsInMasterTime;
+    const clock = inMasterTime ? this.#masterClock : this.#clock; // [TS-9]
+    const timestampMs = options.timestampMs ?? clock.nowMs();
     this.#publishes.add(
       toWaitingRecord({ topic, format, value, timestampMs, clientId: this.id }),
       options.immediate === true,

@@ -1,16 +1,23 @@
 import { describe, expect, it } from 'vitest';
 import { FakeClock } from '../testing/fake-clock.ts';
 import { Link, PING_INTERVAL_MS } from './link.ts';
+import type { LinkTime } from './link.ts';
 import type { LinkFailure } from './link-failure.ts';
 import type { TopicDataHandler } from './ports/topic-data-transport.ts';
+import type { TimeExchange } from './time/time-sample.ts';
 
-function setup({ canPing = true } = {}) {
+function setup({ canPing = true, tellsTime = false } = {}) {
   const clock = new FakeClock();
   const sent: string[] = [];
   const closes: number[] = [];
   const ends: LinkFailure[] = [];
   const roundTripsMs: number[] = [];
   const unknown: string[] = [];
+  const exchanges: TimeExchange[] = [];
+  const time: LinkTime = {
+    handleExchange: (exchange) => exchanges.push(exchange),
+    describeClock: () => (exchanges.length === 0 ? '' : '-2.500 0.200 1.0'),
+  };
   let handler!: TopicDataHandler;
   const link = new Link({
     transport: {
@@ -31,9 +38,10 @@ function setup({ canPing = true } = {}) {
     handleBinary: () => undefined,
     handleUnknownText: (text) => unknown.push(text),
     handleRoundTrip: (ms) => roundTripsMs.push(ms),
+    time: tellsTime ? time : undefined,
     handleEnd: (failure) => ends.push(failure),
   });
-  return { clock, link, handler, sent, closes, ends, roundTripsMs, unknown };
+  return { clock, link, handler, sent, closes, ends, roundTripsMs, unknown, exchanges };
 }
 
 describe('Link to a master of ours', () => {
@@ -162,6 +170,60 @@ describe('Link to a master of ours', () => {
     expect(ends).toEqual([]);
     expect(unknown).toEqual([]);
     expect(clock.pendingTimers).toBe(0);
+  });
+});
+
+describe('Link to a master that tells its time', () => {
+  it('asks with numbered PINGs, some at once, and then with those it sends anyway [TS-2] [TS-3]', async () => {
+    const { handler, sent, clock, exchanges, roundTripsMs } = setup({ tellsTime: true });
+    handler.handleOpen();
+    expect(sent).toEqual(['PING 1']);
+    await clock.advance(4);
+    handler.handleText('PONG 1 1767225600001.250 1767225600001.500');
+    expect(exchanges).toMatchObject([
+      {
+        sent: { monotonicMs: 0 },
+        received: { monotonicMs: 4 },
+        masterReceivedMs: 1767225600001.25,
+        masterSentMs: 1767225600001.5,
+      },
+    ]);
+    await clock.advance(PING_INTERVAL_MS - 1);
+    expect(sent).toHaveLength(8);
+    expect(sent.at(-1)).toBe('PING 8 -2.500 0.200 1.0');
+    await clock.advance(1);
+    expect(sent).toHaveLength(9);
+    handler.handleText('PONG 8 1 1');
+    expect(roundTripsMs).toEqual([4]); // those for the clock alone are none
+    handler.handleText('PONG 9 1 1');
+    expect(roundTripsMs).toEqual([4, 0]);
+  });
+
+  it('is not dead because PINGs for the clock stay unanswered', async () => {
+    const { link, handler, ends, clock } = setup({ tellsTime: true });
+    handler.handleOpen();
+    handler.handleText('PONG 1 1 1');
+    await clock.advance(PING_INTERVAL_MS);
+    handler.handleText('PONG 9 1 1');
+    link.measureTime();
+    await clock.advance(PING_INTERVAL_MS * 3);
+    expect(ends).toEqual([]);
+    await clock.advance(PING_INTERVAL_MS);
+    expect(ends).toHaveLength(1);
+    expect(clock.pendingTimers).toBe(0);
+  });
+
+  it('takes a PONG for that of its PING, whatever was left unanswered', async () => {
+    const { link, handler, clock, exchanges } = setup({ tellsTime: true });
+    handler.handleOpen();
+    handler.handleText('PONG 1 1 1');
+    const handled = link.handled(); // PING 2
+    await clock.advance(60); // PING 3
+    handler.handleText('PONG 3 1 1');
+    await handled;
+    handler.handleText('PONG 2 1 1');
+    handler.handleText('PONG 77 1 1');
+    expect(exchanges.map(({ sent }) => sent.monotonicMs)).toEqual([0, 50]);
   });
 });
 

@@ -8,6 +8,9 @@ import type {
   TopicDataSocket,
   TopicDataTransport,
 } from './ports/topic-data-transport.ts';
+import { readClocks } from './time/clock-reading.ts';
+import type { ClockReading } from './time/clock-reading.ts';
+import type { TimeExchange } from './time/time-sample.ts';
 
 /** How often the master is sent a PING. [EX-6] */
 export const PING_INTERVAL_MS = 2_000;
@@ -19,6 +22,11 @@ export const PING_INTERVAL_MS = 2_000;
 const SILENT_PINGS = 3;
 /** How long a probe waits for a sign of life, milliseconds. */
 const PROBE_TIMEOUT_MS = 2_000;
+/** The clock is measured with so many PINGs more, so far apart in milliseconds. [TS-3] */
+const BURST_PINGS = 7;
+const BURST_INTERVAL_MS = 50;
+/** A PONG that tells the master's time. [TS-2] */
+const TIMED_PONG = /^PONG (\d{1,10}) (\d{1,15}(?:\.\d{1,6})?) (\d{1,15}(?:\.\d{1,6})?)$/;
 
 /** What a link is made of. */
 export interface LinkOptions {
@@ -34,8 +42,27 @@ export interface LinkOptions {
   /** A text frame other than PING and PONG. */
   readonly handleUnknownText: (text: string) => void;
   readonly handleRoundTrip: (roundTripMs: number) => void;
+  /** How this client tells time to a master that tells its own; undefined for one that does not. */
+  readonly time: LinkTime | undefined;
   /** Called once, unless `close()` was called before. */
   readonly handleEnd: (failure: LinkFailure) => void;
+}
+
+/** What a link has to do with clocks. [TS-2] */
+export interface LinkTime {
+  handleExchange(exchange: TimeExchange): void;
+  /** What the master is told of this client's clock with the next PING; empty when there is nothing to tell. [TS-10] */
+  describeClock(): string;
+}
+
+/** A PING that waits for its PONG. */
+interface SentPing {
+  readonly number: number;
+  readonly sent: ClockReading;
+  /** Sent for the clock alone: neither a sign of life nor a round trip is expected of it. */
+  readonly isExtra: boolean;
+  /** Who waits for it. */
+  readonly answered: Deferred<void> | undefined;
 }
 
 /**
@@ -57,8 +84,10 @@ export class Link {
   #cancelProbe: Cancel | undefined;
   #isUp = false;
   #failure: LinkFailure | undefined;
-  /** When the PINGs that wait for their PONG were sent, oldest first, and who waits for them. */
-  #pings: { sentMs: number; answered: Deferred<void> | undefined }[] = [];
+  #cancelBurst: Cancel | undefined;
+  /** Oldest first. */
+  #pings: SentPing[] = [];
+  #pingNumber = 0;
   #silentPings = 0;
 
   constructor(options: LinkOptions) {
@@ -109,8 +138,21 @@ export class Link {
   async handled(): Promise<void> {
     if (!this.isUp || !this.#options.canPing) return;
     const answered = new Deferred<void>();
-    this.#ping(answered);
+    this.#ping({ answered });
     await answered.promise;
+  }
+
+  /** Measures the master's clock with some PINGs at once, unless that is being done. [TS-3] */
+  measureTime(): void {
+    if (!this.isUp || this.#options.time === undefined || this.#cancelBurst !== undefined) return;
+    let left = BURST_PINGS;
+    this.#cancelBurst = this.#options.clock.every(BURST_INTERVAL_MS, () => {
+      this.#ping({ isExtra: true });
+      left -= 1;
+      if (left > 0) return;
+      this.#cancelBurst?.();
+      this.#cancelBurst = undefined;
+    });
   }
 
   /** Closes the socket without `handleEnd`; idempotent. */
@@ -137,6 +179,7 @@ export class Link {
       this.#cancelPings = this.#options.clock.every(PING_INTERVAL_MS, () => this.#handlePingTime());
     }
     this.#up.resolve();
+    this.measureTime();
   }
 
   #handlePingTime(): void {
@@ -144,10 +187,14 @@ export class Link {
     else this.#ping();
   }
 
-  #ping(answered?: Deferred<void>): void {
-    this.#silentPings += 1;
-    this.#pings.push({ sentMs: this.#options.clock.monotonicMs(), answered });
-    this.#socket.sendText('PING');
+  #ping({ answered, isExtra = false }: Partial<SentPing> = {}): void {
+    const { clock, time } = this.#options;
+    if (!isExtra) this.#silentPings += 1;
+    this.#pingNumber += 1;
+    const number = this.#pingNumber;
+    const text = time === undefined ? 'PING' : `PING ${number} ${time.describeClock()}`.trimEnd();
+    this.#pings.push({ number, sent: readClocks(clock), isExtra, answered });
+    this.#socket.sendText(text);
   }
 
   #handleSignOfLife(): void {
@@ -166,17 +213,37 @@ export class Link {
     if (this.#failure !== undefined) return;
     this.#handleSignOfLife();
     if (text === 'PING') this.#socket.sendText('PONG');
-    else if (text === 'PONG') this.#handlePong();
-    else this.#options.handleUnknownText(text);
+    else if (text === 'PONG') this.#handlePong(this.#pings[0]);
+    else if (!this.#handleTimedPong(text)) this.#options.handleUnknownText(text);
   }
 
-  #handlePong(): void {
-    // PONGs come in the order of the PINGs; one that was not asked for says nothing.
-    const ping = this.#pings.shift();
-    if (ping === undefined) return;
-    ping.answered?.resolve();
+  #handleTimedPong(text: string): boolean {
+    const { time } = this.#options;
+    const [, number, masterReceivedMs, masterSentMs] = TIMED_PONG.exec(text) ?? [];
+    if (time === undefined || number === undefined) return false;
+    const ping = this.#pings.find((one) => one.number === Number(number));
+    if (ping === undefined) return true;
+    const received = this.#handlePong(ping);
+    time.handleExchange({
+      sent: ping.sent,
+      received,
+      masterReceivedMs: Number(masterReceivedMs),
+      masterSentMs: Number(masterSentMs),
+    });
+    return true;
+  }
+
+  /** PONGs come in the order of the PINGs; one that was not asked for says nothing. */
+  #handlePong(ping: SentPing | undefined): ClockReading {
+    const received = readClocks(this.#options.clock);
+    if (ping === undefined) return received;
+    // A master that was not read from leaves some unanswered.
+    for (const one of this.#pings.splice(0, this.#pings.indexOf(ping) + 1)) one.answered?.resolve();
     if (!this.#isUp) this.#handleUp();
-    this.#options.handleRoundTrip(this.#options.clock.monotonicMs() - ping.sentMs);
+    if (!ping.isExtra) {
+      this.#options.handleRoundTrip(received.monotonicMs - ping.sent.monotonicMs);
+    }
+    return received;
   }
 
   #endSilent(waited: string): void {
@@ -202,6 +269,7 @@ export class Link {
     this.#failure = failure;
     this.#cancelOpenTimer();
     this.#cancelPings?.();
+    this.#cancelBurst?.();
     this.#cancelProbe?.();
     for (const ping of this.#pings) ping.answered?.resolve();
     this.#pings = [];

@@ -7,6 +7,8 @@ export interface PublishOptions {
   readonly immediate?: boolean;
   /** Timestamp of the record: milliseconds since the Unix epoch. @default now */
   readonly timestampMs?: number;
+  /** What "now" means: the master's time, or this machine's. [TS-9] @default as `ClientOptions` say */
+  readonly stampInMasterTime?: boolean;
 }
 
 /** Where frames go. */

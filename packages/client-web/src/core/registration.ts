@@ -22,6 +22,8 @@ export interface Membership {
   readonly identity: Identity;
   /** Whether the master is one of ours and speaks the extension. [EX-1] */
   readonly isExtended: boolean;
+  /** Whether it tells its time. [TS-1] */
+  readonly tellsTime: boolean;
   /** Semantic version; `undefined` for an original master. */
   readonly masterVersion: string | undefined;
   /** Another number after each registration with which the master may have lost what it knew of us. */
@@ -187,6 +189,7 @@ export class Registration {
     const membership: Membership = {
       identity: this.#identity,
       isExtended: extension !== undefined, // [EX-1]
+      tellsTime: extension?.tellsTime ?? false,
       masterVersion: extension?.masterVersion || undefined,
       serial: this.#serial,
     };

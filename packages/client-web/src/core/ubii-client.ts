@@ -18,6 +18,7 @@ import type { PublishOptions } from './publish-buffer.ts';
 import type { ClientProfile } from './registration.ts';
 import type { RoundTrip } from './round-trip.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';
+import type { MasterTime } from './time/master-time.ts';
 import type { TopicPattern } from './topic-pattern.ts';
 
 /** Takes a callback back; calling it again does nothing. */
@@ -73,6 +74,8 @@ export interface UbiiClient {
   readonly roundTrip: RoundTrip | undefined;
   /** Calls `fn` after every measurement, about every 2 s. */
   onRoundTrip(fn: (roundTrip: RoundTrip) => void): Unsubscribe;
+  /** The master's clock, as far as it is known here. */
+  readonly masterTime: MasterTime;
   /** Calls `fn` for what no promise reports. */
   onError(fn: (problem: ClientProblem) => void): Unsubscribe;
   readonly counters: ClientCounters;

@@ -16,7 +16,7 @@ import { activityOf, modulesFor } from './session-modules.ts';
 import type { AssignedModule, SessionActivity } from './session-modules.ts';
 import { SessionWatch } from './session-watch.ts';
 import { createPageClock } from './page-clock.ts';
-import { processingClock } from './processing-clock.ts';
+import { inMasterTime, processingClock } from './processing-clock.ts';
 
 /** How often statistics are reported, milliseconds. [PM-80] */
 export const STATISTICS_INTERVAL_MS = 250;
@@ -54,8 +54,10 @@ class Node implements ProcessingNode {
   constructor(client: UbiiClient, options: ProcessingNodeOptions) {
     this.#client = client;
     this.#options = options;
-    this.#clock =
+    const clock =
       options.clock ?? (options.kind === 'browser' ? createPageClock() : processingClock);
+    // What modules publish is stamped alike, on whatever node they run. [TS-9]
+    this.#clock = inMasterTime(clock, client.masterTime);
     this.#catalog = new ModuleCatalog(options.modules ?? []);
     this.#acceptsWork = options.acceptsWork ?? true;
     this.#devices = new DeviceTopics(client);

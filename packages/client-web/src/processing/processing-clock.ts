@@ -1,4 +1,5 @@
 import type { Clock } from '@ubii/pm-sandbox';
+import type { MasterTime } from '../core/time/master-time.ts';
 import { systemClock } from '../system-clock.ts';
 
 /** The system's time and event loop. */
@@ -10,3 +11,14 @@ export const processingClock: Clock = {
   // A frame, a message of a worker and a timer each are a turn of their own here.
   atEndOfTurn: (fn) => queueMicrotask(fn),
 };
+
+/** A clock with the master's time of day. */
+export function inMasterTime(clock: Clock, masterTime: MasterTime): Clock {
+  return {
+    nowMs: () => masterTime.nowMs(),
+    monotonicMs: () => clock.monotonicMs(),
+    every: (intervalMs, fn) => clock.every(intervalMs, fn),
+    after: (delayMs, fn) => clock.after(delayMs, fn),
+    atEndOfTurn: (fn) => clock.atEndOfTurn(fn),
+  };
+}

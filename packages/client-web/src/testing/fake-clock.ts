@@ -10,7 +10,7 @@ interface Timer {
 export class FakeClock implements Clock {
   #elapsedMs = 0;
   readonly #timers = new Set<Timer>();
-  readonly #epochMs: number;
+  #epochMs: number;
 
   /** @param epochMs what `nowMs` starts from. @default 1 700 000 000 000 */
   constructor(epochMs = 1_700_000_000_000) {
@@ -23,6 +23,11 @@ export class FakeClock implements Clock {
 
   monotonicMs(): number {
     return this.#elapsedMs;
+  }
+
+  /** Sets the time of day: forwards it is also what a machine sees that slept so long. */
+  setWall(byMs: number): void {
+    this.#epochMs += byMs;
   }
 
   after(delayMs: number, fn: () => void): Cancel {

@@ -40,6 +40,10 @@ interface FakeClient {
  */
 export class FakeMaster implements MemoryMaster {
   readonly isOriginal: boolean;
+  /** Its time, epoch milliseconds; undefined for one that does not tell it. [TS-1] */
+  timeMs: (() => number) | undefined;
+  /** Every text frame it was sent, in order. */
+  readonly texts: string[] = [];
   /** Every service request it was sent, in order. */
   readonly requests: ServiceRequest[] = [];
   /** Every record clients published, in order. */
@@ -62,8 +66,9 @@ export class FakeMaster implements MemoryMaster {
   #ids = 0;
   #key = 'key';
 
-  constructor(options: { isOriginal?: boolean } = {}) {
+  constructor(options: { isOriginal?: boolean; timeMs?: () => number } = {}) {
     this.isOriginal = options.isOriginal ?? false;
+    this.timeMs = options.timeMs;
   }
 
   /** Ids of the registered clients. */
@@ -156,7 +161,11 @@ export class FakeMaster implements MemoryMaster {
     this.#peers.set(clientId, peer);
     return {
       handleText: (text) => {
-        if (text === 'PING' && !this.isSilent && !this.isOriginal) peer.sendText('PONG');
+        this.texts.push(text);
+        if (this.isSilent || this.isOriginal || !text.startsWith('PING')) return;
+        const [, number] = text.split(' ');
+        const timeMs = this.timeMs?.();
+        peer.sendText(number === undefined ? 'PONG' : `PONG ${number} ${timeMs} ${timeMs}`);
       },
       handleBinary: (bytes) => {
         const { records, nodeMessages } = decodeTopicData(bytes);
@@ -229,7 +238,12 @@ export class FakeMaster implements MemoryMaster {
     if (this.isOriginal) return client;
     return {
       ...client,
-      extension: { resumeToken: this.#tokenOf(id), resumed: isResumed, masterVersion: '1.2.3' },
+      extension: {
+        resumeToken: this.#tokenOf(id),
+        resumed: isResumed,
+        masterVersion: '1.2.3',
+        tellsTime: this.timeMs !== undefined,
+      },
     };
   }
 

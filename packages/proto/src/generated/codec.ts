@@ -1051,10 +1051,11 @@ export function encodeClientActivity(m: Init<T.ClientActivity>, w: Writer): void
   if (m.workShare != null) w.double(249, m.workShare);
   if (m.role != null) w.int32(320, m.role);
   if (m.grantId != null) w.string(330, m.grantId);
+  if (m.clock != null) { const at = w.open(338); encodeClientClock(m.clock, w); w.close(at); }
 }
 
 export function decodeClientActivity(r: Reader, into?: T.ClientActivity): T.ClientActivity {
-  const m: T.ClientActivity = into ?? { clientId: '', firstSeenMs: 0, lastSeenMs: 0, connected: false, connectedMs: 0, roundTripMs: 0, roundTripAgeMs: 0, recordsIn: 0, bytesIn: 0, recordsOut: 0, bytesOut: 0, recordsInPerSecond: 0, bytesInPerSecond: 0, recordsOutPerSecond: 0, bytesOutPerSecond: 0, queuedRecords: 0, queuedBytes: 0, dropped: 0, refused: 0, protocolErrors: 0, topicSubscriptions: 0, patternSubscriptions: 0, componentSubscriptions: 0, watchesEverything: false, subscriptions: [], ownedTopics: 0, userAgent: '', library: '', addressKind: 0, throttle: undefined, workShare: 0, role: 0, grantId: '' };
+  const m: T.ClientActivity = into ?? { clientId: '', firstSeenMs: 0, lastSeenMs: 0, connected: false, connectedMs: 0, roundTripMs: 0, roundTripAgeMs: 0, recordsIn: 0, bytesIn: 0, recordsOut: 0, bytesOut: 0, recordsInPerSecond: 0, bytesInPerSecond: 0, recordsOutPerSecond: 0, bytesOutPerSecond: 0, queuedRecords: 0, queuedBytes: 0, dropped: 0, refused: 0, protocolErrors: 0, topicSubscriptions: 0, patternSubscriptions: 0, componentSubscriptions: 0, watchesEverything: false, subscriptions: [], ownedTopics: 0, userAgent: '', library: '', addressKind: 0, throttle: undefined, workShare: 0, role: 0, grantId: '', clock: undefined };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1091,6 +1092,29 @@ export function decodeClientActivity(r: Reader, into?: T.ClientActivity): T.Clie
       case 249: m.workShare = r.double(); break;
       case 320: m.role = r.int32() as T.AccessRole; break;
       case 330: m.grantId = r.string(); break;
+      case 338: { const end = r.enter(); m.clock = decodeClientClock(r, m.clock); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeClientClock(m: Init<T.ClientClock>, w: Writer): void {
+  if (m.offsetMs != null) w.double(9, m.offsetMs);
+  if (m.errorMs != null) w.double(17, m.errorMs);
+  if (m.driftPpm != null) w.double(25, m.driftPpm);
+  if (m.ageMs != null) w.double(33, m.ageMs);
+}
+
+export function decodeClientClock(r: Reader, into?: T.ClientClock): T.ClientClock {
+  const m: T.ClientClock = into ?? { offsetMs: 0, errorMs: 0, driftPpm: 0, ageMs: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.offsetMs = r.double(); break;
+      case 17: m.errorMs = r.double(); break;
+      case 25: m.driftPpm = r.double(); break;
+      case 33: m.ageMs = r.double(); break;
       default: skipField(r, tag);
     }
   }
@@ -1127,10 +1151,11 @@ export function encodeClientExtension(m: Init<T.ClientExtension>, w: Writer): vo
   if (m.credential != null) w.string(82, m.credential);
   if (m.credentialExpiresMs != null) w.double(89, m.credentialExpiresMs);
   if (m.role != null) w.int32(96, m.role);
+  if (m.tellsTime != null) w.bool(160, m.tellsTime);
 }
 
 export function decodeClientExtension(r: Reader, into?: T.ClientExtension): T.ClientExtension {
-  const m: T.ClientExtension = into ?? { recordLists: false, resumeToken: '', resumed: false, masterVersion: '', node: undefined, library: '', credential: '', credentialExpiresMs: 0, role: 0 };
+  const m: T.ClientExtension = into ?? { recordLists: false, resumeToken: '', resumed: false, masterVersion: '', node: undefined, library: '', credential: '', credentialExpiresMs: 0, role: 0, tellsTime: false };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1143,6 +1168,7 @@ export function decodeClientExtension(r: Reader, into?: T.ClientExtension): T.Cl
       case 82: m.credential = r.string(); break;
       case 89: m.credentialExpiresMs = r.double(); break;
       case 96: m.role = r.int32() as T.AccessRole; break;
+      case 160: m.tellsTime = r.bool(); break;
       default: skipField(r, tag);
     }
   }
@@ -3132,6 +3158,7 @@ export const CODECS: {
   'ubii.extension.AccessGrantList': { encode: encodeAccessGrantList, decode: decodeAccessGrantList },
   'ubii.extension.AccessGrantRevokeRequest': { encode: encodeAccessGrantRevokeRequest, decode: decodeAccessGrantRevokeRequest },
   'ubii.extension.ClientActivity': { encode: encodeClientActivity, decode: decodeClientActivity },
+  'ubii.extension.ClientClock': { encode: encodeClientClock, decode: decodeClientClock },
   'ubii.extension.ClientDisconnectRequest': { encode: encodeClientDisconnectRequest, decode: decodeClientDisconnectRequest },
   'ubii.extension.ClientExtension': { encode: encodeClientExtension, decode: decodeClientExtension },
   'ubii.extension.ClientRenameRequest': { encode: encodeClientRenameRequest, decode: decodeClientRenameRequest },

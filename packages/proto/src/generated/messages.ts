@@ -1217,6 +1217,24 @@ export interface ClientActivity {
   role: AccessRole;
   /** Id of the grant it joined with; empty when it needed none. */
   grantId: string;
+  /** What the client says of its clock; absent when it says nothing. Rule TS-10. */
+  clock: ClientClock | undefined;
+}
+
+/**
+ * The clock of a client beside the master's, as the client measured it.
+ *
+ * `ubii.extension.ClientClock`
+ */
+export interface ClientClock {
+  /** Master's clock minus the client's, milliseconds: above 0 the master is ahead. */
+  offsetMs: number;
+  /** How far the client's idea of the master's time may be from it, milliseconds. */
+  errorMs: number;
+  /** What the master's clock gains on the client's timer, parts per million. */
+  driftPpm: number;
+  /** Age of what the client said, milliseconds. */
+  ageMs: number;
 }
 
 /**
@@ -1266,6 +1284,8 @@ export interface ClientExtension {
   credentialExpiresMs: number;
   /** Master to client: what the client may do. Rule AC-20. */
   role: AccessRole;
+  /** Master to client: it tells its time to who asks with a numbered PING. Rule TS-1. */
+  tellsTime: boolean;
 }
 
 /**
@@ -2809,6 +2829,7 @@ export interface MessageTypes {
   'ubii.extension.AccessGrantList': AccessGrantList;
   'ubii.extension.AccessGrantRevokeRequest': AccessGrantRevokeRequest;
   'ubii.extension.ClientActivity': ClientActivity;
+  'ubii.extension.ClientClock': ClientClock;
   'ubii.extension.ClientDisconnectRequest': ClientDisconnectRequest;
   'ubii.extension.ClientExtension': ClientExtension;
   'ubii.extension.ClientRenameRequest': ClientRenameRequest;

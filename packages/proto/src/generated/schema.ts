@@ -387,6 +387,12 @@ message ubii.extension.ClientActivity
 31 work_share double
 40 role ubii.extension.AccessRole
 41 grant_id string
+42 clock ubii.extension.ClientClock
+message ubii.extension.ClientClock
+1 offset_ms double
+2 error_ms double
+3 drift_ppm double
+4 age_ms double
 message ubii.extension.ClientDisconnectRequest
 1 client_id string
 2 target_id string
@@ -401,6 +407,7 @@ message ubii.extension.ClientExtension
 10 credential string
 11 credential_expires_ms double
 12 role ubii.extension.AccessRole
+20 tells_time bool
 message ubii.extension.ClientRenameRequest
 1 client_id string
 2 target_id string

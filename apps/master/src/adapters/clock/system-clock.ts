@@ -1,8 +1,10 @@
 import type { Cancel, Clock, Log } from '../../core/ports/index.ts';
+import { FineTime } from './fine-time.ts';
 
 /** The clock and the event loop of this process. A callback that throws is logged and nothing else suffers. */
 export class SystemClock implements Clock {
   readonly #log: Log;
+  readonly #fine = new FineTime(Date.now, () => performance.now());
 
   constructor(log: Log) {
     this.#log = log;
@@ -10,6 +12,10 @@ export class SystemClock implements Clock {
 
   nowMs(): number {
     return Date.now();
+  }
+
+  preciseMs(): number {
+    return this.#fine.nowMs();
   }
 
   monotonicMs(): number {

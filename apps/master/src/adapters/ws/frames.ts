@@ -81,7 +81,8 @@ export function binaryFrame(payload: Uint8Array): FrameParts {
   return [frame(BINARY, payload)];
 }
 
-function textFrame(text: string): FrameParts {
+/** A text frame. @param text ASCII */
+export function textFrame(text: string): FrameParts {
   return [frame(TEXT, Buffer.from(text, 'latin1'))];
 }
 

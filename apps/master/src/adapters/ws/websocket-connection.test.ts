@@ -56,7 +56,7 @@ class Inbox {
     };
     client.on('message', (data: Buffer, isBinary) => {
       const text = data.toString();
-      add(isBinary ? parseFrame(data) : { kind: text === 'PING' ? 'PING' : 'PONG' });
+      add(isBinary ? parseFrame(data) : parseText(text));
     });
     client.on('close', (code, reason) => add({ kind: 'close', code, reason: reason.toString() }));
     client.on('error', () => {});
@@ -85,4 +85,9 @@ function parseFrame(frame: Buffer): Seen {
   });
   const [record = new Uint8Array()] = records;
   return frame[0] === LIST_TAG ? { kind: 'list', records } : { kind: 'record', record };
+}
+
+function parseText(text: string): Seen {
+  if (text === 'PING' || text === 'PONG') return { kind: text };
+  return { kind: 'PONG', text };
 }

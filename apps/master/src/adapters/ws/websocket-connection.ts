@@ -10,6 +10,7 @@ import {
   errorFrame,
   listFrames,
   singleFrames,
+  textFrame,
 } from './frames.ts';
 import type { FrameParts } from './joined-parts.ts';
 
@@ -58,8 +59,8 @@ export class WebSocketConnection implements ClientConnection {
   }
 
   // [TD-2]
-  sendPong(): void {
-    this.#write(PONG_FRAME);
+  sendPong(text?: string): void {
+    this.#write(text === undefined ? PONG_FRAME : textFrame(text));
   }
 
   get queuedBytes(): number {

@@ -1,6 +1,7 @@
 import {
   ClientActivityAddressKind,
   type ClientActivity,
+  type ClientClock,
   type ClientReportRequest,
   type ClientSubscription,
   type ClientThrottle,
@@ -76,6 +77,7 @@ function activityOf(
       addressKind === undefined ? ClientActivityAddressKind.UNKNOWN : ADDRESS_KINDS[addressKind],
     ...(throttle !== undefined && { throttle: throttleOf(throttle) }),
     workShare,
+    ...(client.clock !== undefined && { clock: clockOf(client.clock, clock) }),
   };
 }
 
@@ -99,6 +101,14 @@ function* eachSubscription(subscriber: ClientSubscriber): Iterable<Init<ClientSu
   for (const { topic, subscribers } of topics) {
     yield { topic, maxRateHz: subscribers.get(subscriber) ?? 0 };
   }
+}
+
+/** [TS-10] */
+function clockOf(
+  { offsetMs, errorMs, driftPpm, toldMs }: NonNullable<Client['clock']>,
+  clock: Clock,
+): Init<ClientClock> {
+  return { offsetMs, errorMs, driftPpm, ageMs: clock.monotonicMs() - toldMs };
 }
 
 function throttleOf(throttle: Throttle): Init<ClientThrottle> {

@@ -7,6 +7,7 @@ import type { TokenBucket } from '../topics/token-bucket.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import { wireState, type ClientStatus } from './client-states.ts';
 import type { Throttle } from './throttle.ts';
+import type { ToldClock } from './timed-ping.ts';
 import type { TopicDataSocket } from './topic-data-socket.ts';
 import { Traffic } from './traffic.ts';
 
@@ -73,6 +74,8 @@ export class Client implements PublishingClient {
   pingSentMs: number | undefined = undefined;
   readonly protocolErrors = new Streak();
   latencyMs = 0;
+  /** What it last said of its clock, and when; undefined when it said nothing [TS-10]. */
+  clock: (ToldClock & { readonly toldMs: number }) | undefined = undefined;
   latencyMeasuredMs: number;
 
   constructor(parts: ClientParts) {

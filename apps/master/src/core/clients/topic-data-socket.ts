@@ -13,6 +13,7 @@ import { publish, type PublishContext } from '../topics/publisher.ts';
 import { TokenBucket } from '../topics/token-bucket.ts';
 import type { Client } from './client.ts';
 import { CLOSE } from './close-codes.ts';
+import { formatTimedPong, parseTimedPing } from './timed-ping.ts';
 
 /** What a socket works on. */
 export interface SocketContext extends PublishContext {
@@ -31,6 +32,7 @@ export interface SocketContext extends PublishContext {
   readonly onClosed: (socket: TopicDataSocket) => void;
 }
 
+const UNKNOWN_TEXT = 'A text message is PING or PONG, but another was received.';
 const NO_BYTES = new Uint8Array(0);
 
 /** The live socket of one client: what comes in on it, and how it ends. */
@@ -101,8 +103,8 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
     if (!this.#isOpen) return;
     this.#handleSign();
     if (text === 'PONG') this.#handlePong();
-    else if (text === 'PING') this.#handlePing();
-    else this.handleProtocolError('A text message is PING or PONG, but another was received.');
+    else if (text.startsWith('PING')) this.#handlePing(text);
+    else this.handleProtocolError(UNKNOWN_TEXT);
   }
 
   handleDrain(): void {
@@ -219,11 +221,18 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
   }
 
   /** [TD-2] [EX-6] */
-  #handlePing(): void {
-    // Who asks without reading the answers gets no more of them.
-    if (this.#connection.queuedBytes <= this.#context.limits.connectionQueuedBytes) {
-      this.#connection.sendPong();
+  #handlePing(text: string): void {
+    const { clock, limits } = this.#context;
+    const timed = text === 'PING' ? undefined : parseTimedPing(text); // [TS-2]
+    if (timed === undefined && text !== 'PING') return this.handleProtocolError(UNKNOWN_TEXT);
+    const receivedMs = timed === undefined ? 0 : clock.preciseMs();
+    if (timed?.clock !== undefined) {
+      this.client.clock = { ...timed.clock, toldMs: clock.monotonicMs() }; // [TS-10]
     }
+    // Who asks without reading the answers gets no more of them.
+    if (this.#connection.queuedBytes > limits.connectionQueuedBytes) return;
+    if (timed === undefined) this.#connection.sendPong();
+    else this.#connection.sendPong(formatTimedPong(timed.number, receivedMs, clock.preciseMs()));
   }
 
   #handlePong(): void {

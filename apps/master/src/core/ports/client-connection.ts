@@ -14,8 +14,8 @@ export interface ClientConnection {
   sendFrame(frame: Uint8Array): void;
   /** Sends the text `PING`. */
   sendPing(): void;
-  /** Sends the text `PONG`. */
-  sendPong(): void;
+  /** Sends the text `PONG`, or another text that begins with it. */
+  sendPong(text?: string): void;
   /** Bytes handed over that the system has not taken yet. */
   readonly queuedBytes: number;
   /** Closes the pipe with a WebSocket close code. `handleClose` follows, now or later. */

@@ -5,6 +5,8 @@ export type Cancel = () => void;
 export interface Clock {
   /** Milliseconds since the Unix epoch. May jump when the system's clock is set. */
   nowMs(): number;
+  /** The same time with fractions, to be told to clients [TS-2]. Costs more. */
+  preciseMs(): number;
   /** Milliseconds since an arbitrary moment, never going backwards: for ages and durations. */
   monotonicMs(): number;
   /** Calls `fn` every `intervalMs` milliseconds, the first time after one interval. */

@@ -79,6 +79,7 @@ function replyOf(
       resumeToken: tokens.issue(client.id), // [EX-3]
       resumed: isResumed,
       masterVersion: settings.version,
+      tellsTime: true, // [TS-1]
     },
   };
 }

@@ -13,7 +13,7 @@ export type Seen =
   | { readonly kind: 'error'; readonly error: ErrorMessage }
   | { readonly kind: 'frame'; readonly frame: Uint8Array }
   | { readonly kind: 'PING' }
-  | { readonly kind: 'PONG' }
+  | { readonly kind: 'PONG'; readonly text?: string }
   | { readonly kind: 'close'; readonly code: number; readonly reason: string };
 
 /** A connection with its other end. */
@@ -95,6 +95,11 @@ export function clientConnectionSuite(
       expectRecord(await pair.next(), record('/a', 1));
       expect(await pair.next()).toEqual({ kind: 'error', error });
       expect(await pair.next()).toEqual({ kind: 'PONG' });
+    });
+
+    it('sends a PONG that says more [TS-2]', async () => {
+      pair.connection.sendPong('PONG 7 1.000 2.000');
+      expect(await pair.next()).toEqual({ kind: 'PONG', text: 'PONG 7 1.000 2.000' });
     });
 
     it('closes with code and reason, after what was sent', async () => {

@@ -24,6 +24,14 @@ export function clockSuite(
       expect(clock.nowMs()).toBeGreaterThan(Date.UTC(2020, 0, 1));
     });
 
+    it('tells the same time with fractions', () => {
+      const { clock } = createClock();
+      const beforeMs = clock.nowMs();
+      const preciseMs = clock.preciseMs();
+      expect(preciseMs).toBeGreaterThanOrEqual(beforeMs);
+      expect(preciseMs).toBeLessThan(clock.nowMs() + 1);
+    });
+
     it('goes forward by what a timer waited for', async () => {
       const parts = createClock();
       const beforeMs = parts.clock.monotonicMs();

@@ -1,0 +1,29 @@
+import type { Clock } from '../ports/clock.ts';
+
+/** Both clocks of this machine at one moment, milliseconds. */
+export interface ClockReading {
+  /** Since an arbitrary moment; stands still while most machines sleep. */
+  readonly monotonicMs: number;
+  /** Since the Unix epoch; goes on while the machine sleeps, and jumps when it is set. */
+  readonly wallMs: number;
+}
+
+/** Two readings further apart than this are not of one moment: the program was interrupted between them. */
+const ONE_MOMENT_MS = 2;
+const ATTEMPTS = 3;
+
+/** Reads both clocks at one moment, as far as the system lets the program run. */
+export function readClocks(clock: Clock): ClockReading {
+  for (let attempt = 1; ; attempt += 1) {
+    const beforeMs = clock.monotonicMs();
+    const wallMs = clock.nowMs();
+    const monotonicMs = clock.monotonicMs();
+    if (monotonicMs - beforeMs <= ONE_MOMENT_MS || attempt === ATTEMPTS)
+      return { monotonicMs, wallMs };
+  }
+}
+
+/** How far the wall clock went beyond the monotonic one between two readings, milliseconds. */
+export function wallAheadMs(before: ClockReading, after: ClockReading): number {
+  return after.wallMs - before.wallMs - (after.monotonicMs - before.monotonicMs);
+}

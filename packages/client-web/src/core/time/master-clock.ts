@@ -1,0 +1,116 @@
+import { Listeners } from '../listeners.ts';
+import type { Clock } from '../ports/clock.ts';
+import type { Unsubscribe } from '../ubii-client.ts';
+import { ClockGrain } from './clock-grain.ts';
+import { readClocks, wallAheadMs } from './clock-reading.ts';
+import type { ClockReading } from './clock-reading.ts';
+import type { MasterTime, MasterTimeEstimate } from './master-time.ts';
+import { TimeEstimator } from './time-estimator.ts';
+import { sampleOf } from './time-sample.ts';
+import type { TimeExchange } from './time-sample.ts';
+
+/** The clocks may part by this much between two readings, and by this share of the time between them. [TS-7] */
+const JUMP_MS = 20;
+const JUMP_SHARE = 0.001;
+
+/**
+ * Keeps the master's time on the monotonic clock: the wall clock of a machine may be set at any
+ * moment. That clock stands still while most machines sleep, which shows in the other one going on.
+ */
+export class MasterClock implements MasterTime {
+  readonly #clock: Clock;
+  readonly #measureAgain: () => void;
+  readonly #estimator = new TimeEstimator();
+  readonly #grain = new ClockGrain();
+  readonly #masterGrain = new ClockGrain();
+  readonly #listeners = new Listeners<MasterTimeEstimate | undefined>();
+  #last: ClockReading | undefined;
+  /** What to go by until the next measurement: what to add to one of the two clocks, milliseconds. */
+  #makeshift: { readonly clock: keyof ClockReading; readonly offsetMs: number } = {
+    clock: 'wallMs',
+    offsetMs: 0,
+  };
+  #isNewLink = false;
+
+  /** @param measureAgain asks for measurements; called when what was measured holds no longer */
+  constructor(clock: Clock, measureAgain: () => void) {
+    this.#clock = clock;
+    this.#measureAgain = measureAgain;
+  }
+
+  nowMs(): number {
+    const reading = this.#read();
+    const guess = this.#estimator.at(reading.monotonicMs);
+    if (guess !== undefined) return reading.monotonicMs + guess.offsetMs;
+    return reading[this.#makeshift.clock] + this.#makeshift.offsetMs;
+  }
+
+  get estimate(): MasterTimeEstimate | undefined {
+    return this.#estimateAt(this.#read());
+  }
+
+  onEstimate(fn: (estimate: MasterTimeEstimate | undefined) => void): Unsubscribe {
+    return this.#listeners.add(fn);
+  }
+
+  /** There is a new link: its first exchange may come from another master. [TS-8] */
+  handleLink(): void {
+    this.#isNewLink = true;
+  }
+
+  handleExchange(exchange: TimeExchange): void {
+    const { sent, received, masterReceivedMs, masterSentMs } = exchange;
+    for (const reading of [sent, received]) this.#grain.add(reading.monotonicMs);
+    for (const readingMs of [masterReceivedMs, masterSentMs]) this.#masterGrain.add(readingMs);
+    this.#watch(received);
+    const sample = sampleOf(exchange, this.#grain.grainMs + this.#masterGrain.grainMs);
+    if (sample === undefined) return;
+    if (this.#isNewLink) this.#estimator.reset();
+    this.#isNewLink = false;
+    if (!this.#estimator.add(sample)) this.#measureAgain(); // [TS-6]
+    this.#listeners.emit(this.#estimateAt(received));
+  }
+
+  #estimateAt(reading: ClockReading): MasterTimeEstimate | undefined {
+    const guess = this.#estimator.at(reading.monotonicMs);
+    if (guess === undefined) return undefined;
+    const { offsetMs, errorMs, rate, sampleAtMs } = guess;
+    return {
+      offsetMs: reading.monotonicMs + offsetMs - reading.wallMs,
+      driftPpm: rate * 1e6,
+      errorMs,
+      measuredAt: sampleAtMs + offsetMs,
+    };
+  }
+
+  #read(): ClockReading {
+    const reading = readClocks(this.#clock);
+    this.#watch(reading);
+    return reading;
+  }
+
+  /** [TS-7] */
+  #watch(reading: ClockReading): void {
+    const last = this.#last;
+    this.#last = reading;
+    if (last === undefined) return;
+    const aheadMs = wallAheadMs(last, reading);
+    const passedMs = Math.max(0, reading.monotonicMs - last.monotonicMs);
+    if (Math.abs(aheadMs) <= JUMP_MS + JUMP_SHARE * passedMs) return;
+    const guess = this.#estimator.at(last.monotonicMs);
+    if (guess === undefined) {
+      this.#measureAgain();
+      return;
+    }
+    // A wall clock that is ahead went on through a sleep, or was set: then the next measurement mends
+    // it. No sleep sets it back.
+    const slept = aheadMs > 0;
+    this.#makeshift = {
+      clock: slept ? 'wallMs' : 'monotonicMs',
+      offsetMs: guess.offsetMs + (slept ? last.monotonicMs - last.wallMs : 0),
+    };
+    this.#estimator.reset();
+    this.#listeners.emit(undefined);
+    this.#measureAgain();
+  }
+}
