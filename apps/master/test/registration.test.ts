@@ -157,7 +157,7 @@ describe('registration', () => {
     const ada = await master.legacy('ada');
     const ben = await master.extension('ben');
     expect(ada.registered.extension).toBeUndefined();
-    expect(ben.registered.extension).toEqual({
+    expect(ben.registered.extension).toMatchObject({
       recordLists: true,
       library: '',
       resumeToken: `token-of-${ben.id}`,
