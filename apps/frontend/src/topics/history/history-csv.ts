@@ -25,7 +25,12 @@ export function historyCsv(history: TopicHistory): string {
 
 /** The name of the file with the table of a topic. */
 export function csvName(topic: string): string {
-  return `${topic.replace(/^\/+/, '').replace(/[^\w.-]+/g, '-') || 'topic'}.csv`;
+  return `${fileNameOf(topic)}.csv`;
+}
+
+/** A topic as the name of a file, without its ending. */
+export function fileNameOf(topic: string): string {
+  return topic.replace(/^\/+/, '').replace(/[^\w.-]+/g, '-') || 'topic';
 }
 
 function csvField(value: string | number): string {

@@ -1,6 +1,7 @@
 import type { DataFormat, TopicRecord } from '@ubii/proto';
 import { formatValue } from '../values/format-value.ts';
 import { seriesOf, type ValueSeries } from '../values/value-series.ts';
+import { EVENT_FORMATS, EventLog } from '../viewers/events/event-log.ts';
 import { SampleClock } from './sample-clock.ts';
 import { SeriesRing } from './series-ring.ts';
 
@@ -26,6 +27,7 @@ export class TopicHistory {
   #format: DataFormat | undefined;
   #series: ValueSeries | undefined;
   #ring: SeriesRing | undefined;
+  #events: EventLog | undefined;
   #latest: TopicRecord | undefined;
   #latestLocalMs = 0;
   /** Oldest first; up to twice what is listed, so that making room is rare. */
@@ -62,12 +64,18 @@ export class TopicHistory {
     return this.#ring;
   }
 
+  /** What happened, for formats of which every record counts; `undefined` for others. */
+  get events(): EventLog | undefined {
+    return this.#events;
+  }
+
   /** @param arrivalMs this machine's clock: milliseconds since the Unix epoch */
   add(record: TopicRecord, arrivalMs: number): void {
     if (record.format !== this.#format) this.#begin(record.format);
     const numbers = this.#series?.read(record.value as never);
     this.#latest = record;
     this.#latestLocalMs = this.#clock.toLocalMs(record.timestampMs, arrivalMs);
+    this.#events?.add(record, this.#latestLocalMs);
     if (numbers) this.#ring!.push(this.#latestLocalMs, numbers);
     this.#count += 1;
     this.#lines.push({
@@ -85,6 +93,7 @@ export class TopicHistory {
   #begin(format: DataFormat): void {
     this.#format = format;
     this.#series = seriesOf(format);
+    this.#events = EVENT_FORMATS.has(format) ? new EventLog() : undefined;
     this.#ring = this.#series && new SeriesRing(this.#series.names.length);
   }
 

@@ -34,6 +34,8 @@ export interface TopicViewer {
   /** One or two words. */
   readonly title: string;
   fits(format: DataFormat): boolean;
+  /** Offered after the others that fit. @default false */
+  isSecond?(format: DataFormat): boolean;
   /** False for what the page of a topic shows beside the value anyway. @default true */
   readonly isInDetail?: boolean;
   /** Takes `ViewerProps`; large ones are loaded when they are first shown. */

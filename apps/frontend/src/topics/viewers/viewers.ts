@@ -1,8 +1,17 @@
 import { DATA_FORMATS, type DataFormat } from '@ubii/proto';
 import { seriesOf } from '../values/value-series.ts';
+import BytesViewer from './bytes/BytesViewer.vue';
+import { EVENT_FORMATS } from './events/event-log.ts';
+import EventsViewer from './events/EventsViewer.vue';
 import JsonViewer from './JsonViewer.vue';
 import PictureViewer from './PictureViewer.vue';
+import { PLANE_FORMATS } from './plane/plane-shapes.ts';
+import PlaneViewer from './plane/PlaneViewer.vue';
 import PlotViewer from './PlotViewer.vue';
+import { isSpatial } from './space/space-things.ts';
+import SpaceViewer from './space/SpaceViewer.vue';
+import TableViewer from './table/TableViewer.vue';
+import { TABLE_FORMATS } from './table/value-table.ts';
 import type { TopicViewer } from './topic-viewer.ts';
 
 /** Every viewer, in the order in which they are offered: the first that fits a format is the best. */
@@ -14,17 +23,52 @@ export const VIEWERS: readonly TopicViewer[] = [
     component: PictureViewer,
   },
   {
+    id: 'space',
+    title: '3D',
+    fits: isSpatial,
+    isSecond: (format) => format === 'vector3',
+    component: SpaceViewer,
+  },
+  {
+    id: 'plane',
+    title: '2D',
+    // Touches are on the pad of their events.
+    fits: (format) => PLANE_FORMATS.has(format) && !EVENT_FORMATS.has(format),
+    isSecond: (format) => format === 'vector2',
+    component: PlaneViewer,
+  },
+  {
+    id: 'events',
+    title: 'Events',
+    fits: (format) => EVENT_FORMATS.has(format),
+    isSecond: (format) => format === 'bool',
+    component: EventsViewer,
+  },
+  {
     id: 'plot',
     title: 'Plot',
     fits: (format) => seriesOf(format) !== undefined,
     component: PlotViewer,
   },
-  { id: 'json', title: 'JSON', fits: () => true, component: JsonViewer },
+  {
+    id: 'table',
+    title: 'Table',
+    fits: (format) => TABLE_FORMATS.has(format),
+    isSecond: () => true,
+    component: TableViewer,
+  },
+  { id: 'json', title: 'JSON', fits: () => true, isSecond: () => true, component: JsonViewer },
+  { id: 'bytes', title: 'Bytes', fits: () => true, isSecond: () => true, component: BytesViewer },
 ];
 
 /** The viewers that fit a data format, the best one first; at least one. */
 export function viewersOf(format: DataFormat): readonly TopicViewer[] {
-  return VIEWERS.filter((viewer) => viewer.fits(format));
+  const fitting = VIEWERS.filter((viewer) => viewer.fits(format));
+  const isSecond = ({ isSecond: is }: TopicViewer): boolean => is?.(format) ?? false;
+  return [
+    ...fitting.filter((viewer) => !isSecond(viewer)),
+    ...fitting.filter((viewer) => isSecond(viewer)),
+  ];
 }
 
 /** The viewer that fits a data format best. */

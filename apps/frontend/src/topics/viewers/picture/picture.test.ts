@@ -1,0 +1,41 @@
+import { Image2DDataFormat } from '@ubii/proto';
+import { expect, it } from 'vitest';
+import { overlayTopics } from './overlay-topics.ts';
+import { encodingOf, pictureNote, pictureProblem } from './picture-facts.ts';
+
+const image = (width: number, height: number, dataFormat: number, data: number | number[]) => ({
+  width,
+  height,
+  dataFormat,
+  data: new Uint8Array(data as number),
+});
+const { GRAY8, RGB8 } = Image2DDataFormat;
+
+it('says what the size needs, what there is, and what it would fit', () => {
+  expect(pictureProblem(image(2, 2, RGB8, 12))).toBeUndefined();
+  expect(pictureProblem(image(2, 2, RGB8, 4))).toBe(
+    'The data is too short for the size it claims: 2 × 2 RGB8 needs 12 bytes, there are 4. They would fit GRAY8.',
+  );
+  expect(pictureProblem(image(2, 2, 9, 4))).toMatch(/layout 9 is none of/);
+  expect(pictureProblem(image(0, 2, GRAY8, 4))).toMatch(/0 × 2 pixels/);
+  expect(pictureProblem(image(2, 2, GRAY8, 0))).toMatch(/empty/);
+});
+
+it('knows files by their first bytes, and says when the record says another size', () => {
+  const jpeg = image(640, 480, RGB8, [0xff, 0xd8, 0xff, 0xe0]);
+  expect(encodingOf(jpeg)).toBe('JPEG');
+  expect(pictureNote(jpeg, { width: 640, height: 480 })).toBeUndefined();
+  expect(pictureNote(jpeg, { width: 320, height: 240 })).toMatch(/JPEG in it is 320 × 240/);
+  expect(pictureNote(image(2, 2, GRAY8, 7), { width: 2, height: 2 })).toMatch(/^3 bytes more/);
+});
+
+it('suggests things and poses near the picture first', () => {
+  const known = [
+    ['/a/point', 'vector2'],
+    ['/b/things', 'object2DList'],
+    ['/cam/1/things', 'ubii.dataStructure.Object2DList'],
+    ['/cam/1/image', 'image2D'],
+    ['/cam/1/speed', 'double'],
+  ] as const;
+  expect(overlayTopics(known, '/cam/1/image')).toEqual(['/cam/1/things', '/b/things', '/a/point']);
+});

@@ -1,0 +1,140 @@
+import {
+  TouchEventType,
+  type Object2D,
+  type Pose2D,
+  type TopicRecord,
+  type TouchEventMessage,
+  type Vector2,
+} from '@ubii/proto';
+
+/** Something in the plane or on a picture. */
+export interface PlaneShape {
+  /** Unique among those of one value. */
+  readonly key: string;
+  readonly name: string;
+  /** The top left corner of a box, or the place of a point. */
+  readonly x: number;
+  readonly y: number;
+  /** Absent for a point. */
+  readonly size?: { readonly width: number; readonly height: number };
+  /** Which way it faces, radians from the x axis towards the y axis; absent when it does not say. */
+  readonly angle?: number;
+  /** Drawn hollow: a finger that left. */
+  readonly isGone?: boolean;
+}
+
+/** More are not drawn; how many there are is said. */
+export const MAX_SHAPES = 500;
+
+/** What a value shows in the plane; `undefined` for formats that have no place there. */
+export function planeShapes(
+  record: TopicRecord,
+): { readonly shapes: readonly PlaneShape[]; readonly count: number } | undefined {
+  const { format, value } = record;
+  switch (format) {
+    case 'vector2':
+      return one(point('0', '', value));
+    case 'vector2List':
+      return many(value.elements, (element, key) => point(key, '', element));
+    case 'pose2D':
+      return one(posed('0', '', value));
+    case 'object2D':
+      return one(object(value, '0'));
+    case 'object2DList':
+      return many(value.elements, object);
+    case 'touchEvent':
+      return one(touch(value, '0'));
+    case 'touchEventList':
+      return many(value.elements, touch);
+    default:
+      return undefined;
+  }
+}
+
+/** Formats that have a place in the plane. */
+export const PLANE_FORMATS: ReadonlySet<string> = new Set<TopicRecord['format']>([
+  'object2DList',
+  'object2D',
+  'pose2D',
+  'vector2List',
+  'vector2',
+  'touchEventList',
+  'touchEvent',
+]);
+
+const one = (shape: PlaneShape) => ({ shapes: [shape], count: 1 });
+
+function many<T>(elements: readonly T[], read: (element: T, key: string) => PlaneShape) {
+  const shapes = elements
+    .slice(0, MAX_SHAPES)
+    .map((element, index) => read(element, String(index)));
+  return { shapes, count: elements.length };
+}
+
+const finite = (value: number | undefined): number => (Number.isFinite(value) ? value! : 0);
+
+const point = (key: string, name: string, at: Vector2 | undefined): PlaneShape => ({
+  key,
+  name,
+  x: finite(at?.x),
+  y: finite(at?.y),
+});
+
+function posed(key: string, name: string, { position, angle, direction }: Pose2D): PlaneShape {
+  const faces = direction ? Math.atan2(direction.y, direction.x) : angle;
+  return { ...point(key, name, position), ...(faces === undefined ? {} : { angle: faces }) };
+}
+
+function object({ id, pose, size }: Object2D, key: string): PlaneShape {
+  const place = pose ? posed(key, id, pose) : point(key, id, undefined);
+  if (!size || !(size.x > 0 || size.y > 0)) return place;
+  // Detectors say no angle, and others say 0: a box that is not turned has no arrow.
+  const { angle, ...rest } = place;
+  return {
+    ...rest,
+    size: { width: finite(size.x), height: finite(size.y) },
+    ...(angle ? { angle } : {}),
+  };
+}
+
+const touch = ({ id, position, type }: TouchEventMessage, key: string): PlaneShape => ({
+  ...point(key, id, position),
+  isGone: type === TouchEventType.TOUCH_END,
+});
+
+/** The part of the plane that is shown, y down as on pictures or up as on paper. */
+export interface PlaneView {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
+  /** From 0 to 1 of a surface, y down. */
+  readonly isSurface: boolean;
+}
+
+/** A surface when all of it lies within 0 to 1 and the format is of surfaces; else a round square about 0. */
+export function planeView(format: TopicRecord['format'], shapes: readonly PlaneShape[]): PlaneView {
+  const isOfSurface = /^(touchEvent|object2D|pose2D)/.test(format);
+  const fits = shapes.every(
+    ({ x, y, size }) =>
+      x >= -0.05 && y >= -0.05 && x + (size?.width ?? 0) <= 1.05 && y + (size?.height ?? 0) <= 1.05,
+  );
+  if (isOfSurface && fits) return { left: 0, top: 0, width: 1, height: 1, isSurface: true };
+  const most = Math.max(
+    0,
+    ...shapes.flatMap(({ x, y, size }) => [
+      Math.abs(x) + (size?.width ?? 0),
+      Math.abs(y) + (size?.height ?? 0),
+    ]),
+  );
+  const power = 10 ** Math.floor(Math.log10(most > 0 && Number.isFinite(most) ? most : 1));
+  const reach = power * ([1, 2, 5, 10].find((factor) => factor * power >= most) ?? 10);
+  return { left: -reach, top: -reach, width: 2 * reach, height: 2 * reach, isSurface: false };
+}
+
+/** Whether places on a picture are in pixels, against the schema: some are far beyond 1. */
+export function isInPixels(shapes: readonly PlaneShape[]): boolean {
+  return shapes.some(({ x, y, size }) =>
+    [x, y, size?.width ?? 0, size?.height ?? 0].some((part) => Math.abs(part) > 2),
+  );
+}

@@ -1,0 +1,37 @@
+import { formatNumber } from '../../../ui/readouts/format-number.ts';
+import type { Axes, SpaceThing, SpaceView } from './space-things.ts';
+
+const DEGREES = 180 / Math.PI;
+
+/** Turns about z, y and x of the turned body, whole degrees; of axes with a length the direction counts. */
+export function anglesOf([x, y, z]: Axes): { yaw: number; pitch: number; roll: number } {
+  const length = Math.hypot(...x) || 1;
+  return {
+    yaw: Math.atan2(x[1], x[0]) * DEGREES,
+    pitch: Math.asin(Math.max(-1, Math.min(1, -x[2] / length))) * DEGREES,
+    roll: Math.atan2(y[2], z[2]) * DEGREES,
+  };
+}
+
+const degrees = (value: number): string => `${formatNumber(Math.round(value) + 0)}°`;
+
+/** One thing in words and numbers. */
+export function describeThing({ name, at, axes, mark }: SpaceThing): string {
+  const isTurned = axes !== undefined && mark === 'axes';
+  // What only turns is at the origin, which says nothing.
+  const isThere = !isTurned || at.some((part) => part !== 0);
+  const words = [name, isThere ? `at ${at.map((part) => formatNumber(part, 2)).join(', ')}` : ''];
+  if (isTurned) {
+    const { yaw, pitch, roll } = anglesOf(axes);
+    words.push(`yaw ${degrees(yaw)}`, `pitch ${degrees(pitch)}`, `roll ${degrees(roll)}`);
+  }
+  return words.filter((word) => word !== '').join('  ');
+}
+
+/** What the picture shows, for those who do not see it. */
+export function describeView({ things, count }: SpaceView): string {
+  if (count === 0) return 'Nothing to be drawn.';
+  if (count === 1) return describeThing(things[0]!);
+  const left = count > things.length ? `, the first ${things.length} are drawn` : '';
+  return `${formatNumber(count)} things${left}`;
+}

@@ -1,0 +1,198 @@
+import type {
+  DataFormat,
+  DataFormatValues,
+  Matrix3x2,
+  Matrix4x4,
+  Object3D,
+  Pose3D,
+  Quaternion,
+  Vector3,
+} from '@ubii/proto';
+import { normalized, rotate } from '../../../message-form/rotation.ts';
+
+export type Point = readonly [number, number, number];
+/** Where the unit vectors of the turned body point: x, y, z. */
+export type Axes = readonly [Point, Point, Point];
+
+/** Something to be drawn in space, in the coordinates of the publisher. */
+export interface SpaceThing {
+  /** Unique among those of one value. */
+  readonly key: string;
+  /** What it is called; empty when it has no name. */
+  readonly name: string;
+  readonly at: Point;
+  /** Absent for what is not turned. */
+  readonly axes?: Axes;
+  /** Along its own axes; absent when it has none. */
+  readonly size?: Point;
+  /** An arrow from the origin stands for a vector by itself, a dot for one of many. */
+  readonly mark: 'arrow' | 'dot' | 'axes';
+  /** Axes are drawn as long as they are, because their length says something. */
+  readonly isToScale: boolean;
+}
+
+/** What a value shows in space, and how it was understood where the format leaves that open. */
+export interface SpaceView {
+  readonly things: readonly SpaceThing[];
+  /** How many there are in the value. */
+  readonly count: number;
+  readonly note: string | undefined;
+}
+
+/** More are not drawn; how many there are is said. */
+export const MAX_THINGS = 300;
+
+export const ORIGIN: Point = [0, 0, 0];
+const UNIT: Axes = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+const FULL_TURN = 2 * Math.PI;
+const RADIANS = Math.PI / 180;
+
+type Reader<F extends DataFormat> = (value: DataFormatValues[F]) => SpaceView;
+
+const one = (thing: Omit<SpaceThing, 'key' | 'name'> & { name?: string }, note?: string) => ({
+  things: [{ key: '0', name: '', ...thing }],
+  count: 1,
+  note,
+});
+
+const point = (vector: Vector3 | undefined): Point =>
+  vector ? [finite(vector.x), finite(vector.y), finite(vector.z)] : ORIGIN;
+const finite = (value: number): number => (Number.isFinite(value) ? value : 0);
+
+export function axesOf(quaternion: Quaternion): Axes {
+  const unit = normalized(quaternion);
+  return UNIT.map((axis) => rotate(unit, axis)) as unknown as Axes;
+}
+
+const rotation = (value: Quaternion): SpaceView =>
+  one(
+    { at: ORIGIN, axes: axesOf(value), mark: 'axes', isToScale: true },
+    value.x === 0 && value.y === 0 && value.z === 0 && value.w === 0
+      ? 'All four numbers are 0, which is no rotation; it is drawn unturned.'
+      : undefined,
+  );
+
+/** Radians, unless a number is larger than a full turn. */
+function eulerAxes({ x, y, z }: Vector3): { axes: Axes; note: string } {
+  const isDegrees = [x, y, z].some((angle) => Math.abs(angle) > FULL_TURN);
+  const unit = isDegrees ? RADIANS : 1;
+  const half = [x, y, z].map((angle) => (finite(angle) * unit) / 2);
+  const about = (index: number) => ({
+    x: index === 0 ? Math.sin(half[0]!) : 0,
+    y: index === 1 ? Math.sin(half[1]!) : 0,
+    z: index === 2 ? Math.sin(half[2]!) : 0,
+    w: Math.cos(half[index]!),
+  });
+  // About x first, then y, then z of the room.
+  const axes = UNIT.map((axis) =>
+    rotate(about(2), rotate(about(1), rotate(about(0), axis))),
+  ) as unknown as Axes;
+  return {
+    axes,
+    note: `Euler angles are read as ${isDegrees ? 'degrees' : 'radians'}, about x, then y, then z.`,
+  };
+}
+
+function pose({ position, quaternion, euler }: Pose3D) {
+  const turned = euler ? eulerAxes(euler) : { axes: quaternion && axesOf(quaternion) };
+  const at = point(position);
+  return {
+    thing: { at, mark: 'axes' as const, axes: turned.axes ?? UNIT, isToScale: false },
+    note: 'note' in turned ? turned.note : undefined,
+  };
+}
+
+function objects(elements: readonly Object3D[]): SpaceView {
+  const notes = new Set<string>();
+  const seen = new Map<string, number>();
+  const things = elements.slice(0, MAX_THINGS).map(({ id, pose: where, size }): SpaceThing => {
+    const { thing, note } = pose(where ?? ({} as Pose3D));
+    if (note) notes.add(note);
+    const times = (seen.get(id) ?? 0) + 1;
+    seen.set(id, times);
+    const key = `${id}#${times}`;
+    const hasSize = size !== undefined && [size.x, size.y, size.z].some((part) => part > 0);
+    return { key, name: id, ...thing, ...(hasSize ? { size: point(size) } : {}) };
+  });
+  return { things, count: elements.length, note: [...notes][0] };
+}
+
+/**
+ * A matrix as the images of the unit vectors and of the origin. Its last column is the translation,
+ * or its last row where only that has one.
+ */
+function matrix(m: Matrix4x4): SpaceView {
+  const isRows =
+    [m.m03, m.m13, m.m23].every((part) => part === 0) &&
+    [m.m30, m.m31, m.m32].some((part) => part !== 0);
+  const axes: Axes = isRows
+    ? [
+        [m.m00, m.m01, m.m02],
+        [m.m10, m.m11, m.m12],
+        [m.m20, m.m21, m.m22],
+      ]
+    : [
+        [m.m00, m.m10, m.m20],
+        [m.m01, m.m11, m.m21],
+        [m.m02, m.m12, m.m22],
+      ];
+  const at: Point = isRows ? [m.m30, m.m31, m.m32] : [m.m03, m.m13, m.m23];
+  const note = isRows
+    ? 'Rows are read as the images of the axes: the translation stands in the last row.'
+    : 'Columns are read as the images of the axes, the last one as the translation.';
+  return one({ at, axes, mark: 'axes', isToScale: true }, note);
+}
+
+const plane = (m: Matrix3x2): SpaceView =>
+  one(
+    {
+      at: [m.m20, m.m21, 0],
+      axes: [
+        [m.m00, m.m01, 0],
+        [m.m10, m.m11, 0],
+        [0, 0, 0],
+      ],
+      mark: 'axes',
+      isToScale: true,
+    },
+    'A transform of the plane: x and y of it, and its translation.',
+  );
+
+const READERS: { readonly [F in DataFormat]?: Reader<F> } = {
+  vector3: (value) => one({ at: point(value), mark: 'arrow', isToScale: false }),
+  vector3List: ({ elements }) => ({
+    things: elements.slice(0, MAX_THINGS).map((element, index) => ({
+      key: String(index),
+      name: '',
+      at: point(element),
+      mark: 'dot',
+      isToScale: false,
+    })),
+    count: elements.length,
+    note: undefined,
+  }),
+  quaternion: rotation,
+  quaternionList: rotation,
+  matrix3x2: plane,
+  matrix4x4: matrix,
+  pose3D: (value) => {
+    const { thing, note } = pose(value);
+    return one(thing, note);
+  },
+  object3D: (value) => objects([value]),
+  object3DList: ({ elements }) => objects(elements),
+};
+
+export function isSpatial(format: DataFormat): boolean {
+  return READERS[format] !== undefined;
+}
+
+/** What a value shows in space; nothing for formats that have no place there. */
+export function spaceView<F extends DataFormat>(format: F, value: DataFormatValues[F]): SpaceView {
+  const reader = READERS[format] as Reader<F> | undefined;
+  return reader?.(value) ?? { things: [], count: 0, note: undefined };
+}
