@@ -1,4 +1,4 @@
-import { decodeRecord } from '@ubii/proto';
+import { decodeRecord, Image2DDataFormat } from '@ubii/proto';
 import { expect, it } from 'vitest';
 import { afterKey, asNumbers, hexRow, hexText, selected } from './hex-rows.ts';
 import { byteSources } from './record-bytes.ts';
@@ -37,7 +37,12 @@ it('a record is encoded as it travels, and a picture shows its own bytes first',
     timestampMs: 5,
   } as const;
   expect(decodeRecord(byteSources(record)[0]!.bytes())).toMatchObject({ topic: '/a', value: 2 });
-  const image = { width: 1, height: 1, dataFormat: 0, data: new Uint8Array([7]) };
+  const image = {
+    width: 1,
+    height: 1,
+    dataFormat: Image2DDataFormat.GRAY8,
+    data: new Uint8Array([7]),
+  };
   const [data] = byteSources({ ...record, format: 'image2D', value: image });
   expect(data?.bytes()).toEqual(image.data);
 });

@@ -180,18 +180,18 @@ export class EventLog {
 
   #happen({ name, kind, action, detail = '' }: Happening, timeMs: number): void {
     this.#count += 1;
-    const last = this.#entries.at(-1);
-    if (kind === 'move' && last?.name === name && last.action === action) {
-      this.#entries[this.#entries.length - 1] = { ...last, timeMs, detail, times: last.times + 1 };
-    } else {
+    const at = kind === 'move' ? this.#lastMoveOf(name) : -1;
+    const last = this.#entries[at];
+    if (last) this.#entries[at] = { ...last, timeMs, detail, times: last.times + 1 };
+    else {
       this.#entries.push({ number: this.#count, timeMs, name, action, detail, times: 1 });
       if (this.#entries.length > MAX_ENTRIES) this.#entries.shift();
     }
     const tally = this.#tallyOf(name);
     tally.lastMs = timeMs;
-    if (kind === 'down') {
-      tally.downs += 1;
-      // A key that is held repeats: it stays down.
+    if (kind === 'down' || kind === 'move') {
+      if (kind === 'down') tally.downs += 1;
+      // A key that is held repeats, and a finger that moves is down: since now, if nobody saw it come.
       if (!tally.isDown) tally.spans.push({ fromMs: timeMs, toMs: undefined });
       tally.isDown = true;
     } else if (kind === 'up') {
@@ -210,6 +210,13 @@ export class EventLog {
     if (!tally) return;
     if (open && open.toMs === undefined) open.toMs = timeMs;
     tally.isDown = false;
+  }
+
+  /** Fingers take turns: the last entry of this one may be a few back. */
+  #lastMoveOf(name: string): number {
+    const at = this.#entries.findLastIndex((entry) => entry.name === name);
+    const isNear = at >= this.#entries.length - MAX_FINGERS;
+    return isNear && this.#entries[at]?.action === 'move' ? at : -1;
   }
 
   #tallyOf(name: string): Tally {

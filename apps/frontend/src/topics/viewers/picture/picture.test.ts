@@ -1,12 +1,17 @@
-import { Image2DDataFormat } from '@ubii/proto';
+import { Image2DDataFormat, type Image2D } from '@ubii/proto';
 import { expect, it } from 'vitest';
 import { overlayTopics } from './overlay-topics.ts';
 import { encodingOf, pictureNote, pictureProblem } from './picture-facts.ts';
 
-const image = (width: number, height: number, dataFormat: number, data: number | number[]) => ({
+const image = (
+  width: number,
+  height: number,
+  dataFormat: number,
+  data: number | number[],
+): Image2D => ({
   width,
   height,
-  dataFormat,
+  dataFormat: dataFormat as Image2DDataFormat,
   data: new Uint8Array(data as number),
 });
 const { GRAY8, RGB8 } = Image2DDataFormat;
