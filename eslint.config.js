@@ -128,6 +128,10 @@ export default ts.config(
     rules: restrict(noApps, noVue, noClient, noRuntimes, noModules),
   },
   { files: ['packages/client-web/**'], rules: restrict(noApps, noVue, noModules) },
+  {
+    files: ['packages/discovery/**'],
+    rules: restrict(noApps, noVue, noClient, noRuntimes, noModules),
+  },
   { files: ['packages/pm-sandbox/**'], rules: restrict(noApps, noVue, noClient, noModules) },
   {
     files: ['packages/pm-sandbox/src/**'],

@@ -19,7 +19,7 @@ const everywhere = [
 const builds = {
   master: {
     output: 'apps/master/dist/main.js',
-    inputs: [...everywhere, 'apps/master'],
+    inputs: [...everywhere, 'packages/discovery', 'apps/master'],
     build: async () => expectSuccess(await runNode(inRoot('apps/master/build.mjs'), [])),
   },
   frontend: {
@@ -45,7 +45,7 @@ const builds = {
   },
   node: {
     output: 'apps/node/dist/main.js',
-    inputs: [...everywhere, 'packages/client-web', 'apps/node'],
+    inputs: [...everywhere, 'packages/client-web', 'packages/discovery', 'apps/node'],
     build: async () => expectSuccess(await runNode(inRoot('apps/node/build.mjs'), [])),
   },
 };
