@@ -9,6 +9,7 @@ import {
   parseLegacyPorts,
   parseLimits,
   parseName,
+  parseNetworks,
   parseOrigins,
   parsePercent,
   parsePort,
@@ -68,10 +69,19 @@ export const OPTIONS = {
     parse: parseHost,
   }),
   lan: option({
-    placeholder: undefined,
+    placeholder: '[on|off]',
     fallback: false,
-    description: 'Listen on all networks of this machine, so that phones can join.',
+    description:
+      'Listen on all networks of this machine, so that phones can join with the code that the terminal shows. Who has not joined is let in to nothing. With --host it is off.',
     parse: parseSwitch,
+  }),
+  allowLegacy: option<readonly string[]>({
+    placeholder: '<network>,...',
+    fallback: [],
+    fallbackText: 'none',
+    description:
+      'Networks whose existing clients are let in without joining, as participants, because they know no codes: 192.168.1.0/24,10.0.0.7. This machine always is.',
+    parse: parseNetworks,
   }),
   https: option<'on' | 'off'>({
     placeholder: 'on|off',
@@ -135,7 +145,7 @@ export const OPTIONS = {
     fallback: [],
     fallbackText: 'none',
     description:
-      'Web pages of other origins that may call the services, besides those of this machine and, with --lan, of private addresses: https://example.org, https://*.example.org, http://example.org:*, or * for all.',
+      'Web pages of other origins that may call the services, besides those of this machine and, with --lan, of private addresses: https://example.org, https://*.example.org, http://example.org:*, or * for all. Those named, and not *, need not join when this machine shows them.',
     parse: parseOrigins,
   }),
   name: option({

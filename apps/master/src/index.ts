@@ -10,4 +10,5 @@ export type {
   MasterMetrics,
   MetricFamily,
   ServiceAnswer,
+  TerminalJoin,
 } from './core/master.ts';

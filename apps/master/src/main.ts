@@ -6,7 +6,7 @@ import { formatHelp } from './adapters/config/format-help.ts';
 import { resolveConfig } from './adapters/config/resolve-config.ts';
 import { StreamLog } from './adapters/log/stream-log.ts';
 import { FaultGuard } from './adapters/process/fault-guard.ts';
-import { bestPhoneUrl, formatBanner } from './adapters/terminal/banner.ts';
+import { bestPhoneUrl, formatBanner, joinUrl } from './adapters/terminal/banner.ts';
 import { formatEndpoints } from './adapters/terminal/endpoints-line.ts';
 import { formatQrCode } from './adapters/terminal/qr-code.ts';
 import type { Config } from './config.ts';
@@ -111,14 +111,15 @@ async function present(master: RunningMaster, config: Config): Promise<void> {
       dataDir: config.dataDir,
       ports: master.ports,
       reachability,
+      join: master.join,
       devUrl: process.env['UBII_DEV_FRONTEND_URL'],
     }),
   );
   const phoneUrl = bestPhoneUrl(reachability);
-  if (phoneUrl !== undefined && screen.isTTY) {
-    screen.write(`\n${await formatQrCode(phoneUrl)}\n`);
+  if (phoneUrl !== undefined && master.join !== undefined && screen.isTTY) {
+    screen.write(`\n${await formatQrCode(joinUrl(phoneUrl, master.join.token))}\n`);
   }
   if (forPrograms) {
-    process.stdout.write(`${formatEndpoints(reachability.localUrl, process.pid)}\n`);
+    process.stdout.write(`${formatEndpoints(reachability.localUrl, process.pid, master.join)}\n`);
   }
 }

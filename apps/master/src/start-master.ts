@@ -1,9 +1,12 @@
-import { homedir } from 'node:os';
+import { homedir, hostname } from 'node:os';
 import { moduleLibrary } from '@ubii/modules';
+import { CallerReader } from './adapters/access/caller-reader.ts';
+import { HmacAccessSecrets } from './adapters/access/hmac-access-secrets.ts';
+import { LegacyNetworks } from './adapters/access/legacy-networks.ts';
 import { openSandboxes } from './adapters/processing/open-sandboxes.ts';
 import { TrustedLibrary } from './adapters/processing/trusted-library.ts';
 import { createMaster, DEFAULT_LIMITS } from './index.ts';
-import type { LogTail } from './index.ts';
+import type { LogTail, TerminalJoin } from './index.ts';
 import { SystemClock } from './adapters/clock/system-clock.ts';
 import { describeConfig } from './adapters/config/describe-config.ts';
 import { prepareDataDir } from './adapters/config/prepare-data-dir.ts';
@@ -12,7 +15,8 @@ import { randomIds } from './adapters/ids/random-ids.ts';
 import { isLoopbackHost } from './adapters/network/address-kinds.ts';
 import { Listeners } from './adapters/network/listeners.ts';
 import type { ListeningPorts } from './adapters/network/listeners.ts';
-import { isOwnAddress, listNetworkAddresses } from './adapters/network/network-addresses.ts';
+import { OwnAddresses } from './adapters/network/own-addresses.ts';
+import { listNetworkAddresses } from './adapters/network/network-addresses.ts';
 import { ALL_NETWORKS } from './adapters/network/open-port.ts';
 import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
@@ -44,6 +48,8 @@ export interface RunningMaster {
   readonly ports: ListeningPorts;
   /** Asked anew each time: networks come and go. */
   reachability(): Reachability;
+  /** What others join with, until this run ends; undefined when only this machine reaches it [AC-19]. */
+  readonly join: TerminalJoin | undefined;
   /** Closes everything, within a second. */
   close(): Promise<void>;
 }
@@ -61,13 +67,22 @@ export async function startMaster({
   workerFile,
 }: MasterParts): Promise<RunningMaster> {
   prepareDataDir(config.dataDir);
-  const tokens = new HmacResumeTokens(readOrCreateTokenKey(config.dataDir));
+  const key = readOrCreateTokenKey(config.dataDir);
+  const tokens = new HmacResumeTokens(key);
   const host = config.lan ? ALL_NETWORKS : config.host;
+  const ownAddresses = new OwnAddresses();
   const policy = new OriginPolicy({
     onLan: !isLoopbackHost(host),
     host,
     allowedOrigins: config.allowedOrigins,
-    isOwnAddress,
+    isOwnAddress: (address) => ownAddresses.has(address),
+    ownNames: [hostname().toLowerCase(), hostname().split('.')[0]?.toLowerCase() ?? ''],
+  });
+  const legacyNetworks = new LegacyNetworks(config.allowLegacy);
+  const callers = new CallerReader({
+    policy,
+    isOwnAddress: (address) => ownAddresses.has(address),
+    isLegacyAddress: (address) => legacyNetworks.has(address),
   });
   const https = await openHttps(config, host, log);
   const limits = { ...DEFAULT_LIMITS, ...config.limits };
@@ -82,6 +97,8 @@ export async function startMaster({
       clock: new SystemClock(log),
       ids: randomIds,
       tokens,
+      accessSecrets: new HmacAccessSecrets(key),
+      grants: storage.grants,
       log,
       logTail: log,
       patterns: new Re2Patterns(limits.patternInstructions),
@@ -107,12 +124,14 @@ export async function startMaster({
   const sockets = new TopicDataSockets({
     master,
     policy,
+    callers,
     log,
     maxMessageBytes: limits.frameBytes,
   });
   const app = await createHttpApp({
     master,
     policy,
+    callers,
     log,
     name: config.name,
     version,
@@ -148,9 +167,10 @@ export async function startMaster({
       legacy: config.legacyPorts,
       legacyWished: config.given.has('legacyPorts'),
     });
+    const join = isLoopbackHost(host) ? undefined : await master.openTerminal();
+    return { ports: listeners.ports, reachability, join, close };
   } catch (error) {
     await close();
     throw error;
   }
-  return { ports: listeners.ports, reachability, close };
 }

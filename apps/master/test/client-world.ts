@@ -9,6 +9,7 @@ import { createMemoryServices, createMemoryTopicData, settle } from '@ubii/clien
 import type { MemoryConnection, MemoryMaster, MemoryPeer } from '@ubii/client-web/testing';
 import { encodeErrorFrame, encodeRecordListFrame, recordFrameHeader } from '@ubii/proto/wire';
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
+import { LOCAL_CALLER } from '../src/index.ts';
 import type { ClientConnection, ConnectionHandle, Limits } from '../src/index.ts';
 import { FakeClock, TestMaster } from '../src/testing/index.ts';
 
@@ -91,12 +92,16 @@ export class ClientWorld implements MemoryMaster {
       clock: this.clock,
       limits: this.#limits,
       storage: this.#test.storage,
+      grants: this.#test.grants,
     });
   }
 
   async handleServiceRequest(request: ServiceRequest): Promise<Init<ServiceReply>> {
     if (this.isDown) throw new Error('nobody is there');
-    const { reply, afterReply } = await this.#test.master.handleServiceRequest(request);
+    const { reply, afterReply } = await this.#test.master.handleServiceRequest(
+      request,
+      LOCAL_CALLER,
+    );
     void Promise.resolve().then(() => {
       afterReply();
       this.clock.endTurn();
@@ -112,6 +117,7 @@ export class ClientWorld implements MemoryMaster {
     const handle = this.#test.master.openConnection(
       { clientId: query.clientId, token: query.resumeToken },
       new PeerConnection(peer),
+      LOCAL_CALLER,
     );
     this.clock.endTurn();
     if (handle === undefined) return undefined;

@@ -1,4 +1,4 @@
-import { ProcessingModuleLanguage } from '@ubii/proto';
+import { AccessRole, ProcessingModuleLanguage } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { FakeClock, TestMaster } from '../src/testing/index.ts';
 
@@ -89,7 +89,11 @@ describe('registration', () => {
     const ada = await new TestMaster({ clock }).extension('ada');
     const restarted = new TestMaster({ clock });
     expect(
-      restarted.master.openConnection({ clientId: ada.id, token: ada.token }, ada.connection),
+      restarted.master.openConnection(
+        { clientId: ada.id, token: ada.token },
+        ada.connection,
+        ada.caller,
+      ),
     ).toBeUndefined();
     expect(ada.closed).toMatchObject({ code: 4004 });
     const back = await restarted.register({
@@ -164,6 +168,9 @@ describe('registration', () => {
       resumed: false,
       masterVersion: '1.2.3',
       tellsTime: true,
+      role: AccessRole.ACCESS_ROLE_ADMIN, // [AC-2]
+      credential: '',
+      credentialExpiresMs: 0,
     });
   });
 

@@ -1,6 +1,6 @@
 import { DecodeError, LEGACY_CONSTANTS, ServiceError, SERVICES, toJson } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { DEFAULT_LIMITS } from '../src/index.ts';
+import { LOCAL_CALLER, DEFAULT_LIMITS } from '../src/index.ts';
 import { NativePatterns, TestMaster } from '../src/testing/index.ts';
 
 describe('services', () => {
@@ -15,19 +15,22 @@ describe('services', () => {
       },
     });
     const ada = await master.legacy('ada');
-    const answer = master.master.handleServiceRequest({
-      topic: '/services/topic_subscription',
-      topicSubscription: {
-        clientId: ada.id,
-        subscribeTopics: [],
-        unsubscribeTopics: [],
-        subscribeTopicRegexp: ['(a)', '(b)'],
-        unsubscribeTopicRegexp: [],
-        subscribeComponents: [],
-        unsubscribeComponents: [],
-        maxRateHz: 0,
+    const answer = master.master.handleServiceRequest(
+      {
+        topic: '/services/topic_subscription',
+        topicSubscription: {
+          clientId: ada.id,
+          subscribeTopics: [],
+          unsubscribeTopics: [],
+          subscribeTopicRegexp: ['(a)', '(b)'],
+          unsubscribeTopicRegexp: [],
+          subscribeComponents: [],
+          unsubscribeComponents: [],
+          maxRateHz: 0,
+        },
       },
-    });
+      LOCAL_CALLER,
+    );
     master.clock.spend(DEFAULT_LIMITS.serviceTimeoutMs);
     master.clock.advance(0);
     const { reply } = await answer;

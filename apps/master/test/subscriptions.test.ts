@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { Re2Patterns } from '../src/adapters/patterns/re2-patterns.ts';
 import { FakeClock, TestMaster, type TestMasterOptions } from '../src/testing/index.ts';
+import { LOCAL_CALLER } from '../src/index.ts';
 
 async function createPair(options: TestMasterOptions = {}) {
   const master = new TestMaster(options);
@@ -100,6 +101,7 @@ describe('subscriptions', () => {
     for (const client of [ben, cleo]) {
       const { reply, afterReply } = await master.master.handleServiceRequest(
         requestOf(client.id, { subscribeTopics: ['/a'] }),
+        LOCAL_CALLER,
       );
       master.clock.advance(100);
       expect(reply.success).toBeDefined();
@@ -124,6 +126,7 @@ describe('subscriptions', () => {
     ada.publish('/a', 'double', 1);
     const { afterReply } = await master.master.handleServiceRequest(
       requestOf(ben.id, { subscribeTopics: ['/a'] }),
+      LOCAL_CALLER,
     );
     ada.publish('/a', 'double', 2);
     afterReply();

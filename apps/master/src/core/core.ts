@@ -1,3 +1,4 @@
+import type { Access } from './access/access.ts';
 import type { OverloadChecks } from './checks/overload-checks.ts';
 import type { ClientMeter } from './clients/client-meter.ts';
 import type { ClientRegistry } from './clients/client-registry.ts';
@@ -24,6 +25,7 @@ export interface Core extends MasterPorts {
   readonly startedMs: number;
   readonly settings: MasterSettings;
   readonly limits: Limits;
+  readonly access: Access;
   readonly topics: TopicTable;
   readonly patternTable: PatternTable;
   readonly selectionTable: SelectionTable;

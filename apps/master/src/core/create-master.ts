@@ -1,5 +1,10 @@
 import { StatusEventKind, type ServiceRequest } from '@ubii/proto';
 import { TextCache } from '@ubii/proto/wire';
+import { Access } from './access/access.ts';
+import { Grants } from './access/grants.ts';
+import { GuessLimit } from './access/guess-limit.ts';
+import { openTerminal } from './access/open-terminal.ts';
+import { topicRightsOf } from './access/topic-rights.ts';
 import { DEFAULT_CHECKS } from './checks/check-settings.ts';
 import { OverloadChecks } from './checks/overload-checks.ts';
 import { ClientRegistry } from './clients/client-registry.ts';
@@ -20,7 +25,10 @@ import type {
   Master,
   MasterMetrics,
   ServiceAnswer,
+  TerminalJoin,
 } from './master.ts';
+import type { Role } from './access/roles.ts';
+import type { CallerFacts } from './ports/caller-facts.ts';
 import type { ClientConnection } from './ports/client-connection.ts';
 import type { ConnectionHandle } from './ports/connection-handle.ts';
 import { answerRequest, refuse } from './services/router.ts';
@@ -47,18 +55,28 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
   core.processing.sessions.restore(); // [SE-24]
   return {
     id: core.id,
-    handleServiceRequest(request: ServiceRequest): Promise<ServiceAnswer> {
-      return answerRequest(core, request);
+    handleServiceRequest(request: ServiceRequest, caller: CallerFacts): Promise<ServiceAnswer> {
+      return answerRequest(core, request, caller);
     },
     refuseServiceRequest(cause: unknown): ServiceAnswer {
       return refuse(core, cause);
     },
+    refuseConnection(query: ConnectionQuery, caller: CallerFacts): string | undefined {
+      return core.sockets.refuse(query, caller);
+    },
     openConnection(
       query: ConnectionQuery,
       connection: ClientConnection,
+      caller: CallerFacts,
       peer?: ConnectionPeer,
     ): ConnectionHandle | undefined {
-      return core.sockets.open(query, connection, peer);
+      return core.sockets.open(query, connection, caller, peer);
+    },
+    roleOf(caller: CallerFacts): Role {
+      return core.access.identify(caller).role;
+    },
+    openTerminal(): Promise<TerminalJoin> {
+      return openTerminal(core);
     },
     metrics(): MasterMetrics {
       return readMetrics(core);
@@ -118,11 +136,30 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
   const shared = { ...ports, limits: limitWatch, events, topics, subscriptions, info, budget };
   const devices: DeviceRegistry = new DeviceRegistry(shared);
   const dismissals = new Dismissals();
+  const access = new Access({
+    clock,
+    secrets: ports.accessSecrets,
+    tokens: ports.tokens,
+    grants: new Grants({
+      ...ports,
+      secrets: ports.accessSecrets,
+      store: ports.grants,
+      limits: limitWatch,
+    }),
+    guesses: new GuessLimit(clock, limitWatch),
+    accessOf: (clientId) => clients.get(clientId)?.access,
+  });
+  const namespaces = {
+    isClient: (clientId: string) => clients.get(clientId) !== undefined,
+    isInputOf: (clientId: string, topic: string) => devices.isInputOf(clientId, topic),
+  };
   const clients: ClientRegistry = new ClientRegistry({
     ...shared,
     devices,
     dismissals,
     createSubscriber: subscriberFactory({ ...publishing, clock, endOfTurn }),
+    topicRightsOf: (clientId, { role, grant }) =>
+      topicRightsOf(clientId, role, grant, namespaces, ports.patterns),
     onPresence: (client) => processing.handlePresence(client.id),
   });
   const sockets = new SocketAdmission({
@@ -132,6 +169,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     topicTexts: new TextCache(),
     limitWatch,
     clients,
+    access,
     dismissals,
     onSign: (client) => clients.handleSign(client),
     onClosed: (socket) => sockets.handleClosed(socket),
@@ -171,6 +209,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     startedMs,
     settings,
     limits,
+    access,
     topics,
     patternTable: patterns,
     selectionTable: selections,

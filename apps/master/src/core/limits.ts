@@ -101,6 +101,12 @@ export const LIMITS = {
     'storage',
     'Open topic-data sockets, below the file descriptors a process usually may have (16 384 and more).',
   ),
+  grants: limit(
+    256,
+    'grants',
+    'storage',
+    'Leaves to join that are kept. One for each group of an event, and for each start of the master.',
+  ),
   devicesPerClient: limit(
     1_024,
     'devices',
@@ -202,6 +208,19 @@ export const LIMITS = {
     'Frames within `protocolErrorWindowMs` that cannot be decoded before the socket is closed. A client with a bug has a few; a stranger has only these.',
   ),
   protocolErrorWindowMs: limit(10_000, 'ms', 'rates', 'The window of `protocolErrors`.'),
+
+  wrongCodesPerAddress: limit(
+    10,
+    'codes/min',
+    'rates',
+    'Wrong join codes from one address in a minute before codes from there are not looked at. People mistype twice.',
+  ),
+  wrongCodes: limit(
+    200,
+    'codes/min',
+    'rates',
+    'The same of all addresses together. A code stands for 12 hours at most: 144 000 tries at 10^12 codes.',
+  ),
 
   // --- What waits for one client ---
 

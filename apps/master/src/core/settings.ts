@@ -1,7 +1,8 @@
 import type { SandboxFactory } from '@ubii/pm-sandbox';
 import type { Init, MasterAddress, ProcessingModule, SettingList } from '@ubii/proto';
 import type { Clock } from './ports/clock.ts';
-import type { SessionStorage } from './ports/document-store.ts';
+import type { AccessSecrets } from './ports/access-secrets.ts';
+import type { DocumentStore, SessionStorage } from './ports/document-store.ts';
 import type { IdSource } from './ports/id-source.ts';
 import type { Log } from './ports/log.ts';
 import type { PatternCompiler } from './ports/pattern-compiler.ts';
@@ -16,6 +17,9 @@ export interface MasterPorts {
   readonly clock: Clock;
   readonly ids: IdSource;
   readonly tokens: ResumeTokens;
+  readonly accessSecrets: AccessSecrets;
+  /** Leave to join that was given, for nobody but the master to read [AC-19]. */
+  readonly grants: DocumentStore;
   readonly log: Log;
   /** Keeps the last lines of `log`, and of what else the process logs [EX-37]. */
   readonly logTail: LogTail;

@@ -2,6 +2,7 @@ export { MemoryDocuments, MemoryStorage } from './memory-documents.ts';
 export { FakeClock } from './fake-clock.ts';
 export { FixedUsage } from './fixed-usage.ts';
 export { NativePatterns } from './native-patterns.ts';
+export { PlainSecrets } from './plain-secrets.ts';
 export { PlainTokens } from './plain-tokens.ts';
 export { RecordingConnection, type Sent } from './recording-connection.ts';
 export { RecordingLog, type LogLine } from './recording-log.ts';

@@ -2,7 +2,12 @@ import type { IdSource } from '../core/ports/id-source.ts';
 
 /** Gives 00000000-0000-4000-8000-000000000001, then ...002, and so on. */
 export class SequentialIds implements IdSource {
-  #count = 0;
+  #count: number;
+
+  /** @param given ids that were given before: for a second run of the master */
+  constructor(given = 0) {
+    this.#count = given;
+  }
 
   uuid(): string {
     this.#count++;

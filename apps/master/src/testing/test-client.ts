@@ -15,6 +15,7 @@ import {
   type TopicSubscription,
 } from '@ubii/proto';
 import { DEFAULT_LIMITS } from '../core/limits.ts';
+import { LOCAL_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
 import type { ConnectionHandle } from '../core/ports/connection-handle.ts';
 import type { ConnectionPeer } from '../core/master.ts';
 import { RecordingConnection, type Sent } from './recording-connection.ts';
@@ -24,13 +25,21 @@ import type { TestMaster } from './test-master.ts';
 export class TestClient {
   readonly name: string;
   readonly #testMaster: TestMaster;
+  readonly #caller: CallerFacts;
   /** What the master made of it. */
   registered: Client;
   connection: RecordingConnection = new RecordingConnection();
   #handle: ConnectionHandle | undefined = undefined;
 
-  constructor(testMaster: TestMaster, name: string, registered: Client) {
+  /** @param caller who it is to the transport, before it joined */
+  constructor(
+    testMaster: TestMaster,
+    name: string,
+    registered: Client,
+    caller: CallerFacts = LOCAL_CALLER,
+  ) {
     this.#testMaster = testMaster;
+    this.#caller = caller;
     this.name = name;
     this.registered = registered;
   }
@@ -41,6 +50,12 @@ export class TestClient {
 
   get token(): string | undefined {
     return this.registered.extension?.resumeToken;
+  }
+
+  /** Who it is to the transport, with its credential if it has one. */
+  get caller(): CallerFacts {
+    const { credential } = this.registered.extension ?? {};
+    return { ...this.#caller, bearer: credential || undefined };
   }
 
   /** The live handle of its socket. */
@@ -55,6 +70,7 @@ export class TestClient {
     this.#handle = this.#testMaster.master.openConnection(
       { clientId: this.id, token },
       this.connection,
+      this.caller,
       peer,
     );
     this.#testMaster.clock.endTurn();
@@ -69,7 +85,7 @@ export class TestClient {
 
   /** Calls a service as this client; the reply leaves, and the turn ends. */
   call(request: Init<ServiceRequest>): Promise<ServiceReply> {
-    return this.#testMaster.call(request);
+    return this.#testMaster.call(request, this.caller);
   }
 
   /** Subscribes and unsubscribes, and waits for what it is owed. @throws Error with the master's message when it refuses. */

@@ -11,6 +11,7 @@ import {
 import { createMaster } from '../core/create-master.ts';
 import type { Limits } from '../core/limits.ts';
 import type { Master } from '../core/master.ts';
+import { LOCAL_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
 import { LogTail } from '../core/status/log-tail.ts';
 import type { PatternCompiler } from '../core/ports/pattern-compiler.ts';
 import type { MasterEndpoints, MasterSettings } from '../core/settings.ts';
@@ -18,8 +19,9 @@ import { FakeClock } from './fake-clock.ts';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { FixedUsage } from './fixed-usage.ts';
-import { MemoryStorage } from './memory-documents.ts';
+import { MemoryDocuments, MemoryStorage } from './memory-documents.ts';
 import { NativePatterns } from './native-patterns.ts';
+import { PlainSecrets } from './plain-secrets.ts';
 import { PlainTokens } from './plain-tokens.ts';
 import { RecordingLog } from './recording-log.ts';
 import { SequentialIds } from './sequential-ids.ts';
@@ -37,6 +39,10 @@ export interface TestMasterOptions {
   readonly sandboxes?: SandboxFactory;
   /** Storage that was there before: for a second run of the master. */
   readonly storage?: MemoryStorage;
+  /** Ids that earlier runs gave. */
+  readonly idsGiven?: number;
+  /** Leave to join that was there before: for a second run of the master. */
+  readonly grants?: MemoryDocuments;
   /** Trusted modules. Default: none. */
   readonly library?: readonly ProcessingModule[];
 }
@@ -48,6 +54,7 @@ export class TestMaster {
   readonly tokens = new PlainTokens();
   readonly usage = new FixedUsage();
   readonly storage: MemoryStorage;
+  readonly grants: MemoryDocuments;
   readonly logTail: LogTail;
   readonly master: Master;
 
@@ -56,11 +63,14 @@ export class TestMaster {
     this.clock = clock ?? new FakeClock();
     this.logTail = new LogTail(this.log, () => this.clock.nowMs(), false);
     this.storage = options.storage ?? new MemoryStorage();
+    this.grants = options.grants ?? new MemoryDocuments();
     this.master = createMaster(
       {
         clock: this.clock,
-        ids: new SequentialIds(),
+        ids: new SequentialIds(options.idsGiven),
         tokens: this.tokens,
+        accessSecrets: new PlainSecrets(),
+        grants: this.grants,
         log: this.logTail,
         logTail: this.logTail,
         patterns: patterns ?? new NativePatterns(),
@@ -86,9 +96,12 @@ export class TestMaster {
   }
 
   /** Asks a service; the reply leaves, and the turn ends. Both go through their encoded form. */
-  async call(init: Init<ServiceRequest>): Promise<ServiceReply> {
+  async call(
+    init: Init<ServiceRequest>,
+    caller: CallerFacts = LOCAL_CALLER,
+  ): Promise<ServiceReply> {
     const bytes = encode('ubii.services.ServiceRequest', init);
-    return this.request(decode('ubii.services.ServiceRequest', bytes));
+    return this.request(decode('ubii.services.ServiceRequest', bytes), caller);
   }
 
   /** Asks a service with a request as JSON. */
@@ -97,9 +110,12 @@ export class TestMaster {
   }
 
   /** Asks a service with a decoded request. */
-  async request(request: ServiceRequest): Promise<ServiceReply> {
+  async request(
+    request: ServiceRequest,
+    caller: CallerFacts = LOCAL_CALLER,
+  ): Promise<ServiceReply> {
     let isAnswered = false;
-    const promise = this.master.handleServiceRequest(request).then((answer) => {
+    const promise = this.master.handleServiceRequest(request, caller).then((answer) => {
       isAnswered = true;
       return answer;
     });
@@ -141,10 +157,10 @@ export class TestMaster {
   }
 
   /** A registered client without a socket. @throws Error with the master's message when it refuses. */
-  async register(client: Init<Client>): Promise<TestClient> {
-    const reply = await this.call({ topic: '/services/client/registration', client });
+  async register(client: Init<Client>, caller = LOCAL_CALLER): Promise<TestClient> {
+    const reply = await this.call({ topic: '/services/client/registration', client }, caller);
     if (reply.client === undefined) throw new Error(reply.error?.message ?? 'no client');
-    return new TestClient(this, client.name ?? '', reply.client);
+    return new TestClient(this, client.name ?? '', reply.client, caller);
   }
 }
 

@@ -70,6 +70,24 @@ export function parseOrigins(text: string): readonly string[] {
   return origins;
 }
 
+/** Addresses and CIDR blocks. */
+export function parseNetworks(text: string): readonly string[] {
+  const networks = text
+    .split(',')
+    .map((network) => network.trim().toLowerCase())
+    .filter((network) => network !== '');
+  const isNetwork = (network: string): boolean => {
+    const [address = '', prefix, ...rest] = network.split('/');
+    const bits = isIP(address) === 6 ? 128 : 32;
+    const isPrefix = prefix === undefined || (/^\d{1,3}$/.test(prefix) && Number(prefix) <= bits);
+    return isIP(address) !== 0 && isPrefix && rest.length === 0;
+  };
+  if (!networks.every(isNetwork)) {
+    throw new Error('networks separated by commas, such as 192.168.1.0/24 or 10.0.0.7');
+  }
+  return networks;
+}
+
 /** Origins as they are, without wildcards: a request goes to one of them. */
 export function parseFetchOrigins(text: string): readonly string[] {
   const origins = text

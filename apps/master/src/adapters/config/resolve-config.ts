@@ -15,6 +15,9 @@ interface Given {
 
 type GivenOptions = ReadonlyMap<OptionName, Given>;
 
+/** What may follow a switch, which means "on" without it. */
+const SWITCH = /^(on|off|true|false|yes|no|1|0)$/i;
+
 const names = Object.keys(OPTIONS) as OptionName[];
 const examples: Partial<Record<OptionName, string>> = {
   port: 'for example --port 8080, or --port 0 for any free port',
@@ -51,7 +54,8 @@ export function resolveConfig(
   );
   const config = { ...values, given: new Set(options.keys()) } as unknown as Config;
   checkTogether(config, options);
-  return config;
+  // Who says where to listen does not want all networks.
+  return options.has('host') ? { ...config, lan: false } : config;
 }
 
 function readFlags(args: readonly string[], cwd: string): GivenOptions {
@@ -70,7 +74,9 @@ function readFlags(args: readonly string[], cwd: string): GivenOptions {
     let text: string | undefined;
     if (argument.length > flag.length) text = argument.slice(flag.length + 1);
     else if (OPTIONS[name].placeholder === undefined) text = 'true';
-    else text = args[(index += 1)];
+    else if (OPTIONS[name].placeholder?.startsWith('[')) {
+      text = SWITCH.test(args[index + 1] ?? '') ? args[(index += 1)] : 'true';
+    } else text = args[(index += 1)];
     if (text === undefined || (text.startsWith('--') && argument === flag && text !== 'true')) {
       throw new ConfigError(
         `The flag ${flag} needs a value after it, ${flag} ${OPTIONS[name].placeholder}: ${OPTIONS[name].description}`,
@@ -150,7 +156,7 @@ function valueOf<O extends OptionName>(name: O, given: Given): Config[O] {
 
 /** What each option may be alone, but not together. */
 function checkTogether(config: Config, options: GivenOptions): void {
-  if (config.lan && options.has('host')) {
+  if (config.lan && options.has('lan') && options.has('host')) {
     throw new ConfigError(
       `--lan listens on all networks and --host on "${config.host}" only: leave one of the two out.`,
     );

@@ -26,7 +26,8 @@ export function guardOrigins(app: FastifyInstance, policy: OriginPolicy): void {
     reply.headers({
       allow: 'GET, HEAD, POST, OPTIONS',
       'access-control-allow-methods': 'GET, HEAD, POST, OPTIONS',
-      'access-control-allow-headers': 'Origin, X-Requested-With, Content-Type, Accept',
+      'access-control-allow-headers':
+        'Origin, X-Requested-With, Content-Type, Accept, Authorization', // [AC-13]
       'access-control-max-age': String(PREFLIGHT_MAX_AGE_S),
     });
     // Browsers ask before a page of a public address reaches into a private network.

@@ -3,6 +3,7 @@ import type { FastifyInstance } from 'fastify';
 
 import type { Master } from '../../core/master.ts';
 import type { Log } from '../../core/ports/index.ts';
+import type { CallerReader } from '../access/caller-reader.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
 import { addAuthority } from './authority-routes.ts';
 import { guardOrigins } from './cross-origin.ts';
@@ -15,6 +16,7 @@ import { addStatus } from './status-routes.ts';
 export interface HttpAppOptions {
   readonly master: Master;
   readonly policy: OriginPolicy;
+  readonly callers: CallerReader;
   readonly log: Log;
   readonly name: string;
   readonly version: string;
@@ -28,7 +30,7 @@ export interface HttpAppOptions {
 
 /** Everything the master answers over HTTP. It listens nowhere: `routing` takes requests of any server. */
 export async function createHttpApp(options: HttpAppOptions): Promise<FastifyInstance> {
-  const { master, policy, log, maxRequestBytes, frontendFolder } = options;
+  const { master, policy, callers, log, maxRequestBytes, frontendFolder } = options;
   const app = fastify({
     logger: false,
     bodyLimit: maxRequestBytes,
@@ -43,7 +45,7 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
   });
   guardOrigins(app, policy);
   replyErrors(app, log);
-  addServices(app, { master, maxRequestBytes });
+  addServices(app, { master, callers, maxRequestBytes });
   addStatus(app, { ...options, edgeMetrics: () => counts.metrics() });
   if (options.authority !== undefined) addAuthority(app, options.authority);
   await addFrontend(app, frontendFolder);

@@ -2,6 +2,7 @@ import type { FastifyInstance, FastifyReply, FastifyRequest } from 'fastify';
 import { ServiceError } from '@ubii/proto';
 
 import type { Master, ServiceAnswer } from '../../core/master.ts';
+import type { CallerReader } from '../access/caller-reader.ts';
 import { isRefusal } from './error-replies.ts';
 import { readBody } from './read-body.ts';
 import { binaryFormat, formatOf, jsonFormat } from './service-format.ts';
@@ -12,6 +13,7 @@ type Body = { readonly bytes: Buffer | undefined } | null | undefined;
 
 export interface ServicesOptions {
   readonly master: Pick<Master, 'handleServiceRequest' | 'refuseServiceRequest'>;
+  readonly callers: Pick<CallerReader, 'read'>;
   /** Largest request. */
   readonly maxRequestBytes: number;
 }
@@ -34,7 +36,7 @@ export function addServices(app: FastifyInstance, options: ServicesOptions): voi
         const format = formatFor(request);
         const body = request.body as Body;
         if (isTooLarge(body)) reply.header('connection', 'close');
-        return send(reply, format, await answerTo(body, format, options));
+        return send(reply, format, await answerTo(request, format, options));
       },
       // The framework refuses some requests on its own, for a header it cannot read. [SV-1]
       errorHandler: (error, request, reply) => {
@@ -62,17 +64,18 @@ function send(reply: FastifyReply, format: ServiceFormat, answer: ServiceAnswer)
 }
 
 async function answerTo(
-  body: Body,
+  { raw, body: unread }: FastifyRequest,
   format: ServiceFormat,
-  { master, maxRequestBytes }: ServicesOptions,
+  { master, callers, maxRequestBytes }: ServicesOptions,
 ): Promise<ServiceAnswer> {
+  const body = unread as Body;
   if (isTooLarge(body)) {
     const message = `A service request may have at most ${maxRequestBytes} bytes: send less at once.`;
     return master.refuseServiceRequest(new ServiceError('resource_exhausted', message));
   }
   try {
     const request = format.decodeRequest(body?.bytes ?? new Uint8Array());
-    return await master.handleServiceRequest(request);
+    return await master.handleServiceRequest(request, callers.read(raw));
   } catch (error) {
     // [SV-7]
     return master.refuseServiceRequest(error);

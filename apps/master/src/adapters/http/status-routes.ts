@@ -1,9 +1,12 @@
-import type { FastifyInstance } from 'fastify';
+import type { FastifyInstance, FastifyRequest } from 'fastify';
+import { ServiceError } from '@ubii/proto';
 
-import type { Master, MasterMetrics } from '../../core/master.ts';
+import type { Master, MasterMetrics, Role } from '../../core/master.ts';
+import type { CallerReader } from '../access/caller-reader.ts';
 
 export interface StatusOptions {
-  readonly master: Pick<Master, 'id' | 'metrics'>;
+  readonly master: Pick<Master, 'id' | 'metrics' | 'roleOf'>;
+  readonly callers: Pick<CallerReader, 'read'>;
   readonly name: string;
   readonly version: string;
   /** Metrics of the edge itself. */
@@ -12,17 +15,30 @@ export interface StatusOptions {
 
 /** `/health` for whoever watches that the master runs, `/metrics` for Prometheus. */
 export function addStatus(app: FastifyInstance, options: StatusOptions): void {
-  const { master, name, version, edgeMetrics } = options;
-  app.get('/health', (_request, reply) =>
-    reply.header('cache-control', 'no-store').send({
-      status: 'ok',
+  const { master, callers, name, version, edgeMetrics } = options;
+  const roleOf = (request: FastifyRequest): Role => master.roleOf(callers.read(request.raw));
+  app.get('/health', (request, reply) => {
+    const details = {
       id: master.id,
       name,
       version,
       uptimeSeconds: Math.round(process.uptime()),
-    }),
-  );
-  app.get('/metrics', async (_request, reply) => {
+    };
+    // That somebody is there is what a stranger may know. [AC-5]
+    const isStranger = roleOf(request) === 'none';
+    return reply
+      .header('cache-control', 'no-store')
+      .send({ status: 'ok', ...(isStranger ? {} : details) });
+  });
+  app.get('/metrics', async (request, reply) => {
+    const role = roleOf(request);
+    if (role === 'none') {
+      const text = 'Metrics are for this machine and for who has joined; send a credential.';
+      throw new ServiceError('unauthenticated', text); // [AC-5]
+    }
+    if (role === 'player') {
+      throw new ServiceError('permission_denied', 'Metrics are not for players.'); // [AC-21]
+    }
     // Few masters are watched by Prometheus: its library is loaded for those that are.
     const { formatMetrics } = await import('./prometheus.ts');
     const { contentType, text } = await formatMetrics([...master.metrics(), ...edgeMetrics()]);

@@ -30,12 +30,17 @@ export function isIpAddress(host: string): boolean {
   return isIP(host) !== 0;
 }
 
+/** The address of the other end of a connection in its usual form; undefined when the system does not say. */
+export function plainAddress(remoteAddress: string | undefined): string | undefined {
+  // An IPv6 socket calls IPv4 addresses so, and link-local ones have a zone.
+  const address = remoteAddress?.replace(/^::ffff:(?=\d+\.)/i, '').replace(/%.*$/, '');
+  return address !== undefined && isIpAddress(address) ? address : undefined;
+}
+
 /** How near the other end of a connection is; undefined when the system does not say. */
 export function kindOfPeer(remoteAddress: string | undefined): AddressKind | undefined {
-  if (remoteAddress === undefined) return undefined;
-  // An IPv6 socket calls IPv4 addresses so, and link-local ones have a zone.
-  const address = remoteAddress.replace(/^::ffff:(?=\d+\.)/i, '').replace(/%.*$/, '');
-  if (!isIpAddress(address)) return undefined;
+  const address = plainAddress(remoteAddress);
+  if (address === undefined) return undefined;
   if (isIn(loopback, address)) return 'loopback';
   return isPrivateAddress(address) ? 'private' : 'public';
 }

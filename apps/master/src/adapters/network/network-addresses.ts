@@ -37,14 +37,6 @@ export function listNetworkAddresses(
   return found.sort((a, b) => order.indexOf(a.kind) - order.indexOf(b.kind));
 }
 
-/** True for an address, without zone, of any interface of this machine. Asked anew: networks come and go. */
-export function isOwnAddress(
-  address: string,
-  interfaces: NodeJS.Dict<NetworkInterfaceInfo[]> = networkInterfaces(),
-): boolean {
-  return Object.values(interfaces).some((all) => all?.some((own) => own.address === address));
-}
-
 /** An interface has one IPv6 address for each of several purposes; people want one they can type. */
 function bestOf(addresses: readonly NetworkInterfaceInfo[]): readonly string[] {
   const usable = addresses.filter(

@@ -12,6 +12,8 @@ export interface OriginPolicyOptions {
    * resolves to (the Python node does), which is no loopback address everywhere. @default never
    */
   readonly isOwnAddress?: (address: string) => boolean;
+  /** Names of this machine, lower case, without a domain. @default none */
+  readonly ownNames?: readonly string[];
 }
 
 /** What is to happen with a request, by the headers a browser sets and a page cannot. */
@@ -30,10 +32,13 @@ export type OriginVerdict =
 export class OriginPolicy {
   readonly #options: OriginPolicyOptions;
   readonly #patterns: readonly RegExp[];
+  /** Those that name somebody. */
+  readonly #named: readonly RegExp[];
 
   constructor(options: OriginPolicyOptions) {
     this.#options = options;
     this.#patterns = options.allowedOrigins.map(patternOf);
+    this.#named = options.allowedOrigins.filter((origin) => origin !== '*').map(patternOf);
   }
 
   /** @param headers as received; Host is missing only in requests of very old programs */
@@ -54,6 +59,45 @@ export class OriginPolicy {
       kind: 'refused',
       reason: `Pages of ${origin.slice(0, 200)} may not use this master: start it with --allowed-origins ${origin.slice(0, 200)} to let them.`,
     };
+  }
+
+  /**
+   * Whether a request of this machine has its authority: it calls the master by what means this machine,
+   * and no page that could be somebody else's sends it. Names that somebody in the network could make
+   * resolve to this machine do not, nor does `--allowed-origins *`. [AC-1] [AC-2]
+   */
+  isOfThisMachine(headers: { readonly host?: string; readonly origin?: string }): boolean {
+    const host = headers.host?.toLowerCase();
+    if (host !== undefined && !this.#isOwnHost(host)) return false;
+    const origin = headers.origin?.toLowerCase();
+    if (origin === undefined) return true;
+    if (origin === `http://${host}` || origin === `https://${host}`) return true;
+    if (this.#isNamed(origin)) return true;
+    if (!/^https?:\/\//.test(origin)) return false;
+    const name = hostNameOf(origin.replace(/^https?:\/\//, ''));
+    return isLoopbackHost(name) || this.#isOwnIp(name);
+  }
+
+  #isOwnHost(host: string): boolean {
+    const name = hostNameOf(host);
+    const { host: listened, ownNames = [] } = this.#options;
+    return (
+      isLoopbackHost(name) ||
+      this.#isOwnIp(name) ||
+      name === listened ||
+      ownNames.some((own) => name === own || name === `${own}.local`) ||
+      this.#isNamed(`http://${host}`) ||
+      this.#isNamed(`https://${host}`)
+    );
+  }
+
+  #isOwnIp(name: string): boolean {
+    return isIpAddress(name) && this.#options.isOwnAddress?.(name) === true;
+  }
+
+  /** The operator named this origin, and not all of them. */
+  #isNamed(origin: string): boolean {
+    return this.#named.some((pattern) => pattern.test(origin));
   }
 
   #isAllowed(origin: string): boolean {

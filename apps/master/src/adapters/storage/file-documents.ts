@@ -22,6 +22,7 @@ interface KnownFile {
 export class FileDocuments implements DocumentStore {
   readonly #folder: string;
   readonly #extension: string;
+  readonly #fileMode: number;
   readonly #listeners = new Set<(keys: readonly string[]) => void>();
   readonly #watch: FolderWatch;
   #files = new Map<string, KnownFile>();
@@ -32,11 +33,13 @@ export class FileDocuments implements DocumentStore {
   /**
    * @param folder made when it is missing
    * @param extension of its files, with the dot
+   * @param isSecret nobody but the owner of the process reads folder and files. Default: no
    */
-  constructor(folder: string, extension: string) {
+  constructor(folder: string, extension: string, isSecret = false) {
     this.#folder = folder;
     this.#extension = extension;
-    mkdirSync(folder, { recursive: true });
+    this.#fileMode = isSecret ? 0o600 : 0o666;
+    mkdirSync(folder, { recursive: true, mode: isSecret ? 0o700 : 0o777 });
     this.#scan();
     this.#watch = new FolderWatch(folder, () => this.#handleChange());
   }
@@ -51,7 +54,8 @@ export class FileDocuments implements DocumentStore {
 
   write(key: string, json: JsonObject): Promise<void> {
     return this.#enqueue(async () => {
-      await writeAtomically(this.describe(key), `${JSON.stringify(json, undefined, 2)}\n`);
+      const text = `${JSON.stringify(json, undefined, 2)}\n`;
+      await writeAtomically(this.describe(key), text, this.#fileMode);
     });
   }
 

@@ -6,12 +6,14 @@ let count = 0;
 /**
  * Writes a file as a whole or not at all: into another one, which then takes its name. It is on the disk
  * when the promise is fulfilled.
+ *
+ * @param mode permissions of the file, before the mask of the process
  */
-export async function writeAtomically(file: string, text: string): Promise<void> {
+export async function writeAtomically(file: string, text: string, mode = 0o666): Promise<void> {
   const temporary = `${file}.${process.pid}.${++count}.tmp`;
   await mkdir(dirname(file), { recursive: true });
   try {
-    const handle = await open(temporary, 'w');
+    const handle = await open(temporary, 'w', mode);
     try {
       await handle.writeFile(text);
       await handle.sync();

@@ -1,12 +1,19 @@
 import { describe, expect, it } from 'vitest';
 
 import { describeReachability } from '../network/reachability.ts';
-import { bestPhoneUrl, formatBanner } from './banner.ts';
+import { bestPhoneUrl, formatBanner, joinUrl } from './banner.ts';
 import { formatEndpoints } from './endpoints-line.ts';
 import { formatQrCode } from './qr-code.ts';
 
 const ports = { main: 8080, services: 8102, topicData: 8104 };
-const facts = { name: 'lab', version: '1.2.3', dataDir: '/data', ports, devUrl: undefined };
+const facts = {
+  name: 'lab',
+  version: '1.2.3',
+  dataDir: '/data',
+  ports,
+  join: undefined,
+  devUrl: undefined,
+};
 
 describe('what the terminal shows', () => {
   it('says how to let phones in while nobody else can reach the master', () => {
@@ -28,6 +35,11 @@ describe('what the terminal shows', () => {
     expect(text).toContain('http://172.17.0.1:8080   virtual network, docker0');
     expect(text).not.toContain('--lan');
     expect(bestPhoneUrl(reachability)).toBe('http://10.0.0.2:8080');
+    const join = { token: 'a-token', code: 'K7QF-2MXR' };
+    const withCode = formatBanner({ ...facts, reachability, join });
+    expect(withCode).toContain('K7QF-2MXR');
+    expect(withCode).not.toContain('a-token');
+    expect(joinUrl('http://10.0.0.2:8080', 'a-token')).toBe('http://10.0.0.2:8080/join#a-token');
   });
 
   it('tells phones that they have to trust the certificate once', () => {

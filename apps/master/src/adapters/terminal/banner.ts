@@ -9,6 +9,8 @@ export interface BannerFacts {
   readonly dataDir: string;
   readonly ports: ListeningPorts;
   readonly reachability: Reachability;
+  /** What others join with; undefined when only this machine reaches the master. */
+  readonly join: { readonly token: string; readonly code: string } | undefined;
   /** Address of the development server that serves the pages instead of the master. */
   readonly devUrl: string | undefined;
 }
@@ -25,9 +27,14 @@ export function bestPhoneUrl({ networkAddresses }: Reachability): string | undef
   return (real ?? networkAddresses[0])?.url;
 }
 
+/** What a phone opens to join: the token stands where nothing is sent to anybody. [AC-11] */
+export function joinUrl(origin: string, token: string): string {
+  return `${origin}/join#${token}`;
+}
+
 /** What a person who started the master reads: where it is, and what to do next. */
 export function formatBanner(facts: BannerFacts): string {
-  const { name, version, dataDir, ports, reachability, devUrl } = facts;
+  const { name, version, dataDir, ports, reachability, join, devUrl } = facts;
   const { localUrl, networkAddresses } = reachability;
   const rows: (readonly [string, string])[] = [
     ...(devUrl === undefined ? [] : [['Pages (hot reload)', devUrl] as const]),
@@ -39,6 +46,9 @@ export function formatBanner(facts: BannerFacts): string {
           `${url}   ${KIND_NAMES[kind]}, ${interfaceName}`,
         ] as const,
     ),
+    ...(join === undefined || networkAddresses.length === 0
+      ? []
+      : [['Code to join', `${join.code}   good for 12 hours, until this master ends`] as const]),
     ...(ports.services === ports.main && ports.topicData === ports.main
       ? []
       : [
@@ -54,8 +64,8 @@ export function formatBanner(facts: BannerFacts): string {
     `Next: open ${openUrl} in two browsers and choose the mouse-pointer example.`,
     networkAddresses.length > 0
       ? networkAddresses[0]?.url.startsWith('https:')
-        ? 'Phones in the same network open the address, or scan the code, and accept the certificate once.'
-        : 'Phones in the same network open the address, or scan the code.'
+        ? 'Phones in the same network open the address and type the code, or scan the QR code; they accept the certificate once.'
+        : 'Phones in the same network open the address and type the code, or scan the QR code.'
       : 'Phones cannot reach this master: to let them in, end it and start it with  npm start -- --lan',
     'Ctrl-C ends the master. All flags:  npm start -- --help',
   ];

@@ -4,7 +4,8 @@ import { WebSocketServer } from 'ws';
 import type { WebSocket } from 'ws';
 
 import type { Master } from '../../core/master.ts';
-import type { Log } from '../../core/ports/index.ts';
+import type { CallerFacts, Log } from '../../core/ports/index.ts';
+import type { CallerReader } from '../access/caller-reader.ts';
 import { kindOfPeer } from '../network/address-kinds.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
 import { refuseUpgrade } from './refuse-upgrade.ts';
@@ -17,8 +18,9 @@ const CLOSE_TIMEOUT_MS = 5_000;
 const INTERNAL_ERROR = 1011;
 
 export interface TopicDataSocketsOptions {
-  readonly master: Pick<Master, 'openConnection'>;
+  readonly master: Pick<Master, 'openConnection' | 'refuseConnection'>;
   readonly policy: OriginPolicy;
+  readonly callers: Pick<CallerReader, 'read'>;
   readonly log: Log;
   /** Largest message a client may send. */
   readonly maxMessageBytes: number;
@@ -51,8 +53,15 @@ export class TopicDataSockets {
       refuseUpgrade(socket, 403, verdict.reason);
       return;
     }
+    // Read before anything else: of a connection that is gone nothing is known any more.
+    const caller = this.#options.callers.read(request);
+    const reason = this.#options.master.refuseConnection(queryOf(request.url ?? ''), caller);
+    if (reason !== undefined) {
+      refuseUpgrade(socket, 403, reason); // [AC-27]
+      return;
+    }
     this.#server.handleUpgrade(request, socket, head, (webSocket) => {
-      this.#open(webSocket, socket, request);
+      this.#open(webSocket, socket, request, caller);
     });
   }
 
@@ -61,11 +70,12 @@ export class TopicDataSockets {
     for (const webSocket of this.#server.clients) webSocket.terminate();
   }
 
-  #open(webSocket: WebSocket, socket: Duplex, request: IncomingMessage): void {
+  #open(webSocket: WebSocket, socket: Duplex, request: IncomingMessage, caller: CallerFacts): void {
     const { master, log, maxMessageBytes } = this.#options;
     const opened = master.openConnection(
       queryOf(request.url ?? ''),
       new WebSocketConnection(webSocket, socket),
+      caller,
       {
         userAgent: request.headers['user-agent'],
         addressKind: kindOfPeer(request.socket.remoteAddress),

@@ -10,6 +10,7 @@ import type { ConnectionPair, Seen } from '../../testing/acceptance/index.ts';
 import { StreamLog } from '../log/stream-log.ts';
 import { OriginPolicy } from '../network/origin-policy.ts';
 import { TopicDataSockets } from './topic-data-sockets.ts';
+import { LOCAL_CALLER } from '../../index.ts';
 
 clientConnectionSuite('WebSocketConnection', openPair);
 
@@ -23,7 +24,9 @@ async function openPair(): Promise<ConnectionPair> {
         handOver(connection);
         return undefined;
       },
+      refuseConnection: () => undefined,
     },
+    callers: { read: () => LOCAL_CALLER },
     policy: new OriginPolicy({ onLan: false, host: 'localhost', allowedOrigins: [] }),
     log: new StreamLog({ level: 'error', format: 'json', write: () => {}, nowMs: () => 0 }),
     maxMessageBytes: 1000,

@@ -1,4 +1,6 @@
 import { encode, ServiceError, StatusEventKind, type Client as ClientMessage } from '@ubii/proto';
+import type { ClientAccess } from '../access/caller.ts';
+import type { TopicRights } from '../access/topic-rights.ts';
 import type { DeviceRegistry } from '../devices/device-registry.ts';
 import type { InfoTopics } from '../info/info-topics.ts';
 import type { Clock } from '../ports/clock.ts';
@@ -35,6 +37,8 @@ export interface ClientContext {
   readonly info: InfoTopics;
   readonly budget: RegistrationBudget;
   readonly createSubscriber: (clientId: string, isExtension: boolean) => ClientSubscriber;
+  /** What a client that came in like this may do on topics [AC-24] [AC-25]. */
+  readonly topicRightsOf: (clientId: string, access: ClientAccess) => TopicRights;
   readonly dismissals: Dismissals;
   /** The client can be reached now, or no longer: as a node it matters [SE-31]. */
   readonly onPresence: (client: Client) => void;
@@ -85,14 +89,19 @@ export class ClientRegistry {
 
   /**
    * Registers a client, or takes back an earlier one that proves who it is [CL-1] [CL-3] [CL-4].
+   * @param access how it came in
    * @returns the client; whether it has the id it asked for; whether it was still known under it.
    * @throws ServiceError when there would be too many, or too much.
    */
-  register(message: ClientMessage): { client: Client; isResumed: boolean; isKnown: boolean } {
-    const earlierId = this.#provenId(message);
+  register(
+    message: ClientMessage,
+    access: ClientAccess,
+  ): { client: Client; isResumed: boolean; isKnown: boolean } {
+    const earlierId = this.provenId(message);
     const known = earlierId === undefined ? undefined : this.#clients.get(earlierId);
     const client = known ?? this.#create(message, earlierId ?? this.#context.ids.uuid());
     this.#describe(client, message);
+    this.#admit(client, access);
     if (known !== undefined) this.handleSign(known);
     else {
       this.#clients.set(client.id, client);
@@ -106,6 +115,13 @@ export class ClientRegistry {
     }
     this.#context.onPresence(client);
     return { client, isResumed: earlierId !== undefined, isKnown: known !== undefined };
+  }
+
+  /** The id this registration may have because it proves to be the one who had it [EX-3]. */
+  provenId({ id, extension }: ClientMessage): string | undefined {
+    const token = extension?.resumeToken ?? '';
+    if (id === '' || token === '') return undefined;
+    return this.#context.tokens.verify(id, token) ? id : undefined;
   }
 
   /** The client gave a sign of life [CL-11]. */
@@ -148,18 +164,11 @@ export class ClientRegistry {
   }
 
   /** Removes a client because somebody wants it gone; it is told why, now or when it comes back [EX-30]. */
-  dismiss(client: Client, why: string): void {
+  dismiss(client: Client, why: string, code: number = CLOSE.disconnected.code): void {
     const reason = closeReason(why);
-    this.#context.dismissals.add(client.id, reason);
-    client.socket?.close(CLOSE.disconnected.code, reason);
+    this.#context.dismissals.add(client.id, { code, reason });
+    client.socket?.close(code, reason);
     this.handleEvent(client, 'deregistered');
-  }
-
-  /** The id this registration may have because it proves to be the one who had it [EX-3]. */
-  #provenId({ id, extension }: ClientMessage): string | undefined {
-    const token = extension?.resumeToken ?? '';
-    if (id === '' || token === '') return undefined;
-    return this.#context.tokens.verify(id, token) ? id : undefined;
   }
 
   #create(message: ClientMessage, id: string): Client {
@@ -201,6 +210,20 @@ export class ClientRegistry {
     client.socket?.setRecordLists(client.takesRecordLists);
   }
 
+  /** Gives it the rights that go with how it came in. */
+  #admit(client: Client, access: ClientAccess): void {
+    const { access: before, subscriber } = client;
+    client.access = access;
+    if (before.role === access.role && before.grant === access.grant) return;
+    const { publish, read } = this.#context.topicRightsOf(client.id, access);
+    client.publishRights = publish;
+    const hadAll = subscriber.readRights === undefined;
+    subscriber.readRights = read;
+    // Who is new has no subscriptions, and the topics need not be gone through.
+    if ((hadAll && read === undefined) || !this.#clients.has(client.id)) return;
+    this.#context.subscriptions.handleRightsChanged(subscriber);
+  }
+
   /** When the house is full, whoever has been away longest makes room, those first who never had a socket. */
   #makeRoom(): boolean {
     let goes: Client | undefined;
@@ -224,7 +247,7 @@ export class ClientRegistry {
     this.#clients.delete(client.id);
     budget.add(client, -client.registrationBytes);
     // Of one that somebody removed, that is told instead.
-    const isDismissed = this.#context.dismissals.reasonOf(client.id) !== undefined;
+    const isDismissed = this.#context.dismissals.of(client.id) !== undefined;
     if (event === 'deregistered' && !isDismissed) {
       events.add(StatusEventKind.CLIENT_LEFT, `${client.label} left`, client.id);
     }

@@ -1,3 +1,4 @@
+import { wireRole } from '../access/roles.ts';
 import {
   ClientActivityAddressKind,
   type ClientActivity,
@@ -78,6 +79,8 @@ function activityOf(
     ...(throttle !== undefined && { throttle: throttleOf(throttle) }),
     workShare,
     ...(client.clock !== undefined && { clock: clockOf(client.clock, clock) }),
+    role: wireRole(client.access.role), // [AC-20]
+    grantId: client.access.grant?.id ?? '',
   };
 }
 

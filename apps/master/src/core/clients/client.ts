@@ -1,4 +1,6 @@
 import type { Client as ClientMessage, Device, NodeExtension } from '@ubii/proto';
+import { LOCAL_ACCESS, type ClientAccess } from '../access/caller.ts';
+import type { PublishRights } from '../access/topic-rights.ts';
 import type { AddressKind } from '../ports/address-kind.ts';
 import { Streak } from '../status/streak.ts';
 import type { PublishingClient } from '../topics/publication.ts';
@@ -58,6 +60,9 @@ export class Client implements PublishingClient {
   /** When it registered, epoch milliseconds. */
   readonly firstSeenMs: number;
   throttle: Throttle | undefined = undefined;
+  /** How it came in, and what it may do [AC-20]. */
+  access: ClientAccess = LOCAL_ACCESS;
+  publishRights: PublishRights | undefined = undefined;
   /** What it said of itself as a node; undefined when it is none [PM-60]. */
   node: NodeExtension | undefined = undefined;
   /** Takes lists of records [EX-2]. */

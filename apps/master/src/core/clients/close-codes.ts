@@ -7,5 +7,6 @@ export const CLOSE = {
   protocolErrors: { code: 4008, reason: 'protocol errors' },
   tooSlow: { code: 4009, reason: 'too slow' },
   disconnected: { code: 4010, reason: 'disconnected' },
+  revoked: { code: 4011, reason: 'revoked' },
   tooMany: { code: 4013, reason: 'too many' },
 } as const;

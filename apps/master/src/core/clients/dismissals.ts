@@ -1,13 +1,19 @@
 /** Clients remembered: more than can be removed by hand while one is away. */
 const MAX_REMEMBERED = 1_000;
 
+/** What a client is told that somebody removed: a close code and why. */
+export interface Dismissal {
+  readonly code: number;
+  readonly reason: string;
+}
+
 /** Clients that somebody removed, with what they are told when they come to a socket again [EX-30]. */
 export class Dismissals {
-  readonly #reasons = new Map<string, string>();
+  readonly #reasons = new Map<string, Dismissal>();
 
-  add(clientId: string, reason: string): void {
+  add(clientId: string, dismissal: Dismissal): void {
     this.#reasons.delete(clientId);
-    this.#reasons.set(clientId, reason);
+    this.#reasons.set(clientId, dismissal);
     if (this.#reasons.size <= MAX_REMEMBERED) return;
     for (const oldest of this.#reasons.keys()) {
       this.#reasons.delete(oldest);
@@ -16,7 +22,7 @@ export class Dismissals {
   }
 
   /** Why this client was removed; undefined when nobody removed it. */
-  reasonOf(clientId: string): string | undefined {
+  of(clientId: string): Dismissal | undefined {
     return this.#reasons.get(clientId);
   }
 

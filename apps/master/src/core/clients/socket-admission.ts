@@ -1,3 +1,5 @@
+import type { Access } from '../access/access.ts';
+import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ConnectionPeer, ConnectionQuery } from '../master.ts';
 import { oneLine } from '../one-line.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
@@ -11,6 +13,7 @@ import { TopicDataSocket, type SocketContext } from './topic-data-socket.ts';
 /** What lets sockets in. */
 export interface AdmissionContext extends SocketContext {
   readonly clients: ClientRegistry;
+  readonly access: Access;
   readonly tokens: ResumeTokens;
   readonly dismissals: Dismissals;
 }
@@ -38,15 +41,22 @@ export class SocketAdmission {
     return this.#open;
   }
 
+  /** Why whoever asks for this socket is not to be given one [AC-27]. */
+  refuse({ clientId = '', token = '' }: ConnectionQuery, caller: CallerFacts): string | undefined {
+    return this.#context.access.refuseSocket(caller, clientId, token)?.message;
+  }
+
   /** Makes this connection the socket of its client, or closes it and says why. */
   open(
     query: ConnectionQuery,
     connection: ClientConnection,
+    caller: CallerFacts,
     { userAgent = '', addressKind }: ConnectionPeer = {},
   ): TopicDataSocket | undefined {
     const { clients, counters, topics, subscriptions } = this.#context;
     const client = clients.get(query.clientId ?? '');
-    const refusal = this.#refusal(client, query);
+    const isStranger = this.refuse(query, caller) !== undefined;
+    const refusal = isStranger ? CLOSE.notThisClient : this.#refusal(client, query);
     if (client === undefined || refusal !== undefined) {
       const { code, reason } = refusal ?? CLOSE.unknownClient;
       counters.connectionsRefused++;
@@ -91,9 +101,7 @@ export class SocketAdmission {
     const { tokens, limits, limitWatch, dismissals } = this.#context;
     const { clientId = '', token } = query;
     if (client === undefined) {
-      const reason = dismissals.reasonOf(clientId);
-      if (reason !== undefined) return { ...CLOSE.disconnected, reason }; // [EX-30]
-      return CLOSE.unknownClient; // [TD-6]
+      return dismissals.of(clientId) ?? CLOSE.unknownClient; // [EX-30] [AC-15] [TD-6]
     }
     if (client.isExtension && !tokens.verify(client.id, token ?? '')) return CLOSE.notThisClient; // [EX-4]
     if (client.socket === undefined && this.#open >= limits.sockets) {

@@ -6,6 +6,7 @@ import {
   type Component,
   type Device,
 } from '@ubii/proto';
+import { requireDeviceRights } from '../access/device-rights.ts';
 import type { Client } from '../clients/client.ts';
 import type { RegistrationBudget } from '../clients/registration-budget.ts';
 import type { InfoTopics } from '../info/info-topics.ts';
@@ -41,6 +42,8 @@ export class DeviceRegistry {
   readonly #componentIds = new Set<string>();
   /** Components that publish, by topic; made when somebody asks. */
   #byTopic: Map<string, Component[]> | undefined = undefined;
+  /** Clients with a component that subscribes, by its topic; made when somebody asks. */
+  #inputsByTopic: Map<string, Set<string>> | undefined = undefined;
 
   constructor(context: DeviceContext) {
     this.#context = context;
@@ -71,6 +74,11 @@ export class DeviceRegistry {
     return this.#publishers().get(topic) ?? NO_COMPONENTS;
   }
 
+  /** Whether a component of this client subscribes to the topic: what others publish there is meant for it [AC-24]. */
+  isInputOf(clientId: string, topic: string): boolean {
+    return this.#inputs().get(topic)?.has(clientId) ?? false;
+  }
+
   /** Id of the device that has a component which publishes on this topic. */
   deviceOfTopic(topic: string): string | undefined {
     return this.#publishers().get(topic)?.[0]?.deviceId;
@@ -89,6 +97,7 @@ export class DeviceRegistry {
         `The device id ${quote(message.id)} belongs to a device of another client; leave the id out to be given one.`,
       );
     }
+    requireDeviceRights(client, message);
     const byteLength = encode('ubii.devices.Device', message).byteLength;
     this.#check(client, message, byteLength, before);
     if (before !== undefined) this.#remove(before);
@@ -138,6 +147,20 @@ export class DeviceRegistry {
     return (this.#byTopic = byTopic);
   }
 
+  #inputs(): Map<string, Set<string>> {
+    if (this.#inputsByTopic !== undefined) return this.#inputsByTopic;
+    const inputs = new Map<string, Set<string>>();
+    for (const { device, client } of this.#devices.values()) {
+      for (const { ioType, topic } of device.components) {
+        if (ioType !== ComponentIOType.SUBSCRIBER || topic === '') continue;
+        const clients = inputs.get(topic);
+        if (clients === undefined) inputs.set(topic, new Set([client.id]));
+        else clients.add(client.id);
+      }
+    }
+    return (this.#inputsByTopic = inputs);
+  }
+
   #check(
     client: Client,
     message: Device,
@@ -162,6 +185,7 @@ export class DeviceRegistry {
     const { subscriptions, info, budget } = this.#context;
     this.#devices.set(device.id, registered);
     this.#byTopic = undefined;
+    this.#inputsByTopic = undefined;
     client.devices.set(device.id, device);
     budget.add(client, byteLength);
     for (const component of device.components) {
@@ -178,6 +202,7 @@ export class DeviceRegistry {
     const { subscriptions, budget } = this.#context;
     this.#devices.delete(device.id);
     this.#byTopic = undefined;
+    this.#inputsByTopic = undefined;
     client.devices.delete(device.id);
     budget.add(client, -byteLength);
     for (const component of device.components) {

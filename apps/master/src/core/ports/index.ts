@@ -1,4 +1,7 @@
+export type { AccessSecrets } from './access-secrets.ts';
 export type { AddressKind } from './address-kind.ts';
+export { LOCAL_CALLER } from './caller-facts.ts';
+export type { CallerFacts, CallerStanding } from './caller-facts.ts';
 export type { Cancel, Clock } from './clock.ts';
 export type { IdSource } from './id-source.ts';
 export type { ResumeTokens } from './resume-tokens.ts';

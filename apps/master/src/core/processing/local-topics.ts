@@ -47,6 +47,7 @@ export class LocalTopics implements TopicPort {
       byteBudget: new TokenBucket(limits.publishedBytesPerSecond, nowMs),
       traffic: new Traffic(),
       throttle: undefined,
+      publishRights: undefined, // [AC-24]
     };
   }
 
@@ -170,6 +171,7 @@ function localSubscriber(
     clientId,
     isExtension: true,
     outbox,
+    readRights: undefined,
     sampler: undefined,
     patternBudget: new TokenBucket(patternMatchMsPerSecond, clock.monotonicMs(), patternMatchMs),
     topics: new Set(),

@@ -1,15 +1,14 @@
 import { ServiceError, StatusEventKind } from '@ubii/proto';
+import { roleRefusal } from '../access/join-refusals.ts';
+import type { Client } from '../clients/client.ts';
 import { readClientReport } from '../clients/client-report.ts';
 import { throttleClient, unthrottleClient } from '../clients/throttling.ts';
 import type { Core } from '../core.ts';
 import { oneLine } from '../one-line.ts';
-import type { ServiceHandler } from './handler.ts';
+import { byCaller, MAX_NAME_LENGTH, MAX_REASON_LENGTH, nameOfCaller } from './by-caller.ts';
+import type { ServiceCall, ServiceHandler } from './handler.ts';
 import { requireElements } from './list-limits.ts';
 
-/** Characters of a client's name [EX-29]. */
-const MAX_NAME_LENGTH = 100;
-/** Characters of the reason somebody gives. */
-const MAX_REASON_LENGTH = 200;
 /** The slowest throttle: a record in ten seconds [EX-31]. */
 const MIN_RECORDS_PER_SECOND = 0.1;
 
@@ -21,9 +20,10 @@ export const reportClients: ServiceHandler = (core, request) => {
 };
 
 /** `/services/ubii/client_rename` [EX-29] */
-export const renameClient: ServiceHandler = (core, request) => {
+export const renameClient: ServiceHandler = (core, request, call) => {
   const { clientId, targetId, name } = request.clientRenameRequest!;
   const client = core.clients.require(targetId, 'client_rename_request.target_id');
+  requireTarget(call, client, 'rename');
   if (name === '' || name !== oneLine(name, MAX_NAME_LENGTH)) {
     throw new ServiceError(
       'invalid_argument',
@@ -39,12 +39,11 @@ export const renameClient: ServiceHandler = (core, request) => {
 };
 
 /** `/services/ubii/client_disconnect` [EX-30] */
-export const disconnectClient: ServiceHandler = (core, request) => {
+export const disconnectClient: ServiceHandler = (core, request, call) => {
   const { clientId, targetId, reason } = request.clientDisconnectRequest!;
   const client = core.clients.require(targetId, 'client_disconnect_request.target_id');
-  const why = oneLine(reason, MAX_REASON_LENGTH);
-  const who = by(core, clientId) || ' by somebody';
-  const told = `${who.trim()}${why === '' ? '' : `: ${why}`}`;
+  requireTarget(call, client, 'disconnect');
+  const told = byCaller(core, clientId, reason);
   const { label } = client;
   core.clients.dismiss(client, told);
   core.events.add(
@@ -80,8 +79,13 @@ export const controlThrottle: ServiceHandler = (core, request) => {
   return { success: { title: 'Success', message } };
 };
 
-function nameOfCaller({ clients }: Core, clientId: string): string {
-  return oneLine(clients.get(clientId)?.label ?? '', MAX_NAME_LENGTH);
+/** Of others, this is an admin's [AC-21]. */
+function requireTarget({ caller }: ServiceCall, client: Client, what: string): void {
+  if (caller.role === 'admin') return;
+  if (caller.kind === 'client' && caller.clientId === client.id) return;
+  throw roleRefusal(
+    `To ${what} another client takes an admin; this device joined as ${caller.role}.`,
+  );
 }
 
 function by(core: Core, clientId: string): string {

@@ -1,8 +1,13 @@
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
+import type { Caller } from '../access/caller.ts';
 import type { Core } from '../core.ts';
 
 /** What belongs to one call, beside its request. */
 export interface ServiceCall {
+  /** Who calls. The router has checked that it may. */
+  readonly caller: Caller;
+  /** Where wrong codes of this caller are counted [AC-17]. */
+  readonly place: string;
   /** Has `fn` called when the reply has left [TD-24]. */
   afterReply(fn: () => void): void;
   /** To be called between pieces of long work, and awaited when it took long: gives others a turn. */

@@ -5,7 +5,8 @@ import {
   renameClient,
   reportClients,
 } from './client-control.ts';
-import { deregisterClient, listClients, listLatencies, registerClient } from './clients.ts';
+import { checkJoin, createGrant, listGrants, revokeGrant } from './access.ts';
+import { deregisterClient, listClients, listLatencies } from './clients.ts';
 import {
   deregisterDevice,
   getDevice,
@@ -31,6 +32,7 @@ import {
   removeRunningModules,
   saveModule,
 } from './modules.ts';
+import { registerClient } from './registration.ts';
 import {
   deleteStoredSession,
   getStoredSession,
@@ -75,6 +77,10 @@ const DOMAIN_HANDLERS = {
   limitList: listLimits,
   settingList: listSettings,
   logTail: tailLog,
+  joinCheck: checkJoin,
+  accessGrantCreate: createGrant,
+  accessGrantList: listGrants,
+  accessGrantRevoke: revokeGrant,
   moduleVersionList: listModuleVersions,
   sessionRuntimeAdd: addSession,
   sessionRuntimeGet: getSession,

@@ -10,7 +10,7 @@ import { matchesModule } from '../library/module-profiles.ts';
 import { unknownModule, withOrigin } from '../library/module-library.ts';
 import { moduleProblems } from '@ubii/pm-sandbox';
 import { quote } from '../topics/topic-names.ts';
-import type { ServiceHandler } from './handler.ts';
+import type { ServiceCall, ServiceHandler } from './handler.ts';
 import { requireElements, requireProfiles } from './list-limits.ts';
 
 /** `/services/processing_module/database/save` [SE-22] */
@@ -67,10 +67,12 @@ export const listLocalModules: ServiceHandler = (core, request) =>
 export const listOnlineModules: ServiceHandler = () => ({ processingModuleList: { elements: [] } });
 
 /** `/services/processing_module/runtime/add` [SE-32] */
-export const addRunningModules: ServiceHandler = (core, request) => report(core, request, true);
+export const addRunningModules: ServiceHandler = (core, request, call) =>
+  report(core, request, call, true);
 
 /** `/services/processing_module/runtime/remove` [SE-32] */
-export const removeRunningModules: ServiceHandler = (core, request) => report(core, request, false);
+export const removeRunningModules: ServiceHandler = (core, request, call) =>
+  report(core, request, call, false);
 
 /** `/services/processing_module/runtime/get` */
 export const getRunningModule: ServiceHandler = ({ processing }, request) => {
@@ -99,13 +101,16 @@ export const listNodes: ServiceHandler = ({ processing }) => ({
 function report(
   core: Core,
   request: Parameters<ServiceHandler>[1],
+  { caller }: ServiceCall,
   isRunning: boolean,
 ): ReturnType<ServiceHandler> {
   const unknown: string[] = [];
   for (const { id, nodeId } of requireElements(core, request.processingModuleList!.elements)) {
     const found = core.processing.sessions.findModule(id);
     // Whoever leaves its own id out means itself.
-    const reporter = nodeId || (found?.module.nodeId ?? '');
+    const named = nodeId || (found?.module.nodeId ?? '');
+    // Whoever joined speaks for itself alone. [AC-22]
+    const reporter = caller.kind === 'client' ? caller.clientId : named;
     if (!core.processing.handleReport(reporter, id, isRunning)) unknown.push(id);
   }
   if (unknown.length > 0) {

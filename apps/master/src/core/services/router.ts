@@ -1,6 +1,8 @@
 import { serviceByTopic, ServiceError, SERVICES, type ServiceRequest } from '@ubii/proto';
+import type { Caller } from '../access/caller.ts';
 import type { Core } from '../core.ts';
 import type { ServiceAnswer } from '../master.ts';
+import type { CallerFacts } from '../ports/caller-facts.ts';
 import { quote } from '../topics/topic-names.ts';
 import { callerId } from './clients.ts';
 import type { ServiceCall } from './handler.ts';
@@ -10,9 +12,13 @@ import { HANDLERS } from './handlers.ts';
 const LONGEST_BREATH_MS = 8;
 
 /** Answers a request, whatever it holds; never rejects [SV-2]. */
-export function answerRequest(core: Core, request: ServiceRequest): Promise<ServiceAnswer> {
+export function answerRequest(
+  core: Core,
+  request: ServiceRequest,
+  facts: CallerFacts,
+): Promise<ServiceAnswer> {
   core.counters.countRequest(request.topic);
-  const call = new Call(core);
+  const call = new Call(core, facts);
   const { serviceTimeoutMs } = core.limits;
   return new Promise((resolve) => {
     const cancel = core.clock.after(serviceTimeoutMs, () => {
@@ -46,6 +52,8 @@ async function handle(core: Core, request: ServiceRequest, call: Call): Promise<
   const name = serviceByTopic(topic);
   const handler = name === undefined ? undefined : HANDLERS[name];
   if (name === undefined || handler === undefined) throw unknownService(topic);
+  const actsFor = callerId(request);
+  core.access.authorize(call.caller, name, topic, actsFor);
   const { request: member, alternativeRequest, requestRequired, requestFormat } = SERVICES[name];
   const isGiven =
     (member !== undefined && request[member] !== undefined) ||
@@ -59,8 +67,10 @@ async function handle(core: Core, request: ServiceRequest, call: Call): Promise<
   }
   // Who registers or leaves says so itself. [CL-11]
   if (name !== 'clientRegistration' && name !== 'clientDeregistration') {
-    const caller = core.clients.get(callerId(request));
-    if (caller !== undefined) core.clients.handleSign(caller);
+    const client = core.access.mayActFor(call.caller, actsFor)
+      ? core.clients.get(actsFor)
+      : undefined;
+    if (client !== undefined) core.clients.handleSign(client);
   }
   const reply = await handler(core, request, call);
   return { reply, afterReply: () => call.finish() };
@@ -81,14 +91,24 @@ function unknownService(topic: string): ServiceError {
 
 /** One call on its way through its handler. */
 class Call implements ServiceCall {
+  readonly place: string;
   readonly #core: Core;
+  readonly #facts: CallerFacts;
+  #caller: Caller | undefined = undefined;
   #afterReply: (() => void)[] = [];
   #isFinished = false;
   #breathMs: number;
 
-  constructor(core: Core) {
+  constructor(core: Core, facts: CallerFacts) {
     this.#core = core;
+    this.#facts = facts;
+    this.place = facts.place;
     this.#breathMs = core.clock.monotonicMs();
+  }
+
+  /** Found once: a wrong code counts once. */
+  get caller(): Caller {
+    return (this.#caller ??= this.#core.access.identify(this.#facts));
   }
 
   afterReply(fn: () => void): void {

@@ -6,8 +6,12 @@ import type { ServiceHandler } from './handler.ts';
 const CONSTANTS_JSON = JSON.stringify(LEGACY_CONSTANTS);
 
 /** `/services/server_configuration` [SV-10] */
-export const describeServer: ServiceHandler = ({ id, settings }) => {
-  const { ipEthernet, ipWlan, portServices, portTopicData } = settings.endpoints();
+export const describeServer: ServiceHandler = ({ id, settings }, _request, { caller }) => {
+  const endpoints = settings.endpoints();
+  const { portServices, portTopicData } = endpoints;
+  // A stranger knows the address it has come to, and is told of no other network. [AC-5]
+  const isStranger = caller.role === 'none';
+  const { ipEthernet, ipWlan } = isStranger ? { ipEthernet: '', ipWlan: '' } : endpoints;
   const host = ipEthernet || ipWlan;
   const external = (rest: string): string => (host === '' ? '' : `${host}:${rest}`);
   return {

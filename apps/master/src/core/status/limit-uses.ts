@@ -14,6 +14,7 @@ export const LIMIT_USES: LimitUses = {
   retainedBytes: ({ topics }) => ({ value: topics.retainedBytes }),
   clients: ({ clients }) => ({ value: clients.size }),
   sockets: ({ sockets }) => ({ value: sockets.openCount }),
+  grants: ({ access }) => ({ value: access.grants.size }),
   devicesPerClient: ofClients(({ devices }) => devices.size),
   componentsPerDevice: ofClients(({ devices }) =>
     [...devices.values()].reduce((most, device) => Math.max(most, device.components.length), 0),

@@ -1,3 +1,4 @@
+import type { PublishRights } from '../access/topic-rights.ts';
 import type { Throttle } from '../clients/throttle.ts';
 import type { TokenBucket } from './token-bucket.ts';
 import type { TopicEntry, TopicOwner } from './topic-entry.ts';
@@ -18,6 +19,8 @@ export interface PublishingClient extends TopicOwner {
   readonly traffic: PublishedCounts;
   /** What makes its budget smaller than that of others [EX-31]. */
   readonly throttle: Throttle | undefined;
+  /** Undefined: it publishes everywhere [AC-24]. */
+  readonly publishRights: PublishRights | undefined;
 }
 
 /** The most memory a kept record may take, as a multiple of its length. */

@@ -39,6 +39,7 @@ function checkClients(context: PublishContext, publication: Publication): Refusa
   return (
     checkRate(publication) ??
     checkTopic(context, publication) ??
+    checkRights(publication) ??
     checkTopicCount(context, publication) ??
     checkRetainedBytes(context, publication)
   );
@@ -78,6 +79,13 @@ function checkTopic({ limits }: PublishContext, publication: Publication): Refus
     case undefined:
       return isMasterTopic(topic) ? REFUSALS.mastersTopic : undefined;
   }
+}
+
+/** [AC-24] */
+function checkRights({ client, topic }: Publication): Refusal | undefined {
+  const { publishRights } = client!;
+  if (publishRights === undefined || publishRights.mayPublish(topic)) return undefined;
+  return REFUSALS.notYours;
 }
 
 function checkRetainedBytes(

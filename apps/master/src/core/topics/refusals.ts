@@ -36,6 +36,12 @@ export const REFUSALS = {
     describe: ({ topic }) =>
       `Only the master publishes on ${quote(topic)}; a client publishes on topics that do not begin with /info/ or /ubii/.`,
   },
+  /** [AC-24] */
+  notYours: {
+    code: 'permission_denied',
+    describe: ({ topic, client }) =>
+      `The record on ${quote(topic)} was refused: a client that joined with this role publishes on its own topics, /${client?.id ?? '<its id>'}/..., and on those it was given.`,
+  },
   tooManyRecords: {
     code: 'resource_exhausted',
     limit: 'recordsPerSecond',

@@ -48,6 +48,7 @@ export function subscriberFactory(
       clientId,
       isExtension,
       outbox,
+      readRights: undefined,
       sampler: new Sampler(outbox, samplerContext),
       patternBudget: new TokenBucket(patternMatchMsPerSecond, clock.monotonicMs(), patternMatchMs),
       topics: new Set(),

@@ -1,3 +1,4 @@
+import type { ReadRights } from '../access/topic-rights.ts';
 import type { ComponentSelection } from './component-selection.ts';
 import type { Outbox } from './outbox.ts';
 import type { Pattern } from './pattern.ts';
@@ -12,6 +13,8 @@ export interface Subscriber {
   /** Gets topics under /ubii/, and retained records for patterns and profiles [TD-24] [TD-26]. */
   readonly isExtension: boolean;
   readonly outbox: Receiver;
+  /** Undefined: it may receive everything [AC-25]. */
+  readRights: ReadRights | undefined;
   /** Undefined: gets every record. */
   readonly sampler: Sampler | undefined;
   /** Milliseconds that matching its patterns may take [TD-29]. */

@@ -49,6 +49,12 @@ export class SubscriptionTable {
         `${quote(topic)} cannot be subscribed to, because a topic that ${fault} does not exist.`,
       );
     }
+    if (subscriber.readRights?.mayRead(topic) === false) {
+      throw new ServiceError(
+        'permission_denied', // [AC-25]
+        `A client that joined with this role cannot subscribe to ${quote(topic)}: it receives its own topics, /${subscriber.clientId}/..., and those it was given.`,
+      );
+    }
     const known = topics.get(topic);
     const isNew = known === undefined || !subscriber.topics.has(known);
     if (isNew && subscriber.topics.size >= limits.limits.subscriptionsPerClient) {
@@ -163,7 +169,9 @@ export class SubscriptionTable {
     if (gained.length > 0) topics.markSubscribersChanged(entry);
     for (const selection of gained) {
       for (const subscriber of selection.subscribers.keys()) {
-        if (subscriber.isExtension) subscriber.outbox.replay(entry, topics.sequence);
+        if (subscriber.isExtension && this.#reaches(subscriber, entry)) {
+          subscriber.outbox.replay(entry, topics.sequence);
+        }
       }
     }
   }
@@ -200,8 +208,17 @@ export class SubscriptionTable {
   *replayable(subscriber: Subscriber): Iterable<TopicEntry> {
     for (const entry of subscriber.topics) if (this.#reaches(subscriber, entry)) yield entry;
     if (!subscriber.isExtension) return;
-    for (const { entries } of subscriber.patterns) yield* entries;
-    for (const { entries } of subscriber.selections) yield* entries;
+    for (const { entries } of [...subscriber.patterns, ...subscriber.selections]) {
+      for (const entry of entries) if (this.#reaches(subscriber, entry)) yield entry;
+    }
+  }
+
+  /** What a client may receive is something else now [AC-25]. */
+  handleRightsChanged(subscriber: Subscriber): void {
+    for (const entry of this.#context.topics.values()) {
+      if (!this.#reaches(subscriber, entry)) subscriber.outbox.forgive(entry);
+    }
+    this.#markAllChanged();
   }
 
   #subscribe<S extends Pattern | ComponentSelection>(
@@ -215,7 +232,8 @@ export class SubscriptionTable {
     subscribed.subscribers.set(subscriber, rateHz);
     own.add(subscribed);
     for (const entry of subscribed.entries) this.#context.topics.markSubscribersChanged(entry);
-    return isNew && subscriber.isExtension ? [...subscribed.entries] : []; // [TD-24]
+    if (!isNew || !subscriber.isExtension) return [];
+    return [...subscribed.entries].filter((entry) => this.#reaches(subscriber, entry)); // [TD-24]
   }
 
   #unsubscribe(subscriber: Subscriber, subscribed: Pattern | ComponentSelection): void {
@@ -240,7 +258,8 @@ export class SubscriptionTable {
   }
 
   #reaches(subscriber: Subscriber, entry: TopicEntry): boolean {
-    return subscriber.isExtension || !entry.isExtension; // [TD-26]
+    if (entry.isExtension && !subscriber.isExtension) return false; // [TD-26]
+    return subscriber.readRights?.mayRead(entry.topic) !== false; // [AC-25]
   }
 
   #tooMany(

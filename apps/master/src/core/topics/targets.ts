@@ -16,6 +16,7 @@ export function computeTargets(entry: TopicEntry, watchers: Iterable<Subscriber>
   const rates = new Map<Subscriber, number>();
   const add = (subscriber: Subscriber, rateHz: number): void => {
     if (entry.isExtension && !subscriber.isExtension) return; // [TD-26]
+    if (subscriber.readRights?.mayRead(entry.topic) === false) return; // [AC-25]
     const other = rates.get(subscriber);
     if (other === undefined) rates.set(subscriber, rateHz);
     else rates.set(subscriber, other === 0 || rateHz === 0 ? 0 : Math.max(other, rateHz)); // [TD-28]

@@ -1,3 +1,4 @@
+export { accessSecretsSuite } from './access-secrets-suite.ts';
 export {
   clientConnectionSuite,
   type ConnectionPair,

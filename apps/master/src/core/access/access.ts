@@ -1,0 +1,193 @@
+import {
+  JoinProblem,
+  type ClientExtension,
+  type ServiceError,
+  type ServiceName,
+} from '@ubii/proto';
+import type { Clock } from '../ports/clock.ts';
+import type { AccessSecrets } from '../ports/access-secrets.ts';
+import type { CallerFacts } from '../ports/caller-facts.ts';
+import type { ResumeTokens } from '../ports/resume-tokens.ts';
+import { quote } from '../topics/topic-names.ts';
+import type { Caller, ClientAccess } from './caller.ts';
+import { looksLikeCredential, readCredential, writeCredential } from './credentials.ts';
+import type { Grant } from './grant.ts';
+import type { Grants } from './grants.ts';
+import type { GuessLimit } from './guess-limit.ts';
+import { readJoinCode } from './join-code.ts';
+import { joinRefusal, roleRefusal } from './join-refusals.ts';
+import { SERVICE_RIGHTS } from './service-rights.ts';
+
+/** What access is decided by. */
+export interface AccessContext {
+  readonly clock: Clock;
+  readonly secrets: AccessSecrets;
+  readonly tokens: ResumeTokens;
+  readonly grants: Grants;
+  readonly guesses: GuessLimit;
+  /** How a registered client came in; undefined when there is no such client. */
+  readonly accessOf: (clientId: string) => ClientAccess | undefined;
+}
+
+/** What a token, code or credential is good for. */
+type Found =
+  | { readonly problem: JoinProblem; readonly grant?: undefined }
+  | { readonly problem?: undefined; readonly grant: Grant };
+
+const { JOIN_PROBLEM_EXPIRED, JOIN_PROBLEM_GUESSING, JOIN_PROBLEM_MISSING } = JoinProblem;
+const { JOIN_PROBLEM_REVOKED, JOIN_PROBLEM_USED, JOIN_PROBLEM_WRONG } = JoinProblem;
+
+const LOCAL: Caller = { kind: 'local', role: 'admin' };
+const NETWORK: Caller = { kind: 'network', role: 'participant' };
+
+/** Decides who is let in, and to what. */
+export class Access {
+  readonly grants: Grants;
+  readonly #context: AccessContext;
+
+  constructor(context: AccessContext) {
+    this.#context = context;
+    this.grants = context.grants;
+  }
+
+  /** Who calls. What it shows counts, and what is good for nothing is not taken for none [AC-3]. */
+  identify({ standing, place, bearer }: CallerFacts): Caller {
+    if (bearer !== undefined) return this.#identifyBearer(bearer, place);
+    if (standing === 'local') return LOCAL;
+    if (standing === 'network') return NETWORK;
+    return stranger(JOIN_PROBLEM_MISSING);
+  }
+
+  /**
+   * @param actsFor the id of the client that the request says it comes from; empty when it says none
+   * @throws ServiceError when this caller may not call the service, or not for that client
+   */
+  authorize(caller: Caller, name: ServiceName, topic: string, actsFor: string): void {
+    const { roles, actsForClient } = SERVICE_RIGHTS[name];
+    if (roles === 'anyone') return;
+    if (caller.kind === 'stranger') throw caller.refusal;
+    if (caller.kind === 'joining') throw joinRefusal(JOIN_PROBLEM_MISSING);
+    const { role } = caller;
+    if (!roles.some((allowed) => allowed === role)) {
+      throw roleRefusal(
+        `The service ${topic} is for ${listed(roles)}; this device joined as ${role}.`,
+      );
+    }
+    if (actsForClient && actsFor !== '' && !this.mayActFor(caller, actsFor)) {
+      throw roleRefusal(
+        `The request names the client ${quote(actsFor)} as the one that asks, which it does not come from.`,
+      );
+    }
+  }
+
+  /** Whether this caller speaks for a client [AC-22]. */
+  mayActFor(caller: Caller, clientId: string): boolean {
+    switch (caller.kind) {
+      case 'local':
+        return true;
+      case 'client':
+        return clientId === caller.clientId;
+      case 'network':
+        return (this.#context.accessOf(clientId)?.kind ?? 'network') === 'network';
+      case 'joining':
+      case 'stranger':
+        return false;
+    }
+  }
+
+  /**
+   * Whether a socket is opened for this client [AC-27].
+   * @returns why not
+   */
+  refuseSocket(
+    { standing }: CallerFacts,
+    clientId: string,
+    token: string,
+  ): ServiceError | undefined {
+    if (standing === 'local') return undefined;
+    const { tokens, accessOf } = this.#context;
+    const access = accessOf(clientId);
+    const mayTry = access === undefined || access.kind === 'grant';
+    if (standing === 'network' && (access === undefined || access.kind === 'network')) {
+      return undefined;
+    }
+    // Who proves to have had an id hears what became of it.
+    const isProven = clientId !== '' && token !== '' && tokens.verify(clientId, token);
+    if (!mayTry || !isProven) return joinRefusal(JOIN_PROBLEM_MISSING);
+    const isOver = access !== undefined && access.expiresMs <= this.#context.clock.nowMs();
+    return isOver ? joinRefusal(JOIN_PROBLEM_EXPIRED) : undefined;
+  }
+
+  /** What a token or code is good for, for whom it may concern [AC-16]. */
+  check(secret: string, place: string): Found {
+    const code = readJoinCode(secret);
+    if (code === undefined) return this.#usable(this.grants.findByToken(secret));
+    const { guesses } = this.#context;
+    if (!guesses.mayTry(place)) return { problem: JOIN_PROBLEM_GUESSING };
+    const grant = this.grants.findByCode(code);
+    if (grant === undefined) guesses.countWrong(place);
+    return this.#usable(grant, grant?.codeExpiresMs);
+  }
+
+  /** When a credential given now ends [AC-13]. @throws ServiceError when the grant gives none any more */
+  credentialEndMs(grant: Grant): number {
+    const endMs = this.grants.credentialEndMs(grant);
+    if (endMs === undefined) throw joinRefusal(JOIN_PROBLEM_EXPIRED);
+    return endMs;
+  }
+
+  /** The credential of a client, as its registration says it; nothing for one that needs none. */
+  credentialOf(
+    clientId: string,
+    { grant, expiresMs }: ClientAccess,
+  ): Pick<ClientExtension, 'credential' | 'credentialExpiresMs'> | undefined {
+    if (grant === undefined) return undefined;
+    const { secrets } = this.#context;
+    const credential = writeCredential(secrets, { clientId, grantId: grant.id, expiresMs });
+    return { credential, credentialExpiresMs: expiresMs };
+  }
+
+  #identifyBearer(bearer: string, place: string): Caller {
+    if (!looksLikeCredential(bearer)) {
+      const { grant, problem } = this.check(bearer, place);
+      return grant === undefined ? stranger(problem) : { kind: 'joining', role: 'none', grant };
+    }
+    const credential = readCredential(this.#context.secrets, bearer);
+    if (credential === undefined) return stranger(JOIN_PROBLEM_WRONG);
+    const grant = this.grants.get(credential.grantId);
+    const { clientId, expiresMs } = credential;
+    if (grant === undefined || grant.revokedMs > 0) return stranger(JOIN_PROBLEM_REVOKED);
+    if (expiresMs <= this.#context.clock.nowMs()) return stranger(JOIN_PROBLEM_EXPIRED);
+    return { kind: 'client', role: grant.role, clientId, grant, expiresMs };
+  }
+
+  #usable(grant: Grant | undefined, codeExpiresMs = Number.POSITIVE_INFINITY): Found {
+    if (grant === undefined) return { problem: JOIN_PROBLEM_WRONG };
+    if (grant.revokedMs > 0) return { problem: JOIN_PROBLEM_REVOKED };
+    const nowMs = this.#context.clock.nowMs();
+    if (Math.min(grant.closedMs, codeExpiresMs) <= nowMs) return { problem: JOIN_PROBLEM_EXPIRED };
+    return { grant };
+  }
+}
+
+/** Whether somebody more may join with a grant [AC-18]. */
+export function isUsedUp({ maxJoins, joins }: Grant): boolean {
+  return maxJoins > 0 && joins >= maxJoins;
+}
+
+/** Everybody has joined with it that may. */
+export function usedRefusal(): ServiceError {
+  return joinRefusal(JOIN_PROBLEM_USED);
+}
+
+function stranger(problem: JoinProblem): Caller {
+  return { kind: 'stranger', role: 'none', refusal: joinRefusal(problem) };
+}
+
+/** `admins`, `admins and participants` */
+function listed(roles: readonly string[]): string {
+  return roles
+    .map((role) => `${role}s`)
+    .join(', ')
+    .replace(/, ([^,]*)$/, ' and $1');
+}

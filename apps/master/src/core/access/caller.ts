@@ -1,0 +1,64 @@
+import type { ServiceError } from '@ubii/proto';
+import type { Grant } from './grant.ts';
+import type { Role } from './roles.ts';
+
+/**
+ * Who calls, once the transport and the token were looked at: `local` without a token [AC-2] · `network`,
+ * let in without one [AC-4] · `client`, a client that joined, shown by its credential [AC-13] · `joining`,
+ * with a token or code, to register with · `stranger`, everybody else.
+ */
+export type Caller =
+  | { readonly kind: 'local'; readonly role: 'admin' }
+  | { readonly kind: 'network'; readonly role: 'participant' }
+  | {
+      readonly kind: 'client';
+      readonly role: Role;
+      readonly clientId: string;
+      readonly grant: Grant;
+      /** End of the credential, epoch milliseconds. */
+      readonly expiresMs: number;
+    }
+  | { readonly kind: 'joining'; readonly role: 'none'; readonly grant: Grant }
+  | {
+      readonly kind: 'stranger';
+      readonly role: 'none';
+      /** Why it is not let in. */
+      readonly refusal: ServiceError;
+    };
+
+/** How a client came in, as it is kept with the client [AC-20]. */
+export interface ClientAccess {
+  readonly kind: 'local' | 'network' | 'grant';
+  readonly role: Role;
+  /** What it joined with; undefined for all but `grant`. */
+  readonly grant: Grant | undefined;
+  /** End of its newest credential, epoch milliseconds. */
+  readonly expiresMs: number;
+}
+
+/** How a client came in that needed no token, on this machine. */
+export const LOCAL_ACCESS: ClientAccess = withoutGrant('local', 'admin');
+const NETWORK_ACCESS = withoutGrant('network', 'participant');
+
+/**
+ * What a client that this caller registers may do.
+ * @param expiresMs end of the credential it is given, epoch milliseconds
+ * @throws ServiceError when it is a stranger
+ */
+export function accessOf(caller: Caller, expiresMs: number): ClientAccess {
+  switch (caller.kind) {
+    case 'local':
+      return LOCAL_ACCESS;
+    case 'network':
+      return NETWORK_ACCESS;
+    case 'client':
+    case 'joining':
+      return { kind: 'grant', role: caller.grant.role, grant: caller.grant, expiresMs };
+    case 'stranger':
+      throw caller.refusal;
+  }
+}
+
+function withoutGrant(kind: 'local' | 'network', role: Role): ClientAccess {
+  return { kind, role, grant: undefined, expiresMs: Number.POSITIVE_INFINITY };
+}

@@ -1,0 +1,86 @@
+import type { AccessGrant, Init, JsonObject } from '@ubii/proto';
+import { isGivenRole, wireRole, type GivenRole } from './roles.ts';
+
+/** What makes a grant, once. Times are epoch milliseconds. */
+export interface GrantSpec {
+  readonly label: string;
+  readonly role: GivenRole;
+  /** Path of the page that opens after joining; empty for the start page. */
+  readonly target: string;
+  readonly expiresMs: number;
+  readonly codeExpiresMs: number;
+  /** 0 for any number. */
+  readonly maxJoins: number;
+  /** Globs. */
+  readonly readTopics: readonly string[];
+  readonly writeTopics: readonly string[];
+  /** The master made it itself, for its terminal [AC-19]. */
+  readonly isTerminal: boolean;
+}
+
+/** Leave to join [AC-10]. */
+export interface Grant extends GrantSpec {
+  readonly id: string;
+  readonly createdMs: number;
+  /** Keyed hashes of its secrets [AC-11]. */
+  readonly token: string;
+  readonly code: string;
+  /** 0 while it stands. */
+  revokedMs: number;
+  joins: number;
+  /** The end of the last of its credentials; 0 when it gave none. */
+  credentialsEndMs: number;
+  /** Nobody joins with it from then on: its own end, or that of the run of the master it was for. */
+  closedMs: number;
+}
+
+/** The grant as others may see it. */
+export function grantMessage(grant: Grant, clientIds: readonly string[]): Init<AccessGrant> {
+  const { id, label, role, target, createdMs, maxJoins, readTopics, writeTopics } = grant;
+  const { codeExpiresMs, revokedMs, joins, isTerminal, closedMs } = grant;
+  return {
+    id,
+    label,
+    role: wireRole(role),
+    target,
+    createdMs,
+    expiresMs: closedMs,
+    maxJoins,
+    readTopics: [...readTopics],
+    writeTopics: [...writeTopics],
+    revokedMs,
+    joins,
+    clientIds: [...clientIds],
+    isTerminal,
+    codeExpiresMs: Math.min(codeExpiresMs, closedMs),
+  };
+}
+
+/** The grant as it is kept [AC-19]. */
+export function grantToJson(grant: Grant): JsonObject {
+  const { readTopics, writeTopics, ...rest } = grant;
+  return { ...rest, readTopics: [...readTopics], writeTopics: [...writeTopics] };
+}
+
+/** A grant as it was kept; undefined when this is none. */
+export function grantFromJson(json: unknown): Grant | undefined {
+  if (typeof json !== 'object' || json === null) return undefined;
+  const kept = json as { readonly [M in keyof Grant]?: unknown };
+  const texts = [kept.id, kept.label, kept.target, kept.token, kept.code];
+  const numbers = [
+    ...[kept.createdMs, kept.expiresMs, kept.codeExpiresMs, kept.maxJoins, kept.revokedMs],
+    ...[kept.joins, kept.credentialsEndMs, kept.closedMs],
+  ];
+  const isGrant =
+    texts.every((text) => typeof text === 'string') &&
+    numbers.every((number) => typeof number === 'number' && Number.isFinite(number)) &&
+    isGivenRole(kept.role) &&
+    typeof kept.isTerminal === 'boolean' &&
+    isTextList(kept.readTopics) &&
+    isTextList(kept.writeTopics);
+  return isGrant ? (json as Grant) : undefined;
+}
+
+function isTextList(value: unknown): value is readonly string[] {
+  return Array.isArray(value) && value.every((text) => typeof text === 'string');
+}

@@ -1,0 +1,169 @@
+import type { Clock } from '../ports/clock.ts';
+import type { AccessSecrets } from '../ports/access-secrets.ts';
+import type { DocumentStore } from '../ports/document-store.ts';
+import type { IdSource } from '../ports/id-source.ts';
+import type { Log } from '../ports/log.ts';
+import type { LimitWatch } from '../status/limit-watch.ts';
+import { CREDENTIAL_LIFETIME_MS } from './credentials.ts';
+import { grantFromJson, grantToJson, type Grant, type GrantSpec } from './grant.ts';
+import { createJoinCode, readJoinCode } from './join-code.ts';
+
+/** Who has joined may come back for this long after nobody joins any more, milliseconds [AC-13]. */
+const RETURN_MS = 30 * 24 * 3_600_000;
+/** The end of credentials is kept in steps of this size, so that not every registration writes a file. */
+const KEPT_STEP_MS = 24 * 3_600_000;
+
+/** What grants work with. */
+export interface GrantsContext {
+  readonly clock: Clock;
+  readonly ids: IdSource;
+  readonly secrets: AccessSecrets;
+  readonly store: DocumentStore;
+  readonly limits: LimitWatch;
+  readonly log: Log;
+}
+
+/** Every grant that is kept, found by id, token and code [AC-10] [AC-19]. */
+export class Grants {
+  readonly #context: GrantsContext;
+  readonly #grants = new Map<string, Grant>();
+  readonly #byToken = new Map<string, Grant>();
+  readonly #byCode = new Map<string, Grant>();
+
+  constructor(context: GrantsContext) {
+    this.#context = context;
+    for (const [key, { json, fault }] of context.store.documents()) {
+      const grant = grantFromJson(json);
+      if (grant !== undefined) this.#index(grant);
+      else {
+        const reason = fault ?? 'it is no grant';
+        context.log.warn('a grant cannot be read', { where: context.store.describe(key), reason });
+      }
+    }
+  }
+
+  get size(): number {
+    return this.#grants.size;
+  }
+
+  /** The newest first. */
+  list(): Grant[] {
+    return [...this.#grants.values()].sort((a, b) => b.createdMs - a.createdMs);
+  }
+
+  get(id: string): Grant | undefined {
+    return this.#grants.get(id);
+  }
+
+  findByToken(token: string): Grant | undefined {
+    return this.#byToken.get(this.#context.secrets.fingerprint(`token ${token}`));
+  }
+
+  /** @param code as `readJoinCode` gives it */
+  findByCode(code: string): Grant | undefined {
+    return this.#byCode.get(this.#context.secrets.fingerprint(`code ${code}`));
+  }
+
+  /**
+   * Makes a grant; it is kept when the promise is fulfilled [AC-19].
+   * @returns with its secrets, which nobody can be told again [AC-11]
+   * @throws ServiceError when there is no room
+   */
+  async create(spec: GrantSpec): Promise<{ grant: Grant; token: string; code: string }> {
+    const { clock, ids, secrets, limits } = this.#context;
+    const max = limits.limits.grants;
+    if (this.#grants.size >= max && !(await this.#makeRoom())) {
+      throw limits.refusal('grants', `more than ${max} leaves to join`);
+    }
+    const token = secrets.token();
+    const code = createJoinCode(secrets);
+    const grant: Grant = {
+      ...spec,
+      id: ids.uuid(),
+      createdMs: clock.nowMs(),
+      token: secrets.fingerprint(`token ${token}`),
+      code: secrets.fingerprint(`code ${readJoinCode(code)!}`),
+      revokedMs: 0,
+      joins: 0,
+      credentialsEndMs: 0,
+      closedMs: spec.expiresMs,
+    };
+    await this.#keep(grant);
+    this.#index(grant);
+    return { grant, token, code };
+  }
+
+  /** Takes a grant back, for good [AC-15]. It counts at once, and is kept when the promise is fulfilled. */
+  async revoke(grant: Grant): Promise<void> {
+    if (grant.revokedMs === 0) grant.revokedMs = this.#context.clock.nowMs();
+    await this.#keep(grant);
+  }
+
+  /** Nobody joins with the grants of earlier terminals any more; those nobody joined with go [AC-19]. */
+  async closeTerminals(): Promise<void> {
+    const nowMs = this.#context.clock.nowMs();
+    for (const grant of this.list()) {
+      if (!grant.isTerminal) continue;
+      if (grant.joins === 0) await this.#forget(grant);
+      else if (grant.closedMs > nowMs) {
+        grant.closedMs = nowMs;
+        await this.#keep(grant);
+      }
+    }
+  }
+
+  /** When a credential given now ends; undefined when the grant gives none any more [AC-13]. */
+  credentialEndMs(grant: Grant): number | undefined {
+    const nowMs = this.#context.clock.nowMs();
+    const endMs = Math.min(nowMs + CREDENTIAL_LIFETIME_MS, grant.closedMs + RETURN_MS);
+    return endMs > nowMs ? endMs : undefined;
+  }
+
+  /**
+   * Somebody was given a credential, and `hasJoined` when it was not there before. A number of joins that
+   * is limited is kept when the promise is fulfilled: after a crash, nobody joins twice [AC-18].
+   */
+  async count(grant: Grant, endMs: number, hasJoined: boolean): Promise<void> {
+    if (hasJoined) grant.joins++;
+    const isNew = endMs > grant.credentialsEndMs;
+    if (isNew) grant.credentialsEndMs = Math.ceil(endMs / KEPT_STEP_MS) * KEPT_STEP_MS;
+    if (!hasJoined && !isNew) return;
+    const kept = this.#keep(grant);
+    if (hasJoined && grant.maxJoins > 0) await kept;
+    else {
+      kept.catch((error: unknown) =>
+        this.#context.log.warn('a grant could not be kept', { reason: String(error) }),
+      );
+    }
+  }
+
+  #index(grant: Grant): void {
+    this.#grants.set(grant.id, grant);
+    this.#byToken.set(grant.token, grant);
+    this.#byCode.set(grant.code, grant);
+  }
+
+  #keep(grant: Grant): Promise<void> {
+    return this.#context.store.write(grant.id, grantToJson(grant));
+  }
+
+  async #forget(grant: Grant): Promise<void> {
+    this.#grants.delete(grant.id);
+    if (this.#byToken.get(grant.token) === grant) this.#byToken.delete(grant.token);
+    if (this.#byCode.get(grant.code) === grant) this.#byCode.delete(grant.code);
+    await this.#context.store.delete(grant.id);
+  }
+
+  /** Lets go of one that serves nobody any more, the oldest of them [AC-10]. */
+  async #makeRoom(): Promise<boolean> {
+    const nowMs = this.#context.clock.nowMs();
+    const idle = this.list().filter(
+      ({ revokedMs, closedMs, credentialsEndMs }) =>
+        revokedMs > 0 || (closedMs <= nowMs && credentialsEndMs <= nowMs),
+    );
+    const goes = idle.findLast(({ revokedMs }) => revokedMs > 0) ?? idle.at(-1);
+    if (goes === undefined) return false;
+    await this.#forget(goes);
+    return true;
+  }
+}

@@ -1,0 +1,52 @@
+import { JoinProblem, ServiceError, type ServiceErrorCode } from '@ubii/proto';
+
+interface Sentence {
+  readonly code: ServiceErrorCode;
+  readonly message: string;
+}
+
+const HOW = 'Scan the QR code of this master, or type its code on its page /join.';
+
+/** What somebody is told who is not let in [AC-12]. */
+const SENTENCES: { readonly [P in JoinProblem]?: Sentence } = {
+  [JoinProblem.JOIN_PROBLEM_MISSING]: {
+    code: 'unauthenticated',
+    message: `This device has not joined yet. ${HOW}`,
+  },
+  [JoinProblem.JOIN_PROBLEM_WRONG]: {
+    code: 'unauthenticated',
+    message: `Nobody was given this code. ${HOW}`,
+  },
+  [JoinProblem.JOIN_PROBLEM_EXPIRED]: {
+    code: 'unauthenticated',
+    message: 'The time of this code is over. Ask for a new one, and scan or type it.',
+  },
+  [JoinProblem.JOIN_PROBLEM_REVOKED]: {
+    code: 'unauthenticated',
+    message: 'The leave to join was taken back. Ask for a new code, and scan or type it.',
+  },
+  [JoinProblem.JOIN_PROBLEM_USED]: {
+    code: 'unauthenticated',
+    message: 'As many have joined with this code as may. Ask for a new one, and scan or type it.',
+  },
+  [JoinProblem.JOIN_PROBLEM_GUESSING]: {
+    code: 'resource_exhausted',
+    message: 'Too many wrong codes were tried. Wait a minute, or scan the QR code.',
+  },
+};
+
+/** Why somebody is not let in, in words and for programs. */
+export function joinRefusal(problem: JoinProblem): ServiceError {
+  const { code, message } = SENTENCES[problem] ?? SENTENCES[JoinProblem.JOIN_PROBLEM_MISSING]!;
+  return new ServiceError(code, message, {
+    title: 'Join first',
+    details: { joinProblem: problem },
+  });
+}
+
+/** Somebody is let in, but not to this [AC-21]. `message` says what it takes. */
+export function roleRefusal(message: string): ServiceError {
+  return new ServiceError('permission_denied', message, {
+    details: { joinProblem: JoinProblem.JOIN_PROBLEM_ROLE },
+  });
+}

@@ -1,0 +1,32 @@
+import { AccessRole } from '@ubii/proto';
+
+/** What somebody may do, in one word; `none` is a stranger [AC-20]. */
+export type Role = 'none' | 'admin' | 'participant' | 'player' | 'viewer';
+
+/** A role that somebody can be given. */
+export type GivenRole = Exclude<Role, 'none'>;
+
+const WIRE: { readonly [R in Role]: AccessRole } = {
+  none: AccessRole.ACCESS_ROLE_NONE,
+  admin: AccessRole.ACCESS_ROLE_ADMIN,
+  participant: AccessRole.ACCESS_ROLE_PARTICIPANT,
+  player: AccessRole.ACCESS_ROLE_PLAYER,
+  viewer: AccessRole.ACCESS_ROLE_VIEWER,
+};
+
+const GIVEN: readonly GivenRole[] = ['admin', 'participant', 'player', 'viewer'];
+
+/** The role as it travels. */
+export function wireRole(role: Role): AccessRole {
+  return WIRE[role];
+}
+
+/** The role that this number means; undefined for none and for numbers that mean nothing. */
+export function givenRole(wire: number): GivenRole | undefined {
+  return GIVEN.find((role) => WIRE[role] === wire);
+}
+
+/** True for a word that is a role somebody can be given. */
+export function isGivenRole(word: unknown): word is GivenRole {
+  return GIVEN.some((role) => role === word);
+}

@@ -1,0 +1,177 @@
+import {
+  globToRegExpSource,
+  JoinProblem,
+  ServiceError,
+  type AccessGrantCreateRequest,
+  type AccessRole,
+} from '@ubii/proto';
+import { isUsedUp } from '../access/access.ts';
+import { grantMessage, type Grant, type GrantSpec } from '../access/grant.ts';
+import { joinRefusal } from '../access/join-refusals.ts';
+import { givenRole, wireRole } from '../access/roles.ts';
+import { CLOSE } from '../clients/close-codes.ts';
+import type { Core } from '../core.ts';
+import { oneLine } from '../one-line.ts';
+import { nameOf } from '../settings.ts';
+import { isLongerThan, quote } from '../topics/topic-names.ts';
+import { byCaller } from './by-caller.ts';
+import type { ServiceCall, ServiceHandler } from './handler.ts';
+
+const HOUR_MS = 3_600_000;
+const DEFAULT_LIFETIME_MS = 12 * HOUR_MS;
+const LONGEST_LIFETIME_MS = 30 * 24 * HOUR_MS;
+/** A code can be guessed in the long run [AC-11]. */
+const CODE_LIFETIME_MS = 12 * HOUR_MS;
+const MAX_LABEL_LENGTH = 100;
+const MAX_JOINS = 100_000;
+const MAX_TOPICS = 16;
+/** A path on this origin: `//host` and `/\\host` would be another. */
+const TARGET = /^\/(?![/\\])[^\s\\]{0,300}$/;
+
+/** `/services/ubii/join_check` [AC-16] */
+export const checkJoin: ServiceHandler = (core, request, call) => {
+  const { token } = request.joinCheckRequest!;
+  const masterName = nameOf(core.settings);
+  const { grant, problem, role, expiresMs } =
+    token === '' ? ofCaller(call) : ofToken(core, token, call.place);
+  if (grant === undefined && role === undefined) {
+    const why = problem ?? JoinProblem.JOIN_PROBLEM_MISSING;
+    return { joinCheck: { problem: why, message: joinRefusal(why).message, masterName } };
+  }
+  return { joinCheck: { role: role!, target: grant?.target ?? '', expiresMs, masterName } };
+};
+
+/** `/services/ubii/access_grant_create` [AC-10] */
+export const createGrant: ServiceHandler = async (core, request) => {
+  const wanted = request.accessGrantCreateRequest!;
+  const { grant, token, code } = await core.access.grants.create(specOf(core, wanted));
+  core.log.info('leave to join was made', { grantId: grant.id, role: grant.role });
+  return { accessGrantCreated: { grant: grantMessage(grant, []), token, code } };
+};
+
+/** `/services/ubii/access_grant_list` [AC-14] */
+export const listGrants: ServiceHandler = (core) => ({
+  accessGrantList: {
+    elements: core.access.grants
+      .list()
+      .map((grant) => grantMessage(grant, clientIdsOf(core, grant))),
+  },
+});
+
+/** `/services/ubii/access_grant_revoke` [AC-15] */
+export const revokeGrant: ServiceHandler = async (core, request) => {
+  const { clientId, grantId, reason } = request.accessGrantRevokeRequest!;
+  const grant = core.access.grants.get(grantId);
+  if (grant === undefined) {
+    throw new ServiceError('not_found', `No leave to join has the id ${quote(grantId)}.`);
+  }
+  // It counts at once, written or not; nobody comes in between.
+  const revoked = core.access.grants.revoke(grant);
+  const told = byCaller(core, clientId, reason);
+  for (const id of clientIdsOf(core, grant)) {
+    core.clients.dismiss(core.clients.get(id)!, told, CLOSE.revoked.code);
+  }
+  core.log.info('leave to join was revoked', { grantId: grant.id, joins: grant.joins });
+  await revoked;
+  return { accessGrant: grantMessage(grant, []) };
+};
+
+interface Checked {
+  readonly grant?: Grant | undefined;
+  readonly problem?: JoinProblem | undefined;
+  readonly role?: AccessRole | undefined;
+  readonly expiresMs?: number;
+}
+
+function ofToken({ access }: Core, token: string, place: string): Checked {
+  const { grant, problem } = access.check(token, place);
+  if (grant === undefined) return { problem };
+  if (isUsedUp(grant)) return { problem: JoinProblem.JOIN_PROBLEM_USED };
+  return { grant, role: wireRole(grant.role), expiresMs: grant.closedMs };
+}
+
+function ofCaller({ caller }: ServiceCall): Checked {
+  switch (caller.kind) {
+    case 'stranger':
+      return { problem: caller.refusal.details['joinProblem'] as JoinProblem };
+    case 'joining':
+      return isUsedUp(caller.grant)
+        ? { problem: JoinProblem.JOIN_PROBLEM_USED }
+        : {
+            grant: caller.grant,
+            role: wireRole(caller.grant.role),
+            expiresMs: caller.grant.closedMs,
+          };
+    case 'client':
+      return { grant: caller.grant, role: wireRole(caller.role), expiresMs: caller.expiresMs };
+    default:
+      return { role: wireRole(caller.role), expiresMs: 0 };
+  }
+}
+
+function clientIdsOf({ clients }: Core, grant: Grant): string[] {
+  return [...clients.values()].flatMap(({ id, access }) => (access.grant === grant ? [id] : []));
+}
+
+/** @throws ServiceError for what no grant can be */
+function specOf(core: Core, wanted: AccessGrantCreateRequest): GrantSpec {
+  const { label, target, lifetimeMs, maxJoins, readTopics, writeTopics } = wanted;
+  const role = givenRole(wanted.role);
+  if (role === undefined)
+    throw invalid('role', 'is one of the roles admin, participant, player and viewer');
+  if (label !== oneLine(label, MAX_LABEL_LENGTH)) {
+    throw invalid('label', `has at most ${MAX_LABEL_LENGTH} characters on one line`);
+  }
+  if (target !== '' && !TARGET.test(target)) {
+    throw invalid('target', 'is a path on this master, such as /devices, or empty');
+  }
+  if (!(lifetimeMs >= 0 && lifetimeMs <= LONGEST_LIFETIME_MS)) {
+    throw invalid('lifetime_ms', `is from 0 to ${LONGEST_LIFETIME_MS}`);
+  }
+  if (maxJoins < 0 || maxJoins > MAX_JOINS) throw invalid('max_joins', `is from 0 to ${MAX_JOINS}`);
+  requireGlobs(core, 'read_topics', role, readTopics);
+  requireGlobs(core, 'write_topics', role, writeTopics);
+  const nowMs = core.clock.nowMs();
+  const lifeMs = lifetimeMs || DEFAULT_LIFETIME_MS;
+  return {
+    label,
+    role,
+    target,
+    expiresMs: nowMs + lifeMs,
+    codeExpiresMs: nowMs + Math.min(lifeMs, CODE_LIFETIME_MS),
+    maxJoins,
+    readTopics,
+    writeTopics,
+    isTerminal: false,
+  };
+}
+
+function requireGlobs(
+  { limits, patterns }: Core,
+  member: string,
+  role: string,
+  globs: readonly string[],
+): void {
+  if (globs.length === 0) return;
+  if (role !== 'player') throw invalid(member, 'is for players; other roles have none');
+  if (globs.length > MAX_TOPICS) throw invalid(member, `has at most ${MAX_TOPICS} elements`);
+  for (const glob of globs) {
+    if (glob === '' || isLongerThan(glob, limits.topicBytes)) {
+      throw invalid(member, `has globs of 1 to ${limits.topicBytes} bytes`);
+    }
+    try {
+      patterns.compile(globToRegExpSource(glob));
+    } catch (cause) {
+      const reason = cause instanceof Error ? cause.message : String(cause);
+      throw invalid(member, `has globs that can be used, but ${quote(glob)} cannot: ${reason}`);
+    }
+  }
+}
+
+function invalid(member: string, expected: string): ServiceError {
+  return new ServiceError(
+    'invalid_argument',
+    `The member access_grant_create_request.${member} ${expected}.`,
+    { details: { member } },
+  );
+}

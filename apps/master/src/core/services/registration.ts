@@ -1,0 +1,102 @@
+import { ServiceError, type Client as ClientMessage, type Init } from '@ubii/proto';
+import { isUsedUp, usedRefusal } from '../access/access.ts';
+import { accessOf, type Caller } from '../access/caller.ts';
+import { requireNodeRights } from '../access/device-rights.ts';
+import type { Grant } from '../access/grant.ts';
+import { wireRole } from '../access/roles.ts';
+import type { Client } from '../clients/client.ts';
+import type { Core } from '../core.ts';
+import type { TopicEntry } from '../topics/topic-entry.ts';
+import type { ServiceHandler } from './handler.ts';
+import { replayAfterReply } from './replay-after-reply.ts';
+
+/** A credential that a registration gives, and what for [AC-13]. */
+interface Given {
+  readonly grant: Grant;
+  readonly expiresMs: number;
+  /** Somebody more has joined [AC-18]. */
+  readonly hasJoined: boolean;
+}
+
+/** `/services/client/registration` [CL-1] [AC-13] */
+export const registerClient: ServiceHandler = async (core, request, call) => {
+  const { caller } = call;
+  const message = asClientOf(caller, request.client!);
+  const { clients, devices, info, access } = core;
+  const given = give(core, caller, message);
+  const clientAccess = accessOf(caller, given?.expiresMs ?? Number.POSITIVE_INFINITY);
+  requireNodeRights(clientAccess.role, message);
+  const { client, isResumed, isKnown } = clients.register(message, clientAccess);
+  const owed: TopicEntry[] = [];
+  try {
+    for (const device of message.devices) {
+      for (const entry of devices.register(client, device).owed) owed.push(entry); // [CL-5]
+    }
+    if (given !== undefined) {
+      await access.grants.count(given.grant, given.expiresMs, given.hasJoined);
+      // Somebody took the leave back while it was written.
+      if (client.status === 'removed') throw removedMeanwhile();
+    }
+  } catch (error) {
+    // Half a registration is none, unless the client was there before.
+    if (!isKnown) clients.handleEvent(client, 'deregistered');
+    throw error;
+  }
+  info.announceClient(client); // [CL-31]
+  replayAfterReply(core, call, client, owed);
+  return { client: replyOf(core, client, isResumed) };
+};
+
+/** With a credential, nobody comes back as another client than that of the credential [AC-23]. */
+function asClientOf(caller: Caller, message: ClientMessage): ClientMessage {
+  if (caller.kind !== 'client' || caller.clientId === message.id) return message;
+  return { ...message, id: '' };
+}
+
+/** The credential this caller is to be given; undefined for those that need none. */
+function give(
+  { access, clients }: Core,
+  caller: Caller,
+  message: ClientMessage,
+): Given | undefined {
+  if (caller.kind === 'stranger') throw caller.refusal;
+  if (caller.kind !== 'client' && caller.kind !== 'joining') return undefined;
+  const { grant } = caller;
+  if (message.extension === undefined) {
+    throw new ServiceError(
+      'failed_precondition', // [AC-13]
+      'A client that joins with a token registers with Client.extension; existing clients are let in with --allow-legacy.',
+    );
+  }
+  const before = clients.get(clients.provenId(message) ?? '');
+  const hasJoined = caller.kind === 'joining' && before?.access.grant !== grant;
+  if (hasJoined && isUsedUp(grant)) throw usedRefusal();
+  return { grant, expiresMs: access.credentialEndMs(grant), hasJoined };
+}
+
+function removedMeanwhile(): ServiceError {
+  return new ServiceError('unavailable', 'The client was removed while it registered; ask again.');
+}
+
+/** What a client is told about itself; those who did not ask for it see nothing of ours [EX-1]. */
+function replyOf(
+  { tokens, settings, access }: Core,
+  client: Client,
+  isResumed: boolean,
+): Init<ClientMessage> {
+  const message = client.toMessage();
+  if (!client.isExtension) return message;
+  const { role } = client.access;
+  return {
+    ...message,
+    extension: {
+      recordLists: client.takesRecordLists,
+      resumeToken: tokens.issue(client.id), // [EX-3]
+      resumed: isResumed,
+      masterVersion: settings.version,
+      tellsTime: true, // [TS-1]
+      role: wireRole(role), // [AC-20]
+      ...access.credentialOf(client.id, client.access), // [AC-13]
+    },
+  };
+}

@@ -1,0 +1,493 @@
+import { AccessRole, JoinProblem, SERVICES } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { LOCAL_CALLER } from '../src/index.ts';
+import { FakeClock, TestMaster } from '../src/testing/index.ts';
+import {
+  codeOf,
+  createGrant,
+  join,
+  joinAs,
+  NETWORK_CALLER,
+  problemOf,
+  revoke,
+  stranger,
+} from './access-world.ts';
+
+const { ACCESS_ROLE_ADMIN, ACCESS_ROLE_PARTICIPANT, ACCESS_ROLE_PLAYER, ACCESS_ROLE_VIEWER } =
+  AccessRole;
+const HOUR_MS = 3_600_000;
+const DAY_MS = 24 * HOUR_MS;
+const REGISTRATION = {
+  topic: '/services/client/registration',
+  client: { name: 'x', extension: {} },
+};
+
+/** A clock that passes over its timers. */
+class LeapingClock extends FakeClock {
+  #leaptMs = 0;
+
+  override nowMs(): number {
+    return super.nowMs() + this.#leaptMs;
+  }
+
+  override advance(durationMs: number): void {
+    this.#leaptMs += durationMs;
+  }
+}
+
+describe('strangers', () => {
+  it('are told what to do, whatever service they call, and get two [AC-5] [AC-12]', async () => {
+    const master = new TestMaster({ endpoints: { ipWlan: '10.0.0.1' } });
+    for (const { topic } of Object.values(SERVICES)) {
+      const { error, server, joinCheck } = await master.call(
+        topic === SERVICES.joinCheck.topic
+          ? { topic, joinCheckRequest: {} }
+          : { topic, client: { name: 'x' } },
+        stranger(),
+      );
+      if (topic === SERVICES.serverConfiguration.topic) {
+        expect(server).toMatchObject({ ipWlan: '', ipEthernet: '', portServiceRest: '8102' });
+        expect(JSON.stringify(server)).not.toContain('10.0.0.1');
+      } else if (topic === SERVICES.joinCheck.topic) {
+        expect(joinCheck?.problem).toBe(JoinProblem.JOIN_PROBLEM_MISSING);
+      } else if (error?.code !== 'unimplemented') {
+        expect([topic, error?.code, error?.join?.problem]).toEqual([
+          topic,
+          'unauthenticated',
+          JoinProblem.JOIN_PROBLEM_MISSING,
+        ]);
+        expect(error?.message).toContain('/join');
+      }
+    }
+    expect([
+      ...(await master.call({ topic: '/services/client/get_list' })).clientList!.elements,
+    ]).toEqual([]);
+  });
+
+  it('of this machine are admins [AC-2] [AC-20]', async () => {
+    const ada = await new TestMaster().extension('ada');
+    expect(ada.registered.extension).toMatchObject({ role: ACCESS_ROLE_ADMIN, credential: '' });
+  });
+
+  it('with a token that is good for nothing are refused, also on this machine [AC-3]', async () => {
+    const master = new TestMaster();
+    const caller = { ...LOCAL_CALLER, bearer: 'nonsense' };
+    expect(await problemOf(master, caller)).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
+    const { server } = await master.call({ topic: '/services/server_configuration' }, caller);
+    expect(server).toBeDefined();
+  });
+
+  it('of a network that is let in are participants, for themselves [AC-4] [AC-22]', async () => {
+    const master = new TestMaster();
+    const ada = await master.extension('ada');
+    const old = await master.register({ name: 'old' }, NETWORK_CALLER);
+    expect(old.open()).toBe(true);
+    expect(old.registered.extension).toBeUndefined();
+    const subscribe = (clientId: string) =>
+      codeOf(old, {
+        topic: '/services/topic_subscription',
+        topicSubscription: { clientId, subscribeTopics: ['/a'] },
+      });
+    expect(await subscribe(old.id)).toBe('');
+    expect(await subscribe(ada.id)).toBe('permission_denied');
+    expect(await codeOf(old, { topic: '/services/ubii/log_tail', logRequest: {} })).toBe(
+      'permission_denied',
+    );
+    const phone = await joinAs(master, ACCESS_ROLE_PLAYER);
+    expect(await subscribe(phone.id)).toBe('permission_denied');
+    expect(
+      master.master.refuseConnection({ clientId: ada.id, token: ada.token }, NETWORK_CALLER),
+    ).toBeDefined();
+  });
+});
+
+describe('a grant', () => {
+  it('shows its secrets once, and is listed without [AC-11] [AC-14]', async () => {
+    const master = new TestMaster();
+    const { grant, token, code } = await createGrant(master, ACCESS_ROLE_PLAYER, {
+      label: 'Class 7b',
+      target: '/devices/smart-device',
+      maxJoins: 30,
+      writeTopics: ['/game/**'],
+    });
+    expect(code).toMatch(/^[0-9A-HJKMNP-TV-Z]{4}-[0-9A-HJKMNP-TV-Z]{4}$/);
+    const list = await master.call({ topic: '/services/ubii/access_grant_list' });
+    expect(list.accessGrantList?.elements).toEqual([grant]);
+    const kept = JSON.stringify([...master.grants.documents()].map(([, { json }]) => json));
+    const told = JSON.stringify(list);
+    for (const secret of [token, code]) expect(told).not.toContain(secret);
+    // The plain secrets of tests say "hash of"; what they hash is not kept by itself.
+    expect(kept.replaceAll(`hash of token ${token}`, '')).not.toContain(token);
+  });
+
+  it('lets in with token and code, as what it says [AC-11] [AC-13] [AC-20]', async () => {
+    const master = new TestMaster();
+    const { token, code, grant } = await createGrant(master, ACCESS_ROLE_VIEWER);
+    for (const secret of [token, code, code.toLowerCase().replace('-', ' ')]) {
+      const { extension } = (await join(master, secret)).registered;
+      expect(extension?.role).toBe(ACCESS_ROLE_VIEWER);
+      expect(extension?.credentialExpiresMs).toBe(master.clock.nowMs() + 7 * DAY_MS);
+    }
+    const list = await master.call({ topic: '/services/ubii/access_grant_list' });
+    expect(list.accessGrantList?.elements[0]).toMatchObject({ id: grant!.id, joins: 3 });
+    expect(list.accessGrantList?.elements[0]?.clientIds).toHaveLength(3);
+    const report = await master.call({
+      topic: '/services/ubii/client_report',
+      clientReportRequest: {},
+    });
+    expect(report.clientReport?.clients[0]).toMatchObject({
+      role: ACCESS_ROLE_VIEWER,
+      grantId: grant!.id,
+    });
+  });
+
+  it('does not let in who registers without our extension [AC-13]', async () => {
+    const master = new TestMaster();
+    const { token } = await createGrant(master, ACCESS_ROLE_PARTICIPANT);
+    expect(await problemOf(master, stranger(token), { name: 'old' })).toBe('failed_precondition');
+  });
+
+  it('says why not: wrong, expired, used up, revoked [AC-12]', async () => {
+    const master = new TestMaster();
+    const limited = await createGrant(master, ACCESS_ROLE_PLAYER, { maxJoins: 1 });
+    const short = await createGrant(master, ACCESS_ROLE_PLAYER, { lifetimeMs: 1_000 });
+    expect(await problemOf(master, stranger('x'.repeat(43)))).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
+    expect(await problemOf(master, stranger('u1.a.b.9e15.sig'))).toBe(
+      JoinProblem.JOIN_PROBLEM_WRONG,
+    );
+    await join(master, limited.token);
+    expect(await problemOf(master, stranger(limited.token))).toBe(JoinProblem.JOIN_PROBLEM_USED);
+    expect(await problemOf(master, stranger(limited.code))).toBe(JoinProblem.JOIN_PROBLEM_USED);
+    master.clock.advance(1_001);
+    expect(await problemOf(master, stranger(short.token))).toBe(JoinProblem.JOIN_PROBLEM_EXPIRED);
+    await revoke(master, limited.grant!.id);
+    expect(await problemOf(master, stranger(limited.token))).toBe(JoinProblem.JOIN_PROBLEM_REVOKED);
+  });
+
+  it('has a code for 12 hours, and a token for longer [AC-11]', async () => {
+    const master = new TestMaster();
+    const { token, code } = await createGrant(master, ACCESS_ROLE_PLAYER, {
+      lifetimeMs: 2 * DAY_MS,
+    });
+    master.clock.advance(12 * HOUR_MS);
+    expect(await problemOf(master, stranger(code))).toBe(JoinProblem.JOIN_PROBLEM_EXPIRED);
+    expect(await problemOf(master, stranger(token))).toBe(JoinProblem.JOIN_PROBLEM_NONE);
+  });
+
+  it.each([
+    { role: 0 },
+    { role: 9 },
+    { label: 'x'.repeat(101) },
+    { label: 'a\nb' },
+    { target: '//evil.example' },
+    { target: '/\\evil.example' },
+    { target: 'https://evil.example' },
+    { lifetimeMs: -1 },
+    { lifetimeMs: Number.NaN },
+    { lifetimeMs: 31 * DAY_MS },
+    { maxJoins: -1 },
+    { role: ACCESS_ROLE_VIEWER, readTopics: ['/a'] },
+    { writeTopics: [''] },
+    { writeTopics: Array<string>(17).fill('/a') },
+  ])('is not made of %j [AC-10]', async (wanted) => {
+    const { error } = await new TestMaster().call({
+      topic: '/services/ubii/access_grant_create',
+      accessGrantCreateRequest: { role: ACCESS_ROLE_PLAYER, ...wanted } as object,
+    });
+    expect(error?.code).toBe('invalid_argument');
+  });
+
+  it('makes room for another when it serves nobody [AC-10]', async () => {
+    const master = new TestMaster({ limits: { grants: 2 } });
+    const first = await createGrant(master, ACCESS_ROLE_PLAYER);
+    await createGrant(master, ACCESS_ROLE_PLAYER);
+    await expect(createGrant(master, ACCESS_ROLE_PLAYER)).rejects.toThrow(/limit grants/);
+    await revoke(master, first.grant!.id);
+    await createGrant(master, ACCESS_ROLE_PLAYER);
+    expect(master.grants.documents().size).toBe(2);
+  });
+});
+
+describe('checking a token [AC-16]', () => {
+  const check = (master: TestMaster, token: string, caller = stranger()) =>
+    master.call({ topic: '/services/ubii/join_check', joinCheckRequest: { token } }, caller);
+
+  it('says what it is good for, and joins nobody', async () => {
+    const master = new TestMaster();
+    const { token, code, grant } = await createGrant(master, ACCESS_ROLE_PLAYER, {
+      target: '/a',
+      maxJoins: 1,
+    });
+    for (const secret of [token, code]) {
+      expect((await check(master, secret)).joinCheck).toMatchObject({
+        role: ACCESS_ROLE_PLAYER,
+        target: '/a',
+        problem: JoinProblem.JOIN_PROBLEM_NONE,
+        expiresMs: grant!.expiresMs,
+        masterName: 'master-node',
+      });
+    }
+    await join(master, token);
+    expect((await check(master, token)).joinCheck).toMatchObject({
+      role: 0,
+      problem: JoinProblem.JOIN_PROBLEM_USED,
+      message: expect.stringContaining('new one') as string,
+    });
+  });
+
+  it('says what the caller may do', async () => {
+    const master = new TestMaster();
+    expect((await check(master, '', LOCAL_CALLER)).joinCheck?.role).toBe(ACCESS_ROLE_ADMIN);
+    const phone = await joinAs(master, ACCESS_ROLE_PLAYER, { target: '/a' });
+    expect((await check(master, '', phone.caller)).joinCheck).toMatchObject({
+      role: ACCESS_ROLE_PLAYER,
+      target: '/a',
+    });
+  });
+});
+
+describe('guessing codes [AC-17]', () => {
+  const wrong = (n: number) => `AAAA-${String(n).padStart(4, '0')}`;
+
+  it('is over after ten from one address, for a minute, and tokens go on', async () => {
+    const master = new TestMaster();
+    const { token, code } = await createGrant(master, ACCESS_ROLE_PLAYER);
+    for (let i = 0; i < 10; i++) {
+      expect(await problemOf(master, stranger(wrong(i)))).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
+    }
+    expect(await problemOf(master, stranger(code))).toBe(JoinProblem.JOIN_PROBLEM_GUESSING);
+    const check = { topic: '/services/ubii/join_check', joinCheckRequest: { token: code } };
+    expect((await master.call(check, stranger())).joinCheck?.problem).toBe(
+      JoinProblem.JOIN_PROBLEM_GUESSING,
+    );
+    expect(await problemOf(master, stranger(token))).toBe(JoinProblem.JOIN_PROBLEM_NONE);
+    expect(await problemOf(master, stranger(code, '192.168.1.51'))).toBe(
+      JoinProblem.JOIN_PROBLEM_NONE,
+    );
+    master.clock.advance(60_000);
+    expect(await problemOf(master, stranger(code))).toBe(JoinProblem.JOIN_PROBLEM_NONE);
+  });
+
+  it('is over after two hundred from all addresses', async () => {
+    const master = new TestMaster();
+    const { code } = await createGrant(master, ACCESS_ROLE_PLAYER);
+    for (let i = 0; i < 200; i++) await problemOf(master, stranger(wrong(i), `10.0.0.${i}`));
+    expect(await problemOf(master, stranger(code, '10.0.1.1'))).toBe(
+      JoinProblem.JOIN_PROBLEM_GUESSING,
+    );
+  });
+
+  it('counts a call once', async () => {
+    const master = new TestMaster({ limits: { wrongCodesPerAddress: 2 } });
+    await createGrant(master, ACCESS_ROLE_PLAYER);
+    await master.call({ ...REGISTRATION }, stranger(wrong(1)));
+    expect(await problemOf(master, stranger(wrong(2)))).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
+    expect(await problemOf(master, stranger(wrong(3)))).toBe(JoinProblem.JOIN_PROBLEM_GUESSING);
+  });
+});
+
+describe('a credential', () => {
+  it('acts for its client alone [AC-22]', async () => {
+    const master = new TestMaster();
+    const ada = await joinAs(master, ACCESS_ROLE_ADMIN);
+    const ben = await joinAs(master, ACCESS_ROLE_PARTICIPANT);
+    for (const [client, other] of [
+      [ada, ben],
+      [ben, ada],
+    ] as const) {
+      const requests = [
+        {
+          topic: '/services/topic_subscription',
+          topicSubscription: { clientId: other.id, subscribeTopics: ['/a'] },
+        },
+        { topic: '/services/device/registration', device: { clientId: other.id, name: 'd' } },
+        { topic: '/services/device/deregistration', device: { clientId: other.id, id: 'd' } },
+        { topic: '/services/client/deregistration', client: { id: other.id } },
+        {
+          topic: '/services/ubii/client_rename',
+          clientRenameRequest: { clientId: other.id, targetId: client.id, name: 'x' },
+        },
+      ];
+      for (const request of requests)
+        expect(await codeOf(client, request)).toBe('permission_denied');
+    }
+    const rename = (targetId: string) => ({
+      topic: '/services/ubii/client_rename',
+      clientRenameRequest: { targetId, name: 'x' },
+    });
+    expect(await codeOf(ada, rename(ben.id))).toBe('');
+    expect(await codeOf(ben, rename(ben.id))).toBe('');
+    expect(await codeOf(ben, rename(ada.id))).toBe('permission_denied');
+    expect(
+      await codeOf(ben, {
+        topic: '/services/ubii/client_disconnect',
+        clientDisconnectRequest: { targetId: ada.id },
+      }),
+    ).toBe('permission_denied');
+    expect(
+      await codeOf(ben, {
+        topic: '/services/ubii/client_throttle',
+        clientThrottleRequest: { targetId: ben.id },
+      }),
+    ).toBe('permission_denied');
+  });
+
+  it('is no sign of life of others [CL-11] [AC-22]', async () => {
+    const master = new TestMaster();
+    const ada = await master.register({ name: 'ada', extension: {} });
+    const ben = await joinAs(master, ACCESS_ROLE_PARTICIPANT);
+    master.clock.advance(6_000);
+    await ben.call({ topic: '/services/device/get', device: { id: 'x', clientId: ada.id } });
+    const { clientList } = await master.call({ topic: '/services/client/get_list' });
+    expect(clientList?.elements.find(({ id }) => id === ada.id)?.state).toBe(1);
+  });
+
+  it('comes back as its client, and makes further ones, but no others [AC-18] [AC-23]', async () => {
+    const master = new TestMaster();
+    const { token } = await createGrant(master, ACCESS_ROLE_PLAYER, { maxJoins: 1 });
+    const phone = await join(master, token);
+    const as = (client: object, bearer = phone.caller.bearer) =>
+      master.register(client, stranger(bearer));
+    const back = { name: 'phone', id: phone.id, extension: { resumeToken: phone.token! } };
+    expect((await as(back)).id).toBe(phone.id);
+    // The token again, by who has joined with it.
+    expect((await as(back, token)).id).toBe(phone.id);
+    const tab = await as({ name: 'tab', extension: {} });
+    expect(tab.id).not.toBe(phone.id);
+    expect(tab.registered.extension?.role).toBe(ACCESS_ROLE_PLAYER);
+    // With the token of another client, even a right one, nobody becomes that client.
+    const ada = await master.extension('ada');
+    const thief = await as({ name: 'x', id: ada.id, extension: { resumeToken: ada.token! } });
+    expect(thief.id).not.toBe(ada.id);
+    expect(await problemOf(master, stranger(token))).toBe(JoinProblem.JOIN_PROBLEM_USED);
+  });
+
+  it.each(['signature', 'grant', 'end'])(
+    'is worth nothing with another %s [AC-13]',
+    async (part) => {
+      const master = new TestMaster();
+      const phone = await joinAs(master, ACCESS_ROLE_PLAYER);
+      const admins = await createGrant(master, ACCESS_ROLE_ADMIN);
+      const [version, id, grant, end, signature] = phone.caller.bearer!.split('.');
+      const forged = {
+        signature: [version, id, grant, end, `${signature}A`],
+        grant: [version, id, admins.grant!.id, end, signature],
+        end: [version, id, grant, '99999999999999', signature],
+      }[part]!.join('.');
+      expect(await problemOf(master, stranger(forged))).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
+    },
+  );
+
+  it('lives for seven days, and is renewed until 30 days after the grant is over [AC-13]', async () => {
+    // Nothing else is to happen in these days.
+    const master = new TestMaster({ clock: new LeapingClock() });
+    const { token } = await createGrant(master, ACCESS_ROLE_PLAYER, { lifetimeMs: HOUR_MS });
+    let phone = await master.register({ name: 'phone', extension: {} }, stranger(token));
+    const first = phone.caller;
+    for (let day = 0; day < 28; day += 7) {
+      master.clock.advance(7 * DAY_MS - 1);
+      phone = await master.register({ name: 'phone', extension: {} }, phone.caller);
+    }
+    expect(await problemOf(master, first)).toBe(JoinProblem.JOIN_PROBLEM_EXPIRED);
+    expect(phone.registered.extension!.credentialExpiresMs).toBeLessThan(
+      master.clock.nowMs() + 3 * DAY_MS,
+    );
+    master.clock.advance(3 * DAY_MS);
+    expect(await problemOf(master, phone.caller)).toBe(JoinProblem.JOIN_PROBLEM_EXPIRED);
+  });
+
+  it('stands after a restart, with id, role and grants [AC-19] [AC-23]', async () => {
+    const before = new TestMaster();
+    const { token, grant } = await createGrant(before, ACCESS_ROLE_PLAYER, { maxJoins: 1 });
+    const phone = await join(before, token);
+    const master = new TestMaster({
+      clock: before.clock,
+      grants: before.grants,
+      storage: before.storage,
+    });
+    expect(
+      master.master.refuseConnection({ clientId: phone.id, token: phone.token }, stranger()),
+    ).toBeUndefined();
+    const back = await master.register(
+      { name: 'phone', id: phone.id, extension: { resumeToken: phone.token! } },
+      phone.caller,
+    );
+    expect(back.id).toBe(phone.id);
+    expect(back.registered.extension?.role).toBe(ACCESS_ROLE_PLAYER);
+    expect(await problemOf(master, stranger(token))).toBe(JoinProblem.JOIN_PROBLEM_USED);
+    await revoke(master, grant!.id);
+    const third = new TestMaster({ clock: before.clock, grants: before.grants });
+    expect(await problemOf(third, phone.caller)).toBe(JoinProblem.JOIN_PROBLEM_REVOKED);
+  });
+});
+
+describe('revoking [AC-15]', () => {
+  it('ends sockets with a final code, and whatever was given', async () => {
+    const master = new TestMaster();
+    const ada = await master.extension('ada');
+    const { token, code, grant } = await createGrant(master, ACCESS_ROLE_PLAYER);
+    const phone = await join(master, token);
+    const other = await joinAs(master, ACCESS_ROLE_PLAYER);
+    await ada.call({
+      topic: '/services/ubii/access_grant_revoke',
+      accessGrantRevokeRequest: {
+        clientId: ada.id,
+        grantId: grant!.id,
+        reason: 'the class is over',
+      },
+    });
+    expect(phone.closed).toEqual({ code: 4011, reason: 'by ada: the class is over' });
+    expect(other.closed).toBeUndefined();
+    for (const secret of [token, code, phone.caller.bearer!]) {
+      expect(await problemOf(master, stranger(secret))).toBe(JoinProblem.JOIN_PROBLEM_REVOKED);
+    }
+    // Who was away hears it with the next socket.
+    expect(phone.open()).toBe(false);
+    expect(phone.closed).toEqual({ code: 4011, reason: 'by ada: the class is over' });
+    expect((await revoke(master, 'nothing')).error?.code).toBe('not_found');
+  });
+});
+
+describe('sockets from other machines [AC-27]', () => {
+  it('are opened for who proves to have joined', async () => {
+    const master = new TestMaster();
+    const ada = await master.extension('ada');
+    const old = await master.legacy('old');
+    const phone = await joinAs(master, ACCESS_ROLE_PLAYER);
+    const refused = (clientId: string | undefined, token?: string) =>
+      master.master.refuseConnection({ clientId, token }, stranger()) !== undefined;
+    expect(refused(phone.id, phone.token)).toBe(false);
+    expect(refused(phone.id)).toBe(true);
+    expect(refused(phone.id, ada.token)).toBe(true);
+    expect(refused(ada.id, ada.token)).toBe(true);
+    expect(refused(old.id)).toBe(true);
+    expect(refused(undefined)).toBe(true);
+    expect(refused('', 'x')).toBe(true);
+    // Whatever the edge does, the core opens none.
+    expect(ada.open(ada.token)).toBe(true);
+    const handle = master.master.openConnection(
+      { clientId: ada.id, token: ada.token },
+      ada.connection,
+      stranger(),
+    );
+    expect(handle).toBeUndefined();
+  });
+});
+
+describe('the leave of the terminal [AC-19]', () => {
+  it('is for participants, 12 hours, and replaced by the next run', async () => {
+    const before = new TestMaster();
+    const first = await before.master.openTerminal();
+    const phone = await join(before, first.token);
+    expect(phone.registered.extension?.role).toBe(ACCESS_ROLE_PARTICIPANT);
+    const master = new TestMaster({ clock: before.clock, grants: before.grants, idsGiven: 100 });
+    const second = await master.master.openTerminal();
+    expect(await problemOf(master, stranger(first.token))).toBe(JoinProblem.JOIN_PROBLEM_EXPIRED);
+    expect(await problemOf(master, phone.caller)).toBe(JoinProblem.JOIN_PROBLEM_NONE);
+    const third = new TestMaster({ clock: before.clock, grants: before.grants, idsGiven: 200 });
+    await third.master.openTerminal();
+    // Nobody joined with the second: it is gone.
+    expect(await problemOf(third, stranger(second.token))).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
+    expect(third.grants.documents().size).toBe(2);
+  });
+});
