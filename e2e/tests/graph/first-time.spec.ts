@@ -29,7 +29,7 @@ const module = `Module ${MODULE}`;
 
 /** The smoothed position is on the second topic, and its wire is told how often it comes. */
 async function seesItLive(graph: GraphPage, pad: Locator): Promise<void> {
-  const smoothed = graph.node('Topic /Session/one-euro-filter-vector2/smoothed');
+  const smoothed = graph.node('Topic /Session/smoothed');
   await expect(async () => {
     await pad.tap({ position: { x: 200, y: 200 } });
     await pad.tap({ position: { x: 60, y: 300 } });
@@ -134,7 +134,7 @@ test('with fingers on a tablet, a pointer is smoothed onto a second topic', asyn
     await seesItLive(graph, pad);
     const chip = graph.canvas.locator('[data-wire-chip]').last();
     await fingers.hold(await middleOf(chip), () => expect(graph.menu).toBeVisible());
-    await expect(graph.menu).toContainText('/Session/one-euro-filter-vector2/smoothed');
+    await expect(graph.menu).toContainText('/Session/smoothed');
     await expect(async () => {
       await pad.tap({ position: { x: 120, y: 120 } });
       await expect(graph.menu).toContainText(/0\.\d+, 0\.\d+/, { timeout: 2_000 });

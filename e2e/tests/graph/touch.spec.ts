@@ -122,7 +122,7 @@ test('on a phone, modules are added, bound and started in the list', async ({ ro
   await test.step('a module is added', async () => {
     await page.getByRole('button', { name: 'Add', exact: true }).tap();
     await page.getByRole('combobox', { name: 'Add to the session' }).fill('low-pass');
-    await page.getByRole('option', { name: /^low-pass module/ }).tap();
+    await page.getByRole('option', { name: /^low-pass / }).tap();
     await expect(list.getByRole('heading', { name: 'low-pass' })).toBeVisible();
   });
 
@@ -149,7 +149,7 @@ test('on a phone, modules are added, bound and started in the list', async ({ ro
     await page.getByRole('combobox', { name: 'Find what fits' }).fill('/wave/smooth');
     await page.getByRole('option', { name: 'New topic /wave/smooth' }).tap();
     await expect(output).toContainText('/wave/smooth');
-    await page.getByRole('button', { name: 'Start', exact: true }).tap();
+    await page.getByRole('button', { name: /^(Save and start|Start)$/ }).tap();
     await expect(page.getByRole('toolbar', { name: 'Life of the session' })).toContainText(
       'Running',
     );

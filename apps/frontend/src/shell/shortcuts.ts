@@ -31,6 +31,33 @@ export const ROW_KEYS: readonly { readonly keys: string; readonly text: string }
   { keys: 'Del', text: 'Delete a session or a stored module, disconnect a client' },
 ];
 
+/** What keys do on the canvas of a graph; told here, done there. */
+export const GRAPH_KEYS: readonly { readonly keys: string; readonly text: string }[] = [
+  { keys: 'A', text: 'Add a module or topic' },
+  { keys: 'F', text: 'Show all' },
+  { keys: 'B', text: 'Bypass a module' },
+  { keys: 'M', text: 'Mute a module' },
+  { keys: 'C', text: 'Fold a node' },
+  { keys: 'Del', text: 'Remove what is selected' },
+  { keys: 'Shift Del', text: 'Remove, and connect what is left' },
+  { keys: 'Ctrl Z', text: 'Undo' },
+  { keys: 'Ctrl Y', text: 'Redo' },
+  { keys: 'Ctrl A', text: 'Select all' },
+  { keys: 'Ctrl C', text: 'Copy, to here or to another session' },
+  { keys: 'Ctrl D', text: 'Duplicate' },
+  { keys: 'Ctrl F', text: 'Find' },
+  { keys: 'X', text: 'Take a node off its wires' },
+  { keys: 'I', text: 'Put a node onto the wire it lies on' },
+  { keys: 'W', text: 'Go along the wires of a node' },
+  { keys: 'P', text: 'Add a point to a wire' },
+  { keys: 'Ctrl G', text: 'Put a frame around' },
+  { keys: 'Alt A D W S', text: 'Line up left, right, top, bottom' },
+  { keys: 'Space', text: 'and drag: move the canvas' },
+  { keys: 'Alt', text: 'and drag: take off its wires' },
+  { keys: 'Shift', text: 'and drag: select with a box' },
+  { keys: 'Esc', text: 'Let go' },
+];
+
 /** How long the second key of a pair may take, milliseconds. */
 export const PAIR_MS = 1000;
 

@@ -25,8 +25,9 @@ const texts = (typed: string, end?: { node: string; port: string }): string[] =>
 describe('addables', () => {
   it('are modules, topics and the rest; what the master tells of itself is none', () => {
     expect(texts('')).toEqual([
-      'low-pass',
+      // Takes the format of the topic that nothing reads yet.
       'mirror',
+      'low-pass',
       'Muxer',
       'Demuxer',
       'Value',

@@ -1,4 +1,6 @@
 import { isExtensionTopic, isMasterTopic, type ProcessingModule } from '@ubii/proto';
+import { rankModules } from '../../modules/library/rank-modules.ts';
+import { formatsAtHand } from '../model/fit/at-hand.ts';
 import { fittingNodes, type KnownTopic, type NodeOffer } from '../model/fit/fitting.ts';
 import type { Graph, PortRef } from '../model/graph.ts';
 import { moduleNode } from '../model/make-node.ts';
@@ -40,10 +42,12 @@ export function addables(
   typed: string,
   end: PortRef | undefined,
 ): Addable[] {
-  const has = saying(typed);
   const known = topics.filter(({ topic }) => !isMasterTopic(topic) && !isExtensionTopic(topic));
   const all = end === undefined ? looseItems(modules, known) : offers(graph, end, modules, known);
-  return [...all.filter(has), ...newTopic(graph, typed.trim(), known, end)].slice(0, MAX_SHOWN);
+  return [...bestFirst(graph, all, typed), ...newTopic(graph, typed.trim(), known, end)].slice(
+    0,
+    MAX_SHOWN,
+  );
 }
 
 /** Modules that fit the words typed, and can go into a wire. */
@@ -58,16 +62,31 @@ export function insertables(
   const fitting = modules.filter(
     (module) => insertionOf(graph, wire, moduleNode(module)) !== undefined,
   );
-  return looseModules(fitting).filter(saying(typed)).slice(0, MAX_SHOWN);
+  return bestFirst(graph, looseModules(fitting), typed).slice(0, MAX_SHOWN);
 }
 
-/** What has all the words. */
-function saying(typed: string): (one: Addable) => boolean {
+/** The module that is added; undefined when it is something else. */
+export function moduleOf({ item, offer }: Addable): ProcessingModule | undefined {
+  if (item?.kind === 'module') return item.module;
+  return offer?.kind === 'module' ? offer.module : undefined;
+}
+
+/** What has all the words; the modules among it with the best first. */
+function bestFirst(graph: Graph, all: readonly Addable[], typed: string): Addable[] {
   const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
-  return ({ text, hint }) => {
-    const all = `${text} ${hint}`.toLowerCase();
-    return words.every((word) => all.includes(word));
-  };
+  const has = ({ text, hint }: Addable): boolean =>
+    words.every((word) => `${text} ${hint}`.toLowerCase().includes(word));
+  const isModule = (one: Addable): boolean => moduleOf(one) !== undefined;
+  const at = Math.max(0, all.findIndex(isModule));
+  const others = (part: readonly Addable[]): Addable[] =>
+    part.filter((one) => !isModule(one) && has(one));
+  const modules = rankModules(
+    all.filter(isModule),
+    (one) => moduleOf(one)!,
+    words,
+    formatsAtHand(graph),
+  );
+  return [...others(all.slice(0, at)), ...modules, ...others(all.slice(at))];
 }
 
 const looseModules = (modules: readonly ProcessingModule[]): Addable[] =>

@@ -11,7 +11,8 @@ import {
 } from '../model/selection/arrange.ts';
 import { areaAround, frameAround, resizeFrame } from '../model/selection/frames.ts';
 import { insertOnWire } from '../model/selection/insert.ts';
-import { goingAlong, moveTogether } from '../model/selection/move.ts';
+import { moveTogether } from '../model/selection/move.ts';
+import { withContents } from '../model/selection/nesting.ts';
 import { detach, removeAndReconnect } from '../model/selection/reconnect.ts';
 import { removePoints } from '../model/selection/wire-points.ts';
 import type { CanvasStage } from './canvas-stage.ts';
@@ -46,18 +47,19 @@ export class CanvasCommands {
     if (wire !== undefined && wire.points.length > 0) this.#editor.apply(removePoints(wire));
   }
 
-  /** Puts a frame around what is selected; into the frame, when one is selected with it. */
+  /** Puts a frame around what is selected; into the frame, when one is selected with nodes beside it. */
   frame(): boolean {
     const graph = this.#editor.graph.value;
     const selected = this.#selected();
-    const isFrame = (id: string): boolean => graph.nodes.get(id)?.kind === 'frame';
-    const boxes = this.#stage.boxes(selected.filter((id) => !isFrame(id)));
-    const frames = selected.filter(isFrame);
-    if (boxes.length === 0 || frames.length > 1) return false;
-    const [into] = frames;
-    if (into === undefined) {
+    const frames = selected.filter((id) => graph.nodes.get(id)?.kind === 'frame');
+    const inside = withContents(graph, frames);
+    const boxes = this.#stage.boxes(selected.filter((id) => !inside.has(id)));
+    const [into, ...more] = frames;
+    if (into === undefined || more.length > 0 || boxes.length === 0) {
+      const all = this.#stage.boxes(selected);
+      if (all.length === 0) return false;
       const id = `frame:${randomUuid()}`;
-      this.#editor.apply(frameAround(boxes, id));
+      this.#editor.apply(frameAround(graph, all, id));
       this.#editor.select([id]);
       return true;
     }
@@ -125,7 +127,7 @@ export class CanvasCommands {
   move(by: Point): boolean {
     const graph = this.#editor.graph.value;
     const places = this.#editor.places.value;
-    const ids = goingAlong(graph, this.#selected());
+    const ids = withContents(graph, this.#selected());
     if (ids.size === 0) return this.#points.move(by);
     const moved = [...ids].map((id) => {
       const { x, y } = places.get(id) ?? { x: 0, y: 0 };

@@ -6,7 +6,7 @@ import { adaptCommand } from '../model/fit/adapt.ts';
 import { offerCommand } from '../model/fit/fitting.ts';
 import type { Point, PortRef } from '../model/graph.ts';
 import { portOf } from '../model/port-format.ts';
-import { areaUnder } from '../model/selection/frames.ts';
+import { frameUnder } from '../model/selection/frames.ts';
 import { insertOnWire } from '../model/selection/insert.ts';
 import type { Addable } from './addable.ts';
 import type { CanvasStage } from './canvas-stage.ts';
@@ -58,7 +58,7 @@ export interface Adding {
 const FROM_SOCKET = 90;
 /** So few nodes are all shown when a new one does not fit on the screen. */
 const FEW = 8;
-const MENU = { width: 290, height: 320 };
+const MENU = { width: 330, height: 320 };
 
 /** Adds what is new: by typing, by dropping a wire on nothing, and in between what does not fit. */
 export function useAdding(
@@ -88,8 +88,8 @@ export function useAdding(
     } else {
       const { nodes } = editor.graph.value;
       const frames = stage.boxes().filter(({ id }) => nodes.get(id)?.kind === 'frame');
-      const isFrame = node.kind === 'frame';
-      const frame = isFrame ? undefined : areaUnder({ ...at, ...drawnSize(node) }, frames)?.id;
+      const box = { id: node.id, ...at, ...drawnSize(node) };
+      const frame = frameUnder(new Map([...nodes, [node.id, node]]), box, frames);
       editor.apply({ kind: 'add', nodes: [{ ...node, frame }] });
     }
     editor.select([node.id]);

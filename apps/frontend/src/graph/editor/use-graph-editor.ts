@@ -1,4 +1,4 @@
-import { inject, type InjectionKey } from 'vue';
+import { inject, type InjectionKey, type Ref } from 'vue';
 import type { CanvasCommands } from '../canvas/canvas-commands.ts';
 import type { CanvasStage } from '../canvas/canvas-stage.ts';
 import type { ConnectGesture } from '../canvas/connect-gesture.ts';
@@ -25,6 +25,8 @@ export interface CanvasContext {
   readonly resize: NodeResize;
   /** What menus and keys do to what is selected. */
   readonly commands: CanvasCommands;
+  /** It was started just now. */
+  readonly isFresh: Readonly<Ref<boolean>>;
 }
 
 export const GRAPH_CONTEXT: InjectionKey<GraphContext> = Symbol('graph');

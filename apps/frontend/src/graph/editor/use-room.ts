@@ -15,8 +15,6 @@ export interface Room {
   readonly isInspectorOpen: Ref<boolean>;
   readonly hasInspector: ComputedRef<boolean>;
   closeInspector(): void;
-  /** A drawer has done its part once something came out of it. */
-  closeDrawer(): void;
 }
 
 export function useRoom(editor: GraphEditor): Room {
@@ -45,9 +43,6 @@ export function useRoom(editor: GraphEditor): Room {
     closeInspector() {
       isInspectorOpen.value = false;
       if (view.value === 'list') editor.select([]);
-    },
-    closeDrawer() {
-      if (!isRoomy.value) isPaletteOpen.value = false;
     },
   };
 }

@@ -9,7 +9,7 @@ import type { AddableSources } from '../canvas/addable.ts';
 import { fitBetween } from '../canvas/port-fit.ts';
 import { nodeTitle } from '../canvas/node-label.ts';
 import { applyCommand } from '../model/commands/apply-command.ts';
-import { freeTopic } from '../model/commands/free-topic.ts';
+import { proposedTopic } from '../model/commands/free-topic.ts';
 import { portName } from '../model/commands/command-label.ts';
 import type { GraphCommand } from '../model/commands/graph-command.ts';
 import { adaptCommand } from '../model/fit/adapt.ts';
@@ -150,7 +150,8 @@ function newTopic(
   const isOutput = portOf(graph, ref)?.direction === 'out';
   if (graph.nodes.get(ref.node)?.kind !== 'module' || /\s/.test(typed)) return [];
   if (typed === '' && !isOutput) return [];
-  const topic = typed === '' ? freeTopic(graph, ref) : typed.startsWith('/') ? typed : `/${typed}`;
+  const topic =
+    typed === '' ? proposedTopic(graph, ref) : typed.startsWith('/') ? typed : `/${typed}`;
   if (topicsOf(graph).has(topic) || known.some((one) => one.topic === topic)) return [];
   const binding = toTopic(graph, ref, topic, {}, [], uuid);
   if (binding?.command === undefined) return [];

@@ -1,7 +1,9 @@
 import { computed, inject, provide, type ComputedRef, type InjectionKey } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { ModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
+import { runningWriters } from '../../sessions/words/shared-topics.ts';
 import type { GraphEditor } from '../editor/graph-editor.ts';
+import { sameValue } from '../model/changes/same-value.ts';
 import { graphProblems, type GraphProblems } from '../model/live/graph-problems.ts';
 import { isMissing, type GraphProblem, type Surroundings } from '../model/live/own-problems.ts';
 import type { ModuleNode } from '../model/graph.ts';
@@ -21,7 +23,7 @@ const NONE: readonly GraphProblem[] = [];
 
 /** Watches a graph for problems, for all views below. */
 export function provideGraphProblems(editor: GraphEditor, library: ModuleLibrary): LiveProblems {
-  const { client, nodes } = useConnection();
+  const { client, nodes, sessions } = useConnection();
   const around = computed((): Surroundings => {
     const list = nodes.list.value;
     const entries = library.entries.value;
@@ -30,6 +32,7 @@ export function provideGraphProblems(editor: GraphEditor, library: ModuleLibrary
     return {
       modules: entries && new Set([...entries.map(({ module }) => module.name), ...offered]),
       nodes: list && new Set([...available, client.id]),
+      writers: runningWriters(sessions.list.value ?? [], editor.session.value.id),
     };
   });
   /** Lists come every few seconds; only what they say differently counts. */
@@ -57,7 +60,9 @@ export function useGraphProblems(): LiveProblems {
 }
 
 const isSame = (a: Surroundings, b: Surroundings): boolean =>
-  isSameSet(a.modules, b.modules) && isSameSet(a.nodes, b.nodes);
+  isSameSet(a.modules, b.modules) &&
+  isSameSet(a.nodes, b.nodes) &&
+  sameValue([...a.writers], [...b.writers]);
 
 function isSameSet(
   a: ReadonlySet<string> | undefined,

@@ -6,6 +6,7 @@ import {
   type SessionStatistics,
 } from '@ubii/proto';
 import { sessionTotals, type SessionTotals } from '../live/session-totals.ts';
+import type { SharedTopic } from '../words/shared-topics.ts';
 import { isAlive, sessionState, stateLook, type StateLook } from '../state/session-state.ts';
 
 /** Which sessions are shown. */
@@ -24,11 +25,20 @@ export interface SessionRow {
   readonly warnings: number;
   /** The sentence that matters most. */
   readonly problem: string | undefined;
+  /** Topics that other sessions that run write, too. */
+  readonly shared: readonly SharedTopic[];
+  /** This browser keeps changes of it that nobody has saved. */
+  readonly hasDraft: boolean;
 }
+
+/** What is known of a session beside itself. */
+export type RowSurroundings = Pick<SessionRow, 'shared' | 'hasDraft'>;
+const ALONE: RowSurroundings = { shared: [], hasDraft: false };
 
 export function sessionRow(
   session: Session,
   statistics: SessionStatistics | undefined,
+  around: RowSurroundings = ALONE,
 ): SessionRow {
   const state = sessionState(session);
   const problems = session.extension?.problems ?? [];
@@ -44,6 +54,7 @@ export function sessionRow(
     errors: errors.length,
     warnings: problems.length - errors.length,
     problem: (errors[0] ?? problems[0])?.message,
+    ...around,
   };
 }
 
@@ -103,7 +114,8 @@ export function filterRows(
     );
 }
 
-function fitsFilter({ session, errors, warnings }: SessionRow, filter: SessionFilter): boolean {
+function fitsFilter(row: SessionRow, filter: SessionFilter): boolean {
+  const { session, errors, warnings, shared } = row;
   switch (filter) {
     case 'all':
       return true;
@@ -112,7 +124,7 @@ function fitsFilter({ session, errors, warnings }: SessionRow, filter: SessionFi
     case 'stopped':
       return !isAlive(session);
     case 'problems':
-      return errors + warnings > 0;
+      return errors + warnings + shared.length > 0;
   }
 }
 

@@ -9,6 +9,8 @@ export interface Toast {
 
 export interface Toasts {
   readonly list: Readonly<ShallowRef<readonly Toast[]>>;
+  /** How far up from the bottom they stand, pixels: what is there stays in reach. */
+  readonly lift: ShallowRef<number>;
   show(text: string, action?: Toast['action']): void;
   dismiss(id: number): void;
 }
@@ -23,6 +25,7 @@ export function createToasts(): Toasts {
   let lastId = 0;
   return {
     list: readonly(list) as Toasts['list'],
+    lift: shallowRef(0),
     show(text, action) {
       lastId += 1;
       // Two are read, more are noise.

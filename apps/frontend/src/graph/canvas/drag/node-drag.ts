@@ -4,8 +4,9 @@ import { applyCommand } from '../../model/commands/apply-command.ts';
 import type { Graph, Point } from '../../model/graph.ts';
 import { bounds, type Box } from '../../model/selection/arrange.ts';
 import { dropNodes } from '../../model/selection/drop-nodes.ts';
-import { areaUnder } from '../../model/selection/frames.ts';
-import { goingAlong, pointsGoingAlong } from '../../model/selection/move.ts';
+import { frameUnder } from '../../model/selection/frames.ts';
+import { pointsGoingAlong } from '../../model/selection/move.ts';
+import { withContents } from '../../model/selection/nesting.ts';
 import { detach } from '../../model/selection/reconnect.ts';
 import { wiresOf } from '../../model/wires-of.ts';
 import type { CanvasStage } from '../canvas-stage.ts';
@@ -114,7 +115,7 @@ export class NodeDrag {
   #begin(start: PointerEvent, id: string): void {
     const graph = this.#editor.graph.value;
     const { nodes } = this.#editor.selection.value;
-    const ids = goingAlong(graph, nodes.has(id) ? nodes : [id]);
+    const ids = withContents(graph, nodes.has(id) ? nodes : [id]);
     const seen = this.#stage.seen;
     const all = this.#stage.boxes();
     const isNear = (box: Box): boolean =>
@@ -177,8 +178,7 @@ export class NodeDrag {
     const now = { ...grabbed, x: grabbed.x + by.x, y: grabbed.y + by.y };
     const middle = { x: now.x + now.width / 2, y: now.y + now.height / 2 };
     this.#target.over(middle, Math.max(WIRE_PX / k, now.height / 2));
-    const isFrame = this.#editor.graph.value.nodes.get(held.id)?.kind === 'frame';
-    this.frame.value = isFrame ? undefined : areaUnder(now, this.#frames())?.id;
+    this.frame.value = frameUnder(this.#editor.graph.value.nodes, now, this.#frames());
   }
 
   #drop(): void {

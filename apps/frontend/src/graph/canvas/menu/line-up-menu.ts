@@ -8,6 +8,7 @@ import {
   type Places,
 } from '../../model/selection/arrange.ts';
 import { frameAround } from '../../model/selection/frames.ts';
+import { frameLeft } from '../../model/selection/nesting.ts';
 import { action, type MenuAction, type MenuEntry, type MenuPlace } from './menu-entry.ts';
 
 const ALIGNMENTS: readonly (readonly [Alignment, text: string, shortcut: string])[] = [
@@ -32,26 +33,32 @@ export function lineUpMenu(
   const framed = nodes.filter(({ frame }) => frame !== undefined && graph.nodes.has(frame));
   const frame = `frame:${uuid()}`;
   return [
-    ...(nodes.some(({ kind }) => kind === 'frame')
+    ...(boxes.length === 0
       ? []
       : [
           action(
             'Put a frame around',
-            { command: frameAround(boxes, frame), select: [frame] },
+            { command: frameAround(graph, boxes, frame), select: [frame] },
             { shortcut: 'Ctrl G' },
           ),
         ]),
     ...(framed.length === 0
       ? []
-      : [
-          action('Take out of the frame', {
-            command: { kind: 'setFrame', nodes: framed.map(({ id }) => id), frame: undefined },
-          }),
-        ]),
+      : [action('Take out of the frame', { command: takeOut(graph, framed) })]),
     ...(boxes.length > 1
       ? [{ kind: 'group', text: 'Line up', entries: lines(boxes) } as const]
       : []),
   ];
+}
+
+/** Out of the frame that each is in, and into the one around that. */
+function takeOut({ nodes: all }: Graph, nodes: readonly GraphNode[]): GraphCommand {
+  const commands = nodes.map(({ id, frame = '' }): GraphCommand => {
+    return { kind: 'setFrame', nodes: [id], frame: frameLeft(all, id, new Set([frame])) };
+  });
+  const [only] = commands;
+  if (only !== undefined && commands.length === 1) return only;
+  return { kind: 'all', label: `Take ${commands.length} nodes out of their frames`, commands };
 }
 
 function lines(boxes: readonly Box[]): MenuAction[] {

@@ -74,17 +74,23 @@ export function removeDraft(storage: DraftStorage, sessionId: string): void {
   }
 }
 
-/** Drafts that are kept, newest first. */
-export function listDrafts(storage: DraftStorage): Draft[] {
+/** The sessions that drafts are kept of, by their ids. */
+export function draftIds(storage: DraftStorage): ReadonlySet<string> {
   try {
     const keys = Array.from({ length: storage.length }, (_, index) => storage.key(index) ?? '');
-    return keys
-      .filter((key) => key.startsWith(PREFIX))
-      .flatMap((key) => findDraft(storage, key.slice(PREFIX.length)) ?? [])
-      .sort((a, b) => b.savedMs - a.savedMs);
+    return new Set(
+      keys.filter((key) => key.startsWith(PREFIX)).map((key) => key.slice(PREFIX.length)),
+    );
   } catch {
-    return [];
+    return new Set();
   }
+}
+
+/** Drafts that are kept, newest first. */
+export function listDrafts(storage: DraftStorage): Draft[] {
+  return [...draftIds(storage)]
+    .flatMap((id) => findDraft(storage, id) ?? [])
+    .sort((a, b) => b.savedMs - a.savedMs);
 }
 
 /** A session came back under another id: its draft goes with it. */

@@ -4,6 +4,7 @@ import { GraphEdit } from '../commands/graph-edit.ts';
 import { revealTopic } from '../commands/reveal-topic.ts';
 import type { Graph, GraphNode, Wire } from '../graph.ts';
 import { topicNodeId } from '../make-node.ts';
+import { breakLoops } from '../selection/nesting.ts';
 import { wiresAt } from '../wires-of.ts';
 import type { Conflict } from './conflict.ts';
 import { mergeNode } from './merge-node.ts';
@@ -164,6 +165,7 @@ function keepEnds(
       nodes.set(node.id, { ...node, frame: undefined });
     }
   }
+  breakLoops(nodes);
 }
 
 /** The graph by the rules of every graph: one wire an input, one writer a topic without a node. */

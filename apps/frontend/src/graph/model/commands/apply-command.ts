@@ -1,5 +1,6 @@
 import type { Graph } from '../graph.ts';
 import { topicNodeId } from '../make-node.ts';
+import { wouldLoop } from '../selection/nesting.ts';
 import { commandLabel } from './command-label.ts';
 import { connect, isLegal } from './connect.ts';
 import {
@@ -86,16 +87,24 @@ const RUNNERS: { readonly [K in CommandKind]: Runner<K> } = {
   hideTopic,
   group: (edit, { frame, nodes }) => {
     edit.putNodes([frame]);
-    for (const id of nodes) editNode(edit, id, (old) => ({ ...old, frame: frame.id }));
+    putInto(edit, nodes, frame.id);
   },
   ungroup: (edit, { frame }) => {
     if (edit.graph.nodes.get(frame)?.kind === 'frame') edit.removeNodes([frame]);
   },
   setFrame: (edit, { nodes, frame }) => {
-    for (const id of nodes) editNode(edit, id, (old) => ({ ...old, frame }));
+    putInto(edit, nodes, frame);
   },
   setDetails: (edit, { changes }) => edit.setDetails({ ...edit.graph.details, ...changes }),
 };
+
+/** No frame goes into itself, nor into what is in it. */
+function putInto(edit: GraphEdit, nodes: readonly string[], frame: string | undefined): void {
+  for (const id of nodes) {
+    if (frame !== undefined && wouldLoop(edit.graph.nodes, id, frame)) continue;
+    editNode(edit, id, (old) => ({ ...old, frame }));
+  }
+}
 
 function run(edit: GraphEdit, command: GraphCommand): void {
   (RUNNERS[command.kind] as Runner<CommandKind>)(edit, command);

@@ -1,6 +1,7 @@
 import type { Graph, GraphNode, NodeKind, Point, Wire } from '../graph.ts';
 import { constantNode, demuxerNode, moduleNode, muxerNode } from '../make-node.ts';
 import { ioName } from '../ports.ts';
+import { framesAround } from '../selection/nesting.ts';
 import { wiresOf } from '../wires-of.ts';
 import type { CommandOf } from './graph-command.ts';
 import type { GraphEdit } from './graph-edit.ts';
@@ -39,8 +40,11 @@ export function moved(graph: Graph, positions: ReadonlyMap<string, Point>): Grap
   }
   if (frames.size === 0) return nodes;
   for (const node of graph.nodes.values()) {
-    const by = node.frame === undefined ? undefined : frames.get(node.frame);
-    if (by === undefined || node.position === undefined || positions.has(node.id)) continue;
+    if (node.frame === undefined || node.position === undefined || positions.has(node.id)) continue;
+    // The nearest frame that was given a place says how far.
+    const frame = framesAround(graph.nodes, node.id).find((id) => positions.has(id));
+    const by = frame === undefined ? undefined : frames.get(frame);
+    if (by === undefined) continue;
     nodes.push({ ...node, position: { x: node.position.x + by.x, y: node.position.y + by.y } });
   }
   return nodes;

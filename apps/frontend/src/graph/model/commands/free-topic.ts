@@ -17,6 +17,15 @@ export function freeTopic(graph: Graph, { node, port }: PortRef): string {
   return unusedTopic(topicsOf(graph), `/${parts.map(topicPart).join('/')}`);
 }
 
+/**
+ * A short topic for what comes out of a module, for those who are shown it and may choose another.
+ * Modules that are wired to each other get longer ones: two people may do that at the same time.
+ */
+export function proposedTopic(graph: Graph, ref: PortRef): string {
+  const short = `/${topicPart(graph.details.name || 'session')}/${topicPart(ioName(ref.port))}`;
+  return topicsOf(graph).has(short) ? freeTopic(graph, ref) : short;
+}
+
 /** The topic itself, or with the first number that makes it new. */
 export function unusedTopic(taken: ReadonlySet<string>, wished: string): string {
   let topic = wished;

@@ -1,4 +1,5 @@
 import type { Graph, GraphNode, SessionDetails, Wire } from '../graph.ts';
+import { frameLeft } from '../selection/nesting.ts';
 import { wiresOf } from '../wires-of.ts';
 
 /** Elements of a graph as they shall be; undefined: not there. */
@@ -29,7 +30,7 @@ export class GraphEdit {
     this.#changeNodes([...nodes].map((node) => [node.id, node]));
   }
 
-  /** Removes nodes and their wires; what was in a frame that goes is in none. */
+  /** Removes nodes and their wires; what was in a frame that goes is in the one around it. */
   removeNodes(ids: Iterable<string>): void {
     const gone = new Set([...ids].filter((id) => this.#graph.nodes.has(id)));
     if (gone.size === 0) return;
@@ -44,9 +45,12 @@ export class GraphEdit {
           ({ id, frame }) => frame !== undefined && gone.has(frame) && !gone.has(id),
         )
       : [];
+    const left = orphans.map((node) => {
+      return { ...node, frame: frameLeft(this.#graph.nodes, node.id, gone) };
+    });
     this.#changeNodes([
       ...[...gone].map((id) => [id, undefined] as const),
-      ...orphans.map((node) => [node.id, { ...node, frame: undefined }] as const),
+      ...left.map((node) => [node.id, node] as const),
     ]);
   }
 

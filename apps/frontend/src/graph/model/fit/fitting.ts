@@ -1,6 +1,6 @@
 import { parseDataFormat, type DataFormat, type ProcessingModule } from '@ubii/proto';
 import { portName } from '../commands/command-label.ts';
-import { freeTopic } from '../commands/free-topic.ts';
+import { proposedTopic } from '../commands/free-topic.ts';
 import type { GraphCommand } from '../commands/graph-command.ts';
 import type { Graph, GraphNode, PortRef } from '../graph.ts';
 import { moduleNode, topicNode } from '../make-node.ts';
@@ -69,7 +69,7 @@ function plainOffers(graph: Graph, own: WireEnd): NodeOffer[] {
   const { port, format } = own;
   const dataType = format ?? '';
   if (port.direction === 'out') {
-    const topic = freeTopic(graph, own.ref);
+    const topic = proposedTopic(graph, own.ref);
     const isNewTopic = fitsNode(graph, own, topicNode(topic)) !== undefined;
     return [
       ...(isNewTopic ? [{ kind: 'topic', label: topic, topic, isNew: true, format } as const] : []),

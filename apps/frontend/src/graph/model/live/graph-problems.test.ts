@@ -8,7 +8,7 @@ import { cyclesIn } from './cycles.ts';
 import { graphProblems } from './graph-problems.ts';
 import type { Surroundings } from './own-problems.ts';
 
-const AROUND: Surroundings = { modules: undefined, nodes: undefined };
+const AROUND: Surroundings = { modules: undefined, nodes: undefined, writers: new Map() };
 const double = (name: string) => aModule(name, { i: 'double' }, { o: 'double' });
 
 describe('problems that can be seen', () => {
@@ -30,7 +30,7 @@ describe('problems that can be seen', () => {
   it('a module without code that nobody has', () => {
     const nothing = { ...aModule('gone'), onProcessingStringified: '' };
     const session = aSessionOf([nothing, double('a')]);
-    const around = { modules: new Set(['low-pass']), nodes: undefined };
+    const around = { ...AROUND, modules: new Set(['low-pass']) };
     const { ofNode } = graphProblems(graphOf(session), session, around);
     expect([...ofNode.keys()]).toEqual(['module:gone']);
     expect(ofNode.get('module:gone')?.[0]?.message).toContain('Import it');
@@ -39,9 +39,33 @@ describe('problems that can be seen', () => {
 
   it('a module whose node is not there', () => {
     const session = aSessionOf([{ ...double('a'), nodeId: 'away' }]);
-    const around = { modules: undefined, nodes: new Set(['master']) };
+    const around = { ...AROUND, nodes: new Set(['master']) };
     const { ofNode } = graphProblems(graphOf(session), session, around);
     expect(ofNode.get('module:a')).toMatchObject([{ code: 'node_unavailable', isError: false }]);
+  });
+
+  it('a topic that another session writes, too, where it is: its node, or its wires', () => {
+    const others = [{ id: 's2', name: 'Other' }];
+    const around = { ...AROUND, writers: new Map([['/t', others]]) };
+    const alone = aSessionOf([double('a')], { 'a.o': '/t' });
+    const atTopic = graphProblems(graphOf(alone), alone, around);
+    expect(atTopic.ofNode.get('topic:/t')).toMatchObject([
+      { code: 'topic_written_elsewhere', isError: false, others },
+    ]);
+    expect(atTopic.all[0]?.message).toContain('"Other"');
+    const chain = aSessionOf([double('a'), double('b')], { 'a.o': '/t', 'b.i': '/t' });
+    const graph = graphOf(chain);
+    const { ofPort, ofWire } = graphProblems(graph, chain, around);
+    expect([...ofPort.keys()]).toEqual(['module:a out:o']);
+    expect([...ofWire.keys()]).toEqual([...graph.wires.keys()]);
+    const rests = applyCommand(graph, {
+      kind: 'setStanding',
+      nodes: ['module:a'],
+      standing: 'muted',
+    }).graph;
+    expect(graphProblems(rests, chain, around).all).toEqual([]);
+    const reads = aSessionOf([double('b')], { 'b.i': '/t' });
+    expect(graphProblems(graphOf(reads), reads, around).all).toEqual([]);
   });
 
   it('two modules that write one topic', () => {

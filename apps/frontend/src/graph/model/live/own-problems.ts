@@ -1,7 +1,9 @@
+import type { SessionRef } from '../../../sessions/words/shared-topics.ts';
 import { fitOf } from '../fit/fit-of.ts';
 import type { Graph, ModuleNode } from '../graph.ts';
 import { wiresOf } from '../wires-of.ts';
 import { cyclesIn } from './cycles.ts';
+import { writtenElsewhere, type OtherWriters } from './other-sessions.ts';
 
 /** Something wrong in a graph, at its place. */
 export interface GraphProblem {
@@ -16,6 +18,8 @@ export interface GraphProblem {
   readonly wires: readonly string[];
   /** Said of something else already, and shown here because it is about this, too. */
   readonly isEcho?: boolean;
+  /** Sessions it has to do with. */
+  readonly others?: readonly SessionRef[];
 }
 
 /** What is known of modules and nodes elsewhere; undefined while it is not known. */
@@ -24,6 +28,8 @@ export interface Surroundings {
   readonly modules: ReadonlySet<string> | undefined;
   /** Ids of nodes that can be given modules now. */
   readonly nodes: ReadonlySet<string> | undefined;
+  /** What other sessions write that run. */
+  readonly writers: OtherWriters;
 }
 
 /** What can be seen to be wrong before the master has seen it. */
@@ -32,6 +38,7 @@ export function ownProblems(graph: Graph, around: Surroundings): GraphProblem[] 
     ...misfits(graph),
     ...moduleProblems(graph, around),
     ...doubleWriters(graph),
+    ...writtenElsewhere(graph, around.writers),
     ...cycles(graph),
   ];
 }

@@ -3,6 +3,7 @@ import type { Graph, GraphNode, Point, PortRef, Wire } from '../graph.ts';
 import { wireId } from '../graph.ts';
 import { topicsOf, unusedTopic } from '../commands/free-topic.ts';
 import { isObject, nodeFromJson, nodeToJson, wireToJson } from './clipboard-json.ts';
+import { withContents } from './nesting.ts';
 import { wiresOf } from '../wires-of.ts';
 
 /** Marks a text as nodes of a graph. */
@@ -29,19 +30,6 @@ export function copyText(graph: Graph, ids: Iterable<string>): string {
     undefined,
     1,
   );
-}
-
-/** A frame means what is in it, too. */
-function withContents(graph: Graph, ids: Iterable<string>): ReadonlySet<string> {
-  const chosen = new Set(ids);
-  let size = -1;
-  while (size !== chosen.size) {
-    size = chosen.size;
-    for (const { id, frame } of graph.nodes.values()) {
-      if (frame !== undefined && chosen.has(frame)) chosen.add(id);
-    }
-  }
-  return chosen;
 }
 
 /** Where and how nodes are pasted. */

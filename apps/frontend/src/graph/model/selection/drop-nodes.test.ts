@@ -6,7 +6,8 @@ import { frameNode, moduleNode } from '../make-node.ts';
 import { aGraphOf, aModule, wiresIn } from '../testing/small-graph.ts';
 import { dropNodes, type NodeDrop } from './drop-nodes.ts';
 import { areaUnder, frameAround, resizeFrame } from './frames.ts';
-import { goingAlong, moveTogether } from './move.ts';
+import { moveTogether } from './move.ts';
+import { withContents } from './nesting.ts';
 import { addPoint, movePoint, removePoint } from './wire-points.ts';
 
 const number = { i: 'double' };
@@ -97,7 +98,7 @@ describe('what a drag did', () => {
 
   it('takes along the points of wires between nodes that move', () => {
     const led = applyCommand(chain, addPoint(between, 0, { x: 50, y: 60 })).graph;
-    const ids = goingAlong(led, ['module:a', 'module:b']);
+    const ids = withContents(led, ['module:a', 'module:b']);
     const places = new Map([...ids].map((id) => [id, { x: 10, y: 0 }]));
     const both = applyCommand(led, moveTogether(led, places, { x: 10, y: -5 })).graph;
     expect(both.wires.get(between.id)?.points).toEqual([{ x: 60, y: 55 }]);
@@ -111,7 +112,7 @@ describe('what a drag did', () => {
 
 describe('frames', () => {
   it('lies around nodes, with room for a title', () => {
-    const command = frameAround([box('module:a'), box('module:b', 200, 100)], 'frame:n');
+    const command = frameAround(chain, [box('module:a'), box('module:b', 200, 100)], 'frame:n');
     const graph = applyCommand(chain, command).graph;
     expect(graph.nodes.get('frame:n')).toMatchObject({
       position: { x: -24, y: -36 },

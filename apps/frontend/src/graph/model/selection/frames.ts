@@ -2,6 +2,7 @@ import type { GraphCommand } from '../commands/graph-command.ts';
 import type { FrameNode, Graph, Point, Size } from '../graph.ts';
 import { frameNode } from '../make-node.ts';
 import { bounds, type Box } from './arrange.ts';
+import { framesAround, wouldLoop } from './nesting.ts';
 
 const PADDING = 24;
 /** Room for the title. */
@@ -18,11 +19,20 @@ export function areaAround(boxes: readonly Box[]): Point & Size {
   };
 }
 
-/** Puts a new frame around nodes. @param id such as `frame:` and a UUID */
-export function frameAround(boxes: readonly Box[], id: string): GraphCommand {
+/**
+ * Puts a new frame around nodes, frames among them. It lies in the frame that all of them lie in.
+ * @param id such as `frame:` and a UUID
+ */
+export function frameAround({ nodes }: Graph, boxes: readonly Box[], id: string): GraphCommand {
   const { x, y, width, height } = areaAround(boxes);
-  const frame = frameNode(id, '', { position: { x, y }, size: { width, height } });
-  return { kind: 'group', frame, nodes: boxes.map((box) => box.id) };
+  const chosen = new Set(boxes.map((box) => box.id));
+  const outermost = [...chosen].filter((one) => {
+    return !framesAround(nodes, one).some((frame) => chosen.has(frame));
+  });
+  const [around, ...others] = new Set(outermost.map((one) => nodes.get(one)?.frame));
+  const parent = others.length === 0 ? around : undefined;
+  const look = { position: { x, y }, size: { width, height }, frame: parent };
+  return { kind: 'group', frame: frameNode(id, '', look), nodes: outermost };
 }
 
 /** The smallest of these areas that has the middle of a box in it. */
@@ -39,46 +49,68 @@ export function areaUnder(box: Point & Size, areas: readonly Box[]): Box | undef
   return best;
 }
 
+/** The frame that a box comes to lie in: a frame goes into larger ones only, and never into itself. */
+export function frameUnder(
+  nodes: Graph['nodes'],
+  box: Box,
+  frames: readonly Box[],
+): string | undefined {
+  const isFrame = nodes.get(box.id)?.kind === 'frame';
+  const fitting = frames.filter((frame) => {
+    if (!isFrame) return frame.id !== box.id;
+    return isLarger(frame, box) && !wouldLoop(nodes, box.id, frame.id);
+  });
+  return areaUnder(box, fitting)?.id;
+}
+
+const isLarger = (a: Size, b: Size): boolean => a.width * a.height > b.width * b.height;
+
 /**
- * Puts nodes into the frames they lie in now, and takes them out of those they have left. Frames
- * are in no frames, and what moved with its frame stays in it.
+ * Puts nodes into the frames they lie in now, and takes them out of those they have left. Frames lie
+ * in frames, too; what moved with its frame stays in it.
  * @param boxes the nodes, where they come to lie
  * @param frames all frames, where they come to lie
  */
 export function frameChanges(
-  graph: Graph,
+  { nodes }: Graph,
   boxes: readonly Box[],
   frames: readonly Box[],
 ): GraphCommand[] {
   const joining = new Map<string | undefined, string[]>();
   for (const box of boxes) {
-    const node = graph.nodes.get(box.id);
-    if (node === undefined || node.kind === 'frame') continue;
-    const frame = areaUnder(box, frames)?.id;
+    const node = nodes.get(box.id);
+    if (node === undefined) continue;
+    const frame = frameUnder(nodes, box, frames);
     if (frame === node.frame) continue;
     joining.set(frame, [...(joining.get(frame) ?? []), box.id]);
   }
-  return [...joining].map(([frame, nodes]) => ({ kind: 'setFrame', nodes, frame }));
+  return [...joining].map(([frame, ids]) => ({ kind: 'setFrame', nodes: ids, frame }));
 }
 
-/** A frame in another size: what lies in it then is in it. */
+/** A frame in another size: what lies in it then is in it, what left it is in the one around it. */
 export function resizeFrame(
   graph: Graph,
   frame: FrameNode,
   area: Point & Size,
   boxes: readonly Box[],
 ): GraphCommand {
-  const inside = boxes.filter(({ id }) => {
-    const node = graph.nodes.get(id);
+  const around = framesAround(graph.nodes, frame.id);
+  const own = { id: frame.id, ...area };
+  const outer = new Set(boxes.filter(({ id }) => around.includes(id)));
+  const touched = boxes.filter((box) => {
+    const node = graph.nodes.get(box.id);
+    if (node === undefined || node.id === frame.id || outer.has(box)) return false;
+    if (node.frame === frame.id) return true;
     // Members of other frames stay where they are.
-    return node?.kind !== 'frame' && (node?.frame === undefined || node.frame === frame.id);
+    const isFree = node.frame === undefined || around.includes(node.frame);
+    return isFree && frameUnder(graph.nodes, box, [own]) !== undefined;
   });
   return {
     kind: 'all',
     label: 'Resize the frame',
     commands: [
       { kind: 'resize', node: frame.id, size: sizeOf(area), position: at(area) },
-      ...frameChanges(graph, inside, [{ id: frame.id, ...area }]),
+      ...frameChanges(graph, touched, [own, ...outer]),
     ],
   };
 }

@@ -4,15 +4,6 @@ import type { Graph, Point } from '../graph.ts';
 import { wiresOf } from '../wires-of.ts';
 import type { Places } from './arrange.ts';
 
-/** Nodes, and what is in the frames among them. */
-export function goingAlong(graph: Graph, ids: Iterable<string>): Set<string> {
-  const moved = new Set([...ids].filter((id) => graph.nodes.has(id)));
-  for (const { id, frame } of graph.nodes.values()) {
-    if (frame !== undefined && moved.has(frame)) moved.add(id);
-  }
-  return moved;
-}
-
 /** Wires that lie between these nodes and are led through points: those move along. */
 export function pointsGoingAlong(graph: Graph, ids: ReadonlySet<string>): string[] {
   return [...ids].flatMap((id) =>

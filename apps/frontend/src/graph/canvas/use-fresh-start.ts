@@ -1,0 +1,23 @@
+import { useTimeoutFn } from '@vueuse/core';
+import { computed, ref, watch, type ComputedRef } from 'vue';
+import { isAlive } from '../../sessions/state/session-state.ts';
+import type { GraphEditor } from '../editor/graph-editor.ts';
+
+/** How long after a start values stand on the wires of a small graph, milliseconds. */
+const FRESH_MS = 10_000;
+/** In graphs with more wires values would hide them. */
+const MAX_WIRES = 12;
+
+/** True for a while after a start: whoever pressed it looks whether anything comes. */
+export function useFreshStart(editor: GraphEditor): ComputedRef<boolean> {
+  const isOn = ref(false);
+  const { start } = useTimeoutFn(() => (isOn.value = false), FRESH_MS, { immediate: false });
+  watch(
+    () => isAlive(editor.session.value),
+    (alive, before) => {
+      isOn.value = alive && !before;
+      if (isOn.value) start();
+    },
+  );
+  return computed(() => isOn.value && editor.graph.value.wires.size <= MAX_WIRES);
+}

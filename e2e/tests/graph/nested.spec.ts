@@ -1,0 +1,85 @@
+import { SERVICES } from '@ubii/proto';
+import { callService } from '../../fixtures/call-service.ts';
+import { placedSession } from '../../fixtures/placed-session.ts';
+import { expect, test } from '../../fixtures/test.ts';
+import { GraphPage } from '../../pages/graph-page.ts';
+
+const MODULES = { one: { x: 40, y: 60 }, two: { x: 420, y: 60 } };
+const FRAMES = {
+  'frame:outer': { kind: 'frame', title: 'Outer', x: -20, y: -60, width: 700, height: 420 },
+  'frame:inner': { kind: 'frame', title: 'Inner', x: 760, y: 20, width: 260, height: 200 },
+};
+
+test('frames lie in frames: they are dragged in, move together, and are still there after a reload', async ({
+  room,
+  master,
+}) => {
+  const anna = await room.atDesk('Anna');
+  const graph = new GraphPage(anna);
+  const id = await placedSession(master, MODULES, FRAMES);
+  await graph.open(id);
+  await expect(graph.node('Frame Inner')).toBeVisible();
+  const { mouse, keyboard } = anna.page;
+  const yOf = async (node: string): Promise<number> => (await graph.box(node)).y;
+
+  await test.step('the inner one takes a node in, and is dragged into the outer one', async () => {
+    const inner = await graph.box('Frame Inner');
+    await graph.pull(await graph.grip('Module two'), { x: inner.x + 60, y: inner.y + 60 });
+    await mouse.up();
+    const outer = await graph.box('Frame Outer');
+    const to = { x: outer.x + outer.width * 0.55, y: outer.y + outer.height * 0.3 };
+    await graph.pull(await graph.grip('Frame Inner'), to);
+    await expect(graph.node('Frame Outer').locator('[data-over]')).toHaveCount(1);
+    await mouse.up();
+    await expect(graph.canvas.getByText('Inner', { exact: true })).toBeVisible();
+  });
+
+  const before = { frame: 0, node: 0 };
+  await test.step('the outer one takes both along, and undo brings both back', async () => {
+    before.frame = await yOf('Frame Inner');
+    before.node = await yOf('Module two');
+    await graph.pullBy(await graph.grip('Frame Outer'), 0, 60);
+    await mouse.up();
+    await expect.poll(async () => (await yOf('Module two')) - before.node).toBeCloseTo(60, -1);
+    await expect.poll(async () => (await yOf('Frame Inner')) - before.frame).toBeCloseTo(60, -1);
+    await keyboard.press('Control+z');
+    await expect.poll(async () => (await yOf('Module two')) - before.node).toBeCloseTo(0, -1);
+    await expect.poll(async () => (await yOf('Frame Inner')) - before.frame).toBeCloseTo(0, -1);
+  });
+
+  await test.step('what is pointed at in the inner one is the inner one', async () => {
+    const { x, y, width } = await graph.box('Frame Inner');
+    await mouse.click(x + width - 20, y + 12);
+    await expect(graph.inspector.getByRole('heading', { name: 'Inner' })).toBeVisible();
+  });
+
+  await test.step('it is saved, and the same after a reload', async () => {
+    await graph.life.getByRole('button', { name: /^Save \d/ }).click();
+    await expect(graph.life.getByRole('button', { name: /^Save \d/ })).toBeHidden();
+    const { session } = await callService(master.addresses, {
+      topic: SERVICES.sessionRuntimeGet.topic,
+      session: { id },
+    });
+    const { nodes } = JSON.parse(session!.extension!.editorJson) as {
+      nodes: Record<string, { frame?: string }>;
+    };
+    expect(nodes['frame:inner']?.frame).toBe('frame:outer');
+    await anna.page.reload();
+    await expect(graph.node('Frame Inner')).toBeVisible();
+    const [frame, node] = [await yOf('Frame Outer'), await yOf('Module two')];
+    await graph.pullBy(await graph.grip('Frame Outer'), 0, -40);
+    await mouse.up();
+    await expect.poll(async () => (await yOf('Frame Outer')) - frame).toBeCloseTo(-40, -1);
+    await expect.poll(async () => (await yOf('Module two')) - node).toBeCloseTo(-40, -1);
+  });
+
+  await test.step('without the inner one, what was in it is in the outer one', async () => {
+    await graph.node('Frame Inner').focus();
+    await keyboard.press('Control+Shift+g');
+    await expect(graph.node('Frame Inner')).toBeHidden();
+    const node = await yOf('Module two');
+    await graph.pullBy(await graph.grip('Frame Outer'), 0, 40);
+    await mouse.up();
+    await expect.poll(async () => (await yOf('Module two')) - node).toBeCloseTo(40, -1);
+  });
+});
