@@ -109,6 +109,8 @@ const STANDING_WORDS: Readonly<Record<Standing, string>> = {
 const MODULE_WORDS: Readonly<Record<string, string>> = {
   name: 'the name',
   nodeId: 'the place',
+  // Whether the master may move it.
+  extension: 'the place',
   processingMode: 'the mode',
   inputs: 'the inputs',
   outputs: 'the outputs',
