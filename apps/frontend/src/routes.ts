@@ -7,6 +7,7 @@ import { modulesRoutes } from './modules/routes.ts';
 import { performanceRoutes } from './performance/routes.ts';
 import { publishRoutes } from './publish/routes.ts';
 import { sessionsRoutes } from './sessions/routes.ts';
+import { settingsRoutes } from './settings/routes.ts';
 import { topicsRoutes } from './topics/routes.ts';
 
 declare module 'vue-router' {
@@ -34,11 +35,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...clientsRoutes,
   ...performanceRoutes,
   ...examplesRoutes,
-  {
-    path: '/settings',
-    component: () => import('./settings/SettingsPage.vue'),
-    meta: { title: 'Settings' },
-  },
+  ...settingsRoutes,
   {
     path: '/:path(.*)*',
     component: () => import('./shell/NotFoundPage.vue'),

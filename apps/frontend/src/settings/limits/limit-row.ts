@@ -1,0 +1,81 @@
+import type { Limit } from '@ubii/proto';
+import { formatBytes } from '../../ui/readouts/format-bytes.ts';
+import { formatNumber } from '../../ui/readouts/format-number.ts';
+import type { Readout } from '../../ui/readouts/readout.ts';
+
+/** From this share on, somebody should know before it is met. */
+export const NEAR_SHARE = 0.8;
+
+/** One limit as a row shows it. */
+export interface LimitRow {
+  readonly limit: Limit;
+  /** Its name in words: `retained bytes`. */
+  readonly words: string;
+  readonly allowed: Readout;
+  /** `undefined` when the master does not measure it. */
+  readonly used: Readout | undefined;
+  /** Of what is allowed, 0 to 1; `undefined` likewise. */
+  readonly share: number | undefined;
+  /** Met, or nearly: `near` and `met` want to be seen. */
+  readonly state: 'fine' | 'near' | 'met';
+  /** What would change it, to be copied. */
+  readonly flag: string;
+}
+
+/** `1024 bytes` and `30 000 ms` as people say them; other units as they are. */
+export function limitReadout(value: number, unit: string): Readout {
+  const per = unit.endsWith('/s') ? '/s' : '';
+  if (unit === `bytes${per}`) return formatBytes(value, `B${per}`);
+  if (unit === 'ms' && value >= 60_000) {
+    return { digits: formatNumber(value / 60_000, value % 60_000 ? 1 : 0), unit: 'min' };
+  }
+  if (unit === 'ms' && value >= 1000) {
+    return { digits: formatNumber(value / 1000, value % 1000 ? 1 : 0), unit: 's' };
+  }
+  return { digits: formatNumber(value, Number.isInteger(value) ? 0 : 1), unit };
+}
+
+export function limitRow(limit: Limit): LimitRow {
+  const { name, value, unit, use, hits } = limit;
+  const share = use && value > 0 ? use.value / value : undefined;
+  const isFull = share !== undefined && share >= 1;
+  return {
+    limit,
+    words: name.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`),
+    allowed: limitReadout(value, unit),
+    used: use && limitReadout(use.value, unit),
+    share,
+    state: isFull || hits > 0 ? 'met' : (share ?? 0) >= NEAR_SHARE ? 'near' : 'fine',
+    flag: `--limits ${name}=${Math.min(value * 2, Number.MAX_SAFE_INTEGER)}`,
+  };
+}
+
+/** Rows under a heading. */
+export interface LimitGroupRows {
+  readonly title: string;
+  readonly rows: readonly LimitRow[];
+}
+
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+/**
+ * The rows that a search finds, under their headings; those that are met or nearly so stand first,
+ * under one of their own.
+ */
+export function groupLimits(limits: readonly Limit[], search: string): LimitGroupRows[] {
+  const words = search.toLowerCase().split(/\s+/).filter(Boolean);
+  const rows = limits.map(limitRow).filter(({ limit, words: name }) => {
+    const text = `${limit.name} ${name} ${limit.reason} ${limit.unit} ${limit.group}`.toLowerCase();
+    return words.every((word) => text.includes(word));
+  });
+  const loud = rows
+    .filter(({ state }) => state !== 'fine')
+    .sort((a, b) => (b.share ?? 0) - (a.share ?? 0));
+  const groups = new Map<string, LimitRow[]>();
+  for (const row of rows) {
+    if (row.state !== 'fine') continue;
+    groups.set(row.limit.group, [...(groups.get(row.limit.group) ?? []), row]);
+  }
+  const quiet = [...groups].map(([group, of]) => ({ title: capital(group), rows: of }));
+  return loud.length === 0 ? quiet : [{ title: 'Met, or nearly', rows: loud }, ...quiet];
+}

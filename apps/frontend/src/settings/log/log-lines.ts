@@ -1,0 +1,74 @@
+import { LogLevel, type LogLine, type LogTail } from '@ubii/proto';
+
+/** Lines kept in this page at most; older ones go. The master keeps as many. [EX-37] */
+export const MOST_LINES = 1000;
+
+/** What this page has of the log. */
+export interface KeptLog {
+  /** For the next question. */
+  readonly cursor: number;
+  /** Oldest first. */
+  readonly lines: readonly LogLine[];
+  /** Lines that nobody has any more: they came faster than they were asked for, or went here. */
+  readonly missed: number;
+}
+
+export const EMPTY_LOG: KeptLog = { cursor: 0, lines: [], missed: 0 };
+
+/** Adds an answer. A master that was started again starts over. */
+export function addTail(kept: KeptLog, tail: LogTail): KeptLog {
+  const before = tail.reset ? [] : kept.lines;
+  const all = [...before, ...tail.lines];
+  const lines = all.slice(-MOST_LINES);
+  const missed = (tail.reset ? 0 : kept.missed) + tail.missed + (all.length - lines.length);
+  return { cursor: tail.cursor, lines, missed };
+}
+
+/** The levels, from worst to best, as words. */
+export const LEVELS: readonly { readonly level: LogLevel; readonly word: string }[] = [
+  { level: LogLevel.LOG_ERROR, word: 'error' },
+  { level: LogLevel.LOG_WARN, word: 'warn' },
+  { level: LogLevel.LOG_INFO, word: 'info' },
+  { level: LogLevel.LOG_DEBUG, word: 'debug' },
+];
+
+export const levelWord = (level: LogLevel): string =>
+  LEVELS.find((one) => one.level === level)?.word ?? String(level);
+
+/** Lines as severe as a level, with every word of a search in their message, names or values. */
+export function filterLines(
+  lines: readonly LogLine[],
+  level: LogLevel,
+  search: string,
+): readonly LogLine[] {
+  const words = search.toLowerCase().split(/\s+/).filter(Boolean);
+  return lines.filter((line) => {
+    if (line.level > level) return false;
+    if (words.length === 0) return true;
+    const fields = line.fields.map(({ name, value }) => `${name}=${value}`).join(' ');
+    const text = `${line.message} ${fields}`.toLowerCase();
+    return words.every((word) => text.includes(word));
+  });
+}
+
+/** One line as text, to be copied and searched elsewhere. */
+export function lineText({ timeMs, level, message, fields }: LogLine): string {
+  const values = fields.map(({ name, value }) => ` ${name}=${quoted(value)}`).join('');
+  const word = levelWord(level).toUpperCase().padEnd(5);
+  return `${new Date(timeMs).toISOString()} ${word} ${message}${values}`;
+}
+
+const quoted = (value: string): string =>
+  /^[^\s"=]+$/.test(value) ? value : JSON.stringify(value);
+
+/** Several of them, one a line. */
+export const linesText = (lines: readonly LogLine[]): string =>
+  lines.map((line) => `${lineText(line)}\n`).join('');
+
+/** The time of day here, to the millisecond. */
+export function timeOfDay(timeMs: number): string {
+  const time = new Date(timeMs);
+  const two = (value: number): string => String(value).padStart(2, '0');
+  const whole = [time.getHours(), time.getMinutes(), time.getSeconds()].map(two).join(':');
+  return `${whole}.${String(time.getMilliseconds()).padStart(3, '0')}`;
+}

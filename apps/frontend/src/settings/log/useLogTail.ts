@@ -1,0 +1,43 @@
+import { LogLevel } from '@ubii/proto';
+import { computed, ref, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { useServiceReply } from '../use-service-reply.ts';
+import { addTail, EMPTY_LOG, type KeptLog } from './log-lines.ts';
+
+const INTERVAL_MS = 1000;
+
+/** The end of the master's log, as it grows. */
+export interface LiveLog {
+  readonly kept: Readonly<ShallowRef<KeptLog>>;
+  /** True once the master has answered. */
+  readonly hasAnswer: ComputedRef<boolean>;
+  readonly problem: ComputedRef<string | undefined>;
+  /** What is shown stands still; the master goes on keeping lines. */
+  readonly isPaused: Ref<boolean>;
+  clear(): void;
+}
+
+/** Follows the log while the calling component lives and the page is seen. */
+export function useLogTail(): LiveLog {
+  const { client } = useConnection();
+  const kept = shallowRef<KeptLog>(EMPTY_LOG);
+  const isPaused = ref(false);
+  const { reply, problem } = useServiceReply(
+    async () =>
+      isPaused.value
+        ? undefined
+        : client.call('logTail', { cursor: kept.value.cursor, level: LogLevel.LOG_DEBUG }),
+    INTERVAL_MS,
+  );
+  watch(reply, (tail) => {
+    if (tail && !isPaused.value) kept.value = addTail(kept.value, tail);
+  });
+  const hasAnswer = computed(() => kept.value !== EMPTY_LOG);
+  return {
+    kept,
+    hasAnswer,
+    problem,
+    isPaused,
+    clear: () => (kept.value = { ...kept.value, lines: [], missed: 0 }),
+  };
+}

@@ -1,0 +1,32 @@
+import type { RouteRecordRaw } from 'vue-router';
+
+const parent = { title: 'Settings', to: '/settings' };
+
+/** What this browser and the master are set to, and what the master says of itself. */
+export const settingsRoutes: readonly RouteRecordRaw[] = [
+  {
+    path: '/settings',
+    component: () => import('./browser/BrowserPage.vue'),
+    meta: { title: 'Settings' },
+  },
+  {
+    path: '/settings/master',
+    component: () => import('./master/MasterPage.vue'),
+    meta: { title: 'Master', parent },
+  },
+  {
+    path: '/settings/limits',
+    component: () => import('./limits/LimitsPage.vue'),
+    meta: { title: 'Limits', parent },
+  },
+  {
+    path: '/settings/log',
+    component: () => import('./log/LogPage.vue'),
+    meta: { title: 'Log', parent },
+  },
+  {
+    path: '/settings/licences',
+    component: () => import('./licences/LicencesPage.vue'),
+    meta: { title: 'Licences', parent },
+  },
+];

@@ -1,0 +1,32 @@
+import { FileText, Gauge, Info, Monitor, Server } from '@lucide/vue';
+import type { Component } from 'vue';
+
+/** The pages of the settings, in the order of their navigation. */
+export const SETTINGS_PAGES: readonly {
+  readonly title: string;
+  readonly to: string;
+  readonly icon: Component;
+  /** What people look for there, for the palette. */
+  readonly words: string;
+}[] = [
+  {
+    title: 'This browser',
+    to: '/settings',
+    icon: Monitor,
+    words: 'name, theme, keys, modules, connection',
+  },
+  {
+    title: 'Master',
+    to: '/settings/master',
+    icon: Server,
+    words: 'version, uptime, addresses, flags, checks, diagnostics',
+  },
+  { title: 'Limits', to: '/settings/limits', icon: Gauge, words: 'what is allowed, and used' },
+  { title: 'Log', to: '/settings/log', icon: FileText, words: 'what the master says' },
+  {
+    title: 'Licences',
+    to: '/settings/licences',
+    icon: Info,
+    words: 'about, versions, packages of others',
+  },
+];

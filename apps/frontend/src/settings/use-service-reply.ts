@@ -1,0 +1,42 @@
+import { ConnectionError } from '@ubii/client-web';
+import { ServiceError } from '@ubii/proto';
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
+import { usePoll } from '../connection/poll.ts';
+import { useConnection } from '../connection/useConnection.ts';
+
+/** What a service of the master last answered. */
+export interface ServiceAnswer<R> {
+  /** `undefined` until the first answer; kept while disconnected. */
+  readonly reply: Readonly<ShallowRef<R | undefined>>;
+  /** Why there is none, one sentence; `undefined` while all is well. */
+  readonly problem: ComputedRef<string | undefined>;
+}
+
+/** Asks a service again and again while the calling component lives and the page is seen. */
+export function useServiceReply<R>(ask: () => Promise<R>, intervalMs: number): ServiceAnswer<R> {
+  const { isConnected } = useConnection();
+  const reply = shallowRef<R>();
+  const error = shallowRef<ServiceError>();
+  usePoll(
+    async () => {
+      try {
+        reply.value = await ask();
+        error.value = undefined;
+      } catch (cause) {
+        // A failed link shows in the strip under the top bar, and the poll goes on after it
+        if (cause instanceof ConnectionError) return;
+        if (!(cause instanceof ServiceError)) throw cause;
+        error.value = cause;
+      }
+    },
+    intervalMs,
+    isConnected,
+  );
+  return { reply, problem: computed(() => error.value && problemSentence(error.value)) };
+}
+
+/** Why a master did not answer, in words: an original one does not know our services. */
+export function problemSentence({ code, message }: ServiceError): string {
+  const isUnknown = code === 'unimplemented' || code === 'not_found';
+  return isUnknown ? 'This master does not tell. It may be an older or an original one.' : message;
+}
