@@ -2,13 +2,13 @@ import type { Session, SessionProblem } from '@ubii/proto';
 import { hasTrouble } from '../sessions/state/session-state.ts';
 
 /** An error of a session that should run. */
-export interface HomeProblem {
+export interface SessionTrouble {
   readonly session: Session;
   readonly problem: SessionProblem;
 }
 
 /** What is wrong with sessions that run, or should. */
-export function sessionProblems(sessions: readonly Session[]): HomeProblem[] {
+export function sessionProblems(sessions: readonly Session[]): SessionTrouble[] {
   return sessions
     .filter(hasTrouble)
     .flatMap((session) =>

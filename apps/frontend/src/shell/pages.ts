@@ -1,11 +1,13 @@
 import {
   Activity,
   Blocks,
+  ConciergeBell,
   House,
   ListTree,
+  MonitorSmartphone,
+  Send,
   Settings,
   Shapes,
-  MonitorSmartphone,
   Workflow,
 } from '@lucide/vue';
 import type { Component } from 'vue';
@@ -16,7 +18,7 @@ export interface NavigationPage {
   readonly to: string;
   readonly icon: Component;
   readonly shortcut: string;
-  /** On phones it stands in the menu of the last item. */
+  /** On phones it stands in the sheet of the last item. */
   readonly isBehindMore?: boolean;
 }
 
@@ -25,6 +27,8 @@ export const PAGES: readonly NavigationPage[] = [
   { title: 'Sessions', to: '/sessions', icon: Workflow, shortcut: 'G N' },
   { title: 'Modules', to: '/modules', icon: Blocks, shortcut: 'G M', isBehindMore: true },
   { title: 'Topics', to: '/topics', icon: ListTree, shortcut: 'G T' },
+  { title: 'Publish', to: '/publish', icon: Send, shortcut: 'G B', isBehindMore: true },
+  { title: 'Services', to: '/calls', icon: ConciergeBell, shortcut: 'G V', isBehindMore: true },
   {
     title: 'Clients',
     to: '/clients',

@@ -2,7 +2,7 @@ import { inject, shallowRef, type InjectionKey, type ShallowRef } from 'vue';
 import type { Command } from './palette/command.ts';
 
 /** What floats over the page; one at a time. */
-export type ShellDialog = 'palette' | 'connect-phone' | 'shortcuts' | 'identity';
+export type ShellDialog = 'palette' | 'connect-phone' | 'shortcuts' | 'identity' | 'more';
 
 /** How pages reach the dialogs of the shell. */
 export interface Shell {

@@ -1,7 +1,8 @@
 import type { Component } from 'vue';
 import { fuzzyScore } from './fuzzy.ts';
 
-export type CommandKind = 'page' | 'example' | 'session' | 'module' | 'client' | 'topic' | 'action';
+export type CommandKind =
+  'page' | 'example' | 'session' | 'module' | 'client' | 'service' | 'topic' | 'action';
 
 /** Something the palette finds. */
 export interface Command {
@@ -26,6 +27,7 @@ export const KIND_WORDS: Readonly<Record<CommandKind, string>> = {
   session: 'session',
   module: 'module',
   client: 'client',
+  service: 'service',
   topic: 'topic',
   action: 'action',
 };
@@ -38,11 +40,18 @@ const KIND_BONUS: Readonly<Record<CommandKind, number>> = {
   module: 8,
   action: 10,
   client: 6,
+  service: 0,
   topic: 0,
 };
 
 /** Too many to be shown unasked. */
-const BY_NAME: ReadonlySet<CommandKind> = new Set(['topic', 'client', 'session', 'module']);
+const BY_NAME: ReadonlySet<CommandKind> = new Set([
+  'topic',
+  'client',
+  'session',
+  'module',
+  'service',
+]);
 
 const RECENT_BONUS = 15;
 /** More are not read. */
@@ -50,7 +59,7 @@ const MAX_RESULTS = 60;
 
 /**
  * The commands for a query, best first. Without a query: recent ones first, then pages, examples and
- * actions; topics and clients are looked for by name.
+ * actions; topics, clients, sessions, modules and services are looked for by name.
  * @param recent ids, newest first
  */
 export function rankCommands(

@@ -1,0 +1,75 @@
+import { ConnectionError } from '@ubii/client-web';
+import { ServiceError } from '@ubii/proto';
+import { useConnection } from '../connection/useConnection.ts';
+import { useShell } from '../shell/shell.ts';
+import { formatNumber } from '../ui/readouts/format-number.ts';
+import { useToasts } from '../ui/toasts/toasts.ts';
+import type { ProblemAction } from './home-problems.ts';
+
+/** Half of what a publisher sends, a round number, is what is tried first. */
+export function halfRate(recordsPerSecond: number): number {
+  const half = Math.max(1, recordsPerSecond / 2);
+  const step = 10 ** Math.floor(Math.log10(half));
+  return Math.floor(half / step) * step;
+}
+
+export const ACTION_WORDS: Readonly<Record<ProblemAction['kind'], string>> = {
+  'show-qr': 'Show QR',
+  throttle: 'Throttle',
+  unthrottle: 'Lift throttle',
+  'stop-session': 'Stop session',
+};
+
+/** Does what a problem offers, says what was done, and takes it back when somebody asks for that. */
+export function useProblemActions(): (action: ProblemAction) => Promise<void> {
+  const { client, clients, sessions, reports } = useConnection();
+  const shell = useShell();
+  const toasts = useToasts();
+  const nameOf = (id: string): string => clients.find(id)?.name || 'The client';
+
+  async function throttle(targetId: string, recordsPerSecond: number): Promise<void> {
+    const reason = recordsPerSecond === 0 ? '' : 'It takes too much of the master.';
+    await client.call('clientThrottle', { targetId, recordsPerSecond, reason });
+    void reports.refresh();
+  }
+
+  async function run(action: ProblemAction): Promise<void> {
+    switch (action.kind) {
+      case 'show-qr':
+        return shell.open('connect-phone');
+      case 'throttle': {
+        const { clientId } = action;
+        await reports.refresh();
+        const rate = halfRate(reports.byId.value?.get(clientId)?.recordsInPerSecond ?? 0);
+        await throttle(clientId, rate);
+        return toasts.show(`${nameOf(clientId)} may publish ${formatNumber(rate)} records/s`, {
+          text: 'Undo',
+          run: () => void attempt(() => throttle(clientId, 0)),
+        });
+      }
+      case 'unthrottle':
+        await throttle(action.clientId, 0);
+        return toasts.show(`${nameOf(action.clientId)} may publish as it likes`);
+      case 'stop-session': {
+        const id = action.sessionId;
+        await client.call('sessionRuntimeStop', { id });
+        return toasts.show(`Stopped ${sessions.find(id)?.name || 'the session'}`, {
+          text: 'Start again',
+          run: () =>
+            void attempt(async () => void (await client.call('sessionRuntimeStart', { id }))),
+        });
+      }
+    }
+  }
+
+  async function attempt(deed: () => Promise<void>): Promise<void> {
+    try {
+      await deed();
+    } catch (cause) {
+      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
+      toasts.show(cause.message);
+    }
+  }
+
+  return (action) => attempt(() => run(action));
+}

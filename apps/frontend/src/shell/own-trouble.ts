@@ -1,0 +1,68 @@
+import type { StatusProblem } from '@ubii/proto';
+
+/** What concerns the person at this page, and why. */
+export interface OwnTrouble {
+  /** Stays the same while the problem stands. */
+  readonly key: string;
+  readonly code: string;
+  /** What is wrong and what follows. */
+  readonly text: string;
+  readonly remedy: string;
+  /** The session it is about; empty when it is about this page itself. */
+  readonly sessionId: string;
+}
+
+/** What a page does to others, or others to it; that it is silent it cannot show. [EX-18] [EX-46] [EX-47] */
+const OF_CLIENT: ReadonlySet<string> = new Set([
+  'client_throttled',
+  'publisher_noisy',
+  'master_busy',
+  'module_slow',
+  'client_slow',
+  'limit_reached',
+  'protocol_errors',
+]);
+/** What is told to whoever has the session before them, wherever its modules run. */
+const OF_SESSION: ReadonlySet<string> = new Set(['module_slow', 'machine_busy']);
+
+/**
+ * The problems that are this page's own: of its client, of the modules it runs, and of the session
+ * that is open in it.
+ * @param own this page's client, with its name
+ * @param openSession id of the session that is open here, if any
+ */
+export function ownTroubles(
+  problems: readonly StatusProblem[],
+  own: { readonly id: string; readonly name: string | undefined },
+  openSession: string | undefined,
+): OwnTrouble[] {
+  return problems
+    .filter(({ code, clientId, sessionId }) => {
+      const isMine = own.id !== '' && clientId === own.id && OF_CLIENT.has(code);
+      return isMine || (openSession === sessionId && sessionId !== '' && OF_SESSION.has(code));
+    })
+    .map(({ code, text, remedy, clientId, sessionId, moduleId }) => ({
+      key: `${code} ${clientId} ${sessionId} ${moduleId}`,
+      code,
+      text: asOwn(text, own.name),
+      remedy: asOwnRemedy(remedy, code),
+      sessionId,
+    }));
+}
+
+/** “Mara publishes” is, to Mara, what this page does. */
+function asOwn(text: string, name: string | undefined): string {
+  return name && text.startsWith(`${name} `) ? `This page ${text.slice(name.length + 1)}` : text;
+}
+
+/** What the person at the page can do is said to them, not to whoever runs the master. */
+function asOwnRemedy(remedy: string, code: string): string {
+  return OWN_REMEDIES[code] ?? remedy;
+}
+
+const OWN_REMEDIES: Readonly<Record<string, string>> = {
+  publisher_noisy:
+    'Publish less often, or smaller records: what repeats on Publish, cameras, fast modules in this tab.',
+  client_throttled: 'Publish less; or ask who did it to lift the throttle.',
+  client_slow: 'Close views of fast topics or pictures, or find a better network.',
+};

@@ -1,0 +1,100 @@
+import {
+  Bug,
+  ConciergeBell,
+  Copy,
+  Cpu,
+  Keyboard,
+  Monitor,
+  Moon,
+  Pencil,
+  Plus,
+  QrCode,
+  RotateCw,
+  Send,
+  Sun,
+} from '@lucide/vue';
+import { useClipboard } from '@vueuse/core';
+import { computed, type ComputedRef } from 'vue';
+import { useRouter } from 'vue-router';
+import { bestAddress } from '../../connect-phone/addresses.ts';
+import { useConnection } from '../../connection/useConnection.ts';
+import { useDiagnostics } from '../../settings/diagnostics/useDiagnostics.ts';
+import { useTabNode } from '../../tab-node/useTabNode.ts';
+import { useThemeChoice } from '../../theme/useTheme.ts';
+import { useToasts } from '../../ui/toasts/toasts.ts';
+import { useShell } from '../shell.ts';
+import type { Command } from './command.ts';
+
+/** What can be done from anywhere. */
+export function useActionCommands(): ComputedRef<Command[]> {
+  const router = useRouter();
+  const shell = useShell();
+  const theme = useThemeChoice();
+  const toasts = useToasts();
+  const tab = useTabNode();
+  const { master, isConnected, connect } = useConnection();
+  const { copy } = useClipboard({ legacy: true });
+  const saveDiagnostics = useDiagnostics();
+  const go = (to: string) => () => void router.push(to);
+
+  async function copyAddress(): Promise<void> {
+    const address = bestAddress(master.view.value?.latest.addresses ?? []) ?? location.origin;
+    await copy(address);
+    toasts.show(`Copied ${address}`);
+  }
+
+  const action = (id: string, title: string, rest: Pick<Command, 'icon' | 'shortcut' | 'run'>) => ({
+    id: `action ${id}`,
+    kind: 'action' as const,
+    title,
+    ...rest,
+  });
+
+  const always: Command[] = [
+    action('connect-phone', 'Connect a phone', {
+      icon: QrCode,
+      shortcut: 'C',
+      run: () => shell.open('connect-phone'),
+    }),
+    action('new-session', 'New session', { icon: Plus, run: go('/sessions/new') }),
+    action('publish', 'Publish a record', { icon: Send, run: go('/publish') }),
+    action('call-service', 'Call a service', { icon: ConciergeBell, run: go('/calls') }),
+    action('copy-address', 'Copy the master’s address', {
+      icon: Copy,
+      run: () => void copyAddress(),
+    }),
+    action('rename', 'Rename this browser', { icon: Pencil, run: () => shell.open('identity') }),
+    ...(
+      [
+        ['dark', 'Dark theme', Moon],
+        ['light', 'Light theme', Sun],
+        ['system', 'Theme of the system', Monitor],
+      ] as const
+    ).map(([choice, title, icon]) =>
+      action(`theme-${choice}`, title, { icon, run: () => (theme.value = choice) }),
+    ),
+    action('shortcuts', 'Keyboard shortcuts', {
+      icon: Keyboard,
+      shortcut: '?',
+      run: () => shell.open('shortcuts'),
+    }),
+    action('diagnostics', 'Save diagnostics for the report of a fault', {
+      icon: Bug,
+      run: () => void saveDiagnostics(),
+    }),
+  ];
+  const reconnect = action('reconnect', 'Connect to the master now', {
+    icon: RotateCw,
+    run: connect,
+  });
+
+  return computed(() => {
+    const isOn = tab.isChosen.value;
+    const runsModules = action(
+      'tab-node',
+      isOn ? 'Run no more modules in this tab' : 'Run modules in this tab',
+      { icon: Cpu, run: () => (tab.isChosen.value = !isOn) },
+    );
+    return [...(isConnected.value ? [] : [reconnect]), ...always, runsModules];
+  });
+}
