@@ -22,6 +22,10 @@ const PAGES = [
   { name: 'examples', path: '/examples' },
   { name: 'mouse pointer', path: '/examples/mouse-pointer' },
   { name: 'settings', path: '/settings' },
+  { name: 'the master', path: '/settings/master' },
+  { name: 'limits', path: '/settings/limits' },
+  { name: 'the log', path: '/settings/log' },
+  { name: 'licences', path: '/settings/licences' },
   { name: 'no such page', path: '/no/such/page' },
 ] as const;
 

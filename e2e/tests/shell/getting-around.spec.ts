@@ -11,6 +11,8 @@ test('every page of the navigation can be reached, shared by its address, and go
     ['Sessions', '/sessions'],
     ['Modules', '/modules'],
     ['Topics', '/topics'],
+    ['Publish', '/publish'],
+    ['Services', '/calls'],
     ['Performance', '/performance/round-trip'],
     ['Examples', '/examples'],
     ['Settings', '/settings'],

@@ -11,6 +11,10 @@ const PATHS = [
   '/examples',
   '/examples/mouse-pointer',
   '/settings',
+  '/settings/master',
+  '/settings/limits',
+  '/settings/log',
+  '/settings/licences',
   '/nowhere',
 ];
 

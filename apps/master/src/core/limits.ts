@@ -164,7 +164,7 @@ export const LIMITS = {
     50,
     'ms/s',
     'subscriptions',
-    'The same per second in the long run,: a twentieth of the master.',
+    'The same per second in the long run: a twentieth of the master.',
   ),
   profilesPerClient: limit(
     256,

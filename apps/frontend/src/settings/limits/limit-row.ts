@@ -6,10 +6,12 @@ import type { Readout } from '../../ui/readouts/readout.ts';
 /** From this share on, somebody should know before it is met. */
 export const NEAR_SHARE = 0.8;
 
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
 /** One limit as a row shows it. */
 export interface LimitRow {
   readonly limit: Limit;
-  /** Its name in words: `retained bytes`. */
+  /** Its name in words: `Retained bytes`. */
   readonly words: string;
   readonly allowed: Readout;
   /** `undefined` when the master does not measure it. */
@@ -35,15 +37,21 @@ export function limitReadout(value: number, unit: string): Readout {
   return { digits: formatNumber(value, Number.isInteger(value) ? 0 : 1), unit };
 }
 
+/** The same of what is used: beside what is allowed, the unit need not be said again. */
+function useReadout(value: number, unit: string): Readout {
+  const { digits, unit: shown } = limitReadout(value, unit);
+  return shown === unit ? { digits } : limitReadout(value, unit);
+}
+
 export function limitRow(limit: Limit): LimitRow {
   const { name, value, unit, use, hits } = limit;
   const share = use && value > 0 ? use.value / value : undefined;
   const isFull = share !== undefined && share >= 1;
   return {
     limit,
-    words: name.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`),
+    words: capital(name.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`)),
     allowed: limitReadout(value, unit),
-    used: use && limitReadout(use.value, unit),
+    used: use && useReadout(use.value, unit),
     share,
     state: isFull || hits > 0 ? 'met' : (share ?? 0) >= NEAR_SHARE ? 'near' : 'fine',
     flag: `--limits ${name}=${Math.min(value * 2, Number.MAX_SAFE_INTEGER)}`,
@@ -55,8 +63,6 @@ export interface LimitGroupRows {
   readonly title: string;
   readonly rows: readonly LimitRow[];
 }
-
-const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 /**
  * The rows that a search finds, under their headings; those that are met or nearly so stand first,

@@ -17,7 +17,7 @@ const use = (value: number) => ({ value, clientId: '', sessionId: '' });
 describe('limitRow', () => {
   it('says what is allowed, what is used, and what would change it', () => {
     expect(limitRow(limit({ use: use(25) }))).toMatchObject({
-      words: 'retained bytes',
+      words: 'Retained bytes',
       allowed: { digits: '100', unit: 'B' },
       used: { digits: '25', unit: 'B' },
       share: 0.25,

@@ -1,0 +1,97 @@
+import type { UbiiClient } from '@ubii/client-web';
+import { testWith } from '../../fixtures/test-with.ts';
+import { expect } from '../../fixtures/test.ts';
+
+/** One percent of the time is much to this master: what is noisy anywhere is noisy here. */
+const test = testWith('--busy-percent', '1', '--publisher-percent', '1');
+
+/** Publishes some thousand records a second until it is told to stop. */
+function makeNoise(robot: UbiiClient): () => void {
+  let value = 0;
+  const noise = setInterval(() => {
+    for (let i = 0; i < 40; i++) robot.publish(`/robot/joint_${i}`, 'double', value++);
+  }, 10);
+  return () => clearInterval(noise);
+}
+
+test('home names who takes too much, with cause and remedy; one press throttles, another lifts it [EX-31, EX-47]', async ({
+  room,
+}) => {
+  const robot = await room.program('Robot');
+  const { page } = await room.atDesk('Anna');
+  await page.goto('/');
+  const stop = makeNoise(robot);
+  const rows = page.getByRole('list', { name: 'Problems' }).getByRole('listitem');
+  const noisy = rows.filter({ hasText: /Robot publishes .* records per second/ });
+  await expect(noisy).toContainText('Let it publish less often');
+  await expect(noisy.getByRole('link', { name: 'Open client' })).toHaveAttribute(
+    'href',
+    `/clients/${robot.id}`,
+  );
+  await noisy.getByRole('button', { name: 'Throttle' }).click();
+  const throttled = rows.filter({ hasText: /Robot is throttled/ });
+  await expect(throttled).toContainText('by Anna');
+  await throttled.getByRole('button', { name: 'Lift throttle' }).click();
+  await expect(throttled).toHaveCount(0);
+  stop();
+});
+
+test('home stops a session whose module takes too much, and starts it again [EX-47]', async ({
+  room,
+}) => {
+  const robot = await room.program('Robot');
+  const { page } = await room.atDesk('Anna');
+  await page.goto('/');
+  const { id } = await robot.call('sessionRuntimeAdd', {
+    name: 'Slow one',
+    processingModules: [
+      {
+        name: 'slow',
+        processingMode: { frequency: { hertz: 20 } },
+        onProcessingStringified:
+          '() => { const start = Date.now(); while (Date.now() - start < 70); }',
+      },
+    ],
+  });
+  await robot.call('sessionRuntimeStart', { id });
+  const rows = page.getByRole('list', { name: 'Problems' }).getByRole('listitem');
+  const slow = rows.filter({ hasText: 'come later than its mode asks for' });
+  await expect(slow).toContainText('Lower its frequency');
+  await slow.getByRole('button', { name: 'Stop session' }).click();
+  const sessions = page.getByRole('list', { name: 'Sessions' });
+  await expect(sessions).toContainText('Stopped');
+  await page.getByRole('button', { name: 'Start again' }).click();
+  await expect(sessions).toContainText(/Running|Degraded/);
+});
+
+test('who is throttled is told so once, by whom and what to do, wherever they are [EX-33]', async ({
+  room,
+}) => {
+  const { page } = await room.withPhone('Anna');
+  await page.goto('/topics');
+  const robot = await room.program('Robot');
+  await expect
+    .poll(async () => (await robot.call('clientGetList')).elements.map(({ name }) => name))
+    .toContain('Anna');
+  const { elements } = await robot.call('clientGetList');
+  const targetId = elements.find(({ name }) => name === 'Anna')!.id;
+  const throttle = (recordsPerSecond: number) =>
+    robot.call('clientThrottle', { targetId, recordsPerSecond, reason: 'too loud' });
+
+  await throttle(10);
+  const warning = page.getByRole('status', { name: 'Warning' });
+  await expect(warning).toContainText(/This page is throttled .* by Robot: too loud/);
+  await expect(warning).toContainText('ask who did it to lift the throttle');
+  await warning.getByRole('button', { name: 'Put this warning away' }).click();
+  await expect(warning).toHaveCount(0);
+  await page.getByRole('link', { name: 'Home' }).click();
+  await expect(page.getByRole('list', { name: 'Problems' })).toContainText('throttled');
+  await expect(warning).toHaveCount(0);
+
+  await test.step('it is told again when it happens again', async () => {
+    await throttle(0);
+    await expect(page.getByRole('list', { name: 'Problems' })).not.toContainText('throttled');
+    await throttle(20);
+    await expect(warning).toContainText('throttled');
+  });
+});
