@@ -85,9 +85,7 @@ export function licencesPlugins() {
   const files = new Set();
   const collect = (bundle) => {
     for (const output of Object.values(bundle)) {
-      for (const [id, { renderedLength }] of Object.entries(output.modules ?? {})) {
-        if (renderedLength > 0 || id.includes('.css')) files.add(id);
-      }
+      for (const id of Object.keys(output.modules ?? {})) files.add(id);
       for (const name of output.originalFileNames ?? []) files.add(inRoot('apps/frontend', name));
     }
   };
@@ -101,6 +99,12 @@ export function licencesPlugins() {
       apply: 'build',
       async generateBundle(_options, bundle) {
         collect(bundle);
+        // Of some, such as vue, nothing is left but what they pass on from others
+        const { dependencies } = readJson(inRoot('apps/frontend/package.json'));
+        for (const id of this.getModuleIds()) {
+          const folder = packageFolder(id);
+          if (folder !== undefined && manifestOf(folder).name in dependencies) files.add(id);
+        }
         const sandbox = filesOfSandbox();
         const packages = licencesOf({
           frontend: [...files, ...sandbox],

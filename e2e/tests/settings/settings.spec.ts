@@ -82,7 +82,7 @@ test('the master tells what it was started with, and a report of a fault has no 
   const limits = flags.getByRole('listitem').filter({ hasText: '--limits' });
   await expect(limits).toContainText('topicsPerClient=10');
   await expect(limits).toContainText('set');
-  await expect(flags.getByRole('listitem').filter({ hasText: '--lan' })).toContainText('off');
+  await expect(flags.getByRole('listitem').filter({ hasText: /^--lan/ })).toContainText('off');
 
   const identity = await page.evaluate(() => sessionStorage.getItem('ubii.identity') ?? '');
   const downloading = page.waitForEvent('download');

@@ -13,6 +13,7 @@ test('every page of the navigation can be reached, shared by its address, and go
     ['Topics', '/topics'],
     ['Publish', '/publish'],
     ['Services', '/calls'],
+    ['Clients', '/clients'],
     ['Performance', '/performance/round-trip'],
     ['Examples', '/examples'],
     ['Settings', '/settings'],
