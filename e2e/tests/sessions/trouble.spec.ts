@@ -63,9 +63,7 @@ test('what goes wrong in a module is told with its line, and an endless loop sto
     await expect(anna.page.getByRole('heading', { level: 1 })).toContainText(
       'One module needs you',
     );
-    await expect(anna.page.getByRole('list', { name: 'Problems' })).toContainText(
-      'loops',
-    );
+    await expect(anna.page.getByRole('list', { name: 'Problems' })).toContainText('loops');
     await new Shell(anna.page).go('Sessions');
     await expect(new SessionsPage(anna).row('Noisy')).toContainText('Degraded');
   });
