@@ -104,6 +104,13 @@ export const OPTIONS = {
     description: 'Private key of that certificate, as PEM.',
     parse: parseFilePath,
   }),
+  mdns: option<'on' | 'off'>({
+    placeholder: 'on|off',
+    fallback: 'on',
+    description:
+      'Announce this master in the local network (_ubii._tcp, multicast DNS), where others than this machine can reach it, so that programs find it without its address.',
+    parse: parseChoice('on', 'off'),
+  }),
   dataDir: option({
     placeholder: '<folder>',
     fallback: defaultDataDir(),

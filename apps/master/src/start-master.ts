@@ -1,4 +1,5 @@
 import { homedir, hostname } from 'node:os';
+import type { AnnouncedMaster } from '@ubii/discovery';
 import { moduleLibrary } from '@ubii/modules';
 import { CallerReader } from './adapters/access/caller-reader.ts';
 import { HmacAccessSecrets } from './adapters/access/hmac-access-secrets.ts';
@@ -12,6 +13,7 @@ import { describeConfig } from './adapters/config/describe-config.ts';
 import { prepareDataDir } from './adapters/config/prepare-data-dir.ts';
 import { createHttpApp } from './adapters/http/http-app.ts';
 import { randomIds } from './adapters/ids/random-ids.ts';
+import { announce } from './adapters/discovery/announce.ts';
 import { isLoopbackHost } from './adapters/network/address-kinds.ts';
 import { Listeners } from './adapters/network/listeners.ts';
 import type { ListeningPorts } from './adapters/network/listeners.ts';
@@ -25,6 +27,7 @@ import { Re2Patterns } from './adapters/patterns/re2-patterns.ts';
 import { openStorage } from './adapters/storage/open-storage.ts';
 import { HmacResumeTokens } from './adapters/tokens/hmac-resume-tokens.ts';
 import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
+import { localName } from './adapters/tls/own-names.ts';
 import { openHttps } from './adapters/tls/open-https.ts';
 import { ProcessUsage } from './adapters/usage/process-usage.ts';
 import { TopicDataSockets } from './adapters/ws/topic-data-sockets.ts';
@@ -147,8 +150,10 @@ export async function startMaster({
     handleUpgrade: (request, socket, head) => sockets.handleUpgrade(request, socket, head),
   });
 
+  let announced: AnnouncedMaster | undefined;
   const close = async (): Promise<void> => {
     const closed = listeners.close();
+    const withdrawn = announced?.close();
     const ended = master.close();
     library.close();
     https?.close();
@@ -158,7 +163,7 @@ export async function startMaster({
     }, CLOSE_GRACE_MS);
     await closed;
     clearTimeout(cut);
-    await Promise.all([app.close(), ended, storage.settled()]);
+    await Promise.all([app.close(), ended, storage.settled(), withdrawn]);
   };
 
   try {
@@ -167,6 +172,18 @@ export async function startMaster({
       legacy: config.legacyPorts,
       legacyWished: config.given.has('legacyPorts'),
     });
+    if (config.mdns === 'on' && !isLoopbackHost(host)) {
+      announced = announce({
+        id: master.id,
+        name: config.name,
+        version,
+        ports: listeners.ports,
+        https: https !== undefined,
+        host: localName(),
+        reachability,
+        log,
+      });
+    }
     const join = isLoopbackHost(host) ? undefined : await master.openTerminal();
     return { ports: listeners.ports, reachability, join, close };
   } catch (error) {

@@ -1,4 +1,5 @@
 import { readFileSync } from 'node:fs';
+import { discoverMaster } from './discover-master.ts';
 import { formatHelp } from './format-help.ts';
 import { createLog } from './log.ts';
 import type { Log } from './log.ts';
@@ -25,12 +26,13 @@ async function run(args: readonly string[]): Promise<void> {
     process.stdout.write(formatHelp());
     return;
   }
-  const config = readConfig(args, process.env, process.cwd());
-  if (config.version) {
+  const wished = readConfig(args, process.env, process.cwd());
+  if (wished.version) {
     process.stdout.write(`${readVersion()}\n`);
     return;
   }
-  const log = createLog(config.logLevel, (line) => process.stderr.write(`${line}\n`));
+  const log = createLog(wished.logLevel, (line) => process.stderr.write(`${line}\n`));
+  const config = wished.discover ? { ...wished, master: await discover(log) } : wished;
   const { sandboxes, libraries } = openSandboxes(config.allowFetch);
   const running = await startNode({ config, sandboxes, libraries, log });
   endInGoodOrder(async () => {
@@ -38,6 +40,15 @@ async function run(args: readonly string[]): Promise<void> {
     await sandboxes.close();
   }, log);
   if (config.printEndpoints === 'json') printWhenConnected(running, config.master);
+}
+
+/** Nothing has to be ended in good order yet; else as in `endInGoodOrder`. */
+async function discover(log: Log): Promise<string> {
+  const end = (): never => process.exit(0);
+  process.on('disconnect', end);
+  const url = await discoverMaster(log);
+  process.off('disconnect', end);
+  return url;
 }
 
 function printWhenConnected({ client }: RunningNode, master: string): void {

@@ -29,6 +29,13 @@ export const OPTIONS = {
     description: 'Address of the master.',
     parse: parseUrl,
   }),
+  discover: option({
+    placeholder: undefined,
+    fallback: false,
+    description:
+      'Look for the master in the local network (multicast DNS) instead. When there are several, they are listed.',
+    parse: parseSwitch,
+  }),
   modules: option<string | undefined>({
     placeholder: '<folder>',
     fallback: undefined,

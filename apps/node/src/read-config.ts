@@ -38,7 +38,13 @@ export function readConfig(
       );
     }
   });
-  return Object.fromEntries(values) as unknown as Config;
+  const config = Object.fromEntries(values) as unknown as Config;
+  if (config.discover && given.has('master')) {
+    throw new ConfigError(
+      'The options --master and --discover both say which master: leave one of the two out.',
+    );
+  }
+  return config;
 }
 
 /** `allowFetch` -> `--allow-fetch` */

@@ -10,6 +10,10 @@ const inPackage = (path: string): string => fileURLToPath(new URL(`../${path}`, 
 const nodeFolder = inPackage('.cache/node/');
 const masterFolder = inPackage('.cache/master/');
 
+/** The built programs. */
+export const nodeProgram = join(nodeFolder, 'main.js');
+export const masterProgram = join(masterFolder, 'main.js');
+
 /** Builds both programs from their sources, away from where others build them. */
 export function buildPrograms(): void {
   mkdirSync(inPackage('.cache'), { recursive: true });
@@ -106,7 +110,7 @@ export class Program {
 
 /** Starts a master. @param port 0 for any free one */
 export async function startMaster(port = 0, dataDir = newFolder()) {
-  const program = new Program(join(masterFolder, 'main.js'), [
+  const program = new Program(masterProgram, [
     ...['--port', String(port), '--legacy-ports', 'off', '--data-dir', dataDir],
     ...['--print-endpoints', 'json'],
   ]);
@@ -116,5 +120,5 @@ export async function startMaster(port = 0, dataDir = newFolder()) {
 
 /** Starts a node. */
 export function startNode(flags: readonly string[], options?: { withChannel?: boolean }): Program {
-  return new Program(join(nodeFolder, 'main.js'), flags, options);
+  return new Program(nodeProgram, flags, options);
 }

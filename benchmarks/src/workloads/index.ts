@@ -1,5 +1,6 @@
 import { fanOut } from './fan-out.ts';
 import { graphEditor, graphEditorOpen } from './graph-editor.ts';
+import { masterTime } from './master-time.ts';
 import { MODULE_CALLS } from './module-call.ts';
 import { MODULE_CALLS_IN_BROWSER } from './module-call-browser.ts';
 import { LOCKSTEPS } from './lockstep.ts';
@@ -19,6 +20,7 @@ export const WORKLOADS: readonly Workload[] = [
   trigger,
   ...LOCKSTEPS,
   modules100,
+  masterTime,
   graphEditor,
   topicsPage,
   graphEditorOpen,

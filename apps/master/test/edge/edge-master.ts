@@ -38,7 +38,7 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
   });
   const log = new LogTail(written, Date.now, true);
   const dataDir = options.dataDir ?? newFolder();
-  const flags = ['--port', '0', '--data-dir', dataDir, '--legacy-ports', 'off'];
+  const flags = ['--port', '0', '--data-dir', dataDir, '--legacy-ports', 'off', '--mdns', 'off'];
   const master = await startMaster({
     config: resolveConfig([...flags, ...(options.flags ?? [])], {}, '/'),
     log,
