@@ -1,5 +1,5 @@
 import { createClient, createTabIdentity } from '@ubii/client-web';
-import { useLocalStorage } from '@vueuse/core';
+import { useDocumentVisibility, useLocalStorage } from '@vueuse/core';
 import { computed, shallowRef, watch } from 'vue';
 import { adoptName } from './adopt-name.ts';
 import { describeAgent } from './agent-description.ts';
@@ -32,7 +32,13 @@ export function createConnection(): Connection {
   const state = shallowRef(client.state);
   const roundTrip = shallowRef(client.roundTrip);
   client.onState((next) => (state.value = next));
-  client.onRoundTrip((next) => (roundTrip.value = next));
+  // It comes with every sign of life; what nobody sees is not drawn.
+  const visibility = useDocumentVisibility();
+  const showRoundTrip = (): void => {
+    if (visibility.value === 'visible') roundTrip.value = client.roundTrip;
+  };
+  client.onRoundTrip(showRoundTrip);
+  watch(visibility, showRoundTrip);
 
   const isConnected = computed(() => state.value.status === 'connected');
   const isSuperseded = computed(

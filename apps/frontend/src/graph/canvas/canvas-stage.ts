@@ -3,13 +3,14 @@ import { AreaPlugin, Drag } from 'rete-area-plugin';
 import { shallowReactive, shallowRef, type ShallowRef } from 'vue';
 import type { Point, PortRef, Size } from '../model/graph.ts';
 import { bounds, type Box as NodeBox } from '../model/selection/arrange.ts';
-import { detailAt, seenArea, type Detail } from './seen-area.ts';
+import { PanLayer } from './pan-layer.ts';
+import { detailAt, overlaps, seenArea, type Detail } from './seen-area.ts';
 import { limitZoom, MAX_ZOOM, MIN_ZOOM, viewOf, type Box, type View } from './stage-view.ts';
 
 type Schemes = GetSchemes<{ id: string }, { id: string; source: string; target: string }>;
 
-/** How long a pan rests before it has ended, milliseconds. */
-const LAYER_MS = 200;
+/** How long the canvas rests before it has been moved, milliseconds. */
+const REST_MS = 200;
 const NO_SIZE: Size = { width: 0, height: 0 };
 
 /** Key of a port in maps. */
@@ -49,6 +50,7 @@ export class CanvasStage {
 
   readonly #editor = new NodeEditor<Schemes>();
   readonly #area: AreaPlugin<Schemes>;
+  readonly #layer: PanLayer;
   readonly #observer = new ResizeObserver(() => {
     const { clientWidth: width, clientHeight: height } = this.container;
     this.viewport.value = { width, height };
@@ -57,7 +59,6 @@ export class CanvasStage {
   /** Lies over everything while a hand pans: browsers need not look what the pointer is over. */
   readonly #shield = layer('shield');
   #isHeld = false;
-  #layerTimer: ReturnType<typeof setTimeout> | undefined;
   #movingTimer: ReturnType<typeof setTimeout> | undefined;
   /** Nodes that a hand holds: they stay where it puts them. */
   #held: ReadonlySet<string> = new Set();
@@ -67,6 +68,7 @@ export class CanvasStage {
   constructor(container: HTMLElement) {
     this.container = container;
     this.#area = new AreaPlugin<Schemes>(container);
+    this.#layer = new PanLayer(this.#area.area.content.holder);
     this.#observer.observe(container);
     this.#area.area.setDragHandler(
       new Drag({ down: (event) => this.#isPan(event) && this.#hold(), move: () => true }),
@@ -89,8 +91,9 @@ export class CanvasStage {
         if (source === 'dblclick' || zoom < MIN_ZOOM || zoom > MAX_ZOOM) return undefined;
       } else if (type === 'translated' || type === 'zoomed') {
         this.#look();
-        if (type === 'translated') this.#keepLayer();
-        if (this.#isHeld) this.container.append(this.#shield);
+        if (type === 'translated') this.#layer.hold();
+        else this.#layer.follow();
+        if (this.#isHeld && !this.#shield.isConnected) this.container.append(this.#shield);
         this.#noteMoving();
       } else if (type === 'nodetranslated') {
         const { id, position } = context.data;
@@ -157,7 +160,7 @@ export class CanvasStage {
     if (position === undefined) return undefined;
     const offset = this.sockets.get(portKey(ref));
     if (offset !== undefined) return { x: position.x + offset.x, y: position.y + offset.y };
-    const { width } = this.sizes.get(ref.node) ?? NO_SIZE;
+    const { width } = this.#sizeOf(ref.node);
     return { x: position.x + (side === 'in' ? 0 : width), y: position.y + 15 };
   }
 
@@ -189,13 +192,17 @@ export class CanvasStage {
     return { x: -x / k, y: -y / k, width: width / k, height: height / k };
   }
 
+  /** Whether something of a node is on the screen. */
+  isInView(id: string): boolean {
+    const position = this.positions.get(id);
+    return position !== undefined && overlaps({ ...position, ...this.#sizeOf(id) }, this.seen);
+  }
+
   /** Nodes as they lie now. */
   boxes(ids: Iterable<string> = this.positions.keys()): NodeBox[] {
     return [...ids].flatMap((id) => {
       const position = this.positions.get(id);
-      return position === undefined
-        ? []
-        : [{ id, ...position, ...(this.sizes.get(id) ?? NO_SIZE) }];
+      return position === undefined ? [] : [{ id, ...position, ...this.#sizeOf(id) }];
     });
   }
 
@@ -253,10 +260,14 @@ export class CanvasStage {
   }
 
   destroy(): void {
-    clearTimeout(this.#layerTimer);
+    this.#layer.release();
     clearTimeout(this.#movingTimer);
     this.#observer.disconnect();
     this.#area.destroy();
+  }
+
+  #sizeOf(id: string): Size {
+    return this.sizes.get(id) ?? NO_SIZE;
   }
 
   #look(): void {
@@ -283,7 +294,7 @@ export class CanvasStage {
   #noteMoving(): void {
     this.isMoving.value = true;
     clearTimeout(this.#movingTimer);
-    this.#movingTimer = setTimeout(() => (this.isMoving.value = false), LAYER_MS);
+    this.#movingTimer = setTimeout(() => (this.isMoving.value = false), REST_MS);
   }
 
   /** Not by the transform that Rete sets: with one for each node, browsers paint hundreds of layers. */
@@ -293,14 +304,6 @@ export class CanvasStage {
     holder.style.left = `${x}px`;
     holder.style.top = `${y}px`;
     this.positions.set(id, { x, y });
-  }
-
-  /** While it is panned, the canvas is a layer of its own, which moves without being drawn anew. */
-  #keepLayer(): void {
-    const { style } = this.#area.area.content.holder;
-    style.willChange = 'transform';
-    clearTimeout(this.#layerTimer);
-    this.#layerTimer = setTimeout(() => (style.willChange = ''), LAYER_MS);
   }
 
   /** The middle button pans everywhere, others where nothing is; Shift draws a box. */

@@ -1,7 +1,8 @@
 import { computed, type ComputedRef } from 'vue';
 import { DATA_FORMATS, type DataFormatFamily } from '@ubii/proto';
 import { useCanvas, useGraphContext } from '../editor/use-graph-editor.ts';
-import { topicOfWire, type LiveTopic } from '../live/live-graph.ts';
+import type { LiveTopic } from '../live/live-topic.ts';
+import { topicOfWire } from '../live/topics-in-graph.ts';
 import type { Point, Wire } from '../model/graph.ts';
 import { portFormat, portOf } from '../model/port-format.ts';
 import type { CanvasStage } from './canvas-stage.ts';

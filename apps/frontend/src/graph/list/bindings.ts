@@ -17,7 +17,7 @@ import type { Adapter } from '../model/fit/adapter.ts';
 import type { Graph, PortRef } from '../model/graph.ts';
 import { topicNode } from '../model/make-node.ts';
 import { portFormat, portOf } from '../model/port-format.ts';
-import { topicsOf } from '../live/live-graph.ts';
+import { topicsOf } from '../live/topics-in-graph.ts';
 
 /** What an input can read, or where an output can lead. */
 export interface Binding {

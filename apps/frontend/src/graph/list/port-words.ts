@@ -1,5 +1,5 @@
 import { nodeTitle } from '../canvas/node-label.ts';
-import { topicOfWire } from '../live/live-graph.ts';
+import { topicOfWire } from '../live/topics-in-graph.ts';
 import type { Graph, PortRef, Wire } from '../model/graph.ts';
 import { portOf } from '../model/port-format.ts';
 

@@ -1,10 +1,4 @@
-import {
-  type ModuleEvent,
-  type ModuleStatistics,
-  type Session,
-  type TopicMux,
-  type TopicRecord,
-} from '@ubii/proto';
+import { type ModuleEvent, type ModuleStatistics, type Session, type TopicMux } from '@ubii/proto';
 import { useDocumentVisibility, useRafFn } from '@vueuse/core';
 import {
   computed,
@@ -21,38 +15,26 @@ import { useSessionEvents } from '../../sessions/live/useSessionEvents.ts';
 import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.ts';
 import { isAlive } from '../../sessions/state/session-state.ts';
 import { RowValues } from '../../topics/rows/row-values.ts';
-import { isStale } from '../../topics/rows/staleness.ts';
-import { NO_SPARK, type SparkLine } from '../../topics/rows/sparkline.ts';
-import { DrawPace } from './draw-pace.ts';
-import type { Graph, Wire } from '../model/graph.ts';
+import type { Graph } from '../model/graph.ts';
 import {
   muxPreview,
   type LiveTopic as KnownTopic,
   type MuxPreview,
 } from '../model/live/mux-preview.ts';
+import { DrawSlices } from './draw-slices.ts';
+import { drawUnits, type DrawUnit } from './draw-units.ts';
+import { createFrameTimer } from './frame-timer.ts';
+import { hasChanged, liveTopic, type LiveTopic } from './live-topic.ts';
+import { topicsOf } from './topics-in-graph.ts';
 
 /** How often counters are asked for, milliseconds. */
 const STATISTICS_MS = 250;
 /** How often pictures on topic nodes are renewed, Hz. */
 const PICTURE_HZ = 2;
+/** How often the lines of values go on, milliseconds. */
+const SAMPLE_MS = 1000 / 6;
 /** Run times kept for the chart of a module: a minute at five reports a second. */
 const RUN_TIMES = 300;
-
-/** What is shown of a topic on the canvas. */
-export interface LiveTopic {
-  /** Records per second; undefined while not known. */
-  readonly hz: number | undefined;
-  /** The newest value in one line. */
-  readonly text: string | undefined;
-  readonly record: TopicRecord | undefined;
-  readonly spark: SparkLine;
-  readonly ageMs: number | undefined;
-  readonly isStale: boolean;
-  readonly droppedPerSecond: number;
-  readonly format: string;
-  /** Id of who published it last. */
-  readonly publisherId: string;
-}
 
 export interface RunTime {
   readonly timeMs: number;
@@ -64,6 +46,8 @@ export interface RunTime {
 export interface LiveGraph {
   /** Set while the canvas is moved: values are then drawn less often. */
   readonly isMoving: ShallowRef<boolean>;
+  /** What the canvas shows of the nodes; values of others are drawn less often. */
+  readonly isInView: ShallowRef<(node: string) => boolean>;
   topic(topic: string): LiveTopic | undefined;
   /** What a muxer gathers now, or why it gathers nothing. */
   preview(mux: TopicMux): MuxPreview;
@@ -109,43 +93,40 @@ export function useLiveGraph(
   });
 
   const isMoving = shallowRef(false);
-  const samplePace = new DrawPace();
-  const drawPace = new DrawPace();
+  const isInView = shallowRef<(node: string) => boolean>(() => true);
+  const units = computed(() => drawUnits(graph.value));
+  const slices = new DrawSlices(
+    () => units.value,
+    ({ node }: DrawUnit) => isInView.value(node),
+  );
+  const timeFrame = createFrameTimer((frameMs) => slices.took(frameMs));
+  let sampledMs = 0;
   useRafFn(() => {
     const nowMs = performance.now();
-    if (samplePace.take(nowMs, false)) values.sample(nowMs);
-    if (!drawPace.take(nowMs, isMoving.value)) return;
-    drawTopics();
-    drawModules();
+    if (nowMs - sampledMs >= SAMPLE_MS) {
+      sampledMs = nowMs;
+      values.sample(nowMs);
+    }
+    const slice = slices.next(nowMs, isMoving.value);
+    if (slice.length === 0) return;
+    timeFrame();
+    for (const { topics: names, module } of slice) {
+      for (const name of names) drawTopic(name);
+      if (module !== undefined) drawModule(module);
+    }
   });
   watch(wanted, (names) => {
     for (const topic of shown.keys()) if (!names.has(topic)) shown.delete(topic);
   });
-  function drawTopics(): void {
-    const rates = topics.rates.value;
-    const nowMs = topics.masterTimeMs.value;
-    for (const topic of wanted.value) {
-      const rate = rates?.get(topic);
-      if (rate === undefined) {
-        shown.delete(topic);
-        continue;
-      }
-      const value = values.get(topic);
-      const { publishedMs, dataFormat, publisherId } = rate.statistic;
-      const next: LiveTopic = {
-        hz: rate.hz,
-        text: value?.text,
-        record: value?.record,
-        spark: value?.spark ?? NO_SPARK,
-        ageMs: publishedMs === 0 ? undefined : Math.max(0, nowMs - publishedMs),
-        isStale: isStale(rate, false, nowMs),
-        droppedPerSecond: rate.droppedPerSecond ?? 0,
-        format: dataFormat,
-        publisherId,
-      };
-      const old = shown.get(topic);
-      if (old === undefined || hasChanged(old, next)) shown.set(topic, next);
+  function drawTopic(topic: string): void {
+    const rate = topics.rates.value?.get(topic);
+    if (rate === undefined) {
+      shown.delete(topic);
+      return;
     }
+    const next = liveTopic(rate, values.get(topic), topics.masterTimeMs.value);
+    const old = shown.get(topic);
+    if (old === undefined || hasChanged(old, next)) shown.set(topic, next);
   }
   onScopeDispose(() => values.close());
 
@@ -167,17 +148,19 @@ export function useLiveGraph(
       }
     },
   );
-  function drawModules(): void {
-    for (const [id, { newest, times }] of reported) {
-      modules.set(id, newest);
-      if (times.length > 0)
-        runTimes.set(id, [...(runTimes.get(id) ?? []), ...times].slice(-RUN_TIMES));
-    }
-    reported.clear();
+  function drawModule(id: string): void {
+    const report = reported.get(id);
+    if (report === undefined) return;
+    const { newest, times } = report;
+    reported.delete(id);
+    modules.set(id, newest);
+    if (times.length > 0)
+      runTimes.set(id, [...(runTimes.get(id) ?? []), ...times].slice(-RUN_TIMES));
   }
 
   return {
     isMoving,
+    isInView,
     topic: (topic) => shown.get(topic),
     preview: (mux) => muxPreview(mux, known.value),
     module: (id) => modules.get(id),
@@ -192,40 +175,8 @@ interface Report {
   readonly times: RunTime[];
 }
 
-const rateText = ({ hz }: LiveTopic): string | undefined => hz?.toFixed(1);
-
-function hasChanged(a: LiveTopic, b: LiveTopic): boolean {
-  return (
-    a.publisherId !== b.publisherId ||
-    a.format !== b.format ||
-    rateText(a) !== rateText(b) ||
-    a.text !== b.text ||
-    a.spark !== b.spark ||
-    a.isStale !== b.isStale ||
-    a.droppedPerSecond !== b.droppedPerSecond ||
-    (b.isStale && a.ageMs !== b.ageMs)
-  );
-}
-
 const knownTopic = ({ statistic }: TopicRate): KnownTopic => ({
   topic: statistic.topic,
   format: statistic.dataFormat,
   publisherId: statistic.publisherId,
 });
-
-/** The topic whose values flow through a wire; undefined for constants and many topics. */
-export function topicOfWire({ nodes }: Graph, { from, to, via }: Wire): string | undefined {
-  if (via !== undefined) return via;
-  const source = nodes.get(from.node);
-  if (source?.kind === 'topic') return source.topic;
-  const target = nodes.get(to.node);
-  return target?.kind === 'topic' ? target.topic : undefined;
-}
-
-/** Every topic that shows on the canvas. */
-export function topicsOf(graph: Graph): ReadonlySet<string> {
-  const names = new Set<string>();
-  for (const node of graph.nodes.values()) if (node.kind === 'topic') names.add(node.topic);
-  for (const { via } of graph.wires.values()) if (via !== undefined) names.add(via);
-  return names;
-}

@@ -35,3 +35,6 @@ export function moduleTrouble(
   const count = problems.length + (isRecent && error === undefined ? 1 : 0);
   return { count, failure: error ?? (isRecent ? event : undefined), event };
 }
+
+export const isSameTrouble = (a: ModuleTrouble, b: ModuleTrouble): boolean =>
+  a.count === b.count && a.failure === b.failure && a.event === b.event;

@@ -5,7 +5,7 @@ import { sessionState } from '../../sessions/state/session-state.ts';
 import { moduleStatus, type StatusLook } from '../../sessions/words/module-status.ts';
 import { useGraphContext } from '../editor/use-graph-editor.ts';
 import type { ModuleNode } from '../model/graph.ts';
-import { moduleTrouble, type ModuleTrouble } from './module-trouble.ts';
+import { isSameTrouble, moduleTrouble, type ModuleTrouble } from './module-trouble.ts';
 
 /** A module as it is at the master. */
 export interface ModuleState {
@@ -21,9 +21,12 @@ export function useModuleState(node: () => ModuleNode): ModuleState {
   const real = computed(() =>
     editor.session.value.processingModules.find(({ id }) => id === node().module.id),
   );
-  const trouble = computed(() => {
+  const trouble = computed<ModuleTrouble>((before) => {
     const { id } = node().module;
-    return moduleTrouble(editor.session.value, live.events.value, id, topics.masterTimeMs.value);
+    const nowMs = topics.masterTimeMs.value;
+    const now = moduleTrouble(editor.session.value, live.events.value, id, nowMs);
+    // Time goes on; only what it changes is news to the views of hundreds of modules.
+    return before !== undefined && isSameTrouble(before, now) ? before : now;
   });
   const status = computed(() => {
     const isFailing = trouble.value.failure !== undefined;

@@ -3,7 +3,7 @@ import { tryOnScopeDispose } from '@vueuse/core';
 import { shallowRef, type ShallowRef } from 'vue';
 import { perFrame } from '../../connection/per-frame.ts';
 import { useConnection } from '../../connection/useConnection.ts';
-import { withEvent } from './event-log.ts';
+import { MAX_EVENTS, withEvent } from './event-log.ts';
 
 /** What the modules of a session have to say, oldest first, while the calling scope lives. [SE-51] */
 export function useSessionEvents(sessionId: string): Readonly<ShallowRef<readonly ModuleEvent[]>> {
@@ -18,6 +18,8 @@ export function useSessionEvents(sessionId: string): Readonly<ShallowRef<readonl
     .subscribe(moduleEventTopic(sessionId), { format: 'moduleEvent' })
     .onRecord(({ value }) => {
       fresh.push(value);
+      // A hidden page draws nothing, for as long as it is hidden.
+      if (fresh.length > 2 * MAX_EVENTS) fresh = fresh.slice(-MAX_EVENTS);
       draw();
     });
   tryOnScopeDispose(() => void subscription.close());

@@ -1,4 +1,4 @@
-import { topicOfWire } from '../../live/live-graph.ts';
+import { topicOfWire } from '../../live/topics-in-graph.ts';
 import type { Graph, PortRef } from '../../model/graph.ts';
 import { portFormat, portOf } from '../../model/port-format.ts';
 import { wiresAt } from '../../model/wires-of.ts';

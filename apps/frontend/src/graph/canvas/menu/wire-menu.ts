@@ -1,7 +1,7 @@
 import type { Graph } from '../../model/graph.ts';
 import { onGrid } from '../free-spot.ts';
 import { addPoint, removePoints } from '../../model/selection/wire-points.ts';
-import { topicOfWire } from '../../live/live-graph.ts';
+import { topicOfWire } from '../../live/topics-in-graph.ts';
 import { action, separated, type MenuEntry, type MenuPlace } from './menu-entry.ts';
 
 /** What can be done with a wire, at the place that was pointed at. */

@@ -1,0 +1,80 @@
+import { describe, expect, it } from 'vitest';
+import { DrawSlices } from './draw-slices.ts';
+
+const FRAME_MS = 1000 / 60;
+const NODES = Array.from({ length: 200 }, (_, index) => index);
+
+/** What is drawn in frames that each take as long as `frameMs` says for so many. */
+function drawn(
+  slices: DrawSlices<number>,
+  frames: number,
+  frameMs: (count: number) => number,
+  isMoving = false,
+  fromMs = 0,
+): (readonly number[])[] {
+  return Array.from({ length: frames }, (_, frame) => {
+    const slice = slices.next(fromMs + frame * FRAME_MS, isMoving);
+    if (slice.length > 0) slices.took(frameMs(slice.length));
+    return slice;
+  });
+}
+const most = (slices: readonly (readonly number[])[]): number =>
+  Math.max(...slices.map(({ length }) => length));
+
+describe('values are drawn in slices', () => {
+  it('of which no frame gets more than it has room for', () => {
+    const slices = new DrawSlices(
+      () => NODES,
+      () => true,
+    );
+    const costly = (count: number): number => 2 * count;
+    const first = drawn(slices, 60, costly);
+    expect(most(first)).toBeGreaterThan(1);
+    // One more than there is room for is how it finds out.
+    expect(most(first)).toBeLessThanOrEqual(6);
+  });
+
+  it('one after the other, all of them, in a round', () => {
+    const slices = new DrawSlices(
+      () => NODES,
+      () => true,
+    );
+    const round = drawn(slices, 30, () => 1).flat();
+    expect(round.slice(0, NODES.length)).toEqual(NODES);
+  });
+
+  it('some times a second at rest, and seldom while the canvas is moved', () => {
+    const few = new DrawSlices(
+      () => [1, 2],
+      () => true,
+    );
+    const count = (isMoving: boolean, fromMs: number): number =>
+      drawn(few, 60, () => 1, isMoving, fromMs).flat().length / 2;
+    const resting = count(false, 0);
+    expect(resting).toBeGreaterThanOrEqual(5);
+    expect(resting).toBeLessThanOrEqual(6);
+    const moving = count(true, 1000);
+    expect(moving).toBeGreaterThanOrEqual(1);
+    expect(moving).toBeLessThanOrEqual(2);
+  });
+
+  it('and go on in frames that are too long without them', () => {
+    const slices = new DrawSlices(
+      () => NODES,
+      () => true,
+    );
+    const slow = drawn(slices, NODES.length, () => 100, true);
+    expect(slow.flat()).toEqual(NODES);
+  });
+
+  it('what is out of view less often', () => {
+    const slices = new DrawSlices(
+      () => NODES.slice(0, 8),
+      (one) => one < 4,
+    );
+    const all = drawn(slices, 60, () => 1).flat();
+    const times = (one: number): number => all.filter((other) => other === one).length;
+    expect(times(0)).toBeGreaterThanOrEqual(4);
+    expect(times(7)).toBe(2);
+  });
+});

@@ -1,0 +1,65 @@
+/** How values are drawn while the canvas rests, or while it is moved. */
+interface Pace {
+  /** Rounds through all that is in view, Hz. */
+  readonly hz: number;
+  /** A frame that takes longer on the page's thread leaves no room for what else is due, milliseconds. */
+  readonly frameMs: number;
+  /** Drawn in one frame at most. */
+  readonly most: number;
+}
+
+const RESTING: Pace = { hz: 6, frameMs: 10, most: 16 };
+/** Nobody reads what flies by. */
+const MOVING: Pace = { hz: 1, frameMs: 8, most: 4 };
+/** Drawn in one frame on the slowest machine, so that values go on. */
+const LEAST = 1;
+/** What is not in view is drawn in one round of so many. */
+const ROUNDS_OUT_OF_VIEW = 3;
+
+/**
+ * Divides drawing into slices: hundreds of values in one frame would take as long as several frames.
+ * Each frame draws a few, in the order in which they come, as many as the frames before left room for.
+ */
+export class DrawSlices<T> {
+  readonly #all: () => readonly T[];
+  readonly #isInView: (one: T) => boolean;
+  #round: readonly T[] = [];
+  /** How far the round is. */
+  #at = 0;
+  #rounds = 0;
+  #beganMs = -Infinity;
+  #size = LEAST;
+  #drawn = 0;
+  #pace = RESTING;
+
+  /** @param all what is drawn, asked for when a round begins */
+  constructor(all: () => readonly T[], isInView: (one: T) => boolean) {
+    this.#all = all;
+    this.#isInView = isInView;
+  }
+
+  /** What is drawn in this frame. */
+  next(nowMs: number, isMoving: boolean): readonly T[] {
+    this.#pace = isMoving ? MOVING : RESTING;
+    if (this.#at >= this.#round.length) {
+      if (nowMs - this.#beganMs < 1000 / this.#pace.hz) return [];
+      const isForAll = this.#rounds % ROUNDS_OUT_OF_VIEW === 0;
+      this.#round = this.#all().filter((one) => isForAll || this.#isInView(one));
+      this.#at = 0;
+      this.#rounds += 1;
+      this.#beganMs = nowMs;
+    }
+    const from = this.#at;
+    this.#at += Math.min(this.#size, this.#pace.most);
+    const slice = this.#round.slice(from, this.#at);
+    this.#drawn = slice.length;
+    return slice;
+  }
+
+  /** @param frameMs how long the frame took in which the last slice was drawn */
+  took(frameMs: number): void {
+    if (frameMs > this.#pace.frameMs) this.#size = Math.max(LEAST, Math.floor(this.#drawn / 2));
+    // A smaller slice says nothing about a larger one.
+    else if (this.#drawn === this.#size) this.#size = Math.min(RESTING.most, this.#size + 1);
+  }
+}

@@ -1,0 +1,53 @@
+import type { TopicRecord } from '@ubii/proto';
+import type { TopicRate } from '../../connection/topic-rates.ts';
+import type { RowValue } from '../../topics/rows/row-value.ts';
+import { NO_SPARK, type SparkLine } from '../../topics/rows/sparkline.ts';
+import { isStale } from '../../topics/rows/staleness.ts';
+
+/** What is shown of a topic on the canvas. */
+export interface LiveTopic {
+  /** Records per second; undefined while not known. */
+  readonly hz: number | undefined;
+  /** The newest value in one line. */
+  readonly text: string | undefined;
+  readonly record: TopicRecord | undefined;
+  readonly spark: SparkLine;
+  readonly ageMs: number | undefined;
+  readonly isStale: boolean;
+  readonly droppedPerSecond: number;
+  readonly format: string;
+  /** Id of who published it last. */
+  readonly publisherId: string;
+}
+
+/** @param nowMs of the master's clock, epoch milliseconds */
+export function liveTopic(rate: TopicRate, value: RowValue | undefined, nowMs: number): LiveTopic {
+  const { publishedMs, dataFormat, publisherId } = rate.statistic;
+  return {
+    hz: rate.hz,
+    text: value?.text,
+    record: value?.record,
+    spark: value?.spark ?? NO_SPARK,
+    ageMs: publishedMs === 0 ? undefined : Math.max(0, nowMs - publishedMs),
+    isStale: isStale(rate, false, nowMs),
+    droppedPerSecond: rate.droppedPerSecond ?? 0,
+    format: dataFormat,
+    publisherId,
+  };
+}
+
+const rateText = ({ hz }: LiveTopic): string | undefined => hz?.toFixed(1);
+
+/** Whether there is something else to see. */
+export function hasChanged(a: LiveTopic, b: LiveTopic): boolean {
+  return (
+    a.publisherId !== b.publisherId ||
+    a.format !== b.format ||
+    rateText(a) !== rateText(b) ||
+    a.text !== b.text ||
+    a.spark !== b.spark ||
+    a.isStale !== b.isStale ||
+    a.droppedPerSecond !== b.droppedPerSecond ||
+    (b.isStale && a.ageMs !== b.ageMs)
+  );
+}

@@ -1,0 +1,18 @@
+import type { Graph, Wire } from '../model/graph.ts';
+
+/** The topic whose values flow through a wire; undefined for constants and many topics. */
+export function topicOfWire({ nodes }: Graph, { from, to, via }: Wire): string | undefined {
+  if (via !== undefined) return via;
+  const source = nodes.get(from.node);
+  if (source?.kind === 'topic') return source.topic;
+  const target = nodes.get(to.node);
+  return target?.kind === 'topic' ? target.topic : undefined;
+}
+
+/** Every topic that shows on the canvas. */
+export function topicsOf(graph: Graph): ReadonlySet<string> {
+  const names = new Set<string>();
+  for (const node of graph.nodes.values()) if (node.kind === 'topic') names.add(node.topic);
+  for (const { via } of graph.wires.values()) if (via !== undefined) names.add(via);
+  return names;
+}
