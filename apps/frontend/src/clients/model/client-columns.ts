@@ -4,6 +4,7 @@ import { formatNumber } from '../../ui/readouts/format-number.ts';
 import { formatRate } from '../../ui/readouts/format-rate.ts';
 import { formatAge } from '../../ui/readouts/format-time.ts';
 import { NO_VALUE, type Readout } from '../../ui/readouts/readout.ts';
+import { clockAhead, clockOf } from './client-clock.ts';
 import type { ClientView } from './client-view.ts';
 
 /** What is known of a client, as a column: in the table while there is room, and to sort by. */
@@ -32,6 +33,7 @@ export type ClientColumnKey =
   | 'name'
   | 'state'
   | 'trip'
+  | 'clock'
   | 'in'
   | 'bytesIn'
   | 'out'
@@ -284,6 +286,22 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
     isText: true,
     valueOf: ({ agent }) => agent.toLocaleLowerCase() || undefined,
     show: ({ agent }) => words(agent),
+  },
+  {
+    key: 'clock',
+    head: 'Clock',
+    title: 'How far its clock is ahead of the one of the master',
+    width: 76,
+    priority: 9,
+    first: 'descending',
+    valueOf: (view) => {
+      const clock = clockOf(view);
+      return clock && Math.abs(clock.offsetMs);
+    },
+    show: (view) => {
+      const clock = clockOf(view);
+      return clock === undefined ? NO_VALUE : clockAhead(clock);
+    },
   },
   {
     key: 'address',
