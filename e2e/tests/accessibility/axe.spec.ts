@@ -13,6 +13,7 @@ const PAGES = [
   { name: 'modules', path: '/modules' },
   { name: 'a module', path: '/modules/clock' },
   { name: 'topics', path: '/topics' },
+  { name: 'clients', path: '/clients' },
   { name: 'publish', path: '/publish?topic=/guest/position' },
   { name: 'services', path: '/calls' },
   { name: 'a service', path: '/calls/topicSubscription' },
@@ -28,6 +29,9 @@ const PAGES = [
   { name: 'licences', path: '/settings/licences' },
   { name: 'no such page', path: '/no/such/page' },
 ] as const;
+
+/** What a pointer or the focus rests on is told in a layer of its own, at the end of the document. */
+const TOOLTIP = '.tooltip';
 
 const SCREENS = [
   ['dark', 'desktop'],
@@ -78,6 +82,46 @@ for (const [theme, screen] of SCREENS) {
       });
     }
     guest.leave();
+  });
+
+  test(`a client and what is done to it are accessible, ${theme}, on a ${screen}`, async ({
+    room,
+  }) => {
+    const robot = await room.program('Robot');
+    const components = [{ name: 'angle', format: 'double' }] as const;
+    const arm = await robot.registerDevice({ name: 'arm', components });
+    arm.component('angle').publish(0.25);
+    await robot.subscribe('/lamp/level').ready;
+    await robot.call('clientThrottle', { targetId: robot.id, recordsPerSecond: 5 });
+    const { page } = await enter(room, theme, screen);
+    await page.goto('/clients');
+    const row = page.getByRole('treegrid', { name: 'Clients' }).getByRole('row', { name: /Robot/ });
+    await row.focus();
+    await page.keyboard.press('ArrowRight');
+    await expect(page.getByRole('row', { name: /angle/ })).toContainText('0.25');
+    await expectAccessible(page, TOOLTIP);
+    await page.goto(`/clients/${robot.id}`);
+    await expect(page.getByRole('list', { name: 'What is wrong' })).toContainText('throttled');
+    await expect(page.getByRole('list', { name: 'What it listens to' })).toContainText('/lamp');
+    await expectAccessible(page, TOOLTIP);
+    await page.getByRole('button', { name: 'Rename Robot' }).click();
+    await page.getByRole('textbox', { name: /^Name/ }).fill(' ');
+    await expectAccessible(page, TOOLTIP);
+    await page.getByRole('button', { name: 'Disconnect' }).last().click();
+    await expect(page.getByRole('dialog')).toBeVisible();
+    await expectAccessible(page, TOOLTIP);
+    await page.keyboard.press('Escape');
+    await page.goto('/clients?view=load');
+    await page.getByRole('button', { name: 'Lift throttle' }).click();
+    await page.getByRole('button', { name: 'Throttle', exact: true }).first().waitFor();
+    await expectAccessible(page, TOOLTIP);
+    await page.goto('/clients/nobody');
+    await expect(page.getByText('No client with this id is here.')).toBeVisible();
+    await expectAccessible(page, TOOLTIP);
+    const id = await page.evaluate(() => /[0-9a-f-]{36}/.exec(JSON.stringify(sessionStorage))?.[0]);
+    robot.publish(`/${id}/identify`, 'string', 'Mara', { immediate: true });
+    await expect(page.getByRole('alert')).toContainText('Mara wants to know');
+    await expectAccessible(page, TOOLTIP);
   });
 
   test(`a session with problems is accessible, ${theme}, on a ${screen}`, async ({

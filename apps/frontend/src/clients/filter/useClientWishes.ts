@@ -1,4 +1,4 @@
-import { computed, type ComputedRef } from 'vue';
+import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 import { useRoute, useRouter } from 'vue-router';
 import { readWishes, writeWishes, type ClientWishes } from './client-filter.ts';
 
@@ -9,12 +9,23 @@ export function useClientWishes(): {
 } {
   const route = useRoute();
   const router = useRouter();
-  const wishes = computed(() => readWishes(route.query));
+  const wishes = shallowRef(readWishes(route.query));
+  /** Changes on their way into the address: whoever types is faster, and must not lose a letter. */
+  let underWay = 0;
+  watch(
+    () => route.query,
+    (query) => {
+      if (underWay === 0) wishes.value = readWishes(query);
+    },
+  );
   return {
-    wishes,
+    wishes: computed(() => wishes.value),
     change(changes) {
-      const query = writeWishes({ ...wishes.value, ...changes });
-      void router.replace({ path: route.path, query });
+      wishes.value = { ...wishes.value, ...changes };
+      underWay += 1;
+      void router
+        .replace({ path: route.path, query: writeWishes(wishes.value) })
+        .finally(() => (underWay -= 1));
     },
   };
 }

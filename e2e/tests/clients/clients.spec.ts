@@ -1,0 +1,286 @@
+import type { UbiiClient } from '@ubii/client-web';
+import { expect, test } from '../../fixtures/test.ts';
+import { ClientsPage } from '../../pages/clients-page.ts';
+import { Shell } from '../../pages/shell.ts';
+
+/** Publishes on some topics, many times a second, until it is stopped. */
+function beat(client: UbiiClient, topics: number): () => void {
+  let value = 0;
+  const timer = setInterval(() => {
+    for (let i = 0; i < topics; i++) client.publish(`/drum/${i}`, 'double', value++);
+  }, 20);
+  return () => clearInterval(timer);
+}
+
+test('clients are listed with their devices, components and live values', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const clients = new ClientsPage(anna);
+  const robot = await room.program('Robot');
+  const arm = await robot.registerDevice({
+    name: 'arm',
+    components: [
+      { name: 'angle', format: 'double' },
+      { name: 'grip', format: 'bool', ioType: 'subscriber' },
+    ],
+  });
+  arm.component('angle').publish(0.25);
+  await clients.open();
+  await expect(clients.row('Anna')).toContainText('this browser');
+
+  const row = clients.row('Robot');
+  await expect(row).toHaveAttribute('aria-expanded', 'false');
+  await row.click();
+  await expect(clients.detail('Robot').getByRole('list', { name: /^Components/ })).toContainText(
+    '0.25',
+  );
+  await row.press('ArrowRight');
+  await expect(clients.row('arm')).toContainText('2 components');
+  await expect(clients.row('angle')).toContainText('publishes');
+  await expect(clients.row('angle')).toContainText('0.25');
+  arm.component('angle').publish(0.5);
+  await expect(clients.row('angle')).toContainText('0.50');
+  await expect(clients.row('grip')).toContainText('takes');
+
+  await clients.row('angle').click();
+  await expect(anna.page).toHaveURL(/\/topics\//);
+});
+
+test('what a client listens to is listed, topics and patterns', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const robot = await room.program('Robot');
+  await robot.subscribe('/lamp/level', { maxRateHz: 5 }).ready;
+  await robot.subscribe({ regex: '^/pads/.*$' }).ready;
+  const clients = new ClientsPage(anna);
+  await clients.open(`/${robot.id}`);
+  const list = clients.detail('Robot').getByRole('list', { name: 'What it listens to' });
+  await expect(list).toContainText('/lamp/level');
+  await expect(list).toContainText('at most 5.0 Hz');
+  await expect(list).toContainText('^/pads/.*$');
+});
+
+test('one looks for clients, and the address says what is looked for', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const ben = await room.withPhone('Ben');
+  await ben.page.goto('/');
+  await room.program('Robot');
+  const clients = new ClientsPage(anna);
+  await clients.open();
+  await expect(clients.row('Ben')).toBeVisible();
+
+  await anna.page.getByRole('combobox', { name: 'Kind' }).click();
+  await anna.page.getByRole('option', { name: 'phones' }).click();
+  await expect(clients.row('Robot')).toHaveCount(0);
+  await expect(clients.row('Ben')).toBeVisible();
+  await expect(anna.page).toHaveURL(/kind=phone/);
+
+  await clients.search.fill('nobody');
+  await expect(anna.page.getByText('No client fits.')).toBeVisible();
+  await anna.page.getByRole('button', { name: /^Show all/ }).click();
+  await expect(clients.row('Robot')).toBeVisible();
+
+  await clients.open('?kind=program&sort=in');
+  await expect(clients.row('Robot')).toBeVisible();
+  await expect(clients.row('Ben')).toHaveCount(0);
+  await anna.page.getByRole('button', { name: 'Sends /s' }).click();
+  await expect(anna.page).toHaveURL(/order=up/);
+  await anna.page.reload();
+  await expect(anna.page.getByRole('columnheader', { name: 'Sends /s' })).toHaveAttribute(
+    'aria-sort',
+    'ascending',
+  );
+});
+
+test('the list is used with the keyboard alone', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  await room.program('Drum');
+  const robot = await room.program('Robot');
+  const clients = new ClientsPage(anna);
+  await clients.open();
+  await expect(clients.row('Robot')).toBeVisible();
+  await clients.row('Anna').focus();
+  await anna.page.keyboard.press('End');
+  await expect(clients.row('Robot')).toBeFocused();
+  await anna.page.keyboard.press('ArrowUp');
+  await expect(clients.row('Drum')).toBeFocused();
+  await anna.page.keyboard.type('ro');
+  await expect(clients.row('Robot')).toBeFocused();
+  await anna.page.keyboard.press('Enter');
+  await expect(clients.detail('Robot')).toBeVisible();
+  await expect(anna.page).toHaveURL(new RegExp(`/clients/${robot.id}$`));
+
+  await clients.row('Robot').focus();
+  await anna.page.keyboard.press('F2');
+  const name = anna.page.getByRole('textbox', { name: 'Name, as everybody sees it' });
+  await expect(name).toBeFocused();
+  await expect(name).toHaveValue('Robot');
+  await anna.page.keyboard.press('Escape');
+  await expect(name).toHaveCount(0);
+
+  await clients.row('Robot').focus();
+  await anna.page.keyboard.press('Delete');
+  await expect(clients.dialog(/^Disconnect Robot/)).toContainText('This cannot be undone.');
+  await anna.page.keyboard.press('Escape');
+  await expect(clients.dialog(/^Disconnect/)).toHaveCount(0);
+  await expect(clients.row('Robot')).toBeVisible();
+});
+
+test('a browser that is to be identified shows itself and says who asks', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const ben = await room.withPhone('Ben');
+  await ben.page.goto('/');
+  await new Shell(ben.page).expectConnected();
+  const clients = new ClientsPage(anna);
+  await clients.open();
+  await clients.choose('Ben', 'Identify');
+  const note = ben.page.getByRole('alert').filter({ hasText: 'which device this is' });
+  await expect(note).toContainText('Anna wants to know which device this is.');
+  await expect(anna.page.getByText('Ben was asked to show itself.')).toBeVisible();
+  await note.getByRole('button', { name: 'Understood' }).click();
+  await expect(note).toHaveCount(0);
+
+  // The value stays on its topic, and is no new question.
+  await ben.page.reload();
+  await new Shell(ben.page).expectConnected();
+  await clients.choose('Ben', 'Identify');
+  await expect(note).toHaveCount(1);
+});
+
+test('a program that does not listen for it is named', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  await room.program('Robot');
+  const clients = new ClientsPage(anna);
+  await clients.open();
+  await clients.choose('Robot', 'Identify');
+  await expect(anna.page.getByText('Robot does not listen for this')).toBeVisible();
+});
+
+test('a client gets another name, and calls itself by it', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const ben = await room.atDesk('Ben');
+  await ben.page.goto('/settings');
+  const clients = new ClientsPage(anna);
+  await clients.open();
+  await clients.choose('Ben', 'Rename');
+  const name = anna.page.getByRole('textbox', { name: 'Name, as everybody sees it' });
+  await name.fill(' ');
+  await expect(anna.page.getByText('A client needs a name')).toBeVisible();
+  await name.fill('Stage left');
+  await name.press('Enter');
+  await expect(clients.row('Stage left')).toBeVisible();
+  await expect(clients.row('Ben')).toHaveCount(0);
+  await expect(ben.page.getByRole('textbox', { name: 'Name' })).toHaveValue('Stage left');
+});
+
+test('who takes most is ranked with the cause, and throttled with a reason', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const drum = await room.program('Drum');
+  await room.program('Lamp');
+  const stop = beat(drum, 10);
+  const clients = new ClientsPage(anna);
+  await clients.open('?view=load');
+  const row = clients.loads.getByRole('listitem').filter({ hasText: 'Drum' });
+  await expect(row).toContainText(/Publishes .* records per second/);
+  await expect(clients.loads.getByRole('listitem').first()).toContainText('Drum');
+
+  await row.getByRole('button', { name: 'Throttle' }).click();
+  const dialog = clients.dialog(/^Throttle Drum/);
+  await dialog.getByRole('textbox', { name: 'Records per second' }).fill('ten');
+  await expect(dialog.getByText('Write how many records per second')).toBeVisible();
+  await dialog.getByRole('textbox', { name: 'Records per second' }).fill('20');
+  await dialog.getByRole('textbox', { name: /^Why/ }).fill('too loud');
+  await dialog.getByRole('button', { name: 'Throttle' }).click();
+  await expect(dialog).toHaveCount(0);
+  await expect(row).toContainText('throttled to 20 records per second by Anna: too loud', {
+    ignoreCase: true,
+  });
+  await row.getByRole('button', { name: 'Lift throttle' }).click();
+  await expect(row.getByRole('button', { name: 'Throttle', exact: true })).toBeVisible();
+  stop();
+});
+
+test('a throttled page is told so, with the cause', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const ben = await room.atDesk('Ben');
+  await ben.page.goto('/');
+  const clients = new ClientsPage(anna);
+  await clients.open();
+  await clients.choose('Ben', 'Throttle');
+  const dialog = clients.dialog(/^Throttle Ben/);
+  await dialog.getByRole('textbox', { name: 'Records per second' }).fill('5');
+  await dialog.getByRole('textbox', { name: /^Why/ }).fill('we are measuring');
+  await dialog.getByRole('button', { name: 'Throttle' }).click();
+  await expect(ben.page.getByRole('status', { name: 'Throttle' })).toContainText(
+    'This page is throttled to 5 records per second by Anna: we are measuring',
+  );
+  await clients.choose('Ben', 'Lift throttle');
+  await expect(ben.page.getByRole('status', { name: 'Throttle' })).toHaveCount(0);
+});
+
+test('a client is disconnected with a reason, is told so, and joins again', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const ben = await room.atDesk('Ben');
+  await ben.page.goto('/');
+  const clients = new ClientsPage(anna);
+  await clients.open();
+  await clients.choose('Ben', 'Disconnect');
+  const dialog = clients.dialog(/^Disconnect Ben/);
+  await expect(dialog).toContainText('This cannot be undone.');
+  await dialog.getByRole('textbox', { name: /^Why/ }).fill('the session is over');
+  await dialog.getByRole('button', { name: 'Disconnect' }).click();
+  await expect(clients.row('Ben')).toHaveCount(0);
+  await expect(clients.note).toContainText('Ben was disconnected by Anna: the session is over');
+
+  const strip = new Shell(ben.page).disconnectedStrip;
+  await expect(strip).toContainText('disconnected by Anna: the session is over');
+  await strip.getByRole('button', { name: 'Connect' }).click();
+  await expect(clients.row('Ben')).toBeVisible();
+  await expect(clients.note).toContainText(/Ben is (back|here again)/);
+});
+
+test('a client that left keeps its address, and shows there when it is back', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const ben = await room.atDesk('Ben');
+  await ben.page.goto('/');
+  const clients = new ClientsPage(anna);
+  await clients.open();
+  await clients.row('Ben').click();
+  await clients.choose('Ben', 'Disconnect');
+  await clients
+    .dialog(/^Disconnect/)
+    .getByRole('button', { name: 'Disconnect' })
+    .click();
+  await expect(anna.page.getByText('Ben has left. When it comes back')).toBeVisible();
+  await new Shell(ben.page).disconnectedStrip.getByRole('button', { name: 'Connect' }).click();
+  await expect(clients.detail('Ben')).toBeVisible();
+  await clients.open('/nobody-at-all');
+  await expect(anna.page.getByText('No client with this id is here.')).toBeVisible();
+});
+
+test('only what is broken shows what needs a look, with the words for it', async ({ room }) => {
+  const anna = await room.atDesk('Anna');
+  const drum = await room.program('Drum');
+  const robot = await room.program('Robot');
+  await robot.call('clientThrottle', { targetId: drum.id, recordsPerSecond: 5 });
+  const clients = new ClientsPage(anna);
+  await clients.open('?broken=1');
+  await expect(clients.row('Drum')).toContainText('throttled');
+  await expect(clients.row('Robot')).toHaveCount(0);
+});
+
+test('on a phone clients are cards, and one leads to all of it and back', async ({ room }) => {
+  const anna = await room.withPhone('Anna');
+  await room.program('Robot');
+  const clients = new ClientsPage(anna);
+  await clients.open('?kind=program');
+  const row = clients.row('Robot');
+  await expect(row).toContainText('Round trip');
+  await row.tap();
+  await expect(clients.detail('Robot')).toBeVisible();
+  await expect(clients.list).toBeHidden();
+  const shell = new Shell(anna.page);
+  expect(await shell.overflowPx()).toBe(0);
+  await anna.page.getByRole('link', { name: 'Back to Clients' }).tap();
+  await expect(clients.list).toBeVisible();
+  await expect(anna.page).toHaveURL(/\/clients\?kind=program$/);
+  expect(await shell.overflowPx()).toBe(0);
+});
