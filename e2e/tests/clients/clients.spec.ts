@@ -209,11 +209,11 @@ test('a throttled page is told so, with the cause', async ({ room }) => {
   await dialog.getByRole('textbox', { name: 'Records per second' }).fill('5');
   await dialog.getByRole('textbox', { name: /^Why/ }).fill('we are measuring');
   await dialog.getByRole('button', { name: 'Throttle' }).click();
-  await expect(ben.page.getByRole('status', { name: 'Throttle' })).toContainText(
+  await expect(ben.page.getByRole('status', { name: 'Warning' })).toContainText(
     'This page is throttled to 5 records per second by Anna: we are measuring',
   );
   await clients.choose('Ben', 'Lift throttle');
-  await expect(ben.page.getByRole('status', { name: 'Throttle' })).toHaveCount(0);
+  await expect(ben.page.getByRole('status', { name: 'Warning' })).toHaveCount(0);
 });
 
 test('a client is disconnected with a reason, is told so, and joins again', async ({ room }) => {
