@@ -112,6 +112,23 @@ export function useAdding(
     return true;
   }
 
+  /** In small graphs right of the node that is selected, as values flow; else in the middle. */
+  function nextSpot(isSmall: boolean): Point {
+    const [only, ...others] = editor.selection.value.nodes;
+    const isOne = isSmall && only !== undefined && others.length === 0;
+    const [box] = isOne ? stage.boxes([only]) : [];
+    return box === undefined ? stage.middle : { x: box.x + box.width + FROM_SOCKET, y: box.y };
+  }
+  function placeInMiddle(item: NewNode): void {
+    const isSmall = editor.graph.value.nodes.size < FEW;
+    const before = editor.graph.value.nodes;
+    place(item, freeSpot(stage, editor.graph.value, nextSpot(isSmall)));
+    const added = [...editor.graph.value.nodes.values()].find(({ id }) => !before.has(id));
+    if (!isSmall || added?.position === undefined) return;
+    const box = { ...added.position, ...drawnSize(added) };
+    if (viewShowing(stage.view.value, stage.viewport.value, box) !== undefined) void showAll();
+  }
+
   return {
     spot,
     askFor({ at: { x, y }, end: from, wire }) {
@@ -152,7 +169,7 @@ export function useAdding(
     },
     close: () => (spot.value = undefined),
     place,
-    placeInMiddle: (item) => place(item, freeSpot(stage, editor.graph.value, stage.middle)),
+    placeInMiddle,
     takeOffer(adapter) {
       const refusal = gesture.refusal.value;
       gesture.refusal.value = undefined;
