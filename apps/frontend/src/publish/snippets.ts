@@ -1,3 +1,4 @@
+import { readGesture, type Gesture } from './gesture/gesture.ts';
 import { randomUuid } from '../connection/random-uuid.ts';
 
 /** A record with a name, kept in this browser. */
@@ -8,6 +9,8 @@ export interface Snippet {
   readonly text: string;
   /** Records per second when it was kept. */
   readonly rateHz: number;
+  /** What was recorded with it. */
+  readonly gesture?: Gesture;
 }
 
 export const MAX_SNIPPETS = 200;
@@ -20,9 +23,16 @@ export function withSnippet(
   name: string,
   text: string,
   rateHz: number,
+  gesture?: Gesture,
 ): Snippet[] {
   const before = snippets.find((snippet) => snippet.name === name);
-  const next = { id: before?.id ?? randomUuid(), name, text, rateHz };
+  const next = {
+    id: before?.id ?? randomUuid(),
+    name,
+    text,
+    rateHz,
+    ...(gesture ? { gesture } : {}),
+  };
   const rest = snippets.filter((snippet) => snippet !== before);
   return [next, ...rest].slice(0, MAX_SNIPPETS);
 }
@@ -49,8 +59,10 @@ export function readSnippets(text: string): Snippet[] {
 
 /** Undefined when it is none: of another version, or edited by hand. */
 export function readSnippet(value: unknown): Snippet | undefined {
-  const { name, text, rateHz } = (value ?? {}) as Record<string, unknown>;
+  const { name, text, rateHz, ...rest } = (value ?? {}) as Record<string, unknown>;
   if (typeof name !== 'string' || name === '' || typeof text !== 'string') return undefined;
   const rate = typeof rateHz === 'number' && Number.isFinite(rateHz) ? rateHz : 1;
-  return { id: randomUuid(), name: name.slice(0, MAX_NAME), text, rateHz: rate };
+  const gesture = readGesture(rest['gesture']);
+  const kept = { id: randomUuid(), name: name.slice(0, MAX_NAME), text, rateHz: rate };
+  return gesture ? { ...kept, gesture } : kept;
 }

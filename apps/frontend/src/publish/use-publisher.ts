@@ -15,6 +15,8 @@ export interface Publisher {
   readonly error: Readonly<ShallowRef<string | undefined>>;
   readonly isRepeating: Readonly<Ref<boolean>>;
   send(): boolean;
+  /** Sends another record than the page's own. */
+  sendRecord(record: JsonObject): boolean;
   /** Sends now and at a rate until `stop`, which also leaving the page does. */
   repeat(rateHz: number): void;
   stop(): void;
@@ -35,12 +37,13 @@ export function usePublisher(json: () => JsonObject): Publisher {
     }),
   );
 
-  function send(): boolean {
+  const send = (): boolean => sendRecord(json());
+
+  function sendRecord(record: JsonObject): boolean {
     if (!isConnected.value) {
       error.value = 'Nothing was sent: this page is not connected to the master.';
       return false;
     }
-    const record = json();
     const [problem] = checkRecord(record, source);
     if (problem) {
       error.value = `Nothing was sent: ${problem.path || 'it'} ${problem.sentence}`;
@@ -69,6 +72,7 @@ export function usePublisher(json: () => JsonObject): Publisher {
     error,
     isRepeating,
     send,
+    sendRecord,
     stop,
     check: (record) => checkRecord(record, source),
     repeat(rateHz) {
