@@ -9,8 +9,13 @@ import { createMemoryServices, createMemoryTopicData, settle } from '@ubii/clien
 import type { MemoryConnection, MemoryMaster, MemoryPeer } from '@ubii/client-web/testing';
 import { encodeErrorFrame, encodeRecordListFrame, recordFrameHeader } from '@ubii/proto/wire';
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
-import { LOCAL_CALLER } from '../src/index.ts';
-import type { ClientConnection, ConnectionHandle, Limits } from '../src/index.ts';
+import type {
+  CallerFacts,
+  CallerStanding,
+  ClientConnection,
+  ConnectionHandle,
+  Limits,
+} from '../src/index.ts';
 import { FakeClock, TestMaster } from '../src/testing/index.ts';
 
 /** Time passes in steps of this size, with a turn for promises after each, milliseconds. */
@@ -28,8 +33,11 @@ export class ClientWorld implements MemoryMaster {
   readonly clock = new FakeClock();
   /** While true nobody is there. */
   isDown = false;
+  /** Where clients are, to the transport. */
+  standing: CallerStanding = 'local';
   readonly #limits: Partial<Limits>;
   #test: TestMaster;
+  #runs = 0;
   readonly #open = new Set<{ peer: MemoryPeer; handle: ConnectionHandle }>();
 
   constructor(limits: Partial<Limits> = {}) {
@@ -93,14 +101,18 @@ export class ClientWorld implements MemoryMaster {
       limits: this.#limits,
       storage: this.#test.storage,
       grants: this.#test.grants,
+      idsGiven: 1_000 * ++this.#runs,
     });
   }
 
-  async handleServiceRequest(request: ServiceRequest): Promise<Init<ServiceReply>> {
+  async handleServiceRequest(
+    request: ServiceRequest,
+    bearer?: string,
+  ): Promise<Init<ServiceReply>> {
     if (this.isDown) throw new Error('nobody is there');
     const { reply, afterReply } = await this.#test.master.handleServiceRequest(
       request,
-      LOCAL_CALLER,
+      this.#callerWith(bearer),
     );
     void Promise.resolve().then(() => {
       afterReply();
@@ -109,16 +121,20 @@ export class ClientWorld implements MemoryMaster {
     return reply;
   }
 
+  #callerWith(bearer: string | undefined): CallerFacts {
+    return { standing: this.standing, place: '192.168.1.50', bearer };
+  }
+
   openConnection(
     query: { clientId: string; resumeToken: string | undefined },
     peer: MemoryPeer,
   ): MemoryConnection | undefined {
     if (this.isDown) return undefined;
-    const handle = this.#test.master.openConnection(
-      { clientId: query.clientId, token: query.resumeToken },
-      new PeerConnection(peer),
-      LOCAL_CALLER,
-    );
+    const wanted = { clientId: query.clientId, token: query.resumeToken };
+    const caller = this.#callerWith(undefined);
+    // The edge refuses the upgrade: to a client, a link that never came up.
+    if (this.#test.master.refuseConnection(wanted, caller) !== undefined) return undefined;
+    const handle = this.#test.master.openConnection(wanted, new PeerConnection(peer), caller);
     this.clock.endTurn();
     if (handle === undefined) return undefined;
     const open = { peer, handle };

@@ -6,6 +6,8 @@ import { dirname, join } from 'node:path';
 interface Kept {
   readonly clientId: string;
   readonly resumeToken?: string;
+  /** Shows that it has joined [AC-13]. */
+  readonly credential?: string;
   /** Whoever uses it, or used it last. */
   readonly pid: number;
 }
@@ -25,7 +27,9 @@ export function createIdentityFile(
       const kept = read(path);
       if (kept === undefined) return undefined;
       isOurs = kept.pid === process.pid || !isRunning(kept.pid);
-      return isOurs ? { clientId: kept.clientId, resumeToken: kept.resumeToken } : undefined;
+      if (!isOurs) return undefined;
+      const { clientId, resumeToken, credential } = kept;
+      return { clientId, resumeToken, ...(credential === undefined ? {} : { credential }) };
     },
     save(identity: Identity | undefined): void {
       // Forgetting is for clients that leave for good. An identity that is worth nothing is replaced.
@@ -33,6 +37,7 @@ export function createIdentityFile(
       const kept: Kept = {
         clientId: identity.clientId,
         ...(identity.resumeToken === undefined ? {} : { resumeToken: identity.resumeToken }),
+        ...(identity.credential === undefined ? {} : { credential: identity.credential }),
         pid: process.pid,
       };
       mkdirSync(dirname(path), { recursive: true });

@@ -36,6 +36,14 @@ export const OPTIONS = {
       'Look for the master in the local network (multicast DNS) instead. When there are several, they are listed.',
     parse: parseSwitch,
   }),
+  join: option<string | undefined>({
+    placeholder: '<token|code>',
+    fallback: undefined,
+    fallbackText: 'none',
+    description:
+      'Token or code to join with, when the master is another machine. Needed once: the node keeps who it is.',
+    parse: parseJoin,
+  }),
   modules: option<string | undefined>({
     placeholder: '<folder>',
     fallback: undefined,
@@ -122,6 +130,15 @@ export type Config = {
 
 /** The options as they are, for those who go through all of them. */
 export const ALL_OPTIONS: Readonly<Record<OptionName, Option<unknown>>> = OPTIONS;
+
+/** A link as the QR code has it will do. */
+function parseJoin(text: string): string {
+  const token = text.slice(text.indexOf('#') + 1).trim();
+  if (!/^[!-~][ -~]{0,199}$/.test(token)) {
+    throw new Error('a token or code, or a link that ends with one');
+  }
+  return token;
+}
 
 function parseUrl(text: string): string {
   const url = URL.canParse(text) ? new URL(text) : undefined;

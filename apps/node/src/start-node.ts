@@ -1,5 +1,5 @@
 import { createClient } from '@ubii/client-web/node';
-import type { ConnectionState, UbiiClient } from '@ubii/client-web/node';
+import type { ConnectionError, ConnectionState, UbiiClient } from '@ubii/client-web/node';
 import { createProcessingNode } from '@ubii/client-web/processing';
 import type { NodeInstance, ProcessingNode } from '@ubii/client-web/processing';
 import { moduleLibrary } from '@ubii/modules';
@@ -50,6 +50,7 @@ export async function startNode({
     name: config.name,
     tags: ['processing-node'],
     publishIntervalMs: 0,
+    ...(config.join === undefined ? {} : { joinToken: config.join }),
     ...(config.identity === 'off'
       ? {}
       : {
@@ -150,13 +151,20 @@ function createStateLog(log: Log, master: string): (state: ConnectionState) => v
       case 'closed':
         return state.error === undefined
           ? log('info', `Left ${master}`)
-          : log('error', `${master} does not let this node in: ${state.error.message}`);
+          : log(
+              'error',
+              `${master} does not let this node in: ${state.error.message}${hintFor(state.error)}`,
+            );
       case 'connecting':
         return log('info', `Connecting to ${master}`);
       case 'idle':
         return;
     }
   };
+}
+
+function hintFor({ reason }: ConnectionError): string {
+  return reason === 'join' ? ' Start it with --join <code>, from the terminal of the master.' : '';
 }
 
 const EVENT_LEVELS: { readonly [K in ModuleEventKind]: LogLevel } = {

@@ -16,8 +16,10 @@ it('the names of the entry points are these', () => {
         "DecodeError",
         "PUBLISH_LIMITS",
         "ServiceError",
+        "clientRole",
         "createClient",
         "createMemoryIdentity",
+        "joinProblem",
       ],
       "page": [
         "ConnectionError",
@@ -25,9 +27,11 @@ it('the names of the entry points are these', () => {
         "DecodeError",
         "PUBLISH_LIMITS",
         "ServiceError",
+        "clientRole",
         "createClient",
         "createMemoryIdentity",
         "createTabIdentity",
+        "joinProblem",
       ],
       "testing": [
         "FakeClock",

@@ -9,9 +9,11 @@ const DEFAULT_KEY = 'ubii.identity';
  * Keeps the identity in the tab's session storage: a reload comes back as the same client. A
  * duplicated tab has a copy of that storage; it finds the identity claimed and gets one of its own.
  * Where there is no session storage the identity lasts as long as the page.
+ * The credential is kept for the whole browser as well: a further tab joins with it. [AC-23]
  * @param key name of the entry; one for each client of a page
  */
 export function createTabIdentity(key = DEFAULT_KEY): IdentityStorage {
+  const credentialKey = `${key}.credential`;
   let claimedId: string | undefined;
   let release: Release = () => undefined;
   const claim = async (clientId: string): Promise<boolean> => {
@@ -30,6 +32,8 @@ export function createTabIdentity(key = DEFAULT_KEY): IdentityStorage {
     },
     save(identity) {
       writeEntry(key, identity === undefined ? undefined : JSON.stringify(identity));
+      const credential = identity?.credential;
+      if (credential !== undefined) withLocal((local) => local.setItem(credentialKey, credential));
       if (identity?.clientId === claimedId) return;
       release();
       release = () => undefined;
@@ -37,21 +41,40 @@ export function createTabIdentity(key = DEFAULT_KEY): IdentityStorage {
       // Nobody else can hold an id that was just given, so this does not fail.
       if (identity !== undefined) void claim(identity.clientId);
     },
+    loadCredential: () => withLocal((local) => local.getItem(credentialKey)) ?? undefined,
+    forgetCredential(credential) {
+      withLocal((local) => {
+        if (local.getItem(credentialKey) === credential) local.removeItem(credentialKey);
+      });
+    },
   };
 }
 
 function parseIdentity(text: string | undefined): Identity | undefined {
   if (text === undefined) return undefined;
   try {
-    const { clientId, resumeToken } = JSON.parse(text) as Partial<Record<keyof Identity, unknown>>;
+    const parsed = JSON.parse(text) as Partial<Record<keyof Identity, unknown>>;
+    const { clientId, resumeToken, credential } = parsed;
     if (typeof clientId !== 'string' || clientId === '') return undefined;
-    return { clientId, resumeToken: typeof resumeToken === 'string' ? resumeToken : undefined };
+    return {
+      clientId,
+      resumeToken: typeof resumeToken === 'string' ? resumeToken : undefined,
+      ...(typeof credential === 'string' ? { credential } : {}),
+    };
   } catch {
     return undefined; // written by something else
   }
 }
 
 // A browser that blocks storage throws at the mere mention of it.
+
+function withLocal<R>(use: (local: Storage) => R): R | undefined {
+  try {
+    return use(localStorage);
+  } catch {
+    return undefined;
+  }
+}
 
 function readEntry(key: string): string | undefined {
   try {

@@ -24,6 +24,11 @@ export interface ClientOptions {
   readonly processingModules?: readonly Init<ProcessingModule>[];
   /** True when it exists to run modules for others. @default false */
   readonly isDedicatedNode?: boolean;
+  /**
+   * Token or code to join with, where the master lets in nobody else. Used for the first registration;
+   * then the credential shows who it is, which is kept with the identity. [AC-13]
+   */
+  readonly joinToken?: string;
   /** Where the identity is kept between runs. @default in memory */
   readonly identity?: IdentityStorage;
   /** Records are collected this long and sent as one frame, milliseconds; 0: until the end of the turn. @default 15 */

@@ -1,18 +1,29 @@
+import type { JoinProblem } from './join.ts';
+
 /**
  * Why a link failed: `closed`: by us, by the master, or it broke · `refused`: by the master, or
  * nobody is there · `timeout` · `protocol`: what came makes no sense · `superseded`: another socket
- * uses this identity now · `disconnected`: somebody removed this client, the message says who and why.
+ * uses this identity now · `disconnected`: somebody removed this client, the message says who and why
+ * · `join`: the client has to join first, or anew; `joinProblem` says why.
  */
 export type ConnectionErrorReason =
-  'closed' | 'refused' | 'timeout' | 'protocol' | 'superseded' | 'disconnected';
+  'closed' | 'refused' | 'timeout' | 'protocol' | 'superseded' | 'disconnected' | 'join';
 
 /** The link to the master failed. */
 export class ConnectionError extends Error {
   override readonly name = 'ConnectionError';
   readonly reason: ConnectionErrorReason;
 
-  constructor(reason: ConnectionErrorReason, message: string, options?: { cause?: unknown }) {
+  /** Set when the reason is `join`. */
+  readonly joinProblem: JoinProblem | undefined;
+
+  constructor(
+    reason: ConnectionErrorReason,
+    message: string,
+    options?: { cause?: unknown; joinProblem?: JoinProblem },
+  ) {
     super(message, options);
     this.reason = reason;
+    this.joinProblem = options?.joinProblem;
   }
 }

@@ -233,12 +233,19 @@ export class Connection {
     if (remedy === 'stop') {
       // Not ours any more, so `close()` must not deregister it; `connect()` may take it back.
       const { reason } = failure.error;
-      if (reason === 'superseded' || reason === 'disconnected') registration.invalidate();
+      if (reason === 'superseded' || reason === 'disconnected' || reason === 'join') {
+        registration.invalidate();
+      }
       this.#stop('ended', failure.error);
       return;
     }
     if (remedy === 'register-as-new') registration.forget();
     if (remedy === 'register-again') registration.invalidate();
+    // A socket that is refused without a word: services say why, and a browser is not told. [AC-27]
+    const isMute = failure.code === BROKEN && !failure.wasUp && failure.error.cause === undefined;
+    if (remedy === 'retry' && isMute && registration.credential !== undefined) {
+      registration.invalidate();
+    }
 
     // The master is there and said what to do: once in an outage that is done without delay.
     const hurries = this.#mustHurry || (isTold(failure) && !this.#hasHurried);

@@ -20,7 +20,8 @@ import type { ComponentInit, DeviceInit, RegisteredDevice } from './devices.ts';
 import type { EncodedListener } from './encoded-record.ts';
 import { createMemoryIdentity } from './identity.ts';
 import type { Link } from './link.ts';
-import { unknownClient } from './link-failure.ts';
+import type { ClientRole } from './join.ts';
+import { failureOf, unknownClient } from './link-failure.ts';
 import { Listeners } from './listeners.ts';
 import type { Clock } from './ports/clock.ts';
 import type { IdSource } from './ports/id-source.ts';
@@ -66,6 +67,9 @@ const DEFAULT_SERVICE_TIMEOUT_MS = 10_000;
 /** How long `close()` waits for the master, each time it asks it something, milliseconds. */
 const FAREWELL_TIMEOUT_MS = 2_000;
 
+/** A credential lives for a week; one who stays for longer gets another in time, milliseconds. [AC-13] */
+const CREDENTIAL_RENEWAL_MS = 24 * 3_600_000;
+
 /** Services whose request says on whose behalf it comes. Elsewhere a client id is a criterion. */
 const SERVICES_WITH_CLIENT_ID: ReadonlySet<ServiceName> = new Set([
   'topicSubscription',
@@ -74,6 +78,8 @@ const SERVICES_WITH_CLIENT_ID: ReadonlySet<ServiceName> = new Set([
   'clientRename',
   'clientDisconnect',
   'clientThrottle',
+  'accessGrantCreate',
+  'accessGrantRevoke',
 ]);
 
 /** A client on the given ports. */
@@ -99,16 +105,20 @@ class Client implements UbiiClient {
   readonly #problemListeners = new Listeners<ClientProblem>();
   readonly #identityListeners = new Listeners<IdentityChange>();
   readonly #nodeListeners = new Listeners<EncodedNodeMessage>();
+  /** When a new credential was asked for last, monotonic milliseconds. */
+  #credentialMs: number;
   #recordsOut = 0;
   #bytesOut = 0;
   #closing: Promise<void> | undefined;
 
   constructor(options: ClientOptions, { clock, random, uuid, services, topicData }: ClientPorts) {
     this.#clock = clock;
+    this.#credentialMs = clock.monotonicMs();
     this.#timeoutMs = options.serviceTimeoutMs ?? DEFAULT_SERVICE_TIMEOUT_MS;
-    this.#calls = new ServiceCalls(services, clock, this.#timeoutMs);
+    const bearer = (): string | undefined => this.#registration.credential; // [AC-13]
+    this.#calls = new ServiceCalls(services, clock, this.#timeoutMs, bearer);
     // Of its own, because `close()` rejects the program's calls but has to know how a registration went.
-    const registrationCalls = new ServiceCalls(services, clock, this.#timeoutMs);
+    const registrationCalls = new ServiceCalls(services, clock, this.#timeoutMs, bearer);
     this.#registration = new Registration(
       registrationCalls,
       options.identity ?? createMemoryIdentity(),
@@ -120,6 +130,7 @@ class Client implements UbiiClient {
         processingModules: options.processingModules ?? [],
         isDedicatedNode: options.isDedicatedNode ?? false,
       },
+      options.joinToken,
     );
     const handleProblem = (problem: ClientProblem): void => this.#problemListeners.emit(problem);
     const handleUnknownClient = (cause: ServiceError): void => {
@@ -193,6 +204,10 @@ class Client implements UbiiClient {
     return this.#registration.profile.name;
   }
 
+  get role(): ClientRole | undefined {
+    return this.#registration.membership?.role;
+  }
+
   get state(): ConnectionState {
     return this.#connection.state;
   }
@@ -236,6 +251,16 @@ class Client implements UbiiClient {
   async connect(): Promise<void> {
     await this.#closing;
     await this.#connection.connect();
+  }
+
+  async join(token: string): Promise<void> {
+    this.#registration.joinWith(token);
+    if (this.state.status !== 'connected') return this.connect();
+    try {
+      await this.#tellProfile();
+    } catch (error) {
+      throw error instanceof ServiceError ? failureOf(error).error : error;
+    }
   }
 
   retryNow(): void {
@@ -395,6 +420,11 @@ class Client implements UbiiClient {
 
   /** For a name that did not get through: nobody waits for it, and it is tried again with every PING. */
   #tellProfileInPassing(): void {
+    const nowMs = this.#clock.monotonicMs();
+    if (nowMs - this.#credentialMs > CREDENTIAL_RENEWAL_MS) {
+      this.#credentialMs = nowMs;
+      this.#registration.renewCredential();
+    }
     this.#tellProfile().catch(() => undefined);
   }
 

@@ -6,6 +6,8 @@ export interface Identity {
   readonly clientId: string;
   /** Proof that the id is ours; a secret. `undefined` with an original master. [EX-3] */
   readonly resumeToken: string | undefined;
+  /** Shows that the client has joined; a secret. `undefined` where nobody has to. [AC-13] */
+  readonly credential?: string | undefined;
 }
 
 /** Keeps the identity as long as the program runs: the default. */

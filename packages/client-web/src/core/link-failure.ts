@@ -1,5 +1,6 @@
 import { ServiceError } from '@ubii/proto';
 import { ConnectionError, type ConnectionErrorReason } from './connection-error.ts';
+import { joinProblemOf } from './join.ts';
 
 /** Why a link ended, or did not come about. */
 export interface LinkFailure {
@@ -22,16 +23,21 @@ const REMEDIES: ReadonlyMap<number, Remedy> = new Map([
   [4003, 'register-as-new'], // not this client
   [4004, 'register-again'], // unknown client
   [4010, 'stop'], // disconnected: somebody wants it gone [EX-30]
+  [4011, 'stop'], // revoked: it has to join anew [AC-15]
   [1000, 'register-again'], // deregistered, on whose behalf ever [CL-16]
 ]);
 
 /** Somebody removed this client [EX-30]. */
 const DISCONNECTED = 4010;
 
+/** Somebody took back its leave to join [AC-15]. */
+const REVOKED = 4011;
+
 /** Close codes that have a reason of their own. */
 const REASONS: ReadonlyMap<number, ConnectionErrorReason> = new Map([
   [4001, 'superseded'],
   [DISCONNECTED, 'disconnected'],
+  [REVOKED, 'join'],
 ]);
 
 /** Errors of a registration that trying again does not cure. */
@@ -46,6 +52,7 @@ const FINAL_CODES: ReadonlySet<string> = new Set([
 export function remedyFor({ code, error, wasUp }: LinkFailure): Remedy {
   const told = REMEDIES.get(code);
   if (told !== undefined) return told;
+  if (error.reason === 'join') return 'stop'; // a person has to do something
   if (error.cause instanceof ServiceError) {
     if (FINAL_CODES.has(error.cause.code)) return 'stop';
     if (isUnknownClient(error.cause)) return 'register-again';
@@ -76,10 +83,14 @@ export function failureOfClose(code: number, reason: string, wasUp: boolean): Li
   const message =
     code === DISCONNECTED
       ? `This client was disconnected ${reason}`.trim()
-      : code === BROKEN
-        ? `The link to the master broke${why}`
-        : `The master closed the link with code ${code}${why}`;
-  const error = new ConnectionError(REASONS.get(code) ?? 'closed', message);
+      : code === REVOKED
+        ? `The leave to join was taken back ${reason}`.trim()
+        : code === BROKEN
+          ? `The link to the master broke${why}`
+          : `The master closed the link with code ${code}${why}`;
+  const error = new ConnectionError(REASONS.get(code) ?? 'closed', message, {
+    ...(code === REVOKED && { joinProblem: 'revoked' as const }),
+  });
   return { error, code, wasUp };
 }
 
@@ -88,6 +99,11 @@ export function failureOf(cause: unknown): LinkFailure {
   if (isLinkFailure(cause)) return cause;
   if (cause instanceof ConnectionError) return { error: cause, code: BROKEN, wasUp: false };
   const error = ServiceError.from(cause);
+  const joinProblem = joinProblemOf(error);
+  if (joinProblem !== undefined) {
+    const refusal = new ConnectionError('join', error.message, { cause: error, joinProblem });
+    return { error: refusal, code: BROKEN, wasUp: false };
+  }
   return {
     error: new ConnectionError('refused', `The master refused the client: ${error.message}`, {
       cause: error,

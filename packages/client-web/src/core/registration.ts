@@ -1,7 +1,9 @@
 import { ClientState, ServiceError } from '@ubii/proto';
-import type { Init, NodeExtension, ProcessingModule } from '@ubii/proto';
+import type { Client, Init, NodeExtension, ProcessingModule, ServiceRequestOf } from '@ubii/proto';
 import { ConnectionError } from './connection-error.ts';
 import type { Identity } from './identity.ts';
+import { clientRole, joinProblemOf, sendableToken, wrongToken } from './join.ts';
+import type { ClientRole } from './join.ts';
 import { LIBRARY_NAME } from './library-name.ts';
 import type { IdentityStorage } from './ports/identity-storage.ts';
 import type { ServiceCalls } from './service-calls.ts';
@@ -26,6 +28,8 @@ export interface Membership {
   readonly tellsTime: boolean;
   /** Semantic version; `undefined` for an original master. */
   readonly masterVersion: string | undefined;
+  /** What it may do; `undefined` with masters that know no roles. [AC-20] */
+  readonly role: ClientRole | undefined;
   /** Another number after each registration with which the master may have lost what it knew of us. */
   readonly serial: number;
 }
@@ -43,11 +47,38 @@ export class Registration {
   #isProfileNew = false;
   #updating: Promise<void> | undefined;
   #serial = 0;
+  /** What somebody gave it to join with, until it has. */
+  #joinToken: string | undefined;
+  /** A person gave it just now, and is to hear when it is good for nothing. */
+  #isTokenAsked = false;
 
-  constructor(calls: ServiceCalls, storage: IdentityStorage, profile: ClientProfile) {
+  constructor(
+    calls: ServiceCalls,
+    storage: IdentityStorage,
+    profile: ClientProfile,
+    joinToken?: string,
+  ) {
     this.#calls = calls;
     this.#storage = storage;
     this.#profile = profile;
+    this.#joinToken = joinToken;
+  }
+
+  /** What shows later requests to come from this client. [AC-13] */
+  get credential(): string | undefined {
+    return this.#identity?.credential;
+  }
+
+  /** Joins with this the next time it registers; the master learns it with `update`, too. */
+  joinWith(token: string): void {
+    this.#joinToken = token;
+    this.#isTokenAsked = true;
+    this.#isProfileNew = true;
+  }
+
+  /** Asks for a new credential with the next `update`: the one it has will end. [AC-13] */
+  renewCredential(): void {
+    if (this.credential !== undefined) this.#isProfileNew = true;
   }
 
   /** The id of this client, or the last one it had; empty before the first. */
@@ -162,7 +193,7 @@ export class Registration {
     const profile = this.#profile;
     const { name, description, tags, node, processingModules, isDedicatedNode } = profile;
     const resumeToken = this.#identity?.resumeToken;
-    const client = await this.#calls.call('clientRegistration', {
+    const client = await this.#join({
       name,
       ...(description === '' ? {} : { description }),
       ...(tags.length === 0 ? {} : { tags: [...tags] }),
@@ -185,18 +216,90 @@ export class Registration {
     }
     const { extension } = client;
     this.#clientId = client.id;
-    this.#identity = { clientId: client.id, resumeToken: extension?.resumeToken || undefined };
+    this.#identity = {
+      clientId: client.id,
+      resumeToken: extension?.resumeToken || undefined,
+      ...(extension?.credential ? { credential: extension.credential } : {}), // [AC-13]
+    };
     const membership: Membership = {
       identity: this.#identity,
       isExtended: extension !== undefined, // [EX-1]
       tellsTime: extension?.tellsTime ?? false,
       masterVersion: extension?.masterVersion || undefined,
+      role: clientRole(extension?.role ?? 0),
       serial: this.#serial,
     };
     this.#membership = membership;
     this.#isProfileNew = this.#profile !== profile;
     this.#save(this.#identity);
     return membership;
+  }
+
+  /**
+   * Registers with what there is to show: the token somebody gave it, else its credential, else that of
+   * an earlier client here, else nothing, which is enough on the master's own machine. [AC-3] [AC-23]
+   */
+  async #join(message: Init<ServiceRequestOf<'clientRegistration'>>): Promise<Client> {
+    const register = (bearer: string): Promise<Client> =>
+      this.#calls.call('clientRegistration', message, undefined, bearer);
+    const credential = this.credential ?? this.#loadSharedCredential();
+    const hasToken = this.#joinToken !== undefined;
+    try {
+      if (hasToken) return await this.#joinByToken(register, credential);
+      return await register(credential ?? '');
+    } catch (error) {
+      const problem = joinProblemOf(error);
+      const isRefused = problem !== undefined && problem !== 'role';
+      if (hasToken || credential === undefined || !isRefused) throw error;
+      this.#dropCredential(credential);
+      // Of why it is worth nothing more can be told than that nothing was shown.
+      return await register('').catch((again: unknown) =>
+        Promise.reject((joinProblemOf(again) === 'missing' ? error : again) as Error),
+      );
+    }
+  }
+
+  async #joinByToken(
+    register: (bearer: string) => Promise<Client>,
+    credential: string | undefined,
+  ): Promise<Client> {
+    const joinToken = this.#joinToken!;
+    const isAsked = this.#isTokenAsked;
+    const sendable = sendableToken(joinToken);
+    let client: Client;
+    try {
+      if (sendable === undefined) throw wrongToken();
+      client = await register(sendable);
+    } catch (error) {
+      if (joinProblemOf(error) === undefined) throw error;
+      // What a person typed is not tried again by itself.
+      if (isAsked && this.#joinToken === joinToken && this.#membership !== undefined) {
+        this.#joinToken = undefined;
+      }
+      // An old link opened once more by somebody who has joined with it is no reason to throw them out.
+      if (isAsked || credential === undefined) throw error;
+      client = await register(credential).catch(() => Promise.reject(error as Error));
+    }
+    if (this.#joinToken === joinToken) this.#joinToken = undefined;
+    return client;
+  }
+
+  #dropCredential(credential: string): void {
+    if (this.#identity?.credential === credential) {
+      const { clientId, resumeToken } = this.#identity;
+      this.#identity = { clientId, resumeToken };
+      this.#save(this.#identity);
+    }
+    this.#storage.forgetCredential?.(credential);
+  }
+
+  #loadSharedCredential(): string | undefined {
+    try {
+      return this.#storage.loadCredential?.();
+    } catch (error) {
+      void Promise.reject(error);
+      return undefined;
+    }
   }
 
   /** A storage that fails costs the identity of the next run, not the connection of this one. */

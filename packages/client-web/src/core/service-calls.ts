@@ -17,16 +17,25 @@ export class ServiceCalls {
   readonly #transport: ServiceTransport;
   readonly #clock: Clock;
   readonly #timeoutMs: number;
+  readonly #bearer: () => string | undefined;
   readonly #open = new Set<(error: ConnectionError) => void>();
 
-  constructor(transport: ServiceTransport, clock: Clock, timeoutMs: number) {
+  /** @param bearer what shows who calls, of this moment [AC-13] */
+  constructor(
+    transport: ServiceTransport,
+    clock: Clock,
+    timeoutMs: number,
+    bearer: () => string | undefined = () => undefined,
+  ) {
     this.#transport = transport;
     this.#clock = clock;
     this.#timeoutMs = timeoutMs;
+    this.#bearer = bearer;
   }
 
   /**
    * Sends one request and gives the payload of the reply.
+   * @param bearer in place of what shows who calls of this moment; empty for none
    * @throws {ServiceError} what the master answered
    * @throws {ConnectionError} `timeout`, `refused`, `protocol`, or the error of `rejectAll`
    */
@@ -34,13 +43,14 @@ export class ServiceCalls {
     service: S,
     request: Init<ServiceRequestOf<S>> | undefined,
     timeoutMs = this.#timeoutMs,
+    bearer: string | undefined = this.#bearer(),
   ): Promise<ServiceReplyOf<S>> {
     const { topic, request: requestMember, reply: replyMember } = SERVICES[service];
     const message: Init<ServiceRequest> =
       requestMember === undefined || request === undefined
         ? { topic }
         : { topic, [requestMember]: request };
-    const reply = await this.#exchange(topic, message, timeoutMs);
+    const reply = await this.#exchange(topic, message, timeoutMs, bearer);
     if (reply.error !== undefined) throw ServiceError.fromWire(reply.error);
     const payload = reply[replyMember];
     if (payload === undefined) {
@@ -61,9 +71,10 @@ export class ServiceCalls {
     topic: string,
     message: Init<ServiceRequest>,
     timeoutMs: number,
+    bearer: string | undefined,
   ): Promise<ServiceReply> {
     const settled = new Deferred<ServiceReply>();
-    const exchange = this.#transport.send(message);
+    const exchange = this.#transport.send(message, bearer === '' ? undefined : bearer);
     const giveUp = (error: ConnectionError): void => {
       finish();
       settled.reject(error);

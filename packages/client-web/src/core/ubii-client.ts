@@ -14,6 +14,7 @@ import type { ClientCounters } from './client-counters.ts';
 import type { ConnectionState } from './connection-state.ts';
 import type { ComponentInit, DeviceInit, RegisteredDevice } from './devices.ts';
 import type { EncodedListener } from './encoded-record.ts';
+import type { ClientRole } from './join.ts';
 import type { PublishOptions } from './publish-buffer.ts';
 import type { ClientProfile } from './registration.ts';
 import type { RoundTrip } from './round-trip.ts';
@@ -49,6 +50,15 @@ export interface UbiiClient {
   close(): Promise<void>;
   /** Tries at once when the client is waiting to reconnect. */
   retryNow(): void;
+
+  /**
+   * Joins with a token or code, also when it has joined as something else before, and connects. A token
+   * that is refused rejects with a `ConnectionError` whose reason is `join`; `state` then is `closed` with
+   * the same error, unless it was connected: then it stays what it was.
+   */
+  join(token: string): Promise<void>;
+  /** What the client may do; `undefined` before the first connection, and with masters that know no roles. */
+  readonly role: ClientRole | undefined;
 
   /** The client's id; empty before the first connection. */
   readonly id: string;

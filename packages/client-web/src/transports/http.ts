@@ -26,14 +26,15 @@ export function createHttpServices(options: HttpServicesOptions): ServiceTranspo
   // Called as a bare function: a browser's fetch refuses another `this`.
   const fetch = options.fetch ?? globalThis.fetch.bind(globalThis);
   return {
-    send(request) {
+    send(request, bearer) {
       const abort = new AbortController();
-      return { reply: exchange(request, abort.signal), cancel: () => abort.abort() };
+      return { reply: exchange(request, bearer, abort.signal), cancel: () => abort.abort() };
     },
   };
 
   async function exchange(
     request: Init<ServiceRequest>,
+    bearer: string | undefined,
     signal: AbortSignal,
   ): Promise<ServiceReply> {
     let response: Response;
@@ -41,7 +42,10 @@ export function createHttpServices(options: HttpServicesOptions): ServiceTranspo
     try {
       response = await fetch(url, {
         method: 'POST',
-        headers: { 'Content-Type': codec.contentType },
+        headers: {
+          'Content-Type': codec.contentType,
+          ...(bearer === undefined ? {} : { Authorization: `Bearer ${bearer}` }), // [AC-13]
+        },
         body: codec.encode(request),
         signal,
       });

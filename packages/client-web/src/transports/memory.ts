@@ -28,7 +28,7 @@ export interface MemoryConnection {
 /** A master in the same process. */
 export interface MemoryMaster {
   /** Answers one request. A rejection is what a master that cannot be reached looks like. */
-  handleServiceRequest(request: ServiceRequest): Promise<Init<ServiceReply>>;
+  handleServiceRequest(request: ServiceRequest, bearer?: string): Promise<Init<ServiceReply>>;
   /** Takes an open socket; `undefined` when it closed the peer, or nobody is there. */
   openConnection(query: TopicDataQuery, peer: MemoryPeer): MemoryConnection | undefined;
 }
@@ -39,21 +39,22 @@ export interface MemoryMaster {
  */
 export function createMemoryServices(master: MemoryMaster): ServiceTransport {
   return {
-    send(request) {
+    send(request, bearer) {
       const bytes = encode('ubii.services.ServiceRequest', request);
       let cancel = (): void => undefined;
       const cancelled = new Promise<never>((_, reject) => {
         cancel = () => reject(new ConnectionError('closed', 'The request was cancelled'));
       });
-      return { reply: Promise.race([cancelled, exchange(bytes)]), cancel: () => cancel() };
+      return { reply: Promise.race([cancelled, exchange(bytes, bearer)]), cancel: () => cancel() };
     },
   };
 
-  async function exchange(bytes: Uint8Array): Promise<ServiceReply> {
+  async function exchange(bytes: Uint8Array, bearer?: string): Promise<ServiceReply> {
     await Promise.resolve(); // nobody answers before the caller has his promise
     let reply: Init<ServiceReply>;
     try {
-      reply = await master.handleServiceRequest(decode('ubii.services.ServiceRequest', bytes));
+      const request = decode('ubii.services.ServiceRequest', bytes);
+      reply = await master.handleServiceRequest(request, bearer);
     } catch (cause) {
       throw new ConnectionError('refused', 'The master cannot be reached', { cause });
     }

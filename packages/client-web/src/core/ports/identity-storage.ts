@@ -6,4 +6,11 @@ export interface IdentityStorage {
   load(): Identity | undefined | Promise<Identity | undefined>;
   /** Keeps `identity` in place of the earlier one; `undefined` forgets it. */
   save(identity: Identity | undefined): void;
+  /**
+   * The credential of an earlier client of the same person, such as that of another tab: a further client
+   * joins with it. A storage for one client alone leaves this out. [AC-23]
+   */
+  loadCredential?(): string | undefined;
+  /** The master takes this credential no more. */
+  forgetCredential?(credential: string): void;
 }

@@ -17,6 +17,9 @@ export interface ServiceExchange {
 
 /** Carries service requests to one master. Keeps no state between requests and sets no time limit. */
 export interface ServiceTransport {
-  /** Sends one request. Never throws; failures reject `reply`. */
-  send(request: Init<ServiceRequest>): ServiceExchange;
+  /**
+   * Sends one request. Never throws; failures reject `reply`.
+   * @param bearer what shows who calls: a token, code or credential [AC-13]
+   */
+  send(request: Init<ServiceRequest>, bearer?: string): ServiceExchange;
 }
