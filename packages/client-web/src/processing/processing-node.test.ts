@@ -10,6 +10,7 @@ import type { TopicRecord } from '@ubii/proto';
 import { encodeRecord } from '@ubii/proto';
 import { encodeLockstepRequestFrame } from '@ubii/proto/wire';
 import { describe, expect, it } from 'vitest';
+import { FakeMaster } from '../testing/fake-master.ts';
 import { createNodeWorld, rest, sessionOf, timesTen } from '../testing/node-world.ts';
 
 type World = Awaited<ReturnType<typeof createNodeWorld>>;
@@ -470,4 +471,15 @@ it('tells of changes, at most once a turn', async () => {
   await rest();
   expect(seen.at(-1)).toBe(2);
   expect(seen.length).toBeLessThan(12);
+});
+
+describe('what modules publish', () => {
+  it('[TS-9] is stamped in the time of the master', async () => {
+    const masterMs = 1_800_000_000_000;
+    const world = await createNodeWorld({}, new FakeMaster({ timeMs: () => masterMs }));
+    world.sessions.start(sessionOf(timesTen(world.client.id)));
+    await rest();
+    await put(world, '/m1/in', 2);
+    expect(world.master.published).toMatchObject([{ value: 20, timestampMs: masterMs }]);
+  });
 });

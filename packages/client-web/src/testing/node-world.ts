@@ -10,8 +10,10 @@ import { createProcessingNode } from '../processing/create-processing-node.ts';
 import type { ProcessingNodeOptions } from '../processing/processing-node.ts';
 
 /** A started node of a connected client, with fakes around it: for tests. */
-export async function createNodeWorld(options: Partial<ProcessingNodeOptions> = {}) {
-  const master = new FakeMaster();
+export async function createNodeWorld(
+  options: Partial<ProcessingNodeOptions> = {},
+  master = new FakeMaster(),
+) {
   const sessions = new FakeSessions(master);
   const test = createTestClient(master);
   const node = createProcessingNode(test.client, {
