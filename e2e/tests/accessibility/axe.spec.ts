@@ -14,6 +14,8 @@ const PAGES = [
   { name: 'a module', path: '/modules/clock' },
   { name: 'topics', path: '/topics' },
   { name: 'clients', path: '/clients' },
+  { name: 'panels', path: '/panels' },
+  { name: 'a panel', path: '/panels?topic=/guest/position' },
   { name: 'publish', path: '/publish?topic=/guest/position' },
   { name: 'services', path: '/calls' },
   { name: 'a service', path: '/calls/topicSubscription' },

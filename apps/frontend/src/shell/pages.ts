@@ -3,6 +3,7 @@ import {
   Blocks,
   ConciergeBell,
   House,
+  LayoutDashboard,
   ListTree,
   MonitorSmartphone,
   Send,
@@ -34,6 +35,13 @@ export const PAGES: readonly NavigationPage[] = [
     to: '/clients',
     icon: MonitorSmartphone,
     shortcut: 'G C',
+    isBehindMore: true,
+  },
+  {
+    title: 'Panels',
+    to: '/panels',
+    icon: LayoutDashboard,
+    shortcut: 'G L',
     isBehindMore: true,
   },
   {

@@ -6,6 +6,7 @@ const linesOf = (deltas: readonly (number | undefined)[]) =>
   deltas.map((deltaMs, number): RecordLine => ({
     number,
     timeMs: 0,
+    arrivalMs: 0,
     deltaMs,
     numbers: undefined,
     text: '',

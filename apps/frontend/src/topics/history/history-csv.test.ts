@@ -13,7 +13,7 @@ it('numbers become columns', () => {
   expect(historyCsv(history).split('\r\n')).toEqual([
     'time,time_ms,x,y',
     '1970-01-01T00:00:01.000Z,1000,1,0.5',
-    '1970-01-01T00:00:02.000Z,2000,2,',
+    '1970-01-01T00:00:02.000Z,2000,2,NaN',
     '',
   ]);
 });
@@ -21,7 +21,7 @@ it('numbers become columns', () => {
 it('everything else is a line, and no line is a formula', () => {
   const history = new TopicHistory();
   history.add(at(1000, { format: 'string', value: '=1, "two"' }), 1000);
-  expect(historyCsv(history)).toContain(`1000,"'=1, ""two"""`);
+  expect(historyCsv(history)).toContain(`,1970-01-01T00:00:01.000Z,1000,"'=1, ""two"""`);
   expect(csvName('/lab/arm angle')).toBe('lab-arm-angle.csv');
   expect(csvName('/')).toBe('topic.csv');
 });

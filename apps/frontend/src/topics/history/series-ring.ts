@@ -1,41 +1,94 @@
 const FIRST_CAPACITY = 1024;
-/** Points kept: a minute at 1 kHz. */
-export const MAX_POINTS = 65_536;
+/** A number in memory, bytes. */
+const NUMBER_BYTES = 8;
+
+/** One line of numbers over time. A moment may have no number: NaN. */
+export interface LinePoints {
+  readonly size: number;
+  /** Points ever pushed: the newest has this number, the oldest kept `pushed - size + 1`. */
+  readonly pushed: number;
+  /** @param index 0 is the oldest point */
+  timeAt(index: number): number;
+  valueAt(index: number): number;
+  /** The first point at or after a moment; `size` when there is none. */
+  indexAtOrAfter(timeMs: number): number;
+}
 
 /**
- * The newest points of some lines over one time axis, in memory that is set aside once. Grows up to
- * `MAX_POINTS`, then the oldest point makes room.
+ * The newest points of some lines over one time axis, in typed arrays. Grows up to `maxPoints`, then
+ * the oldest point makes room.
  */
 export class SeriesRing {
-  readonly lines: number;
-  #capacity = FIRST_CAPACITY;
-  #times = new Float64Array(FIRST_CAPACITY);
-  /** Line after line, each of `#capacity`. */
-  #values: Float64Array;
+  #maxPoints: number;
+  #capacity: number;
+  #times: Float64Array;
+  #columns: Float64Array[];
   /** Where the next point goes. */
   #next = 0;
   #size = 0;
+  #pushed = 0;
 
-  /** @param lines how many numbers a point has */
-  constructor(lines: number) {
-    this.lines = lines;
-    this.#values = new Float64Array(lines * FIRST_CAPACITY);
+  /** @param lines how many numbers a point has at first */
+  constructor(lines: number, maxPoints: number) {
+    this.#maxPoints = Math.max(1, Math.floor(maxPoints));
+    this.#capacity = Math.min(FIRST_CAPACITY, this.#maxPoints);
+    this.#times = new Float64Array(this.#capacity);
+    this.#columns = Array.from({ length: lines }, () => new Float64Array(this.#capacity));
+  }
+
+  get lines(): number {
+    return this.#columns.length;
   }
 
   get size(): number {
     return this.#size;
   }
 
+  get pushed(): number {
+    return this.#pushed;
+  }
+
+  get maxPoints(): number {
+    return this.#maxPoints;
+  }
+
+  /** Memory set aside. */
+  get bytes(): number {
+    return (this.#columns.length + 1) * this.#capacity * NUMBER_BYTES;
+  }
+
   /** @param timeMs not before the last point's; a point that claims to be is put beside it */
   push(timeMs: number, numbers: readonly number[]): void {
-    if (this.#size === this.#capacity && this.#capacity < MAX_POINTS) this.#grow();
+    if (this.#size === this.#capacity && this.#capacity < this.#maxPoints) {
+      this.#resize(Math.min(this.#capacity * 2, this.#maxPoints));
+    }
     const last = this.#size === 0 ? -Infinity : this.timeAt(this.#size - 1);
     this.#times[this.#next] = Math.max(timeMs, last);
-    for (let line = 0; line < this.lines; line++) {
-      this.#values[line * this.#capacity + this.#next] = numbers[line] ?? Number.NaN;
+    for (let line = 0; line < this.#columns.length; line++) {
+      this.#columns[line]![this.#next] = numbers[line] ?? Number.NaN;
     }
     this.#next = (this.#next + 1) % this.#capacity;
+    this.#pushed++;
     if (this.#size < this.#capacity) this.#size++;
+  }
+
+  /** Another line from the next point on. @returns its index */
+  addLine(): number {
+    this.#columns.push(new Float64Array(this.#capacity).fill(Number.NaN));
+    return this.#columns.length - 1;
+  }
+
+  /** Keeps so many points from now on; the oldest ones make room at once. */
+  setMaxPoints(maxPoints: number): void {
+    this.#maxPoints = Math.max(1, Math.floor(maxPoints));
+    if (this.#capacity <= this.#maxPoints) return;
+    this.#size = Math.min(this.#size, this.#maxPoints);
+    this.#resize(this.#maxPoints);
+  }
+
+  /** Forgets the points before a moment. */
+  dropBefore(timeMs: number): void {
+    this.#size -= this.indexAtOrAfter(timeMs);
   }
 
   /** @param index 0 is the oldest point */
@@ -44,7 +97,7 @@ export class SeriesRing {
   }
 
   valueAt(line: number, index: number): number {
-    return this.#values[line * this.#capacity + this.#slot(index)]!;
+    return this.#columns[line]![this.#slot(index)]!;
   }
 
   /** The first point at or after a moment; `size` when there is none. */
@@ -58,23 +111,57 @@ export class SeriesRing {
     return low;
   }
 
+  /** One of the lines by itself. */
+  line(line: number): LinePoints {
+    return new RingLine(this, line);
+  }
+
   #slot(index: number): number {
     return (this.#next - this.#size + index + this.#capacity) % this.#capacity;
   }
 
-  #grow(): void {
-    const capacity = this.#capacity * 2;
-    const times = new Float64Array(capacity);
-    const values = new Float64Array(this.lines * capacity);
-    for (let i = 0; i < this.#size; i++) {
-      times[i] = this.timeAt(i);
-      for (let line = 0; line < this.lines; line++) {
-        values[line * capacity + i] = this.valueAt(line, i);
-      }
-    }
-    this.#next = this.#size;
+  /** Nothing is lost as long as `capacity` is not below the size. */
+  #resize(capacity: number): void {
+    const unrolled = (ring: Float64Array): Float64Array => {
+      const copy = new Float64Array(capacity);
+      for (let i = 0; i < this.#size; i++) copy[i] = ring[this.#slot(i)]!;
+      return copy;
+    };
+    const times = unrolled(this.#times);
+    const columns = this.#columns.map(unrolled);
+    this.#next = this.#size % capacity;
     this.#capacity = capacity;
     this.#times = times;
-    this.#values = values;
+    this.#columns = columns;
+  }
+}
+
+class RingLine implements LinePoints {
+  readonly #ring: SeriesRing;
+  readonly #line: number;
+
+  constructor(ring: SeriesRing, line: number) {
+    this.#ring = ring;
+    this.#line = line;
+  }
+
+  get size(): number {
+    return this.#ring.size;
+  }
+
+  get pushed(): number {
+    return this.#ring.pushed;
+  }
+
+  timeAt(index: number): number {
+    return this.#ring.timeAt(index);
+  }
+
+  valueAt(index: number): number {
+    return this.#ring.valueAt(this.#line, index);
+  }
+
+  indexAtOrAfter(timeMs: number): number {
+    return this.#ring.indexAtOrAfter(timeMs);
   }
 }

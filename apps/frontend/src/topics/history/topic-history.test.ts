@@ -40,6 +40,7 @@ describe('TopicHistory', () => {
     expect(history.series?.names).toEqual(['x', 'y']);
     expect(history.points?.size).toBe(2);
     expect(history.points?.valueAt(1, 1)).toBe(4);
+    expect(history.lineOf('y')?.valueAt(1)).toBe(4);
   });
 
   it('keeps the newest value whole and of the others one line only', () => {
@@ -58,5 +59,53 @@ describe('TopicHistory', () => {
     expect(history.series?.names).toEqual(['x', 'y']);
     expect(history.points?.size).toBe(1);
     expect(history.count).toBe(2);
+  });
+
+  it('finds every number of a value by its path', () => {
+    const history = new TopicHistory();
+    const pose = { position: { x: 1, y: 2, z: 3 }, quaternion: { x: 0, y: 0, z: 0, w: 1 } };
+    history.add(record('object3D', { id: 'cup', pose }), 0);
+    expect(history.fields).toContain('pose.quaternion.w');
+    expect(history.lineOf('pose.position.z')?.valueAt(0)).toBe(3);
+  });
+
+  it('keeps a number that is asked for from then on', () => {
+    const history = new TopicHistory();
+    expect(history.lineOf('a.b')).toBeUndefined();
+    history.add(record('string', '{"a":{}}'), 0);
+    history.add(record('string', '{"a":{"b":7}}'), 10);
+    expect([0, 1].map((i) => history.lineOf('a.b')?.valueAt(i))).toEqual([Number.NaN, 7]);
+  });
+
+  it('keeps records and points for so long, within so much memory', () => {
+    const aged = new TopicHistory({ maxAgeMs: 1000, maxBytes: 64_000_000 });
+    for (let i = 0; i < 5000; i++) aged.add(record('double', i), i);
+    expect(aged.records.size).toBe(1001);
+    expect(aged.points?.size).toBe(1001);
+    const small = new TopicHistory({ maxAgeMs: 600_000, maxBytes: 100_000 });
+    for (let i = 0; i < 20_000; i++) small.add(record('vector3', { x: i, y: 0, z: 0 }), i);
+    expect(small.bytes).toBeLessThanOrEqual(100_000);
+    expect(small.records.size).toBeGreaterThan(100);
+    expect(small.lineAt(20_000)?.numbers?.[0]).toBe(19_999);
+    expect(small.lineAt(1)).toBeUndefined();
+  });
+
+  it('holds twenty numbers of ten minutes at 60 Hz', () => {
+    const history = new TopicHistory();
+    const value = { elements: Array.from({ length: 20 }, (_, i) => i) };
+    const fields = Array.from({ length: 20 }, (_, i) => `elements.${i}`);
+    for (const field of fields) history.lineOf(field);
+    for (let i = 0; i < 36_000; i++) history.add(record('doubleList', value), i * (1000 / 60));
+    expect(history.points?.size).toBe(36_000);
+    expect(history.bytes).toBeLessThan(64_000_000);
+    expect(history.lineOf('elements.19')?.valueAt(0)).toBe(19);
+  });
+
+  it('finds the record nearest to a moment', () => {
+    const history = new TopicHistory();
+    for (const ms of [0, 100, 200]) history.add(record('double', ms), ms);
+    const at = (ms: number, upTo?: number) => history.records.nearest(ms, upTo)?.number;
+    expect([at(-5), at(60), at(149), at(999), at(999, 2)]).toEqual([1, 2, 2, 3, 2]);
+    expect(new TopicHistory().records.nearest(0)).toBeUndefined();
   });
 });

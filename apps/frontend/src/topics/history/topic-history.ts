@@ -1,39 +1,65 @@
 import type { DataFormat, TopicRecord } from '@ubii/proto';
 import { formatValue } from '../values/format-value.ts';
+import {
+  MAX_FIELDS,
+  numberFields,
+  partsOf,
+  readable,
+  readNumber,
+} from '../values/number-fields.ts';
 import { seriesOf, type ValueSeries } from '../values/value-series.ts';
 import { EVENT_FORMATS, EventLog } from '../viewers/events/event-log.ts';
+import { DEFAULT_LIMITS, type HistoryLimits } from './history-limits.ts';
+import { RecordLog, type KeptRecord } from './record-log.ts';
 import { SampleClock } from './sample-clock.ts';
-import { SeriesRing } from './series-ring.ts';
+import { SeriesRing, type LinePoints } from './series-ring.ts';
 
-/** Records listed. */
+/** Lines of records that are listed when nobody asks for more. */
 export const MAX_LINES = 200;
 
-/** A record as the list shows it. Pictures and long texts are not kept, only their one line. */
+/** A record as lists show it. */
 export interface RecordLine {
   /** Counts up from 1 with every record of the topic seen here. */
   readonly number: number;
   /** When the value was taken, by the publisher's clock if it says so: milliseconds since the Unix epoch. */
   readonly timeMs: number;
-  /** Since the record before, by the same clock, milliseconds; `undefined` for the first. */
+  /** When it came here, this machine's clock. */
+  readonly arrivalMs: number;
+  /** Since the record before, by the same clock, milliseconds; `undefined` for the oldest kept. */
   readonly deltaMs: number | undefined;
   /** The numbers of the value, where it has some. */
   readonly numbers: readonly number[] | undefined;
   readonly text: string;
 }
 
-/** What has come on one topic since it was opened. Bounded: the newest value, `MAX_LINES` lines, `MAX_POINTS` points. */
+/** How often fields are looked for that the first record did not have, records. */
+const LOOK_EVERY = 64;
+const NUMBER_BYTES = 8;
+/** More fields than are found can be asked for. */
+const MAX_COLUMNS = 2 * MAX_FIELDS;
+
+/** What has come on one topic since it is looked at: the newest value, records and numbers. Bounded. */
 export class TopicHistory {
+  readonly #limits: HistoryLimits;
   readonly #clock = new SampleClock();
+  readonly #log = new RecordLog();
   #format: DataFormat | undefined;
   #series: ValueSeries | undefined;
   #ring: SeriesRing | undefined;
   #events: EventLog | undefined;
+  /** The paths of the lines of `#ring`, in their order. */
+  #fields = new Map<string, { readonly line: number; readonly parts: readonly string[] }>();
+  readonly #wanted = new Set<string>();
   #latest: TopicRecord | undefined;
   #latestLocalMs = 0;
-  /** Oldest first; up to twice what is listed, so that making room is rare. */
-  #lines: RecordLine[] = [];
-  #count = 0;
-  #before: { readonly timestampMs: number | undefined; readonly arrivalMs: number } | undefined;
+
+  constructor(limits: HistoryLimits = DEFAULT_LIMITS) {
+    this.#limits = limits;
+  }
+
+  get limits(): HistoryLimits {
+    return this.#limits;
+  }
 
   get latest(): TopicRecord | undefined {
     return this.#latest;
@@ -44,19 +70,53 @@ export class TopicHistory {
     return this.#latestLocalMs;
   }
 
-  /** Records since the topic was opened. */
+  /** Records since the topic is looked at. */
   get count(): number {
-    return this.#count;
+    return this.#log.count;
+  }
+
+  get records(): RecordLog {
+    return this.#log;
+  }
+
+  /** Memory used, bytes, about. */
+  get bytes(): number {
+    return this.#log.bytes + (this.#ring?.bytes ?? 0);
   }
 
   /** The newest records, newest first, up to `MAX_LINES`. */
   lines(): RecordLine[] {
-    return this.#lines.slice(-MAX_LINES).reverse();
+    const lines: RecordLine[] = [];
+    const { count, firstNumber } = this.#log;
+    for (let number = count; number >= firstNumber && lines.length < MAX_LINES; number--) {
+      lines.push(this.lineAt(number)!);
+    }
+    return lines;
   }
 
-  /** How the values are drawn over time; `undefined` when they are not numbers. */
+  /** A kept record as lists show it. */
+  lineAt(number: number): RecordLine | undefined {
+    const kept = this.#log.at(number);
+    if (!kept) return undefined;
+    const { timestampMs, arrivalMs, format, value } = kept;
+    return {
+      number,
+      timeMs: timestampMs ?? arrivalMs,
+      arrivalMs,
+      deltaMs: deltaOf(this.#log.at(number - 1), kept),
+      numbers: value === undefined ? undefined : seriesOf(format)?.read(value as never),
+      text: kept.line ?? formatValue(format, value as never),
+    };
+  }
+
+  /** How the values are drawn over time; `undefined` when they are not numbers by themselves. */
   get series(): ValueSeries | undefined {
     return this.#series;
+  }
+
+  /** Where the numbers of the values stand that are kept. */
+  get fields(): readonly string[] {
+    return [...this.#fields.keys()];
   }
 
   /** The points, by this machine's clock. */
@@ -69,40 +129,73 @@ export class TopicHistory {
     return this.#events;
   }
 
+  /** The numbers at a path. One that is asked for is kept from then on. */
+  lineOf(path: string): LinePoints | undefined {
+    this.#wanted.add(path);
+    if (!this.#ring) return undefined;
+    this.#addField(path);
+    const field = this.#fields.get(path);
+    return field && this.#ring.line(field.line);
+  }
+
   /** @param arrivalMs this machine's clock: milliseconds since the Unix epoch */
   add(record: TopicRecord, arrivalMs: number): void {
-    if (record.format !== this.#format) this.#begin(record.format);
-    const numbers = this.#series?.read(record.value as never);
+    if (record.format !== this.#format) this.#begin(record);
+    else if (this.count % LOOK_EVERY === 0) this.#lookForFields(record);
     this.#latest = record;
     this.#latestLocalMs = this.#clock.toLocalMs(record.timestampMs, arrivalMs);
     this.#events?.add(record, this.#latestLocalMs);
-    if (numbers) this.#ring!.push(this.#latestLocalMs, numbers);
-    this.#count += 1;
-    this.#lines.push({
-      number: this.#count,
-      timeMs: record.timestampMs ?? arrivalMs,
-      deltaMs: this.#deltaMs(record.timestampMs, arrivalMs),
-      numbers,
-      text: formatValue(record.format, record.value as never),
+    const sinceMs = this.#latestLocalMs - this.#limits.maxAgeMs;
+    this.#log.add(record, arrivalMs, this.#latestLocalMs, {
+      maxBytes: this.#limits.maxBytes / 2,
+      sinceMs,
     });
-    if (this.#lines.length >= 2 * MAX_LINES) this.#lines.splice(0, MAX_LINES);
-    this.#before = { timestampMs: record.timestampMs, arrivalMs };
+    const ring = this.#ring;
+    if (!ring || ring.lines === 0) return;
+    const value = readable(record.format, record.value);
+    ring.push(
+      this.#latestLocalMs,
+      Array.from(this.#fields.values(), ({ parts }) => readNumber(value, parts)),
+    );
+    ring.dropBefore(sinceMs);
   }
 
   /** Numbers of another format are another story; the list goes on. */
-  #begin(format: DataFormat): void {
-    this.#format = format;
-    this.#series = seriesOf(format);
-    this.#events = EVENT_FORMATS.has(format) ? new EventLog() : undefined;
-    this.#ring = this.#series && new SeriesRing(this.#series.names.length);
+  #begin(record: TopicRecord): void {
+    this.#format = record.format;
+    this.#series = seriesOf(record.format);
+    this.#events = EVENT_FORMATS.has(record.format) ? new EventLog() : undefined;
+    this.#fields = new Map();
+    const found = new Set([...(this.#series?.paths ?? []), ...this.#wanted]);
+    for (const path of numberFields(record.format, record.value)) found.add(path);
+    this.#ring = new SeriesRing(0, this.#maxPoints(found.size));
+    for (const path of found) this.#addField(path);
   }
 
-  #deltaMs(timestampMs: number | undefined, arrivalMs: number): number | undefined {
-    const before = this.#before;
-    if (before === undefined) return undefined;
-    if (timestampMs === undefined || before.timestampMs === undefined) {
-      return arrivalMs - before.arrivalMs;
-    }
-    return timestampMs - before.timestampMs;
+  #lookForFields({ format, value }: TopicRecord): void {
+    if (this.#fields.size >= MAX_FIELDS) return;
+    for (const path of numberFields(format, value)) this.#addField(path);
   }
+
+  #addField(path: string): void {
+    if (!this.#ring || this.#fields.has(path) || this.#fields.size >= MAX_COLUMNS) return;
+    this.#fields.set(path, { line: this.#ring.addLine(), parts: partsOf(path) });
+    this.#ring.setMaxPoints(this.#maxPoints(this.#ring.lines));
+  }
+
+  /** What fits into the half of the memory that is for numbers. */
+  #maxPoints(lines: number): number {
+    return this.#limits.maxBytes / 2 / (NUMBER_BYTES * (lines + 1));
+  }
+}
+
+function deltaOf(
+  before: KeptRecord | undefined,
+  { timestampMs, arrivalMs }: KeptRecord,
+): number | undefined {
+  if (before === undefined) return undefined;
+  if (timestampMs === undefined || before.timestampMs === undefined) {
+    return arrivalMs - before.arrivalMs;
+  }
+  return timestampMs - before.timestampMs;
 }

@@ -9,8 +9,11 @@ import {
   type ShallowRef,
 } from 'vue';
 import type { TopicRecord } from '@ubii/proto';
-import { useConnection } from '../../connection/useConnection.ts';
-import { TopicHistory, type RecordLine } from './topic-history.ts';
+import { nowMs, TopicFeed } from './topic-feeds.ts';
+import { TopicHistory } from './topic-history.ts';
+import { useFeedPorts } from './useTopicFeeds.ts';
+
+export { nowMs };
 
 /** How often what is read is renewed, Hz; plots draw themselves in every frame. */
 const READ_HZ = 8;
@@ -18,16 +21,41 @@ const READ_HZ = 8;
 /** What readers see of a history at one moment. */
 export interface HistoryView {
   readonly latest: TopicRecord | undefined;
-  /** Newest first. */
-  readonly lines: readonly RecordLine[];
-  /** Records since the topic was opened. */
+  /** Records since the topic was opened: the newest that is shown has this number. */
   readonly count: number;
 }
 
-const NOTHING: HistoryView = { latest: undefined, lines: [], count: 0 };
+export const NOTHING_YET: HistoryView = { latest: undefined, count: 0 };
 
-/** Milliseconds since the Unix epoch, this machine's clock, with fractions and never going back. */
-export const nowMs = (): number => performance.timeOrigin + performance.now();
+/**
+ * Looks at a history a few times a second, unless paused.
+ * @returns what is shown, and how many records have come
+ */
+export function useHistoryView(
+  history: Readonly<Ref<TopicHistory>>,
+  isPaused: Readonly<Ref<boolean>>,
+): { shown: Readonly<ShallowRef<HistoryView>>; count: Readonly<ShallowRef<number>> } {
+  const shown = shallowRef<HistoryView>(NOTHING_YET);
+  const count = shallowRef(0);
+  function read(): void {
+    const { latest, count: records } = history.value;
+    count.value = records;
+    if (isPaused.value && shown.value.count > 0) return;
+    if (records !== shown.value.count) shown.value = { latest, count: records };
+  }
+  watch(
+    history,
+    () => {
+      shown.value = NOTHING_YET;
+      read();
+    },
+    { immediate: true, flush: 'sync' },
+  );
+  watch(isPaused, read);
+  const { pause } = useRafFn(read, { fpsLimit: READ_HZ });
+  onScopeDispose(pause);
+  return { shown, count };
+}
 
 /** Every record of one topic from now on, while the calling component lives. */
 export function useTopicHistory(
@@ -41,57 +69,24 @@ export function useTopicHistory(
   /** The moment a paused view stands still at, this machine's clock; `undefined` while it runs. */
   frozenMs: Readonly<ShallowRef<number | undefined>>;
 } {
-  const { client, topics } = useConnection();
+  const ports = useFeedPorts();
   const history = shallowRef(new TopicHistory());
-  const shown = shallowRef<HistoryView>(NOTHING);
-  const count = shallowRef(0);
   const frozenMs = shallowRef<number>();
-
-  function read(): void {
-    const { latest, count: records } = history.value;
-    count.value = records;
-    if (isPaused.value && shown.value.count > 0) return;
-    if (records !== shown.value.count) {
-      shown.value = { latest, lines: history.value.lines(), count: records };
-    }
-  }
-
-  /** The first record may be a retained one: it came when the master says, not now. */
-  function arrivalMs(record: TopicRecord, isFirst: boolean): number {
-    const now = nowMs();
-    if (!isFirst) return now;
-    const publishedMs = topics.rates.value?.get(record.topic)?.statistic.publishedMs ?? 0;
-    const cameMs = publishedMs > 0 ? publishedMs - topics.clockOffsetMs.value : record.timestampMs;
-    return Math.min(now, cameMs ?? now);
-  }
+  const { shown, count } = useHistoryView(history, isPaused);
 
   watch(
-    topic,
-    (name, _before, onCleanup) => {
-      const fresh = new TopicHistory();
-      history.value = fresh;
-      shown.value = NOTHING;
-      count.value = 0;
+    [topic, () => ports.limits],
+    ([name], _before, onCleanup) => {
+      const feed = new TopicFeed(name, ports);
+      history.value = feed.history;
       if (isPaused.value) frozenMs.value = nowMs();
-      const subscription = client
-        .subscribe(name)
-        .onRecord((record) => fresh.add(record, arrivalMs(record, fresh.count === 0)));
-      // Refused by the master: the client tells, and the page shows no value.
-      subscription.ready.catch(() => undefined);
-      onCleanup(() => void subscription.close());
+      onCleanup(feed.look());
     },
     { immediate: true },
   );
-  watch(
-    isPaused,
-    (paused) => {
-      frozenMs.value = paused ? nowMs() : undefined;
-      read();
-    },
-    { immediate: true },
-  );
-  const { pause } = useRafFn(read, { fpsLimit: READ_HZ });
-  onScopeDispose(pause);
+  watch(isPaused, (paused) => (frozenMs.value = paused ? nowMs() : undefined), {
+    immediate: true,
+  });
 
   return {
     history,

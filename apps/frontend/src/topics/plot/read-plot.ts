@@ -1,50 +1,32 @@
-import type { SeriesRing } from '../history/series-ring.ts';
+import type { LinePoints } from '../history/series-ring.ts';
 import { gapOf } from './trace-line.ts';
-import type { Range } from './value-axis.ts';
 
-/** The lowest and the highest value of all lines in a window, with the one value held into it. */
-export function valuesWithin(ring: SeriesRing, startMs: number, endMs: number): Range | undefined {
-  let [min, max] = [Infinity, -Infinity];
-  for (let i = Math.max(0, ring.indexAtOrAfter(startMs) - 1); i < ring.size; i++) {
-    if (ring.timeAt(i) > endMs) break;
-    for (let line = 0; line < ring.lines; line++) {
-      const value = ring.valueAt(line, i);
-      if (value < min) min = value;
-      if (value > max) max = value;
-    }
-  }
-  return Number.isFinite(min) && Number.isFinite(max) ? { min, max } : undefined;
-}
-
-/** One point of the lines. */
+/** One point of a line. */
 export interface PlotPoint {
   readonly timeMs: number;
-  readonly values: readonly number[];
+  readonly value: number;
 }
 
 /** The point nearest to a moment, up to `endMs`; `undefined` when there is none. */
-export function pointNear(ring: SeriesRing, timeMs: number, endMs: number): PlotPoint | undefined {
-  const after = ring.indexAtOrAfter(timeMs);
+export function pointNear(line: LinePoints, timeMs: number, endMs: number): PlotPoint | undefined {
+  const after = line.indexAtOrAfter(timeMs);
   const candidates = [after - 1, after].filter(
-    (index) => index >= 0 && index < ring.size && ring.timeAt(index) <= endMs,
+    (index) => index >= 0 && index < line.size && line.timeAt(index) <= endMs,
   );
   const [first, second] = candidates;
   if (first === undefined) return undefined;
-  const distance = (index: number): number => Math.abs(ring.timeAt(index) - timeMs);
+  const distance = (index: number): number => Math.abs(line.timeAt(index) - timeMs);
   const nearest = second !== undefined && distance(second) < distance(first) ? second : first;
-  return {
-    timeMs: ring.timeAt(nearest),
-    values: Array.from({ length: ring.lines }, (_, line) => ring.valueAt(line, nearest)),
-  };
+  return { timeMs: line.timeAt(nearest), value: line.valueAt(nearest) };
 }
 
 /**
- * What the lines say at a moment: the nearest point, unless the moment lies in a gap or before the
+ * What a line says at a moment: the nearest point, unless the moment lies in a gap or before the
  * first point. The newest value holds until `endMs`.
  */
-export function pointAt(ring: SeriesRing, timeMs: number, endMs: number): PlotPoint | undefined {
-  const point = pointNear(ring, timeMs, endMs);
+export function pointAt(line: LinePoints, timeMs: number, endMs: number): PlotPoint | undefined {
+  const point = pointNear(line, timeMs, endMs);
   if (point === undefined) return undefined;
-  const isHeld = timeMs >= ring.timeAt(ring.size - 1);
-  return isHeld || Math.abs(point.timeMs - timeMs) <= gapOf(ring) / 2 ? point : undefined;
+  const isHeld = timeMs >= line.timeAt(line.size - 1);
+  return isHeld || Math.abs(point.timeMs - timeMs) <= gapOf(line) / 2 ? point : undefined;
 }

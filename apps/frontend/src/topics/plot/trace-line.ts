@@ -1,4 +1,6 @@
-import type { SeriesRing } from '../history/series-ring.ts';
+import type { LinePoints } from '../history/series-ring.ts';
+import { PixelColumns } from './pixel-columns.ts';
+import type { Range } from './value-axis.ts';
 
 /** What a line is drawn on; a canvas or a Path2D is one. */
 export interface PathSink {
@@ -17,8 +19,6 @@ export interface TimeWindow {
 export interface TraceOptions {
   readonly window: TimeWindow;
   readonly toY: (value: number) => number;
-  /** Points further apart than this are not connected, milliseconds. */
-  readonly gapMs: number;
   /** A value holds until the next one, as with bool. */
   readonly isStepped: boolean;
 }
@@ -27,110 +27,92 @@ export interface TraceOptions {
 const DENSE = 3;
 
 /**
- * Draws one line of the points, with one point beyond each end of the window. Where points are dense
- * it draws the lowest and the highest of each pixel, so that no peak is lost and time stays bounded.
+ * A line as it is drawn again and again. Where points are dense it draws the lowest and the highest of
+ * each pixel, so that no peak is lost and the work depends on pixels, not on points: what was counted
+ * for a pixel is kept as long as the window only moves on.
  */
-export function traceLine(
-  ring: SeriesRing,
-  line: number,
-  options: TraceOptions,
+export class TracedLine {
+  readonly line: LinePoints;
+  readonly #columns: PixelColumns;
+  #isDense = false;
+
+  constructor(line: LinePoints) {
+    this.line = line;
+    this.#columns = new PixelColumns(line);
+  }
+
+  /** The lowest and the highest value in a window, with the one before it, which is held into it. */
+  rangeIn(window: TimeWindow): Range | undefined {
+    this.#look(window);
+    return this.#isDense ? this.#columns.range() : plainRange(this.line, window);
+  }
+
+  /** With one point beyond each end of the window. Gaps and what is no number stay open. */
+  trace(options: TraceOptions, sink: PathSink): void {
+    this.#look(options.window);
+    if (this.#isDense) this.#columns.trace(options, sink);
+    else tracePlain(this.line, options, sink);
+  }
+
+  #look(window: TimeWindow): void {
+    const { line } = this;
+    const points = line.indexAtOrAfter(window.endMs) - line.indexAtOrAfter(window.startMs);
+    this.#isDense = points > DENSE * window.width;
+    if (this.#isDense) this.#columns.update(window, gapOf(line));
+  }
+}
+
+function plainRange(line: LinePoints, { startMs, endMs }: TimeWindow): Range | undefined {
+  let [min, max] = [Infinity, -Infinity];
+  for (let i = Math.max(0, line.indexAtOrAfter(startMs) - 1); i < line.size; i++) {
+    if (line.timeAt(i) > endMs) break;
+    const value = line.valueAt(i);
+    if (!Number.isFinite(value)) continue;
+    if (value < min) min = value;
+    if (value > max) max = value;
+  }
+  return max >= min ? { min, max } : undefined;
+}
+
+function tracePlain(
+  line: LinePoints,
+  { window, toY, isStepped }: TraceOptions,
   sink: PathSink,
 ): void {
-  const { window, gapMs } = options;
-  const first = Math.max(0, ring.indexAtOrAfter(window.startMs) - 1);
-  const last = Math.min(ring.size, ring.indexAtOrAfter(window.endMs) + 1);
-  const isDense = last - first > DENSE * window.width;
-  const pen = isDense ? new DensePen(options, sink) : new PlainPen(options, sink);
+  const { startMs, endMs, width } = window;
+  const gapMs = gapOf(line);
+  const first = Math.max(0, line.indexAtOrAfter(startMs) - 1);
+  const last = Math.min(line.size, line.indexAtOrAfter(endMs) + 1);
   let beforeMs = -Infinity;
+  let beforeY: number | undefined;
   for (let i = first; i < last; i++) {
-    const timeMs = ring.timeAt(i);
-    const value = ring.valueAt(line, i);
-    if (!Number.isFinite(value) || timeMs - beforeMs > gapMs) pen.lift();
-    if (Number.isFinite(value)) pen.draw(timeMs, value);
+    const timeMs = line.timeAt(i);
+    const value = line.valueAt(i);
+    if (timeMs - beforeMs > gapMs) beforeY = undefined;
     beforeMs = timeMs;
-  }
-  pen.lift();
-}
-
-const toX = ({ startMs, endMs, width }: TimeWindow, timeMs: number): number =>
-  ((timeMs - startMs) / (endMs - startMs)) * width;
-
-class PlainPen {
-  readonly #options: TraceOptions;
-  readonly #sink: PathSink;
-  #beforeY: number | undefined;
-
-  constructor(options: TraceOptions, sink: PathSink) {
-    this.#options = options;
-    this.#sink = sink;
-  }
-
-  draw(timeMs: number, value: number): void {
-    const x = toX(this.#options.window, timeMs);
-    const y = this.#options.toY(value);
-    if (this.#beforeY === undefined) this.#sink.moveTo(x, y);
-    else {
-      if (this.#options.isStepped) this.#sink.lineTo(x, this.#beforeY);
-      this.#sink.lineTo(x, y);
+    if (!Number.isFinite(value)) {
+      beforeY = undefined;
+      continue;
     }
-    this.#beforeY = y;
-  }
-
-  lift(): void {
-    this.#beforeY = undefined;
-  }
-}
-
-class DensePen {
-  readonly #options: TraceOptions;
-  readonly #sink: PathSink;
-  #column: { x: number; first: number; min: number; max: number; last: number } | undefined;
-  #isDown = false;
-
-  constructor(options: TraceOptions, sink: PathSink) {
-    this.#options = options;
-    this.#sink = sink;
-  }
-
-  draw(timeMs: number, value: number): void {
-    const x = Math.floor(toX(this.#options.window, timeMs));
-    const column = this.#column;
-    if (column?.x === x) {
-      column.min = Math.min(column.min, value);
-      column.max = Math.max(column.max, value);
-      column.last = value;
-      return;
+    const x = ((timeMs - startMs) / (endMs - startMs)) * width;
+    const y = toY(value);
+    if (beforeY === undefined) {
+      sink.moveTo(x, y);
+      // A point by itself is seen, too.
+      sink.lineTo(x + 0.01, y);
+    } else {
+      if (isStepped) sink.lineTo(x, beforeY);
+      sink.lineTo(x, y);
     }
-    this.#flush();
-    this.#column = { x, first: value, min: value, max: value, last: value };
-  }
-
-  lift(): void {
-    this.#flush();
-    this.#isDown = false;
-  }
-
-  #flush(): void {
-    const column = this.#column;
-    if (column === undefined) return;
-    this.#column = undefined;
-    const { x, first, min, max, last } = column;
-    const { toY } = this.#options;
-    if (this.#isDown) this.#sink.lineTo(x, toY(first));
-    else this.#sink.moveTo(x, toY(first));
-    this.#isDown = true;
-    if (min === max) return;
-    this.#sink.lineTo(x, toY(min));
-    this.#sink.lineTo(x, toY(max));
-    this.#sink.lineTo(x, toY(last));
+    beforeY = y;
   }
 }
 
 /** From which distance on points are not connected: well beyond what is usual, milliseconds. */
-export function gapOf(ring: SeriesRing): number {
+export function gapOf(line: Pick<LinePoints, 'size' | 'timeAt'>): number {
   const gaps: number[] = [];
-  for (let i = Math.max(1, ring.size - 64); i < ring.size; i++) {
-    gaps.push(ring.timeAt(i) - ring.timeAt(i - 1));
+  for (let i = Math.max(1, line.size - 64); i < line.size; i++) {
+    gaps.push(line.timeAt(i) - line.timeAt(i - 1));
   }
   const median = gaps.sort((a, b) => a - b)[gaps.length >> 1] ?? Infinity;
   return Math.max(1000, 8 * median);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { ticksOf, ValueAxis } from './value-axis.ts';
+import { ValueAxis } from './value-axis.ts';
 
 describe('ValueAxis', () => {
   it('leaves room around the values', () => {
@@ -42,22 +42,5 @@ describe('ValueAxis', () => {
     expect(axis.follow(undefined, 0)).toEqual({ min: -1, max: 1 });
     const range = axis.follow({ min: 0, max: 10 }, 0);
     expect(axis.follow(undefined, 10)).toBe(range);
-  });
-});
-
-describe('ticksOf', () => {
-  const texts = (min: number, max: number, count: number) =>
-    ticksOf({ min, max }, count).map(({ value, decimals }) => value.toFixed(decimals));
-
-  it('finds round values', () => {
-    expect(texts(-8, 14, 5)).toEqual(['-5', '0', '5', '10']);
-    expect(texts(0, 1, 5)).toEqual(['0.0', '0.2', '0.4', '0.6', '0.8', '1.0']);
-    expect(texts(0.001, 0.0042, 4)).toEqual(['0.001', '0.002', '0.003', '0.004']);
-    expect(texts(0, 250_000, 5)).toEqual(['0', '50000', '100000', '150000', '200000', '250000']);
-  });
-
-  it('gives none where there is no range', () => {
-    expect(texts(1, 1, 5)).toEqual([]);
-    expect(texts(0, Infinity, 5)).toEqual([]);
   });
 });

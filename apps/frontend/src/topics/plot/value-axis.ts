@@ -51,26 +51,3 @@ function withMargin({ min, max }: Range): Range {
   const room = span > 0 ? span * MARGIN : Math.max(Math.abs(max) * 0.1, 0.5);
   return { min: min - room, max: max + room };
 }
-
-/** A line of the grid. */
-export interface Tick {
-  readonly value: number;
-  /** With as many decimals as the steps need. */
-  readonly decimals: number;
-}
-
-/**
- * Round values within a range: steps of 1, 2 or 5 times a power of ten.
- * @param count how many there should be, about
- */
-export function ticksOf({ min, max }: Range, count: number): Tick[] {
-  const rough = (max - min) / Math.max(1, count);
-  if (!(rough > 0) || !Number.isFinite(rough)) return [];
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * ([1, 2, 5].find((factor) => factor * power >= rough) ?? 10);
-  const decimals = Math.min(12, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
-  const ticks: Tick[] = [];
-  for (let i = Math.ceil(min / step); i * step <= max; i++)
-    ticks.push({ value: i * step, decimals });
-  return ticks;
-}

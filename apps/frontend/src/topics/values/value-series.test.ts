@@ -1,5 +1,6 @@
 import { DATA_FORMATS, type DataFormat } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
+import { partsOf, readNumber } from './number-fields.ts';
 import { seriesOf, sparkNumbers } from './value-series.ts';
 
 describe('seriesOf', () => {
@@ -7,6 +8,7 @@ describe('seriesOf', () => {
     for (const { format, createDefault } of Object.values(DATA_FORMATS)) {
       const series = seriesOf(format);
       if (series) expect(series.read(createDefault() as never)).toHaveLength(series.names.length);
+      if (series) expect(series.paths).toHaveLength(series.names.length);
     }
   });
 
@@ -15,6 +17,15 @@ describe('seriesOf', () => {
     expect(seriesOf('vector3')?.read({ x: 1, y: 2, z: 3 } as never)).toEqual([1, 2, 3]);
     expect(seriesOf('string')).toBeUndefined();
   });
+});
+
+it('says where the numbers stand', () => {
+  for (const { format, createDefault } of Object.values(DATA_FORMATS)) {
+    const series = seriesOf(format);
+    const value = createDefault();
+    const read = series?.paths.map((path) => readNumber(value, partsOf(path)));
+    expect(read, format).toEqual(series?.read(value as never));
+  }
 });
 
 describe('sparkNumbers', () => {

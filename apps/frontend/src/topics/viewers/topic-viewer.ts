@@ -15,7 +15,8 @@ export type ViewerSettings = Readonly<Record<string, JsonValue>>;
 
 /**
  * What every viewer is given. It fills the place it is given (`height: 100%`, at least 180 px high) and
- * may be small; what it sets is told with the event `update:settings`, whole.
+ * may be small; what it sets is told with the event `update:settings`, whole. With the event `pick` (a moment, this
+ * machine's clock) it asks for the record there.
  */
 export interface ViewerProps {
   readonly topic: string;

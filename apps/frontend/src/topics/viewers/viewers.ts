@@ -3,6 +3,7 @@ import { seriesOf } from '../values/value-series.ts';
 import BytesViewer from './bytes/BytesViewer.vue';
 import { EVENT_FORMATS } from './events/event-log.ts';
 import EventsViewer from './events/EventsViewer.vue';
+import HistoryViewer from './HistoryViewer.vue';
 import JsonViewer from './JsonViewer.vue';
 import PictureViewer from './PictureViewer.vue';
 import { PLANE_FORMATS } from './plane/plane-shapes.ts';
@@ -13,6 +14,7 @@ import SpaceViewer from './space/SpaceViewer.vue';
 import TableViewer from './table/TableViewer.vue';
 import { TABLE_FORMATS } from './table/value-table.ts';
 import type { TopicViewer } from './topic-viewer.ts';
+import ValueTile from './ValueTile.vue';
 
 /** Every viewer, in the order in which they are offered: the first that fits a format is the best. */
 export const VIEWERS: readonly TopicViewer[] = [
@@ -59,6 +61,22 @@ export const VIEWERS: readonly TopicViewer[] = [
   },
   { id: 'json', title: 'JSON', fits: () => true, isSecond: () => true, component: JsonViewer },
   { id: 'bytes', title: 'Bytes', fits: () => true, isSecond: () => true, component: BytesViewer },
+  {
+    id: 'value',
+    title: 'Value',
+    fits: (format) => DATA_FORMATS[format].family !== 'image',
+    isSecond: () => true,
+    isInDetail: false,
+    component: ValueTile,
+  },
+  {
+    id: 'records',
+    title: 'Records',
+    fits: () => true,
+    isSecond: () => true,
+    isInDetail: false,
+    component: HistoryViewer,
+  },
 ];
 
 /** The viewers that fit a data format, the best one first; at least one. */

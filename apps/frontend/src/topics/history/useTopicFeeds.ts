@@ -1,0 +1,56 @@
+import { useLocalStorage } from '@vueuse/core';
+import { computed, inject, provide, type InjectionKey, type WritableComputedRef } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { DEFAULT_LIMITS, readLimits, storedLimits, type HistoryLimits } from './history-limits.ts';
+import { FeedScope, TopicFeeds, type FeedPorts, type FeedSource } from './topic-feeds.ts';
+
+const FEEDS: InjectionKey<FeedSource> = Symbol('topic feeds');
+
+/** How much of a topic is kept, remembered. Applies to topics that are opened from then on. */
+export function useHistoryLimits(): WritableComputedRef<HistoryLimits> {
+  const stored = useLocalStorage('ubii.topicHistory', storedLimits(DEFAULT_LIMITS));
+  return computed({
+    get: () => readLimits(stored.value),
+    set: (limits) => (stored.value = storedLimits(limits)),
+  });
+}
+
+/** The system as feeds see it. */
+export function useFeedPorts(): FeedPorts {
+  const { client, topics } = useConnection();
+  const limits = useHistoryLimits();
+  return {
+    get limits() {
+      return limits.value;
+    },
+    subscribe(topic, onRecord) {
+      const subscription = client.subscribe(topic).onRecord(onRecord);
+      // Refused by the master: the client tells, and views show no value.
+      subscription.ready.catch(() => undefined);
+      return () => void subscription.close();
+    },
+    publishedMs(topic) {
+      const publishedMs = topics.rates.value?.get(topic)?.statistic.publishedMs ?? 0;
+      return publishedMs > 0 ? publishedMs - topics.clockOffsetMs.value : undefined;
+    },
+  };
+}
+
+/** Feeds for the calling component and all below it. */
+export function provideTopicFeeds(): TopicFeeds {
+  const feeds = new TopicFeeds(useFeedPorts());
+  provide(FEEDS, feeds);
+  return feeds;
+}
+
+/** The feeds of the page for a part of it that is not always looked at. */
+export function provideFeedScope(): FeedScope {
+  const scope = new FeedScope(useTopicFeeds());
+  provide(FEEDS, scope);
+  return scope;
+}
+
+/** The feeds of the page, else some of the calling component's own. */
+export function useTopicFeeds(): FeedSource {
+  return inject(FEEDS, undefined) ?? new TopicFeeds(useFeedPorts());
+}

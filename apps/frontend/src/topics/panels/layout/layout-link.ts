@@ -1,0 +1,35 @@
+import type { Layout } from './layout.ts';
+import { layoutJson, LayoutError, readLayout } from './layout-json.ts';
+
+/** Letters of a link: what messengers and mail leave whole. */
+export const MAX_LINK = 6000;
+const PREFIX = '#layout=';
+
+/**
+ * The whole layout as the end of an address, which browsers keep to themselves.
+ * @returns `undefined` when it would be too long
+ */
+export function layoutHash(layout: Layout): string | undefined {
+  const bytes = new TextEncoder().encode(JSON.stringify(layoutJson(layout)));
+  const letters = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+  const hash = PREFIX + letters.replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+  return hash.length > MAX_LINK ? undefined : hash;
+}
+
+/**
+ * @returns `undefined` for an address without a layout
+ * @throws LayoutError
+ */
+export function layoutOfHash(hash: string): Layout | undefined {
+  if (!hash.startsWith(PREFIX)) return undefined;
+  if (hash.length > MAX_LINK) throw new LayoutError('This link is too long for a layout.');
+  const letters = hash.slice(PREFIX.length).replaceAll('-', '+').replaceAll('_', '/');
+  let json: unknown;
+  try {
+    const bytes = Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
+    json = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
+  } catch {
+    throw new LayoutError('The layout in this link cannot be read. It may be cut off.');
+  }
+  return readLayout(json);
+}

@@ -1,0 +1,143 @@
+import { useLocalStorage, watchDebounced } from '@vueuse/core';
+import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
+import { useRoute, useRouter } from 'vue-router';
+import { readLayout, readLayoutFile, layoutJson, LayoutError } from './layout/layout-json.ts';
+import { layoutHash, layoutOfHash } from './layout/layout-link.ts';
+import {
+  firstStep,
+  nextStep,
+  redoStep,
+  undoStep,
+  type LayoutSteps,
+} from './layout/layout-steps.ts';
+import { EMPTY_LAYOUT, type Layout, type LayoutNode } from './layout/layout.ts';
+
+/** The address follows the layout after this long, milliseconds: browsers refuse more often. */
+const LINK_MS = 250;
+/** Layouts that are kept by name in this browser. */
+const MAX_SAVED = 50;
+
+export interface LayoutStore {
+  readonly layout: ComputedRef<Layout>;
+  readonly canUndo: ComputedRef<boolean>;
+  readonly canRedo: ComputedRef<boolean>;
+  /** Names of layouts that are kept in this browser, in order. */
+  readonly saved: ComputedRef<readonly string[]>;
+  /** The end of the address that holds this layout; empty without panels, `undefined` when it is too large for one. */
+  readonly hash: ComputedRef<string | undefined>;
+  /** What is wrong with the file or link that was opened last. */
+  readonly problem: ShallowRef<string | undefined>;
+  /** @param gesture moves of the same gesture are one step */
+  change(root: LayoutNode | undefined, gesture?: string): void;
+  open(layout: Layout): void;
+  openFile(text: string): void;
+  openSaved(name: string): void;
+  save(name: string): void;
+  forget(name: string): void;
+  complain(text: string): void;
+  undo(): void;
+  redo(): void;
+}
+
+/** The layout of the page: in the address, and kept in this browser for when there is none. */
+export function useLayout(): LayoutStore {
+  const route = useRoute();
+  const router = useRouter();
+  const kept = useLocalStorage<string>('ubii.panels', '');
+  const named = useLocalStorage<Record<string, string>>('ubii.panelLayouts', {});
+  const problem = shallowRef<string>();
+
+  function attempt(read: () => Layout | undefined): Layout | undefined {
+    try {
+      const layout = read();
+      problem.value = undefined;
+      return layout;
+    } catch (error) {
+      if (!(error instanceof LayoutError)) throw error;
+      problem.value = `${error.message} Nothing was changed.`;
+      return undefined;
+    }
+  }
+  /** What was kept earlier cannot be told anybody: it is left out when it cannot be read. */
+  function readKept(text: string): Layout | undefined {
+    try {
+      return text === '' ? undefined : readLayout(JSON.parse(text));
+    } catch {
+      return undefined;
+    }
+  }
+
+  const ofLink = attempt(() => layoutOfHash(route.hash));
+  const before = readKept(kept.value) ?? EMPTY_LAYOUT;
+  let first: LayoutSteps = firstStep(before);
+  // What was open before the link is one step back.
+  if (ofLink) first = nextStep(first, ofLink, false);
+  const steps = shallowRef(first);
+  const layout = computed(() => steps.value.present);
+  const hash = computed(() => (layout.value.root ? layoutHash(layout.value) : ''));
+  let lastGesture: string | undefined;
+
+  function set(next: Layout, gesture?: string): void {
+    const isSame = gesture !== undefined && gesture === lastGesture;
+    lastGesture = gesture;
+    steps.value = nextStep(steps.value, next, isSame);
+  }
+
+  // Kept at once, for the page may be left; the address follows.
+  watch(layout, (next) => (kept.value = JSON.stringify(layoutJson(next))), { immediate: true });
+  watchDebounced(
+    hash,
+    (next = '') => {
+      if (next !== route.hash) void router.replace({ path: '/panels', hash: next });
+    },
+    { debounce: LINK_MS, immediate: true },
+  );
+  // A link that is pasted into the page's own address.
+  watch(
+    () => route.hash,
+    (next) => {
+      if (next === '' || next === hash.value || route.path !== '/panels') return;
+      const linked = attempt(() => layoutOfHash(next));
+      if (linked && layoutHash(linked) !== hash.value) set(linked);
+    },
+  );
+
+  return {
+    layout,
+    hash,
+    problem,
+    canUndo: computed(() => steps.value.past.length > 0),
+    canRedo: computed(() => steps.value.future.length > 0),
+    saved: computed(() => Object.keys(named.value).sort((a, b) => a.localeCompare(b))),
+    change: (root, gesture) => set({ ...layout.value, root }, gesture),
+    open: (next) => set(next),
+    openFile(text) {
+      const next = attempt(() => readLayoutFile(text));
+      if (next) set(next);
+    },
+    openSaved(name) {
+      const next = attempt(() => readLayoutFile(named.value[name] ?? ''));
+      if (next) set(next);
+    },
+    save(name) {
+      const next = { ...layout.value, name };
+      set(next);
+      const all = { ...named.value, [name]: JSON.stringify(layoutJson(next)) };
+      named.value = Object.fromEntries(Object.entries(all).slice(-MAX_SAVED));
+    },
+    forget(name) {
+      named.value = Object.fromEntries(
+        Object.entries(named.value).filter(([other]) => other !== name),
+      );
+    },
+    complain: (text) => (problem.value = text),
+    undo: () => {
+      lastGesture = undefined;
+      steps.value = undoStep(steps.value);
+    },
+    redo: () => {
+      lastGesture = undefined;
+      steps.value = redoStep(steps.value);
+    },
+  };
+}
