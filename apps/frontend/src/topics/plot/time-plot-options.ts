@@ -180,8 +180,17 @@ function drawHeld(plot: uPlot, line: PlotLine, { window }: TimePlotScene, color:
 
 function tickText(value: number, splits: readonly number[]): string {
   const step = Math.abs((splits[1] ?? value + 1) - (splits[0] ?? value)) || 1;
-  const decimals = Math.min(12, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+  const decimals = decimalsOfStep(step);
   const shown = Math.abs(value) < step / 1e6 ? 0 : value;
   if (Math.abs(shown) >= 1e6) return shown.toPrecision(4).replaceAll('-', '−');
   return formatFixed(shown, decimals);
+}
+
+/** As many as the steps need: 2.5 needs one, though it is more than 1. */
+function decimalsOfStep(step: number): number {
+  for (let decimals = 0; decimals < 12; decimals++) {
+    const scaled = step * 10 ** decimals;
+    if (Math.abs(scaled - Math.round(scaled)) < 1e-6 * scaled) return decimals;
+  }
+  return 12;
 }
