@@ -43,7 +43,7 @@ export class PlotPage {
     await this.page.getByRole('button', { name: 'Add series' }).click();
     await this.page.getByRole('combobox', { name: 'Search topics' }).fill(topic);
     await this.page.getByRole('option', { name: topic }).click();
-    await this.page.getByRole('option', { name: number, exact: true }).click();
+    await this.page.getByRole('option').filter({ hasText: number }).click();
   }
 
   private menuChoice(name: string): Locator {
