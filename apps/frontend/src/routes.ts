@@ -1,6 +1,7 @@
 import type { RouteRecordRaw } from 'vue-router';
 import { callsRoutes } from './calls/routes.ts';
 import { clientsRoutes } from './clients/routes.ts';
+import { devicesRoutes } from './devices/routes.ts';
 import { examplesRoutes } from './examples/routes.ts';
 import { graphRoutes } from './graph/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
@@ -16,6 +17,8 @@ declare module 'vue-router' {
     title: string;
     /** What stands before it in the path. */
     parent?: { readonly title: string; readonly to: string };
+    /** On phones it says itself who this is and how it stands with the master: no top bar. */
+    hasOwnHeader?: boolean;
   }
 }
 
@@ -34,6 +37,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...callsRoutes,
   ...clientsRoutes,
   ...performanceRoutes,
+  ...devicesRoutes,
   ...examplesRoutes,
   ...settingsRoutes,
   {

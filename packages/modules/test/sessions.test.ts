@@ -68,7 +68,7 @@ describe('the session gather-pointers', () => {
     );
     const pointer = 'web-example-mouse-pointer/mouse_client_position';
     topics.put(`/${ANN}/${pointer}`, 'vector2', { x: 0.5, y: 0.5 });
-    topics.put(`/${BOB}/smartphone/touch_position`, 'vector2', { x: 0.55, y: 0.5 });
+    topics.put(`/${BOB}/web-interface-smart-device/touch_position`, 'vector2', { x: 0.55, y: 0.5 });
     await clock.advance(50);
     expect(values('/examples/gather-pointers/near_count').at(-1)).toBe(2);
     expect(events).toEqual([]);
@@ -111,22 +111,22 @@ describe('the session touch-proximity', () => {
     const { clock, topics, values, events } = await startSession(
       EXAMPLE_SESSIONS['touch-proximity'],
     );
-    topics.put(`/${ANN}/smartphone/touch_position`, 'vector2', { x: 0.5, y: 0.5 });
+    topics.put(`/${ANN}/web-interface-smart-device/touch_position`, 'vector2', { x: 0.5, y: 0.5 });
     await clock.advance(50);
     expect(values('/examples/touch-proximity/near_count').at(-1)).toBe(0);
 
-    topics.put(`/${BOB}/smartphone/touch_position`, 'vector2', { x: 0.55, y: 0.5 });
+    topics.put(`/${BOB}/web-interface-smart-device/touch_position`, 'vector2', { x: 0.55, y: 0.5 });
     await clock.advance(50);
     expect(values('/examples/touch-proximity/near_count').at(-1)).toBe(2);
     for (const phone of [ANN, BOB]) {
-      expect(values(`/${phone}/smartphone/vibrate`)).toEqual([100]);
-      expect(values(`/${phone}/smartphone/is_near`)).toEqual([true]);
+      expect(values(`/${phone}/vibration_pattern`)).toEqual([100]);
+      expect(values(`/${phone}/web-interface-smart-device/is_near`)).toEqual([true]);
     }
 
-    topics.delete(`/${BOB}/smartphone/touch_position`);
+    topics.delete(`/${BOB}/web-interface-smart-device/touch_position`);
     await clock.advance(50);
-    expect(values(`/${ANN}/smartphone/is_near`)).toEqual([true, false]);
-    expect(values(`/${BOB}/smartphone/is_near`)).toEqual([true, false]);
+    expect(values(`/${ANN}/web-interface-smart-device/is_near`)).toEqual([true, false]);
+    expect(values(`/${BOB}/web-interface-smart-device/is_near`)).toEqual([true, false]);
     expect(events).toEqual([]);
   });
 });

@@ -9,6 +9,7 @@ import {
   Send,
   Settings,
   Shapes,
+  Smartphone,
   Workflow,
 } from '@lucide/vue';
 import type { Component } from 'vue';
@@ -51,7 +52,8 @@ export const PAGES: readonly NavigationPage[] = [
     shortcut: 'G P',
     isBehindMore: true,
   },
-  { title: 'Examples', to: '/examples', icon: Shapes, shortcut: 'G E' },
+  { title: 'Devices', to: '/devices', icon: Smartphone, shortcut: 'G D' },
+  { title: 'Examples', to: '/examples', icon: Shapes, shortcut: 'G E', isBehindMore: true },
 ];
 
 export const SETTINGS_PAGE: NavigationPage = {

@@ -52,6 +52,18 @@ describe('client.registerDevice()', () => {
     expect(device.component('position').id).toBe(`${device.id}-0`);
   });
 
+  it('makes a topic of the id the client has', async () => {
+    const { master, client } = await setup();
+    const device = await client.registerDevice({
+      name: 'phone',
+      components: [{ name: 'tilt', format: 'vector3', topic: (id: string) => `${id}/orientation` }],
+    });
+    expect(device.component('tilt').topic).toBe(`${client.id}/orientation`);
+    expect(master.holds(client.id).devices[0]?.components[0]?.topic).toBe(
+      `${client.id}/orientation`,
+    );
+  });
+
   it('publishes and subscribes by the name of the component', async () => {
     const { master, client, clock } = await setup();
     const device = await client.registerDevice(pointer);

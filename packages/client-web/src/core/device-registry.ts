@@ -281,7 +281,7 @@ function toMessage(
         ? { id: registered.components[index].id }
         : {}),
       name: component.name,
-      topic: component.topic ?? componentTopic(clientId, init.name, component.name),
+      topic: topicOf(component, clientId, init.name),
       messageFormat: messageFormatOf(component.format),
       ioType:
         component.ioType === 'subscriber' ? ComponentIOType.SUBSCRIBER : ComponentIOType.PUBLISHER,
@@ -289,6 +289,11 @@ function toMessage(
       ...(component.description ? { description: component.description } : {}),
     })),
   };
+}
+
+function topicOf({ topic, name }: ComponentInit, clientId: string, deviceName: string): string {
+  if (typeof topic === 'function') return topic(clientId);
+  return topic ?? componentTopic(clientId, deviceName, name);
 }
 
 function checkNames({ name, components }: DeviceInit): void {

@@ -8,8 +8,11 @@ export interface ComponentInit<F extends DataFormat = DataFormat> {
   readonly format: F;
   /** `publisher`: the device sends; `subscriber`: it receives. @default 'publisher' */
   readonly ioType?: 'publisher' | 'subscriber';
-  /** @default '/<client id>/<device name>/<component name>' */
-  readonly topic?: string;
+  /**
+   * The topic, or what makes it of the client's id, which another connection may change.
+   * @default '/<client id>/<device name>/<component name>'
+   */
+  readonly topic?: string | ((clientId: string) => string);
   readonly tags?: readonly string[];
   readonly description?: string;
 }

@@ -19,7 +19,7 @@ export const gatherPointersSession = {
             name: 'pointers of all clients',
             dataType: 'vector2',
             topicSelector:
-              '^/[^/]+/(?:web-example-mouse-pointer/mouse_client_position|smartphone/touch_position)$',
+              '^/[^/]+/(?:web-example-mouse-pointer/mouse_client_position|web-interface-smart-device/touch_position)$',
             identityMatchPattern: UUID_PATTERN,
           },
         },

@@ -18,7 +18,7 @@ export const touchProximitySession = {
           topicMux: {
             name: 'touches of all phones',
             dataType: 'vector2',
-            topicSelector: '^/[^/]+/smartphone/touch_position$',
+            topicSelector: '^/[^/]+/web-interface-smart-device/touch_position$',
             identityMatchPattern: UUID_PATTERN,
           },
         },
@@ -30,7 +30,7 @@ export const touchProximitySession = {
           topicDemux: {
             name: 'vibration of each phone',
             dataType: 'double',
-            outputTopicFormat: '/{{#0}}/smartphone/vibrate',
+            outputTopicFormat: '/{{#0}}/vibration_pattern',
           },
         },
         {
@@ -38,7 +38,7 @@ export const touchProximitySession = {
           topicDemux: {
             name: 'news for each phone',
             dataType: 'bool',
-            outputTopicFormat: '/{{#0}}/smartphone/is_near',
+            outputTopicFormat: '/{{#0}}/web-interface-smart-device/is_near',
           },
         },
         { outputName: 'nearCount', topic: '/examples/touch-proximity/near_count' },

@@ -75,9 +75,9 @@ describe('a session that is added to a graph', () => {
       { topic: '/x/other', format, hz: 60 },
       { topic: pointer('me'), format, hz: 0 },
       { topic: pointer('anna'), format, hz: 0 },
-      { topic: '/ben/smartphone/touch_position', format, hz: 30 },
+      { topic: '/ben/web-interface-smart-device/touch_position', format, hz: 30 },
     ];
-    expect(livePointer(topics, 'me')).toBe('/ben/smartphone/touch_position');
+    expect(livePointer(topics, 'me')).toBe('/ben/web-interface-smart-device/touch_position');
     expect(livePointer(topics.slice(0, 3), 'me')).toBe(pointer('anna'));
     expect(livePointer(topics.slice(0, 1), 'me')).toBeUndefined();
     const session = withPointer(aSession(), '/a/position', '/mine');

@@ -1,0 +1,71 @@
+import type { Vector3, Vector4 } from '@ubii/proto';
+import { formatNumber } from '../../ui/readouts/format-number.ts';
+import type { LocationState } from '../sensors/useLocation.ts';
+import type { MicrophoneState } from '../sensors/useMicrophoneLevel.ts';
+import type { MotionAccess } from '../sensors/motion-access.ts';
+
+const INSECURE = 'Needs HTTPS: this page came over plain HTTP';
+
+/** Numbers of a fixed width, so that nothing moves when digits change. */
+export function vectorText({ x, y, z }: Vector3, decimals = 2, width = 5): string {
+  return [x, y, z].map((value) => formatNumber(value, decimals).padStart(width)).join(' ');
+}
+
+export function anglesText({ x, y, z }: Vector3): string {
+  const [yaw, pitch, roll] = [x, y, z].map((value) => formatNumber(value).padStart(4));
+  return `yaw${yaw} pitch${pitch} roll${roll}`;
+}
+
+export function locationText({ x, y, w }: Vector4): string {
+  return `${formatNumber(x, 5)} ${formatNumber(y, 5)} ±${formatNumber(w)} m`;
+}
+
+/** Why no motion comes, and the way out. */
+export function motionWords(access: MotionAccess, isSilent: boolean): string {
+  switch (access) {
+    case 'insecure':
+      return INSECURE;
+    case 'unsupported':
+      return 'This browser has no motion sensors';
+    case 'ask':
+      return 'Off until you allow it';
+    case 'refused':
+      return 'Refused. The browser asks again after you close and open it';
+    case 'granted':
+      return isSilent ? 'This device sends nothing' : 'Waiting for the first value';
+  }
+}
+
+export function microphoneWords(state: MicrophoneState): string {
+  switch (state) {
+    case 'insecure':
+      return INSECURE;
+    case 'missing':
+      return 'This device has no microphone';
+    case 'refused':
+      return 'Refused. Allow it in the browser’s settings of this page';
+    case 'asking':
+      return 'Say Allow in the question of the browser';
+    case 'on':
+      return 'Listening';
+    case 'off':
+      return 'Off until you allow it. No sound leaves the phone';
+  }
+}
+
+export function locationWords(state: LocationState): string {
+  switch (state) {
+    case 'insecure':
+      return INSECURE;
+    case 'missing':
+      return 'This browser tells no location';
+    case 'refused':
+      return 'Refused. Allow it in the browser’s settings of this page';
+    case 'asking':
+      return 'Say Allow; the first place takes a moment';
+    case 'on':
+      return 'Waiting for the first place';
+    case 'off':
+      return 'Off until you allow it';
+  }
+}

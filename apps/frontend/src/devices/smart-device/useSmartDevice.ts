@@ -1,0 +1,193 @@
+import { ButtonEventType, TouchEventType as TouchType } from '@ubii/proto';
+import type {
+  Color,
+  Image2D,
+  Quaternion,
+  TouchEventMessage,
+  Vector2,
+  Vector3,
+  Vector4,
+} from '@ubii/proto';
+import { useEventListener, useIntervalFn } from '@vueuse/core';
+import { shallowReactive, shallowRef } from 'vue';
+import { playTone, unlockSound } from '../outputs/play-tone.ts';
+import { vibrate } from '../outputs/vibrate.ts';
+import {
+  calibratedAngles,
+  type EulerAngles,
+  quaternionOf,
+  turnSince,
+} from '../sensors/orientation.ts';
+import { useDeviceHealth } from '../sensors/useDeviceHealth.ts';
+import { useLocation } from '../sensors/useLocation.ts';
+import { useMicrophoneLevel } from '../sensors/useMicrophoneLevel.ts';
+import { useMotionSensors } from '../sensors/useMotionSensors.ts';
+import { useStayAwake } from '../sensors/useStayAwake.ts';
+import { useDevice } from '../use-device.ts';
+import { SMART_DEVICE, SMART_DEVICE_COMPONENTS } from './components.ts';
+import { Reading } from './reading.ts';
+
+/** How often people are shown what the sensors say, milliseconds. The sensors have their own rates. */
+const READOUT_MS = 100;
+/** How long the page flashes where a device cannot vibrate, milliseconds at least. */
+const SHORTEST_FLASH_MS = 120;
+
+/** This browser as a smart device: what it senses is published, what it is sent is done. */
+export function useSmartDevice() {
+  const readings = {
+    linear: new Reading<Vector3>(({ x, y, z }) => Math.hypot(x, y, z)),
+    acceleration: new Reading<Vector3>(({ x, y, z }) => Math.hypot(x, y, z)),
+    rotationRate: new Reading<Vector3>(({ x, y, z }) => Math.hypot(x, y, z)),
+    orientation: new Reading<Vector3>(({ y }) => y),
+    compass: new Reading<number>((heading) => heading),
+    microphone: new Reading<number>((level) => level),
+    location: new Reading<Vector4>(({ w }) => w),
+  };
+  /** What came for this device, and when, epoch milliseconds. */
+  const outputs = shallowReactive({
+    vibrationAtMs: undefined as number | undefined,
+    /** The device could not vibrate, or play a tone: the page shows it instead. */
+    isFlashing: false,
+    toneAtMs: undefined as number | undefined,
+    /** A tone came, and the browser waits for a tap before it plays any. */
+    isSilenced: false,
+    isNear: false,
+    color: undefined as Color | undefined,
+    text: '',
+    image: undefined as Image2D | undefined,
+  });
+
+  let flashTimer: ReturnType<typeof setTimeout> | undefined;
+  function flash(durationMs: number): void {
+    clearTimeout(flashTimer);
+    outputs.isFlashing = durationMs > 0;
+    const shownMs = Math.min(Math.max(durationMs, SHORTEST_FLASH_MS), 5000);
+    flashTimer = setTimeout(() => (outputs.isFlashing = false), shownMs);
+  }
+  const shake = (durationMs: number): void => {
+    if (!vibrate(durationMs)) flash(durationMs);
+  };
+  const sound = (tone: Vector3): void => {
+    outputs.isSilenced = !playTone(tone);
+  };
+
+  const device = useDevice({
+    name: SMART_DEVICE,
+    tags: ['smart device', 'web interface'],
+    components: SMART_DEVICE_COMPONENTS,
+    receivers: {
+      'web-component-vibration': (durationMs) => {
+        outputs.vibrationAtMs = Date.now();
+        shake(durationMs);
+      },
+      play_tone: (tone) => {
+        outputs.toneAtMs = Date.now();
+        sound(tone);
+      },
+      is_near: (isNear) => (outputs.isNear = isNear),
+      set_color: (color) => (outputs.color = color.a > 0 ? color : undefined),
+      show_text: (text) => (outputs.text = text),
+      show_image: (image) => (outputs.image = image.data.length > 0 ? image : undefined),
+    },
+  });
+
+  let angles: EulerAngles | undefined;
+  let zero: { readonly angles: EulerAngles; readonly turn: Quaternion } | undefined;
+  const isCalibrated = shallowRef(false);
+
+  const motion = useMotionSensors({
+    motion({ acceleration, accelerationIncludingGravity, rotationRate }) {
+      const nowMs = performance.now();
+      if (isWhole(acceleration)) {
+        const { x, y, z } = acceleration;
+        device.publish(
+          'web-component-linear-acceleration',
+          readings.linear.note({ x, y, z }, nowMs),
+        );
+      }
+      if (isWhole(accelerationIncludingGravity)) {
+        const { x, y, z } = accelerationIncludingGravity;
+        device.publish('acceleration', readings.acceleration.note({ x, y, z }, nowMs));
+      }
+      if (rotationRate?.alpha != null && rotationRate.beta != null && rotationRate.gamma != null) {
+        const { alpha: x, beta: y, gamma: z } = rotationRate;
+        device.publish('rotation_rate', readings.rotationRate.note({ x, y, z }, nowMs));
+      }
+    },
+    orientation({ alpha, beta, gamma }) {
+      angles = { alpha: alpha ?? 0, beta: beta ?? 0, gamma: gamma ?? 0 };
+      const now = readings.orientation.note(
+        calibratedAngles(angles, zero?.angles),
+        performance.now(),
+      );
+      device.publish('web-component-orientation', now);
+      const turn = quaternionOf(angles);
+      device.publish('orientation_quaternion', zero ? turnSince(zero.turn, turn) : turn);
+    },
+    compass(heading) {
+      device.publish('compass', readings.compass.note(heading, performance.now()));
+    },
+  });
+  const microphone = useMicrophoneLevel((level) =>
+    device.publish('microphone_level', readings.microphone.note(level, performance.now())),
+  );
+  const location = useLocation((place) =>
+    device.publish('location', readings.location.note(place, performance.now())),
+  );
+  const { battery } = useDeviceHealth({
+    battery: (level) => device.publish('battery', level),
+    visible: (isVisible) => device.publish('visible', isVisible, { immediate: true }),
+  });
+  const awake = useStayAwake();
+  useEventListener(window, 'pointerup', unlockSound);
+
+  useIntervalFn(() => {
+    const nowMs = performance.now();
+    for (const reading of Object.values(readings)) reading.show(nowMs);
+  }, READOUT_MS);
+
+  return {
+    isRegistered: device.isRegistered,
+    readings,
+    outputs,
+    motion,
+    microphone,
+    location,
+    battery,
+    awake,
+    isCalibrated,
+    /** How it lies now is no turn from here on; again takes that back. */
+    calibrate(): void {
+      zero = zero || !angles ? undefined : { angles, turn: quaternionOf(angles) };
+      isCalibrated.value = zero !== undefined;
+    },
+    touch(events: TouchEventMessage[], first: Vector2 | undefined): void {
+      // Starts and ends must not wait for more of their kind.
+      const immediate = events.some(({ type }) => type !== TouchType.TOUCH_MOVE);
+      device.publish('web-component-touch', { elements: events }, { immediate });
+      if (first) device.publish('touch_position', first, { immediate });
+    },
+    press(key: string, isDown: boolean): void {
+      const type = isDown ? ButtonEventType.DOWN : ButtonEventType.UP;
+      device.publish('button', { type, key }, { immediate: true });
+      if (isDown) vibrate(10);
+    },
+    sendText: (text: string) => device.publish('text', text, { immediate: true }),
+    /** What a session would have it do, for trying. */
+    testVibration: () => shake(200),
+    testTone: () => sound({ x: 660, y: 180, z: 0.5 }),
+  };
+}
+
+interface Axes {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+}
+
+/** Browsers leave out what a sensor does not tell. */
+function isWhole(
+  value: DeviceMotionEventAcceleration | null,
+): value is DeviceMotionEventAcceleration & Axes {
+  return value !== null && value.x !== null && value.y !== null && value.z !== null;
+}

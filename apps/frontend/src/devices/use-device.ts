@@ -1,0 +1,71 @@
+import type { ComponentInit, RegisteredDevice } from '@ubii/client-web';
+import type { DataFormatValues } from '@ubii/proto';
+import { onScopeDispose, shallowRef, watch } from 'vue';
+import { useConnection } from '../connection/useConnection.ts';
+
+type NameOf<C extends readonly ComponentInit[]> = C[number]['name'];
+type FormatOf<C extends readonly ComponentInit[], N> = Extract<
+  C[number],
+  { readonly name: N }
+>['format'];
+type ValueOf<C extends readonly ComponentInit[], N> = DataFormatValues[FormatOf<C, N>];
+
+export interface DevicePlan<C extends readonly ComponentInit[]> {
+  readonly name: string;
+  readonly tags: readonly string[];
+  readonly components: C;
+  /** Who is told what comes to the subscribers among the components. */
+  readonly receivers?: { readonly [N in NameOf<C>]?: (value: ValueOf<C, N>) => void };
+}
+
+/**
+ * This browser as a device, while the calling scope lives. What is published before the master knows the
+ * device is let go: it is of the past by then.
+ */
+export function useDevice<const C extends readonly ComponentInit[]>(plan: DevicePlan<C>) {
+  const { client, isConnected } = useConnection();
+  const isRegistered = shallowRef(false);
+  let device: RegisteredDevice<C> | undefined;
+  let ended = false;
+  const { name, tags, components } = plan;
+
+  void client.registerDevice({ name, tags, components }).then(
+    (registered) => {
+      if (ended) return void registered.close();
+      device = registered;
+      isRegistered.value = true;
+    },
+    // Only when the client is closed for good, which the shell shows.
+    () => undefined,
+  );
+
+  // Topics are made of the client's id, and another connection may give another one.
+  watch([isConnected, isRegistered], ([connected, registered], _before, onCleanup) => {
+    if (!connected || !registered || device === undefined) return;
+    const known = device;
+    const subscriptions = Object.entries(plan.receivers ?? {}).map(([component, receive]) =>
+      known
+        .component(component as NameOf<C>)
+        .subscribe()
+        .onRecord(({ value }) => (receive as (value: unknown) => void)(value)),
+    );
+    onCleanup(() => subscriptions.forEach((subscription) => void subscription.close()));
+  });
+
+  onScopeDispose(() => {
+    ended = true;
+    void device?.close();
+  });
+
+  return {
+    isRegistered,
+    publish<N extends NameOf<C>>(
+      component: N,
+      value: ValueOf<C, N>,
+      options?: { readonly immediate?: boolean },
+    ): void {
+      device?.component(component).publish(value as never, options);
+    },
+    topicOf: (component: NameOf<C>) => device?.component(component).topic,
+  };
+}
