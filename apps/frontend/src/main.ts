@@ -4,6 +4,7 @@ import { createRouter, createWebHistory } from 'vue-router';
 import App from './App.vue';
 import { CONNECTION } from './connection/connection.ts';
 import { createConnection } from './connection/create-connection.ts';
+import { sendToJoin } from './join/send-to-join.ts';
 import { routes } from './routes.ts';
 import { createTabNode } from './tab-node/create-tab-node.ts';
 import { openTabNode } from './tab-node/open-tab-node.ts';
@@ -13,6 +14,8 @@ import { createToasts, provideToasts } from './ui/toasts/toasts.ts';
 const app = createApp(App);
 const router = createRouter({ history: createWebHistory(), routes });
 const connection = app.runWithContext(() => createConnection());
+
+sendToJoin(connection.client, router);
 
 app.use(router);
 app.provide(CONNECTION, connection);

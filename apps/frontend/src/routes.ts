@@ -4,6 +4,7 @@ import { clientsRoutes } from './clients/routes.ts';
 import { devicesRoutes } from './devices/routes.ts';
 import { examplesRoutes } from './examples/routes.ts';
 import { graphRoutes } from './graph/routes.ts';
+import { joinRoutes } from './join/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
 import { performanceRoutes } from './performance/routes.ts';
 import { publishRoutes } from './publish/routes.ts';
@@ -40,6 +41,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...devicesRoutes,
   ...examplesRoutes,
   ...settingsRoutes,
+  ...joinRoutes,
   {
     path: '/:path(.*)*',
     component: () => import('./shell/NotFoundPage.vue'),

@@ -88,6 +88,18 @@ describe('a client of ours that has to join', () => {
     expect(states.filter(({ status }) => status === 'closed')).toEqual([]);
   });
 
+  it('joins while an attempt without the token is under way', async () => {
+    const { world, token } = await setup();
+    const { client } = await world.connect('x', { joinToken: token });
+    await Promise.all([client.close(), world.pass(0)]);
+    const trying = client.connect();
+    trying.catch(() => undefined);
+    const joined = client.join(token);
+    await world.pass(0);
+    await joined;
+    expect([client.state.status, client.role]).toEqual(['connected', 'player']);
+  });
+
   it('stays in through a broken link and a restart of the master, with id and role [AC-23]', async () => {
     const { world, token } = await setup(ACCESS_ROLE_PLAYER, 1);
     const { client } = await world.connect('ada', { joinToken: token });

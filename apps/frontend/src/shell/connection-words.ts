@@ -16,7 +16,9 @@ export function connectionWord(state: ConnectionState): { mark: MarkedState; tex
         ? { mark: 'stopped', text: 'Taken over' }
         : state.error?.reason === 'disconnected'
           ? { mark: 'stopped', text: 'Disconnected' }
-          : { mark: 'error', text: 'Not connected' };
+          : state.error?.reason === 'join'
+            ? { mark: 'stopped', text: 'Not joined' }
+            : { mark: 'error', text: 'Not connected' };
   }
 }
 
@@ -37,6 +39,7 @@ const CAUSES: Record<ConnectionErrorReason, string> = {
   protocol: 'The master sent something this page does not understand',
   superseded: 'Another tab has taken this page’s place',
   disconnected: 'This page was disconnected',
+  join: 'This device has to join first',
 };
 
 /**
@@ -89,6 +92,8 @@ export function connectionNotice(
           action: 'Connect',
         };
       }
+      // The page for it says the rest.
+      if (state.error.reason === 'join') return undefined;
       return {
         tone: 'error',
         text: `${CAUSES[state.error.reason]}. Nothing is retried by itself.`,

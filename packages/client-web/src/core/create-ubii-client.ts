@@ -255,7 +255,16 @@ class Client implements UbiiClient {
 
   async join(token: string): Promise<void> {
     this.#registration.joinWith(token);
-    if (this.state.status !== 'connected') return this.connect();
+    if (this.state.status !== 'connected') {
+      try {
+        await this.connect();
+      } catch (error) {
+        // An attempt that had begun before did not know of it.
+        if (this.#registration.hasTriedToken) throw error;
+        await this.connect();
+      }
+      if (this.#registration.hasTriedToken) return;
+    }
     try {
       await this.#tellProfile();
     } catch (error) {

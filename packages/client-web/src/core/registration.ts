@@ -51,6 +51,7 @@ export class Registration {
   #joinToken: string | undefined;
   /** A person gave it just now, and is to hear when it is good for nothing. */
   #isTokenAsked = false;
+  #hasTriedToken = false;
 
   constructor(
     calls: ServiceCalls,
@@ -73,7 +74,13 @@ export class Registration {
   joinWith(token: string): void {
     this.#joinToken = token;
     this.#isTokenAsked = true;
+    this.#hasTriedToken = false;
     this.#isProfileNew = true;
+  }
+
+  /** Whether the token of `joinWith` was shown to the master: an attempt under way may not have known it. */
+  get hasTriedToken(): boolean {
+    return this.#hasTriedToken;
   }
 
   /** Asks for a new credential with the next `update`: the one it has will end. [AC-13] */
@@ -265,6 +272,7 @@ export class Registration {
   ): Promise<Client> {
     const joinToken = this.#joinToken!;
     const isAsked = this.#isTokenAsked;
+    this.#hasTriedToken = true;
     const sendable = sendableToken(joinToken);
     let client: Client;
     try {
