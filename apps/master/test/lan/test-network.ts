@@ -1,0 +1,81 @@
+import { execFile, execFileSync, spawn } from 'node:child_process';
+import type { ChildProcess } from 'node:child_process';
+
+/** Addresses that exist in the network of the test alone. */
+export const MASTER = '10.203.0.1';
+export const PHONE = '10.203.0.2';
+export const OLD_DEVICE = '10.203.0.3';
+export const MASTER_V6 = 'fd00:203::1';
+export const PHONE_V6 = 'fd00:203::2';
+
+/** Two machines with a cable between them, and with nothing else: network namespaces of this test. */
+export class TestNetwork {
+  readonly #master = `ubii-m-${process.pid}`;
+  readonly #phone = `ubii-p-${process.pid}`;
+
+  /** Why there can be none here; undefined: there can. */
+  static reasonAgainst(): string | undefined {
+    if (process.platform !== 'linux') return 'network namespaces are of Linux';
+    if (process.getuid?.() !== 0) return 'making network namespaces takes root';
+    const probe = `ubii-probe-${process.pid}`;
+    try {
+      execFileSync('ip', ['netns', 'add', probe], { stdio: 'pipe' });
+      execFileSync('ip', ['netns', 'del', probe], { stdio: 'pipe' });
+      return undefined;
+    } catch (error) {
+      return `"ip netns add" failed: ${String((error as Error).message).split('\n')[0]}`;
+    }
+  }
+
+  open(): void {
+    const cable = `uv${process.pid}`.slice(0, 13);
+    const ends = [`${cable}a`, `${cable}b`] as const;
+    for (const name of [this.#master, this.#phone]) ip('netns', 'add', name);
+    ip('link', 'add', ends[0], 'type', 'veth', 'peer', 'name', ends[1]);
+    const sides = [
+      [this.#master, ends[0], [`${MASTER}/24`, `${MASTER_V6}/64`]],
+      [this.#phone, ends[1], [`${PHONE}/24`, `${OLD_DEVICE}/24`, `${PHONE_V6}/64`]],
+    ] as const;
+    for (const [name, device, addresses] of sides) {
+      ip('link', 'set', device, 'netns', name);
+      for (const address of addresses) {
+        const options = address.includes(':') ? ['nodad'] : [];
+        ip('-n', name, 'addr', 'add', address, 'dev', device, ...options);
+      }
+      ip('-n', name, 'link', 'set', 'lo', 'up');
+      ip('-n', name, 'link', 'set', device, 'up');
+    }
+  }
+
+  close(): void {
+    for (const name of [this.#master, this.#phone]) {
+      try {
+        ip('netns', 'del', name);
+      } catch {
+        // It was not made.
+      }
+    }
+  }
+
+  /** Starts a program of the machine that has the master. */
+  startOnMaster(args: readonly string[], env: NodeJS.ProcessEnv): ChildProcess {
+    const command = ['netns', 'exec', this.#master, process.execPath, ...args];
+    return spawn('ip', command, { stdio: ['ignore', 'pipe', 'pipe'], env });
+  }
+
+  /** Runs a script, with what it is to do as JSON, and reads the JSON it prints. */
+  run(where: 'master' | 'phone', script: string, input: unknown): Promise<unknown> {
+    const name = where === 'master' ? this.#master : this.#phone;
+    const args = ['netns', 'exec', name, process.execPath, script, JSON.stringify(input)];
+    return new Promise((resolve, reject) => {
+      execFile('ip', args, (error, stdout, stderr) => {
+        if (error === null) resolve(JSON.parse(stdout));
+        else reject(new Error(`${error.message}\n${stderr}`));
+      });
+    });
+  }
+}
+
+function ip(...args: readonly string[]): void {
+  execFileSync('ip', args, { stdio: 'pipe' });
+}
