@@ -2,7 +2,7 @@ import { requireNode } from './lib/node-version.mjs';
 
 requireNode();
 const { launch } = await import('./lib/commands.mjs');
-const { choosePort, freePort } = await import('./lib/dev-port.mjs');
+const { choosePort, freePort, isOnLan } = await import('./lib/dev-port.mjs');
 const { ensureInstalled } = await import('./lib/installation.mjs');
 const { inRoot, programFile } = await import('./lib/repository.mjs');
 const { runScript } = await import('./lib/steps.mjs');
@@ -21,6 +21,8 @@ await runScript(async () => {
       'watch',
       '--clear-screen=false',
       inRoot('apps/master/src/main.ts'),
+      // Who works on it means this machine, unless they say otherwise.
+      ...(isOnLan(flags) || flags.includes('--host') ? [] : ['--lan', 'off']),
       ...flags,
       ...['--port', String(port)],
     ],
@@ -31,7 +33,7 @@ await runScript(async () => {
     [
       programFile('apps/frontend', 'vite'),
       ...['--port', String(pagesPort), '--strictPort', '--clearScreen', 'false'],
-      ...(flags.includes('--lan') ? ['--host'] : []),
+      ...(isOnLan(flags) ? ['--host'] : []),
     ],
     {
       cwd: inRoot('apps/frontend'),

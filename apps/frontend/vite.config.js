@@ -8,6 +8,29 @@ const masterUrl = process.env.UBII_DEV_MASTER_URL ?? 'http://127.0.0.1:8080';
 
 const licences = licencesPlugins();
 
+/**
+ * The master takes what comes from this machine for its operator: it is told when somebody else asked. [AC-1]
+ *
+ * @param {{ ws?: boolean }} options
+ */
+function passOn(options) {
+  /** @type {(outgoing: import('node:http').ClientRequest, incoming: import('node:http').IncomingMessage) => void} */
+  const tell = (outgoing, { socket }) => {
+    const address = socket.remoteAddress ?? 'unknown';
+    const isHere = /^(::ffff:)?127\.|^::1$/.test(address);
+    if (!isHere) outgoing.setHeader('x-forwarded-for', address);
+  };
+  return {
+    target: masterUrl,
+    ...options,
+    /** @param {import('vite').HttpProxy.Server} proxy */
+    configure(proxy) {
+      proxy.on('proxyReq', tell);
+      proxy.on('proxyReqWs', tell);
+    },
+  };
+}
+
 export default defineConfig({
   plugins: [vue(), sandboxWorkersPlugin(), licences.plugin],
   build: {
@@ -19,10 +42,10 @@ export default defineConfig({
   worker: { format: 'es', plugins: () => [licences.workerPlugin()] },
   server: {
     proxy: {
-      '/services': masterUrl,
-      '/health': masterUrl,
-      '/metrics': masterUrl,
-      '/topicdata': { target: masterUrl, ws: true },
+      '/services': passOn({}),
+      '/health': passOn({}),
+      '/metrics': passOn({}),
+      '/topicdata': passOn({ ws: true }),
     },
   },
   test: {

@@ -29,3 +29,14 @@ export function freePort(wanted) {
     });
   });
 }
+
+/**
+ * Whether the flags let other machines in.
+ * @param {readonly string[]} flags
+ */
+export function isOnLan(flags) {
+  const at = flags.findLastIndex((flag) => flag === '--lan' || flag.startsWith('--lan='));
+  if (at < 0) return false;
+  const value = flags[at]?.split('=')[1] ?? flags[at + 1] ?? '';
+  return !/^(off|false|no|0)$/i.test(value);
+}

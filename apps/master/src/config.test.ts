@@ -38,7 +38,7 @@ describe('options', () => {
     expect(config).toMatchObject({
       port: 8080,
       host: 'localhost',
-      lan: false,
+      lan: true,
       legacyPorts: { services: 8102, topicData: 8104 },
       allowedOrigins: [],
       printEndpoints: undefined,
@@ -79,6 +79,10 @@ describe('options', () => {
   it('take switches without a value', () => {
     expect(resolve(['--lan', '--port', '1']).lan).toBe(true);
     expect(resolve(['--lan=false']).lan).toBe(false);
+    expect(resolve(['--lan', 'off', '--port', '1'])).toMatchObject({ lan: false, port: 1 });
+    expect(resolve(['--lan', 'on', '--port', '1'])).toMatchObject({ lan: true, port: 1 });
+    expect(resolve(['--host', '10.0.0.7']).lan).toBe(false);
+    expect(resolve(['--lan', 'off', '--host', '10.0.0.7']).host).toBe('10.0.0.7');
     expect(resolve([], { UBII_LAN: 'on' }).lan).toBe(true);
   });
 
@@ -141,6 +145,9 @@ describe('a wrong value is explained in one sentence', () => {
     [['-p', '1'], 'There is no flag -p'],
     [['8080'], 'The argument "8080" belongs to no flag'],
     [['--lan', '--host', '0.0.0.0'], 'leave one of the two out'],
+    [['--allow-legacy', '10.0.0.0/33'], 'networks separated by commas'],
+    [['--allow-legacy', 'lab.local'], 'networks separated by commas'],
+    [['--allow-legacy', '10.0.0.0/'], 'networks separated by commas'],
     [['--config', '/nowhere/at-all.json'], '/nowhere/at-all.json, must be readable and hold JSON'],
   ])('%j', (args, expected) => {
     const message = messageOf(args);

@@ -65,12 +65,15 @@ export const OPTIONS = {
   host: option({
     placeholder: '<name>',
     fallback: 'localhost',
-    description: 'Name or address to listen on. The default lets in programs of this machine only.',
+    fallbackText: 'localhost with --lan off',
+    description:
+      'Name or address to listen on, in place of all networks: localhost lets in programs of this machine only.',
     parse: parseHost,
   }),
   lan: option({
     placeholder: '[on|off]',
-    fallback: false,
+    fallback: true,
+    fallbackText: 'on',
     description:
       'Listen on all networks of this machine, so that phones can join with the code that the terminal shows. Who has not joined is let in to nothing. With --host it is off.',
     parse: parseSwitch,
@@ -137,7 +140,7 @@ export const OPTIONS = {
     placeholder: '<file>',
     fallback: undefined,
     fallbackText: 'none',
-    description: 'JSON file with options: { "port": 9000, "lan": true }.',
+    description: 'JSON file with options: { "port": 9000, "lan": false }.',
     parse: parseFilePath,
   }),
   legacyPorts: option<LegacyPorts | undefined>({

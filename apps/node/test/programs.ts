@@ -111,7 +111,7 @@ export class Program {
 /** Starts a master. @param port 0 for any free one */
 export async function startMaster(port = 0, dataDir = newFolder()) {
   const program = new Program(masterProgram, [
-    ...['--port', String(port), '--legacy-ports', 'off', '--data-dir', dataDir],
+    ...['--lan', 'off', '--port', String(port), '--legacy-ports', 'off', '--data-dir', dataDir],
     ...['--print-endpoints', 'json'],
   ]);
   const { url } = await program.ready<{ url: string }>();

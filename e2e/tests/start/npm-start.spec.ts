@@ -30,7 +30,8 @@ async function npmStart(...flags: string[]): Promise<MasterAddresses> {
   npm = spawn(
     'npm',
     [
-      ...['start', '--', '--port', '0', '--legacy-ports', 'off', '--data-dir', dataDir],
+      ...['start', '--', '--lan', 'off', '--port', '0', '--legacy-ports', 'off'],
+      ...['--data-dir', dataDir],
       ...['--print-endpoints', 'json', ...flags],
     ],
     // A group of its own, so that a signal can be sent to all of it, as a terminal does.

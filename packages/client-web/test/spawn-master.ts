@@ -30,7 +30,10 @@ export function createDataFolder(): { readonly path: string; remove(): void } {
 
 /** Starts the master that was built. @param port 0 for any free one */
 export async function spawnMaster(dataFolder: string, port = 0): Promise<SpawnedMaster> {
-  const flags = ['--port', String(port), '--legacy-ports', 'off', '--print-endpoints', 'json'];
+  const flags = [
+    ...['--lan', 'off', '--port', String(port), '--legacy-ports', 'off'],
+    ...['--print-endpoints', 'json'],
+  ];
   const child = spawn(
     process.execPath,
     [join(outputFolder, 'main.js'), ...flags, '--data-dir', dataFolder],

@@ -38,7 +38,10 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
   });
   const log = new LogTail(written, Date.now, true);
   const dataDir = options.dataDir ?? newFolder();
-  const flags = ['--port', '0', '--data-dir', dataDir, '--legacy-ports', 'off', '--mdns', 'off'];
+  const flags = [
+    ...['--lan', 'off', '--port', '0', '--data-dir', dataDir],
+    ...['--legacy-ports', 'off', '--mdns', 'off'],
+  ];
   const master = await startMaster({
     config: resolveConfig([...flags, ...(options.flags ?? [])], {}, '/'),
     log,

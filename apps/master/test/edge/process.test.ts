@@ -66,7 +66,10 @@ interface Endpoints {
   readonly pid: number;
 }
 
-const quiet = ['--port', '0', '--legacy-ports', 'off', '--print-endpoints', 'json'];
+const quiet = [
+  ...['--lan', 'off', '--port', '0', '--legacy-ports', 'off'],
+  ...['--print-endpoints', 'json'],
+];
 
 function start(flags: readonly string[] = []): Program {
   return new Program([...quiet, ...flags]);
@@ -144,13 +147,13 @@ describe('a master that cannot start says why in one sentence', () => {
 
   it('when its port is taken', async () => {
     const port = await takePort();
-    const message = await refusal(['--port', String(port), '--legacy-ports', 'off']);
+    const message = await refusal(['--lan', 'off', '--port', String(port)]);
     expect(message).toContain(`Port ${port} (--port) is taken by another program`);
   });
 
   it('when a legacy port that was asked for is taken', async () => {
     const port = await takePort();
-    const message = await refusal(['--port', '0', '--legacy-ports', `0,${port}`]);
+    const message = await refusal(['--lan', 'off', '--port', '0', '--legacy-ports', `0,${port}`]);
     expect(message).toContain(`Port ${port} (--legacy-ports) is taken`);
   });
 

@@ -20,7 +20,7 @@ describe('what the terminal shows', () => {
     const reachability = describeReachability('localhost', ports, []);
     const text = formatBanner({ ...facts, reachability });
     expect(text).toContain('http://localhost:8080');
-    expect(text).toContain('npm start -- --lan');
+    expect(text).toContain('without --lan off');
     expect(text).toContain('services 8102, topic data 8104');
     expect(bestPhoneUrl(reachability)).toBeUndefined();
   });

@@ -66,7 +66,7 @@ export function formatBanner(facts: BannerFacts): string {
       ? networkAddresses[0]?.url.startsWith('https:')
         ? 'Phones in the same network open the address and type the code, or scan the QR code; they accept the certificate once.'
         : 'Phones in the same network open the address and type the code, or scan the QR code.'
-      : 'Phones cannot reach this master: to let them in, end it and start it with  npm start -- --lan',
+      : 'Phones cannot reach this master: to let them in, end it and start it without --lan off and --host.',
     'Ctrl-C ends the master. All flags:  npm start -- --help',
   ];
   return [
