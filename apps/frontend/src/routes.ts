@@ -2,6 +2,8 @@ import type { RouteRecordRaw } from 'vue-router';
 import { callsRoutes } from './calls/routes.ts';
 import { clientsRoutes } from './clients/routes.ts';
 import { devicesRoutes } from './devices/routes.ts';
+import { certificateRoutes } from './connect-certificate/routes.ts';
+import { connectPhoneRoutes } from './connect-phone/routes.ts';
 import { examplesRoutes } from './examples/routes.ts';
 import { graphRoutes } from './graph/routes.ts';
 import { joinRoutes } from './join/routes.ts';
@@ -20,6 +22,8 @@ declare module 'vue-router' {
     parent?: { readonly title: string; readonly to: string };
     /** On phones it says itself who this is and how it stands with the master: no top bar. */
     hasOwnHeader?: boolean;
+    /** Stands alone, without rail and top bar, and also for those who have not joined. */
+    isBare?: boolean;
   }
 }
 
@@ -42,6 +46,8 @@ export const routes: readonly RouteRecordRaw[] = [
   ...examplesRoutes,
   ...settingsRoutes,
   ...joinRoutes,
+  ...connectPhoneRoutes,
+  ...certificateRoutes,
   {
     path: '/:path(.*)*',
     component: () => import('./shell/NotFoundPage.vue'),

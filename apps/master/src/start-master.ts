@@ -30,6 +30,7 @@ import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
 import { localName } from './adapters/tls/own-names.ts';
 import { openHttps } from './adapters/tls/open-https.ts';
 import { ProcessUsage } from './adapters/usage/process-usage.ts';
+import { PreflightSockets } from './adapters/ws/preflight-sockets.ts';
 import { TopicDataSockets } from './adapters/ws/topic-data-sockets.ts';
 import type { Config } from './config.ts';
 
@@ -95,9 +96,10 @@ export async function startMaster({
   const reachability = (): Reachability =>
     describeReachability(host, listeners.ports, listNetworkAddresses(), https !== undefined);
 
+  const clock = new SystemClock(log);
   const master = createMaster(
     {
-      clock: new SystemClock(log),
+      clock,
       ids: randomIds,
       tokens,
       accessSecrets: new HmacAccessSecrets(key),
@@ -129,6 +131,7 @@ export async function startMaster({
     policy,
     callers,
     log,
+    preflights: new PreflightSockets(clock),
     maxMessageBytes: limits.frameBytes,
   });
   const app = await createHttpApp({

@@ -7,6 +7,6 @@ export const joinRoutes: readonly RouteRecordRaw[] = [
   {
     path: JOIN_PATH,
     component: () => import('./JoinPage.vue'),
-    meta: { title: 'Join' },
+    meta: { title: 'Join', isBare: true },
   },
 ];

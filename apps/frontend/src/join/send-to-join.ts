@@ -7,8 +7,8 @@ export function sendToJoin(client: Pick<UbiiClient, 'onState'>, router: Router):
   client.onState((state) => {
     if (state.status !== 'closed' || state.error?.reason !== 'join') return;
     void router.isReady().then(() => {
-      const { path, fullPath } = router.currentRoute.value;
-      if (path === JOIN_PATH) return undefined;
+      const { meta, fullPath } = router.currentRoute.value;
+      if (meta.isBare) return undefined; // for strangers, too
       return router.replace({ path: JOIN_PATH, query: fullPath === '/' ? {} : { to: fullPath } });
     });
   });

@@ -15,6 +15,15 @@ export function addAuthority(app: FastifyInstance, authority: string): void {
       .header('content-disposition', `attachment; filename="${name}"`)
       .type(type)
       .send(body);
+  // For the page that helps to install it: what to compare it with on the machine of the master.
+  app.get('/ca.json', (_request, reply) => {
+    const { fingerprint256, validTo } = new X509Certificate(authority);
+    return reply.header('cache-control', 'no-store').send({
+      name: commonNameOf(authority),
+      fingerprint: fingerprint256,
+      validToMs: Date.parse(validTo),
+    });
+  });
   // Firefox, Linux and macOS.
   app.get('/ca.pem', (_request, reply) =>
     send(reply, 'application/x-pem-file', 'ubi-interact.pem', authority),

@@ -8,6 +8,7 @@ import type { CallerFacts, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import { kindOfPeer } from '../network/address-kinds.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
+import type { PreflightSockets } from './preflight-sockets.ts';
 import { refuseUpgrade } from './refuse-upgrade.ts';
 import { WebSocketConnection } from './websocket-connection.ts';
 
@@ -22,6 +23,7 @@ export interface TopicDataSocketsOptions {
   readonly policy: OriginPolicy;
   readonly callers: Pick<CallerReader, 'read'>;
   readonly log: Log;
+  readonly preflights?: PreflightSockets;
   /** Largest message a client may send. */
   readonly maxMessageBytes: number;
 }
@@ -53,6 +55,7 @@ export class TopicDataSockets {
       refuseUpgrade(socket, 403, verdict.reason);
       return;
     }
+    if (this.#options.preflights?.handleUpgrade(request, socket, head)) return; // [AC-29]
     // Read before anything else: of a connection that is gone nothing is known any more.
     const caller = this.#options.callers.read(request);
     const reason = this.#options.master.refuseConnection(queryOf(request.url ?? ''), caller);
@@ -68,6 +71,7 @@ export class TopicDataSockets {
   /** Ends what is still open, without a word. */
   terminate(): void {
     for (const webSocket of this.#server.clients) webSocket.terminate();
+    this.#options.preflights?.terminate();
   }
 
   #open(webSocket: WebSocket, socket: Duplex, request: IncomingMessage, caller: CallerFacts): void {

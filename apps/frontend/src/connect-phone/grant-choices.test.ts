@@ -1,0 +1,53 @@
+import { AccessRole, type AccessGrant } from '@ubii/proto';
+import { describe, expect, it } from 'vitest';
+import { isOpen, leftWord, reusable } from './grant-choices.ts';
+
+const MINUTE = 60_000;
+const choice = {
+  target: '/topics',
+  role: AccessRole.ACCESS_ROLE_VIEWER,
+  lifetimeMs: 15 * MINUTE,
+};
+const grant = (changes: Partial<AccessGrant> = {}): AccessGrant =>
+  ({
+    id: 'g',
+    role: choice.role,
+    target: choice.target,
+    createdMs: 0,
+    expiresMs: 15 * MINUTE,
+    revokedMs: 0,
+    maxJoins: 0,
+    joins: 0,
+    ...changes,
+  }) as AccessGrant;
+
+describe('reusable', () => {
+  const find = (one: AccessGrant, nowMs = MINUTE, hasSecret = true) =>
+    reusable([one], choice, nowMs, () => hasSecret);
+
+  it('finds what was made for the same choice', () => {
+    expect(find(grant())?.id).toBe('g');
+  });
+
+  it('leaves what is for something else, over, nearly over, or whose code nobody knows', () => {
+    expect(find(grant({ target: '/' }))).toBeUndefined();
+    expect(find(grant({ role: AccessRole.ACCESS_ROLE_PLAYER }))).toBeUndefined();
+    expect(find(grant({ expiresMs: 8 * 60 * MINUTE }))).toBeUndefined();
+    expect(find(grant({ revokedMs: 1 }))).toBeUndefined();
+    expect(find(grant(), 13 * MINUTE)).toBeUndefined();
+    expect(find(grant(), MINUTE, false)).toBeUndefined();
+  });
+});
+
+it('a grant is open until its end, its last join or its revocation', () => {
+  expect(isOpen(grant(), MINUTE)).toBe(true);
+  expect(isOpen(grant(), 15 * MINUTE)).toBe(false);
+  expect(isOpen(grant({ maxJoins: 1, joins: 1 }), MINUTE)).toBe(false);
+});
+
+it('what is left is told in minutes, hours or days', () => {
+  expect(leftWord(30_000)).toBe('1 min');
+  expect(leftWord(14.2 * MINUTE)).toBe('15 min');
+  expect(leftWord(8 * 60 * MINUTE)).toBe('8 h');
+  expect(leftWord(30 * 24 * 60 * MINUTE)).toBe('30 d');
+});

@@ -1,0 +1,105 @@
+import { ConnectionError } from '@ubii/client-web';
+import { ServiceError, type AccessGrant } from '@ubii/proto';
+import { computed, ref, shallowRef, watch, type Ref } from 'vue';
+import { usePoll } from '../connection/poll.ts';
+import { useConnection } from '../connection/useConnection.ts';
+import { isOpen, reusable, type GrantChoice } from './grant-choices.ts';
+import { useGrantSecrets } from './grant-secrets.ts';
+
+const INTERVAL_MS = 2000;
+
+/**
+ * Who may join, for the host, and the grant for what is chosen: an earlier one where there is one.
+ * @param mayMake false where nobody asked for a code yet
+ */
+export function useGrants(choice: Ref<GrantChoice>, mayMake: Ref<boolean>) {
+  const { client, state, isConnected, master, clients } = useConnection();
+  const secrets = useGrantSecrets();
+  const grants = shallowRef<readonly AccessGrant[]>();
+  const error = ref('');
+  /** A master from before there were roles: everybody is let in. */
+  const isUnsupported = ref(false);
+  const isMaking = ref(false);
+  const nowMs = (): number => Date.now() + (master.view.value?.clock.offsetMs ?? 0);
+
+  const role = computed(() => (state.value.status === 'connected' ? client.role : undefined));
+  const isAdmin = computed(() => role.value === 'admin');
+  const current = computed(() =>
+    reusable(grants.value ?? [], choice.value, nowMs(), (id) => secrets.get(id) !== undefined),
+  );
+  const secret = computed(() => (current.value ? secrets.get(current.value.id) : undefined));
+
+  async function attempt(act: () => Promise<void>): Promise<void> {
+    try {
+      await act();
+      error.value = '';
+    } catch (cause) {
+      if (cause instanceof ConnectionError) return; // shows in the connection's state
+      if (!(cause instanceof ServiceError)) throw cause;
+      if (cause.code === 'unimplemented' || cause.code === 'not_found') isUnsupported.value = true;
+      error.value = cause.message;
+    }
+  }
+
+  const refresh = (): Promise<void> =>
+    attempt(async () => {
+      const { elements } = await client.call('accessGrantList');
+      grants.value = elements;
+      secrets.keep(new Set(elements.filter((one) => isOpen(one, nowMs())).map(({ id }) => id)));
+      if (mayMake.value) await make();
+    });
+
+  /** Makes a grant for what is chosen unless there is one. */
+  async function make(): Promise<void> {
+    if (isMaking.value || current.value !== undefined || grants.value === undefined) return;
+    isMaking.value = true;
+    try {
+      const { target, role: wanted, lifetimeMs } = choice.value;
+      const created = await client.call('accessGrantCreate', {
+        label: 'Connect a phone',
+        role: wanted,
+        target,
+        lifetimeMs,
+      });
+      if (created.grant === undefined) return;
+      secrets.add(created.grant.id, created);
+      grants.value = [created.grant, ...grants.value];
+    } finally {
+      isMaking.value = false;
+    }
+  }
+
+  const revoke = (grant: AccessGrant): Promise<void> =>
+    attempt(async () => {
+      mayMake.value = false; // or a new one would take its place at once
+      await client.call('accessGrantRevoke', { grantId: grant.id, reason: 'the host closed it' });
+      await refresh();
+    });
+
+  usePoll(
+    refresh,
+    INTERVAL_MS,
+    computed(() => isConnected.value && isAdmin.value && !isUnsupported.value),
+  );
+  watch([choice, mayMake], () => {
+    if (mayMake.value && isAdmin.value && isConnected.value) void attempt(make);
+  });
+  // Who joined shows at once
+  watch(clients.list, (list, before) => {
+    if (list?.length !== before?.length && isConnected.value && isAdmin.value) void refresh();
+  });
+
+  return {
+    grants,
+    current,
+    secret,
+    error,
+    isAdmin,
+    role,
+    isUnsupported,
+    isMaking,
+    nowMs,
+    revoke,
+    refresh,
+  };
+}

@@ -1,0 +1,31 @@
+import { ConnectionError } from '@ubii/client-web';
+import { fromJson, SERVICES, ServiceError, type JoinCheck } from '@ubii/proto';
+
+const TIMEOUT_MS = 8000;
+
+/**
+ * Asks what a token or code is good for, without being a client: who is not let in has no connection to
+ * ask over. [AC-16]
+ * @throws {ServiceError} what the master answered
+ * @throws {ConnectionError} nobody answered
+ */
+export async function checkToken(token: string): Promise<JoinCheck> {
+  let json: unknown;
+  try {
+    const response = await fetch('/services/json', {
+      method: 'POST',
+      headers: { 'Content-Type': 'application/json' },
+      body: JSON.stringify({ topic: SERVICES.joinCheck.topic, joinCheckRequest: { token } }),
+      signal: AbortSignal.timeout(TIMEOUT_MS),
+    });
+    json = await response.json();
+  } catch (cause) {
+    throw new ConnectionError('refused', 'The master does not answer', { cause });
+  }
+  const reply = fromJson('ubii.services.ServiceReply', json);
+  if (reply.error !== undefined) throw ServiceError.fromWire(reply.error);
+  if (reply.joinCheck === undefined) {
+    throw new ConnectionError('protocol', 'This master does not know how to join');
+  }
+  return reply.joinCheck;
+}

@@ -1,0 +1,27 @@
+/** Letters and digits of a short code; O, I and L are taken for 0 and 1. [AC-11] */
+const CODE_LENGTH = 8;
+
+/** What somebody types or pastes, as the code is shown: `K7QF-2MXR`. A pasted address gives its token. */
+export function formatCode(typed: string): string {
+  const plain = typed
+    .toUpperCase()
+    .replace(/[^A-Z0-9]/g, '')
+    .slice(0, CODE_LENGTH);
+  return plain.length > 4 ? `${plain.slice(0, 4)}-${plain.slice(4)}` : plain;
+}
+
+/** True when nothing is missing. */
+export function isWholeCode(code: string): boolean {
+  return code.replaceAll('-', '').length === CODE_LENGTH;
+}
+
+/** The token in an address to join at, as the QR code carries it; `undefined` when there is none. */
+export function tokenOf(text: string): string | undefined {
+  const fragment = /#(.+)$/.exec(text.trim())?.[1];
+  if (fragment === undefined) return undefined;
+  try {
+    return decodeURIComponent(fragment);
+  } catch {
+    return fragment;
+  }
+}

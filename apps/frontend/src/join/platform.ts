@@ -1,0 +1,15 @@
+/** The kinds of devices that differ in what they allow and how things are installed on them. */
+export type Platform = 'ios' | 'android' | 'windows' | 'macos' | 'linux';
+
+/** @param touchPoints an iPad calls itself a Mac, which has no touch screen */
+export function platformOf(userAgent: string, touchPoints: number): Platform {
+  if (/\b(iPhone|iPad|iPod)\b/.test(userAgent)) return 'ios';
+  if (/\bAndroid\b/.test(userAgent)) return 'android';
+  if (/\bMacintosh\b/.test(userAgent)) return touchPoints > 1 ? 'ios' : 'macos';
+  return /\bWindows\b/.test(userAgent) ? 'windows' : 'linux';
+}
+
+/** The platform of this browser. */
+export function thisPlatform(): Platform {
+  return platformOf(navigator.userAgent, navigator.maxTouchPoints);
+}

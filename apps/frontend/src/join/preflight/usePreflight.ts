@@ -1,0 +1,29 @@
+import { onScopeDispose, shallowRef } from 'vue';
+import type { Check } from './check.ts';
+import { openChecks } from './check.ts';
+import { runPreflight } from './run-preflight.ts';
+
+/** The facts of this device, each as soon as it is known. */
+export function usePreflight() {
+  const checks = shallowRef<readonly Check[]>(openChecks());
+  const isRunning = shallowRef(false);
+  let run = 0;
+
+  function put(check: Check): void {
+    checks.value = checks.value.map((one) => (one.id === check.id ? check : one));
+  }
+
+  async function start(): Promise<void> {
+    run += 1;
+    const own = run;
+    isRunning.value = true;
+    await runPreflight((check) => {
+      if (own === run) put(check);
+    });
+    if (own === run) isRunning.value = false;
+  }
+
+  onScopeDispose(() => (run += 1));
+  void start();
+  return { checks, isRunning, put, start };
+}

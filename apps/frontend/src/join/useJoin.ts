@@ -1,0 +1,175 @@
+import { clientRole, ConnectionError, joinProblem } from '@ubii/client-web';
+import type { ClientRole, JoinProblem } from '@ubii/client-web';
+import { ServiceError } from '@ubii/proto';
+import { computed, onScopeDispose, ref, shallowRef, watch } from 'vue';
+import { useRoute, useRouter } from 'vue-router';
+import { useConnection } from '../connection/useConnection.ts';
+import { checkToken } from './check-token.ts';
+import { safeTarget } from './target.ts';
+
+/**
+ * `asking`: what the token is good for · `code`: somebody has to type one · `ready`: one tap away ·
+ * `joining` · `unreachable`: nobody answers
+ */
+export type JoinPhase = 'asking' | 'code' | 'ready' | 'joining' | 'unreachable';
+
+/** What a good token gives. */
+export interface Invitation {
+  readonly token: string;
+  readonly role: ClientRole;
+  /** Path of the page that opens; empty when the token names none. */
+  readonly target: string;
+}
+
+/** A master that does not answer is asked again after this, milliseconds. */
+const ASK_AGAIN_MS = 3000;
+/** A live channel that takes longer is a trouble to be told, milliseconds. */
+const PATIENCE_MS = 10_000;
+
+/** The way of one device from a token or code to the page it came for. */
+export function useJoin(beforeLeaving: () => void) {
+  const { client, state, isConnected, name, connect } = useConnection();
+  const route = useRoute();
+  const router = useRouter();
+
+  const phase = ref<JoinPhase>('asking');
+  const problem = shallowRef<JoinProblem>();
+  /** What went wrong with joining itself, in the words of whoever knows. */
+  const trouble = ref('');
+  const invitation = shallowRef<Invitation>();
+  const masterName = ref('');
+  const isLeaving = ref(false);
+  let again: ReturnType<typeof setTimeout> | undefined;
+  let asked = 0;
+
+  const target = computed(() => safeTarget(invitation.value?.target || route.query['to'] || '/'));
+
+  function goOn(): void {
+    if (isLeaving.value) return;
+    isLeaving.value = true;
+    beforeLeaving();
+    // In place of this page: the way back does not lead through the token
+    void router.replace(target.value);
+  }
+
+  /** Asks what a token or code is good for; without one, what this device may do. */
+  async function ask(token: string): Promise<void> {
+    clearTimeout(again);
+    asked += 1;
+    const serial = asked;
+    if (phase.value !== 'unreachable') phase.value = 'asking';
+    trouble.value = '';
+    try {
+      const answer = await checkToken(token);
+      if (serial !== asked) return;
+      masterName.value = answer.masterName;
+      const role = clientRole(answer.role);
+      problem.value = joinProblem(answer.problem);
+      if (token !== '' && role !== undefined && problem.value === undefined) {
+        invitation.value = { token, role, target: answer.target };
+        phase.value = 'ready';
+      } else {
+        invitation.value = undefined;
+        if (token === '') handleNobody();
+        else phase.value = 'code';
+      }
+    } catch (cause) {
+      if (serial !== asked) return;
+      if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
+      trouble.value = cause.message;
+      phase.value = 'unreachable';
+      again = setTimeout(() => void ask(token), ASK_AGAIN_MS);
+    }
+  }
+
+  /** Nothing was shown: says why this device was sent here, once that is known. */
+  function handleNobody(): void {
+    if (state.value.status !== 'closed') return;
+    problem.value = refusal() ?? 'missing';
+    phase.value = 'code';
+  }
+
+  function refusal(): JoinProblem | undefined {
+    return state.value.status === 'closed' ? state.value.error?.joinProblem : undefined;
+  }
+
+  /** @param as what others are to call this device */
+  async function join(as: string): Promise<void> {
+    const token = invitation.value?.token;
+    if (token === undefined || phase.value === 'joining') return;
+    if (as.trim() !== '') name.value = as.trim();
+    phase.value = 'joining';
+    trouble.value = '';
+    const isRegistered = client.role !== undefined && state.value.status === 'reconnecting';
+    try {
+      // A token for one device counts once; who is registered only waits for the channel
+      if (isRegistered) connect();
+      else await Promise.race([client.join(token), patience()]);
+      if (isConnected.value) goOn();
+      else if (isRegistered) await patience();
+    } catch (cause) {
+      if (cause instanceof ConnectionError && cause.reason === 'join') {
+        problem.value = cause.joinProblem ?? 'wrong';
+        invitation.value = undefined;
+        phase.value = 'code';
+        return;
+      }
+      if (!(cause instanceof Error)) throw cause;
+      trouble.value = cause.message;
+      phase.value = 'ready';
+    }
+  }
+
+  /** Rejects when the channel takes too long; `client` goes on trying meanwhile. */
+  function patience(): Promise<never> {
+    return new Promise((_, reject) => {
+      setTimeout(() => {
+        if (isConnected.value) return;
+        const { value } = state;
+        const cause = value.status === 'reconnecting' ? `: ${value.error.message}` : '';
+        reject(new ConnectionError('timeout', `The live channel does not open${cause}`));
+      }, PATIENCE_MS);
+    });
+  }
+
+  // A scanned address opens in the same tab as well
+  watch(
+    () => route.hash.slice(1),
+    (token) => {
+      if (!isLeaving.value) void ask(token);
+    },
+    { immediate: true },
+  );
+
+  // Who is in already goes on: a second tab, the master's own machine, or a channel that came late
+  watch(
+    [isConnected, phase],
+    () => {
+      if (!isConnected.value) return;
+      const wanted = invitation.value?.role;
+      if (wanted === undefined) {
+        if (route.hash === '') goOn();
+      } else if (phase.value === 'joining' || [wanted, 'admin'].includes(client.role ?? '')) {
+        goOn();
+      }
+    },
+    { immediate: true },
+  );
+  watch(state, () => {
+    if (route.hash === '' && ['asking', 'code'].includes(phase.value)) handleNobody();
+  });
+  onScopeDispose(() => clearTimeout(again));
+
+  return {
+    phase,
+    problem,
+    trouble,
+    invitation,
+    masterName,
+    target,
+    isIn: computed(() => isConnected.value),
+    ask,
+    join,
+    goOn,
+  };
+}
