@@ -29,7 +29,9 @@ export function motionAccess(): MotionAccess {
 export async function allowMotion(): Promise<boolean> {
   // Asked for in one turn: the second question would be outside the tap
   const asked = [DeviceMotionEvent, globalThis.DeviceOrientationEvent].map(
-    (event) => (event as AskingEvent | undefined)?.requestPermission?.() ?? 'granted',
+    (event) =>
+      (event as AskingEvent | undefined)?.requestPermission?.() ??
+      Promise.resolve('granted' as const),
   );
   try {
     return (await Promise.all(asked)).every((answer) => answer === 'granted');

@@ -15,15 +15,6 @@ export function addAuthority(app: FastifyInstance, authority: string): void {
       .header('content-disposition', `attachment; filename="${name}"`)
       .type(type)
       .send(body);
-  // For the page that helps to install it: what to compare it with on the machine of the master.
-  app.get('/ca.json', (_request, reply) => {
-    const { fingerprint256, validTo } = new X509Certificate(authority);
-    return reply.header('cache-control', 'no-store').send({
-      name: commonNameOf(authority),
-      fingerprint: fingerprint256,
-      validToMs: Date.parse(validTo),
-    });
-  });
   // Firefox, Linux and macOS.
   app.get('/ca.pem', (_request, reply) =>
     send(reply, 'application/x-pem-file', 'ubi-interact.pem', authority),
@@ -41,6 +32,25 @@ export function addAuthority(app: FastifyInstance, authority: string): void {
       profileOf(der, commonNameOf(authority)),
     ),
   );
+}
+
+/**
+ * For the page that helps to install it: what to compare it with on the machine of the master. Empty where
+ * there is no authority.
+ *
+ * @param authority PEM
+ */
+export function addAuthorityFacts(app: FastifyInstance, authority: string | undefined): void {
+  app.get('/ca.json', (_request, reply) => {
+    reply.header('cache-control', 'no-store');
+    if (authority === undefined) return reply.send({});
+    const { fingerprint256, validTo } = new X509Certificate(authority);
+    return reply.send({
+      name: commonNameOf(authority),
+      fingerprint: fingerprint256,
+      validToMs: Date.parse(validTo),
+    });
+  });
 }
 
 function commonNameOf(authority: string): string {

@@ -5,7 +5,7 @@ import type { Master } from '../../core/master.ts';
 import type { Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
-import { addAuthority } from './authority-routes.ts';
+import { addAuthority, addAuthorityFacts } from './authority-routes.ts';
 import { guardOrigins } from './cross-origin.ts';
 import { replyErrors } from './error-replies.ts';
 import { addFrontend } from './frontend.ts';
@@ -47,6 +47,7 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
   replyErrors(app, log);
   addServices(app, { master, callers, maxRequestBytes });
   addStatus(app, { ...options, edgeMetrics: () => counts.metrics() });
+  addAuthorityFacts(app, options.authority);
   if (options.authority !== undefined) addAuthority(app, options.authority);
   await addFrontend(app, frontendFolder);
   await app.ready();

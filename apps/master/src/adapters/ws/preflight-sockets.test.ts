@@ -83,7 +83,7 @@ describe('PreflightSockets [AC-29]', () => {
   it('leaves other paths to others', async () => {
     const { connect } = await world();
     const socket = connect('/preflight?clientID=x');
-    await once(socket, 'close');
+    await new Promise((resolve) => socket.on('close', resolve));
     expect(socket.readyState).toBe(WebSocket.CLOSED);
   });
 });
