@@ -1,4 +1,5 @@
 import { statSync, readdirSync, readFileSync } from 'node:fs';
+import { connect } from 'node:net';
 import { hostname } from 'node:os';
 import { join } from 'node:path';
 import { AccessRole } from '@ubii/proto';
@@ -154,6 +155,22 @@ describe('who is of this machine [AC-1] [AC-2]', () => {
       '403',
     );
     expect(await upgrade(port, '?clientID=x', { origin: 'http://192.168.1.50' })).toBe('403');
+  });
+
+  it('takes no proxy that says nothing for this machine: they speak HTTP/1.0', async () => {
+    const { port } = await startEdgeMaster();
+    const answer = await new Promise<string>((resolve) => {
+      let text = '';
+      const body = JSON.stringify({ topic: LIST });
+      const socket = connect(port, '127.0.0.1', () => {
+        socket.write(
+          `POST /services/json HTTP/1.0\r\nHost: localhost:${port}\r\nContent-Length: ${body.length}\r\n\r\n${body}`,
+        );
+      });
+      socket.on('data', (chunk) => (text += String(chunk)));
+      socket.on('close', () => resolve(text));
+    });
+    expect(answer).toContain('unauthenticated');
   });
 
   it('is the same on every port and path, and whatever headers are called [AC-6]', async () => {

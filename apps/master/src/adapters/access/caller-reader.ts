@@ -8,6 +8,7 @@ import type { OriginPolicy } from '../network/origin-policy.ts';
 /** What is looked at of a request. */
 export interface CallerRequest {
   readonly headers: IncomingHttpHeaders;
+  readonly httpVersion?: string;
   readonly socket: { readonly remoteAddress?: string | undefined };
 }
 
@@ -58,10 +59,11 @@ export class CallerReader {
     this.#options = options;
   }
 
-  read({ headers, socket }: CallerRequest): CallerFacts {
+  read({ headers, socket, httpVersion }: CallerRequest): CallerFacts {
     const address = plainAddress(socket.remoteAddress);
     return {
-      standing: this.#standingOf(address, headers),
+      // Proxies that say nothing of whom they serve speak HTTP/1.0 by default; programs of today do not.
+      standing: httpVersion === '1.0' ? 'other' : this.#standingOf(address, headers),
       place: placeOf(address),
       bearer: bearerOf(headers.authorization),
     };

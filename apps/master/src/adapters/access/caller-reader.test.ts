@@ -1,0 +1,86 @@
+import { describe, expect, it } from 'vitest';
+import { OriginPolicy } from '../network/origin-policy.ts';
+import { OwnAddresses } from '../network/own-addresses.ts';
+import { CallerReader } from './caller-reader.ts';
+import { LegacyNetworks } from './legacy-networks.ts';
+
+const address = (text: string) => ({
+  address: text,
+  netmask: '',
+  mac: '',
+  internal: false,
+  cidr: null,
+  ...(text.includes(':') ? { family: 'IPv6' as const, scopeid: 0 } : { family: 'IPv4' as const }),
+});
+const own = new OwnAddresses(
+  () => 0,
+  () => ({ eth0: [address('192.168.1.5'), address('fd00::5'), address('fe80::5')] }),
+);
+const legacy = new LegacyNetworks(['10.0.0.0/24', '10.9.0.7', 'fd00:7::/32']);
+const reader = new CallerReader({
+  policy: new OriginPolicy({
+    onLan: true,
+    host: '::',
+    allowedOrigins: [],
+    isOwnAddress: (text) => own.has(text),
+  }),
+  isOwnAddress: (text) => own.has(text),
+  isLegacyAddress: (text) => legacy.has(text),
+});
+const read = (remoteAddress: string | undefined, headers = {}) =>
+  reader.read({ socket: { remoteAddress }, headers });
+
+describe('a caller', () => {
+  it.each([
+    ['127.0.0.1', 'local'],
+    ['127.9.9.9', 'local'],
+    ['::1', 'local'],
+    ['::ffff:127.0.0.1', 'local'],
+    ['::FFFF:127.0.0.1', 'local'],
+    ['192.168.1.5', 'local'],
+    ['::ffff:192.168.1.5', 'local'],
+    ['fd00::5', 'local'],
+    // A neighbour on another network may have the same one.
+    ['fe80::5', 'other'],
+    ['fe80::5%eth0', 'other'],
+    ['192.168.1.6', 'other'],
+    ['::ffff:192.168.1.6', 'other'],
+    ['10.0.0.77', 'network'],
+    ['::ffff:10.0.0.77', 'network'],
+    ['10.0.1.1', 'other'],
+    ['10.9.0.7', 'network'],
+    ['10.9.0.8', 'other'],
+    ['fd00:7::1', 'network'],
+    ['0.0.0.0', 'other'],
+    ['', 'other'],
+    [undefined, 'other'],
+  ])('%s is %s [AC-1] [AC-4]', (remoteAddress, standing) => {
+    expect(read(remoteAddress).standing).toBe(standing);
+  });
+
+  it('of HTTP/1.0 or behind a proxy is nobody of here [AC-1] [AC-4]', () => {
+    const socket = { remoteAddress: '127.0.0.1' };
+    expect(reader.read({ socket, headers: {}, httpVersion: '1.0' }).standing).toBe('other');
+    expect(reader.read({ socket, headers: {}, httpVersion: '1.1' }).standing).toBe('local');
+    expect(read('10.0.0.77', { 'x-real-ip': '10.0.0.77' }).standing).toBe('other');
+  });
+
+  it('is counted by its address, of IPv6 by its network [AC-17]', () => {
+    const placeOf = (remoteAddress: string) => read(remoteAddress).place;
+    expect(placeOf('::ffff:10.0.0.1')).toBe('10.0.0.1');
+    expect(placeOf('2001:db8:1:2:3:4:5:6')).toBe(placeOf('2001:db8:1:2::9'));
+    expect(placeOf('2001:db8::1')).toBe(placeOf('2001:db8::2'));
+    expect(placeOf('2001:db8:1:2::9')).not.toBe(placeOf('2001:db8:1:3::9'));
+  });
+
+  it.each([
+    ['Bearer abc', 'abc'],
+    ['bearer   abc ', 'abc'],
+    ['Bearer', ''],
+    ['Bearer ' + 'x'.repeat(2_000), ''],
+    ['Basic abc', undefined],
+    ['Bearerabc', undefined],
+  ])('shows with %s what follows [AC-3]', (authorization, bearer) => {
+    expect(read('127.0.0.1', { authorization }).bearer).toBe(bearer);
+  });
+});
