@@ -10,7 +10,11 @@ function touch(identity: string | undefined, x: number, y: number, finger = 0): 
   const timestamp = { seconds: 0, nanos: 0, millis: ++timestamps.count };
   return new Sample(
     { x, y },
-    { identity, topic: `/${identity}/web-interface-smart-device/touch_position/${finger}`, timestamp },
+    {
+      identity,
+      topic: `/${identity}/web-interface-smart-device/touch_position/${finger}`,
+      timestamp,
+    },
   );
 }
 
