@@ -123,6 +123,10 @@ describe('who is of this machine [AC-1] [AC-2]', () => {
       [{ host, origin: 'http://127.0.0.1:3000' }, 'admin'],
       [{ host: `${hostname().split('.')[0]!.toLowerCase()}.local` }, 'admin'],
       [{ host, origin: 'https://lab.example' }, 'admin'],
+      [{ host, 'sec-fetch-site': 'same-origin' }, 'admin'],
+      [{ host, 'sec-fetch-site': 'none' }, 'admin'],
+      [{ host, 'sec-fetch-site': 'cross-site' }, 'unauthenticated'],
+      [{ host, 'sec-fetch-site': 'same-site' }, 'unauthenticated'],
       // Pages of others, which `*` lets call.
       [{ host, origin: 'http://192.168.1.50' }, 'unauthenticated'],
       [{ host, origin: 'https://evil.example' }, 'unauthenticated'],

@@ -66,11 +66,16 @@ export class OriginPolicy {
    * and no page that could be somebody else's sends it. Names that somebody in the network could make
    * resolve to this machine do not, nor does `--allowed-origins *`. [AC-1] [AC-2]
    */
-  isOfThisMachine(headers: { readonly host?: string; readonly origin?: string }): boolean {
+  isOfThisMachine(headers: {
+    readonly host?: string;
+    readonly origin?: string;
+    readonly 'sec-fetch-site'?: string | readonly string[] | undefined;
+  }): boolean {
     const host = headers.host?.toLowerCase();
     if (host !== undefined && !this.#isOwnHost(host)) return false;
     const origin = headers.origin?.toLowerCase();
-    if (origin === undefined) return true;
+    // Programs send neither; browsers leave the origin out of what a link or a picture asks for.
+    if (origin === undefined) return !/^(cross|same)-site$/.test(String(headers['sec-fetch-site']));
     if (origin === `http://${host}` || origin === `https://${host}`) return true;
     if (this.#isNamed(origin)) return true;
     if (!/^https?:\/\//.test(origin)) return false;
