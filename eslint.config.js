@@ -57,6 +57,7 @@ export default ts.config(
       '**/dist/**',
       '**/node_modules/**',
       '**/.cache/**',
+      '**/.cache-lan/**',
       'packages/*/src/generated/**',
       'e2e/test-results/**',
       'e2e/playwright-report/**',
