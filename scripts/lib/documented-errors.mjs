@@ -10,8 +10,17 @@ const sources = [
     block: /SERVICE_ERROR_CODES = \[([^\]]*)\]/,
     entry: /'([a-z_]+)'/g,
     page: 'docs/errors.md',
-    /** What is above the lists of problems. */
-    section: /^.*?(?=^## Problems of a master)/ms,
+    /** What is above the other lists. */
+    section: /^.*?(?=^## Why somebody is not let in)/ms,
+    row: /^\| `([a-z_]+)`/gm,
+  },
+  {
+    code: 'packages/client-web/src/core/join.ts',
+    /** The union `JoinProblem`. */
+    block: /type JoinProblem =(.*?);/s,
+    entry: /'([a-z_]+)'/g,
+    page: 'docs/errors.md',
+    section: /^## Why somebody is not let in.*?(?=^## Problems of a master)/ms,
     row: /^\| `([a-z_]+)`/gm,
   },
   {
