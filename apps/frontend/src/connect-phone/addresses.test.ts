@@ -1,6 +1,12 @@
 import { MasterAddressKind, type MasterAddress } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { addressParts, bestAddress, pageAddress, phoneAddresses } from './addresses.ts';
+import {
+  addressParts,
+  bestAddress,
+  joinAddress,
+  pageAddress,
+  phoneAddresses,
+} from './addresses.ts';
 
 const address = (kind: MasterAddress['kind'], url: string): MasterAddress => ({
   kind,
@@ -44,4 +50,32 @@ it('a page’s address stands on the master’s', () => {
   expect(pageAddress('http://a:1', '/examples/mouse-pointer')).toBe(
     'http://a:1/examples/mouse-pointer',
   );
+});
+
+it('virtual networks have their kind by name, and link-local addresses come last', () => {
+  const virtual = (interfaceName: string, host: string): MasterAddress => ({
+    kind: MasterAddressKind.VIRTUAL,
+    interfaceName,
+    url: `http://${host}:1`,
+  });
+  const all = [
+    virtual('eth9', '169.254.3.4'),
+    wifi,
+    virtual('tailscale0', '100.64.0.2'),
+    virtual('docker0', '172.17.0.1'),
+    virtual('virbr0', '192.168.122.1'),
+    virtual('dummy0', '10.9.9.9'),
+  ];
+  expect(phoneAddresses(all, 'http://localhost:1/').map(({ network }) => network)).toEqual([
+    'Wi-Fi',
+    'VPN',
+    'Container',
+    'Virtual machine',
+    'Virtual',
+    'Link-local',
+  ]);
+});
+
+it('the token stands in the fragment', () => {
+  expect(joinAddress('https://10.0.0.2:8080', 'abc')).toBe('https://10.0.0.2:8080/join#abc');
 });

@@ -1,4 +1,5 @@
 import { MasterAddressKind, type MasterAddress } from '@ubii/proto';
+import { JOIN_PATH } from '../join/routes.ts';
 
 /** An address as a person types it: host and port apart, so that a long one breaks there. */
 export interface AddressParts {
@@ -23,8 +24,18 @@ export function bestAddress(addresses: readonly MasterAddress[]): string | undef
   return reachableAddresses(addresses)[0]?.url;
 }
 
+/** What an interface without a plain network behind it is, by the name that systems give it. */
+const VIRTUAL_KINDS = [
+  [/^(utun|tun|tap|wg|tailscale|zt|ham|ppp|ipsec)/i, 'VPN'],
+  [/^(docker|br-|veth|podman|cni|flannel|cali|lxc|lxd)/i, 'Container'],
+  [/^(virbr|vmnet|vboxnet|vEthernet|bridge)/i, 'Virtual machine'],
+] as const;
+
+const LINK_LOCAL = /^(169\.254\.|\[fe[89ab])/i;
+
 /** What kind of network an address belongs to, in people's words. */
-export function networkWord(kind: MasterAddress['kind']): string {
+export function networkWord({ kind, interfaceName, url }: MasterAddress): string {
+  if (LINK_LOCAL.test(new URL(url).hostname)) return 'Link-local';
   switch (kind) {
     case MasterAddressKind.WIFI:
       return 'Wi-Fi';
@@ -33,8 +44,13 @@ export function networkWord(kind: MasterAddress['kind']): string {
     case MasterAddressKind.LOOPBACK:
       return 'This machine only';
     default:
-      return 'Virtual';
+      return VIRTUAL_KINDS.find(([pattern]) => pattern.test(interfaceName))?.[1] ?? 'Virtual';
   }
+}
+
+/** Where one joins with a token, which is sent to nobody in this place. [AC-11] */
+export function joinAddress(origin: string, token: string): string {
+  return `${pageAddress(origin, JOIN_PATH)}#${token}`;
 }
 
 /** The address of a page on the master. */
@@ -61,11 +77,14 @@ export function phoneAddresses(
   addresses: readonly MasterAddress[],
   pageUrl: string,
 ): PhoneAddress[] {
-  const reachable = reachableAddresses(addresses).map(({ url, kind, interfaceName }) => ({
-    url,
-    network: networkWord(kind),
-    interfaceName,
-  }));
+  const reachable = reachableAddresses(addresses)
+    .map((address) => ({
+      url: address.url,
+      network: networkWord(address),
+      interfaceName: address.interfaceName,
+    }))
+    // Nobody but a neighbour on the same wire reaches these
+    .sort((a, b) => Number(a.network === 'Link-local') - Number(b.network === 'Link-local'));
   if (reachable.length > 0) return reachable;
   const { origin, hostname } = new URL(pageUrl);
   if (isLoopbackHost(hostname)) return [];

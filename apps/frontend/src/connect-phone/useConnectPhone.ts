@@ -1,0 +1,72 @@
+import { useLocalStorage } from '@vueuse/core';
+import { computed, ref, shallowRef } from 'vue';
+import { useConnection } from '../connection/useConnection.ts';
+import { phoneAddresses } from './addresses.ts';
+import {
+  LIFETIMES,
+  ROLES,
+  TARGETS,
+  type GrantChoice,
+  type LifetimeChoice,
+  type RoleChoice,
+} from './grant-choices.ts';
+import { joinAddress, pageAddress } from './addresses.ts';
+import { useGrants } from './useGrants.ts';
+
+/**
+ * What a host shows phones: an address, a code, and what both lead to.
+ * @param makesAtOnce false where nobody asked for a code yet
+ */
+export function useConnectPhone(makesAtOnce: boolean) {
+  const { master } = useConnection();
+  const page = useLocalStorage<string>('ubii.connect.page', TARGETS[0].value);
+  const role = useLocalStorage<RoleChoice>('ubii.connect.role', 'participant');
+  const lifetime = useLocalStorage<LifetimeChoice>('ubii.connect.lifetime', 'day');
+  const mayMake = ref(makesAtOnce);
+  const chosen = shallowRef<string>();
+
+  const choice = computed<GrantChoice>(() => ({
+    target: page.value,
+    role: (ROLES.find(({ value }) => value === role.value) ?? ROLES[0]).role,
+    lifetimeMs: (LIFETIMES.find(({ value }) => value === lifetime.value) ?? LIFETIMES[1])
+      .lifetimeMs,
+  }));
+  const grants = useGrants(choice, mayMake);
+
+  const isKnown = computed(
+    () =>
+      master.view.value !== undefined ||
+      master.isUnsupported.value ||
+      master.error.value !== undefined,
+  );
+  const addresses = computed(() =>
+    phoneAddresses(master.view.value?.latest.addresses ?? [], location.href),
+  );
+  const url = computed({
+    get: () => (addresses.value.find((one) => one.url === chosen.value) ?? addresses.value[0])?.url,
+    set: (next) => (chosen.value = next),
+  });
+  /** Whether codes are made here; else the page's own address is shown. */
+  const usesCodes = computed(() => grants.isAdmin.value && !grants.isUnsupported.value);
+  /** What the QR code says; `undefined` while there is nothing to say. */
+  const scanned = computed(() => {
+    if (url.value === undefined) return undefined;
+    if (!usesCodes.value) return pageAddress(url.value, page.value);
+    const token = grants.secret.value?.token;
+    return token === undefined ? undefined : joinAddress(url.value, token);
+  });
+
+  return {
+    ...grants,
+    page,
+    role,
+    lifetime,
+    mayMake,
+    choice,
+    isKnown,
+    addresses,
+    url,
+    usesCodes,
+    scanned,
+  };
+}

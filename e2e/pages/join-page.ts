@@ -1,0 +1,39 @@
+import type { Locator, Page } from '@playwright/test';
+import type { BrowserContextOptions } from '@playwright/test';
+
+/**
+ * What makes somebody on this machine a stranger, as a proxy would that brings them from elsewhere.
+ * [AC-1] Sockets carry no such header, and are let in by who they prove to be.
+ */
+export const FROM_ELSEWHERE: BrowserContextOptions = {
+  extraHTTPHeaders: { 'x-forwarded-for': '203.0.113.7' },
+};
+
+/** Where somebody joins, as on a phone. */
+export class JoinPage {
+  readonly page: Page;
+  readonly heading: Locator;
+  readonly name: Locator;
+  readonly code: Locator;
+  readonly checkCode: Locator;
+  readonly join: Locator;
+
+  constructor({ page }: { readonly page: Page }) {
+    this.page = page;
+    this.heading = page.getByRole('heading', { level: 1 });
+    this.name = page.getByLabel('Your name here');
+    this.code = page.getByLabel('Code', { exact: true });
+    this.checkCode = page.getByRole('button', { name: 'Check the code' });
+    this.join = page.getByRole('button', { name: 'Join', exact: true });
+  }
+
+  /** One measured fact, by its id of AC-30. */
+  fact(id: 'master' | 'secure' | 'channel' | 'clock' | 'sensors'): Locator {
+    return this.page.locator(`[data-check="${id}"]`);
+  }
+
+  async type(code: string): Promise<void> {
+    await this.code.fill(code);
+    await this.checkCode.click();
+  }
+}

@@ -1,0 +1,84 @@
+import AxeBuilder from '@axe-core/playwright';
+import { expect } from '../../fixtures/test.ts';
+import { testWith } from '../../fixtures/test-with.ts';
+import { FROM_ELSEWHERE, JoinPage } from '../../pages/join-page.ts';
+import { Shell } from '../../pages/shell.ts';
+
+const test = testWith('--lan', 'on', '--mdns', 'off');
+const REFUSED = /status of (401|403)/;
+
+test('the host shows one code, sees who joins with it, and takes it back', async ({ room }) => {
+  const desk = await room.atDesk('Ben');
+  await desk.page.goto('/');
+  await new Shell(desk.page).button('Connect a phone').click();
+  const dialog = desk.page.getByRole('dialog');
+  const code = dialog.locator('[data-join-code]');
+  await expect(code).toHaveText(/^[0-9A-Z]{4}-[0-9A-Z]{4}$/);
+  await expect(dialog.getByRole('img', { name: /QR code/ })).toBeVisible();
+  const shown = (await code.textContent()) ?? '';
+
+  // Opened again it is the same, not another one
+  await desk.page.keyboard.press('Escape');
+  await desk.page.goto('/connect');
+  await expect(desk.page.locator('[data-join-code]')).toHaveText(shown);
+
+  const phone = await room.withPhone('Mara', FROM_ELSEWHERE);
+  phone.watch.expect(REFUSED, /WebSocket/);
+  const join = new JoinPage(phone);
+  await phone.page.goto('/join');
+  await join.type(shown);
+  await join.join.click();
+  await expect(desk.page.locator('[data-phone]')).toContainText('Mara');
+
+  const grant = desk.page.locator('[data-grant]').filter({ hasText: '1 joined, 1 here' });
+  await grant.getByRole('button', { name: 'Revoke' }).click();
+  await expect(grant).toContainText('1 device is disconnected at once');
+  await grant.getByRole('button', { name: 'Revoke it' }).click();
+  await expect(desk.page.locator('[data-phone]')).toHaveCount(0);
+  await phone.page.goto('/');
+  await expect(join.heading).toHaveText('The host has closed this code.');
+});
+
+test('the choice of page, role and time makes the code that fits', async ({ room }) => {
+  const desk = await room.atDesk('Ben');
+  await desk.page.goto('/connect');
+  const code = desk.page.locator('[data-join-code]');
+  await expect(code).toHaveText(/-\w{4}$/);
+  const first = (await code.textContent()) ?? '';
+  await desk.page.getByRole('radio', { name: 'Viewer' }).click();
+  await expect(code).not.toHaveText(first);
+  await expect(code).toHaveText(/^\w{4}-\w{4}$/);
+  await desk.page.getByRole('radio', { name: '15 minutes' }).click();
+  await expect(desk.page.locator('[data-grant]').first()).toContainText(/Viewer.*1[45] min left/);
+  await desk.page.getByRole('radio', { name: 'Participant' }).click();
+  await desk.page.getByRole('radio', { name: '8 hours' }).click();
+  await expect(code).toHaveText(first);
+});
+
+test('the big screen shows code and address, and closes', async ({ room }) => {
+  const { page } = await room.atDesk('Ben');
+  await page.goto('/connect');
+  await page.getByRole('link', { name: 'Big screen' }).click();
+  const screen = page.getByRole('region', { name: 'Big screen' });
+  await expect(screen.locator('[data-join-code]')).toHaveText(/^\w{4}-\w{4}$/);
+  await expect(screen.getByRole('img', { name: /QR code/ })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(screen).toBeHidden();
+});
+
+for (const colorScheme of ['dark', 'light'] as const) {
+  test(`connecting phones is accessible, ${colorScheme}`, async ({ room }) => {
+    const options = { colorScheme, reducedMotion: 'reduce' as const };
+    for (const { page } of [
+      await room.atDesk('Ben', options),
+      await room.withPhone('Eva', options),
+    ]) {
+      for (const path of ['/connect', '/connect?big=1']) {
+        await page.goto(path);
+        await expect(page.locator('[data-join-code]')).toHaveText(/^\w{4}-\w{4}$/);
+        const { violations } = await new AxeBuilder({ page }).analyze();
+        expect(violations.map(({ id, nodes }) => `${path} ${id} ${nodes[0]?.html}`)).toEqual([]);
+      }
+    }
+  });
+}

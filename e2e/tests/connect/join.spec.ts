@@ -1,0 +1,144 @@
+import AxeBuilder from '@axe-core/playwright';
+import { AccessRole } from '@ubii/proto';
+import { expect, test, type Person } from '../../fixtures/test.ts';
+import { FROM_ELSEWHERE, JoinPage } from '../../pages/join-page.ts';
+import { makeGrant, revokeGrant } from './make-grant.ts';
+
+/** Refusals of services are answers with a status of their own, which browsers log. */
+const REFUSED = /status of (401|403|429)/;
+
+/** Somebody with a phone who is not let in yet. */
+async function stranger(
+  room: { withPhone: (name: string, options: object) => Promise<Person> },
+  options: object = {},
+): Promise<Person> {
+  const person = await room.withPhone('Mara', { ...FROM_ELSEWHERE, ...options });
+  person.watch.expect(REFUSED);
+  return person;
+}
+
+test('a scanned code is one tap away from the page it is for [AC-11]', async ({ master, room }) => {
+  const { token } = await makeGrant(master, { target: '/examples' });
+  const phone = await stranger(room);
+  const join = new JoinPage(phone);
+  await phone.page.goto(`/join#${token}`);
+  await expect(join.heading).toHaveText('You’re reachable. One tap to join.');
+  await join.name.fill('Mara at the window');
+  await expect(join.fact('master')).toHaveAttribute('data-state', 'good');
+  await expect(join.fact('channel')).toHaveAttribute('data-state', 'good');
+  await expect(join.fact('clock')).toHaveAttribute('data-state', 'good');
+  await join.join.click();
+  await expect(phone.page).toHaveURL(/\/examples$/);
+  // The way back does not lead through the token
+  expect(await phone.page.evaluate(() => history.state?.back ?? '')).not.toContain(token);
+
+  const desk = await room.atDesk('Ben');
+  await desk.page.goto('/clients');
+  await expect(desk.page.getByText('Mara at the window').first()).toBeVisible();
+
+  // Joined is joined: a reload, and a second tab of the same phone
+  await phone.page.reload();
+  await expect(phone.page).toHaveURL(/\/examples$/);
+  const second = await phone.context.newPage();
+  await second.goto(`/join#${token}`);
+  await expect(second).toHaveURL(/\/examples$/);
+});
+
+test('a stranger lands where one joins, and comes to the page it wanted with a typed code', async ({
+  master,
+  room,
+}) => {
+  const { code } = await makeGrant(master, { target: '' });
+  const phone = await stranger(room);
+  const join = new JoinPage(phone);
+  await phone.page.goto('/performance');
+  await expect(join.heading).toHaveText('Join with the code.');
+  await join.code.pressSequentially(code.replace('-', '').toLowerCase());
+  await expect(join.code).toHaveValue(code);
+  await join.checkCode.click();
+  await join.join.click();
+  await expect(phone.page).toHaveURL(/\/performance/);
+});
+
+test('what is wrong with a code is said in words, with the way out [AC-12]', async ({
+  master,
+  room,
+}) => {
+  const phone = await stranger(room);
+  const join = new JoinPage(phone);
+  await phone.page.goto('/join');
+  await join.type('0000-0000');
+  await expect(join.heading).toHaveText('That code is not known here.');
+
+  const revoked = await makeGrant(master);
+  await revokeGrant(master, revoked.id);
+  await join.type(revoked.code);
+  await expect(join.heading).toHaveText('The host has closed this code.');
+
+  const short = await makeGrant(master, { lifetimeMs: 1 });
+  await join.type(short.code);
+  await expect(join.heading).toHaveText('That code is no longer valid.');
+
+  const good = await makeGrant(master);
+  await join.code.fill(`https://some.where/join#${good.token}`);
+  await join.join.click();
+  await expect(phone.page).toHaveURL(/\/topics/);
+});
+
+test('too many wrong codes are not looked at; scanning goes on working [AC-17]', async ({
+  master,
+  room,
+}) => {
+  const { token } = await makeGrant(master);
+  const phone = await stranger(room);
+  const join = new JoinPage(phone);
+  await phone.page.goto('/join');
+  for (let i = 0; i < 11; i += 1) {
+    await join.type(`000${i % 10}-00${i < 10 ? 1 : 2}0`);
+    await expect(join.code).toHaveValue('');
+  }
+  await expect(join.heading).toHaveText('Too many wrong codes.');
+  await phone.page.goto(`/join#${token}`);
+  await expect(join.join).toBeVisible();
+});
+
+test('whose code is revoked while they are here comes back to joining, and hears why', async ({
+  master,
+  room,
+}) => {
+  const { token, id } = await makeGrant(master);
+  const phone = await stranger(room);
+  const join = new JoinPage(phone);
+  await phone.page.goto(`/join#${token}`);
+  await join.join.click();
+  await expect(phone.page).toHaveURL(/\/topics/);
+  await revokeGrant(master, id);
+  await expect(phone.page.getByText(/the story wants it|closed this code/).first()).toBeVisible();
+  await phone.page.reload();
+  await expect(join.heading).toHaveText('The host has closed this code.');
+});
+
+test('the role is said before joining', async ({ master, room }) => {
+  const { token } = await makeGrant(master, { role: AccessRole.ACCESS_ROLE_VIEWER });
+  const phone = await stranger(room);
+  await phone.page.goto(`/join#${token}`);
+  await expect(phone.page.getByText('You join as viewer')).toBeVisible();
+});
+
+for (const colorScheme of ['dark', 'light'] as const) {
+  test(`joining is accessible, ${colorScheme}`, async ({ master, room }) => {
+    const { token } = await makeGrant(master);
+    const phone = await stranger(room, { colorScheme, reducedMotion: 'reduce' });
+    const join = new JoinPage(phone);
+    for (const path of ['/join', `/join#${token}`, '/connect/certificate']) {
+      await phone.page.goto(path);
+      await expect(join.heading).not.toHaveText(/One moment/);
+      if (path.startsWith('/join')) {
+        await expect(join.fact('sensors')).not.toHaveAttribute('data-state', 'checking');
+        await expect(join.fact('channel')).not.toHaveAttribute('data-state', 'checking');
+      }
+      const { violations } = await new AxeBuilder({ page: phone.page }).analyze();
+      expect(violations.map(({ id, nodes }) => `${path} ${id} ${nodes[0]?.html}`)).toEqual([]);
+    }
+  });
+}

@@ -1,0 +1,107 @@
+import { CHROMIUM_FLAGS, findChromium } from '../../fixtures/chromium.ts';
+import { expect } from '../../fixtures/test.ts';
+import { testWith } from '../../fixtures/test-with.ts';
+import { FROM_ELSEWHERE, JoinPage } from '../../pages/join-page.ts';
+import { makeGrant } from './make-grant.ts';
+
+/** A name that browsers do not hold for this machine: plain HTTP of it is no secure page. */
+const NAME = 'studio.test';
+const test = testWith('--lan', 'on', '--mdns', 'off', '--allowed-origins', `http://${NAME}:*`);
+test.use({
+  launchOptions: {
+    executablePath: findChromium(),
+    args: [...CHROMIUM_FLAGS, `--host-resolver-rules=MAP ${NAME} 127.0.0.1`],
+  },
+});
+
+const REFUSED = /status of (401|403)/;
+
+test('over HTTPS all is well, and the host sees it [AC-30]', async ({ master, room }) => {
+  const { token } = await makeGrant(master, { target: '/examples' });
+  const secure = master.url.replace('http:', 'https:');
+  const phone = await room.withPhone('Mara', { ...FROM_ELSEWHERE, ignoreHTTPSErrors: true });
+  phone.watch.expect(REFUSED, new RegExp(`request to ${secure}`));
+  const desk = await room.atDesk('Ben');
+  await desk.page.goto('/connect');
+  const join = new JoinPage(phone);
+  await phone.page.goto(`${secure}/join#${token}`);
+  await expect(join.fact('secure')).toContainText('HTTPS');
+  await expect(join.fact('channel')).toHaveAttribute('data-state', 'good');
+  await expect(join.fact('sensors')).not.toHaveAttribute('data-state', 'checking');
+  await join.name.fill('Mara');
+  await join.join.click();
+  await expect(phone.page).toHaveURL(/\/examples$/);
+  const row = desk.page.locator('[data-phone]');
+  await expect(row).toContainText('Mara');
+  await expect(row).toContainText(/Android, Chrome/);
+  // An emulated phone has no sensors, and the host sees that
+  await expect(row).toContainText('Motion sensors');
+});
+
+test('plain HTTP is explained, with the way to the secure page', async ({ master, room }) => {
+  const { token } = await makeGrant(master);
+  const { port } = new URL(master.url);
+  const phone = await room.withPhone('Mara', FROM_ELSEWHERE);
+  phone.watch.expect(REFUSED, new RegExp(NAME));
+  const join = new JoinPage(phone);
+  await phone.page.goto(`http://${NAME}:${port}/join#${token}`);
+  await expect(join.fact('secure')).toContainText('Plain HTTP');
+  await expect(join.fact('sensors')).toContainText('plain HTTP');
+  await expect(join.fact('secure').getByRole('link')).toHaveAttribute(
+    'href',
+    `https://${NAME}:${port}/join#${token}`,
+  );
+  await expect(join.join).toBeVisible();
+
+  // The help is reached from here, over plain HTTP, and shows what to compare
+  await phone.page.getByRole('link', { name: /Certificate warnings/ }).click();
+  await expect(phone.page.locator('[data-fingerprint]')).toHaveText(
+    /^([0-9A-F]{2}:){31}[0-9A-F]{2}$/,
+  );
+  await expect(phone.page.getByRole('link', { name: 'Load the certificate' })).toHaveAttribute(
+    'href',
+    '/ca.crt',
+  );
+  await phone.page.getByRole('link', { name: 'Back', exact: true }).click();
+  await expect(join.join).toBeVisible();
+});
+
+test('a blocked live channel is told from a master that is away', async ({ master, room }) => {
+  const { token } = await makeGrant(master);
+  const phone = await room.withPhone('Mara', FROM_ELSEWHERE);
+  phone.watch.expect(REFUSED, /WebSocket/, /ERR_CONNECTION_REFUSED/);
+  await phone.page.routeWebSocket(/\/preflight/, (socket) => void socket.close());
+  const join = new JoinPage(phone);
+  await phone.page.goto(`/join#${token}`);
+  await expect(join.fact('master')).toHaveAttribute('data-state', 'good');
+  await expect(join.fact('channel')).toHaveAttribute('data-state', 'failed');
+  await expect(join.fact('channel')).toContainText(/proxy|VPN/);
+
+  await master.stop();
+  await phone.page.getByRole('button', { name: 'Use another code' }).click();
+  await expect(join.heading).toContainText(/out of reach/);
+  await phone.page.getByRole('button', { name: 'Try again now' }).click();
+  await expect(join.fact('master')).toContainText('Master not reached');
+  await expect(join.fact('master')).toContainText('client isolation');
+  await master.startAgain();
+  await expect(join.heading).not.toContainText(/out of reach/);
+});
+
+test('iOS is told that it wants the certificate installed', async ({ master, room }) => {
+  const { token } = await makeGrant(master);
+  const secure = master.url.replace('http:', 'https:');
+  const phone = await room.withPhone('Mara', {
+    ...FROM_ELSEWHERE,
+    ignoreHTTPSErrors: true,
+    userAgent:
+      'Mozilla/5.0 (iPhone; CPU iPhone OS 18_0 like Mac OS X) AppleWebKit/605.1.15 (KHTML, like Gecko) Version/18.0 Mobile/15E148 Safari/604.1',
+  });
+  phone.watch.expect(REFUSED, /WebSocket/, new RegExp(`request to ${secure}`));
+  await phone.page.routeWebSocket(/\/preflight/, (socket) => void socket.close());
+  const join = new JoinPage(phone);
+  await phone.page.goto(`${secure}/join#${token}`);
+  const help = join.fact('channel').getByRole('link', { name: 'Install the certificate' });
+  await help.click();
+  await expect(phone.page.getByText('Certificate Trust Settings')).toBeVisible();
+  await expect(phone.page.getByRole('link', { name: 'Load the profile' })).toBeVisible();
+});
