@@ -22,8 +22,8 @@ export function useGrants(choice: Ref<GrantChoice>, mayMake: Ref<boolean>) {
   const isMaking = ref(false);
   const nowMs = (): number => Date.now() + (master.view.value?.clock.offsetMs ?? 0);
 
-  const role = computed(() => (state.value.status === 'connected' ? client.role : undefined));
-  const isAdmin = computed(() => role.value === 'admin');
+  const ownRole = computed(() => (state.value.status === 'connected' ? client.role : undefined));
+  const isAdmin = computed(() => ownRole.value === 'admin');
   const current = computed(() =>
     reusable(grants.value ?? [], choice.value, nowMs(), (id) => secrets.get(id) !== undefined),
   );
@@ -95,7 +95,8 @@ export function useGrants(choice: Ref<GrantChoice>, mayMake: Ref<boolean>) {
     secret,
     error,
     isAdmin,
-    role,
+    /** Of this page. */
+    ownRole,
     isUnsupported,
     isMaking,
     nowMs,
