@@ -24,6 +24,8 @@ const PAGES = [
   { name: 'results of tests', path: '/performance/results' },
   { name: 'examples', path: '/examples' },
   { name: 'mouse pointer', path: '/examples/mouse-pointer' },
+  { name: 'smart-device gatherer', path: '/examples/smart-device-gatherer' },
+  { name: 'model viewer', path: '/examples/model-viewer' },
   { name: 'settings', path: '/settings' },
   { name: 'the master', path: '/settings/master' },
   { name: 'limits', path: '/settings/limits' },

@@ -16,10 +16,12 @@ import { useGrants } from './useGrants.ts';
 /**
  * What a host shows phones: an address, a code, and what both lead to.
  * @param makesAtOnce false where nobody asked for a code yet
+ * @param opens the page that is chosen at first, where the place says it; not remembered
  */
-export function useConnectPhone(makesAtOnce: boolean) {
+export function useConnectPhone(makesAtOnce: boolean, opens?: string) {
   const { master } = useConnection();
-  const page = useLocalStorage<string>('ubii.connect.page', TARGETS[0].value);
+  const remembered = useLocalStorage<string>('ubii.connect.page', TARGETS[0].value);
+  const page = opens === undefined ? remembered : ref(opens);
   const role = useLocalStorage<RoleChoice>('ubii.connect.role', 'participant');
   const lifetime = useLocalStorage<LifetimeChoice>('ubii.connect.lifetime', 'day');
   const mayMake = ref(makesAtOnce);

@@ -22,4 +22,20 @@ export const EXAMPLES: readonly Example[] = [
     page: () => import('./mouse-pointer/MousePointerPage.vue'),
     thumbnail: () => import('./mouse-pointer/MousePointerThumbnail.vue'),
   },
+  {
+    id: 'smart-device-gatherer',
+    title: 'Smart-device gatherer',
+    sentence: 'Phones that feel each other',
+    path: '/examples/smart-device-gatherer',
+    page: () => import('./smart-device-gatherer/SmartDeviceGathererPage.vue'),
+    thumbnail: () => import('./smart-device-gatherer/SmartDeviceGathererThumbnail.vue'),
+  },
+  {
+    id: 'model-viewer',
+    title: 'Model viewer',
+    sentence: 'Turned by a phone',
+    path: '/examples/model-viewer',
+    page: () => import('./model-viewer/ModelViewerPage.vue'),
+    thumbnail: () => import('./model-viewer/ModelViewerThumbnail.vue'),
+  },
 ];

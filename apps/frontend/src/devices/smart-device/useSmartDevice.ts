@@ -29,6 +29,8 @@ import { Reading } from './reading.ts';
 
 /** How often people are shown what the sensors say, milliseconds. The sensors have their own rates. */
 const READOUT_MS = 100;
+/** How often a finger that rests is said again, milliseconds: else it would look like one that left. */
+const RESTING_TOUCH_MS = 500;
 /** How long the page flashes where a device cannot vibrate, milliseconds at least. */
 const SHORTEST_FLASH_MS = 120;
 
@@ -141,6 +143,11 @@ export function useSmartDevice() {
   const awake = useStayAwake();
   useEventListener(window, 'pointerup', unlockSound);
 
+  let restingAt: Vector2 | undefined;
+  useIntervalFn(() => {
+    if (restingAt) device.publish('touch_position', restingAt);
+  }, RESTING_TOUCH_MS);
+
   useIntervalFn(() => {
     const nowMs = performance.now();
     for (const reading of Object.values(readings)) reading.show(nowMs);
@@ -165,6 +172,7 @@ export function useSmartDevice() {
       // Starts and ends must not wait for more of their kind.
       const immediate = events.some(({ type }) => type !== TouchType.TOUCH_MOVE);
       device.publish('web-component-touch', { elements: events }, { immediate });
+      restingAt = first;
       if (first) device.publish('touch_position', first, { immediate });
     },
     press(key: string, isDown: boolean): void {

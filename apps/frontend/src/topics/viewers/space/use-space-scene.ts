@@ -1,16 +1,32 @@
 import { useDocumentVisibility, useElementSize, useElementVisibility } from '@vueuse/core';
 import { computed, onScopeDispose, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
-import type { SceneInput, SceneLabel } from './three/scene-input.ts';
-import type { SpaceScene } from './three/space-scene.ts';
+import type { SceneLabel } from './three/scene-input.ts';
 
 /** Whether there is a picture, and if not, why. */
 export type SceneState = 'loading' | 'drawn' | 'missing' | 'lost' | 'failed';
 
-/** Keeps a picture of space on a canvas: drawn when something changed and somebody can see it. */
-export function useSpaceScene(
+/** Draws on a canvas what it is told to. */
+export interface DrawnScene<Input> {
+  resize(width: number, height: number): void;
+  /** @returns what is to be written where */
+  draw(input: Input): readonly SceneLabel[];
+  dispose(): void;
+}
+
+/** How a scene comes onto a canvas; undefined where there is no WebGL. */
+export interface SceneOpener<Input> {
+  open(canvas: HTMLCanvasElement): DrawnScene<Input> | undefined;
+}
+
+/**
+ * Keeps a picture of space on a canvas: drawn when something changed and somebody can see it.
+ * @param load the scene, which is large and comes only when it is needed
+ */
+export function useSpaceScene<Input>(
   canvas: Readonly<Ref<HTMLCanvasElement | null>>,
   frame: Readonly<Ref<HTMLElement | null>>,
-  input: () => SceneInput | undefined,
+  input: () => Input | undefined,
+  load: () => Promise<SceneOpener<Input>>,
 ): {
   readonly state: Readonly<ShallowRef<SceneState>>;
   readonly labels: Readonly<ShallowRef<readonly SceneLabel[]>>;
@@ -27,7 +43,7 @@ export function useSpaceScene(
   const isInView = useElementVisibility(frame);
   const visibility = useDocumentVisibility();
   const isSeen = computed(() => isInView.value && visibility.value === 'visible');
-  let scene: SpaceScene | undefined;
+  let scene: DrawnScene<Input> | undefined;
   let requested: number | undefined;
   let opening = 0;
 
@@ -69,7 +85,7 @@ export function useSpaceScene(
       });
       onCleanup(() => attempt === opening && close());
       try {
-        const { SpaceScene: loaded } = await import('./three/space-scene.ts');
+        const loaded = await load();
         if (attempt !== opening) return;
         scene = loaded.open(element);
       } catch {

@@ -1,8 +1,9 @@
-import { Color, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three';
+import { Color, PerspectiveCamera, Scene, Vector3, type WebGLRenderer } from 'three';
 import { eyeOf, FIELD_DEGREES } from '../orbit.ts';
 import { MAX_THINGS, ORIGIN, type Axes, type Point, type SpaceThing } from '../space-things.ts';
 import { Batch } from './arrow-batch.ts';
 import { LineBatch } from './line-batch.ts';
+import { openRenderer } from './open-renderer.ts';
 import type { SceneInput, SceneLabel } from './scene-input.ts';
 
 /** Of more things the arms have no letters, */
@@ -28,21 +29,16 @@ export class SpaceScene {
   #width = 0;
   #height = 0;
 
-  private constructor(renderer: WebGLRenderer, isSlow: boolean) {
+  private constructor(renderer: WebGLRenderer, ratio: number) {
     this.#renderer = renderer;
-    // Every pixel costs where the processor draws them.
-    this.#ratio = isSlow ? 1 : Math.min(2, devicePixelRatio);
+    this.#ratio = ratio;
     this.#scene.add(this.#lines.mesh, this.#arrows.mesh, this.#dots.mesh);
   }
 
   /** Undefined where there is no WebGL. */
   static open(canvas: HTMLCanvasElement): SpaceScene | undefined {
-    const open = (attributes: WebGLContextAttributes): WebGL2RenderingContext | null =>
-      canvas.getContext('webgl2', attributes) as WebGL2RenderingContext | null;
-    const fast = open({ antialias: true, failIfMajorPerformanceCaveat: true });
-    const context = fast ?? open({ antialias: false });
-    if (!context) return undefined;
-    return new SpaceScene(new WebGLRenderer({ canvas, context }), fast === null);
+    const opened = openRenderer(canvas);
+    return opened && new SpaceScene(opened.renderer, opened.ratio);
   }
 
   resize(width: number, height: number): void {

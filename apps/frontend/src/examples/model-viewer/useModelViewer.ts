@@ -1,0 +1,174 @@
+import { type Client, ClientState, type Quaternion } from '@ubii/proto';
+import { computed, onScopeDispose, shallowRef, watch } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { SMART_DEVICE } from '../../devices/smart-device/components.ts';
+import { useDevice } from '../../devices/use-device.ts';
+import { useSharedSession } from '../use-shared-session.ts';
+import { isSmoothingOf, smoothingSession } from './smoothing-session.ts';
+import { modelTurn, STRAIGHT, turnAbout, turnBy, unitTurn } from './turns.ts';
+import { smoothedTopic, TURN_COMPONENT, turnTopic, VIEWER_DEVICE } from './viewer-topics.ts';
+
+/** Something that turns the model: a phone, or a browser with a mouse. */
+export interface TurnSource {
+  readonly clientId: string;
+  readonly name: string;
+  readonly isPhone: boolean;
+  readonly isOwn: boolean;
+}
+
+/** How the model is turned, and by whom, while the calling scope lives. */
+export function useModelViewer() {
+  const { client, clients, isConnected } = useConnection();
+
+  const sources = computed<readonly TurnSource[]>(() =>
+    (clients.list.value ?? [])
+      .filter(({ state }) => state !== ClientState.UNAVAILABLE)
+      .flatMap((one) => sourcesOf(one, client.id))
+      .sort((a, b) => Number(b.isPhone) - Number(a.isPhone) || a.name.localeCompare(b.name)),
+  );
+  /** What a person chose; gone with the device. */
+  const wanted = shallowRef<string>();
+  const source = computed(
+    () =>
+      sources.value.find((one) => keyOf(one) === wanted.value) ??
+      sources.value.find(({ isPhone }) => isPhone) ??
+      sources.value.find(({ isOwn }) => isOwn),
+  );
+  /** What people do here counts at once for them, without the way to the master and back. */
+  const isOwn = computed(() => source.value === undefined || isStandIn(source.value));
+
+  const smoothing = useSharedSession(
+    (session) => source.value !== undefined && isSmoothingOf(session, source.value.clientId),
+    async () => {
+      if (!source.value) throw new Error('Nothing turns the model yet.');
+      const { clientId, name, isPhone } = source.value;
+      return smoothingSession(clientId, name, turnTopic(clientId, isPhone));
+    },
+  );
+  const isSmooth = computed(() => smoothing.isRunning.value && !isOwn.value);
+
+  const device = useDevice({
+    name: VIEWER_DEVICE,
+    tags: ['example'],
+    components: [
+      {
+        name: TURN_COMPONENT,
+        format: 'quaternion',
+        tags: ['orientation'],
+        description: 'The turn made with mouse, fingers or keys in the model viewer.',
+      },
+    ] as const,
+  });
+
+  /** As the device tells it; undefined before the first. */
+  const told = shallowRef<Quaternion>();
+  /** Held so when a person said: this is straight ahead. */
+  const zero = shallowRef<Quaternion>();
+  /** Made here, on the screen. */
+  const made = shallowRef<Quaternion>(START);
+
+  const topic = computed(() => {
+    if (source.value === undefined || isOwn.value) return undefined;
+    const { clientId, isPhone } = source.value;
+    return isSmooth.value ? smoothedTopic(clientId) : turnTopic(clientId, isPhone);
+  });
+  watch(
+    () => source.value && keyOf(source.value),
+    () => {
+      told.value = undefined;
+      zero.value = undefined;
+    },
+  );
+  watch(
+    topic,
+    (next, _before, onCleanup) => {
+      if (next === undefined) return;
+      const subscription = client
+        .subscribe(next, { format: 'quaternion' })
+        .onRecord(({ value }) => (told.value = unitTurn(value) ?? told.value));
+      onCleanup(() => void subscription.close());
+    },
+    { immediate: true },
+  );
+
+  const turn = computed(() => {
+    if (isOwn.value) return made.value;
+    if (!told.value) return START;
+    // The stand-in of another browser is of the screen already.
+    if (!source.value?.isPhone && !zero.value) return told.value;
+    return modelTurn(told.value, zero.value);
+  });
+
+  function make(next: Quaternion): void {
+    made.value = unitTurn(next) ?? made.value;
+    device.publish(TURN_COMPONENT, made.value);
+  }
+
+  // A filter of one's own making would be left without a person.
+  let startedFor: string | undefined;
+  async function setSmooth(on: boolean): Promise<void> {
+    if (!on) return smoothing.stop();
+    await smoothing.start();
+    startedFor = smoothing.session.value?.id;
+  }
+  onScopeDispose(() => {
+    if (startedFor === undefined) return;
+    // It may be gone already.
+    client.call('sessionRuntimeRemove', { id: startedFor }).catch(() => undefined);
+  });
+
+  return {
+    isConnected,
+    sources,
+    source,
+    isOwn,
+    turn,
+    /** Something has come. */
+    hasTurn: computed(() => isOwn.value || told.value !== undefined),
+    hasZero: computed(() => zero.value !== undefined),
+    smoothing,
+    isSmooth,
+    setSmooth,
+    choose(key: string): void {
+      wanted.value = key;
+    },
+    /** How it is held now is straight ahead; again takes that back. */
+    calibrate(): void {
+      if (isOwn.value) make(made.value === STRAIGHT ? START : STRAIGHT);
+      else zero.value = zero.value ? undefined : told.value;
+    },
+    /** Turns it by hand, radians about the screen's y and x axis. */
+    turnByHand(aboutY: number, aboutX: number): void {
+      if (!isOwn.value) {
+        const standIn = sources.value.find((one) => isStandIn(one));
+        if (!standIn) return;
+        // It goes on from how it lies.
+        made.value = turn.value;
+        wanted.value = keyOf(standIn);
+      }
+      const step = turnBy(turnAbout([1, 0, 0], aboutX), turnAbout([0, 1, 0], aboutY));
+      make(turnBy(step, made.value));
+    },
+  };
+
+  function isStandIn(one: TurnSource): boolean {
+    return one.isOwn && !one.isPhone;
+  }
+}
+
+/** Seen a little from above, so that it looks like something at first sight. */
+const START = turnBy(turnAbout([1, 0, 0], -1.1), turnAbout([0, 0, 1], -0.6));
+
+/** Tells apart what one client may be twice: a phone, and a browser with this page. */
+export function keyOf({ clientId, isPhone }: TurnSource): string {
+  return `${isPhone ? 'phone' : 'browser'} ${clientId}`;
+}
+
+function sourcesOf({ id, name, devices }: Client, ownId: string): TurnSource[] {
+  const has = (device: string): boolean => devices.some((one) => one.name === device);
+  const source = { clientId: id, name, isOwn: id === ownId };
+  return [
+    ...(has(SMART_DEVICE) ? [{ ...source, isPhone: true }] : []),
+    ...(has(VIEWER_DEVICE) ? [{ ...source, isPhone: false }] : []),
+  ];
+}

@@ -1,0 +1,138 @@
+import { type Client, ClientState, type Session } from '@ubii/proto';
+import { useIntervalFn, useRafFn } from '@vueuse/core';
+import { onScopeDispose, shallowRef, watch } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { useSharedSession } from '../use-shared-session.ts';
+import {
+  clientOfTopic,
+  DEFAULT_DISTANCE,
+  DISTANCE_TOPIC,
+  MOTION_GLOB,
+  NEAR_GLOB,
+  nearTopic,
+  PROXIMITY_SESSION,
+  TOUCHES_GLOB,
+} from './gatherer-topics.ts';
+import { Gathering, type GatheredTouch, type NearPair, type PhoneClient } from './gathering.ts';
+
+/** How often the list is renewed, milliseconds; the pad is drawn with every frame. */
+const LIST_INTERVAL_MS = 150;
+const LINE_POINTS = 40;
+
+/** A phone as the list shows it. */
+export interface PhoneRow extends PhoneClient {
+  readonly fingers: number;
+  readonly isNear: boolean;
+  /** m/s²; `undefined` while it says nothing of its motion. */
+  readonly motion: number | undefined;
+  /** The last seconds of it, oldest first. */
+  readonly line: readonly number[];
+}
+
+/** Follows every phone, and the session that lets them feel each other, while the calling scope lives. */
+export function useGatherer() {
+  const { client, clients, isConnected } = useConnection();
+  const gathering = new Gathering();
+  const phones = shallowRef<readonly PhoneRow[]>([]);
+  const touches = shallowRef<readonly GatheredTouch[]>([]);
+  const pairs = shallowRef<readonly NearPair[]>([]);
+  const distance = shallowRef(DEFAULT_DISTANCE);
+  const proximity = useSharedSession(
+    ({ name }: Session) => name === PROXIMITY_SESSION,
+    async () => (await import('@ubii/modules')).EXAMPLE_SESSIONS['touch-proximity'],
+  );
+  const { isRunning } = proximity;
+  /** Something is to be drawn. */
+  let isNew = true;
+
+  const subscriptions = [
+    client
+      .subscribe({ glob: TOUCHES_GLOB }, { format: 'touchEventList' })
+      .onRecord(({ topic, value }) => {
+        gathering.touch(clientOfTopic(topic), value);
+        isNew = true;
+      }),
+    client
+      .subscribe({ glob: MOTION_GLOB }, { format: 'vector3' })
+      .onRecord(({ topic, value }) => gathering.move(clientOfTopic(topic), value)),
+    client.subscribe({ glob: NEAR_GLOB }, { format: 'bool' }).onRecord(({ topic, value }) => {
+      gathering.setNear(clientOfTopic(topic), value);
+      isNew = true;
+    }),
+    client
+      .subscribe(DISTANCE_TOPIC, { format: 'double' })
+      .onRecord(({ value }) => (distance.value = value)),
+  ];
+
+  const lines = new Map<string, number[]>();
+  function list(): void {
+    phones.value = gathering.phones().map((phone) => {
+      const motion = gathering.motionOf(phone.id);
+      const line = [...(lines.get(phone.id) ?? []).slice(1 - LINE_POINTS), motion ?? 0];
+      lines.set(phone.id, line);
+      const fingers = touches.value.filter(({ clientId }) => clientId === phone.id).length;
+      const isNear = isRunning.value && fingers > 0 && gathering.isNear(phone.id);
+      return { ...phone, fingers, isNear, motion, line: motion === undefined ? [] : line };
+    });
+  }
+  useIntervalFn(list, LIST_INTERVAL_MS);
+  useRafFn(() => {
+    if (!isNew) return;
+    isNew = false;
+    touches.value = gathering.touches();
+    pairs.value = isRunning.value ? gathering.pairs(distance.value) : [];
+  });
+
+  watch(
+    clients.list,
+    (all) => {
+      gathering.setClients((all ?? []).filter(isHere).map(toPhoneClient));
+      for (const id of lines.keys()) {
+        if (!gathering.phones().some((phone) => phone.id === id)) lines.delete(id);
+      }
+      isNew = true;
+      list();
+    },
+    { immediate: true },
+  );
+  // On its end, not its start: what the new one says may come before the list that has it.
+  watch(isRunning, (running) => {
+    if (!running) gathering.forgetNear();
+  });
+  watch([isRunning, distance], () => (isNew = true));
+
+  onScopeDispose(() => {
+    for (const subscription of subscriptions) void subscription.close();
+  });
+
+  return {
+    isConnected,
+    phones,
+    touches,
+    pairs,
+    distance,
+    proximity,
+    /** For everybody: the session and all who look hear of it. */
+    setDistance: (next: number): void => client.publish(DISTANCE_TOPIC, 'double', next),
+    async stop(): Promise<void> {
+      const near = gathering.phones().filter(({ id }) => gathering.isNear(id));
+      await proximity.stop();
+      // A session that has ended tells nobody that nobody is near any more.
+      for (const { id } of near) client.publish(nearTopic(id), 'bool', false);
+    },
+  };
+}
+
+/** The master remembers a client for a while after it went. [CL-13] */
+function isHere({ state }: Client): boolean {
+  return state !== ClientState.UNAVAILABLE;
+}
+
+function toPhoneClient({ id, name, state, devices }: Client): PhoneClient {
+  return {
+    id,
+    name,
+    active: state === ClientState.ACTIVE,
+    deviceNames: devices.map((device) => device.name),
+  };
+}

@@ -1,0 +1,80 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../../fixtures/test.ts';
+import { TouchedPhone } from '../../pages/gatherer-page.ts';
+
+/** How the scene has the model, as it was drawn: x, y, z, w. */
+async function drawnTurn(page: Page): Promise<number[]> {
+  const text = await page.locator('canvas').getAttribute('data-turn');
+  return (text ?? '').split(' ').map(Number);
+}
+
+/** Turns are the same with all signs changed. */
+async function expectTurn(page: Page, wanted: readonly number[]): Promise<void> {
+  const distance = async () => {
+    const drawn = await drawnTurn(page);
+    return 1 - Math.abs(wanted.reduce((sum, part, index) => sum + part * (drawn[index] ?? NaN), 0));
+  };
+  await expect.poll(distance, { message: `turned by ${wanted.join(' ')}` }).toBeLessThan(1e-3);
+}
+const HALF = Math.SQRT1_2;
+
+test('a phone turns the model for all who look, from where it is zeroed, and smoothed', async ({
+  room,
+}) => {
+  test.slow();
+  const { page } = await room.atDesk('Stage');
+  await page.goto('/examples/model-viewer');
+  await expect(page.getByText('Drag to turn it, or connect a phone')).toBeVisible();
+
+  const phone = await TouchedPhone.join(await room.withPhone('Anna'), 'Anna');
+  await phone.turn(0, 90, 0);
+  await expect(page.getByText('Turned by Anna.')).toBeVisible();
+  await expectTurn(page, [0, 0, 0, 1]);
+  await phone.turn(90, 0, 0);
+  // Flat on the table, a quarter to the left
+  await expectTurn(page, [-0.5, 0.5, 0.5, 0.5]);
+
+  const other = await room.atDesk('Balcony');
+  await other.page.goto('/examples/model-viewer');
+  await expectTurn(other.page, [-0.5, 0.5, 0.5, 0.5]);
+
+  await page.getByRole('button', { name: 'Zero: this is straight ahead' }).click();
+  await expectTurn(page, [0, 0, 0, 1]);
+  await phone.turn(180, 0, 0);
+  await expectTurn(page, [0, 0, HALF, HALF]);
+  await expectTurn(other.page, [0, HALF, HALF, 0]);
+
+  await page.getByRole('switch', { name: /^Through a session/ }).click();
+  await expect(page.getByRole('link', { name: 'Show the session' })).toBeVisible();
+  await expect(other.page.getByRole('switch', { name: /^Through a session/ })).toBeChecked();
+  for (let beta = 1; beta <= 3; beta++) await phone.turn(180, beta, 0);
+  await phone.turn(180, 0, 0);
+  await expectTurn(page, [0, 0, HALF, HALF]);
+});
+
+test('a hand stands in for a phone, and others can follow it', async ({ room }) => {
+  const { page } = await room.atDesk('Anna');
+  await page.goto('/examples/model-viewer');
+  const model = page.getByRole('group', { name: 'Model' });
+  await expect.poll(() => drawnTurn(page)).toHaveLength(4);
+  await page.getByRole('button', { name: 'Straighten' }).click();
+  await expectTurn(page, [0, 0, 0, 1]);
+  await model.focus();
+  for (let press = 0; press < 12; press++) await page.keyboard.press('ArrowRight');
+  await expectTurn(page, [0, HALF, 0, HALF]);
+
+  const other = await room.atDesk('Ben');
+  await other.page.goto('/examples/model-viewer');
+  await other.page.getByRole('combobox', { name: 'Who turns the model' }).click();
+  await other.page.getByRole('option', { name: /Anna/ }).click();
+  await expectTurn(other.page, [0, HALF, 0, HALF]);
+});
+
+test('without WebGL words and numbers take the place of the picture', async ({ room }) => {
+  const { page, context } = await room.atDesk('Anna');
+  await context.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await page.goto('/examples/model-viewer');
+  await expect(page.getByText('This browser has no WebGL')).toBeVisible();
+});
