@@ -195,7 +195,7 @@ test('a phone does what it is sent: words, colour, a picture, and a flash where 
   program.publish(`/${id}/${DEVICE}/show_text`, 'string', 'Turn left');
   await expect(page.getByRole('status').filter({ hasText: 'Turn left' })).toBeVisible();
   program.publish(`/${id}/${DEVICE}/set_color`, 'color', { r: 1, g: 0, b: 0, a: 1 });
-  await expect(page.getByTestId('pad-color')).toHaveCSS('background-color', 'rgb(255, 0, 0)');
+  await expect(page.getByTestId('pad-color')).toHaveCSS('background-color', 'color(srgb 1 0 0)');
   program.publish(`/${id}/${DEVICE}/set_color`, 'color', { r: 0, g: 0, b: 0, a: 0 });
   await expect(page.getByTestId('pad-color')).toHaveCount(0);
   program.publish(`/${id}/${DEVICE}/show_image`, 'image2D', {

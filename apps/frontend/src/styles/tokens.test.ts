@@ -43,7 +43,8 @@ describe('colour literals', () => {
 
 it('every token that is used is defined', () => {
   const all = Object.values(sources).join('\n');
-  const defined = new Set([...all.matchAll(/(--[\w-]+)['"]?\s*:/g)].map((match) => match[1]));
+  const definition = /(--[\w-]+)['"]?\s*:|setProperty\('(--[\w-]+)'/g;
+  const defined = new Set([...all.matchAll(definition)].map((match) => match[1] ?? match[2]));
   const used = new Set([...all.matchAll(/var\((--[\w-]+)[,)]/g)].map((match) => match[1]!));
   // Set by the component library
   const missing = [...used].filter((name) => !defined.has(name) && !name.startsWith('--reka-'));
