@@ -1,0 +1,78 @@
+/** Why there is no picture, and the way out, one sentence each. */
+export interface CameraProblem {
+  readonly kind: 'insecure' | 'unsupported' | 'refused' | 'missing' | 'in-use' | 'ended' | 'failed';
+  readonly text: string;
+  readonly wayOut: string;
+  /** Whether asking again may help without leaving the page. */
+  readonly canRetry: boolean;
+}
+
+const INSECURE: CameraProblem = {
+  kind: 'insecure',
+  text: 'This page came over plain HTTP, and browsers give no camera to it.',
+  wayOut: 'Open the same page over HTTPS.',
+  canRetry: false,
+};
+
+const UNSUPPORTED: CameraProblem = {
+  kind: 'unsupported',
+  text: 'This browser gives no camera to pages.',
+  wayOut: 'Open the page in Safari, Chrome, Edge or Firefox rather than inside another app.',
+  canRetry: false,
+};
+
+/** It worked, and then the camera went. */
+export const CAMERA_ENDED: CameraProblem = {
+  kind: 'ended',
+  text: 'The camera went away: it was unplugged, or its permission was taken back.',
+  wayOut: 'Plug it in or allow it, then start it again.',
+  canRetry: true,
+};
+
+/** As far as it is known without asking. */
+export function firstCameraProblem(page: {
+  readonly isSecureContext: boolean;
+  readonly hasMediaDevices: boolean;
+}): CameraProblem | undefined {
+  if (!page.isSecureContext) return INSECURE;
+  return page.hasMediaDevices ? undefined : UNSUPPORTED;
+}
+
+/** What a browser says when it opens no camera, by the name of its error. */
+export function cameraProblemOf(errorName: string): CameraProblem {
+  switch (errorName) {
+    case 'NotAllowedError':
+    case 'SecurityError':
+      return {
+        kind: 'refused',
+        text: 'The camera was refused.',
+        wayOut:
+          'Allow it in the browser’s settings of this page, beside the address, and in the system’s settings of the browser. Then start it again.',
+        canRetry: true,
+      };
+    case 'NotFoundError':
+    case 'OverconstrainedError':
+      return {
+        kind: 'missing',
+        text: 'This device has no camera.',
+        wayOut: 'Plug one in and start again, or open this page on a phone.',
+        canRetry: true,
+      };
+    case 'NotReadableError':
+    case 'AbortError':
+    case 'TrackStartError':
+      return {
+        kind: 'in-use',
+        text: 'The camera gives no picture: another program or tab has it.',
+        wayOut: 'Close what uses it, then start it again.',
+        canRetry: true,
+      };
+    default:
+      return {
+        kind: 'failed',
+        text: `The browser did not open the camera (${errorName}).`,
+        wayOut: 'Choose another camera, or start it again.',
+        canRetry: true,
+      };
+  }
+}

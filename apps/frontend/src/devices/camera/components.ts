@@ -1,0 +1,21 @@
+import type { ComponentInit } from '@ubii/client-web';
+
+/** The name existing programs look for. */
+export const CAMERA_DEVICE = 'CameraWebInterface';
+
+/** What a camera says and hears; topics are `/<client id>/CameraWebInterface/<name>`. */
+export const CAMERA_COMPONENTS = [
+  {
+    name: 'camera_image',
+    format: 'image2D',
+    tags: ['camera', 'image'],
+    description: 'The newest picture, raw pixels or a JPEG file in its data.',
+  },
+  {
+    name: 'objects',
+    format: 'object2DList',
+    ioType: 'subscriber',
+    tags: ['camera', 'objects'],
+    description: 'What was found in the picture, drawn over it; 0 to 1 from the top left.',
+  },
+] as const satisfies readonly ComponentInit[];

@@ -1,0 +1,89 @@
+import { Image2DDataFormat, type Image2D } from '@ubii/proto';
+
+/** Raw pixels, which every program reads, or a JPEG file in the data, which takes a tenth of the room. */
+export type PictureEncoding = 'RGB8' | 'RGBA8' | 'GRAY8' | 'JPEG';
+
+/** What a camera publishes at most, bytes per second: a phone's Wi-Fi has room for more than this page. */
+export const MOST_BYTES_PER_SECOND = 8_000_000;
+
+export interface PictureSettings {
+  /** Of the published picture, pixels; its height follows from the camera's. */
+  width: number;
+  /** Pictures a second, wanted. */
+  rateHz: number;
+  encoding: PictureEncoding;
+  /** Of a JPEG, 0 to 1. */
+  quality: number;
+}
+
+/** The rate that is wanted, or what the bound on bytes leaves of it. */
+export function affordableRate(wantedHz: number, pictureBytes: number): number {
+  if (pictureBytes <= 0) return wantedHz;
+  return Math.min(wantedHz, MOST_BYTES_PER_SECOND / pictureBytes);
+}
+
+/** The same shape at most so wide; pictures are never enlarged. */
+export function sizeWithin(
+  source: { readonly width: number; readonly height: number },
+  width: number,
+): { readonly width: number; readonly height: number } {
+  const scale = Math.min(1, width / source.width);
+  return {
+    width: Math.max(1, Math.round(source.width * scale)),
+    height: Math.max(1, Math.round(source.height * scale)),
+  };
+}
+
+/** Pixels as a canvas gives them, in another layout. */
+export function packPixels(
+  rgba: Uint8ClampedArray,
+  layout: Exclude<PictureEncoding, 'JPEG'>,
+): Uint8Array {
+  if (layout === 'RGBA8') return new Uint8Array(rgba);
+  const count = rgba.length / 4;
+  const channels = layout === 'RGB8' ? 3 : 1;
+  const packed = new Uint8Array(count * channels);
+  for (let i = 0; i < count; i++) {
+    const red = rgba[i * 4]!;
+    const green = rgba[i * 4 + 1]!;
+    const blue = rgba[i * 4 + 2]!;
+    if (channels === 1) {
+      // Brightness as eyes see it (BT.601), in 256ths.
+      packed[i] = (77 * red + 150 * green + 29 * blue) >> 8;
+    } else {
+      packed[i * 3] = red;
+      packed[i * 3 + 1] = green;
+      packed[i * 3 + 2] = blue;
+    }
+  }
+  return packed;
+}
+
+/** Makes records of pictures; one canvas for all of them. */
+export class PictureEncoder {
+  readonly #canvas = document.createElement('canvas');
+
+  /** @throws {Error} if the browser makes no JPEG */
+  async encode(
+    video: HTMLVideoElement,
+    { width: maxWidth, encoding, quality }: Readonly<PictureSettings>,
+  ): Promise<Image2D> {
+    const source = { width: video.videoWidth, height: video.videoHeight };
+    const { width, height } = sizeWithin(source, maxWidth);
+    const canvas = this.#canvas;
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    const context = canvas.getContext('2d', { willReadFrequently: true })!;
+    context.drawImage(video, 0, 0, width, height);
+    if (encoding !== 'JPEG') {
+      const data = packPixels(context.getImageData(0, 0, width, height).data, encoding);
+      return { width, height, dataFormat: Image2DDataFormat[encoding], data };
+    }
+    const blob = await new Promise<Blob | null>((resolve) =>
+      canvas.toBlob(resolve, 'image/jpeg', quality),
+    );
+    if (!blob) throw new Error('The browser made no picture.');
+    const data = new Uint8Array(await blob.arrayBuffer());
+    return { width, height, dataFormat: Image2DDataFormat.RGB8, data };
+  }
+}

@@ -1,0 +1,132 @@
+import { useEventListener } from '@vueuse/core';
+import { onScopeDispose, shallowRef } from 'vue';
+import {
+  CAMERA_ENDED,
+  cameraProblemOf,
+  firstCameraProblem,
+  type CameraProblem,
+} from './camera-problem.ts';
+
+/** `paused`: the page is hidden, and the camera comes back with it. */
+export type CameraStatus = 'off' | 'asking' | 'on' | 'paused';
+
+/** Browsers that have a light tell so; no declaration knows it. */
+type TorchCapabilities = MediaTrackCapabilities & { readonly torch?: boolean };
+
+/** What is asked of a camera: enough for the largest picture that is published. */
+const WANTED = { width: { ideal: 640 }, height: { ideal: 480 }, frameRate: { ideal: 30 } };
+
+/** The camera of this device, while the calling scope lives, somebody wants it, and the page is seen. */
+export function useCamera() {
+  const status = shallowRef<CameraStatus>('off');
+  const problem = shallowRef<CameraProblem | undefined>(firstProblem());
+  const stream = shallowRef<MediaStream>();
+  const cameras = shallowRef<readonly { readonly id: string; readonly name: string }[]>([]);
+  /** Empty: the browser's choice, on phones the one at the back. */
+  const chosen = shallowRef('');
+  const torch = shallowRef<'missing' | 'off' | 'on'>('missing');
+  let attempt = 0;
+
+  async function start(id = chosen.value): Promise<void> {
+    const mine = ++attempt;
+    end();
+    problem.value = firstProblem();
+    if (problem.value) return;
+    status.value = 'asking';
+    try {
+      const opened = await navigator.mediaDevices.getUserMedia({ video: constraintsFor(id) });
+      // Stopped, hidden or left meanwhile.
+      if (mine !== attempt) return endTracks(opened);
+      take(opened);
+    } catch (error) {
+      if (mine !== attempt) return;
+      // A camera that was chosen may be gone; any other is better than none.
+      if (id !== '' && (error as DOMException).name === 'OverconstrainedError') return start('');
+      problem.value = cameraProblemOf((error as DOMException).name);
+      status.value = 'off';
+    }
+  }
+
+  function take(opened: MediaStream): void {
+    const [track] = opened.getVideoTracks();
+    if (!track) return;
+    track.addEventListener('ended', () => {
+      if (stream.value !== opened) return;
+      stop();
+      problem.value = CAMERA_ENDED;
+    });
+    chosen.value = track.getSettings().deviceId ?? '';
+    const { torch: hasTorch } = (track.getCapabilities?.() ?? {}) as TorchCapabilities;
+    torch.value = hasTorch ? 'off' : 'missing';
+    stream.value = opened;
+    status.value = 'on';
+    void list();
+  }
+
+  /** Names are told once a camera is allowed. */
+  async function list(): Promise<void> {
+    const devices = await navigator.mediaDevices.enumerateDevices();
+    cameras.value = devices
+      .filter(({ kind }) => kind === 'videoinput')
+      .map(({ deviceId, label }, index) => ({
+        id: deviceId,
+        name: label || `Camera ${index + 1}`,
+      }));
+  }
+
+  function end(): void {
+    if (stream.value) endTracks(stream.value);
+    stream.value = undefined;
+    torch.value = 'missing';
+  }
+
+  function stop(): void {
+    attempt += 1;
+    end();
+    status.value = 'off';
+  }
+
+  async function setTorch(isOn: boolean): Promise<void> {
+    const [track] = stream.value?.getVideoTracks() ?? [];
+    const advanced = [{ torch: isOn }] as unknown as MediaTrackConstraintSet[];
+    try {
+      await track?.applyConstraints({ advanced });
+      torch.value = isOn ? 'on' : 'off';
+    } catch {
+      // Some cameras say that they have a light, and have none.
+      torch.value = 'missing';
+    }
+  }
+
+  // Nobody is watched through a page that nobody sees.
+  useEventListener(document, 'visibilitychange', () => {
+    if (document.visibilityState === 'hidden' && status.value === 'on') {
+      stop();
+      status.value = 'paused';
+    } else if (document.visibilityState === 'visible' && status.value === 'paused') {
+      void start();
+    }
+  });
+  if (problem.value === undefined) {
+    useEventListener(navigator.mediaDevices, 'devicechange', () => {
+      if (status.value === 'on') void list();
+    });
+  }
+  onScopeDispose(stop);
+
+  return { status, problem, stream, cameras, chosen, torch, start, stop, setTorch };
+}
+
+function firstProblem(): CameraProblem | undefined {
+  return firstCameraProblem({ isSecureContext, hasMediaDevices: 'mediaDevices' in navigator });
+}
+
+function constraintsFor(id: string): MediaTrackConstraints {
+  return id === ''
+    ? { ...WANTED, facingMode: { ideal: 'environment' } }
+    : { ...WANTED, deviceId: { exact: id } };
+}
+
+function endTracks(stream: MediaStream): void {
+  for (const track of stream.getTracks()) track.stop();
+}

@@ -1,0 +1,49 @@
+import type { Object2DList } from '@ubii/proto';
+import { onScopeDispose, shallowRef } from 'vue';
+import { useDevice } from '../use-device.ts';
+import { CAMERA_COMPONENTS, CAMERA_DEVICE } from './components.ts';
+import type { PictureSettings } from './encode-picture.ts';
+import { usePictures } from './usePictures.ts';
+
+/** Boxes that nothing renews are of another picture by then, milliseconds. */
+const OBJECTS_HOLD_MS = 5000;
+
+/** The device: pictures out, what was found in them in. */
+export function useCameraDevice(options: {
+  readonly video: () => HTMLVideoElement | null;
+  /** The camera is on, and there is somebody to send to. */
+  readonly isWanted: () => boolean;
+  readonly settings: Readonly<PictureSettings>;
+}) {
+  const objects = shallowRef<Object2DList>();
+  /** From the newest picture that was sent to the boxes that came next, milliseconds. */
+  const answerMs = shallowRef<number>();
+  let holdTimer: ReturnType<typeof setTimeout> | undefined;
+
+  const device = useDevice({
+    name: CAMERA_DEVICE,
+    tags: ['camera', 'web interface'],
+    components: CAMERA_COMPONENTS,
+    receivers: {
+      objects(found) {
+        objects.value = found;
+        const { sentAtMs } = measures;
+        if (sentAtMs !== undefined) answerMs.value = performance.now() - sentAtMs;
+        clearTimeout(holdTimer);
+        holdTimer = setTimeout(() => {
+          objects.value = undefined;
+          answerMs.value = undefined;
+        }, OBJECTS_HOLD_MS);
+      },
+    },
+  });
+  const measures = usePictures({
+    video: options.video,
+    isWanted: () => options.isWanted() && device.isRegistered.value,
+    settings: options.settings,
+    publish: (image) => device.publish('camera_image', image),
+  });
+  onScopeDispose(() => clearTimeout(holdTimer));
+
+  return { objects, answerMs, measures, topicOf: device.topicOf };
+}

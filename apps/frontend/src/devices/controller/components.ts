@@ -1,0 +1,98 @@
+import type { ComponentInit } from '@ubii/client-web';
+import { canVibrate } from '../outputs/vibrate.ts';
+
+/** Names existing programs look for. */
+export const CONTROLLER_DEVICE = 'web-interface-ubii-controller';
+export const CONTROLLER_GAMEPAD_DEVICE = 'web-interface-ubii-controller-gamepad';
+
+/** Where a controller says that it is gone: games take its player away. */
+export const REMOVE_CLIENT_TOPIC = 'removeClient';
+
+/** What switches between gamepad and camera; its topic is `/<client id>/<device>/set_controllerMode`. */
+export const CONTROLLER_COMPONENTS = [
+  {
+    name: 'set_controllerMode',
+    format: 'string',
+    ioType: 'subscriber',
+    description: '`gamepad` (or `joycon`, `default`) or `camera`.',
+  },
+] as const satisfies readonly ComponentInit[];
+
+/** Topics are `/<client id>/web-interface-ubii-controller-gamepad/<name>`, as existing programs expect. */
+export const CONTROLLER_GAMEPAD_COMPONENTS = [
+  {
+    name: 'orientation',
+    format: 'vector3',
+    tags: ['imu', 'orientation'],
+    description: 'Degrees about z, x and y (alpha, beta, gamma), less the calibration.',
+  },
+  {
+    name: 'linear_acceleration',
+    format: 'vector3',
+    tags: ['acceleration', 'linear'],
+    description: 'Acceleration without gravity, m/s², in the axes of the device.',
+  },
+  {
+    name: 'analog_stick_left',
+    format: 'vector2',
+    tags: ['stick'],
+    description: 'x to the right, y upwards, −1 to 1, at most 1 from the middle.',
+  },
+  { name: 'button_a', format: 'keyEvent', tags: ['button'], description: 'Key "1".' },
+  { name: 'button_b', format: 'keyEvent', tags: ['button'], description: 'Key "2".' },
+  { name: 'button_start', format: 'keyEvent', tags: ['button'], description: 'Key "start".' },
+  {
+    name: 'set_color',
+    format: 'color',
+    ioType: 'subscriber',
+    tags: ['color'],
+    description: 'Fills the screen of the controller; an alpha of 0 takes the colour away.',
+  },
+  {
+    name: 'set_image',
+    format: 'image2D',
+    ioType: 'subscriber',
+    tags: ['image'],
+    description: 'A picture on the screen of the controller.',
+  },
+  {
+    name: 'clear_image',
+    format: 'bool',
+    ioType: 'subscriber',
+    tags: ['image'],
+    description: 'Takes the picture away, whatever the value.',
+  },
+  {
+    name: 'vibration_pattern',
+    format: 'double',
+    ioType: 'subscriber',
+    tags: ['vibration'],
+    description: 'Vibrates for so many milliseconds; only there when the device can.',
+  },
+] as const satisfies readonly ComponentInit[];
+
+type Components = typeof CONTROLLER_GAMEPAD_COMPONENTS;
+
+/** Those of this device: one that cannot vibrate does not say that it listens. */
+export function controllerGamepadComponents(): Components {
+  if (canVibrate()) return CONTROLLER_GAMEPAD_COMPONENTS;
+  return CONTROLLER_GAMEPAD_COMPONENTS.filter(
+    ({ name }) => name !== 'vibration_pattern',
+  ) as unknown as Components;
+}
+
+export type ControllerMode = 'gamepad' | 'camera';
+
+/** The mode a session asks for; `undefined` for words that mean none. */
+export function controllerModeOf(text: string): ControllerMode | undefined {
+  switch (text.trim().toLowerCase()) {
+    case 'gamepad':
+    case 'joycon':
+    case 'default':
+      return 'gamepad';
+    case 'camera':
+      return 'camera';
+    default:
+      return undefined;
+  }
+}

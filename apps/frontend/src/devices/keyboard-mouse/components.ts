@@ -1,0 +1,43 @@
+import type { ComponentInit } from '@ubii/client-web';
+
+export const KEYBOARD_MOUSE_DEVICE = 'web-interface-keyboard-mouse';
+
+/** Where phones and controllers have the same meaning, the same names: one stands in for the other. */
+export const KEYBOARD_MOUSE_COMPONENTS = [
+  {
+    name: 'button',
+    format: 'keyEvent',
+    tags: ['button', 'keyboard'],
+    description: 'Keys, pressed and released, by what they write: "a", "Enter", "ArrowUp".',
+  },
+  {
+    name: 'analog_stick_left',
+    format: 'vector2',
+    tags: ['stick', 'keyboard'],
+    description: 'W, A, S, D or the arrow keys as a stick: x to the right, y upwards, −1 to 1.',
+  },
+  {
+    name: 'touch_position',
+    format: 'vector2',
+    tags: ['touch', 'pointer', 'mouse'],
+    description: 'The mouse on the pad, 0 to 1 on both axes, origin top left.',
+  },
+  {
+    name: 'mouse_button',
+    format: 'mouseEvent',
+    tags: ['button', 'mouse'],
+    description: 'Buttons of the mouse, pressed and released: 0 main, 1 wheel, 2 secondary.',
+  },
+  {
+    name: 'mouse_wheel',
+    format: 'vector2',
+    tags: ['mouse'],
+    description: 'How far the wheel was turned, pixels to the right and down.',
+  },
+  {
+    name: 'mouse_movement',
+    format: 'vector2',
+    tags: ['mouse'],
+    description: 'How far the mouse moved, pixels to the right and down, while the pad has it.',
+  },
+] as const satisfies readonly ComponentInit[];
