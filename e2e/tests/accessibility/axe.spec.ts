@@ -27,11 +27,6 @@ const PAGES = [
   { name: 'smart-device gatherer', path: '/examples/smart-device-gatherer' },
   { name: 'model viewer', path: '/examples/model-viewer' },
   { name: 'devices', path: '/devices' },
-  { name: 'smart device', path: '/devices/smart-device' },
-  { name: 'controller', path: '/devices/controller' },
-  { name: 'camera', path: '/devices/camera' },
-  { name: 'gamepad', path: '/devices/gamepad' },
-  { name: 'keyboard and mouse', path: '/devices/keyboard-mouse' },
   { name: 'settings', path: '/settings' },
   { name: 'the master', path: '/settings/master' },
   { name: 'limits', path: '/settings/limits' },
@@ -39,6 +34,9 @@ const PAGES = [
   { name: 'licences', path: '/settings/licences' },
   { name: 'no such page', path: '/no/such/page' },
 ] as const;
+
+/** They have a header of their own, with the connection in it. */
+const DEVICE_PAGES = ['smart-device', 'controller', 'camera', 'gamepad', 'keyboard-mouse'] as const;
 
 /** What a pointer or the focus rests on is told in a layer of its own, at the end of the document. */
 const TOOLTIP = '.tooltip';
@@ -92,6 +90,17 @@ for (const [theme, screen] of SCREENS) {
       });
     }
     guest.leave();
+  });
+
+  test(`every page of a device is accessible, ${theme}, on a ${screen}`, async ({ room }) => {
+    const { page } = await enter(room, theme, screen);
+    for (const name of DEVICE_PAGES) {
+      await test.step(name, async () => {
+        await page.goto(`/devices/${name}`);
+        await expect(page.getByRole('button', { name: 'Change your name' })).toBeVisible();
+        await expectAccessible(page);
+      });
+    }
   });
 
   test(`a client and what is done to it are accessible, ${theme}, on a ${screen}`, async ({
