@@ -107,7 +107,10 @@ test('a phone is the controller that existing games know, and a camera when a se
 
   await test.step('it shows colours and pictures, and takes them away', async () => {
     game.publish(`${prefix}/set_color`, 'color', { r: 0, g: 0, b: 1, a: 1 });
-    await expect(page.getByTestId('screen-color')).toHaveCSS('background-color', 'rgb(0, 0, 255)');
+    await expect(page.getByTestId('screen-color')).toHaveCSS(
+      'background-color',
+      'color(srgb 0 0 1)',
+    );
     game.publish(`${prefix}/set_image`, 'image2D', {
       width: 2,
       height: 1,
