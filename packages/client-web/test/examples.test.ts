@@ -138,6 +138,7 @@ describe('the examples', { timeout: TIMEOUT_MS }, () => {
     expect(examples.sort()).toEqual([
       'device.ts',
       'glob.ts',
+      'master-time.ts',
       'node.ts',
       'processing.ts',
       'publish.ts',
