@@ -123,6 +123,14 @@ describe('a noisy publisher', () => {
     expect(await codes()).toEqual([]);
   });
 
+  it('is nobody while other programs have the processor [EX-47]', async () => {
+    const { master, ben, codes, pass } = await createRoom();
+    // Busy by the clock, and yet it hardly computes.
+    master.usage.measured = { ...BUSY, busyPercent: 60, cpuPercent: 8 };
+    pass(4, ben, 100);
+    expect(await codes()).toEqual([]);
+  });
+
   it('is throttled when the policy says so, to what fits, and told [EX-48]', async () => {
     const { master, ben, pass, throttleOf, codes } = await createRoom({
       checks: { checks: 'throttle' },

@@ -2,9 +2,12 @@ import { StatusProblemSeverity } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
 import type { FoundProblem } from './findings.ts';
 
-/** Share of the master's thread that the records of a client take, percent [EX-47]. */
-export function threadPercentOf(client: Client, busyPercent: number): number {
-  return client.traffic.workShare * busyPercent;
+/**
+ * Share of the master's thread that the records of a client take, percent [EX-47].
+ * @param workPercent of the time in which the thread really computes
+ */
+export function threadPercentOf(client: Client, workPercent: number): number {
+  return client.traffic.workShare * workPercent;
 }
 
 /** The key of what is found about a publisher. */
@@ -15,12 +18,12 @@ export function noisyKey(clientId: string): string {
 /** Which clients take more of the master than one should [EX-47]. */
 export function* checkPublishers(
   clients: Iterable<Client>,
-  busyPercent: number,
+  workPercent: number,
   publisherPercent: number,
 ): Iterable<[key: string, FoundProblem]> {
   for (const client of clients) {
     const { recordsInPerSecond, throttledPerSecond } = client.traffic.rates;
-    const percent = threadPercentOf(client, busyPercent);
+    const percent = threadPercentOf(client, workPercent);
     // Who only listens is no publisher, however much it costs.
     if (percent <= publisherPercent || recordsInPerSecond + throttledPerSecond === 0) continue;
     yield [

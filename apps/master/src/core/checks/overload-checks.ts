@@ -47,6 +47,8 @@ export class OverloadChecks {
     const { settings, load, clients, nodes, sessions } = this.#context;
     if (settings.checks === 'off') return;
     const { latest: usage, processors } = load();
+    // Who waits for a processor that other programs have is busy, and yet nobody's work takes its time.
+    const workPercent = Math.min(usage.busyPercent, usage.cpuPercent);
     const modules = loadsOf(sessions());
     const found = new Map<string, FoundProblem>([
       ...checkMachine({
@@ -56,33 +58,33 @@ export class OverloadChecks {
         clients: clients.values(),
         modules: modules.filter(({ nodeId }) => nodeId === nodes.masterId),
       }),
-      ...checkPublishers(clients.values(), usage.busyPercent, settings.publisherPercent),
+      ...checkPublishers(clients.values(), workPercent, settings.publisherPercent),
       ...checkModules(modules, this.#overruns, (id) => nodes.get(id)?.label ?? id, nodes.masterId),
     ]);
     this.#overruns = new Map(
       modules.map(({ moduleId, statistics }) => [moduleId, statistics.overruns]),
     );
     this.#findings.take(found);
-    if (settings.checks === 'throttle') this.#applyPolicy(usage.busyPercent);
+    if (settings.checks === 'throttle') this.#applyPolicy(workPercent);
   }
 
   /** [EX-48] */
-  #applyPolicy(busyPercent: number): void {
+  #applyPolicy(workPercent: number): void {
     const isBusy = this.#findings.isNow('master_busy');
     for (const client of this.#context.clients.values()) {
-      if (client.throttle?.byPolicy === true) this.#look(client, busyPercent);
+      if (client.throttle?.byPolicy === true) this.#look(client, workPercent);
       else if (client.throttle === undefined && isBusy && this.#findings.isNow(noisyKey(client.id)))
-        this.#throttle(client, busyPercent);
+        this.#throttle(client, workPercent);
     }
     for (const id of this.#fitting.keys()) {
       if (this.#context.clients.get(id)?.throttle?.byPolicy !== true) this.#fitting.delete(id);
     }
   }
 
-  #throttle(client: Client, busyPercent: number): void {
+  #throttle(client: Client, workPercent: number): void {
     const { publisherPercent } = this.#context.settings;
     const { recordsInPerSecond } = client.traffic.rates;
-    const fits = publisherPercent / threadPercentOf(client, busyPercent);
+    const fits = publisherPercent / threadPercentOf(client, workPercent);
     throttleClient(this.#context, client, {
       recordsPerSecond: Math.max(MIN_RECORDS_PER_SECOND, Math.floor(recordsInPerSecond * fits)),
       byPolicy: true,
@@ -93,10 +95,10 @@ export class OverloadChecks {
   }
 
   /** Lets a throttled client go when what it wants to publish fits. */
-  #look(client: Client, busyPercent: number): void {
+  #look(client: Client, workPercent: number): void {
     const { recordsInPerSecond, throttledPerSecond } = client.traffic.rates;
     const wanted = recordsInPerSecond + throttledPerSecond;
-    const percent = threadPercentOf(client, busyPercent);
+    const percent = threadPercentOf(client, workPercent);
     const wantedPercent = recordsInPerSecond === 0 ? 0 : (percent * wanted) / recordsInPerSecond;
     const fits =
       wanted <= client.throttle!.recordsPerSecond &&
