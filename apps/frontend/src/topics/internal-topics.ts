@@ -1,8 +1,12 @@
 import { isPresenceTopic } from '../graph/editor/presence/presence-record.ts';
 
+/** Every page of ours listens there; nothing has ever been published on most. */
+const IDENTIFY_TOPIC = /^\/[^/]+\/identify$/;
+
 /**
  * Topics with which the interface talks to itself: ordinary topic data, and noise to whoever looks
  * for their own. Lists and trees of topics leave them out; by its name, each is still found and read.
  * [EX-49]
  */
-export const isInternalTopic = (topic: string): boolean => isPresenceTopic(topic);
+export const isInternalTopic = (topic: string): boolean =>
+  isPresenceTopic(topic) || IDENTIFY_TOPIC.test(topic);

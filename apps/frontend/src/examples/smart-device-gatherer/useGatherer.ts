@@ -55,10 +55,6 @@ export function useGatherer() {
     client
       .subscribe({ glob: MOTION_GLOB }, { format: 'vector3' })
       .onRecord(({ topic, value }) => gathering.move(clientOfTopic(topic), value)),
-    client.subscribe({ glob: NEAR_GLOB }, { format: 'bool' }).onRecord(({ topic, value }) => {
-      gathering.setNear(clientOfTopic(topic), value);
-      isNew = true;
-    }),
     client
       .subscribe(DISTANCE_TOPIC, { format: 'double' })
       .onRecord(({ value }) => (distance.value = value)),
@@ -95,10 +91,25 @@ export function useGatherer() {
     },
     { immediate: true },
   );
-  // On its end, not its start: what the new one says may come before the list that has it.
-  watch(isRunning, (running) => {
-    if (!running) gathering.forgetNear();
-  });
+  // What a session said ends with it. The next one may speak before it is known to run: its topics keep
+  // what it said.
+  watch(
+    isRunning,
+    (running, _before, onCleanup) => {
+      if (!running) return;
+      const news = client
+        .subscribe({ glob: NEAR_GLOB }, { format: 'bool' })
+        .onRecord(({ topic, value }) => {
+          gathering.setNear(clientOfTopic(topic), value);
+          isNew = true;
+        });
+      onCleanup(() => {
+        void news.close();
+        gathering.forgetNear();
+      });
+    },
+    { immediate: true },
+  );
   watch([isRunning, distance], () => (isNew = true));
 
   onScopeDispose(() => {
