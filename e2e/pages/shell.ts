@@ -28,6 +28,8 @@ export class Shell {
 
   /** Opens the command palette with the keyboard. */
   async openPalette(): Promise<void> {
+    // A page that is still being made hears no keys.
+    await this.main.waitFor();
     await this.page.keyboard.press('ControlOrMeta+k');
     await this.palette.waitFor();
   }
