@@ -1,4 +1,4 @@
-import { useLocalStorage, watchDebounced } from '@vueuse/core';
+import { useLocalStorage, useSessionStorage, watchDebounced } from '@vueuse/core';
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import { useRoute, useRouter } from 'vue-router';
 import { readLayout, readLayoutFile, layoutJson, LayoutError } from './layout/layout-json.ts';
@@ -44,6 +44,8 @@ export function useLayout(): LayoutStore {
   const route = useRoute();
   const router = useRouter();
   const kept = useLocalStorage<string>('ubii.panels', '');
+  // The address lags behind: what this tab had made of it is newer than what it says after a reload.
+  const ofTab = useSessionStorage('ubii.panelsOfTab', { address: '', layout: '' });
   const named = useLocalStorage<Record<string, string>>('ubii.panelLayouts', {});
   const problem = shallowRef<string>();
 
@@ -67,7 +69,10 @@ export function useLayout(): LayoutStore {
     }
   }
 
-  const ofLink = attempt(() => layoutOfHash(route.hash));
+  const isOwnAddress = route.hash !== '' && route.hash === ofTab.value.address;
+  const ofLink =
+    (isOwnAddress ? readKept(ofTab.value.layout) : undefined) ??
+    attempt(() => layoutOfHash(route.hash));
   const before = readKept(kept.value) ?? EMPTY_LAYOUT;
   let first: LayoutSteps = firstStep(before);
   // What was open before the link is one step back.
@@ -84,19 +89,31 @@ export function useLayout(): LayoutStore {
   }
 
   // Kept at once, for the page may be left; the address follows.
-  watch(layout, (next) => (kept.value = JSON.stringify(layoutJson(next))), { immediate: true });
+  ofTab.value.address = route.hash;
+  watch(
+    layout,
+    (next) => {
+      kept.value = JSON.stringify(layoutJson(next));
+      ofTab.value.layout = kept.value;
+    },
+    { immediate: true },
+  );
   watchDebounced(
     hash,
     (next = '') => {
-      if (next !== route.hash) void router.replace({ path: '/panels', hash: next });
+      if (next === route.hash) return;
+      ofTab.value.address = next;
+      void router.replace({ path: '/panels', hash: next });
     },
     { debounce: LINK_MS, immediate: true },
   );
-  // A link that is pasted into the page's own address.
+  // A link that is pasted into the page's own address. What the page itself has put there may be of
+  // the past by the time it stands there.
   watch(
     () => route.hash,
     (next) => {
-      if (next === '' || next === hash.value || route.path !== '/panels') return;
+      if (next === '' || next === ofTab.value.address || route.path !== '/panels') return;
+      ofTab.value.address = next;
       const linked = attempt(() => layoutOfHash(next));
       if (linked && layoutHash(linked) !== hash.value) set(linked);
     },
