@@ -227,8 +227,18 @@ describe('checking a token [AC-16]', () => {
         masterName: 'master-node',
       });
     }
-    await join(master, token);
-    expect((await check(master, token)).joinCheck).toMatchObject({
+    const phone = await join(master, token);
+    // Who is in with it hears so; everybody else, that it is used up.
+    for (const secret of [token, code, '']) {
+      expect((await check(master, secret, phone.caller)).joinCheck).toMatchObject({
+        role: ACCESS_ROLE_PLAYER,
+        isJoined: true,
+      });
+    }
+    const another = await createGrant(master, ACCESS_ROLE_PLAYER);
+    const other = await join(master, another.token);
+    expect((await check(master, another.token, phone.caller)).joinCheck?.isJoined).toBe(false);
+    expect((await check(master, token, other.caller)).joinCheck).toMatchObject({
       role: 0,
       problem: JoinProblem.JOIN_PROBLEM_USED,
       message: expect.stringContaining('new one') as string,

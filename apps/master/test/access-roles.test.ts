@@ -1,4 +1,4 @@
-import { AccessRole, ComponentIOType, DeviceType, SERVICES } from '@ubii/proto';
+import { AccessRole, ComponentIOType, DeviceType, FAREWELL_TOPIC, SERVICES } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { SERVICE_RIGHTS } from '../src/core/access/service-rights.ts';
 import { TestMaster, type TestClient } from '../src/testing/index.ts';
@@ -66,6 +66,8 @@ describe('publishing [AC-24]', () => {
     expect(published(ben, '/shared/x')).toBe('');
     expect(published(ben, 'x')).toBe('');
     expect(published(ben, `/${ben.id}/x`)).toBe('');
+    expect(published(ben, `${ben.id}/orientation`)).toBe('');
+    expect(published(ben, `${phone.id}/orientation`)).toBe('permission_denied');
     expect(published(ben, `/${phone.id}/pad/touch`)).toBe('permission_denied');
     expect(published(ben, `/${phone.id}/identify`)).toBe('');
     expect(published(ben, `/${phone.id}/pad/vibrate`)).toBe('permission_denied');
@@ -96,6 +98,7 @@ describe('publishing [AC-24]', () => {
     await ada.subscribe({ subscribeTopicRegexp: ['.*'] });
     const player = await joinAs(master, ACCESS_ROLE_PLAYER, { writeTopics: ['/game/*/move'] });
     expect(published(player, `/${player.id}/pad/touch`)).toBe('');
+    expect(published(player, `${player.id}/orientation`)).toBe('');
     expect(published(player, '/game/1/move')).toBe('');
     const refused = [
       '/game/1/state',
@@ -105,8 +108,10 @@ describe('publishing [AC-24]', () => {
       `/${ada.id}/x`,
       `/${ada.id}/identify`,
       `/${player.id}`,
-      `${player.id}/x`,
+      player.id,
+      `${ada.id}/orientation`,
       `//${player.id}/x`,
+      'removeClient',
       `/${player.id}x/x`,
       `/${player.id.toUpperCase()}y/x`,
       '/info/device/new',
@@ -118,6 +123,7 @@ describe('publishing [AC-24]', () => {
     }
     expect(ada.takeRecords().map(({ topic }) => topic)).toEqual([
       `/${player.id}/pad/touch`,
+      `${player.id}/orientation`,
       '/game/1/move',
     ]);
     const report = await master.call({
@@ -127,10 +133,35 @@ describe('publishing [AC-24]', () => {
     expect(report.clientReport?.clients[0]?.refused).toBe(refused.length);
   });
 
-  it('viewers publish nowhere', async () => {
+  it('players say that they are gone, and nobody else, as controllers do', async () => {
+    const master = new TestMaster();
+    const game = await master.extension('game');
+    await game.subscribe({ subscribeTopics: [FAREWELL_TOPIC] });
+    const [player, viewer] = [
+      await joinAs(master, ACCESS_ROLE_PLAYER),
+      await joinAs(master, ACCESS_ROLE_VIEWER),
+    ];
+    const says = (client: TestClient, format: 'string' | 'double', value: string | number) => {
+      master.clock.advance(200); // Errors are told at a rate.
+      client.takeErrors();
+      client.publish(FAREWELL_TOPIC, format, value);
+      return client.takeErrors()[0]?.code ?? '';
+    };
+    expect(says(player, 'string', player.id)).toBe('');
+    expect(says(player, 'string', game.id)).toBe('permission_denied');
+    expect(says(player, 'string', '')).toBe('permission_denied');
+    expect(says(player, 'double', 1)).toBe('permission_denied');
+    expect(says(viewer, 'string', viewer.id)).toBe('permission_denied');
+    expect(published(player, `/${FAREWELL_TOPIC}`)).toBe('permission_denied');
+    expect(game.takeValues()).toEqual([[FAREWELL_TOPIC, player.id]]);
+  });
+
+  it('viewers publish what their preflight found, and nothing else [AC-30]', async () => {
     const viewer = await joinAs(new TestMaster(), ACCESS_ROLE_VIEWER);
-    expect(published(viewer, `/${viewer.id}/x`)).toBe('permission_denied');
-    expect(published(viewer, '/x')).toBe('permission_denied');
+    expect(published(viewer, `/${viewer.id}/preflight`)).toBe('');
+    for (const topic of ['/x', `/${viewer.id}/x`, `${viewer.id}/preflight`, '/other/preflight']) {
+      expect([topic, published(viewer, topic)]).toEqual([topic, 'permission_denied']);
+    }
   });
 });
 
@@ -229,6 +260,32 @@ describe('subscribing [AC-25]', () => {
     expect(published(phone, '/a')).toBe('permission_denied');
   });
 
+  it('another grant of the same role brings its own topics, and takes the others [AC-18]', async () => {
+    const master = new TestMaster();
+    const ada = await master.extension('ada');
+    const player = await joinAs(master, ACCESS_ROLE_PLAYER, {
+      readTopics: ['/red/**'],
+      writeTopics: ['/red/move'],
+    });
+    await player.subscribe({ subscribeTopics: ['/red/a'], subscribeTopicRegexp: ['^/blue'] });
+    const blue = await createGrant(master, ACCESS_ROLE_PLAYER, {
+      readTopics: ['/blue/**'],
+      writeTopics: ['/blue/move'],
+    });
+    const again = { name: 'phone', id: player.id, extension: { resumeToken: player.token! } };
+    const { token } = blue;
+    await master.register(again, { ...player.caller, bearer: token });
+    player.takeSent();
+    ada.publish('/red/a', 'double', 1);
+    ada.publish('/blue/a', 'double', 2);
+    expect(player.takeValues()).toEqual([['/blue/a', 2]]);
+    expect(published(player, '/blue/move')).toBe('');
+    expect(published(player, '/red/move')).toBe('permission_denied');
+    const list = await master.call({ topic: '/services/ubii/access_grant_list' });
+    const now = list.accessGrantList?.elements.find(({ id }) => id === blue.grant!.id);
+    expect(now).toMatchObject({ joins: 1, clientIds: [player.id] });
+  });
+
   it('players see no lists: of topics, clients, devices, components, counters', async () => {
     const { player } = await setup();
     const topics = [
@@ -260,6 +317,9 @@ describe('devices, nodes and modules [AC-26]', () => {
       });
     const { SUBSCRIBER } = ComponentIOType;
     expect(await register({ topic: `/${player.id}/d/touch` })).toBe('');
+    // As the smart device has it.
+    expect(await register({ topic: `${player.id}/orientation` })).toBe('');
+    expect(await register({ topic: 'x/orientation' })).toBe('permission_denied');
     expect(await register({ topic: `/${player.id}/d/vibrate`, ioType: SUBSCRIBER })).toBe('');
     expect(await register({ topic: '/secret' })).toBe('permission_denied');
     expect(await register({ topic: '/secret', ioType: SUBSCRIBER })).toBe('permission_denied');

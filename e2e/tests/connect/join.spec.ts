@@ -1,5 +1,6 @@
 import AxeBuilder from '@axe-core/playwright';
-import { AccessRole } from '@ubii/proto';
+import { AccessRole, FAREWELL_TOPIC } from '@ubii/proto';
+import { callService } from '../../fixtures/call-service.ts';
 import { expect, test, type Person } from '../../fixtures/test.ts';
 import { FROM_ELSEWHERE, JoinPage } from '../../pages/join-page.ts';
 import { makeGrant, revokeGrant } from './make-grant.ts';
@@ -118,11 +119,61 @@ test('whose code is revoked while they are here comes back to joining, and hears
   await expect(join.heading).toHaveText('The host has closed this code.');
 });
 
-test('the role is said before joining', async ({ master, room }) => {
-  const { token } = await makeGrant(master, { role: AccessRole.ACCESS_ROLE_VIEWER });
+test('a player who joined is a smart device and a controller, and changes to another code of players', async ({
+  master,
+  room,
+}) => {
+  const program = await room.program('game');
+  const heard = new Set<string>();
+  program.subscribe({ glob: '**' }).onRecord(({ topic }) => heard.add(topic));
+  const gone: string[] = [];
+  const farewells = program.subscribe(FAREWELL_TOPIC, { format: 'string' });
+  farewells.onRecord(({ value }) => gone.push(value));
+  await farewells.ready;
+  const role = AccessRole.ACCESS_ROLE_PLAYER;
+  const red = await makeGrant(master, { role, target: '/devices/smart-device' });
   const phone = await stranger(room);
-  await phone.page.goto(`/join#${token}`);
-  await expect(phone.page.getByText('You join as viewer')).toBeVisible();
+  const { page } = phone;
+  const join = new JoinPage(phone);
+  await page.goto(`/join#${red.token}`);
+  await expect(page.getByText('You join as player')).toBeVisible();
+  await join.join.click();
+  await page.getByRole('application', { name: 'Touch pad' }).tap();
+  const find = async () =>
+    (await program.call('deviceGetList', { elements: [{ name: 'web-interface-smart-device' }] }))
+      .elements;
+  await expect.poll(async () => (await find()).length).toBe(1);
+  const id = (await find())[0]!.clientId;
+  const cdp = await page.context().newCDPSession(page);
+  await cdp.send('DeviceOrientation.setDeviceOrientationOverride', {
+    alpha: 90,
+    beta: 20,
+    gamma: -5,
+  });
+  await expect.poll(() => heard.has(`${id}/orientation`)).toBe(true);
+  await page.getByRole('application', { name: 'Touch pad' }).tap();
+  await expect.poll(() => heard.has(`/${id}/touch_events`)).toBe(true);
+
+  // Scanned in another tab, as cameras of phones do it: the same role, and a code that differs
+  const blue = await makeGrant(master, { role, target: '/devices/controller', maxJoins: 1 });
+  const tab = await phone.context.newPage();
+  await tab.goto(`/join#${blue.token}`);
+  await tab.getByRole('button', { name: 'Join', exact: true }).click();
+  await expect(tab).toHaveURL(/\/devices\/controller$/);
+  await expect(tab.getByRole('button', { name: 'A', exact: true })).toBeVisible();
+  const clientsOf = async (grantId: string) => {
+    const { accessGrantList } = await callService(master.addresses, {
+      topic: '/services/ubii/access_grant_list',
+    });
+    return accessGrantList?.elements.find((grant) => grant.id === grantId)?.clientIds ?? [];
+  };
+  await expect.poll(async () => (await clientsOf(blue.id)).length).toBe(1);
+  expect(await clientsOf(red.id)).toEqual([id]);
+  const [player] = await clientsOf(blue.id);
+  // Nobody else joins with it; who has goes on, in this tab and with a reload of the link
+  await tab.goto(`/join#${blue.token}`);
+  await expect.poll(() => gone).toEqual([player]);
+  await expect(tab).toHaveURL(/\/devices\/controller$/);
 });
 
 for (const colorScheme of ['dark', 'light'] as const) {

@@ -1,3 +1,4 @@
+import { AccessRole } from '@ubii/proto';
 import { CHROMIUM_FLAGS, findChromium } from '../../fixtures/chromium.ts';
 import { expect } from '../../fixtures/test.ts';
 import { testWith } from '../../fixtures/test-with.ts';
@@ -14,6 +15,8 @@ test.use({
   },
 });
 
+const IPHONE =
+  'Mozilla/5.0 (iPhone; CPU iPhone OS 18_0 like Mac OS X) AppleWebKit/605.1.15 (KHTML, like Gecko) Version/18.0 Mobile/15E148 Safari/604.1';
 const REFUSED = /status of (401|403)/;
 
 test('over HTTPS all is well, and the host sees it [AC-30]', async ({ master, room }) => {
@@ -36,6 +39,55 @@ test('over HTTPS all is well, and the host sees it [AC-30]', async ({ master, ro
   await expect(row).toContainText(/Android, Chrome/);
   // An emulated phone has no sensors, and the host sees that
   await expect(row).toContainText('Motion sensors');
+});
+
+test('the host sees what went wrong on each phone, a viewer’s too [AC-30]', async ({
+  master,
+  room,
+}) => {
+  const desk = await room.atDesk('Ben');
+  await desk.page.goto('/connect');
+  const phones = desk.page.locator('[data-phone]');
+
+  await test.step('a clock that is far off', async () => {
+    const { token } = await makeGrant(master, { role: AccessRole.ACCESS_ROLE_VIEWER });
+    const late = await room.withPhone('Mara', FROM_ELSEWHERE);
+    late.watch.expect(REFUSED);
+    await late.page.addInitScript(() => {
+      const now = Date.now.bind(Date);
+      Date.now = () => now() + 300_000;
+    });
+    const join = new JoinPage(late);
+    await late.page.goto(`/join#${token}`);
+    await expect(join.fact('clock')).toContainText('5 min ahead of the master');
+    // No waiting for the sensors: what is measured after the tap is told as well
+    await join.join.click();
+    await expect(phones.filter({ hasText: 'Mara' })).toContainText('Clock: 5 min ahead');
+  });
+
+  await test.step('motion that an iPhone was refused', async () => {
+    const { token } = await makeGrant(master, {
+      role: AccessRole.ACCESS_ROLE_PLAYER,
+      target: '/devices/smart-device',
+    });
+    const refused = await room.withPhone('Ida', { ...FROM_ELSEWHERE, userAgent: IPHONE });
+    refused.watch.expect(REFUSED);
+    await refused.page.addInitScript(() => {
+      for (const event of [DeviceMotionEvent, DeviceOrientationEvent]) {
+        Object.assign(event, { requestPermission: () => Promise.resolve('denied') });
+      }
+    });
+    const join = new JoinPage(refused);
+    await refused.page.goto(`/join#${token}`);
+    await expect(join.fact('sensors')).toContainText('The phone asks once');
+    await refused.page.getByRole('button', { name: 'Allow motion and join' }).click();
+    await expect(join.fact('sensors')).toContainText('closed completely');
+    await join.join.click();
+    await expect(phones.filter({ hasText: 'Ida' })).toContainText('Motion was refused');
+    const { page } = refused;
+    await page.getByRole('button', { name: 'Allow motion' }).click();
+    await expect(page.getByText('asks again after you close and open it').first()).toBeVisible();
+  });
 });
 
 test('plain HTTP is explained, with the way to the secure page', async ({ master, room }) => {
@@ -93,8 +145,7 @@ test('iOS is told that it wants the certificate installed', async ({ master, roo
   const phone = await room.withPhone('Mara', {
     ...FROM_ELSEWHERE,
     ignoreHTTPSErrors: true,
-    userAgent:
-      'Mozilla/5.0 (iPhone; CPU iPhone OS 18_0 like Mac OS X) AppleWebKit/605.1.15 (KHTML, like Gecko) Version/18.0 Mobile/15E148 Safari/604.1',
+    userAgent: IPHONE,
   });
   phone.watch.expect(REFUSED, /WebSocket/, new RegExp(`request to ${secure}`));
   await phone.page.routeWebSocket(/\/preflight/, (socket) => void socket.close());

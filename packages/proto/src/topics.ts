@@ -41,6 +41,17 @@ export function clientTopic(clientId: string): string {
   return `${EXTENSION_PREFIX}client/${clientId}`;
 }
 
+/** The topic on which a page that joined says what its preflight found, as JSON. [AC-30] */
+export function preflightTopic(clientId: string): string {
+  return `/${clientId}/preflight`;
+}
+
+/**
+ * Where a controller says that it is gone, by a string with the id of its client: games take its player away.
+ * Existing programs know it without a slash in front. [AC-24]
+ */
+export const FAREWELL_TOPIC = 'removeClient';
+
 /**
  * The topic on which somebody asks to be shown which device a client is: a string with the name of who asks.
  * Anybody may publish there; a client that can be seen, heard or felt subscribes to its own. [EX-34]

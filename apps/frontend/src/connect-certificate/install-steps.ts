@@ -1,4 +1,4 @@
-import type { Platform } from '../join/platform.ts';
+import type { Platform } from '../connection/platform.ts';
 
 /** How one system is made to trust the authority, and how that is undone. */
 export interface InstallGuide {

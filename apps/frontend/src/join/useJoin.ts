@@ -19,6 +19,8 @@ export interface Invitation {
   readonly role: ClientRole;
   /** Path of the page that opens; empty when the token names none. */
   readonly target: string;
+  /** This client has joined with it: there is nothing to be asked. */
+  readonly isJoined: boolean;
 }
 
 /** A master that does not answer is asked again after this, milliseconds. */
@@ -41,6 +43,10 @@ export function useJoin(beforeLeaving: () => void) {
   const isLeaving = ref(false);
   let again: ReturnType<typeof setTimeout> | undefined;
   let asked = 0;
+  /** The last answer was to this client, and not to whoever shows the token. */
+  let isToClient = false;
+  /** It was in already when it began to join: with another code. */
+  let wasIn = false;
 
   const target = computed(() => safeTarget(invitation.value?.target || route.query['to'] || '/'));
 
@@ -57,16 +63,19 @@ export function useJoin(beforeLeaving: () => void) {
     clearTimeout(again);
     asked += 1;
     const serial = asked;
+    const asClient = isConnected.value;
     if (phase.value !== 'unreachable') phase.value = 'asking';
     trouble.value = '';
     try {
-      const answer = await checkToken(token);
+      const answer = await (asClient ? client.call('joinCheck', { token }) : checkToken(token));
       if (serial !== asked) return;
+      isToClient = asClient;
       masterName.value = answer.masterName;
       const role = clientRole(answer.role);
       problem.value = joinProblem(answer.problem);
       if (token !== '' && role !== undefined && problem.value === undefined) {
-        invitation.value = { token, role, target: answer.target };
+        const { target: opens, isJoined } = answer;
+        invitation.value = { token, role, target: opens, isJoined };
         phase.value = 'ready';
       } else {
         invitation.value = undefined;
@@ -98,6 +107,7 @@ export function useJoin(beforeLeaving: () => void) {
     const token = invitation.value?.token;
     if (token === undefined || phase.value === 'joining') return;
     if (as.trim() !== '') name.value = as.trim();
+    wasIn = isConnected.value;
     phase.value = 'joining';
     trouble.value = '';
     const isRegistered = client.role !== undefined && state.value.status === 'reconnecting';
@@ -141,17 +151,19 @@ export function useJoin(beforeLeaving: () => void) {
     { immediate: true },
   );
 
-  // Who is in already goes on: a second tab, the master's own machine, or a channel that came late
+  // Who is in already goes on: a second tab, the master's own machine, or a channel that came late.
+  // A code of another grant is joined with, whatever its role: it brings topics of its own. [AC-18]
   watch(
     [isConnected, phase],
     () => {
       if (!isConnected.value) return;
-      const wanted = invitation.value?.role;
-      if (wanted === undefined) {
-        if (route.hash === '') goOn();
-      } else if (phase.value === 'joining' || [wanted, 'admin'].includes(client.role ?? '')) {
-        goOn();
-      }
+      const isJoining = phase.value === 'joining';
+      const mayBeIn =
+        phase.value === 'ready' || (phase.value === 'code' && problem.value === 'used');
+      if (invitation.value === undefined && route.hash === '') goOn();
+      else if (invitation.value?.isJoined === true || (isJoining && !wasIn)) goOn();
+      else if (invitation.value !== undefined && client.role === 'admin') goOn();
+      else if (mayBeIn && !isToClient) void ask(route.hash.slice(1));
     },
     { immediate: true },
   );

@@ -1310,10 +1310,11 @@ export function encodeJoinCheck(m: Init<T.JoinCheck>, w: Writer): void {
   if (m.target != null) w.string(34, m.target);
   if (m.expiresMs != null) w.double(41, m.expiresMs);
   if (m.masterName != null) w.string(50, m.masterName);
+  if (m.isJoined != null) w.bool(56, m.isJoined);
 }
 
 export function decodeJoinCheck(r: Reader, into?: T.JoinCheck): T.JoinCheck {
-  const m: T.JoinCheck = into ?? { role: 0, problem: 0, message: '', target: '', expiresMs: 0, masterName: '' };
+  const m: T.JoinCheck = into ?? { role: 0, problem: 0, message: '', target: '', expiresMs: 0, masterName: '', isJoined: false };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1323,6 +1324,7 @@ export function decodeJoinCheck(r: Reader, into?: T.JoinCheck): T.JoinCheck {
       case 34: m.target = r.string(); break;
       case 41: m.expiresMs = r.double(); break;
       case 50: m.masterName = r.string(); break;
+      case 56: m.isJoined = r.bool(); break;
       default: skipField(r, tag);
     }
   }

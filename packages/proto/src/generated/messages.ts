@@ -1401,6 +1401,8 @@ export interface JoinCheck {
   expiresMs: number;
   /** Name of the master, as people see it. */
   masterName: string;
+  /** The caller has joined with it: joining once more changes nothing. */
+  isJoined: boolean;
 }
 
 /**

@@ -443,6 +443,7 @@ message ubii.extension.JoinCheck
 4 target string
 5 expires_ms double
 6 master_name string
+7 is_joined bool
 message ubii.extension.JoinCheckRequest
 1 token string
 message ubii.extension.JoinRefusal

@@ -5,9 +5,6 @@ import { canVibrate } from '../outputs/vibrate.ts';
 export const CONTROLLER_DEVICE = 'web-interface-ubii-controller';
 export const CONTROLLER_GAMEPAD_DEVICE = 'web-interface-ubii-controller-gamepad';
 
-/** Where a controller says that it is gone: games take its player away. */
-export const REMOVE_CLIENT_TOPIC = 'removeClient';
-
 /** What switches between gamepad and camera; its topic is `/<client id>/<device>/set_controllerMode`. */
 export const CONTROLLER_COMPONENTS = [
   {

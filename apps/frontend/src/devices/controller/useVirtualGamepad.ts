@@ -1,4 +1,11 @@
-import { ButtonEventType, type Color, type Image2D, type Vector2, type Vector3 } from '@ubii/proto';
+import {
+  ButtonEventType,
+  type Color,
+  FAREWELL_TOPIC,
+  type Image2D,
+  type Vector2,
+  type Vector3,
+} from '@ubii/proto';
 import { useEventListener } from '@vueuse/core';
 import { onScopeDispose, shallowReactive, shallowRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
@@ -6,11 +13,7 @@ import { canVibrate, vibrate } from '../outputs/vibrate.ts';
 import { calibratedAngles, type EulerAngles } from '../sensors/orientation.ts';
 import { useMotionSensors } from '../sensors/useMotionSensors.ts';
 import { useDevice } from '../use-device.ts';
-import {
-  CONTROLLER_GAMEPAD_DEVICE,
-  controllerGamepadComponents,
-  REMOVE_CLIENT_TOPIC,
-} from './components.ts';
+import { CONTROLLER_GAMEPAD_DEVICE, controllerGamepadComponents } from './components.ts';
 
 /** The keys existing programs find in the events. */
 const KEYS = { button_a: '1', button_b: '2', button_start: 'start' } as const;
@@ -72,7 +75,7 @@ export function useVirtualGamepad() {
 
   // Games take the player away at once, and not when the connection is missed.
   const sayFarewell = (): void =>
-    client.publish(REMOVE_CLIENT_TOPIC, 'string', client.id, { immediate: true });
+    client.publish(FAREWELL_TOPIC, 'string', client.id, { immediate: true });
   useEventListener(window, 'pagehide', sayFarewell);
   onScopeDispose(() => {
     clearTimeout(vibrationTimer);

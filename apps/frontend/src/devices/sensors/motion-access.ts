@@ -1,3 +1,5 @@
+import { platformOf } from '../../connection/platform.ts';
+
 /** What stands between a page and the motion sensors of its device. */
 export type MotionAccess =
   /** The page came over plain HTTP: browsers give no sensors to it. */
@@ -16,6 +18,12 @@ type Ask = (() => Promise<PermissionState>) | undefined;
 /** What a window tells of motion, in all browsers. */
 export interface MotionWindow {
   readonly isSecureContext: boolean;
+  readonly navigator: {
+    readonly userAgent: string;
+    readonly maxTouchPoints: number;
+    /** Chromium has it, and no declaration knows it. */
+    readonly userAgentData?: unknown;
+  };
   /** Constructors of the events; undefined where there are none. */
   readonly DeviceMotionEvent?: object | undefined;
   readonly DeviceOrientationEvent?: object | undefined;
@@ -26,7 +34,14 @@ export function motionAccessOf(page: MotionWindow): MotionAccess {
   if (!page.isSecureContext) return 'insecure';
   const { DeviceMotionEvent: motion, DeviceOrientationEvent: orientation } = page;
   if (motion === undefined && orientation === undefined) return 'unsupported';
-  return questionOf(motion) || questionOf(orientation) ? 'ask' : 'granted';
+  const hasQuestion = questionOf(motion) !== undefined || questionOf(orientation) !== undefined;
+  return hasQuestion && asksPerson(page) ? 'ask' : 'granted';
+}
+
+/** Chromium has the question as well, and answers it by itself. An iPad calls itself a Mac. */
+function asksPerson({ navigator }: MotionWindow): boolean {
+  const { userAgent, maxTouchPoints, userAgentData } = navigator;
+  return platformOf(userAgent, maxTouchPoints) === 'ios' || userAgentData === undefined;
 }
 
 /** Asks for both kinds of events. To be called at once in the handler of a tap, before any waiting. */

@@ -26,6 +26,9 @@ describe('what a preflight found, in words [AC-30]', () => {
     for (const cause of ['Wi-Fi', 'VPN', 'client isolation', 'firewall', 'stopped']) {
       expect(away.text).toContain(cause);
     }
+    expect(away.text).not.toContain('.local');
+    const byName = masterCheck(undefined, new URL('https://studio.local:8080/join#t'));
+    expect(byName.text).toContain('open the address in numbers');
   });
 
   it('leads from plain HTTP to the secure page, with the token', () => {
@@ -58,11 +61,12 @@ describe('what a preflight found, in words [AC-30]', () => {
   });
 
   it('asks for motion where the platform does, and misses it on phones only', () => {
-    expect(sensorsCheck('asks', undefined, true).state).toBe('asks');
+    expect(sensorsCheck('ask', undefined, true).state).toBe('asks');
+    expect(sensorsCheck('refused', undefined, true).text).toContain('closed completely');
     expect(sensorsCheck('insecure', undefined, true).state).toBe('warning');
-    expect(sensorsCheck('open', true, true).state).toBe('good');
-    expect(sensorsCheck('open', false, true).state).toBe('warning');
-    expect(sensorsCheck('open', false, false).state).toBe('none');
+    expect(sensorsCheck('granted', true, true).state).toBe('good');
+    expect(sensorsCheck('granted', false, true).state).toBe('warning');
+    expect(sensorsCheck('granted', false, false).state).toBe('none');
   });
 });
 

@@ -1,6 +1,6 @@
 import { CERTIFICATE_PATH } from '../../connect-certificate/routes.ts';
-import type { MotionAccess } from '../motion-permission.ts';
-import type { Platform } from '../platform.ts';
+import type { Platform } from '../../connection/platform.ts';
+import type { MotionAccess } from '../../devices/sensors/motion-access.ts';
 import type { Check } from './check.ts';
 import type { ChannelProbe } from './probe-channel.ts';
 
@@ -25,11 +25,14 @@ export function masterCheck(tripMs: number | undefined, page: URL): Check {
       value: formatMs(tripMs),
     };
   }
+  const name = hostname.endsWith('.local')
+    ? ' Many Android phones, and all behind a VPN, do not find names that end in .local: open the address in numbers on the host’s screen.'
+    : '';
   return {
     id,
     state: 'failed',
     title: 'Master not reached',
-    text: `${hostname} does not answer. Is this device in the same Wi-Fi as the host, with mobile data and VPN off? Guest networks often keep devices apart (client isolation): use another network or a hotspot. On the host, a firewall may close port ${port || '443'}, or the master has stopped.`,
+    text: `${hostname} does not answer.${name} Is this device in the same Wi-Fi as the host, with mobile data and VPN off? Guest networks often keep devices apart (client isolation): use another network or a hotspot. On the host, a firewall may close port ${port || '443'}, or the master has stopped.`,
   };
 }
 
@@ -149,14 +152,21 @@ export function sensorsCheck(
   const id = 'sensors';
   const title = 'Motion sensors';
   switch (access) {
-    case 'asks':
+    case 'ask':
       return { id, state: 'asks', title, text: 'The phone asks once. Say Allow.' };
+    case 'refused':
+      return {
+        id,
+        state: 'warning',
+        title: 'Motion was refused',
+        text: 'The browser asks again only after it was closed completely: swipe it away, open it and scan again. Everything else works without.',
+      };
     case 'insecure':
       return isTouch
         ? { id, state: 'warning', title, text: 'Off, because this page is plain HTTP.' }
         : { id, state: 'none', title, text: 'Not on this page' };
-    case 'missing':
-    case 'open':
+    case 'unsupported':
+    case 'granted':
       if (arrives === true) return { id, state: 'good', title, text: 'Motion arrives' };
       return isTouch
         ? {

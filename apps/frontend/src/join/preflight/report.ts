@@ -1,11 +1,10 @@
 import type { UbiiClient } from '@ubii/client-web';
+import { preflightTopic } from '@ubii/proto';
 import { describeAgent } from '../../connection/agent-description.ts';
 import type { Check, CheckId, CheckState } from './check.ts';
 
-/** Where a page says what its preflight found. [AC-30] */
-export const preflightTopic = (clientId: string): string => `/${clientId}/preflight`;
-/** The same of every client. */
-export const PREFLIGHT_TOPICS = '/*/preflight';
+/** Where pages say what their preflight found, of every client. [AC-30] */
+export const PREFLIGHT_TOPICS = preflightTopic('*');
 
 /** What is told the host. */
 export interface PreflightReport {
@@ -19,9 +18,8 @@ export interface PreflightReport {
   readonly checks: readonly Pick<Check, 'id' | 'state' | 'title' | 'text' | 'value'>[];
 }
 
-/** Tells the host what was found. Who may not publish does not, and the host sees nothing. */
+/** Tells the host what was found; every role may. */
 export function publishReport(client: UbiiClient, checks: readonly Check[]): void {
-  if (client.role === 'viewer') return;
   const report: PreflightReport = {
     version: 1,
     atMs: Date.now(),

@@ -1,7 +1,8 @@
-import { motionAccess, motionArrives } from '../motion-permission.ts';
-import { thisPlatform } from '../platform.ts';
+import { thisPlatform } from '../../connection/platform.ts';
+import { motionAccessOf } from '../../devices/sensors/motion-access.ts';
 import { channelCheck, clockCheck, masterCheck, secureCheck, sensorsCheck } from './check-words.ts';
 import type { Check } from './check.ts';
+import { motionArrives } from './motion-arrives.ts';
 import { probeChannel } from './probe-channel.ts';
 
 const TRIES = 3;
@@ -25,9 +26,9 @@ async function runLink(page: URL, tell: (check: Check) => void): Promise<void> {
 }
 
 async function runSensors(tell: (check: Check) => void): Promise<void> {
-  const access = motionAccess();
+  const access = motionAccessOf(window);
   const isTouch = matchMedia('(pointer: coarse)').matches;
-  if (access !== 'open') return tell(sensorsCheck(access, undefined, isTouch));
+  if (access !== 'granted') return tell(sensorsCheck(access, undefined, isTouch));
   tell(sensorsCheck(access, await motionArrives(MOTION_WAIT_MS), isTouch));
 }
 

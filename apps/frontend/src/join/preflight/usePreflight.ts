@@ -1,9 +1,9 @@
-import { onScopeDispose, shallowRef } from 'vue';
+import { shallowRef } from 'vue';
 import type { Check } from './check.ts';
 import { openChecks } from './check.ts';
 import { runPreflight } from './run-preflight.ts';
 
-/** The facts of this device, each as soon as it is known. */
+/** The facts of this device, each as soon as it is known. A run ends by itself, left or not. */
 export function usePreflight() {
   const checks = shallowRef<readonly Check[]>(openChecks());
   const isRunning = shallowRef(false);
@@ -13,7 +13,9 @@ export function usePreflight() {
     checks.value = checks.value.map((one) => (one.id === check.id ? check : one));
   }
 
-  async function start(): Promise<void> {
+  let last: Promise<void>;
+
+  async function measure(): Promise<void> {
     run += 1;
     const own = run;
     isRunning.value = true;
@@ -23,7 +25,11 @@ export function usePreflight() {
     if (own === run) isRunning.value = false;
   }
 
-  onScopeDispose(() => (run += 1));
+  function start(): Promise<void> {
+    last = measure();
+    return last;
+  }
+
   void start();
-  return { checks, isRunning, put, start };
+  return { checks, isRunning, put, start, done: () => last };
 }

@@ -1,4 +1,4 @@
-import { clientTopic, globToRegExpSource, identifyTopic } from '@ubii/proto';
+import { clientTopic, globToRegExpSource, identifyTopic, preflightTopic } from '@ubii/proto';
 import type { CompiledPattern, PatternCompiler } from '../ports/pattern-compiler.ts';
 import type { Grant } from './grant.ts';
 import type { Role } from './roles.ts';
@@ -6,6 +6,8 @@ import type { Role } from './roles.ts';
 /** Where a client may publish. In its place, undefined: everywhere [AC-24]. */
 export interface PublishRights {
   mayPublish(topic: string): boolean;
+  /** Whether it may say besides, on the topic for that, that it is gone itself. */
+  readonly maySayFarewell: boolean;
 }
 
 /** What a client may receive. In its place, undefined: everything [AC-25]. */
@@ -30,8 +32,6 @@ export interface TopicRights {
   readonly read: ReadRights | undefined;
 }
 
-const NOWHERE: PublishRights = { mayPublish: () => false };
-
 /** The rights of a client with this role. @param grant the one it joined with */
 export function topicRightsOf(
   clientId: string,
@@ -46,7 +46,7 @@ export function topicRightsOf(
     case 'participant':
       return { publish: new ParticipantRights(clientId, namespaces), read: undefined };
     case 'viewer':
-      return { publish: NOWHERE, read: undefined };
+      return { publish: viewerPublishing(clientId), read: undefined };
     case 'player':
     case 'none':
       return playerRights(clientId, role === 'none' ? undefined : grant, patterns);
@@ -55,10 +55,14 @@ export function topicRightsOf(
 
 /** Everywhere, but in the namespace of another client only where that client listens. */
 class ParticipantRights implements PublishRights {
+  /** It may, as on other topics that are nobody's. */
+  readonly maySayFarewell = false;
+  readonly #clientId: string;
   readonly #own: string;
   readonly #namespaces: Namespaces;
 
   constructor(clientId: string, namespaces: Namespaces) {
+    this.#clientId = clientId;
     this.#own = `/${clientId}/`;
     this.#namespaces = namespaces;
   }
@@ -69,11 +73,18 @@ class ParticipantRights implements PublishRights {
     if (end < 0) return true;
     const owner = topic.slice(topic.startsWith('/') ? 1 : 0, end);
     return (
+      owner === this.#clientId ||
       !this.#namespaces.isClient(owner) ||
       topic === identifyTopic(owner) ||
       this.#namespaces.isInputOf(owner, topic)
     );
   }
+}
+
+/** What its preflight found, for the host [AC-30]; nothing else. */
+function viewerPublishing(clientId: string): PublishRights {
+  const own = preflightTopic(clientId);
+  return { mayPublish: (topic) => topic === own, maySayFarewell: false };
 }
 
 function playerRights(
@@ -82,12 +93,15 @@ function playerRights(
   patterns: PatternCompiler,
 ): TopicRights {
   const own = `/${clientId}/`;
+  // Existing programs look for the orientation of a phone without a slash in front.
+  const bare = `${clientId}/`;
   const self = clientTopic(clientId);
   const writes = new Globs(grant?.writeTopics ?? [], patterns);
   const reads = new Globs(grant?.readTopics ?? [], patterns);
+  const isOwn = (topic: string): boolean => topic.startsWith(own) || topic.startsWith(bare);
   return {
-    publish: { mayPublish: (topic) => topic.startsWith(own) || writes.match(topic) },
-    read: { mayRead: (topic) => topic.startsWith(own) || topic === self || reads.match(topic) },
+    publish: { mayPublish: (topic) => isOwn(topic) || writes.match(topic), maySayFarewell: true },
+    read: { mayRead: (topic) => isOwn(topic) || topic === self || reads.match(topic) },
   };
 }
 

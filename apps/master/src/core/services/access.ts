@@ -33,12 +33,15 @@ export const checkJoin: ServiceHandler = (core, request, call) => {
   const { token } = request.joinCheckRequest!;
   const masterName = nameOf(core.settings);
   const { grant, problem, role, expiresMs } =
-    token === '' ? ofCaller(call) : ofToken(core, token, call.place);
+    token === '' ? ofCaller(call) : ofToken(core, token, call);
   if (grant === undefined && role === undefined) {
     const why = problem ?? JoinProblem.JOIN_PROBLEM_MISSING;
     return { joinCheck: { problem: why, message: joinRefusal(why).message, masterName } };
   }
-  return { joinCheck: { role: role!, target: grant?.target ?? '', expiresMs, masterName } };
+  const isJoined = grant !== undefined && isOfGrant(call, grant);
+  return {
+    joinCheck: { role: role!, target: grant?.target ?? '', expiresMs, masterName, isJoined },
+  };
 };
 
 /** `/services/ubii/access_grant_create` [AC-10] */
@@ -83,11 +86,16 @@ interface Checked {
   readonly expiresMs?: number;
 }
 
-function ofToken({ access }: Core, token: string, place: string): Checked {
-  const { grant, problem } = access.check(token, place);
+function ofToken({ access }: Core, token: string, call: ServiceCall): Checked {
+  const { grant, problem } = access.check(token, call.place);
   if (grant === undefined) return { problem };
-  if (isUsedUp(grant)) return { problem: JoinProblem.JOIN_PROBLEM_USED };
+  if (isUsedUp(grant) && !isOfGrant(call, grant)) return { problem: JoinProblem.JOIN_PROBLEM_USED };
   return { grant, role: wireRole(grant.role), expiresMs: grant.closedMs };
+}
+
+/** Whether the caller is one of those who have joined with it. */
+function isOfGrant({ caller }: ServiceCall, grant: Grant): boolean {
+  return caller.kind === 'client' && caller.grant === grant;
 }
 
 function ofCaller({ caller }: ServiceCall): Checked {

@@ -1,6 +1,7 @@
 import { isMasterTopic } from '@ubii/proto';
 import type { Limits } from '../limits.ts';
 import type { Counters } from '../status/counters.ts';
+import { isOwnFarewell } from './farewell.ts';
 import type { Publication, PublishingClient } from './publication.ts';
 import { REFUSALS, type Refusal } from './refusals.ts';
 import type { SubscriptionTable } from './subscription-table.ts';
@@ -82,10 +83,11 @@ function checkTopic({ limits }: PublishContext, publication: Publication): Refus
 }
 
 /** [AC-24] */
-function checkRights({ client, topic }: Publication): Refusal | undefined {
-  const { publishRights } = client!;
-  if (publishRights === undefined || publishRights.mayPublish(topic)) return undefined;
-  return REFUSALS.notYours;
+function checkRights(publication: Publication): Refusal | undefined {
+  const { publishRights } = publication.client!;
+  if (publishRights === undefined || publishRights.mayPublish(publication.topic)) return undefined;
+  const isFarewell = publishRights.maySayFarewell && isOwnFarewell(publication);
+  return isFarewell ? undefined : REFUSALS.notYours;
 }
 
 function checkRetainedBytes(
