@@ -1,0 +1,30 @@
+import { shallowRef } from 'vue';
+import type { MeasureText } from './fitted-text.ts';
+
+/** Texts that are remembered with their width, in all fonts together. */
+const MAX_REMEMBERED = 5000;
+const widths = new Map<string, number>();
+/** Counts the fonts that came after the page: what was measured before is wrong. */
+const fonts = shallowRef(0);
+document.fonts?.addEventListener('loadingdone', () => {
+  widths.clear();
+  fonts.value++;
+});
+let context: CanvasRenderingContext2D | null | undefined;
+
+/** @param font as in CSS; it may have to be loaded, and then whoever measured in an effect does it again */
+export function textMeasure(font: string): MeasureText {
+  return (text) => {
+    void fonts.value;
+    const key = `${font} ${text}`;
+    const known = widths.get(key);
+    if (known !== undefined) return known;
+    context ??= document.createElement('canvas').getContext('2d');
+    if (!context) return 0;
+    context.font = font;
+    const { width } = context.measureText(text);
+    if (widths.size >= MAX_REMEMBERED) widths.clear();
+    widths.set(key, width);
+    return width;
+  };
+}
