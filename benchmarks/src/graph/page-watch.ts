@@ -83,7 +83,12 @@ const pageWatch = {
       attributes: true,
     });
   },
-  /** @returns changes of the document that were made meanwhile */
+  /** What was on its way when the page was hidden has arrived: changes count from now on. */
+  settled(): void {
+    observer.takeRecords();
+    changes = 0;
+  },
+  /** @returns changes of the document that were made since then */
   show(): number {
     isHidden = false;
     const made = changes + observer.takeRecords().length;

@@ -91,7 +91,7 @@ export const graphEditorOpen: Workload = {
 };
 
 async function measureOpening(subject: GraphSubject, masterPid: number): Promise<Measurement> {
-  const stopLap = startLap(descendantPids(process.pid));
+  const stopLap = startLap(() => descendantPids(process.pid));
   const stopCpu = startBrowserCpu([masterPid]);
   const { canvas, openMs } = await subject.open();
   const { mainMs } = stopCpu();
@@ -107,7 +107,7 @@ async function measureGraph(
 ): Promise<Measurement> {
   const graph = await subject.open();
   // The browser and the master are all that this process has started.
-  const stopLap = startLap(descendantPids(process.pid));
+  const stopLap = startLap(() => descendantPids(process.pid));
   const figures: Record<string, number> = {};
   const faults: string[] = [];
   let frames = 0;
@@ -163,6 +163,9 @@ async function measureGesture(
   };
 }
 
+/** In which what was on its way to a page that is hidden arrives. */
+const SETTLE_MS = 1000;
+
 /** Browsers tell the times of frames in steps of 0.1 ms. */
 const roundMs = (ms: number): number => Math.round(ms * 10) / 10;
 
@@ -178,8 +181,8 @@ async function measureHidden(canvas: CanvasPage, masterPid: number, forMs: numbe
   let messages = 0;
   session.on('Network.webSocketFrameReceived', () => (messages += 1));
   await canvas.watch('hide');
-  // What was on its way arrives.
-  await sleep(forMs);
+  await sleep(SETTLE_MS);
+  await canvas.watch('settled');
   await session.send('Network.enable');
   const stopCpu = startBrowserCpu([masterPid]);
   const seconds = (LENGTH_FACTOR * forMs) / 1000;

@@ -60,7 +60,7 @@ async function measureInPage(
   { warmUpMs, measureMs }: MeasureOptions,
 ): Promise<Measurement> {
   // The browser is all that this process has started; its processes come and go.
-  const stopLap = startLap(descendantPids(process.pid));
+  const stopLap = startLap(() => descendantPids(process.pid));
   const { count, faults, ...figures } = await page.measure(subject, payload, warmUpMs, measureMs);
   const { otherCpuShare } = stopLap();
   return {

@@ -13,20 +13,25 @@ export interface Lap {
   readonly otherCpuShare: number;
 }
 
-/** Starts the clocks; the returned function stops them. */
-export function startLap(pids: readonly number[]): () => Lap {
+/**
+ * Starts the clocks; the returned function stops them.
+ *
+ * @param measured processes, or what tells them: those that come in between count with all they use
+ */
+export function startLap(measured: readonly number[] | (() => readonly number[])): () => Lap {
+  const pidsNow = (): readonly number[] => (typeof measured === 'function' ? measured() : measured);
   const ownCpu = process.cpuUsage();
-  const startUs = pids.map((pid) => cpuUsOf(pid, 0));
+  const startUs = new Map(pidsNow().map((pid) => [pid, cpuUsOf(pid, 0)]));
   const machineStartUs = machineCpuUs();
   const startMs = performance.now();
   return () => {
     const wallUs = (performance.now() - startMs) * 1000;
     const used = process.cpuUsage(ownCpu);
     const ownCpuUs = used.user + used.system;
-    const cpuUs = pids.reduce(
-      (sum, pid, index) => sum + cpuUsOf(pid, startUs[index]!) - startUs[index]!,
-      0,
-    );
+    const cpuUs = pidsNow().reduce((sum, pid) => {
+      const beforeUs = startUs.get(pid) ?? 0;
+      return sum + cpuUsOf(pid, beforeUs) - beforeUs;
+    }, 0);
     const otherCpuUs = machineCpuUs() - machineStartUs - cpuUs - ownCpuUs;
     return {
       wallUs,

@@ -86,7 +86,7 @@ async function measureList(
     const openMs = performance.now() - openedMs;
     await sleep(warmUpMs);
     // The browser and the master are all that this process has started.
-    const stopLap = startLap(descendantPids(process.pid));
+    const stopLap = startLap(() => descendantPids(process.pid));
     const heapBefore = await list.heapBytes();
     const beganMs = performance.now();
     const publishedBefore = topics?.published ?? 0;

@@ -59,6 +59,7 @@ export class CanvasStage {
   /** Lies over everything while a hand pans: browsers need not look what the pointer is over. */
   readonly #shield = layer('shield');
   #isHeld = false;
+  readonly #toMeasure = new Set<string>();
   #movingTimer: ReturnType<typeof setTimeout> | undefined;
   /** Nodes that a hand holds: they stay where it puts them. */
   #held: ReadonlySet<string> = new Set();
@@ -164,8 +165,22 @@ export class CanvasStage {
     return { x: position.x + (side === 'in' ? 0 : width), y: position.y + 15 };
   }
 
-  /** Looks where the sockets of a node are. */
+  /**
+   * Looks where the sockets of a node are, once everything that changes now has changed: to look at
+   * each node while the next is still being made has browsers lay out the page once for each.
+   */
   measure(id: string): void {
+    if (this.#toMeasure.size === 0) {
+      queueMicrotask(() => {
+        const ids = [...this.#toMeasure];
+        this.#toMeasure.clear();
+        for (const each of ids) this.#measureNow(each);
+      });
+    }
+    this.#toMeasure.add(id);
+  }
+
+  #measureNow(id: string): void {
     const holder = this.elements.get(id);
     if (holder === undefined || holder.offsetWidth === 0) return;
     const { k } = this.view.value;
