@@ -11,6 +11,7 @@ import { useToasts } from '../ui/toasts/toasts.ts';
 import type { MenuItem } from '../ui/UiMenu.vue';
 import { draftNames, dropDraft, keepDraft } from './editor/draft/draft-store.ts';
 import type { ModuleDraft } from './editor/draft/module-draft.ts';
+import { importedWords, withoutFixed } from './file/import-words.ts';
 import { exportModule, exportModules, importModules } from './file/module-file.ts';
 import { isDeletable, type ModuleEntry } from './library/module-entry.ts';
 import type { ModuleLibrary } from './library/useModuleLibrary.ts';
@@ -76,12 +77,14 @@ export function useModuleActions(library: ModuleLibrary): ModuleActions {
         failure.value = read.message;
         return;
       }
-      for (const module of read.modules) {
+      const modules = withoutFixed(read.modules, library.entries.value ?? []);
+      for (const module of modules) {
         const saved = await attempt(() => save(module));
         if (saved === undefined) return;
       }
-      const [first] = read.modules;
-      if (read.modules.length > 1) toasts.show(`Imported ${read.modules.length} modules`);
+      const [first] = modules;
+      const words = importedWords(modules.length, read.modules.length);
+      if (words !== undefined) toasts.show(words);
       if (first) await router.push(moduleLocation(first.name));
     }
   }

@@ -25,6 +25,13 @@ export function isDeletable({ origin }: Pick<ModuleEntry, 'origin'>): boolean {
   return origin === ModuleOrigin.MODULE_ORIGIN_STORED;
 }
 
+/** Came with the program or from its operator's folder: the master stores none of the same name. [SE-22] */
+export function isFixed({ origin }: Pick<ModuleEntry, 'origin'>): boolean {
+  return (
+    origin === ModuleOrigin.MODULE_ORIGIN_BUILT_IN || origin === ModuleOrigin.MODULE_ORIGIN_FOLDER
+  );
+}
+
 export function moduleEntries(
   modules: readonly ProcessingModule[],
   nodes: readonly NodeInfo[],

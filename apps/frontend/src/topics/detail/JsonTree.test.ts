@@ -24,6 +24,12 @@ describe('JsonTree', () => {
     expect(wrapper.findAll('li')).toHaveLength(1);
   });
 
+  it('shows an empty text as that, not as a truth value', () => {
+    const wrapper = mount(JsonTree, { props: { record: record('{"name":""}') } });
+    expect(wrapper.text()).toContain('""');
+    expect(wrapper.text()).not.toContain('true');
+  });
+
   it('begins anew with another topic', async () => {
     const wrapper = mount(JsonTree, { props: { record: deep('first') } });
     await wrapper.get('button[aria-label="a"]').trigger('click');

@@ -54,7 +54,7 @@ it('names are as short as they can be', () => {
       aSeries('/arm/right', 'position.x'),
       aSeries('/arm/right', 'position.y'),
     ]),
-  ).toEqual(['left position.x', 'velocity.x', 'right position.x', 'y']);
+  ).toEqual(['left position.x', 'left velocity.x', 'right x', 'right y']);
   expect(seriesNames([aSeries('/l/angle', ''), aSeries('/r/angle', '')])).toEqual([
     'l/angle',
     'r/angle',

@@ -43,27 +43,44 @@ export function colorOf({ family, tone }: SeriesLook): string {
 }
 
 /**
- * The shortest names that tell the lines of a plot apart: `x`, else `position.x`, else `arm position.x`.
- * A derivative bears a prime.
+ * The shortest names that tell the lines of a plot apart: `x`, else `position.x`. Where the lines are
+ * of several topics, each says of which: `arm x`. A derivative bears a prime.
  */
 export function seriesNames(series: readonly PlotSeries[]): readonly string[] {
-  const names = series.map((one) => nameOf(one, 1));
-  for (let parts = 2; parts <= 40; parts++) {
-    const counts = new Map<string, number>();
-    for (const name of names) counts.set(name, (counts.get(name) ?? 0) + 1);
-    const doubles = names.flatMap((name, i) => (counts.get(name)! > 1 ? [i] : []));
-    if (doubles.length === 0) break;
-    for (const i of doubles) names[i] = nameOf(series[i]!, parts);
-  }
+  const topics = [...new Set(series.map(({ topic }) => topic))];
+  const topicNames = tellApart(topics.map((topic) => topic.split('/').filter(Boolean)));
+  const names = series.map(() => '');
+  topics.forEach((topic, which) => {
+    const own = series.flatMap((one, i) => (one.topic === topic ? [i] : []));
+    const fields = [...new Set(own.map((i) => series[i]!.path))];
+    const fieldNames = tellApart(fields.map((path) => path.split('.').filter(Boolean)));
+    for (const i of own) {
+      const field = fieldNames[fields.indexOf(series[i]!.path)]!.join('.');
+      const of = topics.length > 1 ? topicNames[which]!.join('/') : '';
+      const name = [of, field].filter(Boolean).join(' ') || 'value';
+      names[i] = series[i]!.isDerivative ? `${name}′` : name;
+    }
+  });
   return names;
 }
 
-function nameOf({ topic, path, isDerivative }: PlotSeries, count: number): string {
-  const fields = path === '' ? [] : path.split('.');
-  const levels = topic.split('/').filter(Boolean);
-  const field = fields.slice(-count).join('.');
-  const left = count - Math.max(1, fields.length);
-  const level = left > 0 ? levels.slice(-left).join('/') : '';
-  const name = [level, field || (level === '' ? 'value' : '')].filter(Boolean).join(' ');
+/** What stands at the end of a line, where there is no room for more: `x`. */
+export function shortSeriesName({ topic, path, isDerivative }: PlotSeries): string {
+  const name = path.split('.').at(-1) || topic.split('/').at(-1) || 'value';
   return isDerivative ? `${name}′` : name;
+}
+
+/** As much of the end of each path as tells it from the others. */
+function tellApart(paths: readonly (readonly string[])[]): readonly (readonly string[])[] {
+  const longest = Math.max(1, ...paths.map(({ length }) => length));
+  const tails = paths.map((path) => path.slice(-1));
+  for (let parts = 2; parts <= longest; parts++) {
+    const keys = tails.map((tail) => tail.join('/'));
+    const doubles = keys.flatMap((key, i) =>
+      keys.indexOf(key) !== keys.lastIndexOf(key) ? [i] : [],
+    );
+    if (doubles.length === 0) break;
+    for (const i of doubles) tails[i] = paths[i]!.slice(-parts);
+  }
+  return tails;
 }
