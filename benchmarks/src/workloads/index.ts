@@ -1,3 +1,4 @@
+import { clientsPage } from './clients-page.ts';
 import { fanOut } from './fan-out.ts';
 import { graphEditor, graphEditorOpen } from './graph-editor.ts';
 import { masterTime } from './master-time.ts';
@@ -23,5 +24,6 @@ export const WORKLOADS: readonly Workload[] = [
   masterTime,
   graphEditor,
   topicsPage,
+  clientsPage,
   graphEditorOpen,
 ];

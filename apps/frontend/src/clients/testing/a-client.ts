@@ -39,6 +39,11 @@ export function aClient(id: string, changes: Partial<Client> = {}): Client {
   return { ...CLIENT, id, name: id, ...changes } as unknown as Client;
 }
 
+/** What a client does, for tests; what is not said is nothing. */
+export function anActivity(changes: Partial<ClientActivity>): ClientActivity {
+  return { ...ACTIVITY, ...changes } as unknown as ClientActivity;
+}
+
 /** A client with what it does, for tests. */
 export function aView(
   id: string,
@@ -48,7 +53,7 @@ export function aView(
 ): ClientView {
   return viewClient(
     aClient(id, client),
-    { ...ACTIVITY, clientId: id, ...activity } as unknown as ClientActivity,
+    anActivity({ clientId: id, ...activity }),
     problems.map(
       (problem) => ({ clientId: id, text: '', remedy: '', ...problem }) as StatusProblem,
     ),
