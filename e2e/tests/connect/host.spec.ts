@@ -21,6 +21,11 @@ test('the host shows one code, sees who joins with it, and takes it back', async
   await desk.page.keyboard.press('Escape');
   await desk.page.goto('/connect');
   await expect(desk.page.locator('[data-join-code]')).toHaveText(shown);
+  // A phone that reaches nothing cannot say why: the host can look it up
+  await desk.page.getByText('The phone opens nothing?').click();
+  for (const cause of ['Client isolation', 'VPN', 'Firewall', '.local', 'certificate']) {
+    await expect(desk.page.locator('details')).toContainText(cause);
+  }
 
   const phone = await room.withPhone('Mara', FROM_ELSEWHERE);
   phone.watch.expect(REFUSED, /WebSocket/);

@@ -95,8 +95,12 @@ test('too many wrong codes are not looked at; scanning goes on working [AC-17]',
   const join = new JoinPage(phone);
   await phone.page.goto('/join');
   for (let i = 0; i < 11; i += 1) {
-    await join.type(`000${i % 10}-00${i < 10 ? 1 : 2}0`);
-    await expect(join.code).toHaveValue('');
+    const code = `000${i % 10}-00${i < 10 ? 1 : 2}0`;
+    await join.type(code);
+    // What was typed stays, to be mended
+    await expect(phone.page).toHaveURL(new RegExp(`#${code}$`));
+    await expect(join.heading).toHaveText(i < 10 ? /not known here/ : /Too many/);
+    await expect(join.code).toHaveValue(code);
   }
   await expect(join.heading).toHaveText('Too many wrong codes.');
   await phone.page.goto(`/join#${token}`);

@@ -103,6 +103,24 @@ test('a phone sends pictures once it is told to, and shows what is found in them
     await page.getByRole('button', { name: 'Stop the camera' }).tap();
     await expect(page.getByText('Nothing is sent until you start it')).toBeVisible();
   });
+
+  await test.step('it is remembered how this camera sends, also when it is gone and another is there', async () => {
+    for (const isGone of [false, true]) {
+      if (isGone) {
+        await page.evaluate(() => {
+          const kept = localStorage.getItem('ubii.camera') ?? '';
+          const { chosen } = JSON.parse(kept) as { chosen: string };
+          localStorage.setItem('ubii.camera', kept.replaceAll(chosen, 'unplugged'));
+        });
+      }
+      await page.reload();
+      const before = count;
+      await expect(page.getByRole('radio', { name: '160' })).toBeChecked();
+      await page.getByRole('button', { name: 'Start and send pictures' }).tap();
+      await expect.poll(() => count).toBeGreaterThan(before);
+      expect([newest?.image.width, newest?.image.data[0]]).toEqual([160, 0xff]);
+    }
+  });
 });
 
 for (const [name, words] of [

@@ -16,14 +16,18 @@ type TorchCapabilities = MediaTrackCapabilities & { readonly torch?: boolean };
 /** What is asked of a camera: enough for the largest picture that is published. */
 const WANTED = { width: { ideal: 640 }, height: { ideal: 480 }, frameRate: { ideal: 30 } };
 
-/** The camera of this device, while the calling scope lives, somebody wants it, and the page is seen. */
-export function useCamera() {
+/**
+ * The camera of this device, while the calling scope lives, somebody wants it, and the page is seen.
+ *
+ * @param first id of the one to be opened; when it is gone, any other is
+ */
+export function useCamera(first = '') {
   const status = shallowRef<CameraStatus>('off');
   const problem = shallowRef<CameraProblem | undefined>(firstProblem());
   const stream = shallowRef<MediaStream>();
   const cameras = shallowRef<readonly { readonly id: string; readonly name: string }[]>([]);
   /** Empty: the browser's choice, on phones the one at the back. */
-  const chosen = shallowRef('');
+  const chosen = shallowRef(first);
   const torch = shallowRef<'missing' | 'off' | 'on'>('missing');
   let attempt = 0;
 
@@ -41,7 +45,7 @@ export function useCamera() {
     } catch (error) {
       if (mine !== attempt) return;
       // A camera that was chosen may be gone; any other is better than none.
-      if (id !== '' && (error as DOMException).name === 'OverconstrainedError') return start('');
+      if (id !== '' && isGone(error as DOMException)) return start('');
       problem.value = cameraProblemOf((error as DOMException).name);
       status.value = 'off';
     }
@@ -125,6 +129,11 @@ function constraintsFor(id: string): MediaTrackConstraints {
   return id === ''
     ? { ...WANTED, facingMode: { ideal: 'environment' } }
     : { ...WANTED, deviceId: { exact: id } };
+}
+
+/** Browsers differ in what they say of a camera that is not there any more. */
+function isGone({ name }: DOMException): boolean {
+  return name === 'OverconstrainedError' || name === 'NotFoundError';
 }
 
 function endTracks(stream: MediaStream): void {
