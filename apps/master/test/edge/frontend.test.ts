@@ -67,6 +67,22 @@ describe('the frontend', () => {
     expect(headers['cache-control']).toContain('immutable');
   });
 
+  it('lets itself be installed: manifest and service worker are asked for each time', async () => {
+    const folder = builtFrontend();
+    writeFileSync(join(folder, 'manifest.webmanifest'), '{}');
+    writeFileSync(join(folder, 'service-worker.js'), SCRIPT);
+    const { port } = await startEdgeMaster({ frontendFolder: folder });
+    for (const [path, type] of [
+      ['/manifest.webmanifest', 'application/manifest+json'],
+      ['/service-worker.js', 'javascript'],
+    ] as const) {
+      const { status, headers } = await send(port, path);
+      expect(status).toBe(200);
+      expect(headers['content-type']).toContain(type);
+      expect(headers['cache-control']).toBe('no-cache');
+    }
+  });
+
   it('gives workers with modules a policy of their own, compressed or not [PM-52]', async () => {
     const folder = builtFrontend();
     mkdirSync(join(folder, 'sandbox'));
