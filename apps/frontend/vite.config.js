@@ -2,6 +2,7 @@ import { sandboxWorkersPlugin } from '@ubii/pm-sandbox/build';
 import vue from '@vitejs/plugin-vue';
 import { defineConfig } from 'vite';
 import { licencesPlugins } from '../../scripts/lib/licences.mjs';
+import { serviceWorkerPlugin } from './service-worker-plugin.js';
 
 /** Where `npm run dev` finds a master; the built frontend is served by the master itself. */
 const masterUrl = process.env.UBII_DEV_MASTER_URL ?? 'http://127.0.0.1:8080';
@@ -32,7 +33,7 @@ function passOn(options) {
 }
 
 export default defineConfig({
-  plugins: [vue(), sandboxWorkersPlugin(), licences.plugin],
+  plugins: [vue(), sandboxWorkersPlugin(), serviceWorkerPlugin(), licences.plugin],
   build: {
     // The newest syntax every browser of the last years runs; Lightning CSS lowers light-dark() to it.
     target: ['chrome105', 'firefox110', 'safari16.0'],

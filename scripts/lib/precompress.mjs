@@ -10,6 +10,7 @@ const compressible = new Set([
   '.css',
   '.svg',
   '.json',
+  '.webmanifest',
   '.txt',
   '.wasm',
   '.map',

@@ -4,13 +4,16 @@ import { createRouter, createWebHistory } from 'vue-router';
 import App from './App.vue';
 import { CONNECTION } from './connection/connection.ts';
 import { createConnection } from './connection/create-connection.ts';
+import { keepInstallOffer } from './install/install-offer.ts';
 import { sendToJoin } from './join/send-to-join.ts';
+import { keepInReach } from './out-of-reach/keep-in-reach.ts';
 import { routes } from './routes.ts';
 import { createTabNode } from './tab-node/create-tab-node.ts';
 import { openTabNode } from './tab-node/open-tab-node.ts';
 import { TAB_NODE } from './tab-node/tab-node.ts';
 import { createToasts, provideToasts } from './ui/toasts/toasts.ts';
 
+keepInstallOffer();
 const app = createApp(App);
 const router = createRouter({ history: createWebHistory(), routes });
 const connection = app.runWithContext(() => createConnection());
@@ -26,3 +29,5 @@ app.provide(
 provideToasts(app, createToasts());
 app.mount('#app');
 connection.connect();
+// After everything that the page itself wants
+addEventListener('load', keepInReach);

@@ -6,6 +6,7 @@ import { certificateRoutes } from './connect-certificate/routes.ts';
 import { connectPhoneRoutes } from './connect-phone/routes.ts';
 import { examplesRoutes } from './examples/routes.ts';
 import { graphRoutes } from './graph/routes.ts';
+import { installRoutes } from './install/routes.ts';
 import { joinRoutes } from './join/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
 import { performanceRoutes } from './performance/routes.ts';
@@ -45,6 +46,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...devicesRoutes,
   ...examplesRoutes,
   ...settingsRoutes,
+  ...installRoutes,
   ...joinRoutes,
   ...connectPhoneRoutes,
   ...certificateRoutes,

@@ -1,4 +1,5 @@
 import type { RouteRecordRaw } from 'vue-router';
+import { rememberStart } from '../install/start-path.ts';
 import { DEVICE_PAGES } from './catalogue.ts';
 
 export const devicesRoutes: readonly RouteRecordRaw[] = [
@@ -10,6 +11,7 @@ export const devicesRoutes: readonly RouteRecordRaw[] = [
   ...DEVICE_PAGES.map(({ path, title, page }) => ({
     path,
     component: page,
+    beforeEnter: () => rememberStart(path),
     meta: { title, parent: { title: 'Devices', to: '/devices' }, hasOwnHeader: true },
   })),
 ];

@@ -2,6 +2,7 @@ import type { ComponentInit, RegisteredDevice } from '@ubii/client-web';
 import type { DataFormatValues } from '@ubii/proto';
 import { onScopeDispose, shallowRef, watch } from 'vue';
 import { useConnection } from '../connection/useConnection.ts';
+import { deviceRefusal, refusalOf } from './device-refusal.ts';
 
 type NameOf<C extends readonly ComponentInit[]> = C[number]['name'];
 type FormatOf<C extends readonly ComponentInit[], N> = Extract<
@@ -27,6 +28,7 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
   const isRegistered = shallowRef(false);
   let device: RegisteredDevice<C> | undefined;
   let ended = false;
+  let refusal: typeof deviceRefusal.value;
   const { name, tags, components } = plan;
 
   void client.registerDevice({ name, tags, components }).then(
@@ -35,8 +37,9 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
       device = registered;
       isRegistered.value = true;
     },
-    // Only when the client is closed for good, which the shell shows.
-    () => undefined,
+    (error: unknown) => {
+      if (!ended) deviceRefusal.value = refusal = refusalOf(name, error);
+    },
   );
 
   // Topics are made of the client's id, and another connection may give another one.
@@ -54,6 +57,7 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
 
   onScopeDispose(() => {
     ended = true;
+    if (deviceRefusal.value === refusal) deviceRefusal.value = undefined;
     void device?.close();
   });
 

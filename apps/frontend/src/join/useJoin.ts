@@ -4,6 +4,7 @@ import { ServiceError } from '@ubii/proto';
 import { computed, onScopeDispose, ref, shallowRef, watch } from 'vue';
 import { useRoute, useRouter } from 'vue-router';
 import { useConnection } from '../connection/useConnection.ts';
+import { rememberStart, startPath } from '../install/start-path.ts';
 import { checkToken } from './check-token.ts';
 import { safeTarget } from './target.ts';
 
@@ -48,12 +49,16 @@ export function useJoin(beforeLeaving: () => void) {
   /** It was in already when it began to join: with another code. */
   let wasIn = false;
 
-  const target = computed(() => safeTarget(invitation.value?.target || route.query['to'] || '/'));
+  const target = computed(() => {
+    const named = invitation.value?.target || route.query['to'];
+    return safeTarget(named || startPath(invitation.value?.role !== 'viewer'));
+  });
 
   function goOn(): void {
     if (isLeaving.value) return;
     isLeaving.value = true;
     beforeLeaving();
+    if (invitation.value?.target) rememberStart(target.value);
     // In place of this page: the way back does not lead through the token
     void router.replace(target.value);
   }

@@ -25,8 +25,10 @@ export function applyTheme(root: HTMLElement = document.documentElement): void {
       else root.dataset.theme = choice.value;
       // The browser's own bars take the colour of the rail. Read again when the system switches.
       void isDark.value;
-      const bar = root.ownerDocument.querySelector('meta[name="theme-color"]');
-      bar?.setAttribute('content', getComputedStyle(root).backgroundColor);
+      const color = getComputedStyle(root).backgroundColor;
+      for (const bar of root.ownerDocument.querySelectorAll('meta[name="theme-color"]')) {
+        bar.setAttribute('content', color);
+      }
     },
     { flush: 'post' },
   );

@@ -1,0 +1,22 @@
+import { ServiceError } from '@ubii/proto';
+import { shallowRef } from 'vue';
+import type { OwnTrouble } from '../shell/own-trouble.ts';
+
+/** Why this page is no device though it is made to be one; the shell shows it. */
+export const deviceRefusal = shallowRef<OwnTrouble>();
+
+/** @param error what the registration of the device ended with */
+export function refusalOf(device: string, error: unknown): OwnTrouble | undefined {
+  // Anything else is the end of the client, which the shell shows by itself
+  if (!(error instanceof ServiceError)) return undefined;
+  return {
+    key: `device_refused ${device}`,
+    code: 'device_refused',
+    text: `The master does not take this page as a device, and nothing is sent: ${error.message}`,
+    remedy:
+      error.code === 'permission_denied'
+        ? 'Ask the host for a code with another role, such as player.'
+        : 'Reload the page to try again.',
+    sessionId: '',
+  };
+}

@@ -1,0 +1,26 @@
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { rememberStart, startPath } from './start-path.ts';
+
+let isHandheld = true;
+beforeEach(() => {
+  localStorage.clear();
+  vi.stubGlobal('matchMedia', () => ({ matches: isHandheld }));
+});
+afterEach(() => {
+  vi.unstubAllGlobals();
+});
+
+it('a phone starts as a smart device, later as what it was used for', () => {
+  isHandheld = true;
+  expect(startPath()).toBe('/devices/smart-device');
+  rememberStart('/devices/controller');
+  expect(startPath()).toBe('/devices/controller');
+});
+
+it('who may not be a device, and who sits at a desk, starts at home', () => {
+  isHandheld = true;
+  rememberStart('/devices/controller');
+  expect(startPath(false)).toBe('/');
+  isHandheld = false;
+  expect(startPath()).toBe('/');
+});

@@ -1,0 +1,15 @@
+import { isInstalled } from '../install/install-offer.ts';
+
+/** Built from `service-worker.ts` by `service-worker-plugin.js`. */
+const SERVICE_WORKER = '/service-worker.js';
+
+/**
+ * Where a page that cannot be loaded is of no use, words take its place: on phones and in the installed app.
+ * The machine of the master has them not: its addresses belong to other programs, too.
+ */
+export function keepInReach(): void {
+  const isHere = /^(localhost|127\..*|\[::1\])$/.test(location.hostname);
+  if (!import.meta.env.PROD || (isHere && !isInstalled())) return;
+  // Missing over plain HTTP; refused where the certificate was accepted, but is not trusted
+  navigator.serviceWorker?.register(SERVICE_WORKER).catch(() => undefined);
+}

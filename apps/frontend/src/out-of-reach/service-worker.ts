@@ -1,0 +1,65 @@
+import page from './out-of-reach.html?raw';
+import style from './out-of-reach.css?inline';
+
+/*
+ * Says in words that the master is out of reach, in place of the browser's own page. It does nothing else:
+ * every page comes from the master, nothing is kept, and requests of pages do not pass through here.
+ */
+
+interface LifeEvent extends Event {
+  waitUntil(done: Promise<unknown>): void;
+  /** https://www.w3.org/TR/service-workers/#dom-installevent-addroutes, not everywhere */
+  addRoutes?(rules: object): Promise<void>;
+}
+
+interface FetchEvent extends Event {
+  readonly request: Request;
+  readonly preloadResponse: Promise<Response | undefined>;
+  respondWith(response: Promise<Response>): void;
+}
+
+interface Worker {
+  readonly registration: ServiceWorkerRegistration;
+  skipWaiting(): Promise<void>;
+  addEventListener(type: 'install' | 'activate', handle: (event: LifeEvent) => void): void;
+  addEventListener(type: 'fetch', handle: (event: FetchEvent) => void): void;
+}
+
+const worker = self as unknown as Worker;
+
+worker.addEventListener('install', (event) => {
+  void worker.skipWaiting();
+  // Where the browser can, it does not even ask: only the opening of pages comes here
+  const others = { condition: { not: { requestMode: 'navigate' } }, source: 'network' };
+  event.waitUntil(Promise.resolve(event.addRoutes?.(others)).catch(() => undefined));
+});
+
+worker.addEventListener('activate', (event) => {
+  // The request leaves while this worker is still being started
+  event.waitUntil(Promise.resolve(worker.registration.navigationPreload?.enable()));
+});
+
+worker.addEventListener('fetch', (event) => {
+  if (event.request.mode === 'navigate') event.respondWith(load(event));
+});
+
+async function load({ request, preloadResponse }: FetchEvent): Promise<Response> {
+  try {
+    return (await preloadResponse) ?? (await fetch(request));
+  } catch {
+    return outOfReach();
+  }
+}
+
+function outOfReach(): Response {
+  const nonce = crypto.randomUUID();
+  const body = page.replace('/* style */', () => style).replace('nonce=""', `nonce="${nonce}"`);
+  return new Response(body, {
+    status: 503,
+    headers: {
+      'content-type': 'text/html; charset=utf-8',
+      'cache-control': 'no-store',
+      'content-security-policy': `default-src 'none'; style-src 'unsafe-inline'; script-src 'nonce-${nonce}'; connect-src 'self'; img-src 'self'; base-uri 'none'; form-action 'none'`,
+    },
+  });
+}
