@@ -55,23 +55,30 @@ export class GathererPage {
 /** Somebody with the page Smart device, and their fingers on its pad. */
 export class TouchedPhone {
   readonly page: Page;
-  readonly name: string;
   readonly #cdp: CDPSession;
 
-  private constructor(page: Page, name: string, cdp: CDPSession) {
+  private constructor(page: Page, cdp: CDPSession) {
     this.page = page;
-    this.name = name;
     this.#cdp = cdp;
   }
 
-  /** A phone that cannot vibrate, as iPhones: it flashes. */
-  static async join({ page, context }: Person, name: string): Promise<TouchedPhone> {
+  static async join(person: Person): Promise<TouchedPhone> {
+    await TouchedPhone.preparing(person);
+    await person.page.goto('/devices/smart-device');
+    return TouchedPhone.of(person);
+  }
+
+  /** From its next page on it cannot vibrate, as iPhones: it flashes. */
+  static async preparing({ context }: Person): Promise<void> {
     await context.addInitScript(() => {
       Reflect.deleteProperty(Navigator.prototype, 'vibrate');
     });
-    await page.goto('/devices/smart-device');
+  }
+
+  /** A phone that has the page open. */
+  static async of({ page, context }: Person): Promise<TouchedPhone> {
     await expect(page.getByRole('application', { name: 'Touch pad' })).toBeVisible();
-    return new TouchedPhone(page, name, await context.newCDPSession(page));
+    return new TouchedPhone(page, await context.newCDPSession(page));
   }
 
   /** Lays fingers on the pad, and leaves them there; each from 0 to 1 on both axes. */

@@ -10,7 +10,10 @@ import { StepFailed, commandStep } from './steps.mjs';
 const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome'];
 
 /** Chromium and the fonts its pages need, as Debian calls them. */
-const debianPackages = ['chromium', 'fonts-liberation'];
+const browserPackages = ['chromium', 'fonts-liberation'];
+
+/** Commands that stories in a network of their own call, and Debian's packages with them. */
+const tools = { certutil: 'libnss3-tools', ip: 'iproute2' };
 
 const playwright = readJson(inRoot('e2e/package.json')).devDependencies['@playwright/test'];
 
@@ -21,25 +24,44 @@ const notFound = `The end-to-end tests need Chromium or Chrome, and none was fou
 or give the path of one in UBII_CHROMIUM.`;
 
 /**
- * Path of a browser for the tests. On Debian and Ubuntu, as root, it is installed when there is none.
+ * Path of a browser for the tests. On Debian and Ubuntu, as root, it is installed when there is none, and
+ * so are tools that some stories call; without these, they say themselves what is missing.
  *
  * @returns {Promise<string>}
  */
 export async function ensureBrowser() {
   const found = findBrowser();
-  if (found !== undefined) return found;
-  if (mayInstall()) {
-    const env = { DEBIAN_FRONTEND: 'noninteractive' };
-    await commandStep('update the package lists', () => run('apt-get', ['update', '-q'], { env }));
-    await commandStep(`install ${debianPackages.join(' and ')}`, () =>
-      run('apt-get', ['install', '-y', '-q', '--no-install-recommends', ...debianPackages], {
-        env,
-      }),
-    );
-    const installed = findBrowser();
-    if (installed !== undefined) return installed;
+  const missing = [...(found === undefined ? browserPackages : []), ...missingTools()];
+  if (missing.length > 0 && mayInstall()) {
+    try {
+      await install(missing);
+    } catch (error) {
+      if (found === undefined) throw error;
+    }
   }
-  throw new StepFailed(notFound);
+  const browser = found ?? findBrowser();
+  if (browser === undefined) throw new StepFailed(notFound);
+  return browser;
+}
+
+/** @param {readonly string[]} packages */
+async function install(packages) {
+  const env = { DEBIAN_FRONTEND: 'noninteractive' };
+  await commandStep('update the package lists', () => run('apt-get', ['update', '-q'], { env }));
+  await commandStep(`install ${packages.join(' and ')}`, () =>
+    run('apt-get', ['install', '-y', '-q', '--no-install-recommends', ...packages], { env }),
+  );
+}
+
+function missingTools() {
+  const names = Object.entries(tools).filter(([name]) =>
+    foldersOfPrograms().every((folder) => !existsSync(join(folder, name))),
+  );
+  return names.map(([, debianPackage]) => debianPackage);
+}
+
+function foldersOfPrograms() {
+  return (process.env.PATH ?? '').split(delimiter).filter((folder) => folder !== '');
 }
 
 function findBrowser() {
@@ -50,9 +72,10 @@ function findBrowser() {
       `UBII_CHROMIUM is ${given}, and there is no such file: correct or unset it.`,
     );
   }
-  const folders = (process.env.PATH ?? '').split(delimiter).filter((folder) => folder !== '');
   return [
-    ...['/usr/bin', ...folders].flatMap((folder) => names.map((name) => join(folder, name))),
+    ...['/usr/bin', ...foldersOfPrograms()].flatMap((folder) =>
+      names.map((name) => join(folder, name)),
+    ),
     '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
     '/Applications/Chromium.app/Contents/MacOS/Chromium',
     ...['PROGRAMFILES', 'PROGRAMFILES(X86)', 'LOCALAPPDATA'].flatMap((name) => {

@@ -26,7 +26,7 @@ test('a phone turns the model for all who look, from where it is zeroed, and smo
   await page.goto('/examples/model-viewer');
   await expect(page.getByText('Drag to turn it, or connect a phone')).toBeVisible();
 
-  const phone = await TouchedPhone.join(await room.withPhone('Anna'), 'Anna');
+  const phone = await TouchedPhone.join(await room.withPhone('Anna'));
   await phone.turn(0, 90, 0);
   await expect(page.getByText('Turned by Anna.')).toBeVisible();
   await expectTurn(page, [0, 0, 0, 1]);

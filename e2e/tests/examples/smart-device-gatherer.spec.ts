@@ -10,7 +10,7 @@ test('four phones come and go while it runs, and exactly those who touch near fe
   await expect(stage.page.getByRole('heading', { name: 'No phone is here yet' })).toBeVisible();
   await stage.start();
 
-  const join = async (name: string) => TouchedPhone.join(await room.withPhone(name), name);
+  const join = async (name: string) => TouchedPhone.join(await room.withPhone(name));
   const anna = await join('Anna');
   await stage.expectPhones('Anna');
   const ben = await join('Ben');

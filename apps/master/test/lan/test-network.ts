@@ -57,18 +57,24 @@ export class TestNetwork {
     }
   }
 
+  /** What a command begins with to run on one of the machines; it becomes the program itself. */
+  enter(where: 'master' | 'phone'): readonly string[] {
+    return ['ip', 'netns', 'exec', where === 'master' ? this.#master : this.#phone];
+  }
+
   /** Starts a program of the machine that has the master. */
   startOnMaster(args: readonly string[], env: NodeJS.ProcessEnv): ChildProcess {
-    const command = ['netns', 'exec', this.#master, process.execPath, ...args];
-    return spawn('ip', command, { stdio: ['ignore', 'pipe', 'pipe'], env });
+    const [program = '', ...words] = this.enter('master');
+    const command = [...words, process.execPath, ...args];
+    return spawn(program, command, { stdio: ['ignore', 'pipe', 'pipe'], env });
   }
 
   /** Runs a script, with what it is to do as JSON, and reads the JSON it prints. */
   run(where: 'master' | 'phone', script: string, input: unknown): Promise<unknown> {
-    const name = where === 'master' ? this.#master : this.#phone;
-    const args = ['netns', 'exec', name, process.execPath, script, JSON.stringify(input)];
+    const [program = '', ...words] = this.enter(where);
+    const args = [...words, process.execPath, script, JSON.stringify(input)];
     return new Promise((resolve, reject) => {
-      execFile('ip', args, (error, stdout, stderr) => {
+      execFile(program, args, (error, stdout, stderr) => {
         if (error === null) resolve(JSON.parse(stdout));
         else reject(new Error(`${error.message}\n${stderr}`));
       });
