@@ -1,4 +1,5 @@
 import { expect } from '@playwright/test';
+import { fromJson, type ServiceReply } from '@ubii/proto';
 import { test, type Lan } from '../../fixtures/lan.ts';
 import type { Person } from '../../fixtures/person.ts';
 import { GathererPage, TouchedPhone } from '../../pages/gatherer-page.ts';
@@ -10,6 +11,16 @@ const REFUSED = /status of (401|403)/;
 
 /** How the topics end that the graph is to show. */
 const TOPICS = ['/touch_events', '/orientation', 'smart-device/acceleration'];
+
+/** Calls a service from a page of the master's own machine: programs of a test are in no network. */
+async function askMaster({ page }: Person, request: object): Promise<ServiceReply> {
+  const reply = await page.evaluate(async (body) => {
+    const headers = { 'content-type': 'application/json' };
+    const response = await fetch('/services/json', { method: 'POST', headers, body });
+    return (await response.json()) as unknown;
+  }, JSON.stringify(request));
+  return fromJson('ubii.services.ServiceReply', reply);
+}
 
 /** What somebody does who scans the code of the terminal. */
 async function scanAndTap(lan: Lan, phone: Person): Promise<TouchedPhone> {
@@ -44,15 +55,10 @@ test('a phone that trusts the certificate scans and taps once, and the graph sho
   const graph = new GraphPage(desk);
   await test.step('its topics are put into the graph of a session', async () => {
     await desk.page.goto('/sessions');
-    const id = await desk.page.evaluate(async () => {
-      const response = await fetch('/services/json', {
-        method: 'POST',
-        headers: { 'content-type': 'application/json' },
-        body: '{"topic":"/services/session/runtime/add","session":{"name":"Mara moves"}}',
-      });
-      return ((await response.json()) as { session: { id: string } }).session.id;
-    });
-    await graph.open(id);
+    const topic = '/services/session/runtime/add';
+    const { session } = await askMaster(desk, { topic, session: { name: 'Mara moves' } });
+    await graph.open(session!.id);
+    await untilDevice();
     await touched.touch([0.3, 0.3]);
     await touched.turn(90, 20, -5);
     await accelerate(0.5);
@@ -97,10 +103,18 @@ test('a phone that trusts the certificate scans and taps once, and the graph sho
     await lan.master.startAgain();
     await expect(page.getByRole('application', { name: 'Touch pad' })).toBeVisible();
     await expect(page.getByRole('button', { name: 'Change your name' })).toContainText('Mara');
-    await touched.turn(10, 0, 0);
+    await untilDevice();
+    await touched.turn(10, 20, -5);
     await expect(topicNode('/orientation')).toContainText('10');
   });
 
+  /** What is sensed before the master knows the device is let go. */
+  async function untilDevice(): Promise<void> {
+    const topic = '/services/device/get_list';
+    await expect
+      .poll(async () => (await askMaster(desk, { topic })).deviceList?.elements ?? [])
+      .toMatchObject([{ name: 'web-interface-smart-device' }]);
+  }
   function topicNode(end: string) {
     return graph.canvas.getByRole('group', { name: new RegExp(`^Topic .*${end}$`) });
   }

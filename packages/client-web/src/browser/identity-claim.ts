@@ -16,24 +16,36 @@ export type Release = () => void;
 export function claimIdentity(clientId: string): Promise<Release | undefined> {
   const name = `ubii.identity.${clientId}`;
   // Web Locks exist in secure contexts only, and a phone often sees the master over plain HTTP.
-  if (globalThis.navigator?.locks !== undefined) return claimByLock(name);
+  if (globalThis.navigator?.locks !== undefined) return claimByLock(navigator.locks, name);
   if (globalThis.BroadcastChannel !== undefined) return claimByChannel(name);
   return Promise.resolve(() => undefined);
 }
 
-function claimByLock(name: string): Promise<Release | undefined> {
+function claimByLock(locks: LockManager, name: string): Promise<Release | undefined> {
   let release: Release = () => undefined;
   const held = new Promise<void>((resolve) => {
     release = resolve;
   });
+  const asking = new AbortController();
   return new Promise((resolve) => {
-    navigator.locks
-      .request(name, { signal: AbortSignal.timeout(LOCK_WAIT_MS) }, () => {
+    const timer = setInterval(() => {
+      void isWaitedFor(locks, name).then((waits) => waits && asking.abort());
+    }, LOCK_WAIT_MS);
+    locks
+      .request(name, { signal: asking.signal }, () => {
         resolve(release);
+        clearInterval(timer);
         return held;
       })
-      .catch(() => resolve(undefined)); // timed out: the lock is taken
+      .catch(() => resolve(undefined)) // given up: the lock is taken
+      .finally(() => clearInterval(timer));
   });
+}
+
+/** Whether somebody waits for a lock. Nobody does while a busy machine is slow to give a free one. */
+async function isWaitedFor(locks: LockManager, lock: string): Promise<boolean> {
+  const { pending } = await locks.query();
+  return pending?.some(({ name }) => name === lock) ?? true;
 }
 
 /** Asks on a channel; whoever holds the identity objects. Of two that ask at once both may win, a lock would not let them. */
