@@ -50,7 +50,10 @@ test('the host sees what went wrong on each phone, a viewer’s too [AC-30]', as
   const phones = desk.page.locator('[data-phone]');
 
   await test.step('a clock that is far off', async () => {
-    const { token } = await makeGrant(master, { role: AccessRole.ACCESS_ROLE_VIEWER });
+    const { token } = await makeGrant(master, {
+      role: AccessRole.ACCESS_ROLE_VIEWER,
+      target: '/devices/smart-device',
+    });
     const late = await room.withPhone('Mara', FROM_ELSEWHERE);
     late.watch.expect(REFUSED);
     await late.page.addInitScript(() => {
@@ -63,6 +66,13 @@ test('the host sees what went wrong on each phone, a viewer’s too [AC-30]', as
     // No waiting for the sensors: what is measured after the tap is told as well
     await join.join.click();
     await expect(phones.filter({ hasText: 'Mara' })).toContainText('Clock: 5 min ahead');
+
+    // As a viewer it is no device, and is told so, with the way to become one
+    await expect(late.page.getByText('Nothing is sent')).toBeVisible();
+    await late.page.getByRole('link', { name: 'Use a code for players' }).click();
+    await expect(join.heading).toHaveText('Join with the code.');
+    await late.page.getByRole('button', { name: 'Go on as before' }).click();
+    await expect(late.page).toHaveURL(/smart-device$/);
   });
 
   await test.step('motion that an iPhone was refused', async () => {

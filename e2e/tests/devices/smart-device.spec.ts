@@ -177,11 +177,12 @@ test('motion and orientation are sent at the rate the sensors have, and calibrat
   await expect.poll(() => motion?.z).toBeCloseTo(9.8, 1);
 });
 
-test('a phone does what it is sent: words, colour, a picture, and a flash where it cannot vibrate', async ({
+test('a phone does what it is sent: words, colour, a picture, a tone, and a flash where it cannot vibrate', async ({
   room,
 }) => {
   const program = await room.program('stage');
   const phone = await room.withPhone('Mara');
+  await keepLocks(phone.page);
   await openSmartDevice(phone, 'Mara');
   const { page } = phone;
   await expect
@@ -206,8 +207,53 @@ test('a phone does what it is sent: words, colour, a picture, and a flash where 
   });
   await expect(page.getByRole('img', { name: 'The newest picture' })).toBeVisible();
 
+  const row = (title: string) =>
+    page.getByRole('listitem').filter({ hasText: new RegExp(`^\\s*${title}`) });
+  await test.step('it is silent until it is touched, and says so', async () => {
+    const tone = { x: 440, y: 40, z: 0.1 };
+    program.publish(`/${id}/${DEVICE}/play_tone`, 'vector3', tone);
+    await expect(row('Sound')).toContainText('tap once to hear the next');
+    await page.getByRole('application', { name: 'Touch pad' }).tap();
+    await expect(async () => {
+      program.publish(`/${id}/${DEVICE}/play_tone`, 'vector3', tone);
+      await expect(row('Sound')).toContainText(/Listening, last/, { timeout: 1000 });
+    }).toPass();
+  });
+
   await page.evaluate(() => Object.defineProperty(navigator, 'vibrate', { value: () => false }));
   program.publish(`/${id}/vibration_pattern`, 'double', 3000);
   await expect(page.locator('[data-flashing]')).toBeVisible();
-  await expect(page.getByText(/Listening, last/)).toBeVisible();
+  await expect(row('Vibrate')).toContainText(/Listening, last/);
+
+  await test.step('it stays awake, and again after it was hidden, which ends that', async () => {
+    await expect(row('Stays awake')).toContainText('on');
+    await show(page, 'hidden');
+    await expect(row('Stays awake')).toContainText('off');
+    await show(page, 'visible');
+    await expect(row('Stays awake')).toContainText('on');
+  });
 });
+
+/** Keeps at hand what holds the screen on: a browser of a test is never really hidden. */
+async function keepLocks(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const locks: WakeLockSentinel[] = [];
+    const { wakeLock } = navigator;
+    const request = wakeLock.request.bind(wakeLock);
+    wakeLock.request = async (type) => {
+      const lock = await request(type);
+      locks.push(lock);
+      return lock;
+    };
+    document.addEventListener('visibilitychange', () => {
+      if (document.visibilityState === 'hidden') for (const lock of locks) void lock.release();
+    });
+  });
+}
+
+async function show(page: Page, state: DocumentVisibilityState): Promise<void> {
+  await page.evaluate((now) => {
+    Object.defineProperty(document, 'visibilityState', { value: now, configurable: true });
+    document.dispatchEvent(new Event('visibilitychange'));
+  }, state);
+}

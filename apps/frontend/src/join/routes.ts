@@ -1,7 +1,15 @@
-import type { RouteRecordRaw } from 'vue-router';
+import type { RouteLocationRaw, RouteRecordRaw } from 'vue-router';
 
 /** Where strangers come to. The token of a QR code stands in the fragment. [AC-5] [AC-11] */
 export const JOIN_PATH = '/join';
+
+/** In the query: who is in already wants to join with another code. */
+export const ANOTHER = 'another';
+
+/** Where one joins with another code. @param to path of the page to come back to */
+export function anotherCode(to: string): RouteLocationRaw {
+  return { path: JOIN_PATH, query: { [ANOTHER]: '', to } };
+}
 
 export const joinRoutes: readonly RouteRecordRaw[] = [
   {

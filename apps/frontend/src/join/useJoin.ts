@@ -6,6 +6,7 @@ import { useRoute, useRouter } from 'vue-router';
 import { useConnection } from '../connection/useConnection.ts';
 import { rememberStart, startPath } from '../install/start-path.ts';
 import { checkToken } from './check-token.ts';
+import { ANOTHER } from './routes.ts';
 import { safeTarget } from './target.ts';
 
 /**
@@ -98,10 +99,14 @@ export function useJoin(beforeLeaving: () => void) {
 
   /** Nothing was shown: says why this device was sent here, once that is known. */
   function handleNobody(): void {
-    if (state.value.status !== 'closed') return;
+    const isRefused = state.value.status === 'closed';
+    if (!isRefused && !wantsAnother()) return;
     problem.value = refusal() ?? 'missing';
     phase.value = 'code';
   }
+
+  /** Somebody who may be in already came here for a code. */
+  const wantsAnother = (): boolean => ANOTHER in route.query;
 
   function refusal(): JoinProblem | undefined {
     return state.value.status === 'closed' ? state.value.error?.joinProblem : undefined;
@@ -165,7 +170,8 @@ export function useJoin(beforeLeaving: () => void) {
       const isJoining = phase.value === 'joining';
       const mayBeIn =
         phase.value === 'ready' || (phase.value === 'code' && problem.value === 'used');
-      if (invitation.value === undefined && route.hash === '') goOn();
+      const isPlain = route.hash === '' && !wantsAnother();
+      if (invitation.value === undefined && isPlain) goOn();
       else if (invitation.value?.isJoined === true || (isJoining && !wasIn)) goOn();
       else if (invitation.value !== undefined && client.role === 'admin') goOn();
       else if (mayBeIn && !isToClient) void ask(route.hash.slice(1));
