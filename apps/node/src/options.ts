@@ -150,7 +150,7 @@ function parseUrl(text: string): string {
 
 function parseName(text: string): string {
   const name = text.trim();
-  // eslint-disable-next-line no-control-regex
+  // eslint-disable-next-line no-control-regex -- names are lines that are drawn and logged
   if (name === '' || name.length > 100 || /[\u0000-\u001f\u007f]/.test(name)) {
     throw new Error('1 to 100 characters');
   }

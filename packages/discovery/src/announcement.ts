@@ -45,7 +45,7 @@ export function fromTxt(
 ): Announcement | undefined {
   const text = (key: string): string => {
     const value = txt?.[key];
-    // eslint-disable-next-line no-control-regex
+    // eslint-disable-next-line no-control-regex -- what a network tells is logged and listed
     return typeof value === 'string' ? value.replace(/[\u0000-\u001f\u007f]/g, '') : '';
   };
   const number = (key: string): number => (isPort(Number(text(key))) ? Number(text(key)) : port);

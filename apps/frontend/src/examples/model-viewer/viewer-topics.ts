@@ -6,9 +6,6 @@ export const VIEWER_DEVICE = 'web-example-model-viewer';
 /** The same meaning has the same name as with a phone. */
 export const TURN_COMPONENT = 'orientation_quaternion';
 
-/** Every device that turns something. */
-export const TURNS_GLOB = componentTopic('*', '*', TURN_COMPONENT);
-
 /** Where a smoothing session puts the turn of a client. */
 export function smoothedTopic(clientId: string): string {
   return `/examples/model-viewer/${clientId}/${TURN_COMPONENT}`;

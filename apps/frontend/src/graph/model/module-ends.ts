@@ -1,5 +1,5 @@
 import type { Graph, ModuleNode, PortRef } from './graph.ts';
-import { inputPort, ioName } from './ports.ts';
+import { ioName } from './ports.ts';
 import { endKey, type InputEnds, type InputSource, type OutputTarget } from './read-mappings.ts';
 import { wiresOf } from './wires-of.ts';
 
@@ -48,10 +48,4 @@ function targetAt(graph: Graph, to: PortRef, via: string | undefined): OutputTar
   const node = graph.nodes.get(to.node);
   if (node?.kind === 'topic') return { kind: 'topic', topic: node.topic };
   return node?.kind === 'demuxer' ? { kind: 'demuxer', demux: node.demux } : undefined;
-}
-
-/** True when something decides the value of an input: a wire or a constant. */
-export function isFed(graph: Graph, node: ModuleNode, inputName: string): boolean {
-  if (node.constants.has(inputName)) return true;
-  return wiresOf(graph, node.id).in.some(({ to }) => to.port === inputPort(inputName));
 }

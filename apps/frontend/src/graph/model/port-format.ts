@@ -1,21 +1,10 @@
 import type { DataFormat } from '@ubii/proto';
-import type { Graph, GraphNode, Port, PortRef } from './graph.ts';
+import type { Graph, Port, PortRef } from './graph.ts';
 import { wiresOf } from './wires-of.ts';
 
 /** A port of a node; undefined when it is not there. */
 export function portOf(graph: Graph, { node, port }: PortRef): Port | undefined {
   return graph.nodes.get(node)?.ports.find(({ id }) => id === port);
-}
-
-/** Ports of a node with the formats that follow from what is wired to it. */
-export function portsOf(graph: Graph, node: GraphNode): readonly Port[] {
-  if (node.kind === 'module' || node.ports.every(({ format }) => format !== undefined)) {
-    return node.ports;
-  }
-  return node.ports.map((port) => {
-    const format = port.format ?? portFormat(graph, { node: node.id, port: port.id });
-    return { ...port, format, formatText: port.formatText || (format ?? '') };
-  });
 }
 
 /**

@@ -38,7 +38,7 @@ export function parseFilePath(text: string, baseDir: string): string {
 
 export function parseName(text: string): string {
   const name = text.trim();
-  // eslint-disable-next-line no-control-regex
+  // eslint-disable-next-line no-control-regex -- names are lines that are drawn and logged
   if (name === '' || name.length > 100 || /[\u0000-\u001f\u007f]/.test(name)) {
     throw new Error('1 to 100 characters');
   }

@@ -55,7 +55,7 @@ describe('the log', () => {
   it('keeps what clients send from acting on the terminal', () => {
     const { log, lines } = record({});
     log.info('joined', { name: '\u001b[2Jx\n\u009b1m' });
-    // eslint-disable-next-line no-control-regex
+    // eslint-disable-next-line no-control-regex -- control characters are what must not be there
     expect(lines[0]).not.toMatch(/[\u0000-\u001f\u007f-\u009f]/);
   });
 

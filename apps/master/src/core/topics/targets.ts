@@ -53,5 +53,3 @@ export function computeTargets(entry: TopicEntry, watchers: Iterable<Subscriber>
   for (const sample of before.values()) sample.cancel();
   return { direct, sampled };
 }
-
-export const NO_TARGETS: Targets = { direct: [], sampled: [] };

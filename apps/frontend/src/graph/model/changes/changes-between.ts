@@ -189,22 +189,3 @@ function* sessionChanges(running: Session, edited: Session): Iterable<SessionCha
     yield session('none', 'The nodes lie elsewhere.');
   }
 }
-
-/** In a few words: `2 changes apply at once · mirror restarts`; empty when nothing that runs changes. */
-export function changeSummary(changes: readonly SessionChange[]): string {
-  const count = (effect: ChangeEffect): number =>
-    new Set(changes.filter((one) => one.effect === effect).map((one) => one.moduleId)).size;
-  const live = changes.filter(({ effect }) => effect === 'live').length;
-  const modules = (effect: ChangeEffect, verb: string): string => {
-    const number = count(effect);
-    if (number === 0) return '';
-    return number === 1 ? `1 module ${verb}s` : `${number} modules ${verb}`;
-  };
-  const words = [
-    live === 0 ? '' : live === 1 ? '1 change applies at once' : `${live} changes apply at once`,
-    modules('restart', 'restart'),
-    modules('start', 'start'),
-    modules('end', 'end'),
-  ];
-  return words.filter((word) => word !== '').join(' · ');
-}

@@ -86,13 +86,6 @@ export function draftIds(storage: DraftStorage): ReadonlySet<string> {
   }
 }
 
-/** Drafts that are kept, newest first. */
-export function listDrafts(storage: DraftStorage): Draft[] {
-  return [...draftIds(storage)]
-    .flatMap((id) => findDraft(storage, id) ?? [])
-    .sort((a, b) => b.savedMs - a.savedMs);
-}
-
 /** A session came back under another id: its draft goes with it. */
 export function moveDraft(storage: DraftStorage, from: string, to: string): void {
   const draft = findDraft(storage, from);

@@ -1,10 +1,5 @@
 import { formatsFit, parseModule } from '@ubii/pm-sandbox';
-import {
-  globToRegExpSource,
-  UUID_PATTERN,
-  type DataFormat,
-  type ProcessingModule,
-} from '@ubii/proto';
+import { UUID_PATTERN, type DataFormat, type ProcessingModule } from '@ubii/proto';
 import { freeTopic } from '../commands/free-topic.ts';
 import type { Graph } from '../graph.ts';
 import { wiresAt } from '../wires-of.ts';
@@ -75,11 +70,6 @@ export function globOfAlike(topic: string): string | undefined {
   const parts = topic.split('/');
   const glob = parts.map((part) => (UUID.test(part) ? '*' : part)).join('/');
   return glob === topic ? undefined : glob;
-}
-
-/** True when a glob selects a topic. [PM-41] */
-export function globMatches(glob: string, topic: string): boolean {
-  return new RegExp(globToRegExpSource(glob)).test(topic);
 }
 
 /** What leads from one data format to another. */

@@ -49,11 +49,6 @@ export function distribute(boxes: readonly Box[], axis: Axis): Places {
   return placed(boxes, (box) => ({ x: box.x, y: box.y, [axis]: starts.get(box.id) ?? box[axis] }));
 }
 
-/** Puts nodes on the nearest points of a grid. */
-export function snapAll(boxes: readonly Box[], grid: number): Places {
-  return placed(boxes, (box) => snap(box, grid));
-}
-
 export function snap({ x, y }: Point, grid: number): Point {
   const to = (value: number): number => Math.round(value / grid) * grid + 0;
   return { x: to(x), y: to(y) };

@@ -7,7 +7,7 @@ import type { Graph } from '../graph.ts';
 import { commentNode, frameNode, moduleNode } from '../make-node.ts';
 import { arbitrarySession } from '../testing/arbitrary-session.ts';
 import { aGraphOf, aModule, wiresIn } from '../testing/small-graph.ts';
-import { align, distribute, snap, snapAll, snapToOthers } from './arrange.ts';
+import { align, distribute, snap, snapToOthers } from './arrange.ts';
 import { copyText, duplicate, paste, type Pasted } from './clipboard.ts';
 import { insertionOf, insertOnWire, wiresToInsertOn } from './insert.ts';
 import { detach, removeAndReconnect } from './reconnect.ts';
@@ -193,10 +193,6 @@ describe('arranging', () => {
 
   it('snaps to a grid and to others', () => {
     expect(snap({ x: 13, y: -3 }, 8)).toEqual({ x: 16, y: 0 });
-    expect([...snapAll(boxes, 8)]).toEqual([
-      ['b', { x: 48, y: 8 }],
-      ['c', { x: 104, y: 88 }],
-    ]);
     const box = { id: 'd', x: 47, y: 300, width: 10, height: 10 };
     expect(snapToOthers(box, boxes, 4)).toEqual({
       point: { x: 50, y: 300 },

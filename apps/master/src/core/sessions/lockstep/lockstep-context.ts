@@ -1,4 +1,4 @@
-import type { EncodedRecord, PatternPort, TopicPort } from '@ubii/pm-sandbox';
+import type { PatternPort, TopicPort } from '@ubii/pm-sandbox';
 import type { ClientRegistry } from '../../clients/client-registry.ts';
 import type { Limits } from '../../limits.ts';
 import type { Clock } from '../../ports/clock.ts';
@@ -19,12 +19,4 @@ export interface LockstepContext {
   readonly patterns: PatternPort;
   /** Publishes a complete record for a node: as the client that put it out, or as the master. */
   readonly publish: (record: Uint8Array, publisher: PublishingClient | undefined) => void;
-}
-
-/** The share of one node in a pass. */
-export interface PassShare {
-  readonly nodeId: string;
-  readonly moduleIds: readonly string[];
-  /** The snapshot of its inputs. */
-  readonly records: readonly EncodedRecord[];
 }
