@@ -1,8 +1,9 @@
 /**
  * How long to wait for an identity somebody else holds, milliseconds. A page that is being reloaded
- * gives it free a moment after its successor asks; a duplicated tab never does.
+ * gives it free a moment after its successor asks, on a busy phone a second; a duplicated tab never
+ * does. Who waits too short leaves a client behind that is gone without a word.
  */
-const LOCK_WAIT_MS = 400;
+const LOCK_WAIT_MS = 1500;
 /** How long others have to object, milliseconds. A message between pages takes one or two; every reload waits this long. */
 const OBJECTION_WAIT_MS = 150;
 
