@@ -52,9 +52,9 @@ test('a line is hidden, shown as its change per second, and joined by another to
 
   await plot.add('/lab/leg/pose', 'position.x');
   await expect(plot.legend.getByRole('listitem')).toHaveCount(3);
-  await expect(plot.line('position.x')).toContainText('7.5');
+  await expect(plot.line('pose x')).toContainText('7.5');
 
-  await plot.chooseFor('position.x', 'Change per second');
+  await plot.chooseFor('pose x', 'Change per second');
   await expect(plot.legend.getByText('′')).toBeVisible();
   await plot.choose('Lines as at first');
   await expect(plot.legend.getByRole('listitem')).toHaveCount(2);
