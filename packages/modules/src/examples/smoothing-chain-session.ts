@@ -33,7 +33,7 @@ export const smoothingChainSession = {
       processingModuleName: 'one-euro-filter',
       inputMappings: [
         { inputName: 'value', topic: '/examples/smoothing-chain/mapped' },
-        { inputName: 'minCutoffHz', topic: '/examples/smoothing-chain/min_cutoff_hz' },
+        { inputName: 'minCutoffHz', constantJson: '{"double":1}' },
         { inputName: 'beta', constantJson: '{"double":0.001}' },
       ],
       outputMappings: [{ outputName: 'smoothed', topic: '/examples/smoothing-chain/smoothed' }],

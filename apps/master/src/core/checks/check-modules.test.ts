@@ -49,6 +49,10 @@ describe('checkModules() [EX-47]', () => {
     expect(problem?.text).toContain('so that it takes 95 % of a core');
   });
 
+  it('names no module that is late because something else had the processor', () => {
+    expect(check(load({ overruns: 7, runP95Ms: 0.4 }, 0.002), 5)).toEqual([]);
+  });
+
   it('finds nothing where nothing was late since the last look', () => {
     expect(check(load({ overruns: 7 }), 7)).toEqual([]);
     expect(check(load({ overruns: 7 }), undefined)).toEqual([]);

@@ -5,6 +5,11 @@ import type { FoundProblem } from './findings.ts';
 
 /** Share of one core that a module may take [EX-47]. */
 const FULL_CORE = 0.9;
+/**
+ * A module whose runs, even the long ones, take less of a core came late because something else had the
+ * processor [EX-47].
+ */
+const OWN_LATENESS = 0.2;
 
 /** What one running module takes. */
 export interface ModuleLoad {
@@ -55,12 +60,12 @@ export function* checkModules(
     statistics,
   } of modules) {
     const { overruns, runP95Ms, runsPerSecond } = statistics;
-    const late = overruns - (overrunsBefore.get(moduleId) ?? overruns);
-    if (late <= 0 && coreShare <= FULL_CORE) continue;
-    const fact =
-      late > 0
-        ? 'and come later than its mode asks for'
-        : `so that it takes ${Math.round(coreShare * 100)} % of a core`;
+    const hasOverrun = overruns > (overrunsBefore.get(moduleId) ?? overruns);
+    const isLate = hasOverrun && (runsPerSecond * runP95Ms) / 1000 >= OWN_LATENESS;
+    if (!isLate && coreShare <= FULL_CORE) continue;
+    const fact = isLate
+      ? 'and come later than its mode asks for'
+      : `so that it takes ${Math.round(coreShare * 100)} % of a core`;
     yield [
       `module_slow ${moduleId}`,
       {
