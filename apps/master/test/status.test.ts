@@ -89,6 +89,46 @@ describe('the status of the master', () => {
     expect(events.at(-1)).toMatchObject({ text: 'client 249 joined' });
   });
 
+  it('tells who left from who was lost [EX-55]', async () => {
+    const { master, clock, ada, status } = await createAda();
+    const ben = await master.extension('ben');
+    const eva = await master.legacy('eva');
+    ben.publish('/ben', 'double', 1);
+    ben.drop(4000);
+    eva.drop(4000); // means nothing to existing clients
+    ada.drop();
+    const listed = async () =>
+      (await ada.call({ topic: '/services/client/get_list' })).clientList?.elements.map(
+        ({ name }) => name,
+      );
+    expect(await listed()).toEqual(['ada', 'eva']);
+    clock.advance(10_500);
+    const { events } = await status();
+    expect(events.slice(-3).map(({ text }) => text)).toEqual([
+      'ben left',
+      expect.stringContaining('is gone without a word'),
+      expect.stringContaining('is gone without a word'),
+    ]);
+    const topics = await ada.call({ topic: '/services/topic_list' });
+    expect(topics.stringList?.elements).not.toContain('/ben');
+
+    // Who left comes back as who it was.
+    const again = await master.register({
+      id: ben.id,
+      name: 'ben',
+      extension: { resumeToken: ben.token! },
+    });
+    expect(again.registered).toMatchObject({ id: ben.id, extension: { resumed: true } });
+  });
+
+  it('leaves a client alone whose earlier socket says that it leaves [EX-55]', async () => {
+    const { ada, status } = await createAda();
+    const earlier = ada.socket;
+    ada.open();
+    earlier.handleClose(4000);
+    expect((await status()).clientsActive).toBe(1);
+  });
+
   it('has a problem as long as it is true [EX-18]', async () => {
     const { clock, ada, status } = await createAda();
     expect((await status()).problems).toEqual([]);

@@ -1,4 +1,4 @@
-import { retryOnPageEvents } from './browser/page-events.ts';
+import { followPageEvents } from './browser/page-events.ts';
 import type { ClientOptions } from './core/client-options.ts';
 import type { UbiiClient } from './core/ubii-client.ts';
 import { createClientOver } from './create-client.ts';
@@ -7,8 +7,8 @@ export { createTabIdentity } from './browser/tab-identity.ts';
 export * from './exports.ts';
 
 /**
- * A client for a page: `fetch`, the browser's WebSocket, and a retry at once when the network or the
- * page comes back.
+ * A client for a page: `fetch`, the browser's WebSocket, a retry at once when the network or the page
+ * comes back, and a word to the master when the page ends.
  * @throws {TypeError} if the options name no master
  */
 export function createClient(options: ClientOptions): UbiiClient {
@@ -17,6 +17,6 @@ export function createClient(options: ClientOptions): UbiiClient {
     (url) => new WebSocket(url),
     globalThis.location?.origin,
   );
-  retryOnPageEvents(client);
+  followPageEvents(client);
   return client;
 }

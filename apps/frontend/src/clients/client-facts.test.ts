@@ -50,7 +50,7 @@ describe('client facts', () => {
     [ClientState.ACTIVE, false, 0, 'listens'],
     [ClientState.ACTIVE, false, 1, '1 topic'],
     [ClientState.INACTIVE, false, 3, 'silent, 6 s'],
-    [ClientState.UNAVAILABLE, false, 3, 'away, 6 s'],
+    [ClientState.UNAVAILABLE, false, 3, 'lost, 6 s'],
   ])('state %d, self %s, %d topics: %s', (state, isSelf, topics, text) => {
     expect(clientNote(state, isSelf, topics, '6 s').text).toBe(text);
   });

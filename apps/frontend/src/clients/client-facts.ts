@@ -73,7 +73,7 @@ export function clientNote(
 ): ClientNote {
   const since = silence === undefined ? '' : `, ${silence}`;
   if (state === ClientState.INACTIVE) return { text: `silent${since}`, tone: 'warn' };
-  if (state === ClientState.UNAVAILABLE) return { text: `away${since}`, tone: 'plain' };
+  if (state === ClientState.UNAVAILABLE) return { text: `lost${since}`, tone: 'plain' };
   if (isSelf) return { text: 'this browser', tone: 'plain' };
   if (topics === 0) return { text: 'listens', tone: 'plain' };
   return { text: `${topics} ${topics === 1 ? 'topic' : 'topics'}`, tone: 'plain' };

@@ -27,6 +27,8 @@ export interface Connection {
   readonly nodes: NodesStore;
   /** Connects, or tries again at once. */
   connect(): void;
+  /** Leaves; `connect()` comes back as the same client. */
+  leave(): void;
   /** Leaves, forgets who this page was and comes back as a new client. */
   forgetIdentity(): Promise<void>;
 }

@@ -9,6 +9,7 @@ import type { Connection } from './connection.ts';
 import { friendlyName } from './friendly-name.ts';
 import { createMasterStatusStore } from './master-status-store.ts';
 import { createNodesStore } from './nodes-store.ts';
+import { tellPageState } from './page-state.ts';
 import { createSessionsStore } from './sessions-store.ts';
 import { createTopicStatisticsStore } from './topic-statistics-store.ts';
 
@@ -48,6 +49,7 @@ export function createConnection(): Connection {
   watch(name, (next) => void client.rename(next));
   const clients = createClientsStore(client, isConnected);
   adoptName(client, clients, name, Date.now);
+  tellPageState(client);
   watch(publishIntervalMs, (next) => client.setPublishIntervalMs(next));
 
   function connect(): void {
@@ -77,6 +79,7 @@ export function createConnection(): Connection {
     sessions: createSessionsStore(client, isConnected),
     nodes: createNodesStore(client, isConnected),
     connect,
+    leave: () => client.leave(),
     forgetIdentity,
   };
 }

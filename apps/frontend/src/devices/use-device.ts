@@ -3,6 +3,7 @@ import type { DataFormatValues } from '@ubii/proto';
 import { onScopeDispose, shallowRef, watch } from 'vue';
 import { useConnection } from '../connection/useConnection.ts';
 import { deviceRefusal, refusalOf } from './device-refusal.ts';
+import { useFrontTab } from './use-front-tab.ts';
 
 type NameOf<C extends readonly ComponentInit[]> = C[number]['name'];
 type FormatOf<C extends readonly ComponentInit[], N> = Extract<
@@ -20,27 +21,45 @@ export interface DevicePlan<C extends readonly ComponentInit[]> {
 }
 
 /**
- * This browser as a device, while the calling scope lives. What is published before the master knows the
+ * This browser as a device, while the calling scope lives; a tab behind another one with the same device
+ * rests. What is published before the master knows the
  * device is let go: it is of the past by then.
  */
 export function useDevice<const C extends readonly ComponentInit[]>(plan: DevicePlan<C>) {
   const { client, isConnected } = useConnection();
   const isRegistered = shallowRef(false);
   let device: RegisteredDevice<C> | undefined;
-  let ended = false;
   let refusal: typeof deviceRefusal.value;
   const { name, tags, components } = plan;
+  const isResting = useFrontTab(name);
 
-  void client.registerDevice({ name, tags, components }).then(
-    (registered) => {
-      if (ended) return void registered.close();
-      device = registered;
-      isRegistered.value = true;
-    },
-    (error: unknown) => {
-      if (!ended) deviceRefusal.value = refusal = refusalOf(name, error);
-    },
-  );
+  /** Another number with each registration, and with each end of one. */
+  let turn = 0;
+  function register(): void {
+    const mine = ++turn;
+    void client.registerDevice({ name, tags, components }).then(
+      (registered) => {
+        if (mine !== turn) return void registered.close();
+        device = registered;
+        isRegistered.value = true;
+      },
+      (error: unknown) => {
+        if (mine === turn) deviceRefusal.value = refusal = refusalOf(name, error);
+      },
+    );
+  }
+  function end(): void {
+    turn += 1;
+    if (deviceRefusal.value === refusal) deviceRefusal.value = undefined;
+    void device?.close();
+  }
+  watch(isResting, (resting) => {
+    isRegistered.value = false;
+    if (resting) end();
+    else register();
+  });
+  if (!isResting.value) register();
+  onScopeDispose(end);
 
   // Topics are made of the client's id, and another connection may give another one.
   watch([isConnected, isRegistered], ([connected, registered], _before, onCleanup) => {
@@ -55,12 +74,6 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
     onCleanup(() => subscriptions.forEach((subscription) => void subscription.close()));
   });
 
-  onScopeDispose(() => {
-    ended = true;
-    if (deviceRefusal.value === refusal) deviceRefusal.value = undefined;
-    void device?.close();
-  });
-
   return {
     isRegistered,
     publish<N extends NameOf<C>>(
@@ -68,7 +81,7 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
       value: ValueOf<C, N>,
       options?: { readonly immediate?: boolean },
     ): void {
-      device?.component(component).publish(value as never, options);
+      if (!isResting.value) device?.component(component).publish(value as never, options);
     },
     topicOf: (component: NameOf<C>) => device?.component(component).topic,
   };

@@ -1,3 +1,4 @@
+import { isPageStateTopic } from '../connection/page-state.ts';
 import { isPresenceTopic } from '../graph/editor/presence/presence-record.ts';
 
 /** Every page of ours listens there; nothing has ever been published on most. */
@@ -6,7 +7,7 @@ const IDENTIFY_TOPIC = /^\/[^/]+\/identify$/;
 /**
  * Topics with which the interface talks to itself: ordinary topic data, and noise to whoever looks
  * for their own. Lists and trees of topics leave them out; by its name, each is still found and read.
- * [EX-49]
+ * [EX-49] [EX-56]
  */
 export const isInternalTopic = (topic: string): boolean =>
-  isPresenceTopic(topic) || IDENTIFY_TOPIC.test(topic);
+  isPresenceTopic(topic) || isPageStateTopic(topic) || IDENTIFY_TOPIC.test(topic);

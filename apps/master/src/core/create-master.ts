@@ -172,7 +172,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     access,
     dismissals,
     onSign: (client) => clients.handleSign(client),
-    onClosed: (socket) => sockets.handleClosed(socket),
+    onClosed: (socket, hasLeft) => sockets.handleClosed(socket, hasLeft),
     onNodeMessage: (client, bytes) => processing.reports.handleMessage(client, bytes),
   });
   const processing: Processing = createProcessing({

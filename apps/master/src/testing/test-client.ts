@@ -77,9 +77,9 @@ export class TestClient {
     return this.#handle !== undefined;
   }
 
-  /** Its network goes away: the socket closes, and the turn ends. */
-  drop(): void {
-    this.socket.handleClose();
+  /** Its network goes away, or it closes with a code of its own: the socket closes, and the turn ends. */
+  drop(code = 1006): void {
+    this.socket.handleClose(code);
     this.#testMaster.clock.endTurn();
   }
 

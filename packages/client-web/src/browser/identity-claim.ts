@@ -1,70 +1,124 @@
 /**
- * How long to wait for an identity somebody else holds, milliseconds. A page that is being reloaded
- * gives it free a moment after its successor asks, on a busy phone a second; a duplicated tab never
- * does. Who waits too short leaves a client behind that is gone without a word.
+ * How long a page waits for an identity that is neither given free nor answered for, milliseconds. A
+ * busy machine takes seconds to end the page before a reload; one that is alive answers long before.
  */
-const LOCK_WAIT_MS = 1500;
-/** How long others have to object, milliseconds. A message between pages takes one or two; every reload waits this long. */
-const OBJECTION_WAIT_MS = 150;
+const LONGEST_WAIT_MS = 5_000;
+/** How long others have to object where there are no locks, milliseconds. A message between pages takes one or two; every reload waits this long. */
+const OBJECTION_WAIT_MS = 250;
+/** A page that says it is there is asked once more after this, milliseconds: it may have been about to end. */
+const SECOND_QUESTION_MS = 300;
 
 /** Gives the claim free; calling it again does nothing. */
 export type Release = () => void;
 
 /**
- * Claims an identity for this page, against other pages of the same origin.
+ * Claims an identity for this page, against other pages of the same origin. A page that was duplicated
+ * finds the other one alive, which says so; a page that was reloaded waits until its predecessor is gone.
  * @returns how to give it free, or `undefined` when another page has it
  */
 export function claimIdentity(clientId: string): Promise<Release | undefined> {
   const name = `ubii.identity.${clientId}`;
   // Web Locks exist in secure contexts only, and a phone often sees the master over plain HTTP.
-  if (globalThis.navigator?.locks !== undefined) return claimByLock(navigator.locks, name);
-  if (globalThis.BroadcastChannel !== undefined) return claimByChannel(name);
-  return Promise.resolve(() => undefined);
+  const hasLocks = globalThis.navigator?.locks !== undefined;
+  if (globalThis.BroadcastChannel === undefined) {
+    return hasLocks ? claimByLock(name) : Promise.resolve(() => undefined);
+  }
+  return hasLocks ? claimByLock(name, askHolder(name)) : claimByChannel(name);
 }
 
-function claimByLock(locks: LockManager, name: string): Promise<Release | undefined> {
-  let release: Release = () => undefined;
+/** Waits for the lock until somebody says that it is taken, or for too long. */
+async function claimByLock(name: string, holder?: Question): Promise<Release | undefined> {
+  const waiting = new AbortController();
+  const timer = setTimeout(() => waiting.abort(), LONGEST_WAIT_MS);
+  void holder?.isTaken.then(() => waiting.abort());
+  let letGo: Release = () => undefined;
   const held = new Promise<void>((resolve) => {
-    release = resolve;
+    letGo = resolve;
   });
-  const asking = new AbortController();
-  return new Promise((resolve) => {
-    const timer = setInterval(() => {
-      void isWaitedFor(locks, name).then((waits) => waits && asking.abort());
-    }, LOCK_WAIT_MS);
-    locks
-      .request(name, { signal: asking.signal }, () => {
-        resolve(release);
-        clearInterval(timer);
+  const isClaimed = await new Promise<boolean>((resolve) => {
+    navigator.locks
+      .request(name, { signal: waiting.signal }, () => {
+        resolve(true);
         return held;
       })
-      .catch(() => resolve(undefined)) // given up: the lock is taken
-      .finally(() => clearInterval(timer));
+      .catch(() => resolve(false)); // given up
   });
+  clearTimeout(timer);
+  holder?.end();
+  if (!isClaimed) return undefined;
+  const stopAnswering = globalThis.BroadcastChannel === undefined ? undefined : answerFor(name);
+  return () => {
+    stopAnswering?.();
+    letGo();
+  };
 }
 
-/** Whether somebody waits for a lock. Nobody does while a busy machine is slow to give a free one. */
-async function isWaitedFor(locks: LockManager, lock: string): Promise<boolean> {
-  const { pending } = await locks.query();
-  return pending?.some(({ name }) => name === lock) ?? true;
+/** Asks on a channel alone. Of two that ask at once both may win; a lock would not let them. */
+async function claimByChannel(name: string): Promise<Release | undefined> {
+  const holder = askHolder(name);
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const nobody = new Promise<false>((resolve) => {
+    const wait = (): void => {
+      // Whoever answered once is waited for to answer again.
+      if (holder.isAnswered()) timer = setTimeout(() => resolve(false), SECOND_QUESTION_MS * 2);
+      else resolve(false);
+    };
+    timer = setTimeout(wait, OBJECTION_WAIT_MS);
+  });
+  const isTaken = await Promise.race([holder.isTaken.then(() => true), nobody]);
+  clearTimeout(timer);
+  holder.end();
+  return isTaken ? undefined : answerFor(name);
 }
 
-/** Asks on a channel; whoever holds the identity objects. Of two that ask at once both may win, a lock would not let them. */
-function claimByChannel(name: string): Promise<Release | undefined> {
+/** A question to whoever holds an identity. */
+interface Question {
+  /** Resolves when a page said twice that it has it. */
+  readonly isTaken: Promise<void>;
+  /** Whether one has said so once. */
+  isAnswered(): boolean;
+  end(): void;
+}
+
+function askHolder(name: string): Question {
   const channel = new BroadcastChannel(name);
-  return new Promise((resolve) => {
-    const timer = setTimeout(() => {
-      channel.onmessage = ({ data }) => {
-        if (data === 'claim') channel.postMessage('taken');
-      };
-      resolve(() => channel.close());
-    }, OBJECTION_WAIT_MS);
+  let answers = 0;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const isTaken = new Promise<void>((resolve) => {
     channel.onmessage = ({ data }) => {
       if (data !== 'taken') return;
+      answers += 1;
+      if (answers > 1) resolve();
+      else timer = setTimeout(() => channel.postMessage('claim'), SECOND_QUESTION_MS);
+    };
+  });
+  channel.postMessage('claim');
+  return {
+    isTaken,
+    isAnswered: () => answers > 0,
+    end: () => {
       clearTimeout(timer);
       channel.close();
-      resolve(undefined);
-    };
-    channel.postMessage('claim');
-  });
+    },
+  };
+}
+
+/** Says that this page has it, to whoever asks, as long as the page is there. */
+function answerFor(name: string): () => void {
+  const channel = new BroadcastChannel(name);
+  let isEnding = false;
+  channel.onmessage = ({ data }) => {
+    if (data === 'claim' && !isEnding) channel.postMessage('taken');
+  };
+  // The successor of a page that is reloaded may ask before the last of this one is gone.
+  const { window: page } = globalThis as Partial<typeof globalThis>;
+  const handleEnd = (): void => void (isEnding = true);
+  const handleReturn = (): void => void (isEnding = false);
+  page?.addEventListener('pagehide', handleEnd);
+  page?.addEventListener('pageshow', handleReturn);
+  return () => {
+    channel.close();
+    page?.removeEventListener('pagehide', handleEnd);
+    page?.removeEventListener('pageshow', handleReturn);
+  };
 }

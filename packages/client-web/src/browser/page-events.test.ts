@@ -2,7 +2,7 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import { createTestClient } from '../testing/create-test-client.ts';
 import { settle } from '../testing/fake-clock.ts';
 import { FakeMaster } from '../testing/fake-master.ts';
-import { retryOnPageEvents } from './page-events.ts';
+import { followPageEvents } from './page-events.ts';
 
 afterEach(() => {
   vi.unstubAllGlobals();
@@ -12,25 +12,32 @@ afterEach(() => {
 async function setup() {
   const page = new EventTarget();
   const shown = Object.assign(new EventTarget(), { visibilityState: 'visible' });
+  const network = new EventTarget();
+  vi.stubGlobal('navigator', { connection: network });
   vi.stubGlobal('window', page);
   vi.stubGlobal('document', shown);
   const master = new FakeMaster();
   const all = createTestClient(master, { reconnect: { initialDelayMs: 60_000 } });
-  retryOnPageEvents(all.client);
+  followPageEvents(all.client);
   await all.client.connect();
   const lose = async (): Promise<void> => {
     master.drop();
     await settle();
     expect(all.client.state.status).toBe('reconnecting');
   };
-  return { page, shown, master, lose, ...all };
+  return { page, shown, network, master, lose, ...all };
 }
 
-describe('retryOnPageEvents()', () => {
-  it.each(['online', 'pageshow'])('tries at once on "%s"', async (type) => {
-    const { page, client, lose } = await setup();
+describe('followPageEvents()', () => {
+  it.each([
+    ['page', 'online'],
+    ['page', 'pageshow'],
+    ['shown', 'resume'],
+    ['network', 'change'],
+  ] as const)('tries at once when the %s says "%s" [CL-41]', async (target, type) => {
+    const { client, lose, ...targets } = await setup();
     await lose();
-    page.dispatchEvent(new Event(type));
+    targets[target].dispatchEvent(new Event(type));
     await settle();
     expect(client.state.status).toBe('connected');
   });
@@ -48,12 +55,28 @@ describe('retryOnPageEvents()', () => {
     expect(client.state.status).toBe('connected');
   });
 
-  it('makes sure that the link is alive when it seems to be', async () => {
-    const { page, master, client, clock } = await setup();
-    master.isSilent = true;
-    page.dispatchEvent(new Event('online'));
-    await clock.advance(2_000);
-    expect(client.state).toMatchObject({ status: 'reconnecting', error: { reason: 'timeout' } });
+  it.each(['online', 'offline'])(
+    'makes sure on "%s" that a link is alive [CL-42]',
+    async (type) => {
+      const { page, master, client, clock } = await setup();
+      master.isSilent = true;
+      page.dispatchEvent(new Event(type));
+      await clock.advance(1_000);
+      expect(client.state).toMatchObject({ status: 'reconnecting', error: { reason: 'timeout' } });
+    },
+  );
+
+  it('leaves when the page ends, and not when it is kept [EX-55]', async () => {
+    const { page, master, client } = await setup();
+    client.publish('/last/words', 'string', 'bye');
+    page.dispatchEvent(Object.assign(new Event('pagehide'), { persisted: true }));
+    await settle();
+    expect(client.state.status).toBe('connected');
+    page.dispatchEvent(Object.assign(new Event('pagehide'), { persisted: false }));
+    await settle();
+    expect(client.state).toEqual({ status: 'closed', error: undefined });
+    expect(master.published).toMatchObject([{ topic: '/last/words' }]);
+    expect(master.farewells).toEqual([{ clientId: 'client-1', code: 4000 }]);
   });
 
   it('does nothing for a client that is closed', async () => {
@@ -67,7 +90,7 @@ describe('retryOnPageEvents()', () => {
   it('does nothing where there is no page', async () => {
     vi.unstubAllGlobals();
     const { client } = createTestClient(new FakeMaster());
-    retryOnPageEvents(client);
+    followPageEvents(client);
     await client.connect();
     expect(client.state.status).toBe('connected');
   });

@@ -1,27 +1,44 @@
 import type { UbiiClient } from '../core/ubii-client.ts';
 
+/** The network of a device, where the browser tells of it: another Wi-Fi ends no socket, it only falls silent. */
+interface NetworkConnection {
+  readonly connection?: EventTarget;
+}
+
 /**
- * Makes a client try at once when the network comes back and when the page is shown again: timers of
- * a hidden page sleep, and a phone that wakes should not wait for a back-off. Does nothing outside a
- * page, and while the client is closed.
+ * Makes a client try at once, or make sure that its link is alive, when something tells that the page
+ * or the network is back or another one: timers of a hidden page sleep, and a phone that wakes should
+ * not wait for a back-off. [CL-41] When the page ends, the client leaves, so that nobody takes it for
+ * lost. [EX-55] Does nothing outside a page, and while the client is closed.
  */
-export function retryOnPageEvents(client: UbiiClient): void {
-  const { window: page, document: shown } = globalThis as Partial<typeof globalThis>;
+export function followPageEvents(client: UbiiClient): void {
+  const { window: page, document: shown, navigator } = globalThis as Partial<typeof globalThis>;
   if (page === undefined || shown === undefined) return;
   const retry = (): void => client.retryNow();
   const retryIfShown = (): void => {
     if (shown.visibilityState === 'visible') client.retryNow();
   };
+  const handlePageHide = (event: Event): void => {
+    // A page that is kept may come back, and the socket may even live on.
+    if ((event as PageTransitionEvent).persisted) return;
+    client.leave();
+  };
+  const network = (navigator as NetworkConnection | undefined)?.connection;
+  const events: readonly [EventTarget | undefined, string, (event: Event) => void][] = [
+    [page, 'online', retry],
+    // The link is gone most likely: the sooner that is known, the sooner another one is looked for.
+    [page, 'offline', retry],
+    [page, 'pageshow', retry],
+    [page, 'pagehide', handlePageHide],
+    [shown, 'visibilitychange', retryIfShown],
+    [shown, 'resume', retry],
+    [network, 'change', retry],
+  ];
   client.onState(({ status }) => {
-    // The same function is added once, however often.
-    if (status === 'connecting') {
-      page.addEventListener('online', retry);
-      page.addEventListener('pageshow', retry);
-      shown.addEventListener('visibilitychange', retryIfShown);
-    } else if (status === 'closed') {
-      page.removeEventListener('online', retry);
-      page.removeEventListener('pageshow', retry);
-      shown.removeEventListener('visibilitychange', retryIfShown);
+    for (const [target, type, handle] of events) {
+      // The same function is added once, however often.
+      if (status === 'connecting') target?.addEventListener(type, handle);
+      else if (status === 'closed') target?.removeEventListener(type, handle);
     }
   });
 }

@@ -166,10 +166,97 @@ describe('createTabIdentity()', () => {
   });
 });
 
+/** Channels of one origin; a page that has ended says nothing more. */
+class Channel {
+  static readonly open = new Set<Channel>();
+  onmessage: ((event: { data: unknown }) => void) | undefined;
+  readonly name: string;
+
+  constructor(name: string) {
+    this.name = name;
+    Channel.open.add(this);
+  }
+
+  postMessage(data: unknown): void {
+    for (const other of Channel.open) {
+      if (other === this || other.name !== this.name) continue;
+      queueMicrotask(() => Channel.open.has(other) && other.onmessage?.({ data }));
+    }
+  }
+
+  close(): void {
+    Channel.open.delete(this);
+  }
+}
+
+describe.each([
+  ['with locks', true],
+  ['over plain HTTP, without locks', false],
+])('claimIdentity() on a busy machine, %s', (_where, hasLocks) => {
+  let page: EventTarget;
+
+  beforeEach(() => {
+    vi.useFakeTimers();
+    Channel.open.clear();
+    page = new EventTarget();
+    vi.stubGlobal('BroadcastChannel', Channel);
+    vi.stubGlobal('window', page);
+    vi.stubGlobal('navigator', hasLocks ? { locks } : {});
+  });
+
+  afterEach(() => {
+    vi.useRealTimers();
+  });
+
+  /** The page that has the identity, and how it ends: it first stops to answer, and is gone later. */
+  async function openFirstPage() {
+    const claimed = claimIdentity(ADA.clientId);
+    await vi.advanceTimersByTimeAsync(1_000);
+    expect(await claimed).toBeDefined();
+    const endOfLocks = locks.nextPage();
+    const channels = [...Channel.open];
+    return {
+      hide: () => page.dispatchEvent(new Event('pagehide')),
+      end: () => {
+        endOfLocks();
+        for (const channel of channels) channel.close();
+      },
+    };
+  }
+
+  it('a reloaded page waits for a predecessor that takes seconds to end', async () => {
+    const first = await openFirstPage();
+    first.hide();
+    const claimed = claimIdentity(ADA.clientId);
+    await vi.advanceTimersByTimeAsync(hasLocks ? 3_000 : 100);
+    first.end();
+    await vi.advanceTimersByTimeAsync(1_000);
+    expect(await claimed).toBeDefined();
+  });
+
+  it('a reloaded page that asks before its predecessor knows of its end is not sent away', async () => {
+    const first = await openFirstPage();
+    const claimed = claimIdentity(ADA.clientId);
+    await vi.advanceTimersByTimeAsync(10); // it has answered
+    first.hide();
+    await vi.advanceTimersByTimeAsync(400);
+    first.end();
+    await vi.advanceTimersByTimeAsync(1_000);
+    expect(await claimed).toBeDefined();
+  });
+
+  it('a duplicated page is told by the first one, which is there', async () => {
+    await openFirstPage();
+    const claimed = claimIdentity(ADA.clientId);
+    await vi.advanceTimersByTimeAsync(1_000);
+    expect(await claimed).toBeUndefined();
+  });
+});
+
 describe('claimIdentity() where there are no locks', () => {
   const releases: Release[] = [];
   const claim = async (): Promise<boolean> => {
-    const release = await claimIdentity('ada-1');
+    const release = await claimIdentity('eva-1');
     if (release !== undefined) releases.push(release);
     return release !== undefined;
   };

@@ -146,3 +146,45 @@ describe('client.close()', () => {
     expect(master.clientIds).toEqual(['client-2']);
   });
 });
+
+describe('client.leave()', () => {
+  it('tells the master at once, after what was published, and comes back as the same client [EX-55]', async () => {
+    const master = new FakeMaster();
+    const { client, clock, states } = createTestClient(master, { publishIntervalMs: 1_000 });
+    const values: unknown[] = [];
+    client.subscribe('/a').onRecord(({ value }) => values.push(value));
+    await client.connect();
+    const registered = client.registerDevice({ name: 'pad', components: [] });
+    await settle();
+    await registered;
+    client.publish('/b', 'double', 1);
+    client.leave();
+    expect(client.state).toEqual({ status: 'closed', error: undefined });
+    await settle();
+    expect(master.published).toMatchObject([{ topic: '/b', value: 1 }]);
+    expect(master.farewells).toEqual([{ clientId: 'client-1', code: 4000 }]);
+    expect(master.clientIds).toEqual([]);
+    expect(clock.pendingTimers).toBe(0);
+
+    await client.connect();
+    expect(states.at(-1)).toMatchObject({ clientId: 'client-1', resumed: true });
+    expect(master.holds('client-1').devices).toMatchObject([{ name: 'pad' }]);
+    master.publish({ topic: '/a', format: 'double', value: 2 });
+    await settle();
+    expect(values).toEqual([2]);
+  });
+
+  it('stops a client that is waiting to reconnect, and does nothing to one that is closed', async () => {
+    const master = new FakeMaster();
+    const { client, clock } = createTestClient(master);
+    client.leave();
+    await client.connect();
+    master.stop();
+    await settle();
+    client.leave();
+    client.leave();
+    await clock.advance(60_000);
+    expect(client.state).toEqual({ status: 'closed', error: undefined });
+    expect(clock.pendingTimers).toBe(0);
+  });
+});

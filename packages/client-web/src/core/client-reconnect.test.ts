@@ -227,6 +227,57 @@ describe('a client whose socket drops [EX-5]', () => {
     expect(client.state).toMatchObject({ status: 'connected', clientId: 'client-1' });
   });
 
+  it('makes sure of its link when the machine slept, and is back within 2 s of waking [CL-41] [CL-42]', async () => {
+    const { master, client, clock } = await setup();
+    master.isSilent = true;
+    clock.setWall(3_600_000);
+    await clock.advance(1_500);
+    expect(client.state).toMatchObject({ status: 'reconnecting', error: { reason: 'timeout' } });
+    master.isSilent = false;
+    await clock.advance(500);
+    expect(client.state).toMatchObject({ status: 'connected', clientId: 'client-1' });
+  });
+
+  it('stays on a good link when the machine slept', async () => {
+    const { client, clock, states } = await setup();
+    await clock.sleep(3_600_000);
+    await clock.advance(10_000);
+    expect(client.state.status).toBe('connected');
+    expect(states).toEqual([]);
+  });
+
+  it('finds a master that was away for long within 2 s [CL-43]', async () => {
+    const { master, client, clock } = await setup();
+    master.stop();
+    await clock.advance(600_000);
+    master.restart();
+    await clock.advance(2_000);
+    expect(client.state).toMatchObject({ status: 'connected', clientId: 'client-1' });
+  });
+
+  it('does not wait long for a socket that does not open, but longer each time [CL-43]', async () => {
+    const { master, client, clock } = await setup();
+    const open = master.openConnection.bind(master);
+    const openedMs: number[] = [];
+    master.openConnection = () => {
+      openedMs.push(clock.monotonicMs());
+      return SILENT_CONNECTION;
+    };
+    const startMs = clock.monotonicMs();
+    master.drop();
+    await clock.advance(20_000);
+    const waits = openedMs.map((atMs, index) =>
+      Math.floor(atMs - (openedMs[index - 1] ?? startMs)),
+    );
+    expect(waits.slice(0, 4)).toEqual([250, 2_425, 4_722, 9_228]);
+    // The network is back: it counts from the beginning, and what was begun before is given up.
+    master.openConnection = open;
+    await clock.advance(1_000);
+    client.retryNow();
+    await clock.advance(0);
+    expect(client.state).toMatchObject({ status: 'connected', clientId: 'client-1' });
+  });
+
   it('notices a master that fell silent', async () => {
     const { master, client, clock } = await setup();
     master.isSilent = true;

@@ -4,7 +4,7 @@ import type { ConnectionEvent, ConnectionState } from './connection-state.ts';
 import { Deferred } from './deferred.ts';
 import { Link } from './link.ts';
 import type { LinkTime } from './link.ts';
-import { BROKEN, failureOf, isTold, remedyFor, unknownClient } from './link-failure.ts';
+import { BROKEN, failureOf, isAnswered, isTold, remedyFor, unknownClient } from './link-failure.ts';
 import type { LinkFailure } from './link-failure.ts';
 import { Listeners } from './listeners.ts';
 import type { Cancel, Clock } from './ports/clock.ts';
@@ -13,6 +13,7 @@ import type { TopicDataTransport } from './ports/topic-data-transport.ts';
 import { reconnectDelayMs } from './reconnect-policy.ts';
 import type { ReconnectPolicy } from './reconnect-policy.ts';
 import type { Membership, Registration } from './registration.ts';
+import { SleepWatch } from './sleep-watch.ts';
 
 /** How an attempt found the client at the master. */
 export interface Arrival {
@@ -42,6 +43,19 @@ export interface ConnectionOptions {
 /** An attempt younger than this is left alone by `retryNow`, milliseconds. */
 const FRESH_ATTEMPT_MS = 1_000;
 
+/**
+ * How long the first attempts to come back may take until the link is up, milliseconds. It doubles
+ * with each that took too long: the network may be gone, or the machine busy. [CL-43]
+ */
+const FIRST_PATIENCE_MS = 2_000;
+
+/** An attempt under way. */
+interface Attempt {
+  readonly done: Promise<void>;
+  readonly startedMs: number;
+  cancelPatience: Cancel | undefined;
+}
+
 /** Thrown inside an attempt that was given up meanwhile; goes no further. */
 const ABANDONED = Symbol('abandoned');
 
@@ -53,7 +67,7 @@ export class Connection {
   #connected: Deferred<void> | undefined;
   #link: Link | undefined;
   /** Stands for the attempt under way; replaced to abandon it. */
-  #attempt: { readonly done: Promise<void>; readonly startedMs: number } | undefined;
+  #attempt: Attempt | undefined;
   #cancelRetry: Cancel | undefined;
   /** The id of the last connection, or of an earlier run; empty when there was none. */
   #lastId: string | undefined;
@@ -66,9 +80,13 @@ export class Connection {
   /** The next attempt is to start without delay. */
   #mustHurry = false;
   #connectedSinceMs = 0;
+  /** Attempts that took too long, since the last sign that the way is free. */
+  #slowAttempts = 0;
+  readonly #sleepWatch: SleepWatch;
 
   constructor(options: ConnectionOptions) {
     this.#options = options;
+    this.#sleepWatch = new SleepWatch(options.clock, () => this.retryNow()); // [CL-41]
   }
 
   get state(): ConnectionState {
@@ -114,21 +132,22 @@ export class Connection {
   }
 
   /**
-   * Tries at once when waiting to try again, and anew when the socket of an attempt has been opening
-   * for a while: the network it was opened on may be gone. When connected, makes sure that the link
-   * is alive.
+   * Tries at once when waiting to try again, and anew when an attempt has been under way for a while:
+   * the network it was begun on may be gone. When connected, makes sure that the link is alive. [CL-41]
    */
   retryNow(): void {
+    this.#slowAttempts = 0;
     if (this.#state.status === 'connected') {
       this.#link?.probe();
     } else if (this.#cancelRetry !== undefined) {
+      this.#failedAttempts = 0;
       this.#cancelRetry();
       this.#startAttempt();
-    } else if (this.#attempt !== undefined && this.#link?.isUp === false) {
+    } else if (this.#attempt !== undefined && this.#mayAbandon()) {
       const ageMs = this.#options.clock.monotonicMs() - this.#attempt.startedMs;
       if (ageMs < FRESH_ATTEMPT_MS) return;
       this.#mustHurry = true;
-      this.#link.close();
+      this.#abandon(`The attempt was given up after ${Math.round(ageMs)} ms for a new one`);
     }
   }
 
@@ -152,17 +171,48 @@ export class Connection {
   }
 
   #startAttempt(): void {
+    const { clock, openTimeoutMs } = this.#options;
     this.#cancelRetry = undefined;
     this.#attemptNumber += 1;
     const done = new Deferred<void>();
-    const attempt = { done: done.promise, startedMs: this.#options.clock.monotonicMs() };
+    const attempt: Attempt = {
+      done: done.promise,
+      startedMs: clock.monotonicMs(),
+      cancelPatience: undefined,
+    };
     this.#attempt = attempt;
+    const patienceMs = FIRST_PATIENCE_MS * 2 ** this.#slowAttempts;
+    if (this.#state.status === 'reconnecting' && patienceMs < openTimeoutMs) {
+      attempt.cancelPatience = clock.after(patienceMs, () => this.#losePatience(patienceMs));
+    }
     const isCurrent = (): boolean => this.#attempt === attempt;
     this.#arrive(isCurrent)
       .catch((cause: unknown) => {
         if (isCurrent()) this.#handleFailure(failureOf(cause));
       })
       .finally(() => done.resolve());
+  }
+
+  #losePatience(patienceMs: number): void {
+    if (!this.#mayAbandon()) return;
+    this.#slowAttempts += 1;
+    this.#abandon(`Expected the master to answer within ${patienceMs} ms`);
+  }
+
+  /** Before the link is up nothing is lost, unless a second registration would make a second client. */
+  #mayAbandon(): boolean {
+    if (this.#link !== undefined) return !this.#link.isUp;
+    return this.#options.registration.isResumable;
+  }
+
+  #abandon(message: string): void {
+    const error = new ConnectionError('closed', message);
+    this.#handleFailure({ error, code: BROKEN, wasUp: false });
+  }
+
+  #endAttempt(): void {
+    this.#attempt?.cancelPatience?.();
+    this.#attempt = undefined;
   }
 
   async #arrive(isCurrent: () => boolean): Promise<void> {
@@ -206,7 +256,9 @@ export class Connection {
   }
 
   #handleArrival({ membership, previousId }: Arrival): void {
-    this.#attempt = undefined;
+    this.#endAttempt();
+    this.#sleepWatch.start();
+    this.#slowAttempts = 0;
     this.#attemptNumber = 0;
     this.#hasHurried = false;
     this.#connectedSinceMs = this.#options.clock.monotonicMs();
@@ -226,7 +278,8 @@ export class Connection {
 
   #handleFailure(failure: LinkFailure): void {
     const { registration, clock, policy, random } = this.#options;
-    this.#attempt = undefined;
+    this.#endAttempt();
+    this.#sleepWatch.stop();
     this.#link?.close();
     this.#link = undefined;
     const remedy = remedyFor(failure);
@@ -256,7 +309,7 @@ export class Connection {
       this.#failedAttempts = 0;
     } else this.#failedAttempts += 1;
 
-    const delayMs = reconnectDelayMs(policy, this.#failedAttempts, random);
+    const delayMs = reconnectDelayMs(policy, this.#failedAttempts, random, isAnswered(failure));
     if (delayMs === undefined) {
       this.#stop('ended', failure.error);
       return;
@@ -272,7 +325,8 @@ export class Connection {
   }
 
   #stop(event: 'ended' | 'close', error: ConnectionError | undefined): void {
-    this.#attempt = undefined;
+    this.#endAttempt();
+    this.#sleepWatch.stop();
     this.#cancelRetry?.();
     this.#cancelRetry = undefined;
     const connected = this.#connected;

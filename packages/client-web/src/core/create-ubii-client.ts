@@ -8,6 +8,7 @@ import type {
   ServiceRequestOf,
 } from '@ubii/proto';
 import type { EncodedNodeMessage } from '@ubii/proto/wire';
+import { ClientCalls } from './client-calls.ts';
 import type { ClientCounters } from './client-counters.ts';
 import type { ClientOptions } from './client-options.ts';
 import { profileToMessage } from './component-profile.ts';
@@ -21,7 +22,7 @@ import type { EncodedListener } from './encoded-record.ts';
 import { createMemoryIdentity } from './identity.ts';
 import type { Link } from './link.ts';
 import type { ClientRole } from './join.ts';
-import { failureOf, unknownClient } from './link-failure.ts';
+import { failureOf, LEFT } from './link-failure.ts';
 import { Listeners } from './listeners.ts';
 import type { Clock } from './ports/clock.ts';
 import type { IdSource } from './ports/id-source.ts';
@@ -70,18 +71,6 @@ const FAREWELL_TIMEOUT_MS = 2_000;
 /** A credential lives for a week; one who stays for longer gets another in time, milliseconds. [AC-13] */
 const CREDENTIAL_RENEWAL_MS = 24 * 3_600_000;
 
-/** Services whose request says on whose behalf it comes. Elsewhere a client id is a criterion. */
-const SERVICES_WITH_CLIENT_ID: ReadonlySet<ServiceName> = new Set([
-  'topicSubscription',
-  'deviceRegistration',
-  'deviceDeregistration',
-  'clientRename',
-  'clientDisconnect',
-  'clientThrottle',
-  'accessGrantCreate',
-  'accessGrantRevoke',
-]);
-
 /** A client on the given ports. */
 export function createUbiiClient(options: ClientOptions, ports: ClientPorts): UbiiClient {
   return new Client(options, ports);
@@ -90,8 +79,8 @@ export function createUbiiClient(options: ClientOptions, ports: ClientPorts): Ub
 /** Joins the parts; each part says itself what it does. */
 class Client implements UbiiClient {
   readonly #clock: Clock;
-  readonly #timeoutMs: number;
-  readonly #calls: ServiceCalls;
+  readonly #open: ServiceCalls;
+  readonly #calls: ClientCalls;
   readonly #registration: Registration;
   readonly #connection: Connection;
   readonly #subscriptions: TopicSubscriptions;
@@ -114,11 +103,11 @@ class Client implements UbiiClient {
   constructor(options: ClientOptions, { clock, random, uuid, services, topicData }: ClientPorts) {
     this.#clock = clock;
     this.#credentialMs = clock.monotonicMs();
-    this.#timeoutMs = options.serviceTimeoutMs ?? DEFAULT_SERVICE_TIMEOUT_MS;
+    const timeoutMs = options.serviceTimeoutMs ?? DEFAULT_SERVICE_TIMEOUT_MS;
     const bearer = (): string | undefined => this.#registration.credential; // [AC-13]
-    this.#calls = new ServiceCalls(services, clock, this.#timeoutMs, bearer);
+    this.#open = new ServiceCalls(services, clock, timeoutMs, bearer);
     // Of its own, because `close()` rejects the program's calls but has to know how a registration went.
-    const registrationCalls = new ServiceCalls(services, clock, this.#timeoutMs, bearer);
+    const registrationCalls = new ServiceCalls(services, clock, timeoutMs, bearer);
     this.#registration = new Registration(
       registrationCalls,
       options.identity ?? createMemoryIdentity(),
@@ -132,17 +121,24 @@ class Client implements UbiiClient {
       },
       options.joinToken,
     );
+    this.#calls = new ClientCalls({
+      calls: this.#open,
+      clock,
+      timeoutMs,
+      connection: () => this.#connection,
+      registration: this.#registration,
+    });
     const handleProblem = (problem: ClientProblem): void => this.#problemListeners.emit(problem);
     const handleUnknownClient = (cause: ServiceError): void => {
       this.#connection.drop(new ConnectionError('refused', cause.message, { cause }));
     };
     this.#subscriptions = new TopicSubscriptions({
       clock,
-      callTopicSubscription: (request) => this.#callAsMember('topicSubscription', request),
-      listTopics: async () => (await this.#callNow('topicList', undefined)).elements,
+      callTopicSubscription: (request) => this.#calls.callAsMember('topicSubscription', request),
+      listTopics: async () => (await this.#calls.callNow('topicList', undefined)).elements,
       listComponents: async (profiles) => {
         const elements = profiles.map(profileToMessage);
-        return (await this.#callNow('componentGetList', { elements })).elements;
+        return (await this.#calls.callNow('componentGetList', { elements })).elements;
       },
       handleProblem,
       handleUnknownClient,
@@ -158,8 +154,8 @@ class Client implements UbiiClient {
       clock,
       uuid,
       clientId: () => this.id,
-      registerDevice: (device) => this.#callAsMember('deviceRegistration', device),
-      deregisterDevice: (device) => this.#callAsMember('deviceDeregistration', device),
+      registerDevice: (device) => this.#calls.callAsMember('deviceRegistration', device),
+      deregisterDevice: (device) => this.#calls.callAsMember('deviceDeregistration', device),
       publish: (topic, format, value, publishOptions) =>
         this.#publish(topic, format, value, publishOptions),
       subscribe: (topic, subscribeOptions) => this.subscribe(topic, subscribeOptions),
@@ -174,7 +170,7 @@ class Client implements UbiiClient {
       policy: { ...DEFAULT_RECONNECT_POLICY, ...options.reconnect },
       registration: this.#registration,
       transport: topicData,
-      openTimeoutMs: this.#timeoutMs,
+      openTimeoutMs: timeoutMs,
       handleBinary: (bytes) => this.#inbox.handleBinary(bytes),
       handleUnknownText: (text) => this.#inbox.handleUnknownText(text),
       handleRoundTrip: (roundTripMs) => {
@@ -286,6 +282,14 @@ class Client implements UbiiClient {
     return this.#closing;
   }
 
+  leave(): void {
+    if (this.state.status === 'closed') return;
+    this.#publishes.flush();
+    const { link } = this.#connection.close();
+    this.#registration.invalidate();
+    link?.close(LEFT.code, LEFT.reason);
+  }
+
   rename(name: string): Promise<void> {
     return this.updateProfile({ name });
   }
@@ -341,31 +345,18 @@ class Client implements UbiiClient {
 
   sendNodeMessage(frame: Uint8Array): boolean {
     const { link } = this.#connection;
-    if (link === undefined || !this.#isExtended) return false;
+    if (link === undefined || !this.#calls.isExtended) return false;
     this.#publishes.flush();
     link.sendBinary(frame);
     this.#bytesOut += frame.byteLength;
     return true;
   }
 
-  async call<S extends ServiceName>(
+  call<S extends ServiceName>(
     service: S,
     ...[request]: ServiceCallArguments<S>
   ): Promise<ServiceReplyOf<S>> {
-    const deadlineMs = this.#clock.monotonicMs() + this.#timeoutMs;
-    if (this.state.status !== 'connected') {
-      await within(this.#clock, this.#timeoutMs, this.#connection.whenConnected(), () => {
-        throw new ConnectionError(
-          'timeout',
-          `Expected a connection for "${service}" within ${this.#timeoutMs} ms`,
-        );
-      });
-    }
-    return this.#callNow(
-      service,
-      request as Init<ServiceRequestOf<S>> | undefined,
-      Math.max(0, deadlineMs - this.#clock.monotonicMs()),
-    );
+    return this.#calls.call(service, request as Init<ServiceRequestOf<S>> | undefined);
   }
 
   async registerDevice<const C extends readonly ComponentInit[]>(
@@ -383,39 +374,6 @@ class Client implements UbiiClient {
       toWaitingRecord({ topic, format, value, timestampMs, clientId: this.id }),
       options.immediate === true,
     );
-  }
-
-  /** Calls without waiting for the connection: what makes the connection uses this. */
-  #callNow<S extends ServiceName>(
-    service: S,
-    request: Init<ServiceRequestOf<S>> | undefined,
-    timeoutMs = this.#timeoutMs,
-  ): Promise<ServiceReplyOf<S>> {
-    return this.#calls.call(service, this.#withClientId(service, request), timeoutMs);
-  }
-
-  /** Calls a service that fails for a client the master does not know, and makes sure to tell that apart. */
-  async #callAsMember<S extends ServiceName>(
-    service: S,
-    request: Init<ServiceRequestOf<S>>,
-  ): Promise<ServiceReplyOf<S>> {
-    try {
-      return await this.#callNow(service, request);
-    } catch (error) {
-      if (!(error instanceof ServiceError) || this.#isExtended) throw error;
-      throw (await this.#registration.isKnown()) ? error : unknownClient(error);
-    }
-  }
-
-  #withClientId<R>(service: ServiceName, request: R): R {
-    if (!SERVICES_WITH_CLIENT_ID.has(service) || typeof request !== 'object') return request;
-    const { clientId } = request as { clientId?: string };
-    return clientId ? request : { ...request, clientId: this.id };
-  }
-
-  /** Whether the master is, or was when last met, one of ours. */
-  get #isExtended(): boolean {
-    return this.#registration.membership?.isExtended ?? true;
   }
 
   async #tellProfile(): Promise<void> {
@@ -461,9 +419,7 @@ class Client implements UbiiClient {
         return;
       case 'closed':
         this.#pause();
-        this.#calls.rejectAll(
-          state.error ?? new ConnectionError('closed', 'The client was closed'),
-        );
+        this.#open.rejectAll(state.error ?? new ConnectionError('closed', 'The client was closed'));
         if (state.error !== undefined) this.#subscriptions.failIterators(state.error);
         return;
       case 'idle':

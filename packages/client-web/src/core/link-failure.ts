@@ -17,6 +17,9 @@ export type Remedy = 'stop' | 'register-as-new' | 'register-again' | 'retry';
 /** No close code of the master: the link broke. */
 export const BROKEN = 1006;
 
+/** What a client closes with that leaves for good. [EX-55] */
+export const LEFT = { code: 4000, reason: 'left' } as const;
+
 /** What the master says with a close code. [EX-5] Every other code: try again, with back-off. */
 const REMEDIES: ReadonlyMap<number, Remedy> = new Map([
   [4001, 'stop'], // superseded: trying again would take the identity back, and so on for ever
@@ -65,6 +68,11 @@ export function remedyFor({ code, error, wasUp }: LinkFailure): Remedy {
 /** Whether the master is there and said itself what to do, so that there is nothing to wait for. */
 export function isTold({ code, error }: LinkFailure): boolean {
   return REMEDIES.has(code) || isUnknownClient(error.cause);
+}
+
+/** Whether somebody was there: a link that was up, a word of the master, an answer of a service. */
+export function isAnswered({ code, error, wasUp }: LinkFailure): boolean {
+  return wasUp || code !== BROKEN || error.cause instanceof ServiceError;
 }
 
 /** What the master answers to a client it does not know. */

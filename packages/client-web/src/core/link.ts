@@ -8,6 +8,7 @@ import type {
   TopicDataSocket,
   TopicDataTransport,
 } from './ports/topic-data-transport.ts';
+import { Probe } from './probe.ts';
 import { readClocks } from './time/clock-reading.ts';
 import type { ClockReading } from './time/clock-reading.ts';
 import type { TimeExchange } from './time/time-sample.ts';
@@ -20,8 +21,6 @@ export const PING_INTERVAL_MS = 2_000;
  * that a page whose timers slept does not drop a good link when it wakes.
  */
 const SILENT_PINGS = 3;
-/** How long a probe waits for a sign of life, milliseconds. */
-const PROBE_TIMEOUT_MS = 2_000;
 /** The clock is measured with so many PINGs more, so far apart in milliseconds. [TS-3] */
 const BURST_PINGS = 7;
 const BURST_INTERVAL_MS = 50;
@@ -81,7 +80,9 @@ export class Link {
   readonly #ended = new Deferred<never>();
   readonly #cancelOpenTimer: Cancel;
   #cancelPings: Cancel | undefined;
-  #cancelProbe: Cancel | undefined;
+  readonly #probe: Probe;
+  /** Of the last measurement, milliseconds. */
+  #tripMs: number | undefined;
   #isUp = false;
   #failure: LinkFailure | undefined;
   #cancelBurst: Cancel | undefined;
@@ -94,6 +95,12 @@ export class Link {
     this.#options = options;
     this.up = this.#up.promise;
     this.ended = this.#ended.promise;
+    this.#probe = new Probe({
+      clock: options.clock,
+      ask: (answered) => this.#ping({ answered }),
+      usualTripMs: () => this.#tripMs,
+      handleDead: (waitedMs) => this.#endSilent(`${Math.round(waitedMs)} ms`),
+    });
     this.#cancelOpenTimer = options.clock.after(options.openTimeoutMs, () =>
       this.#endWithTimeout(
         `Expected the topic-data socket to open and answer within ${options.openTimeoutMs} ms`,
@@ -125,13 +132,9 @@ export class Link {
     this.#socket.sendBinary(borrowedBytes);
   }
 
-  /** Ends the link as failed when there is no sign of life from the master soon. */
+  /** Ends the link as failed when the master does not answer soon. [CL-42] */
   probe(): void {
-    if (!this.isUp || !this.#options.canPing || this.#cancelProbe !== undefined) return;
-    this.#ping();
-    this.#cancelProbe = this.#options.clock.after(PROBE_TIMEOUT_MS, () =>
-      this.#endSilent(`${PROBE_TIMEOUT_MS} ms`),
-    );
+    if (this.isUp && this.#options.canPing) this.#probe.start();
   }
 
   /** Resolves when the master has handled all that was sent so far, or the link ended; at once where it cannot be asked. */
@@ -199,8 +202,7 @@ export class Link {
 
   #handleSignOfLife(): void {
     this.#silentPings = 0;
-    this.#cancelProbe?.();
-    this.#cancelProbe = undefined;
+    this.#probe.handleFrame();
   }
 
   #handleBinary(bytes: Uint8Array): void {
@@ -241,7 +243,8 @@ export class Link {
     for (const one of this.#pings.splice(0, this.#pings.indexOf(ping) + 1)) one.answered?.resolve();
     if (!this.#isUp) this.#handleUp();
     if (!ping.isExtra) {
-      this.#options.handleRoundTrip(received.monotonicMs - ping.sent.monotonicMs);
+      this.#tripMs = received.monotonicMs - ping.sent.monotonicMs;
+      this.#options.handleRoundTrip(this.#tripMs);
     }
     return received;
   }
@@ -270,7 +273,7 @@ export class Link {
     this.#cancelOpenTimer();
     this.#cancelPings?.();
     this.#cancelBurst?.();
-    this.#cancelProbe?.();
+    this.#probe.cancel();
     for (const ping of this.#pings) ping.answered?.resolve();
     this.#pings = [];
     this.#up.reject(failure);

@@ -13,6 +13,17 @@ describe('reconnectDelayMs()', () => {
     expect(delaysMs).toEqual([100, 200, 400, 800, 1_000, 1_000, 1_000]);
   });
 
+  it('stays short while nobody answers, so that a master that is back is found within 2 s [CL-43]', () => {
+    const { maxUnansweredDelayMs } = DEFAULT_RECONNECT_POLICY;
+    expect(maxUnansweredDelayMs).toBeLessThan(2_000);
+    for (const failed of [4, 50, 5_000]) {
+      expect(reconnectDelayMs(DEFAULT_RECONNECT_POLICY, failed, never, false)).toBe(
+        maxUnansweredDelayMs,
+      );
+    }
+    expect(reconnectDelayMs({ ...policy, maxDelayMs: 500 }, 50, never, false)).toBe(500);
+  });
+
   it('leaves its share to chance, and no more', () => {
     expect(reconnectDelayMs(policy, 1, almostOne)).toBeCloseTo(100, 2);
     expect(reconnectDelayMs({ ...policy, jitter: 1 }, 1, almostOne)).toBeCloseTo(0, 2);

@@ -9,6 +9,11 @@ export interface ReconnectPolicy {
   /** No delay is longer, milliseconds. @default 5000 */
   readonly maxDelayMs: number;
   /**
+   * No delay is longer while nobody answers, milliseconds: a master that is back is found soon. The
+   * longer one is for a master that is there and does not keep the client. [CL-43] @default 1500
+   */
+  readonly maxUnansweredDelayMs: number;
+  /**
    * Share of a delay that is left to chance, 0 to 1, so that many clients do not come back in the
    * same instant after a restart of the master. @default 0.5
    */
@@ -31,6 +36,7 @@ export const DEFAULT_RECONNECT_POLICY: ReconnectPolicy = {
   initialDelayMs: 250,
   factor: 1.7,
   maxDelayMs: 5_000,
+  maxUnansweredDelayMs: 1_500,
   jitter: 0.5,
   giveUpAfterAttempts: Infinity,
   stableAfterMs: 5_000,
@@ -40,16 +46,19 @@ export const DEFAULT_RECONNECT_POLICY: ReconnectPolicy = {
  * How long to wait before the next attempt: exponential back-off, of which the jitter takes up to
  * its share.
  * @param failedAttempts in a row; 0 when a link that held just broke
+ * @param isAnswered whether somebody is there, who does not keep the client
  * @returns milliseconds, or `undefined` when the policy says to give up
  */
 export function reconnectDelayMs(
   policy: ReconnectPolicy,
   failedAttempts: number,
   random: RandomSource,
+  isAnswered = true,
 ): number | undefined {
   if (failedAttempts >= policy.giveUpAfterAttempts) return undefined;
   const fullMs = Math.min(
     policy.maxDelayMs,
+    isAnswered ? Infinity : policy.maxUnansweredDelayMs,
     policy.initialDelayMs * policy.factor ** failedAttempts,
   );
   return fullMs * (1 - policy.jitter * random());

@@ -93,6 +93,11 @@ export class Registration {
     return this.#clientId;
   }
 
+  /** Whether registering again, even twice at once, makes no second client. [CL-3] */
+  get isResumable(): boolean {
+    return this.#hasLoaded && this.#identity?.resumeToken !== undefined;
+  }
+
   get profile(): ClientProfile {
     return this.#profile;
   }

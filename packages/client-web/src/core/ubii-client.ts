@@ -48,7 +48,16 @@ export interface UbiiClient {
   connect(): Promise<void>;
   /** Sends what is waiting, deregisters, ends all subscriptions and rejects pending calls; idempotent. */
   close(): Promise<void>;
-  /** Tries at once when the client is waiting to reconnect. */
+  /**
+   * Tells the master in passing that the client leaves, for a program that ends this moment: it is
+   * removed at once, and not missed. What was published goes before. Identity, subscriptions and devices
+   * are kept: the next `connect()`, or the next page of the tab, comes back as the same client. [EX-55]
+   */
+  leave(): void;
+  /**
+   * The way to the master may be free again, or gone: tries at once when waiting to reconnect, and
+   * makes sure that a link which seems open is. [CL-41]
+   */
   retryNow(): void;
 
   /**

@@ -30,6 +30,15 @@ export class FakeClock implements Clock {
     this.#epochMs += byMs;
   }
 
+  /** Timers stand still for so long, then what fell due is called once, too late: a page that was frozen. */
+  async sleep(forMs: number): Promise<void> {
+    this.#elapsedMs += forMs;
+    for (const timer of this.#timers) {
+      if (timer.everyMs !== undefined) timer.dueMs = Math.max(timer.dueMs, this.#elapsedMs);
+    }
+    await this.advance(0);
+  }
+
   after(delayMs: number, fn: () => void): Cancel {
     return this.#add({ dueMs: this.#elapsedMs + delayMs, everyMs: undefined, fn });
   }

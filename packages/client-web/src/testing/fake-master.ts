@@ -50,6 +50,8 @@ export class FakeMaster implements MemoryMaster {
   readonly published: TopicRecord[] = [];
   /** Every node message it was sent, in order. */
   readonly nodeMessages: NodeMessage[] = [];
+  /** Who closed a socket with a code of its own, in order. [EX-55] */
+  readonly farewells: { readonly clientId: string; readonly code: number }[] = [];
   /** Services beyond its own, by topic. */
   readonly services = new Map<string, (request: ServiceRequest) => Init<ServiceReply>>();
   /** How many records each received frame held. */
@@ -177,8 +179,12 @@ export class FakeMaster implements MemoryMaster {
           this.publish(record);
         }
       },
-      handleClose: () => {
-        if (this.#peers.get(clientId) === peer) this.#peers.delete(clientId);
+      handleClose: (code) => {
+        if (this.#peers.get(clientId) !== peer) return;
+        this.#peers.delete(clientId);
+        if (code === undefined || code < 4000) return;
+        this.farewells.push({ clientId, code });
+        this.#clients.delete(clientId); // [EX-55]
       },
     };
   }

@@ -21,8 +21,8 @@ export interface MemoryPeer {
 export interface MemoryConnection {
   handleBinary(bytes: Uint8Array): void;
   handleText(text: string): void;
-  /** The client closed, or the link was cut. */
-  handleClose(): void;
+  /** The client closed, or the link was cut. @param code what the client closed with */
+  handleClose(code?: number): void;
 }
 
 /** A master in the same process. */
@@ -122,7 +122,7 @@ export function createMemoryTopicData(master: MemoryMaster): TopicDataTransport 
         bufferedBytes: 0,
         close: (code = 1000, reason = '') => {
           if (inbox.isClosed) return;
-          post((to) => to.handleClose());
+          post((to) => to.handleClose(code));
           isOpen = false;
           inbox.close(code, reason);
         },

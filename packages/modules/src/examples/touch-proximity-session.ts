@@ -22,6 +22,15 @@ export const touchProximitySession = {
             identityMatchPattern: UUID_PATTERN,
           },
         },
+        {
+          inputName: 'touching',
+          topicMux: {
+            name: 'who touches',
+            dataType: 'bool',
+            topicSelector: '^/[^/]+/web-interface-smart-device/is_touched$',
+            identityMatchPattern: UUID_PATTERN,
+          },
+        },
         { inputName: 'distance', topic: '/examples/touch-proximity/distance' },
       ],
       outputMappings: [

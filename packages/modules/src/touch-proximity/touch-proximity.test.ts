@@ -18,6 +18,9 @@ function touch(identity: string | undefined, x: number, y: number, finger = 0): 
   );
 }
 
+/** Whether a finger is on the pad, as a muxer gives it. */
+const is = (identity: string, bool: boolean) =>
+  new Sample(bool, { identity, topic: `/${identity}/web-interface-smart-device/is_touched` });
 const vibrate = (identity: string, double = 100) => ({ double, outputTopicParams: [identity] });
 const near = (identity: string, bool = true) => ({ bool, outputTopicParams: [identity] });
 
@@ -44,7 +47,7 @@ describe.each(WAYS)('touch-proximity %s', (_way, drive) => {
     expect(await module.run(50, { distance: 0.13 })).toMatchObject({ nearCount: 2 });
   });
 
-  it('repeats the vibration when the one before has ended, and the news never', async () => {
+  it('repeats the vibration when the one before has ended, and the news every half second', async () => {
     const module = await drive(touchProximity);
     const touches = [touch('ann', 0, 0), touch('bob', 0, 0)];
     await module.run(0, { touches, vibrationMs: 80 });
@@ -53,6 +56,21 @@ describe.each(WAYS)('touch-proximity %s', (_way, drive) => {
       vibration: [vibrate('ann', 80), vibrate('bob', 80)],
       isNear: [],
     });
+    expect(await module.run(399)).toMatchObject({ isNear: [] });
+    expect(await module.run(1)).toMatchObject({ isNear: [near('ann'), near('bob')] });
+    expect(await module.run(100)).toMatchObject({ isNear: [] });
+  });
+
+  it('lets go of a finger that is said to be lifted, in the next run', async () => {
+    const module = await drive(touchProximity);
+    const touches = [touch('ann', 0, 0), touch('bob', 0, 0)];
+    const touching = [is('ann', true), is('bob', true)];
+    expect(await module.run(0, { touches, touching })).toMatchObject({ nearCount: 2 });
+    expect(await module.run(50, { touching: [is('ann', false), is('bob', true)] })).toMatchObject({
+      isNear: [near('bob', false), near('ann', false)],
+      nearCount: 0,
+    });
+    expect(await module.run(50, { touching: [is('ann', true)] })).toMatchObject({ nearCount: 2 });
   });
 
   it('lets go only beyond the hysteresis', async () => {

@@ -6,6 +6,8 @@ interface Toucher {
   isNear: boolean;
   /** Until then the one who vibrates is left alone, in module time, milliseconds. */
   quietUntilMs: number;
+  /** Until then who is near need not be told again, in module time, milliseconds. */
+  toldUntilMs: number;
 }
 
 interface TouchProximityState {
@@ -28,9 +30,10 @@ export const touchProximity = defineProcessingModule({
     'Finds touches of different people that are near one another, and lets their phones vibrate.',
   tags: ['touch', 'muxer', 'demuxer', 'example'],
   authors: ['Ubi-Interact'],
-  version: '1.0.0',
+  version: '1.1.0',
   inputs: {
     touches: { format: 'vector2', list: true },
+    touching: { format: 'bool', list: true },
     distance: 'double',
     hysteresis: 'double',
     vibrationMs: 'double',
@@ -64,13 +67,18 @@ export const touchProximity = defineProcessingModule({
     const maxAgeMs = read.number(inputs.maxAgeMs, 2000, 0, Number.MAX_VALUE);
     state.nowMs += deltaTimeMs;
 
+    // Who says that the finger was lifted; who says nothing of it touches as long as the place is new.
+    const lifted = Object.create(null) as { [identity: string]: boolean };
+    for (const { identity, bool } of inputs.touching?.elements ?? []) {
+      if (identity !== undefined) lifted[identity] = !bool;
+    }
     // Who touches where. The clocks of phones differ, so a touch ages from when it arrived here.
     const touches: { identity: string; x: number; y: number }[] = [];
     const seen = Object.create(null) as TouchProximityState['seen'];
     // Nothing at all while it is not mapped.
     for (const element of inputs.touches?.elements ?? []) {
       const { identity, topic, timestamp, vector2 } = element;
-      if (identity === undefined || identity === '') continue;
+      if (identity === undefined || identity === '' || lifted[identity] === true) continue;
       if (!Number.isFinite(vector2.x) || !Number.isFinite(vector2.y)) continue;
       const { seconds, nanos, millis } = timestamp ?? { seconds: 0, nanos: 0, millis: 0 };
       const stamp = [seconds, nanos, millis, vector2.x, vector2.y].join();
@@ -107,14 +115,18 @@ export const touchProximity = defineProcessingModule({
       const before = state.touchers[identity];
       const isNear = near[identity] === true;
       let quietUntilMs = before?.quietUntilMs ?? 0;
-      if (isNear !== (before?.isNear ?? false)) {
+      let toldUntilMs = before?.toldUntilMs ?? 0;
+      // Said again while it holds: a session that is stopped says no last word.
+      const isDue = isNear && state.nowMs >= toldUntilMs;
+      if (isDue || isNear !== (before?.isNear ?? false)) {
         changed.push({ bool: isNear, outputTopicParams: [identity] });
+        toldUntilMs = state.nowMs + 500;
       }
       if (isNear && vibrationMs > 0 && state.nowMs >= quietUntilMs) {
         vibrating.push({ double: vibrationMs, outputTopicParams: [identity] });
         quietUntilMs = state.nowMs + vibrationMs;
       }
-      touchers[identity] = { isNear, quietUntilMs };
+      touchers[identity] = { isNear, quietUntilMs, toldUntilMs };
     }
     // Who lifted the finger or left is near nobody any more.
     for (const [identity, toucher] of Object.entries(state.touchers)) {

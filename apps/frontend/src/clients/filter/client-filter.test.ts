@@ -24,7 +24,7 @@ describe('filterClients', () => {
 
   it.each([
     [{}, ['Pixel', 'Worker', 'Robot', 'Drum']],
-    [{ state: 'away' }, ['Robot']],
+    [{ state: 'lost' }, ['Robot']],
     [{ kind: 'phone' }, ['Pixel']],
     [{ kind: 'node' }, ['Worker']],
     [{ kind: 'program' }, ['Worker', 'Robot', 'Drum']],

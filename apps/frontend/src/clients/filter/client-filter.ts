@@ -5,7 +5,7 @@ import type { ClientKind, ClientView } from '../model/client-view.ts';
 /** Which clients are wanted, and in which order; what stands in the address of the page. */
 export interface ClientWishes {
   readonly text: string;
-  readonly state: 'here' | 'silent' | 'away' | undefined;
+  readonly state: 'here' | 'silent' | 'lost' | undefined;
   readonly kind: ClientKind | undefined;
   readonly isBroken: boolean;
   readonly sort: ClientColumnKey;
@@ -27,7 +27,7 @@ export const NO_WISHES: ClientWishes = {
 const STATES = {
   here: ClientState.ACTIVE,
   silent: ClientState.INACTIVE,
-  away: ClientState.UNAVAILABLE,
+  lost: ClientState.UNAVAILABLE,
 };
 const KINDS: readonly string[] = ['phone', 'browser', 'node', 'program'] satisfies ClientKind[];
 

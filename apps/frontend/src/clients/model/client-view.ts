@@ -36,7 +36,7 @@ export interface ClientStateLook {
 const STATES: Record<Client['state'], ClientStateLook> = {
   [ClientState.ACTIVE]: { mark: 'live', word: 'here' },
   [ClientState.INACTIVE]: { mark: 'warning', word: 'silent' },
-  [ClientState.UNAVAILABLE]: { mark: 'away', word: 'away' },
+  [ClientState.UNAVAILABLE]: { mark: 'away', word: 'lost' },
 };
 
 export function clientStateLook(state: Client['state']): ClientStateLook {

@@ -1,4 +1,4 @@
-import { StatusEventKind, type StatusEvent } from '@ubii/proto';
+import { ClientState, StatusEventKind, type StatusEvent } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { aClient } from '../testing/a-client.ts';
 import { Comings, comingWords } from './comings.ts';
@@ -11,6 +11,22 @@ describe('Comings', () => {
     const comings = new Comings();
     expect(comings.next([anna, robot])).toEqual([]);
     expect(comings.next([anna])).toEqual([{ kind: 'left', clientId: 'r', name: 'Robot' }]);
+    expect(comings.next([anna, robot])).toEqual([{ kind: 'back', clientId: 'r', name: 'Robot' }]);
+  });
+
+  it('tells who was lost from who left [EX-55]', () => {
+    const comings = new Comings();
+    comings.next([anna, robot]);
+    const lost = { ...robot, state: ClientState.UNAVAILABLE };
+    expect(comings.next([anna, lost])).toEqual([{ kind: 'lost', clientId: 'r', name: 'Robot' }]);
+    expect(comings.next([anna, robot])).toEqual([{ kind: 'back', clientId: 'r', name: 'Robot' }]);
+    comings.next([anna, lost]);
+    expect(comings.next([anna])).toEqual([]); // given up, which is no news
+  });
+
+  it('tells who comes back that was lost before one looked', () => {
+    const comings = new Comings();
+    comings.next([anna, { ...robot, state: ClientState.UNAVAILABLE }]);
     expect(comings.next([anna, robot])).toEqual([{ kind: 'back', clientId: 'r', name: 'Robot' }]);
   });
 
@@ -34,6 +50,12 @@ describe('comingWords', () => {
     const disconnected: StatusEvent = { ...event, kind: StatusEventKind.CLIENT_DISCONNECTED };
     expect(comingWords(left, [])).toBe('Robot has left.');
     expect(comingWords(left, [disconnected])).toBe('Robot was disconnected by Mara: too loud.');
+  });
+
+  it('says that a connection broke', () => {
+    expect(comingWords({ kind: 'lost', clientId: 'r', name: 'Robot' }, [])).toBe(
+      'Robot was lost: its connection broke.',
+    );
   });
 
   it('says that it is back', () => {

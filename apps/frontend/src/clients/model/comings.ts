@@ -1,15 +1,16 @@
-import { StatusEventKind, type Client, type StatusEvent } from '@ubii/proto';
+import { ClientState, StatusEventKind, type Client, type StatusEvent } from '@ubii/proto';
 
-/** Somebody left or came back while the page was open. */
+/** Somebody left, was lost or came back while the page was open. */
 export interface Coming {
-  readonly kind: 'left' | 'back';
+  /** Who is lost said nothing: its connection broke. */
+  readonly kind: 'left' | 'lost' | 'back';
   readonly clientId: string;
   readonly name: string;
   /** A newcomer with the name of one who left. */
   readonly isNew?: boolean;
 }
 
-/** Tells who left and who came back from one list of clients to the next. */
+/** Tells who left, who was lost and who came back from one list of clients to the next. */
 export class Comings {
   #present: ReadonlyMap<string, string> | undefined;
   /** Names of those who left, by id; the latest last. */
@@ -17,15 +18,22 @@ export class Comings {
 
   /** What happened since the list before. The first list is how it is, and no news. */
   next(clients: readonly Client[]): Coming[] {
-    const present = new Map(clients.map(({ id, name }) => [id, name || id]));
+    const isLost = ({ state }: Client): boolean => state === ClientState.UNAVAILABLE;
+    const lost = new Set(clients.filter(isLost).map(({ id }) => id));
+    const here = clients.filter((client) => !isLost(client));
+    const present = new Map(here.map(({ id, name }) => [id, name || id]));
     const before = this.#present;
     this.#present = present;
-    if (before === undefined) return [];
+    if (before === undefined) {
+      // Whoever was lost before may come back while one looks.
+      for (const { id, name } of clients.filter(isLost)) this.#gone.set(id, name || id);
+      return [];
+    }
     const news: Coming[] = [];
     for (const [clientId, name] of before) {
       if (present.has(clientId)) continue;
       this.#gone.set(clientId, name);
-      news.push({ kind: 'left', clientId, name });
+      news.push({ kind: lost.has(clientId) ? 'lost' : 'left', clientId, name });
     }
     for (const [clientId, name] of present) {
       if (before.has(clientId)) continue;
@@ -47,6 +55,7 @@ export function comingWords(coming: Coming, events: readonly StatusEvent[]): str
   if (kind === 'back') {
     return coming.isNew ? `${name} is here again, as a new client.` : `${name} is back.`;
   }
+  if (kind === 'lost') return `${name} was lost: its connection broke.`;
   const last = events.findLast((event) => event.clientId === clientId);
   if (last?.kind === StatusEventKind.CLIENT_DISCONNECTED) return `${last.text}.`;
   return `${name} has left.`;

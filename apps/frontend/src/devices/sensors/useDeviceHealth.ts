@@ -1,33 +1,26 @@
 import { useEventListener } from '@vueuse/core';
-import { shallowRef } from 'vue';
-
-/** Chromium's battery; others tell nothing, to keep people from being recognised by it. */
-interface Battery extends EventTarget {
-  /** 0 to 1. */
-  readonly level: number;
-  readonly charging: boolean;
-}
+import { onScopeDispose, shallowRef } from 'vue';
+import { watchBattery, type BatteryState } from '../../connection/battery.ts';
 
 /** What the browser tells of the device itself: its battery, and whether the page is seen. */
 export function useDeviceHealth(handlers: {
   battery(level: number): void;
   visible(isVisible: boolean): void;
 }) {
-  const battery = shallowRef<{ readonly level: number; readonly isCharging: boolean }>();
-  const { getBattery } = navigator as { getBattery?: () => Promise<Battery> };
-  void getBattery?.call(navigator).then(
-    (source) => {
-      const read = (): void => {
-        battery.value = { level: source.level, isCharging: source.charging };
-        handlers.battery(source.level);
-      };
-      read();
-      useEventListener(source, ['levelchange', 'chargingchange'], read);
+  const battery = shallowRef<BatteryState>();
+  const tellVisible = (): void => handlers.visible(document.visibilityState === 'visible');
+  const stop = watchBattery((state) => {
+    battery.value = state;
+    handlers.battery(state.level);
+  });
+  onScopeDispose(stop);
+  useEventListener(document, 'visibilitychange', tellVisible);
+  return {
+    battery,
+    /** Says all of it again: to a master that does not know it. */
+    tell(): void {
+      if (battery.value) handlers.battery(battery.value.level);
+      tellVisible();
     },
-    () => undefined,
-  );
-  useEventListener(document, 'visibilitychange', () =>
-    handlers.visible(document.visibilityState === 'visible'),
-  );
-  return { battery };
+  };
 }

@@ -50,6 +50,13 @@ export const SMART_DEVICE_COMPONENTS = [
     description: 'The first finger on the pad, 0 to 1 on both axes, origin top left.',
   },
   {
+    name: 'is_touched',
+    format: 'bool',
+    topic: own('is_touched'),
+    tags: ['touch'],
+    description: 'Whether a finger is on the pad; said at once when the last one is lifted.',
+  },
+  {
     name: 'acceleration',
     format: 'vector3',
     topic: own('acceleration'),

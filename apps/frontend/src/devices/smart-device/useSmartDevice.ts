@@ -9,7 +9,8 @@ import type {
   Vector4,
 } from '@ubii/proto';
 import { useEventListener, useIntervalFn } from '@vueuse/core';
-import { shallowReactive, shallowRef } from 'vue';
+import { onScopeDispose, shallowReactive, shallowRef, watch } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
 import { playTone, unlockSound } from '../outputs/play-tone.ts';
 import { vibrate } from '../outputs/vibrate.ts';
 import {
@@ -25,6 +26,7 @@ import { useMotionSensors } from '../sensors/useMotionSensors.ts';
 import { useStayAwake } from '../sensors/useStayAwake.ts';
 import { useDevice } from '../use-device.ts';
 import { SMART_DEVICE, SMART_DEVICE_COMPONENTS } from './components.ts';
+import { NearSignal } from './near-signal.ts';
 import { Reading } from './reading.ts';
 
 /** How often people are shown what the sensors say, milliseconds. The sensors have their own rates. */
@@ -36,6 +38,7 @@ const SHORTEST_FLASH_MS = 120;
 
 /** This browser as a smart device: what it senses is published, what it is sent is done. */
 export function useSmartDevice() {
+  const { isConnected } = useConnection();
   const readings = {
     linear: new Reading<Vector3>(({ x, y, z }) => Math.hypot(x, y, z)),
     acceleration: new Reading<Vector3>(({ x, y, z }) => Math.hypot(x, y, z)),
@@ -73,6 +76,9 @@ export function useSmartDevice() {
     outputs.isSilenced = !playTone(tone);
   };
 
+  const nearSignal = new NearSignal((isNear) => (outputs.isNear = isNear));
+  onScopeDispose(() => nearSignal.end());
+
   const device = useDevice({
     name: SMART_DEVICE,
     tags: ['smart device', 'web interface'],
@@ -86,7 +92,7 @@ export function useSmartDevice() {
         outputs.toneAtMs = Date.now();
         sound(tone);
       },
-      is_near: (isNear) => (outputs.isNear = isNear),
+      is_near: (isNear) => nearSignal.handle(isNear),
       set_color: (color) => (outputs.color = color.a > 0 ? color : undefined),
       show_text: (text) => (outputs.text = text),
       show_image: (image) => (outputs.image = image.data.length > 0 ? image : undefined),
@@ -136,10 +142,12 @@ export function useSmartDevice() {
   const location = useLocation((place) =>
     device.publish('location', readings.location.note(place, performance.now())),
   );
-  const { battery } = useDeviceHealth({
+  const health = useDeviceHealth({
     battery: (level) => device.publish('battery', level),
     visible: (isVisible) => device.publish('visible', isVisible, { immediate: true }),
   });
+  // A master that was restarted knows nothing of it, and nothing may change for hours.
+  watch([isConnected, device.isRegistered], (both) => both.every(Boolean) && health.tell());
   const awake = useStayAwake();
   useEventListener(window, 'pointerup', unlockSound);
 
@@ -160,7 +168,7 @@ export function useSmartDevice() {
     motion,
     microphone,
     location,
-    battery,
+    battery: health.battery,
     awake,
     isCalibrated,
     /** How it lies now is no turn from here on; again takes that back. */
@@ -172,8 +180,13 @@ export function useSmartDevice() {
       // Starts and ends must not wait for more of their kind.
       const immediate = events.some(({ type }) => type !== TouchType.TOUCH_MOVE);
       device.publish('web-component-touch', { elements: events }, { immediate });
+      const wasTouched = restingAt !== undefined;
       restingAt = first;
-      if (first) device.publish('touch_position', first, { immediate });
+      // Whose finger is lifted is near nobody from then on.
+      if (!first && wasTouched) device.publish('is_touched', false, { immediate: true });
+      if (!first) return;
+      device.publish('touch_position', first, { immediate });
+      if (!wasTouched) device.publish('is_touched', true, { immediate: true });
     },
     press(key: string, isDown: boolean): void {
       const type = isDown ? ButtonEventType.DOWN : ButtonEventType.UP;

@@ -109,7 +109,7 @@ export class TopicDataSockets {
         webSocket.close(INTERNAL_ERROR, 'internal error');
       }
     });
-    webSocket.on('close', () => opened.handleClose());
+    webSocket.on('close', (code: number) => opened.handleClose(code));
     socket.on('drain', () => opened.handleDrain());
   }
 }

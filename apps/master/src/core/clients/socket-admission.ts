@@ -86,7 +86,7 @@ export class SocketAdmission {
   }
 
   /** A socket of ours is closed. */
-  handleClosed(socket: TopicDataSocket): void {
+  handleClosed(socket: TopicDataSocket, hasLeft: boolean): void {
     const { client } = socket;
     this.#open--;
     client.socket = undefined;
@@ -94,7 +94,9 @@ export class SocketAdmission {
     client.subscriber.sampler.close();
     client.subscriber.outbox.close();
     client.lastSignMs = this.#context.clock.monotonicMs(); // [CL-13]
-    this.#context.clients.handleEvent(client, 'socket closed');
+    // Existing clients know nothing of this code. [EX-1]
+    const isFarewell = hasLeft && client.isExtension;
+    this.#context.clients.handleEvent(client, isFarewell ? 'deregistered' : 'socket closed');
   }
 
   #refusal(client: Client | undefined, query: ConnectionQuery): CloseReason | undefined {

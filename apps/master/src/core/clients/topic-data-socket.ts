@@ -28,8 +28,8 @@ export interface SocketContext extends PublishContext {
   readonly onSign: (client: Client) => void;
   /** A node says something. @throws DecodeError when it cannot be read */
   readonly onNodeMessage: (client: Client, bytes: Uint8Array) => void;
-  /** The socket is closed, from whichever side. Not called for one that was superseded. */
-  readonly onClosed: (socket: TopicDataSocket) => void;
+  /** The socket is closed, from whichever side. Not called for one that was superseded. @param hasLeft the client closed it for good [EX-55] */
+  readonly onClosed: (socket: TopicDataSocket, hasLeft: boolean) => void;
 }
 
 const UNKNOWN_TEXT = 'A text message is PING or PONG, but another was received.';
@@ -127,10 +127,10 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
     this.close(CLOSE.protocolErrors.code, CLOSE.protocolErrors.reason); // [TD-18]
   }
 
-  handleClose(): void {
+  handleClose(code?: number): void {
     if (!this.#isOpen) return;
     this.#isOpen = false;
-    this.#context.onClosed(this);
+    this.#context.onClosed(this, code === CLOSE.left.code);
   }
 
   // --- What scanTopicData finds ---

@@ -15,6 +15,6 @@ export interface ConnectionHandle {
   handleDrain(): void;
   /** The adapter refused input on its own, such as a frame over the size limit. `reason` is one sentence. Counted as a protocol error. */
   handleProtocolError(reason: string): void;
-  /** The pipe is closed. */
-  handleClose(): void;
+  /** The pipe is closed. @param code WebSocket close code of the other side, where it said one */
+  handleClose(code?: number): void;
 }

@@ -1,0 +1,46 @@
+import { StatusEventKind, type StatusEvent } from '@ubii/proto';
+
+/** How a client went: by itself, because somebody removed it, or without a word. [EX-55] */
+export type GoneHow = 'left' | 'disconnected' | 'lost';
+
+/** A client that is in no list any more. */
+export interface GoneClient {
+  readonly clientId: string;
+  readonly how: GoneHow;
+  /** What happened, in the words of the master: `Mara left`. */
+  readonly text: string;
+  /** When, milliseconds since the Unix epoch, master's clock. */
+  readonly atMs: number;
+}
+
+const HOW: Partial<Record<StatusEvent['kind'], GoneHow>> = {
+  [StatusEventKind.CLIENT_LEFT]: 'left',
+  [StatusEventKind.CLIENT_DISCONNECTED]: 'disconnected',
+  [StatusEventKind.CLIENT_LOST]: 'lost',
+};
+/** What tells nothing of whether a client is there. */
+const BESIDE_THE_POINT: ReadonlySet<StatusEvent['kind']> = new Set([
+  StatusEventKind.CLIENT_RENAMED,
+  StatusEventKind.CLIENT_THROTTLED,
+  StatusEventKind.LIMIT_REACHED,
+  StatusEventKind.OVERLOAD,
+]);
+
+/**
+ * Who went lately and is not there any more, the latest first.
+ * @param events oldest first
+ * @param isListed whether a client is still in the list: then that says how it is
+ */
+export function goneLately(
+  events: readonly StatusEvent[],
+  isListed: (clientId: string) => boolean,
+): GoneClient[] {
+  const gone = new Map<string, GoneClient | undefined>();
+  for (const { kind, clientId, text, timeMs } of events.toReversed()) {
+    if (clientId === '' || gone.has(clientId) || BESIDE_THE_POINT.has(kind)) continue;
+    const how = HOW[kind];
+    const isGone = how !== undefined && !isListed(clientId);
+    gone.set(clientId, isGone ? { clientId, how, text, atMs: timeMs } : undefined);
+  }
+  return [...gone.values()].filter((one) => one !== undefined);
+}
