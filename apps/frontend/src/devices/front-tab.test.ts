@@ -11,6 +11,7 @@ class Browser {
     const channel: TabChannel = {
       onmessage: null,
       postMessage(word) {
+        if (!channels.has(channel)) throw new Error('the channel is closed');
         for (const other of channels) {
           if (other !== channel) other.onmessage?.({ data: word } as MessageEvent);
         }
@@ -68,6 +69,8 @@ describe('two tabs of one device [CL-45]', () => {
     const first = browser.open(false);
     const second = browser.open(true);
     expect(first.state.isResting).toBe(true);
+    second.end();
+    second.show(false); // as a page that ends is
     second.end();
     expect(first.state.isResting).toBe(false);
   });

@@ -35,6 +35,7 @@ export interface FrontTabOptions {
 export class FrontTab {
   readonly #options: FrontTabOptions;
   #isResting = false;
+  #hasEnded = false;
 
   constructor(options: FrontTabOptions) {
     this.#options = options;
@@ -44,13 +45,17 @@ export class FrontTab {
 
   /** The tab came to the front, or left it. */
   handleVisibility(): void {
+    // A page that ends is hidden after that.
+    if (this.#hasEnded) return;
     const isVisible = this.#options.isVisible();
     if (isVisible) this.#rest(false);
     this.#say(isVisible ? 'front' : 'who');
   }
 
-  /** The tab is the device no more. */
+  /** The tab is the device no more; idempotent. */
   end(): void {
+    if (this.#hasEnded) return;
+    this.#hasEnded = true;
     const { channel } = this.#options;
     channel.onmessage = null;
     this.#say('gone');

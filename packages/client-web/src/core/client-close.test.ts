@@ -174,6 +174,24 @@ describe('client.leave()', () => {
     expect(values).toEqual([2]);
   });
 
+  it('says so on a socket, too, that has opened and is not answered yet', async () => {
+    const master = new FakeMaster();
+    const { client, clock } = createTestClient(master);
+    await client.connect();
+    master.drop();
+    const open = master.openConnection.bind(master);
+    master.openConnection = (query, peer) => {
+      const connection = open(query, peer);
+      return connection && { ...connection, handleText: () => undefined };
+    };
+    await clock.advance(500);
+    expect(client.state.status).toBe('reconnecting');
+    client.leave();
+    await settle();
+    expect(master.farewells).toHaveLength(1);
+    expect(master.clientIds).toEqual([]);
+  });
+
   it('stops a client that is waiting to reconnect, and does nothing to one that is closed', async () => {
     const master = new FakeMaster();
     const { client, clock } = createTestClient(master);

@@ -278,6 +278,48 @@ describe('a client whose socket drops [EX-5]', () => {
     expect(client.state).toMatchObject({ status: 'connected', clientId: 'client-1' });
   });
 
+  it('freshens the connections of services when the link fell silent, not when it was closed [CL-43]', async () => {
+    const { master, clock } = await setup();
+    const asked = () =>
+      master.requests.filter(({ topic }) => topic.endsWith('/server_configuration'));
+    master.drop();
+    await clock.advance(1_000);
+    expect(asked()).toHaveLength(0);
+    master.isSilent = true;
+    await clock.advance(8_000);
+    master.isSilent = false;
+    await clock.advance(5_000);
+    expect(asked()).toHaveLength(6);
+  });
+
+  it('comes back by its socket while services hang on connections of the network before [CL-43]', async () => {
+    const master = new FakeMaster();
+    master.credential = 'credential';
+    const { client, clock } = createTestClient(master);
+    await client.connect();
+    await clock.advance(10_000);
+    const open = master.openConnection.bind(master);
+    // A socket that is refused without a word: services are asked why. [AC-27]
+    master.openConnection = () => undefined;
+    master.handleServiceRequest = () => new Promise(() => undefined);
+    master.drop();
+    await clock.advance(1_000);
+    master.openConnection = open;
+    await clock.advance(3_000);
+    expect(client.state).toMatchObject({ status: 'connected', clientId: 'client-1' });
+    expect(registrations(master)).toBe(1);
+
+    // Told that the network is back, it asks no services first.
+    master.openConnection = () => undefined;
+    master.drop();
+    await clock.advance(2_000);
+    expect(client.state.status).toBe('reconnecting');
+    master.openConnection = open;
+    client.retryNow();
+    await clock.advance(0);
+    expect(client.state.status).toBe('connected');
+  });
+
   it('notices a master that fell silent', async () => {
     const { master, client, clock } = await setup();
     master.isSilent = true;

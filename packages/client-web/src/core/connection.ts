@@ -31,6 +31,8 @@ export interface ConnectionOptions {
   readonly transport: TopicDataTransport;
   /** How long opening a socket may take, milliseconds. */
   readonly openTimeoutMs: number;
+  /** The network is another one than before, and nothing said so. */
+  readonly freshenServices: () => void;
   readonly handleBinary: (bytes: Uint8Array) => void;
   readonly handleUnknownText: (text: string) => void;
   readonly handleRoundTrip: (roundTripMs: number) => void;
@@ -82,6 +84,8 @@ export class Connection {
   #connectedSinceMs = 0;
   /** Attempts that took too long, since the last sign that the way is free. */
   #slowAttempts = 0;
+  /** The link before fell silent. */
+  #wasSilent = false;
   readonly #sleepWatch: SleepWatch;
 
   constructor(options: ConnectionOptions) {
@@ -140,6 +144,7 @@ export class Connection {
     if (this.#state.status === 'connected') {
       this.#link?.probe();
     } else if (this.#cancelRetry !== undefined) {
+      this.#options.registration.trust();
       this.#failedAttempts = 0;
       this.#cancelRetry();
       this.#startAttempt();
@@ -159,12 +164,16 @@ export class Connection {
 
   /**
    * Stops for good. The state changes at once; the link is handed over for what is left to be said.
+   * @param farewell what a link is closed with that is not up yet
    * @returns the link, if it is up, and the end of the attempt under way
    */
-  close(): { link: Link | undefined; attemptDone: Promise<void> } {
+  close(farewell: { readonly code?: number; readonly reason?: string } = {}): {
+    link: Link | undefined;
+    attemptDone: Promise<void>;
+  } {
     const link = this.link;
     const attemptDone = this.#attempt?.done ?? Promise.resolve();
-    if (link === undefined) this.#link?.close();
+    if (link === undefined) this.#link?.close(farewell.code, farewell.reason);
     this.#link = undefined;
     this.#stop('close', undefined);
     return { link, attemptDone };
@@ -208,6 +217,7 @@ export class Connection {
   #abandon(message: string): void {
     const error = new ConnectionError('closed', message);
     this.#handleFailure({ error, code: BROKEN, wasUp: false });
+    this.#options.registration.cancel(error);
   }
 
   #endAttempt(): void {
@@ -225,6 +235,8 @@ export class Connection {
     if (!isCurrent()) throw ABANDONED;
     const link = this.#openLink(membership);
     await link.up;
+    if (this.#wasSilent) this.#options.freshenServices();
+    this.#wasSilent = false;
     if (!membership.isExtended && !(await registration.isKnown())) throw unknownClient();
     const arrival: Arrival = { membership, previousId };
     await Promise.race([this.#options.restore(arrival), link.ended]);
@@ -280,6 +292,8 @@ export class Connection {
     const { registration, clock, policy, random } = this.#options;
     this.#endAttempt();
     this.#sleepWatch.stop();
+    const hadLink = this.#link !== undefined;
+    if (failure.wasUp && failure.error.reason === 'timeout') this.#wasSilent = true;
     this.#link?.close();
     this.#link = undefined;
     const remedy = remedyFor(failure);
@@ -293,12 +307,14 @@ export class Connection {
       return;
     }
     if (remedy === 'register-as-new') registration.forget();
-    if (remedy === 'register-again') registration.invalidate();
-    // A socket that is refused without a word: services say why, and a browser is not told. [AC-27]
-    const isMute = failure.code === BROKEN && !failure.wasUp && failure.error.cause === undefined;
-    if (remedy === 'retry' && isMute && registration.credential !== undefined) {
-      registration.invalidate();
+    if (remedy === 'register-again') {
+      if (isTold(failure)) registration.invalidate();
+      else registration.doubt();
     }
+    // A socket that is refused without a word: services say why, and a browser is not told. [AC-27]
+    const isMute =
+      hadLink && failure.code === BROKEN && !failure.wasUp && failure.error.cause === undefined;
+    if (remedy === 'retry' && isMute && registration.credential !== undefined) registration.doubt();
 
     // The master is there and said what to do: once in an outage that is done without delay.
     const hurries = this.#mustHurry || (isTold(failure) && !this.#hasHurried);

@@ -171,6 +171,7 @@ class Client implements UbiiClient {
       registration: this.#registration,
       transport: topicData,
       openTimeoutMs: timeoutMs,
+      freshenServices: () => registrationCalls.freshen(),
       handleBinary: (bytes) => this.#inbox.handleBinary(bytes),
       handleUnknownText: (text) => this.#inbox.handleUnknownText(text),
       handleRoundTrip: (roundTripMs) => {
@@ -285,7 +286,7 @@ class Client implements UbiiClient {
   leave(): void {
     if (this.state.status === 'closed') return;
     this.#publishes.flush();
-    const { link } = this.#connection.close();
+    const { link } = this.#connection.close(LEFT);
     this.#registration.invalidate();
     link?.close(LEFT.code, LEFT.reason);
   }

@@ -41,6 +41,8 @@ export class Registration {
   #profile: ClientProfile;
   #identity: Identity | undefined;
   #membership: Membership | undefined;
+  /** What may hold still, until the master could be asked. */
+  #doubted: Membership | undefined;
   #hasLoaded = false;
   #clientId = '';
   /** The master has an older profile. */
@@ -139,7 +141,21 @@ export class Registration {
     const mustTell = this.#isProfileNew && this.#membership?.isExtended === true;
     if (this.#membership !== undefined && !mustTell) return this.#membership;
     this.#serial += 1;
-    return this.#register();
+    const doubted = this.#doubted;
+    this.#doubted = undefined;
+    try {
+      return await this.#register();
+    } catch (error) {
+      // Nobody could be asked. A socket may find its way where services do not: it is a connection of its
+      // own, and theirs are kept by browsers over the end of a network.
+      if (error instanceof ConnectionError) this.#membership ??= doubted;
+      throw error;
+    }
+  }
+
+  /** Gives up what is being asked. */
+  cancel(error: ConnectionError): void {
+    this.#calls.rejectAll(error);
   }
 
   /**
@@ -161,11 +177,24 @@ export class Registration {
   /** The master does not know us any more: register again, as the same client where possible. [EX-5] */
   invalidate(): void {
     this.#membership = undefined;
+    this.#doubted = undefined;
+  }
+
+  /** The master may not know us any more: ask it by registering again, if it can be asked. */
+  doubt(): void {
+    this.#doubted = this.#membership ?? this.#doubted;
+    this.#membership = undefined;
+  }
+
+  /** Something tells that the way is free again: what was doubted may have been the way. */
+  trust(): void {
+    this.#membership ??= this.#doubted;
+    this.#doubted = undefined;
   }
 
   /** The identity is of no use any more: register as a new client. [EX-5] */
   forget(): void {
-    this.#membership = undefined;
+    this.invalidate();
     this.#identity = undefined;
     this.#save(undefined);
   }
@@ -191,7 +220,7 @@ export class Registration {
 
   /** Leaves the master, and forgets who we were. [CL-16] */
   async deregister(timeoutMs: number): Promise<void> {
-    const membership = this.#membership;
+    const membership = this.#membership ?? this.#doubted;
     if (membership === undefined) return;
     this.forget();
     await this.#calls.call('clientDeregistration', { id: membership.identity.clientId }, timeoutMs);

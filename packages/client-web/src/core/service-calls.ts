@@ -12,6 +12,11 @@ import { Deferred } from './deferred.ts';
 import type { Clock } from './ports/clock.ts';
 import type { ServiceTransport } from './ports/service-transport.ts';
 
+/** Connections that browsers keep to one origin. */
+const KEPT_CONNECTIONS = 6;
+/** A connection that works has an answer by then, most likely, milliseconds. */
+const FRESH_ANSWER_MS = 700;
+
 /** Calls under way to one master: each is answered, times out, or is rejected by `rejectAll`. */
 export class ServiceCalls {
   readonly #transport: ServiceTransport;
@@ -60,6 +65,16 @@ export class ServiceCalls {
       );
     }
     return payload as ServiceReplyOf<S>;
+  }
+
+  /**
+   * Finds the connections that a browser keeps for requests and that lead nowhere since the network went
+   * without a word: it would take them first. What is not answered soon is cancelled, which closes them. [CL-43]
+   */
+  freshen(): void {
+    for (let i = 0; i < KEPT_CONNECTIONS; i++) {
+      this.call('serverConfiguration', undefined, FRESH_ANSWER_MS).catch(() => undefined);
+    }
   }
 
   /** Rejects every open call. Later calls are not affected. */

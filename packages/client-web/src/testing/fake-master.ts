@@ -50,6 +50,8 @@ export class FakeMaster implements MemoryMaster {
   readonly published: TopicRecord[] = [];
   /** Every node message it was sent, in order. */
   readonly nodeMessages: NodeMessage[] = [];
+  /** What clients are given to show who they are; undefined for none. [AC-13] */
+  credential: string | undefined;
   /** Who closed a socket with a code of its own, in order. [EX-55] */
   readonly farewells: { readonly clientId: string; readonly code: number }[] = [];
   /** Services beyond its own, by topic. */
@@ -249,6 +251,7 @@ export class FakeMaster implements MemoryMaster {
         resumed: isResumed,
         masterVersion: '1.2.3',
         tellsTime: this.timeMs !== undefined,
+        ...(this.credential !== undefined && { credential: this.credential }),
       },
     };
   }
