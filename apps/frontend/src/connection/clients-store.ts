@@ -47,12 +47,15 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
   }
 
   client.subscribe({ glob: ANNOUNCEMENTS }, { format: 'client' }).onRecord(({ value }) => {
+    if (value.state === ClientState.UNAVAILABLE) {
+      // Lost or removed: both are announced alike, the list tells. Until then nothing is shown of it.
+      if (!known.has(value.id)) known.set(value.id, value);
+      return void refresh();
+    }
     known.set(value.id, value);
     present.add(value.id);
     announced.add(value.id);
     draw();
-    // Away or removed: both are announced alike, the list tells.
-    if (value.state === ClientState.UNAVAILABLE) void refresh();
   });
 
   watch(isConnected, (connected) => connected && void refresh(), { immediate: true });
