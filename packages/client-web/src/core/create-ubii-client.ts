@@ -96,6 +96,7 @@ class Client implements UbiiClient {
   readonly #nodeListeners = new Listeners<EncodedNodeMessage>();
   /** When a new credential was asked for last, monotonic milliseconds. */
   #credentialMs: number;
+  #isLeaving = false;
   #recordsOut = 0;
   #bytesOut = 0;
   #closing: Promise<void> | undefined;
@@ -286,7 +287,9 @@ class Client implements UbiiClient {
   leave(): void {
     if (this.state.status === 'closed') return;
     this.#publishes.flush();
+    this.#isLeaving = true;
     const { link } = this.#connection.close(LEFT);
+    this.#isLeaving = false;
     this.#registration.invalidate();
     link?.close(LEFT.code, LEFT.reason);
   }
@@ -420,6 +423,8 @@ class Client implements UbiiClient {
         return;
       case 'closed':
         this.#pause();
+        // What a page asks for at its end is on its way, and is not to be cancelled.
+        if (this.#isLeaving) return;
         this.#open.rejectAll(state.error ?? new ConnectionError('closed', 'The client was closed'));
         if (state.error !== undefined) this.#subscriptions.failIterators(state.error);
         return;
