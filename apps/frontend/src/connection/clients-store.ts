@@ -30,10 +30,14 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
     list.value = [...known.values()].filter(({ id }) => present.has(id));
   });
 
+  /** Answers may overtake each other; that of the last question counts. */
+  let questions = 0;
   async function refresh(): Promise<void> {
+    const question = ++questions;
     announced.clear();
     try {
       const { elements } = await client.call('clientGetList');
+      if (question !== questions) return;
       const kept = [...announced].filter((id) => present.has(id));
       present = new Set([...elements.map(({ id }) => id), ...kept]);
       for (const element of elements) {
