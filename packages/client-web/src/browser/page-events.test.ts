@@ -67,7 +67,7 @@ describe('followPageEvents()', () => {
   );
 
   it('leaves when the page ends, and not when it is kept [EX-55]', async () => {
-    const { page, master, client } = await setup();
+    const { page, shown, master, client } = await setup();
     page.addEventListener('pagehide', (event) => {
       if (!(event as PageTransitionEvent).persisted) client.publish('/last/words', 'string', 'bye');
     });
@@ -75,9 +75,22 @@ describe('followPageEvents()', () => {
     await settle();
     expect(client.state.status).toBe('connected');
     page.dispatchEvent(Object.assign(new Event('pagehide'), { persisted: false }));
+    shown.visibilityState = 'hidden';
+    shown.dispatchEvent(new Event('visibilitychange'));
     await settle();
     expect(client.state).toEqual({ status: 'closed', error: undefined });
     expect(master.published).toMatchObject([{ topic: '/last/words' }]);
+    expect(master.farewells).toEqual([{ clientId: 'client-1', code: 4000 }]);
+  });
+
+  it('leaves when a page ends that was hidden before [EX-55]', async () => {
+    const { page, shown, master } = await setup();
+    shown.visibilityState = 'hidden';
+    shown.dispatchEvent(new Event('visibilitychange'));
+    await settle();
+    expect(master.farewells).toEqual([]);
+    page.dispatchEvent(Object.assign(new Event('pagehide'), { persisted: false }));
+    await settle();
     expect(master.farewells).toEqual([{ clientId: 'client-1', code: 4000 }]);
   });
 

@@ -15,14 +15,18 @@ export function followPageEvents(client: UbiiClient): void {
   const { window: page, document: shown, navigator } = globalThis as Partial<typeof globalThis>;
   if (page === undefined || shown === undefined) return;
   const retry = (): void => client.retryNow();
-  const retryIfShown = (): void => {
-    if (shown.visibilityState === 'visible') client.retryNow();
-  };
+  let isEnding = false;
   const handlePageHide = (event: Event): void => {
     // A page that is kept may come back, and the socket may even live on.
     if ((event as PageTransitionEvent).persisted) return;
-    // After everything else that the page has to say when it ends, whenever it began to listen for that.
-    page.addEventListener('pagehide', () => client.leave(), { once: true });
+    // A page that was seen is hidden next, when everybody has heard that it ends and has said what is to
+    // be said. https://html.spec.whatwg.org/#unload-a-document
+    isEnding = shown.visibilityState === 'visible';
+    if (!isEnding) client.leave();
+  };
+  const handleVisibility = (): void => {
+    if (isEnding) client.leave();
+    else if (shown.visibilityState === 'visible') client.retryNow();
   };
   const network = (navigator as NetworkConnection | undefined)?.connection;
   const events: readonly [EventTarget | undefined, string, (event: Event) => void][] = [
@@ -31,15 +35,15 @@ export function followPageEvents(client: UbiiClient): void {
     [page, 'offline', retry],
     [page, 'pageshow', retry],
     [page, 'pagehide', handlePageHide],
-    [shown, 'visibilitychange', retryIfShown],
+    [shown, 'visibilitychange', handleVisibility],
     [shown, 'resume', retry],
     [network, 'change', retry],
   ];
   client.onState(({ status }) => {
     for (const [target, type, handle] of events) {
       // The same function is added once, however often.
-      if (status === 'connecting') target?.addEventListener(type, handle, { capture: true });
-      else if (status === 'closed') target?.removeEventListener(type, handle, { capture: true });
+      if (status === 'connecting') target?.addEventListener(type, handle);
+      else if (status === 'closed') target?.removeEventListener(type, handle);
     }
   });
 }

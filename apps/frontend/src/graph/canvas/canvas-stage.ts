@@ -228,10 +228,16 @@ export class CanvasStage {
   }
 
   /** Shows all nodes, or these. @param inset pixels at the bottom that something covers */
-  async fit(ids?: Iterable<string>, inset = 0): Promise<void> {
-    const box = this.boxOf(ids);
+  fit(ids?: Iterable<string>, inset = 0): Promise<void> {
+    return this.fitBox(this.boxOf(ids), inset);
+  }
+
+  /** Shows a part of the canvas, whatever is on it. */
+  async fitBox(box: Box | undefined, inset = 0): Promise<void> {
     const { clientWidth: width, clientHeight: height } = this.container;
     if (box === undefined || width === 0) return;
+    // The observer speaks after the first frame.
+    if (this.viewport.value.width === 0) this.viewport.value = { width, height };
     const { x, y, k } = viewOf(box, { width, height }, inset);
     await this.#area.area.zoom(k);
     await this.#area.area.translate(x, y);
