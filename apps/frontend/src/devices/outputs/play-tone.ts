@@ -12,11 +12,6 @@ export function unlockSound(): void {
   if (context.state === 'suspended') void context.resume();
 }
 
-/** Whether tones can be heard by now. */
-export function isSoundUnlocked(): boolean {
-  return context?.state === 'running';
-}
-
 /**
  * Plays one tone.
  *
