@@ -218,7 +218,9 @@ for (const screen of SCREENS) {
     await expectAccessible(page);
     await performance.measure();
     await performance.open('results');
-    for (const box of await page.getByRole('checkbox').all()) await box.check();
+    const boxes = page.getByRole('checkbox');
+    await expect(boxes).toHaveCount(2);
+    for (const box of await boxes.all()) await box.check();
     await expectAccessible(page);
     await page.getByRole('button', { name: 'Compare 2' }).click();
     await expect(page.locator('canvas').first()).toBeVisible();

@@ -243,7 +243,7 @@ test('a client that left keeps its address, and shows there when it is back', as
     .dialog(/^Disconnect/)
     .getByRole('button', { name: 'Disconnect' })
     .click();
-  await expect(anna.page.getByText('Ben has left. When it comes back')).toBeVisible();
+  await expect(anna.page.getByText('Ben was disconnected by Anna, ')).toBeVisible();
   await new Shell(ben.page).disconnectedStrip.getByRole('button', { name: 'Connect' }).click();
   await expect(clients.detail('Ben')).toBeVisible();
   await clients.open('/nobody-at-all');

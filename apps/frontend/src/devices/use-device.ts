@@ -44,7 +44,9 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
         isRegistered.value = true;
       },
       (error: unknown) => {
-        if (mine === turn) deviceRefusal.value = refusal = refusalOf(name, error);
+        // A viewer is told by the header of the page, with the way to another role.
+        if (mine !== turn || client.role === 'viewer') return;
+        deviceRefusal.value = refusal = refusalOf(name, error);
       },
     );
   }
