@@ -96,7 +96,7 @@ describe('a client of ours', () => {
     ada.publish('/a/b', 'int32', 2);
     await startEdgeMaster({ dataDir, flags: ['--port', String(first.port)] });
     expect(await until(ada, 'connected')).toMatchObject({ clientId: id, resumed: true });
-    await vi.waitFor(() => expect(values).toEqual([2]));
+    await vi.waitFor(() => expect(values).toEqual([2]), { timeout: 20_000 });
   });
 
   it('is a new client for a master with another key, and says so', async () => {

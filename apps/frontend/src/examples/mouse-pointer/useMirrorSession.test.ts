@@ -10,6 +10,10 @@ import { useMirrorSession, type MirrorPlace, type MirrorSession } from './useMir
 const whole = (spec: Init<Session>): Session =>
   fromJson('ubii.sessions.Session', toJson('ubii.sessions.Session', spec));
 
+/** A deadline costs nothing while all goes well. */
+const PATIENCE = { timeout: 20_000 };
+vi.setConfig({ testTimeout: 60_000 });
+
 let unmount: () => void = () => undefined;
 afterEach(() => unmount());
 
@@ -74,12 +78,12 @@ function setup(left: Session[] = []) {
 describe('the session of the mouse pointer', () => {
   it('starts on the master, follows the choice of a place, and ends with the page', async () => {
     const { mirror, place, done, releases, leave } = setup();
-    await vi.waitFor(() => expect(done).toEqual(['start master']));
+    await vi.waitFor(() => expect(done).toEqual(['start master']), PATIENCE);
     expect(mirror.session.value?.name).toBe('Mouse pointer of Ada');
     place.value = { kind: 'tab' };
-    await vi.waitFor(() => expect(done.at(-1)).toBe('update ada'));
+    await vi.waitFor(() => expect(done.at(-1)).toBe('update ada'), PATIENCE);
     place.value = { kind: 'node', nodeId: 'lab' };
-    await vi.waitFor(() => expect(done.at(-1)).toBe('update lab'));
+    await vi.waitFor(() => expect(done.at(-1)).toBe('update lab'), PATIENCE);
     expect(releases, 'the tab is needed no longer').toEqual(['released']);
     leave();
     expect(done.at(-1)).toBe('remove s0');
@@ -87,7 +91,7 @@ describe('the session of the mouse pointer', () => {
 
   it('stays where it is while no node is there', async () => {
     const { place, done } = setup();
-    await vi.waitFor(() => expect(done).toHaveLength(1));
+    await vi.waitFor(() => expect(done).toHaveLength(1), PATIENCE);
     place.value = { kind: 'node', nodeId: '' };
     await flushPromises();
     expect(done).toEqual(['start master']);
@@ -98,15 +102,15 @@ describe('the session of the mouse pointer', () => {
     const mine = whole({ ...mirrorSession({ ...facts, clientId: 'ada' }), id: 'mine' });
     const theirs = whole({ ...mirrorSession({ ...facts, clientId: 'bob' }), id: 'theirs' });
     const { done } = setup([mine, theirs]);
-    await vi.waitFor(() => expect(done).toEqual(['remove mine', 'start master']));
+    await vi.waitFor(() => expect(done).toEqual(['remove mine', 'start master']), PATIENCE);
   });
 
   it('says why it cannot, and sends it again when asked to', async () => {
     const { mirror, place, done, refuse } = setup();
-    await vi.waitFor(() => expect(done).toHaveLength(1));
+    await vi.waitFor(() => expect(done).toHaveLength(1), PATIENCE);
     refuse(new ServiceError('invalid_argument', 'That node cannot run it.'));
     place.value = { kind: 'node', nodeId: 'lab' };
-    await vi.waitFor(() => expect(mirror.hasFailed.value).toBe(true));
+    await vi.waitFor(() => expect(mirror.hasFailed.value).toBe(true), PATIENCE);
     expect(mirror.trouble.value).toBe('That node cannot run it.');
     refuse(undefined);
     await mirror.restart();
