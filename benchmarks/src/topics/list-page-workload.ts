@@ -1,0 +1,64 @@
+import { startMasterProcess } from '../brokers/master-process.ts';
+import { findChromium } from '../browser/chromium.ts';
+import type { Part } from '../parts/shared-parts.ts';
+import type { Workload } from '../workloads/workload.ts';
+import { listFigures, listSubject, measureList } from './measure-list.ts';
+import { serveBareList, startListBrowser, type ListPage } from './topics-page.ts';
+
+const REFERENCE = 'bare list';
+
+/** A page of the master with a long list, and what fills it. */
+interface ListPagePlan {
+  /** Of the workload; without `-page` it is also the path of the page. */
+  readonly name: 'clients-page' | 'topics-page';
+  readonly title: string;
+  /** What the figure of opening it is called. */
+  readonly opened: string;
+  readonly updatesHz: number;
+  fill(url: string): Promise<Part & { readonly published: number }>;
+  /** Settles once everything is on the page. */
+  whenThere(list: ListPage): Promise<void>;
+}
+
+/** A page with a long list, seen and scrolled, beside a plain list of numbers. */
+export function listPageWorkload(plan: ListPagePlan): Workload {
+  const { name, title, opened, updatesHz, fill, whenThere } = plan;
+  const what = name.replace('-page', '');
+  const subject = `${what} page`;
+  return {
+    name,
+    group: name,
+    title,
+    figures: listFigures(subject, opened),
+    reference: REFERENCE,
+    // The browser has many threads of its own.
+    placement: 'anywhere',
+    roundShare: 1 / 5,
+    whyNot: () =>
+      findChromium() === undefined
+        ? 'there is no Chromium; install one, or name it in UBII_CHROMIUM'
+        : undefined,
+    open: async ({ parts, master: file, profileDir }) => {
+      const master = await parts.get('master', () =>
+        startMasterProcess({ master: file, profileDir }),
+      );
+      const content = await parts.get(what, () => fill(master.url));
+      const browser = await parts.get('browser', startListBrowser);
+      const bare = await parts.get('bare list', serveBareList);
+      const url = `${master.url.replace(/\/$/, '')}/${what}`;
+      const load = {
+        get published() {
+          return content.published;
+        },
+        updatesHz,
+        whenThere,
+      };
+      return [
+        listSubject(REFERENCE, (options) =>
+          measureList(browser, bare.url, undefined, master.pid, options),
+        ),
+        listSubject(subject, (options) => measureList(browser, url, load, master.pid, options)),
+      ];
+    },
+  };
+}
