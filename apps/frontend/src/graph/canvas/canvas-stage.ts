@@ -92,8 +92,8 @@ export class CanvasStage {
         if (source === 'dblclick' || zoom < MIN_ZOOM || zoom > MAX_ZOOM) return undefined;
       } else if (type === 'translated' || type === 'zoomed') {
         this.#look();
-        if (type === 'translated') this.#layer.hold();
-        else this.#layer.follow();
+        if (type === 'translated') this.#layer.hold(this.view.value);
+        else this.#layer.follow(this.view.value);
         if (this.#isHeld && !this.#shield.isConnected) this.container.append(this.#shield);
         this.#noteMoving();
       } else if (type === 'nodetranslated') {
