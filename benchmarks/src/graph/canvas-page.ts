@@ -66,25 +66,31 @@ export async function startCanvasBrowser(): Promise<CanvasBrowser> {
 
 /** Of one circle of the mouse, milliseconds. */
 const CIRCLE_MS = 2000;
-const circlesIn = (forMs: number): number => Math.max(1, Math.round(forMs / CIRCLE_MS));
 
-/** When `circle` is farthest from its start for the first time, milliseconds after it began. */
-export const farthestMs = (forMs: number): number => forMs / circlesIn(forMs) / 2;
-
-/** Moves the mouse in circles through a point, and back to it. */
+/**
+ * Moves the mouse in circles through a point, and back to it.
+ * @param away called once, where it is farthest from there
+ */
 export async function circle(
   { page }: CanvasPage,
   start: Point,
   radius: number,
   forMs: number,
+  away: () => Promise<void>,
 ): Promise<void> {
+  const circles = Math.max(1, Math.round(forMs / CIRCLE_MS));
   const beganMs = performance.now();
+  let wasAway = false;
   for (;;) {
     const share = Math.min(1, (performance.now() - beganMs) / forMs);
-    const angle = share * circlesIn(forMs) * 2 * Math.PI;
+    const angle = share * circles * 2 * Math.PI;
     const x = start.x + radius * Math.sin(angle);
     const y = start.y + radius * (1 - Math.cos(angle));
     await Promise.all([page.mouse.move(x, y), sleep(INPUT_MS)]);
+    if (!wasAway && angle >= Math.PI) {
+      wasAway = true;
+      await away();
+    }
     if (share === 1) return;
   }
 }

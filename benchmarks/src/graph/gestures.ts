@@ -7,7 +7,13 @@ export interface Gesture {
   readonly label: string;
   /** Zoom at which it is done; undefined: as the page opened, with all nodes. */
   readonly zoom: number | undefined;
-  perform(canvas: CanvasPage, middle: Point, forMs: number): Promise<void>;
+  /** @param away called once, when things are far from where they began */
+  perform(
+    canvas: CanvasPage,
+    middle: Point,
+    forMs: number,
+    away: () => Promise<void>,
+  ): Promise<void>;
 }
 
 const PAN_PX = 180;
@@ -21,31 +27,32 @@ const GRIP = { x: 50, y: 12 };
 /** So that the values of many nodes show: the most that there is to draw. */
 const NEAR = 0.5;
 
-async function pan(canvas: CanvasPage, middle: Point, forMs: number): Promise<void> {
+const pan: Gesture['perform'] = async (canvas, middle, forMs, away) => {
   const { mouse } = canvas.page;
   await mouse.move(middle.x, middle.y);
   // The middle button pans wherever it is pressed.
   await mouse.down({ button: 'middle' });
-  await circle(canvas, middle, PAN_PX, forMs);
+  await circle(canvas, middle, PAN_PX, forMs, away);
   await mouse.up({ button: 'middle' });
-}
+};
 
-async function zoom(canvas: CanvasPage, middle: Point, forMs: number): Promise<void> {
+const zoom: Gesture['perform'] = async (canvas, middle, forMs, away) => {
   const untilMs = performance.now() + forMs;
   for (let turn = 0; performance.now() < untilMs || turn % (2 * TURNS) !== 0; turn += 1) {
     await wheel(canvas, middle, turn % (2 * TURNS) < TURNS);
+    if (turn === TURNS - 1) await away();
   }
-}
+};
 
-async function drag(canvas: CanvasPage, middle: Point, forMs: number): Promise<void> {
+const drag: Gesture['perform'] = async (canvas, middle, forMs, away) => {
   const { mouse } = canvas.page;
   const place = await canvas.watch('place', await canvas.watch('nodeNear', middle.x, middle.y));
   const grip = { x: place.x + GRIP.x * place.scale, y: place.y + GRIP.y * place.scale };
   await mouse.move(grip.x, grip.y);
   await mouse.down();
-  await circle(canvas, grip, DRAG_PX, forMs);
+  await circle(canvas, grip, DRAG_PX, forMs, away);
   await mouse.up();
-}
+};
 
 /** Each is measured for itself. */
 export const GESTURES: readonly Gesture[] = [

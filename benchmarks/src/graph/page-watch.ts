@@ -9,6 +9,7 @@ let waitingId = -1;
 let isHidden = false;
 let frames: number[] | undefined;
 let changes = 0;
+let noted: { readonly element: Element; readonly text: string }[] = [];
 
 globalThis.requestAnimationFrame = (callback) => {
   if (!isHidden) return nextFrame(callback);
@@ -67,11 +68,20 @@ const pageWatch = {
     const [nearest] = nodeElements().sort((a, b) => distance(a) - distance(b));
     return nearest!.dataset['graphNode']!;
   },
-  /** What stands beside and on wires now. */
-  liveTexts: (): string[] =>
-    [...document.querySelectorAll('[data-live]')].flatMap(({ textContent }) =>
-      textContent === '' ? [] : [textContent!],
-    ),
+  /** Remembers the values of ports that are on the screen. */
+  noteValues(): void {
+    noted = [...document.querySelectorAll('[data-row-port] [data-live]')]
+      .filter((element) => {
+        const { left, top, right, bottom } = element.getBoundingClientRect();
+        return right > 0 && bottom > 0 && left < innerWidth && top < innerHeight;
+      })
+      .map((element) => ({ element, text: element.textContent }));
+  },
+  /** How many of them say something else now. */
+  changedValues: (): { seen: number; changed: number } => ({
+    seen: noted.length,
+    changed: noted.filter(({ element, text }) => element.textContent !== text).length,
+  }),
   hide(): void {
     isHidden = true;
     changes = 0;
