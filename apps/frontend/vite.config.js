@@ -39,6 +39,16 @@ export default defineConfig({
     target: ['chrome105', 'firefox110', 'safari16.0'],
     assetsInlineLimit: 0,
     reportCompressedSize: true,
+    rolldownOptions: {
+      output: {
+        codeSplitting: {
+          groups: [
+            // Pages share some hundred small modules; each as a file of its own is a request of its own.
+            { name: 'icons', test: /@lucide/, includeDependenciesRecursively: false },
+          ],
+        },
+      },
+    },
   },
   worker: { format: 'es', plugins: () => [licences.workerPlugin()] },
   server: {
