@@ -326,6 +326,38 @@ test('the canvas is moved and zoomed by keys and by the middle button', async ({
   await expect.poll(moved).toBeCloseTo(0, 0);
 });
 
+test('what lies far away is titles and wires, and nothing moves when it comes near', async ({
+  room,
+  master,
+}) => {
+  const anna = await room.atDesk('Anna');
+  const topic = { kind: 'topic', x: 350, y: 60 };
+  const spread = { ...FLOW, away: { x: 9000, y: 4000 } };
+  const id = await placedSession(master, spread, { 'topic:/flow': topic });
+  const graph = new GraphPage(anna);
+  await graph.open(id);
+  const drawn = () =>
+    graph.canvas.evaluate((canvas) => ({
+      wires: [...canvas.querySelectorAll('[data-wire] > .line')].map((line) =>
+        line.getAttribute('d'),
+      ),
+      nodes: [...canvas.querySelectorAll<HTMLElement>('[data-graph-node]')].map(
+        ({ offsetWidth, offsetHeight }) => `${offsetWidth} ${offsetHeight}`,
+      ),
+    }));
+  await expect.poll(async () => (await drawn()).wires.length).toBe(2);
+  const sockets = graph.canvas.locator('[data-port]');
+  await expect(sockets).toHaveCount(0);
+  const afar = await drawn();
+
+  await graph.node('Module source').focus();
+  await anna.page.keyboard.press('2');
+  // What is still away is not made: two modules and the topic between them are.
+  await expect(graph.socket('Module sink', 'Input value')).toBeVisible();
+  await expect(sockets).toHaveCount(8);
+  expect(await drawn()).toEqual(afar);
+});
+
 test('a node that somebody else removes in the middle of a drag is let go of', async ({
   room,
   master,

@@ -3,6 +3,7 @@ import { AreaPlugin, Drag } from 'rete-area-plugin';
 import { shallowReactive, shallowRef, type ShallowRef } from 'vue';
 import type { Point, PortRef, Size } from '../model/graph.ts';
 import { bounds, type Box as NodeBox } from '../model/selection/arrange.ts';
+import { FrameQueue } from './frame-queue.ts';
 import { PanLayer } from './pan-layer.ts';
 import { detailAt, overlaps, seenArea, type Detail } from './seen-area.ts';
 import { limitZoom, MAX_ZOOM, MIN_ZOOM, viewOf, type Box, type View } from './stage-view.ts';
@@ -44,6 +45,10 @@ export class CanvasStage {
   readonly wires = layer('wires');
   /** Over the nodes. */
   readonly chips = layer('chips');
+  /** What has come near and is made in the next frames. */
+  readonly soon = new FrameQueue();
+  /** Where sockets that are not made yet will be. */
+  socketLater: (ref: PortRef) => Point | undefined = () => undefined;
   readonly container: HTMLElement;
   /** While it is true, every pointer pans. */
   isPanning = false;
@@ -155,11 +160,11 @@ export class CanvasStage {
     return this.toCanvas(left + width / 2, top + height / 2);
   }
 
-  /** Where a socket is; the edge of its node when the socket is not drawn. */
+  /** Where a socket is or will be; the edge of its node when it has none. */
   socketAt(ref: PortRef, side: 'in' | 'out'): Point | undefined {
     const position = this.positions.get(ref.node);
     if (position === undefined) return undefined;
-    const offset = this.sockets.get(portKey(ref));
+    const offset = this.sockets.get(portKey(ref)) ?? this.socketLater(ref);
     if (offset !== undefined) return { x: position.x + offset.x, y: position.y + offset.y };
     const { width } = this.#sizeOf(ref.node);
     return { x: position.x + (side === 'in' ? 0 : width), y: position.y + 15 };
@@ -282,6 +287,7 @@ export class CanvasStage {
 
   destroy(): void {
     this.#layer.release();
+    this.soon.clear();
     clearTimeout(this.#movingTimer);
     this.#observer.disconnect();
     this.#area.destroy();

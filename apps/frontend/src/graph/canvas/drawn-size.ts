@@ -1,18 +1,24 @@
-import type { GraphNode, Size } from '../model/graph.ts';
+import type { GraphNode, ModuleNode, Point, Size } from '../model/graph.ts';
 import { canCollapse } from './collapse.ts';
 
 /** As graph-node.css draws them, pixels at a zoom of 1. */
 const WIDTH = 184;
-const TOPIC: Size = { width: 174, height: 76 };
+const TOPIC: Size = { width: 174, height: 70 };
 const PICTURE = 94;
 const HEAD = 30;
-/** Rows are higher for fingers. */
-const ROW = globalThis.matchMedia?.('(pointer: coarse)').matches === true ? 32 : 24;
-const ROWS_PADDING = 12;
+const ROW = 24;
+const ROWS_PADDING = 10;
+const BORDERS = 2;
 const FOOT = 24;
 const PATTERN = 28;
 /** Topics that a muxer shows. */
 const MATCHES = 3;
+
+/** Without any row. */
+const BARE = BORDERS + HEAD + ROWS_PADDING;
+
+/** How high the rows of a module are together. */
+export const rowsHeight = ({ ports }: ModuleNode): number => ROWS_PADDING + ROW * ports.length;
 
 /** About how large a node will be drawn, before it is. */
 export function drawnSize(node: GraphNode): Size {
@@ -22,16 +28,28 @@ export function drawnSize(node: GraphNode): Size {
     case 'topic':
       return node.format === 'image2D' ? { ...TOPIC, height: TOPIC.height + PICTURE } : TOPIC;
     case 'module':
-      return { width: WIDTH, height: HEAD + ROWS_PADDING + ROW * node.ports.length + FOOT };
+      return { width: WIDTH, height: BARE + ROW * node.ports.length + FOOT };
     case 'muxer':
-      return { width: WIDTH, height: HEAD + ROWS_PADDING + PATTERN + ROW * (MATCHES + 2) };
+      return { width: WIDTH, height: BARE + PATTERN + ROW * (MATCHES + 2) };
     case 'demuxer':
-      return { width: WIDTH, height: HEAD + ROWS_PADDING + PATTERN + ROW * (MATCHES + 1) };
+      return { width: WIDTH, height: BARE + PATTERN + ROW * (MATCHES + 1) };
     case 'constant':
-      return { width: WIDTH, height: HEAD + ROWS_PADDING + ROW };
+      return { width: WIDTH, height: BARE + ROW };
     case 'comment':
       return { width: 220, height: 60 };
     case 'frame':
       return { width: 320, height: 200 };
   }
+}
+
+/**
+ * About where a socket will be drawn, seen from the top left of its node.
+ * @param size of the node
+ */
+export function drawnSocket(node: GraphNode, port: string, { width, height }: Size): Point {
+  const index = node.ports.findIndex(({ id }) => id === port);
+  const x = node.ports[index]?.direction === 'in' ? BORDERS / 2 : width - BORDERS / 2;
+  if (node.kind === 'topic') return { x, y: height / 2 };
+  if (node.kind !== 'module' || node.isCollapsed) return { x, y: (BORDERS + HEAD) / 2 };
+  return { x, y: BORDERS / 2 + HEAD + ROWS_PADDING / 2 + ROW * (index + 0.5) };
 }

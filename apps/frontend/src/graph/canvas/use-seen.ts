@@ -1,8 +1,18 @@
-import { computed, inject, provide, type ComputedRef, type InjectionKey, type Ref } from 'vue';
+import {
+  computed,
+  inject,
+  provide,
+  ref,
+  watch,
+  type ComputedRef,
+  type InjectionKey,
+  type Ref,
+} from 'vue';
 import { useCanvas } from '../editor/use-graph-editor.ts';
 import { overlaps } from './seen-area.ts';
 
 const SEEN: InjectionKey<Ref<boolean>> = Symbol('seen');
+const MADE: InjectionKey<Ref<boolean>> = Symbol('made');
 
 /** Whether a node is on the screen or close to it, for what is in it, too. */
 export function provideSeen(id: () => string): ComputedRef<boolean> {
@@ -15,6 +25,28 @@ export function provideSeen(id: () => string): ComputedRef<boolean> {
   });
   provide(SEEN, isSeen);
   return isSeen;
+}
+
+/**
+ * Whether what is in a node is made: its rows, sockets and values are, once it has been near. Graphs are
+ * opened from afar, and most of their nodes never come near.
+ */
+export function provideMade(isSeen: Readonly<Ref<boolean>>): Readonly<Ref<boolean>> {
+  const { stage } = useCanvas();
+  const isNear = computed(() => stage.detail.value !== 'far' && isSeen.value);
+  const isMade = ref(isNear.value);
+  const make = (): void => void (isMade.value = true);
+  const stop = watch(isNear, (near) => {
+    if (isMade.value) stop();
+    // Many may come near at once, by one turn of a wheel.
+    else if (near) stage.soon.add(make);
+  });
+  provide(MADE, isMade);
+  return isMade;
+}
+
+export function useMade(): Readonly<Ref<boolean>> {
+  return inject(MADE, undefined) ?? ref(true);
 }
 
 /** True while the values of a node can be read: what nobody sees is not drawn. */

@@ -67,7 +67,7 @@ describe('values are drawn in slices', () => {
     expect(slow.flat()).toEqual(NODES);
   });
 
-  it('what is out of view less often', () => {
+  it('what is out of view less often, and not at all while the canvas is moved', () => {
     const slices = new DrawSlices(
       () => NODES.slice(0, 8),
       (one) => one < 4,
@@ -76,5 +76,7 @@ describe('values are drawn in slices', () => {
     const times = (one: number): number => all.filter((other) => other === one).length;
     expect(times(0)).toBeGreaterThanOrEqual(4);
     expect(times(7)).toBe(2);
+    const moved = drawn(slices, 60, () => 1, true, 10_000).flat();
+    expect(new Set(moved)).toEqual(new Set([0, 1, 2, 3]));
   });
 });

@@ -13,7 +13,7 @@ const RESTING: Pace = { hz: 6, frameMs: 10, most: 16 };
 const MOVING: Pace = { hz: 1, frameMs: 8, most: 4 };
 /** Drawn in one frame on the slowest machine, so that values go on. */
 const LEAST = 1;
-/** What is not in view is drawn in one round of so many. */
+/** What is not in view is drawn in one round of so many, and not while the canvas is moved. */
 const ROUNDS_OUT_OF_VIEW = 3;
 
 /**
@@ -43,7 +43,7 @@ export class DrawSlices<T> {
     this.#pace = isMoving ? MOVING : RESTING;
     if (this.#at >= this.#round.length) {
       if (nowMs - this.#beganMs < 1000 / this.#pace.hz) return [];
-      const isForAll = this.#rounds % ROUNDS_OUT_OF_VIEW === 0;
+      const isForAll = !isMoving && this.#rounds % ROUNDS_OUT_OF_VIEW === 0;
       this.#round = this.#all().filter((one) => isForAll || this.#isInView(one));
       this.#at = 0;
       this.#rounds += 1;
