@@ -68,12 +68,14 @@ const pageWatch = {
     const [nearest] = nodeElements().sort((a, b) => distance(a) - distance(b));
     return nearest!.dataset['graphNode']!;
   },
-  /** Remembers the values of ports that are on the screen. */
+  /** Remembers the values of ports that are on the canvas. */
   noteValues(): void {
+    const canvas = document.querySelector('[role=application]')!.getBoundingClientRect();
     noted = [...document.querySelectorAll('[data-row-port] [data-live]')]
       .filter((element) => {
         const { left, top, right, bottom } = element.getBoundingClientRect();
-        return right > 0 && bottom > 0 && left < innerWidth && top < innerHeight;
+        const isAcross = right > canvas.left && left < canvas.right;
+        return isAcross && bottom > canvas.top && top < canvas.bottom;
       })
       .map((element) => ({ element, text: element.textContent }));
   },

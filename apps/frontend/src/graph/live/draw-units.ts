@@ -5,6 +5,8 @@ import { topicOfWire } from './topics-in-graph.ts';
 export interface DrawUnit {
   readonly node: string;
   readonly topics: readonly string[];
+  /** Nodes that show something of it: itself, and those its topics flow to. */
+  readonly shownAt: readonly string[];
   /** Id of the module it is. */
   readonly module: string | undefined;
 }
@@ -20,16 +22,22 @@ export function drawUnits(graph: Graph): readonly DrawUnit[] {
   const { nodes, wires } = graph;
   const taken = new Set<string>();
   const topicsOf = new Map<string, string[]>();
+  const readersOf = new Map<string, Set<string>>();
   const take = (node: string, topic: string | undefined): void => {
     if (topic === undefined || taken.has(topic)) return;
     taken.add(topic);
     topicsOf.set(node, [...(topicsOf.get(node) ?? []), topic]);
   };
   for (const node of nodes.values()) if (node.kind === 'topic') take(node.id, node.topic);
-  for (const wire of wires.values()) take(wire.from.node, topicOfWire(graph, wire));
+  for (const wire of wires.values()) {
+    const { from, to } = wire;
+    take(from.node, topicOfWire(graph, wire));
+    readersOf.set(from.node, (readersOf.get(from.node) ?? new Set()).add(to.node));
+  }
   return [...nodes.values()].sort(byPlace).map((node) => ({
     node: node.id,
     topics: topicsOf.get(node.id) ?? [],
+    shownAt: [node.id, ...(readersOf.get(node.id) ?? [])],
     module: node.kind === 'module' ? node.module.id : undefined,
   }));
 }

@@ -97,7 +97,7 @@ export function useLiveGraph(
   const units = computed(() => drawUnits(graph.value));
   const slices = new DrawSlices(
     () => units.value,
-    ({ node }: DrawUnit) => isInView.value(node),
+    ({ shownAt }: DrawUnit) => shownAt.some((node) => isInView.value(node)),
   );
   const timeFrame = createFrameTimer((frameMs) => slices.took(frameMs));
   let sampledMs = 0;
