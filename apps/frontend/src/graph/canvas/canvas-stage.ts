@@ -61,6 +61,11 @@ export class CanvasStage {
     this.viewport.value = { width, height };
     this.area.value = seenArea(this.view.value, this.viewport.value, undefined);
   });
+  /** One for all nodes: of many that change at once each would have the page laid out for itself. */
+  readonly #sizeObserver = new ResizeObserver((entries) => {
+    for (const { target } of entries)
+      this.#measureNow((target as HTMLElement).dataset['graphNode']!);
+  });
   /** Lies over everything while a hand pans: browsers need not look what the pointer is over. */
   readonly #shield = layer('shield');
   #isHeld = false;
@@ -185,6 +190,12 @@ export class CanvasStage {
     this.#toMeasure.add(id);
   }
 
+  /** Measures the view of a node now and whenever its size changes; the returned function ends that. */
+  watchSize(view: Element): () => void {
+    this.#sizeObserver.observe(view);
+    return () => this.#sizeObserver.unobserve(view);
+  }
+
   #measureNow(id: string): void {
     const holder = this.elements.get(id);
     if (holder === undefined || holder.offsetWidth === 0) return;
@@ -290,6 +301,7 @@ export class CanvasStage {
     this.soon.clear();
     clearTimeout(this.#movingTimer);
     this.#observer.disconnect();
+    this.#sizeObserver.disconnect();
     this.#area.destroy();
   }
 
