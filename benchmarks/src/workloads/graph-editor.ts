@@ -23,6 +23,8 @@ const MIN_MOVE_PX = 20;
 const MIN_ZOOM_FACTOR = 1.2;
 /** Two frames of a screen with 60 Hz, in the steps in which browsers tell times, milliseconds. */
 const TWO_FRAMES_MS = 33.4;
+/** In which what came near is made, or what was on its way to a page that is hidden arrives. */
+const SETTLE_MS = 1000;
 /** Values that must have changed of those that were seen: all do several times a second. */
 const MIN_CHANGED = 0.9;
 
@@ -116,7 +118,10 @@ async function measureGraph(
   try {
     for (const gesture of GESTURES) {
       const { zoom } = gesture;
-      if (zoom !== undefined) await zoomIn(graph.canvas, graph.middle, zoom);
+      if (zoom !== undefined) {
+        await zoomIn(graph.canvas, graph.middle, zoom);
+        await sleep(SETTLE_MS);
+      }
       await sleep(warmUpMs);
       const isLive = subject.name === EDITOR && zoom !== undefined;
       if (isLive) await graph.canvas.watch('noteValues');
@@ -164,9 +169,6 @@ async function measureGesture(
     faults: hasMoved ? [] : [`${label}: nothing moved`],
   };
 }
-
-/** In which what was on its way to a page that is hidden arrives. */
-const SETTLE_MS = 1000;
 
 /** Browsers tell the times of frames in steps of 0.1 ms. */
 const roundMs = (ms: number): number => Math.round(ms * 10) / 10;

@@ -1,34 +1,50 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { FrameQueue } from './frame-queue.ts';
 
-beforeEach(() => void vi.useFakeTimers());
-afterEach(() => void vi.useRealTimers());
+let frames: FrameRequestCallback[] = [];
+beforeEach(() => {
+  frames = [];
+  vi.stubGlobal('requestAnimationFrame', (frame: FrameRequestCallback) => frames.push(frame));
+  vi.stubGlobal('cancelAnimationFrame', () => (frames = []));
+});
+afterEach(() => void vi.unstubAllGlobals());
+
+/** Draws a frame. @returns how many were done when it was done */
+function draw(timeMs: number, done: readonly number[]): number {
+  for (const frame of frames.splice(0)) frame(timeMs);
+  return done.length;
+}
 
 function setUp(count: number) {
   const queue = new FrameQueue();
   const done: number[] = [];
-  for (let index = 0; index < count; index += 1) queue.add(() => done.push(index));
-  return { queue, done };
+  const add = (job: number): void => queue.add(() => done.push(job));
+  for (let job = 0; job < count; job += 1) add(job);
+  return { queue, done, add };
 }
 
-it('does a few jobs in each frame, first come first', () => {
-  const { done } = setUp(10);
+it('does more in each frame while frames are in time, and less when one is late', () => {
+  const { done } = setUp(30);
   expect(done).toEqual([]);
-  vi.advanceTimersToNextFrame();
-  expect(done).toEqual([0, 1, 2, 3]);
-  vi.advanceTimersToNextFrame();
-  vi.advanceTimersToNextFrame();
-  expect(done).toEqual([0, 1, 2, 3, 4, 5, 6, 7, 8, 9]);
+  expect([0, 16, 33].map((timeMs) => draw(timeMs, done))).toEqual([2, 5, 9]);
+  expect([83, 100].map((timeMs) => draw(timeMs, done))).toEqual([11, 14]);
+  expect(done).toEqual(Array.from({ length: 14 }, (_, job) => job));
 });
 
-it('begins again when more comes, and forgets what is cleared', () => {
-  const { queue, done } = setUp(1);
-  vi.advanceTimersToNextFrame();
-  queue.add(() => done.push(1));
-  vi.advanceTimersToNextFrame();
-  expect(done).toEqual([0, 1]);
-  queue.add(() => done.push(2));
+it('asks for no frame when all is done, and for one when more comes', () => {
+  const { done, add } = setUp(1);
+  expect(draw(0, done)).toBe(1);
+  expect(frames).toEqual([]);
+  add(1);
+  expect(draw(9000, done)).toBe(2);
+});
+
+it('forgets what is cleared', () => {
+  const { queue, done, add } = setUp(2);
   queue.clear();
-  vi.runAllTimers();
-  expect(done).toEqual([0, 1]);
+  draw(0, done);
+  expect(done).toEqual([]);
+  add(2);
+  draw(16, done);
+  expect(done).toEqual([2]);
 });

@@ -63,8 +63,17 @@ describe('values are drawn in slices', () => {
       () => NODES,
       () => true,
     );
-    const slow = drawn(slices, NODES.length, () => 100, true);
+    const slow = drawn(slices, NODES.length, () => 100);
     expect(slow.flat()).toEqual(NODES);
+  });
+
+  it('several in one of some frames while the canvas is moved, and the others draw none', () => {
+    const slices = new DrawSlices(
+      () => NODES,
+      () => true,
+    );
+    const sizes = drawn(slices, 12, () => 100, true).map(({ length }) => length);
+    expect(sizes).toEqual([0, 0, 0, 0, 0, 8, 0, 0, 0, 0, 0, 8]);
   });
 
   it('what is out of view less often, and not at all while the canvas is moved', () => {
