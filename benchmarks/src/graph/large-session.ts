@@ -1,3 +1,4 @@
+import { randomUUID } from 'node:crypto';
 import type { Init, IOMapping, ProcessingModule, Session } from '@ubii/proto';
 
 /** Modules above each other; as many topics feed the first column. */
@@ -40,7 +41,8 @@ export interface LargeSession {
 export function largeSession(name: string, modules: number, showsTopics: boolean): LargeSession {
   const topicOf = (index: number): string =>
     index < 0 ? `/${name}/source/${index + ROWS}` : `/${name}/sum/${index}`;
-  const ids = Array.from({ length: modules }, (_, index) => `${name}-${index}`);
+  // A master gives others to modules whose ids are none, and their places would be lost.
+  const ids = Array.from({ length: modules }, () => randomUUID());
   /** Nobody reads what the last column puts out: it goes nowhere. */
   const isRead = (index: number): boolean => Math.floor(index / ROWS) < (modules - 1) / ROWS - 1;
   const ioMappings = ids.map((processingModuleId, index): Init<IOMapping> => {
