@@ -292,6 +292,17 @@ test('nodes line up with others, and thin lines say so', async ({ room, master }
   await keyboard.up('Alt');
   await mouse.up();
   await expect(guides).toHaveCount(0);
+
+  await test.step('from afar, too', async () => {
+    for (let step = 0; step < 5; step += 1) await keyboard.press('-');
+    await expect.poll(async () => (await graph.box('Module source')).width).toBeLessThan(70);
+    const [from, to] = [await graph.box('Module loose'), await graph.box('Module source')];
+    const head = { x: from.x + from.width / 2, y: from.y + 5 };
+    await graph.pull(head, { x: head.x + to.x - from.x + 2, y: head.y + 20 });
+    await expect.poll(() => guides.evaluateAll((lines) => lines.length)).toBeGreaterThan(0);
+    expect(await guides.first().evaluate((line) => line.checkVisibility())).toBe(true);
+    await mouse.up();
+  });
 });
 
 test('the canvas is moved and zoomed by keys and by the middle button', async ({
