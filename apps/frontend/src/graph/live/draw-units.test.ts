@@ -32,7 +32,7 @@ it('draws each topic of a graph once, with the node it comes from', () => {
   expect(units.find(({ module }) => module === 'a')).toEqual({
     node: 'module:a',
     topics: ['/second'],
-    shownAt: ['module:a', 'module:b', 'module:c'],
+    shownAt: ['module:a', 'topic:/first', 'module:b', 'module:c'],
     module: 'a',
   });
 });

@@ -5,7 +5,7 @@ import { topicOfWire } from './topics-in-graph.ts';
 export interface DrawUnit {
   readonly node: string;
   readonly topics: readonly string[];
-  /** Nodes that show something of it: itself, and those its topics flow to. */
+  /** Nodes that show something of it: itself, and those its wires lead to. */
   readonly shownAt: readonly string[];
   /** Id of the module it is. */
   readonly module: string | undefined;
@@ -22,7 +22,7 @@ export function drawUnits(graph: Graph): readonly DrawUnit[] {
   const { nodes, wires } = graph;
   const taken = new Set<string>();
   const topicsOf = new Map<string, string[]>();
-  const readersOf = new Map<string, Set<string>>();
+  const besides = new Map<string, Set<string>>();
   const take = (node: string, topic: string | undefined): void => {
     if (topic === undefined || taken.has(topic)) return;
     taken.add(topic);
@@ -32,12 +32,13 @@ export function drawUnits(graph: Graph): readonly DrawUnit[] {
   for (const wire of wires.values()) {
     const { from, to } = wire;
     take(from.node, topicOfWire(graph, wire));
-    readersOf.set(from.node, (readersOf.get(from.node) ?? new Set()).add(to.node));
+    besides.set(from.node, (besides.get(from.node) ?? new Set()).add(to.node));
+    besides.set(to.node, (besides.get(to.node) ?? new Set()).add(from.node));
   }
   return [...nodes.values()].sort(byPlace).map((node) => ({
     node: node.id,
     topics: topicsOf.get(node.id) ?? [],
-    shownAt: [node.id, ...(readersOf.get(node.id) ?? [])],
+    shownAt: [node.id, ...(besides.get(node.id) ?? [])],
     module: node.kind === 'module' ? node.module.id : undefined,
   }));
 }
