@@ -1,6 +1,6 @@
 import { startMasterProcess } from '../brokers/master-process.ts';
-import { findChromium } from '../browser/chromium.ts';
 import type { Part } from '../parts/shared-parts.ts';
+import { IN_CHROMIUM } from '../workloads/in-chromium.ts';
 import type { Workload } from '../workloads/workload.ts';
 import { listFigures, listSubject, measureList } from './measure-list.ts';
 import { serveBareList, startListBrowser, type ListPage } from './topics-page.ts';
@@ -31,13 +31,7 @@ export function listPageWorkload(plan: ListPagePlan): Workload {
     title,
     figures: listFigures(subject, opened),
     reference: REFERENCE,
-    // The browser has many threads of its own.
-    placement: 'anywhere',
-    roundShare: 1 / 5,
-    whyNot: () =>
-      findChromium() === undefined
-        ? 'there is no Chromium; install one, or name it in UBII_CHROMIUM'
-        : undefined,
+    ...IN_CHROMIUM,
     open: async ({ parts, master: file, profileDir }) => {
       const master = await parts.get('master', () =>
         startMasterProcess({ master: file, profileDir }),

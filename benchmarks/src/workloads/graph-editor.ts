@@ -1,5 +1,4 @@
 import { setTimeout as sleep } from 'node:timers/promises';
-import { findChromium } from '../browser/chromium.ts';
 import { descendantPids } from '../cpu-time.ts';
 import { startBrowserCpu } from '../graph/browser-cpu.ts';
 import type { CanvasPage } from '../graph/canvas-page.ts';
@@ -12,6 +11,7 @@ import {
   type OpenGraph,
 } from '../graph/graph-subjects.ts';
 import { percentile } from '../statistics.ts';
+import { IN_CHROMIUM } from './in-chromium.ts';
 import { startLap } from './stopwatch.ts';
 import type { FigureInfo, Measurement, MeasureOptions, Subject, Workload } from './workload.ts';
 
@@ -33,11 +33,6 @@ function figure(key: string, label: string, unit: string, bound?: number): Figur
   return { key, label, unit, isHigherBetter: false, goals: {}, bounds };
 }
 
-const whyNot = (): string | undefined =>
-  findChromium() === undefined
-    ? 'there is no Chromium; install one, or name it in UBII_CHROMIUM'
-    : undefined;
-
 /** A running session as a graph, seen and moved with the mouse, beside plain boxes and lines. */
 export const graphEditor: Workload = {
   name: 'graph-editor',
@@ -55,10 +50,7 @@ export const graphEditor: Workload = {
     figure('hiddenChanges', 'hidden, changes drawn a second', '/s', 0),
   ],
   reference: REFERENCE,
-  // The browser has many threads of its own.
-  placement: 'anywhere',
-  roundShare: 1 / 5,
-  whyNot,
+  ...IN_CHROMIUM,
   open: async (setting) => {
     const size = { modules: MODULES, showsTopics: false, isRunning: true };
     const { subjects, master } = await openGraphSubjects(setting, size);
@@ -80,9 +72,7 @@ export const graphEditorOpen: Workload = {
     figure('mainMs', 'main thread until then', 'ms'),
   ],
   reference: REFERENCE,
-  placement: 'anywhere',
-  roundShare: 1 / 5,
-  whyNot,
+  ...IN_CHROMIUM,
   open: async (setting) => {
     const size = { modules: 250, showsTopics: true, isRunning: false };
     const { subjects, master } = await openGraphSubjects(setting, size);

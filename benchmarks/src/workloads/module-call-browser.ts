@@ -1,7 +1,8 @@
 import type { PagePayload, PageSubject } from '../browser/calls-page.ts';
-import { findChromium, openBrowserPage, type BrowserPage } from '../browser/chromium.ts';
+import { openBrowserPage, type BrowserPage } from '../browser/chromium.ts';
 import { picturePayload, RECORD_PAYLOAD, type Payload } from '../calls/payload.ts';
 import { descendantPids } from '../cpu-time.ts';
+import { IN_CHROMIUM } from './in-chromium.ts';
 import { startLap } from './stopwatch.ts';
 import type { FigureInfo, Measurement, MeasureOptions, Subject, Workload } from './workload.ts';
 
@@ -25,13 +26,7 @@ function moduleCallInBrowser(name: PagePayload, { title }: Payload): Workload {
       held('heldP99Us', 'page held, p99', {}),
     ],
     reference: REFERENCE,
-    // The browser has many threads of its own.
-    placement: 'anywhere',
-    roundShare: 1 / 5,
-    whyNot: () =>
-      findChromium() === undefined
-        ? 'there is no Chromium; install one, or name it in UBII_CHROMIUM'
-        : undefined,
+    ...IN_CHROMIUM,
     open: async ({ parts }) => {
       const page = await parts.get('browser page', openBrowserPage);
       return SUBJECTS.map((subject): Subject => ({

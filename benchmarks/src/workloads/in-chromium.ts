@@ -1,0 +1,13 @@
+import { findChromium } from '../browser/chromium.ts';
+import type { Workload } from './workload.ts';
+
+/** What workloads that open a browser have in common. */
+export const IN_CHROMIUM: Pick<Workload, 'placement' | 'roundShare' | 'whyNot'> = {
+  // The browser has many threads of its own.
+  placement: 'anywhere',
+  roundShare: 1 / 5,
+  whyNot: () =>
+    findChromium() === undefined
+      ? 'there is no Chromium; install one, or name it in UBII_CHROMIUM'
+      : undefined,
+};
