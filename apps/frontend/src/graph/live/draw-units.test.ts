@@ -32,9 +32,15 @@ it('draws each topic of a graph once, with the node it comes from', () => {
   expect(units.find(({ module }) => module === 'a')).toEqual({
     node: 'module:a',
     topics: ['/second'],
-    shownAt: ['module:a', 'topic:/first', 'module:b', 'module:c'],
+    shownAt: ['module:a', 'module:b', 'module:c'],
     module: 'a',
   });
+});
+
+it('draws a topic while whoever writes it is seen', () => {
+  const written = aGraphOf([aModule('a', {}, { out: 'double' })], { 'a.out': '/last' });
+  const unit = drawUnits(written).find(({ node }) => node === 'topic:/last');
+  expect(unit?.shownAt).toEqual(['topic:/last', 'module:a']);
 });
 
 it('draws nodes that lie side by side one after the other', () => {

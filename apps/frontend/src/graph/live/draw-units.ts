@@ -5,7 +5,7 @@ import { topicOfWire } from './topics-in-graph.ts';
 export interface DrawUnit {
   readonly node: string;
   readonly topics: readonly string[];
-  /** Nodes that show something of it: itself, and those its wires lead to. */
+  /** Nodes that show something of it: itself, those its topics flow to, and who writes a topic. */
   readonly shownAt: readonly string[];
   /** Id of the module it is. */
   readonly module: string | undefined;
@@ -33,7 +33,8 @@ export function drawUnits(graph: Graph): readonly DrawUnit[] {
     const { from, to } = wire;
     take(from.node, topicOfWire(graph, wire));
     besides.set(from.node, (besides.get(from.node) ?? new Set()).add(to.node));
-    besides.set(to.node, (besides.get(to.node) ?? new Set()).add(from.node));
+    if (nodes.get(to.node)?.kind === 'topic')
+      besides.set(to.node, (besides.get(to.node) ?? new Set()).add(from.node));
   }
   return [...nodes.values()].sort(byPlace).map((node) => ({
     node: node.id,
