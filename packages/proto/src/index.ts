@@ -11,6 +11,7 @@ export {
   type ScalarType,
 } from './descriptor.ts';
 export { findJsonProblems, fromJson, type JsonProblem } from './json/from-json.ts';
+export { JsonScan, type JsonScanExcess, type JsonScanLimits } from './json/json-scan.ts';
 export { toJson } from './json/to-json.ts';
 export type { JsonObject, JsonValue } from './json/json-value.ts';
 export type { DataFormat, DataFormatValues } from './data-formats/data-format-values.ts';

@@ -904,10 +904,15 @@ export function encodeAccessGrant(m: Init<T.AccessGrant>, w: Writer): void {
   if (m.clientIds != null) for (const e of m.clientIds) w.string(98, e);
   if (m.isTerminal != null) w.bool(104, m.isTerminal);
   if (m.codeExpiresMs != null) w.double(113, m.codeExpiresMs);
+  if (m.staysUntilMs != null) w.double(121, m.staysUntilMs);
+  if (m.sessionIds != null) for (const e of m.sessionIds) w.string(130, e);
+  if (m.runningSessionIds != null) for (const e of m.runningSessionIds) w.string(138, e);
+  if (m.storedSessionNames != null) for (const e of m.storedSessionNames) w.string(146, e);
+  if (m.moduleNames != null) for (const e of m.moduleNames) w.string(154, e);
 }
 
 export function decodeAccessGrant(r: Reader, into?: T.AccessGrant): T.AccessGrant {
-  const m: T.AccessGrant = into ?? { id: '', label: '', role: 0, target: '', createdMs: 0, expiresMs: 0, maxJoins: 0, readTopics: [], writeTopics: [], revokedMs: 0, joins: 0, clientIds: [], isTerminal: false, codeExpiresMs: 0 };
+  const m: T.AccessGrant = into ?? { id: '', label: '', role: 0, target: '', createdMs: 0, expiresMs: 0, maxJoins: 0, readTopics: [], writeTopics: [], revokedMs: 0, joins: 0, clientIds: [], isTerminal: false, codeExpiresMs: 0, staysUntilMs: 0, sessionIds: [], runningSessionIds: [], storedSessionNames: [], moduleNames: [] };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -925,6 +930,11 @@ export function decodeAccessGrant(r: Reader, into?: T.AccessGrant): T.AccessGran
       case 98: m.clientIds.push(r.string()); break;
       case 104: m.isTerminal = r.bool(); break;
       case 113: m.codeExpiresMs = r.double(); break;
+      case 121: m.staysUntilMs = r.double(); break;
+      case 130: m.sessionIds.push(r.string()); break;
+      case 138: m.runningSessionIds.push(r.string()); break;
+      case 146: m.storedSessionNames.push(r.string()); break;
+      case 154: m.moduleNames.push(r.string()); break;
       default: skipField(r, tag);
     }
   }
@@ -940,10 +950,11 @@ export function encodeAccessGrantCreateRequest(m: Init<T.AccessGrantCreateReques
   if (m.maxJoins != null) w.int32(48, m.maxJoins);
   if (m.readTopics != null) for (const e of m.readTopics) w.string(58, e);
   if (m.writeTopics != null) for (const e of m.writeTopics) w.string(66, e);
+  if (m.stayMs != null) w.double(73, m.stayMs);
 }
 
 export function decodeAccessGrantCreateRequest(r: Reader, into?: T.AccessGrantCreateRequest): T.AccessGrantCreateRequest {
-  const m: T.AccessGrantCreateRequest = into ?? { clientId: '', label: '', role: 0, target: '', lifetimeMs: 0, maxJoins: 0, readTopics: [], writeTopics: [] };
+  const m: T.AccessGrantCreateRequest = into ?? { clientId: '', label: '', role: 0, target: '', lifetimeMs: 0, maxJoins: 0, readTopics: [], writeTopics: [], stayMs: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -955,6 +966,7 @@ export function decodeAccessGrantCreateRequest(r: Reader, into?: T.AccessGrantCr
       case 48: m.maxJoins = r.int32(); break;
       case 58: m.readTopics.push(r.string()); break;
       case 66: m.writeTopics.push(r.string()); break;
+      case 73: m.stayMs = r.double(); break;
       default: skipField(r, tag);
     }
   }
@@ -1001,16 +1013,104 @@ export function encodeAccessGrantRevokeRequest(m: Init<T.AccessGrantRevokeReques
   if (m.clientId != null) w.string(10, m.clientId);
   if (m.grantId != null) w.string(18, m.grantId);
   if (m.reason != null) w.string(26, m.reason);
+  if (m.work != null) w.int32(32, m.work);
 }
 
 export function decodeAccessGrantRevokeRequest(r: Reader, into?: T.AccessGrantRevokeRequest): T.AccessGrantRevokeRequest {
-  const m: T.AccessGrantRevokeRequest = into ?? { clientId: '', grantId: '', reason: '' };
+  const m: T.AccessGrantRevokeRequest = into ?? { clientId: '', grantId: '', reason: '', work: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 10: m.clientId = r.string(); break;
       case 18: m.grantId = r.string(); break;
       case 26: m.reason = r.string(); break;
+      case 32: m.work = r.int32() as T.RevokedWork; break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeAuditEntry(m: Init<T.AuditEntry>, w: Writer): void {
+  if (m.number != null) w.double(9, m.number);
+  if (m.timeMs != null) w.double(17, m.timeMs);
+  if (m.service != null) w.string(26, m.service);
+  if (m.object != null) w.string(34, m.object);
+  if (m.error != null) w.string(42, m.error);
+  if (m.clientId != null) w.string(50, m.clientId);
+  if (m.clientName != null) w.string(58, m.clientName);
+  if (m.role != null) w.int32(64, m.role);
+  if (m.way != null) w.int32(72, m.way);
+  if (m.grantId != null) w.string(82, m.grantId);
+  if (m.grantLabel != null) w.string(90, m.grantLabel);
+  if (m.addressKind != null) w.int32(96, m.addressKind);
+  if (m.leftOut != null) w.int32(104, m.leftOut);
+}
+
+export function decodeAuditEntry(r: Reader, into?: T.AuditEntry): T.AuditEntry {
+  const m: T.AuditEntry = into ?? { number: 0, timeMs: 0, service: '', object: '', error: '', clientId: '', clientName: '', role: 0, way: 0, grantId: '', grantLabel: '', addressKind: 0, leftOut: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.number = r.double(); break;
+      case 17: m.timeMs = r.double(); break;
+      case 26: m.service = r.string(); break;
+      case 34: m.object = r.string(); break;
+      case 42: m.error = r.string(); break;
+      case 50: m.clientId = r.string(); break;
+      case 58: m.clientName = r.string(); break;
+      case 64: m.role = r.int32() as T.AccessRole; break;
+      case 72: m.way = r.int32() as T.AuditEntryWay; break;
+      case 82: m.grantId = r.string(); break;
+      case 90: m.grantLabel = r.string(); break;
+      case 96: m.addressKind = r.int32() as T.ClientActivityAddressKind; break;
+      case 104: m.leftOut = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeAuditLog(m: Init<T.AuditLog>, w: Writer): void {
+  if (m.entries != null) for (const e of m.entries) { const at = w.open(10); encodeAuditEntry(e, w); w.close(at); }
+  if (m.more != null) w.bool(16, m.more);
+  if (m.kept != null) w.int32(24, m.kept);
+}
+
+export function decodeAuditLog(r: Reader, into?: T.AuditLog): T.AuditLog {
+  const m: T.AuditLog = into ?? { entries: [], more: false, kept: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.entries.push(decodeAuditEntry(r)); r.end = end; break; }
+      case 16: m.more = r.bool(); break;
+      case 24: m.kept = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeAuditLogRequest(m: Init<T.AuditLogRequest>, w: Writer): void {
+  if (m.before != null) w.double(9, m.before);
+  if (m.count != null) w.int32(16, m.count);
+  if (m.clientId != null) w.string(26, m.clientId);
+  if (m.grantId != null) w.string(34, m.grantId);
+  if (m.service != null) w.string(42, m.service);
+  if (m.text != null) w.string(50, m.text);
+}
+
+export function decodeAuditLogRequest(r: Reader, into?: T.AuditLogRequest): T.AuditLogRequest {
+  const m: T.AuditLogRequest = into ?? { before: 0, count: 0, clientId: '', grantId: '', service: '', text: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 9: m.before = r.double(); break;
+      case 16: m.count = r.int32(); break;
+      case 26: m.clientId = r.string(); break;
+      case 34: m.grantId = r.string(); break;
+      case 42: m.service = r.string(); break;
+      case 50: m.text = r.string(); break;
       default: skipField(r, tag);
     }
   }
@@ -1152,10 +1252,12 @@ export function encodeClientExtension(m: Init<T.ClientExtension>, w: Writer): vo
   if (m.credentialExpiresMs != null) w.double(89, m.credentialExpiresMs);
   if (m.role != null) w.int32(96, m.role);
   if (m.tellsTime != null) w.bool(160, m.tellsTime);
+  if (m.abridged != null) w.bool(240, m.abridged);
+  if (m.registrationRevision != null) w.int32(248, m.registrationRevision);
 }
 
 export function decodeClientExtension(r: Reader, into?: T.ClientExtension): T.ClientExtension {
-  const m: T.ClientExtension = into ?? { recordLists: false, resumeToken: '', resumed: false, masterVersion: '', node: undefined, library: '', credential: '', credentialExpiresMs: 0, role: 0, tellsTime: false };
+  const m: T.ClientExtension = into ?? { recordLists: false, resumeToken: '', resumed: false, masterVersion: '', node: undefined, library: '', credential: '', credentialExpiresMs: 0, role: 0, tellsTime: false, abridged: false, registrationRevision: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1169,6 +1271,8 @@ export function decodeClientExtension(r: Reader, into?: T.ClientExtension): T.Cl
       case 89: m.credentialExpiresMs = r.double(); break;
       case 96: m.role = r.int32() as T.AccessRole; break;
       case 160: m.tellsTime = r.bool(); break;
+      case 240: m.abridged = r.bool(); break;
+      case 248: m.registrationRevision = r.int32(); break;
       default: skipField(r, tag);
     }
   }
@@ -1297,6 +1401,22 @@ export function decodeClientThrottleRequest(r: Reader, into?: T.ClientThrottleRe
       case 18: m.targetId = r.string(); break;
       case 25: m.recordsPerSecond = r.double(); break;
       case 34: m.reason = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeEndedTopics(m: Init<T.EndedTopics>, w: Writer): void {
+  if (m.topics != null) for (const e of m.topics) w.string(10, e);
+}
+
+export function decodeEndedTopics(r: Reader, into?: T.EndedTopics): T.EndedTopics {
+  const m: T.EndedTopics = into ?? { topics: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.topics.push(r.string()); break;
       default: skipField(r, tag);
     }
   }
@@ -1652,10 +1772,11 @@ export function encodeModuleExtension(m: Init<T.ModuleExtension>, w: Writer): vo
   if (m.libraries != null) for (const e of m.libraries) w.string(18, e);
   if (m.replaceable != null) w.bool(24, m.replaceable);
   if (m.origin != null) w.int32(32, m.origin);
+  if (m.grantIds != null) for (const e of m.grantIds) w.string(42, e);
 }
 
 export function decodeModuleExtension(r: Reader, into?: T.ModuleExtension): T.ModuleExtension {
-  const m: T.ModuleExtension = into ?? { version: '', libraries: [], replaceable: false, origin: 0 };
+  const m: T.ModuleExtension = into ?? { version: '', libraries: [], replaceable: false, origin: 0, grantIds: [] };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1663,6 +1784,7 @@ export function decodeModuleExtension(r: Reader, into?: T.ModuleExtension): T.Mo
       case 18: m.libraries.push(r.string()); break;
       case 24: m.replaceable = r.bool(); break;
       case 32: m.origin = r.int32() as T.ModuleOrigin; break;
+      case 42: m.grantIds.push(r.string()); break;
       default: skipField(r, tag);
     }
   }
@@ -1702,10 +1824,14 @@ export function encodeModuleStatistics(m: Init<T.ModuleStatistics>, w: Writer): 
   if (m.outputs != null) w.double(97, m.outputs);
   if (m.outputsRefused != null) w.double(105, m.outputsRefused);
   if (m.waiting != null) w.int32(112, m.waiting);
+  if (m.topics != null) w.int32(120, m.topics);
+  if (m.topicsRefused != null) w.double(129, m.topicsRefused);
+  if (m.refusedOutput != null) w.string(138, m.refusedOutput);
+  if (m.memoryBytes != null) w.double(145, m.memoryBytes);
 }
 
 export function decodeModuleStatistics(r: Reader, into?: T.ModuleStatistics): T.ModuleStatistics {
-  const m: T.ModuleStatistics = into ?? { moduleId: '', moduleName: '', nodeId: '', status: 0, runs: 0, runsPerSecond: 0, runP50Ms: 0, runP95Ms: 0, overruns: 0, errors: 0, restarts: 0, outputs: 0, outputsRefused: 0, waiting: 0 };
+  const m: T.ModuleStatistics = into ?? { moduleId: '', moduleName: '', nodeId: '', status: 0, runs: 0, runsPerSecond: 0, runP50Ms: 0, runP95Ms: 0, overruns: 0, errors: 0, restarts: 0, outputs: 0, outputsRefused: 0, waiting: 0, topics: 0, topicsRefused: 0, refusedOutput: '', memoryBytes: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1723,6 +1849,10 @@ export function decodeModuleStatistics(r: Reader, into?: T.ModuleStatistics): T.
       case 97: m.outputs = r.double(); break;
       case 105: m.outputsRefused = r.double(); break;
       case 112: m.waiting = r.int32(); break;
+      case 120: m.topics = r.int32(); break;
+      case 129: m.topicsRefused = r.double(); break;
+      case 138: m.refusedOutput = r.string(); break;
+      case 145: m.memoryBytes = r.double(); break;
       default: skipField(r, tag);
     }
   }
@@ -1799,10 +1929,11 @@ export function encodeNodeExtension(m: Init<T.NodeExtension>, w: Writer): void {
   if (m.acceptsWork != null) w.bool(24, m.acceptsWork);
   if (m.libraries != null) for (const e of m.libraries) w.string(34, e);
   if (m.capacity != null) w.int32(40, m.capacity);
+  if (m.memoryBytes != null) w.double(49, m.memoryBytes);
 }
 
 export function decodeNodeExtension(r: Reader, into?: T.NodeExtension): T.NodeExtension {
-  const m: T.NodeExtension = into ?? { kind: 0, runsJavascript: false, acceptsWork: false, libraries: [], capacity: 0 };
+  const m: T.NodeExtension = into ?? { kind: 0, runsJavascript: false, acceptsWork: false, libraries: [], capacity: 0, memoryBytes: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1811,6 +1942,7 @@ export function decodeNodeExtension(r: Reader, into?: T.NodeExtension): T.NodeEx
       case 24: m.acceptsWork = r.bool(); break;
       case 34: m.libraries.push(r.string()); break;
       case 40: m.capacity = r.int32(); break;
+      case 49: m.memoryBytes = r.double(); break;
       default: skipField(r, tag);
     }
   }
@@ -1825,10 +1957,11 @@ export function encodeNodeInfo(m: Init<T.NodeInfo>, w: Writer): void {
   if (m.instances != null) w.int32(40, m.instances);
   if (m.available != null) w.bool(48, m.available);
   if (m.dedicated != null) w.bool(56, m.dedicated);
+  if (m.memoryBytes != null) w.double(65, m.memoryBytes);
 }
 
 export function decodeNodeInfo(r: Reader, into?: T.NodeInfo): T.NodeInfo {
-  const m: T.NodeInfo = into ?? { clientId: '', name: '', node: undefined, moduleNames: [], instances: 0, available: false, dedicated: false };
+  const m: T.NodeInfo = into ?? { clientId: '', name: '', node: undefined, moduleNames: [], instances: 0, available: false, dedicated: false, memoryBytes: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1839,6 +1972,7 @@ export function decodeNodeInfo(r: Reader, into?: T.NodeInfo): T.NodeInfo {
       case 40: m.instances = r.int32(); break;
       case 48: m.available = r.bool(); break;
       case 56: m.dedicated = r.bool(); break;
+      case 65: m.memoryBytes = r.double(); break;
       default: skipField(r, tag);
     }
   }
@@ -1865,9 +1999,10 @@ export function encodeNodeMessage(m: Init<T.NodeMessage>, w: Writer): void {
   if (m.lockstepRequest != null) { const at = w.open(10); encodeLockstepProcessingRequest(m.lockstepRequest, w); w.close(at); }
   if (m.lockstepReply != null) { const at = w.open(18); encodeLockstepProcessingReply(m.lockstepReply, w); w.close(at); }
   if (m.moduleReports != null) { const at = w.open(26); encodeModuleReports(m.moduleReports, w); w.close(at); }
+  if (m.endedTopics != null) { const at = w.open(34); encodeEndedTopics(m.endedTopics, w); w.close(at); }
 }
 
-const NodeMessage_type = ['lockstepRequest', 'lockstepReply', 'moduleReports'] as const;
+const NodeMessage_type = ['lockstepRequest', 'lockstepReply', 'moduleReports', 'endedTopics'] as const;
 export function decodeNodeMessage(r: Reader, into?: T.NodeMessage): T.NodeMessage {
   const m: T.NodeMessage = into ?? {};
   let type = into && setMember(into, NodeMessage_type);
@@ -1877,6 +2012,7 @@ export function decodeNodeMessage(r: Reader, into?: T.NodeMessage): T.NodeMessag
       case 10: type = only(m, type, 'lockstepRequest'); { const end = r.enter(); m.lockstepRequest = decodeLockstepProcessingRequest(r, m.lockstepRequest); r.end = end; break; }
       case 18: type = only(m, type, 'lockstepReply'); { const end = r.enter(); m.lockstepReply = decodeLockstepProcessingReply(r, m.lockstepReply); r.end = end; break; }
       case 26: type = only(m, type, 'moduleReports'); { const end = r.enter(); m.moduleReports = decodeModuleReports(r, m.moduleReports); r.end = end; break; }
+      case 34: type = only(m, type, 'endedTopics'); { const end = r.enter(); m.endedTopics = decodeEndedTopics(r, m.endedTopics); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -1891,10 +2027,11 @@ export function encodeSessionExtension(m: Init<T.SessionExtension>, w: Writer): 
   if (m.editorJson != null) w.string(42, m.editorJson);
   if (m.revision != null) w.int32(48, m.revision);
   if (m.stored != null) w.bool(56, m.stored);
+  if (m.grantIds != null) for (const e of m.grantIds) w.string(66, e);
 }
 
 export function decodeSessionExtension(r: Reader, into?: T.SessionExtension): T.SessionExtension {
-  const m: T.SessionExtension = into ?? { state: 0, problems: [], startWithMaster: false, lockstepHertz: 0, editorJson: '', revision: 0, stored: false };
+  const m: T.SessionExtension = into ?? { state: 0, problems: [], startWithMaster: false, lockstepHertz: 0, editorJson: '', revision: 0, stored: false, grantIds: [] };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1905,6 +2042,7 @@ export function decodeSessionExtension(r: Reader, into?: T.SessionExtension): T.
       case 42: m.editorJson = r.string(); break;
       case 48: m.revision = r.int32(); break;
       case 56: m.stored = r.bool(); break;
+      case 66: m.grantIds.push(r.string()); break;
       default: skipField(r, tag);
     }
   }
@@ -1952,10 +2090,11 @@ export function encodeSessionStatistics(m: Init<T.SessionStatistics>, w: Writer)
   if (m.passP50Ms != null) w.double(49, m.passP50Ms);
   if (m.passP95Ms != null) w.double(57, m.passP95Ms);
   if (m.lateAnswers != null) w.double(65, m.lateAnswers);
+  if (m.memoryLimitBytes != null) w.double(73, m.memoryLimitBytes);
 }
 
 export function decodeSessionStatistics(r: Reader, into?: T.SessionStatistics): T.SessionStatistics {
-  const m: T.SessionStatistics = into ?? { sessionId: '', state: 0, timeMs: 0, modules: [], passesPerSecond: 0, passP50Ms: 0, passP95Ms: 0, lateAnswers: 0 };
+  const m: T.SessionStatistics = into ?? { sessionId: '', state: 0, timeMs: 0, modules: [], passesPerSecond: 0, passP50Ms: 0, passP95Ms: 0, lateAnswers: 0, memoryLimitBytes: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1967,6 +2106,7 @@ export function decodeSessionStatistics(r: Reader, into?: T.SessionStatistics): 
       case 49: m.passP50Ms = r.double(); break;
       case 57: m.passP95Ms = r.double(); break;
       case 65: m.lateAnswers = r.double(); break;
+      case 73: m.memoryLimitBytes = r.double(); break;
       default: skipField(r, tag);
     }
   }
@@ -2576,9 +2716,10 @@ export function encodeServiceReply(m: Init<T.ServiceReply>, w: Writer): void {
   if (m.accessGrantCreated != null) { const at = w.open(8170); encodeAccessGrantCreated(m.accessGrantCreated, w); w.close(at); }
   if (m.accessGrant != null) { const at = w.open(8178); encodeAccessGrant(m.accessGrant, w); w.close(at); }
   if (m.accessGrantList != null) { const at = w.open(8186); encodeAccessGrantList(m.accessGrantList, w); w.close(at); }
+  if (m.auditLog != null) { const at = w.open(8322); encodeAuditLog(m.auditLog, w); w.close(at); }
 }
 
-const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList', 'settingList', 'joinCheck', 'accessGrantCreated', 'accessGrant', 'accessGrantList'] as const;
+const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList', 'settingList', 'joinCheck', 'accessGrantCreated', 'accessGrant', 'accessGrantList', 'auditLog'] as const;
 export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceReply {
   const m: T.ServiceReply = into ?? {};
   let type = into && setMember(into, ServiceReply_type);
@@ -2619,6 +2760,7 @@ export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceR
       case 8170: type = only(m, type, 'accessGrantCreated'); { const end = r.enter(); m.accessGrantCreated = decodeAccessGrantCreated(r, m.accessGrantCreated); r.end = end; break; }
       case 8178: type = only(m, type, 'accessGrant'); { const end = r.enter(); m.accessGrant = decodeAccessGrant(r, m.accessGrant); r.end = end; break; }
       case 8186: type = only(m, type, 'accessGrantList'); { const end = r.enter(); m.accessGrantList = decodeAccessGrantList(r, m.accessGrantList); r.end = end; break; }
+      case 8322: type = only(m, type, 'auditLog'); { const end = r.enter(); m.auditLog = decodeAuditLog(r, m.auditLog); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -2655,9 +2797,10 @@ export function encodeServiceRequest(m: Init<T.ServiceRequest>, w: Writer): void
   if (m.joinCheckRequest != null) { const at = w.open(8162); encodeJoinCheckRequest(m.joinCheckRequest, w); w.close(at); }
   if (m.accessGrantCreateRequest != null) { const at = w.open(8170); encodeAccessGrantCreateRequest(m.accessGrantCreateRequest, w); w.close(at); }
   if (m.accessGrantRevokeRequest != null) { const at = w.open(8178); encodeAccessGrantRevokeRequest(m.accessGrantRevokeRequest, w); w.close(at); }
+  if (m.auditLogRequest != null) { const at = w.open(8322); encodeAuditLogRequest(m.auditLogRequest, w); w.close(at); }
 }
 
-const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest', 'clientReportRequest', 'clientRenameRequest', 'clientDisconnectRequest', 'clientThrottleRequest', 'logRequest', 'moduleVersionRequest', 'joinCheckRequest', 'accessGrantCreateRequest', 'accessGrantRevokeRequest'] as const;
+const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest', 'clientReportRequest', 'clientRenameRequest', 'clientDisconnectRequest', 'clientThrottleRequest', 'logRequest', 'moduleVersionRequest', 'joinCheckRequest', 'accessGrantCreateRequest', 'accessGrantRevokeRequest', 'auditLogRequest'] as const;
 export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.ServiceRequest {
   const m: T.ServiceRequest = into ?? { topic: '' };
   let type = into && setMember(into, ServiceRequest_type);
@@ -2693,6 +2836,7 @@ export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.Serv
       case 8162: type = only(m, type, 'joinCheckRequest'); { const end = r.enter(); m.joinCheckRequest = decodeJoinCheckRequest(r, m.joinCheckRequest); r.end = end; break; }
       case 8170: type = only(m, type, 'accessGrantCreateRequest'); { const end = r.enter(); m.accessGrantCreateRequest = decodeAccessGrantCreateRequest(r, m.accessGrantCreateRequest); r.end = end; break; }
       case 8178: type = only(m, type, 'accessGrantRevokeRequest'); { const end = r.enter(); m.accessGrantRevokeRequest = decodeAccessGrantRevokeRequest(r, m.accessGrantRevokeRequest); r.end = end; break; }
+      case 8322: type = only(m, type, 'auditLogRequest'); { const end = r.enter(); m.auditLogRequest = decodeAuditLogRequest(r, m.auditLogRequest); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -3159,6 +3303,9 @@ export const CODECS: {
   'ubii.extension.AccessGrantCreated': { encode: encodeAccessGrantCreated, decode: decodeAccessGrantCreated },
   'ubii.extension.AccessGrantList': { encode: encodeAccessGrantList, decode: decodeAccessGrantList },
   'ubii.extension.AccessGrantRevokeRequest': { encode: encodeAccessGrantRevokeRequest, decode: decodeAccessGrantRevokeRequest },
+  'ubii.extension.AuditEntry': { encode: encodeAuditEntry, decode: decodeAuditEntry },
+  'ubii.extension.AuditLog': { encode: encodeAuditLog, decode: decodeAuditLog },
+  'ubii.extension.AuditLogRequest': { encode: encodeAuditLogRequest, decode: decodeAuditLogRequest },
   'ubii.extension.ClientActivity': { encode: encodeClientActivity, decode: decodeClientActivity },
   'ubii.extension.ClientClock': { encode: encodeClientClock, decode: decodeClientClock },
   'ubii.extension.ClientDisconnectRequest': { encode: encodeClientDisconnectRequest, decode: decodeClientDisconnectRequest },
@@ -3169,6 +3316,7 @@ export const CODECS: {
   'ubii.extension.ClientSubscription': { encode: encodeClientSubscription, decode: decodeClientSubscription },
   'ubii.extension.ClientThrottle': { encode: encodeClientThrottle, decode: decodeClientThrottle },
   'ubii.extension.ClientThrottleRequest': { encode: encodeClientThrottleRequest, decode: decodeClientThrottleRequest },
+  'ubii.extension.EndedTopics': { encode: encodeEndedTopics, decode: decodeEndedTopics },
   'ubii.extension.JoinCheck': { encode: encodeJoinCheck, decode: decodeJoinCheck },
   'ubii.extension.JoinCheckRequest': { encode: encodeJoinCheckRequest, decode: decodeJoinCheckRequest },
   'ubii.extension.JoinRefusal': { encode: encodeJoinRefusal, decode: decodeJoinRefusal },

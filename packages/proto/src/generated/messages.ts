@@ -125,6 +125,21 @@ export const AccessRole = {
 export type AccessRole = (typeof AccessRole)[keyof typeof AccessRole];
 
 /**
+ * How the caller was let in.
+ *
+ * `ubii.extension.AuditEntry.Way`
+ */
+export const AuditEntryWay = {
+  /** With a token or code. */
+  GRANT: 0,
+  /** As a program of the master's own machine. */
+  LOCAL: 1,
+  /** As an existing client of a network that is let in. */
+  NETWORK: 2,
+} as const;
+export type AuditEntryWay = (typeof AuditEntryWay)[keyof typeof AuditEntryWay];
+
+/**
  * How near the other end of the client's socket is.
  *
  * `ubii.extension.ClientActivity.AddressKind`
@@ -290,6 +305,19 @@ export const NodeExtensionKind = {
   BROWSER: 3,
 } as const;
 export type NodeExtensionKind = (typeof NodeExtensionKind)[keyof typeof NodeExtensionKind];
+
+/**
+ * What becomes of what was made with a grant that is revoked. Rule AC-92.
+ *
+ * `ubii.extension.RevokedWork`
+ */
+export const RevokedWork = {
+  /** Sessions stop, and are kept as they are: somebody else may start them. */
+  REVOKED_WORK_STOP: 0,
+  /** It becomes the operator's: sessions go on. */
+  REVOKED_WORK_HAND_OVER: 1,
+} as const;
+export type RevokedWork = (typeof RevokedWork)[keyof typeof RevokedWork];
 
 /**
  * Where a session is in its life, finer than SessionStatus. Rule SE-10.
@@ -1063,7 +1091,7 @@ export interface AccessGrant {
   target: string;
   /** When it was made: milliseconds since the Unix epoch, master's clock. */
   createdMs: number;
-  /** From when on nobody joins with it any more, the same clock. Who has joined stays. */
+  /** From when on nobody joins with it any more, the same clock. Who has joined stays until stays_until_ms. */
   expiresMs: number;
   /** How many may join with it; 0 for any number. */
   maxJoins: number;
@@ -1081,6 +1109,16 @@ export interface AccessGrant {
   isTerminal: boolean;
   /** When the short code ends, the same clock. */
   codeExpiresMs: number;
+  /** Until when those who joined may stay, the same clock. Rule AC-91. */
+  staysUntilMs: number;
+  /** Ids of sessions that its clients made or changed, and that are known now. Rule AC-90. */
+  sessionIds: string[];
+  /** Those of them that run. */
+  runningSessionIds: string[];
+  /** Names of stored sessions that its clients made or changed. */
+  storedSessionNames: string[];
+  /** Names of stored modules that its clients made or changed. */
+  moduleNames: string[];
 }
 
 /**
@@ -1105,6 +1143,11 @@ export interface AccessGrantCreateRequest {
   readTopics: string[];
   /** Players only: globs of topics they may publish on, at most 16. */
   writeTopics: string[];
+  /**
+   * How long those who join may stay, milliseconds from now: at most 30 days; as long as it can be joined
+   * with when it is 0 or less than that. Rule AC-91.
+   */
+  stayMs: number;
 }
 
 /**
@@ -1143,6 +1186,76 @@ export interface AccessGrantRevokeRequest {
   grantId: string;
   /** Why, for the persons it affects, a few words; may be empty. */
   reason: string;
+  /** What becomes of what was made with it. */
+  work: RevokedWork;
+}
+
+/**
+ * What somebody did, or was refused.
+ *
+ * `ubii.extension.AuditEntry`
+ */
+export interface AuditEntry {
+  /** Grows by one from entry to entry, over restarts of the master too. */
+  number: number;
+  /** Milliseconds since the Unix epoch, master's clock. */
+  timeMs: number;
+  /** Topic of the service. */
+  service: string;
+  /** What it was done to, for people: a name or id; empty when nothing was named. */
+  object: string;
+  /** Code of the error it was refused with; empty when it was done. */
+  error: string;
+  /** Id of the client that asked; empty when that is not known. */
+  clientId: string;
+  /** Its name then. */
+  clientName: string;
+  /** What it might do. */
+  role: AccessRole;
+  /** How it was let in. */
+  way: AuditEntryWay;
+  /** Id of the grant it joined with; empty when it needed none. */
+  grantId: string;
+  /** Label of that grant. */
+  grantLabel: string;
+  /** How near it was; the address itself is not kept. */
+  addressKind: ClientActivityAddressKind;
+  /** Entries of the same caller that were left out before this one, because there were too many. */
+  leftOut: number;
+}
+
+/**
+ * Entries of the audit log.
+ *
+ * `ubii.extension.AuditLog`
+ */
+export interface AuditLog {
+  /** The newest first. */
+  entries: AuditEntry[];
+  /** There are older ones that fit. */
+  more: boolean;
+  /** Entries that are kept, whether or not they fit. */
+  kept: number;
+}
+
+/**
+ * Asks for entries of the audit log. Rules EX-90 to EX-95. What is empty is not looked at.
+ *
+ * `ubii.extension.AuditLogRequest`
+ */
+export interface AuditLogRequest {
+  /** Entries with a smaller number are wanted; 0 for the newest. */
+  before: number;
+  /** Entries wanted at most: 1 to 500; 0 means 100. */
+  count: number;
+  /** Of this client. */
+  clientId: string;
+  /** Of those who joined with this grant. */
+  grantId: string;
+  /** Of services whose name contains this, such as session or access_grant_create. */
+  service: string;
+  /** With every word of this in what they say, in either case. */
+  text: string;
 }
 
 /**
@@ -1286,6 +1399,10 @@ export interface ClientExtension {
   role: AccessRole;
   /** Master to client: it tells its time to who asks with a numbered PING. Rule TS-1. */
   tellsTime: boolean;
+  /** Master to all, in an announcement: what is large was left out; client_get_list has it. Rule EX-74. */
+  abridged: boolean;
+  /** Master to all, in an abridged announcement: grows when what was left out changes. Rule EX-74. */
+  registrationRevision: number;
 }
 
 /**
@@ -1378,6 +1495,16 @@ export interface ClientThrottleRequest {
   recordsPerSecond: number;
   /** Why, for the person it affects, a few words; may be empty. */
   reason: string;
+}
+
+/**
+ * Topics that demuxers of a node made, and whose values end.
+ *
+ * `ubii.extension.EndedTopics`
+ */
+export interface EndedTopics {
+  /** Topics of the node's client; others are left alone. */
+  topics: string[];
 }
 
 /**
@@ -1672,6 +1799,8 @@ export interface ModuleExtension {
   replaceable: boolean;
   /** Where the master has it from. Set by the master when it lists modules. Rule SE-22. */
   origin: ModuleOrigin;
+  /** Of stored ones: ids of the grants whose clients made or changed it. Set by the master. Rule AC-90. */
+  grantIds: string[];
 }
 
 /**
@@ -1720,6 +1849,14 @@ export interface ModuleStatistics {
   outputsRefused: number;
   /** Triggers that wait for the run under way or the minimal delay. */
   waiting: number;
+  /** Topics its demuxers have made, and not given back. Rule SE-61. */
+  topics: number;
+  /** Elements that were refused since it was created because their topic would have been one too many. */
+  topicsRefused: number;
+  /** Output whose element was refused last for that reason; empty when none was. */
+  refusedOutput: string;
+  /** Memory of the instance, bytes; 0 when it is not known. Rule SE-64. */
+  memoryBytes: number;
 }
 
 /**
@@ -1784,6 +1921,8 @@ export interface NodeExtension {
   libraries: string[];
   /** How many modules it likes to run at once; 0 when it does not say. */
   capacity: number;
+  /** Memory that its sandboxed modules may have together, bytes; 0 when it does not say. Rule PM-58. */
+  memoryBytes: number;
 }
 
 /**
@@ -1806,6 +1945,8 @@ export interface NodeInfo {
   available: boolean;
   /** True when it exists to run modules for others. */
   dedicated: boolean;
+  /** Memory of the modules of sessions it runs now, bytes, as far as they say. */
+  memoryBytes: number;
 }
 
 /**
@@ -1830,6 +1971,8 @@ export interface NodeMessage {
   lockstepReply?: LockstepProcessingReply | undefined;
   /** Node to master: how its modules do. Rules PM-80 and PM-81. */
   moduleReports?: ModuleReports | undefined;
+  /** Node to master: topics that its modules do not write any more. Rule SE-63. */
+  endedTopics?: EndedTopics | undefined;
 }
 
 /**
@@ -1855,6 +1998,8 @@ export interface SessionExtension {
   revision: number;
   /** True when it is also stored. Rule SE-21. */
   stored: boolean;
+  /** Ids of the grants whose clients made or changed it. Set by the master. Rule AC-90. */
+  grantIds: string[];
 }
 
 /**
@@ -1905,6 +2050,8 @@ export interface SessionStatistics {
   passP95Ms: number;
   /** Answers of nodes that came too late for their pass, since the session started. */
   lateAnswers: number;
+  /** Memory that its modules may have together on the master, bytes. Rule SE-64. */
+  memoryLimitBytes: number;
 }
 
 /**
@@ -2402,6 +2549,8 @@ export interface ServiceReply {
   accessGrant?: AccessGrant | undefined;
   /** All leave to join. Rule AC-14. */
   accessGrantList?: AccessGrantList | undefined;
+  /** Entries of the audit log. Rule EX-93. */
+  auditLog?: AuditLog | undefined;
 }
 
 /**
@@ -2468,6 +2617,8 @@ export interface ServiceRequest {
   accessGrantCreateRequest?: AccessGrantCreateRequest | undefined;
   /** Leave to join that is taken back. Rule AC-15. */
   accessGrantRevokeRequest?: AccessGrantRevokeRequest | undefined;
+  /** Which entries of the audit log are wanted. Rule EX-93. */
+  auditLogRequest?: AuditLogRequest | undefined;
 }
 
 /**
@@ -2830,6 +2981,9 @@ export interface MessageTypes {
   'ubii.extension.AccessGrantCreated': AccessGrantCreated;
   'ubii.extension.AccessGrantList': AccessGrantList;
   'ubii.extension.AccessGrantRevokeRequest': AccessGrantRevokeRequest;
+  'ubii.extension.AuditEntry': AuditEntry;
+  'ubii.extension.AuditLog': AuditLog;
+  'ubii.extension.AuditLogRequest': AuditLogRequest;
   'ubii.extension.ClientActivity': ClientActivity;
   'ubii.extension.ClientClock': ClientClock;
   'ubii.extension.ClientDisconnectRequest': ClientDisconnectRequest;
@@ -2840,6 +2994,7 @@ export interface MessageTypes {
   'ubii.extension.ClientSubscription': ClientSubscription;
   'ubii.extension.ClientThrottle': ClientThrottle;
   'ubii.extension.ClientThrottleRequest': ClientThrottleRequest;
+  'ubii.extension.EndedTopics': EndedTopics;
   'ubii.extension.JoinCheck': JoinCheck;
   'ubii.extension.JoinCheckRequest': JoinCheckRequest;
   'ubii.extension.JoinRefusal': JoinRefusal;

@@ -40,6 +40,10 @@ enum ubii.extension.AccessRole
 2 ACCESS_ROLE_PARTICIPANT
 3 ACCESS_ROLE_PLAYER
 4 ACCESS_ROLE_VIEWER
+enum ubii.extension.AuditEntry.Way
+0 GRANT
+1 LOCAL
+2 NETWORK
 enum ubii.extension.ClientActivity.AddressKind
 0 UNKNOWN
 1 LOOPBACK
@@ -92,6 +96,9 @@ enum ubii.extension.NodeExtension.Kind
 1 MASTER
 2 NODE
 3 BROWSER
+enum ubii.extension.RevokedWork
+0 REVOKED_WORK_STOP
+1 REVOKED_WORK_HAND_OVER
 enum ubii.extension.SessionState
 0 SESSION_CREATED
 1 SESSION_STARTING
@@ -334,6 +341,11 @@ message ubii.extension.AccessGrant
 12 client_ids string *
 13 is_terminal bool
 14 code_expires_ms double
+15 stays_until_ms double
+16 session_ids string *
+17 running_session_ids string *
+18 stored_session_names string *
+19 module_names string *
 message ubii.extension.AccessGrantCreateRequest
 1 client_id string
 2 label string
@@ -343,6 +355,7 @@ message ubii.extension.AccessGrantCreateRequest
 6 max_joins int32
 7 read_topics string *
 8 write_topics string *
+9 stay_ms double
 message ubii.extension.AccessGrantCreated
 1 grant ubii.extension.AccessGrant
 2 token string
@@ -353,6 +366,32 @@ message ubii.extension.AccessGrantRevokeRequest
 1 client_id string
 2 grant_id string
 3 reason string
+4 work ubii.extension.RevokedWork
+message ubii.extension.AuditEntry
+1 number double
+2 time_ms double
+3 service string
+4 object string
+5 error string
+6 client_id string
+7 client_name string
+8 role ubii.extension.AccessRole
+9 way ubii.extension.AuditEntry.Way
+10 grant_id string
+11 grant_label string
+12 address_kind ubii.extension.ClientActivity.AddressKind
+13 left_out int32
+message ubii.extension.AuditLog
+1 entries ubii.extension.AuditEntry *
+2 more bool
+3 kept int32
+message ubii.extension.AuditLogRequest
+1 before double
+2 count int32
+3 client_id string
+4 grant_id string
+5 service string
+6 text string
 message ubii.extension.ClientActivity
 1 client_id string
 2 first_seen_ms double
@@ -408,6 +447,8 @@ message ubii.extension.ClientExtension
 11 credential_expires_ms double
 12 role ubii.extension.AccessRole
 20 tells_time bool
+30 abridged bool
+31 registration_revision int32
 message ubii.extension.ClientRenameRequest
 1 client_id string
 2 target_id string
@@ -436,6 +477,8 @@ message ubii.extension.ClientThrottleRequest
 2 target_id string
 3 records_per_second double
 4 reason string
+message ubii.extension.EndedTopics
+1 topics string *
 message ubii.extension.JoinCheck
 1 role ubii.extension.AccessRole
 2 problem ubii.extension.JoinProblem
@@ -529,6 +572,7 @@ message ubii.extension.ModuleExtension
 2 libraries string *
 3 replaceable bool
 4 origin ubii.extension.ModuleOrigin
+5 grant_ids string *
 message ubii.extension.ModuleReports
 1 statistics ubii.extension.ModuleStatistics *
 2 events ubii.extension.ModuleEvent *
@@ -547,6 +591,10 @@ message ubii.extension.ModuleStatistics
 12 outputs double
 13 outputs_refused double
 14 waiting int32
+15 topics int32
+16 topics_refused double
+17 refused_output string
+18 memory_bytes double
 message ubii.extension.ModuleVersion
 1 number int32
 2 time_ms double
@@ -567,6 +615,7 @@ message ubii.extension.NodeExtension
 3 accepts_work bool
 4 libraries string *
 5 capacity int32
+6 memory_bytes double
 message ubii.extension.NodeInfo
 1 client_id string
 2 name string
@@ -575,12 +624,14 @@ message ubii.extension.NodeInfo
 5 instances int32
 6 available bool
 7 dedicated bool
+8 memory_bytes double
 message ubii.extension.NodeList
 1 elements ubii.extension.NodeInfo *
 message ubii.extension.NodeMessage
 1 lockstep_request ubii.processing.LockstepProcessingRequest type
 2 lockstep_reply ubii.processing.LockstepProcessingReply type
 3 module_reports ubii.extension.ModuleReports type
+4 ended_topics ubii.extension.EndedTopics type
 message ubii.extension.SessionExtension
 1 state ubii.extension.SessionState
 2 problems ubii.extension.SessionProblem *
@@ -589,6 +640,7 @@ message ubii.extension.SessionExtension
 5 editor_json string
 6 revision int32
 7 stored bool
+8 grant_ids string *
 message ubii.extension.SessionProblem
 1 is_error bool
 2 code string
@@ -608,6 +660,7 @@ message ubii.extension.SessionStatistics
 6 pass_p50_ms double
 7 pass_p95_ms double
 8 late_answers double
+9 memory_limit_bytes double
 message ubii.extension.Setting
 1 flag string
 2 value string
@@ -776,6 +829,7 @@ message ubii.services.ServiceReply
 1021 access_grant_created ubii.extension.AccessGrantCreated type
 1022 access_grant ubii.extension.AccessGrant type
 1023 access_grant_list ubii.extension.AccessGrantList type
+1040 audit_log ubii.extension.AuditLog type
 message ubii.services.ServiceRequest
 1 topic string
 2 client ubii.clients.Client type
@@ -806,6 +860,7 @@ message ubii.services.ServiceRequest
 1020 join_check_request ubii.extension.JoinCheckRequest type
 1021 access_grant_create_request ubii.extension.AccessGrantCreateRequest type
 1022 access_grant_revoke_request ubii.extension.AccessGrantRevokeRequest type
+1040 audit_log_request ubii.extension.AuditLogRequest type
 message ubii.services.request.TopicSubscription
 1 client_id string
 2 subscribe_topics string *

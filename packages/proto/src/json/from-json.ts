@@ -92,10 +92,11 @@ function readMessage(
   for (const [key, value] of Object.entries(withoutLegacyMapping(type.name, json as object))) {
     const field = type.fieldByName.get(key);
     const memberPath = path === '' ? key : `${path}.${key}`;
-    if (field === undefined) {
+    // Only for those who look for it: a list of the members costs more than the rest.
+    if (field === undefined && context.problems !== undefined) {
       const members = type.fields.map(({ jsonName }) => jsonName).join(', ');
       const sentence = `is not known here; there are ${members}`;
-      context.problems?.push({ path: memberPath, sentence });
+      context.problems.push({ path: memberPath, sentence });
     }
     if (field === undefined || value === null || value === undefined) continue;
     if (field.repeated) {

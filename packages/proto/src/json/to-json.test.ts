@@ -97,6 +97,8 @@ describe('toJson [SV-4]', () => {
       library: '',
       role: 'ACCESS_ROLE_NONE',
       tellsTime: false,
+      abridged: false,
+      registrationRevision: 0,
     });
   });
 });

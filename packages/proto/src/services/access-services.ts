@@ -25,4 +25,10 @@ export const ACCESS_SERVICES = {
     'accessGrant',
     'Takes leave to join back, and disconnects all who have joined with it.',
   ),
+  auditLog: withPayload(
+    '/services/ubii/audit_log',
+    'auditLogRequest',
+    'auditLog',
+    'Returns what admins and participants did, the newest first.',
+  ),
 } as const;

@@ -47,6 +47,7 @@ describe('the service table', () => {
       '/services/ubii/access_grant_create',
       '/services/ubii/access_grant_list',
       '/services/ubii/access_grant_revoke',
+      '/services/ubii/audit_log',
     ]);
   });
 

@@ -21,3 +21,4 @@ export {
 } from './node-messages.ts';
 export { readRecordHead, type RecordHead } from './record-head.ts';
 export { recordValueField, scanTopicData, type TopicDataSink } from './scan-topic-data.ts';
+export { scanServiceRequest, type RequestScan } from './scan-service-request.ts';

@@ -4,12 +4,14 @@ import { varintSize, writeVarint } from '../binary/varint.ts';
 import { decode, encode } from '../codec.ts';
 import { DecodeError } from '../decode-error.ts';
 import type {
+  EndedTopics,
   LockstepProcessingReply,
   LockstepProcessingRequest,
   ModuleReports,
 } from '../generated/messages.ts';
 import type { Init } from '../init.ts';
 import {
+  ENDED_TOPICS_TAG,
   LOCKSTEP_RECORD_TAG,
   LOCKSTEP_REPLY_TAG,
   LOCKSTEP_REQUEST_TAG,
@@ -30,6 +32,7 @@ export interface EncodedNodeMessage {
   readonly lockstepRequest?: LockstepMessage<LockstepProcessingRequest>;
   readonly lockstepReply?: LockstepMessage<LockstepProcessingReply>;
   readonly moduleReports?: ModuleReports;
+  readonly endedTopics?: EndedTopics;
 }
 
 const NODE_MESSAGE = 'ubii.extension.NodeMessage';
@@ -69,6 +72,8 @@ export function readNodeMessage(borrowedBytes: Uint8Array): EncodedNodeMessage {
       else if (tag === LOCKSTEP_REPLY_TAG) result = { lockstepReply: readLockstep(reader, REPLY) };
       else if (tag === MODULE_REPORTS_TAG) {
         result = { moduleReports: decode('ubii.extension.ModuleReports', reader.bytes()) };
+      } else if (tag === ENDED_TOPICS_TAG) {
+        result = { endedTopics: decode('ubii.extension.EndedTopics', reader.bytes()) };
       } else skipField(reader, tag);
     }
   } catch (cause) {

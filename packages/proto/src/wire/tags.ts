@@ -22,5 +22,7 @@ export const LOCKSTEP_REQUEST_TAG = 10;
 export const LOCKSTEP_REPLY_TAG = 18;
 /** `NodeMessage.module_reports` */
 export const MODULE_REPORTS_TAG = 26;
+/** `NodeMessage.ended_topics` */
+export const ENDED_TOPICS_TAG = 34;
 /** `LockstepProcessingRequest.records` and `LockstepProcessingReply.records` */
 export const LOCKSTEP_RECORD_TAG = 18;
