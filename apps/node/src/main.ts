@@ -7,6 +7,7 @@ import { ConfigError, readConfig } from './read-config.ts';
 import { openSandboxes } from './sandboxes.ts';
 import { startNode } from './start-node.ts';
 import type { RunningNode } from './start-node.ts';
+import { readTokenFile } from './token-file.ts';
 
 /** Everything is closed by then, or the process ends without it. */
 const SHUTDOWN_DEADLINE_MS = 1_900;
@@ -32,8 +33,10 @@ async function run(args: readonly string[]): Promise<void> {
     return;
   }
   const log = createLog(wished.logLevel, (line) => process.stderr.write(`${line}\n`));
-  const config = wished.discover ? { ...wished, master: await discover(log) } : wished;
-  const { sandboxes, libraries } = openSandboxes(config.allowFetch);
+  const join = wished.tokenFile === undefined ? wished.join : readTokenFile(wished.tokenFile);
+  const found = wished.discover ? { master: await discover(log) } : {};
+  const config = { ...wished, join, ...found };
+  const { sandboxes, libraries } = openSandboxes(config.allowFetch, config.memory || undefined);
   const running = await startNode({ config, sandboxes, libraries, log });
   endInGoodOrder(async () => {
     await running.close();

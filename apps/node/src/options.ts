@@ -18,6 +18,9 @@ function option<T>(entry: Option<T>): Option<T> {
   return entry;
 }
 
+/** A few modules. */
+const LEAST_MEGABYTES = 8;
+
 /**
  * Every option. Flag and environment variable are made from the name: `allowFetch` is `--allow-fetch`
  * and `UBII_NODE_ALLOW_FETCH`. A flag wins over the environment.
@@ -43,6 +46,14 @@ export const OPTIONS = {
     description:
       'Token or code to join with, when the master is another machine. Needed once: the node keeps who it is.',
     parse: parseJoin,
+  }),
+  tokenFile: option<string | undefined>({
+    placeholder: '<file>',
+    fallback: undefined,
+    fallbackText: 'none',
+    description:
+      'File with the token to join with, so that it stands in no list of processes: admin-token in the data directory of a master of this machine makes this node an admin.',
+    parse: (text, baseDir) => resolve(baseDir, text),
   }),
   modules: option<string | undefined>({
     placeholder: '<folder>',
@@ -79,6 +90,14 @@ export const OPTIONS = {
     fallbackText: 'not said',
     description: 'How many modules this node likes to run at once; the master chooses by it.',
     parse: parseCount,
+  }),
+  memory: option({
+    placeholder: '<MiB>',
+    fallback: 0,
+    fallbackText: "a quarter of the machine's, at least 256",
+    description:
+      'Memory that sandboxed modules may have together on this node; those of one session half of it, and 1024 at most.',
+    parse: parseMegabytes,
   }),
   identity: option<string | undefined>({
     placeholder: '<file>|off',
@@ -132,7 +151,7 @@ export type Config = {
 export const ALL_OPTIONS: Readonly<Record<OptionName, Option<unknown>>> = OPTIONS;
 
 /** A link as the QR code has it will do. */
-function parseJoin(text: string): string {
+export function parseJoin(text: string): string {
   const token = text.slice(text.indexOf('#') + 1).trim();
   if (!/^[!-~][ -~]{0,199}$/.test(token)) {
     throw new Error('a token or code, or a link that ends with one');
@@ -180,6 +199,13 @@ function parseSwitch(text: string): boolean {
 function parseCount(text: string): number {
   if (!/^\d{1,5}$/.test(text)) throw new Error('a whole number');
   return Number(text);
+}
+
+/** @returns bytes */
+function parseMegabytes(text: string): number {
+  const megabytes = /^\d{1,6}$/.test(text) ? Number(text) : 0;
+  if (megabytes < LEAST_MEGABYTES) throw new Error(`a whole number of MiB from ${LEAST_MEGABYTES}`);
+  return megabytes * 1024 * 1024;
 }
 
 function parseJson(text: string): 'json' {

@@ -44,6 +44,11 @@ export function readConfig(
       'The options --master and --discover both say which master: leave one of the two out.',
     );
   }
+  if (config.join !== undefined && config.tokenFile !== undefined) {
+    throw new ConfigError(
+      'The options --join and --token-file both say what to join with: leave one of the two out.',
+    );
+  }
   return config;
 }
 

@@ -11,12 +11,22 @@ export interface OpenSandboxes {
   readonly libraries: readonly string[];
 }
 
-/** @param allowedOrigins what modules may read from; none: there is no library for it */
-export function openSandboxes(allowedOrigins: readonly string[]): OpenSandboxes {
+/**
+ * @param allowedOrigins what modules may read from; none: there is no library for it
+ * @param memoryBytes of all sandboxed modules; undefined: by the machine
+ */
+export function openSandboxes(
+  allowedOrigins: readonly string[],
+  memoryBytes: number | undefined,
+): OpenSandboxes {
   const hostLibraries: Readonly<Record<string, HostLibrary>> =
     allowedOrigins.length === 0 ? {} : { http: createHttpLibrary(allowedOrigins) };
   return {
-    sandboxes: createNodeSandboxes({ workerFile: findWorker(), hostLibraries }),
+    sandboxes: createNodeSandboxes({
+      workerFile: findWorker(),
+      hostLibraries,
+      ...(memoryBytes !== undefined && { memoryBytes }),
+    }),
     libraries: Object.keys(hostLibraries),
   };
 }

@@ -1,7 +1,7 @@
 import { createMemoryIdentity } from '@ubii/client-web/node';
 import { createClient } from '@ubii/client-web/node';
 import type { UbiiClient } from '@ubii/client-web/node';
-import { SessionState } from '@ubii/proto';
+import { AccessRole, SessionState } from '@ubii/proto';
 import type { Init, ProcessingModule, Session } from '@ubii/proto';
 import { readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -76,6 +76,24 @@ async function expectOut(client: UbiiClient, value: number, output: number): Pro
 }
 
 describe('the node as a process', () => {
+  it('is a participant on the machine of the master, and an admin with the file of its token [AC-40] [AC-44]', async () => {
+    const master = await startMaster(0, newFolder(), []);
+    const identity = ['--identity', 'off', '--master', master.url];
+    const tokenFile = ['--token-file', join(master.dataDir, 'admin-token')];
+    const [plain, admin] = [
+      startNode([...identity, ...printing]),
+      startNode([...identity, ...tokenFile, ...printing]),
+    ];
+    const ids = [(await plain.ready<Printed>()).id, (await admin.ready<Printed>()).id];
+    const client = await joinAs(master.url);
+    const { clients } = await client.call('clientReport', { clientIds: ids });
+    const roleOf = (id: string | undefined) => clients.find((one) => one.clientId === id)?.role;
+    expect(ids.map(roleOf)).toEqual([
+      AccessRole.ACCESS_ROLE_PARTICIPANT,
+      AccessRole.ACCESS_ROLE_ADMIN,
+    ]);
+  });
+
   it('[PM-60] [SE-30] runs a module of its folder, which a session names', async () => {
     const master = await startMaster();
     const folder = newFolder();

@@ -109,10 +109,14 @@ export class Program {
 }
 
 /** Starts a master. @param port 0 for any free one */
-export async function startMaster(port = 0, dataDir = newFolder()) {
+export async function startMaster(
+  port = 0,
+  dataDir = newFolder(),
+  flags: readonly string[] = ['--trust-loopback'],
+) {
   const program = new Program(masterProgram, [
     ...['--lan', 'off', '--port', String(port), '--legacy-ports', 'off', '--data-dir', dataDir],
-    ...['--print-endpoints', 'json'],
+    ...['--print-endpoints', 'json', ...flags],
   ]);
   const { url } = await program.ready<{ url: string }>();
   return { program, url, port: Number(new URL(url).port), dataDir };

@@ -1,3 +1,4 @@
+import type { PatternSource } from '@ubii/patterns';
 import type { ClientOptions } from './core/client-options.ts';
 import { createUbiiClient } from './core/create-ubii-client.ts';
 import type { UbiiClient } from './core/ubii-client.ts';
@@ -11,17 +12,25 @@ import type { OpenWebSocket } from './transports/websocket.ts';
 /** A client over HTTP and WebSocket, unless the options bring other transports. */
 export function createClientOver(
   options: ClientOptions,
+  patterns: PatternSource,
   openWebSocket: OpenWebSocket,
   defaultUrl: string | undefined,
 ): UbiiClient {
   const { clock = systemClock, random = Math.random, transports } = options;
   if (transports !== undefined) {
-    return createUbiiClient(options, { clock, random, uuid: systemUuid, ...transports });
+    return createUbiiClient(options, {
+      clock,
+      random,
+      patterns,
+      uuid: systemUuid,
+      ...transports,
+    });
   }
   const { servicesUrl, topicDataUrl } = resolveEndpoints(options, defaultUrl);
   return createUbiiClient(options, {
     clock,
     random,
+    patterns,
     uuid: systemUuid,
     services: createHttpServices({ url: servicesUrl }),
     topicData: createWebSocketTopicData(topicDataUrl, openWebSocket),

@@ -1,3 +1,4 @@
+import { lazyPatterns } from '@ubii/patterns';
 import { followPageEvents } from './browser/page-events.ts';
 import type { ClientOptions } from './core/client-options.ts';
 import type { UbiiClient } from './core/ubii-client.ts';
@@ -14,6 +15,7 @@ export * from './exports.ts';
 export function createClient(options: ClientOptions): UbiiClient {
   const client = createClientOver(
     options,
+    lazyPatterns(),
     (url) => new WebSocket(url),
     globalThis.location?.origin,
   );

@@ -1,3 +1,5 @@
+import { readyPatterns } from '@ubii/patterns';
+import { Re2Patterns } from '@ubii/patterns/re2';
 import { WebSocket } from 'ws';
 import type { ClientOptions } from './core/client-options.ts';
 import type { UbiiClient } from './core/ubii-client.ts';
@@ -13,6 +15,7 @@ export function createClient(options: ClientOptions): UbiiClient {
   // Compression is off: small records only grow, and the master takes none. [TD-1]
   return createClientOver(
     options,
+    readyPatterns(new Re2Patterns()),
     (url) => new WebSocket(url, { perMessageDeflate: false }),
     undefined,
   );

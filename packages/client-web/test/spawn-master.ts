@@ -32,7 +32,7 @@ export function createDataFolder(): { readonly path: string; remove(): void } {
 export async function spawnMaster(dataFolder: string, port = 0): Promise<SpawnedMaster> {
   const flags = [
     ...['--lan', 'off', '--port', String(port), '--legacy-ports', 'off'],
-    ...['--print-endpoints', 'json'],
+    ...['--print-endpoints', 'json', '--trust-loopback'],
   ];
   const child = spawn(
     process.execPath,

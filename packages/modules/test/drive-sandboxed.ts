@@ -44,6 +44,7 @@ async function drive(
       source: source!,
       isTrusted,
       libraries: parsed.libraries,
+      owner: '',
       outputs,
       limits: LIMITS,
     },

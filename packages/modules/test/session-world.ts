@@ -1,4 +1,5 @@
-import { createModuleRuntime, REGEXP_PATTERNS, type ModuleRuntime } from '@ubii/pm-sandbox';
+import { Re2Patterns } from '@ubii/patterns/re2';
+import { createModuleRuntime, type ModuleRuntime } from '@ubii/pm-sandbox';
 import { createInlineSandboxes, FakeClock, FakeTopics } from '@ubii/pm-sandbox/testing';
 import { decode, encode, type Init, type ModuleEvent, type Session } from '@ubii/proto';
 import { moduleLibrary } from '../src/index.ts';
@@ -31,7 +32,7 @@ export async function startSession(
     nodeId: 'node-1',
     clock,
     topics,
-    patterns: REGEXP_PATTERNS,
+    patterns: new Re2Patterns(),
     sandboxes: createInlineSandboxes({ libraries }),
     libraries: Object.keys(libraries),
     onEvent: (event) => events.push(event),

@@ -19,6 +19,7 @@ export type {
   ModuleRecord,
   ModuleValue,
 } from './definition/io-types.ts';
+export { LEAST_MODULE_BYTES } from './worker/quickjs/engine-pages.ts';
 export { moduleProblems, type ModuleProblem } from './definition/module-problems.ts';
 export { moduleToWire } from './definition/module-to-wire.ts';
 export {
@@ -29,10 +30,8 @@ export {
   type ParsedModule,
 } from './definition/parse-module.ts';
 export { DEFAULT_RUNTIME_LIMITS, type RuntimeLimits } from './limits.ts';
-export { REGEXP_PATTERNS } from './patterns/regexp-patterns.ts';
 export type { Cancel, Clock } from './ports/clock.ts';
 export type { ModuleFault, ModuleFaultKind, ModulePhase } from './ports/module-fault.ts';
-export type { MatchPattern, PatternPort } from './ports/pattern-port.ts';
 export type {
   ModuleSource,
   Sandbox,
@@ -41,6 +40,7 @@ export type {
   SandboxFactory,
   SandboxInput,
   SandboxLimits,
+  SandboxMemory,
   SandboxOutput,
   SandboxRecord,
   SandboxRequest,
@@ -57,10 +57,18 @@ export {
   type DemuxTopic,
 } from './runtime/binding/demux-topic.ts';
 export { formatsFit } from './runtime/binding/formats-fit.ts';
+
 export { InputBinding } from './runtime/binding/input-binding.ts';
 export type { SlotContext, Snapshot } from './runtime/binding/input-slot.ts';
 export { identityOf, identityRule, type IdentityRule } from './runtime/binding/mux-identity.ts';
-export { muxSelector } from './runtime/binding/mux-selector.ts';
+export { muxSelector, selectorMatch } from './runtime/binding/mux-selector.ts';
+export {
+  mappingNeedsPatterns,
+  muxNeedsPatterns,
+  SessionPatterns,
+  type PatternTimes,
+} from './runtime/binding/session-patterns.ts';
+export { TokenBucket } from './runtime/reports/token-bucket.ts';
 export { createModuleRuntime, type ModuleRuntimeOptions } from './runtime/create-module-runtime.ts';
 export type {
   InstanceSpec,

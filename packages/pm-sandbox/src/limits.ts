@@ -11,6 +11,14 @@ export interface RuntimeLimits {
   readonly haltTimeoutMs: number;
   /** Topics in the list of one muxer. [PM-44] */
   readonly maxMuxElements: number;
+  /** Time that matching the patterns of one session's muxers may take at once. [PM-71] */
+  readonly patternMatchMs: number;
+  /** The same per second in the long run. [PM-71] */
+  readonly patternMatchMsPerSecond: number;
+  /** Topics that the demuxers of one instance make. [SE-61] */
+  readonly maxTopics: number;
+  /** A topic that no demuxer wrote for this long makes room for another one at the limit. [SE-61] */
+  readonly topicRestMs: number;
   /** Records put out. [PM-55] */
   readonly maxOutputsPerSecond: number;
   /** Bytes of the records put out. [PM-55] */
@@ -46,6 +54,14 @@ export const DEFAULT_RUNTIME_LIMITS: RuntimeLimits = {
   haltTimeoutMs: 2_000,
   // As many players as a master takes clients, with room for their list in one message.
   maxMuxElements: 4_096,
+  // Some 2 µs for a topic: four full muxers of ordinary patterns, when a session starts.
+  patternMatchMs: 100,
+  // As the master gives each client: a twentieth of the thread.
+  patternMatchMsPerSecond: 50,
+  // One for each element that a muxer takes in.
+  maxTopics: 4_096,
+  // Players who left are not written any more; players who stand still are, by modules that run often.
+  topicRestMs: 60_000,
   // A tenth of what a master forwards for everybody.
   maxOutputsPerSecond: 20_000,
   // Raw full-HD pictures at 15 Hz.

@@ -1,8 +1,8 @@
+import { Re2Patterns } from '@ubii/patterns/re2';
 import { fromJson, ModuleEventKind, type ModuleEvent } from '@ubii/proto';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import {
   createModuleRuntime,
-  REGEXP_PATTERNS,
   type Clock,
   type ModuleRuntime,
   type SandboxFactory,
@@ -59,7 +59,7 @@ describe('modules on threads', () => {
       clock: CLOCK,
       topics,
       sandboxes,
-      patterns: REGEXP_PATTERNS,
+      patterns: new Re2Patterns(),
       limits: { callTimeoutMs: 200, haltTimeoutMs: 300, restartDelayMs: 20, maxRestarts: 2 },
       onEvent: (event) => {
         events.push(event);

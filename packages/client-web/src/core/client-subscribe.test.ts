@@ -218,16 +218,16 @@ describe('client.subscribe()', () => {
   it('rejects ready, ends and tells when the master refuses the pattern [TD-21]', async () => {
     const { master, client, problems } = await setup();
     master.onRequest = ({ topicSubscription }) =>
-      topicSubscription?.subscribeTopicRegexp.includes('(?=x)')
-        ? new ServiceError('invalid_argument', 'RE2 knows no look-ahead')
+      topicSubscription?.subscribeTopicRegexp.includes('(x)')
+        ? new ServiceError('invalid_argument', 'too many of them')
         : undefined;
-    const refused = client.subscribe({ regex: '(?=x)' });
+    const refused = client.subscribe({ regex: '(x)' });
     const others = [client.subscribe('/a'), client.subscribe({ regex: 'b' })];
     const loop = (async () => {
       for await (const _ of refused);
     })();
     await expect(refused.ready).rejects.toMatchObject({ code: 'invalid_argument' });
-    await expect(loop).rejects.toThrow('look-ahead');
+    await expect(loop).rejects.toThrow('too many');
     await Promise.all(others.map(({ ready }) => ready));
     expect(master.holds(client.id)).toMatchObject({ topics: ['/a'], regexes: ['b'] });
     expect(problems).toMatchObject([{ code: 'invalid_argument' }]);

@@ -1,3 +1,4 @@
+import type { PatternSource } from '@ubii/patterns';
 import { ServiceError } from '@ubii/proto';
 import type {
   DataFormat,
@@ -58,6 +59,8 @@ import type {
 export interface ClientPorts {
   readonly clock: Clock;
   readonly random: RandomSource;
+  /** Matches the regular expressions of subscriptions. */
+  readonly patterns: PatternSource;
   readonly uuid: IdSource;
   readonly services: ServiceTransport;
   readonly topicData: TopicDataTransport;
@@ -101,7 +104,8 @@ class Client implements UbiiClient {
   #bytesOut = 0;
   #closing: Promise<void> | undefined;
 
-  constructor(options: ClientOptions, { clock, random, uuid, services, topicData }: ClientPorts) {
+  constructor(options: ClientOptions, ports: ClientPorts) {
+    const { clock, random, patterns, uuid, services, topicData } = ports;
     this.#clock = clock;
     this.#credentialMs = clock.monotonicMs();
     const timeoutMs = options.serviceTimeoutMs ?? DEFAULT_SERVICE_TIMEOUT_MS;
@@ -135,6 +139,7 @@ class Client implements UbiiClient {
     };
     this.#subscriptions = new TopicSubscriptions({
       clock,
+      patterns,
       callTopicSubscription: (request) => this.#calls.callAsMember('topicSubscription', request),
       listTopics: async () => (await this.#calls.callNow('topicList', undefined)).elements,
       listComponents: async (profiles) => {

@@ -27,6 +27,7 @@ const REMEDIES: ReadonlyMap<number, Remedy> = new Map([
   [4004, 'register-again'], // unknown client
   [4010, 'stop'], // disconnected: somebody wants it gone [EX-30]
   [4011, 'stop'], // revoked: it has to join anew [AC-15]
+  [4012, 'stop'], // the time of what it joined with is over [AC-91]
   [1000, 'register-again'], // deregistered, on whose behalf ever [CL-16]
 ]);
 
@@ -36,11 +37,15 @@ const DISCONNECTED = 4010;
 /** Somebody took back its leave to join [AC-15]. */
 const REVOKED = 4011;
 
+/** The time of its leave to join is over [AC-91]. */
+const EXPIRED = 4012;
+
 /** Close codes that have a reason of their own. */
 const REASONS: ReadonlyMap<number, ConnectionErrorReason> = new Map([
   [4001, 'superseded'],
   [DISCONNECTED, 'disconnected'],
   [REVOKED, 'join'],
+  [EXPIRED, 'join'],
 ]);
 
 /** Errors of a registration that trying again does not cure. */
@@ -93,11 +98,14 @@ export function failureOfClose(code: number, reason: string, wasUp: boolean): Li
       ? `This client was disconnected ${reason}`.trim()
       : code === REVOKED
         ? `The leave to join was taken back ${reason}`.trim()
-        : code === BROKEN
-          ? `The link to the master broke${why}`
-          : `The master closed the link with code ${code}${why}`;
+        : code === EXPIRED
+          ? 'The time of the leave to join is over'
+          : code === BROKEN
+            ? `The link to the master broke${why}`
+            : `The master closed the link with code ${code}${why}`;
   const error = new ConnectionError(REASONS.get(code) ?? 'closed', message, {
     ...(code === REVOKED && { joinProblem: 'revoked' as const }),
+    ...(code === EXPIRED && { joinProblem: 'expired' as const }),
   });
   return { error, code, wasUp };
 }

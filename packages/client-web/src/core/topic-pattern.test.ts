@@ -1,16 +1,20 @@
+import { lazyPatterns, readyPatterns } from '@ubii/patterns';
+import { Re2Patterns } from '@ubii/patterns/re2';
 import { describe, expect, it } from 'vitest';
 import { toServerPattern } from './topic-pattern.ts';
 import type { TopicPattern } from './topic-pattern.ts';
 
 function matches(pattern: TopicPattern, topic: string): boolean {
-  const server = toServerPattern(pattern);
+  const server = toServerPattern(pattern, PATTERNS);
   if (server.kind !== 'regex') throw new Error('not a pattern over topics');
-  return server.matches(topic);
+  return server.matcher.match?.(topic) === true;
 }
+
+const PATTERNS = readyPatterns(new Re2Patterns());
 
 describe('toServerPattern()', () => {
   it('turns a glob into a regular expression for the master', () => {
-    expect(toServerPattern({ glob: '/*/pointer/**' })).toMatchObject({
+    expect(toServerPattern({ glob: '/*/pointer/**' }, PATTERNS)).toMatchObject({
       kind: 'regex',
       source: '^/[^/]*/pointer/.*$',
     });
@@ -37,7 +41,7 @@ describe('toServerPattern()', () => {
   });
 
   it('gives equal patterns equal keys', () => {
-    const key = (pattern: TopicPattern) => toServerPattern(pattern).key;
+    const key = (pattern: TopicPattern) => toServerPattern(pattern, PATTERNS).key;
     expect(key({ glob: '/a/*' })).toBe(key({ regex: '^/a/[^/]*$' }));
     expect(key({ regex: /\/a/ })).toBe(key({ regex: '/a' }));
     expect(key({ topic: '/a' })).not.toBe(key({ regex: '/a' }));
@@ -54,6 +58,26 @@ describe('toServerPattern()', () => {
     { regex: /a/i },
     { topic: undefined as unknown as string },
   ])('refuses %o', (pattern) => {
-    expect(() => toServerPattern(pattern)).toThrow(TypeError);
+    expect(() => toServerPattern(pattern, PATTERNS)).toThrow(TypeError);
+  });
+
+  it('says why the master would refuse an expression [TD-21]', () => {
+    expect(() => toServerPattern({ regex: /a(?=b)/ }, PATTERNS)).toThrow('look-ahead');
+  });
+
+  it('ends with an expression that stalls others [TD-60]', () => {
+    expect(matches({ regex: '(a+)+$' }, `/${'a'.repeat(1000)}!`)).toBe(false);
+    expect(matches({ glob: `${'**a'.repeat(100)}b` }, `/${'a'.repeat(1000)}`)).toBe(false);
+  });
+
+  it('needs no engine for globs, and loads one for an expression [TD-64]', async () => {
+    const patterns = lazyPatterns();
+    const glob = toServerPattern({ glob: '/*' }, patterns);
+    expect(glob).toMatchObject({ matcher: { match: expect.any(Function) } });
+    const regex = toServerPattern({ regex: '^/a' }, patterns);
+    expect(patterns.compiler).toBeUndefined();
+    if (regex.kind !== 'regex' || regex.matcher.match !== undefined) throw new Error('at hand');
+    const match = await regex.matcher.load();
+    expect([match('/a'), match('/b')]).toEqual([true, false]);
   });
 });

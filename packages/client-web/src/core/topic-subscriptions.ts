@@ -1,3 +1,4 @@
+import type { PatternSource } from '@ubii/patterns';
 import { INFO_TOPICS, ServiceError, isMasterTopic } from '@ubii/proto';
 import type { Component, DataFormat, EmptyRecord, Init, TopicSubscription } from '@ubii/proto';
 import type { ComponentProfile } from './component-profile.ts';
@@ -10,15 +11,14 @@ import { ReceivedRecord } from './received-record.ts';
 import type { Receiver } from './receiver.ts';
 import { SubscriptionSync } from './subscription-sync.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';
-import { toServerPattern } from './topic-pattern.ts';
-import type { ServerPattern, TopicPattern } from './topic-pattern.ts';
-
-/** Topics of which the receivers and the newest record are remembered. */
-const MAX_REMEMBERED_TOPICS = 10_000;
+import { MAX_REMEMBERED_TOPICS, toServerPattern } from './topic-pattern.ts';
+import type { ServerPattern, TopicMatch, TopicPattern } from './topic-pattern.ts';
 
 /** What the subscriptions need, and whom they tell. */
 export interface TopicSubscriptionsOptions {
   readonly clock: Clock;
+  /** Matches regular expressions. */
+  readonly patterns: PatternSource;
   readonly callTopicSubscription: (request: Init<TopicSubscription>) => Promise<unknown>;
   /** Topics that have a value. */
   readonly listTopics: () => Promise<readonly string[]>;
@@ -38,6 +38,9 @@ interface Route {
 interface Group {
   readonly pattern: ServerPattern;
   readonly members: Set<Receiver>;
+  /** Undefined: not by its topic, or the code that matches is being loaded; the master is asked then. */
+  match: TopicMatch | undefined;
+  isLoading: boolean;
 }
 
 /**
@@ -92,7 +95,7 @@ export class TopicSubscriptions {
   ): Subscription<F> {
     const subscription: LocalSubscription = new LocalSubscription(
       pattern,
-      toServerPattern(pattern),
+      toServerPattern(pattern, this.#options.patterns),
       options,
       this.#options.clock,
       () => this.#remove(subscription),
@@ -108,7 +111,10 @@ export class TopicSubscriptions {
    * @throws {TypeError} if the pattern is empty or not a regular expression
    */
   subscribeEncoded(pattern: TopicPattern, listener: EncodedListener): () => void {
-    const subscription = new EncodedSubscription(toServerPattern(pattern), listener);
+    const subscription = new EncodedSubscription(
+      toServerPattern(pattern, this.#options.patterns),
+      listener,
+    );
     this.#encodedCount += 1;
     this.#add(subscription);
     return () => {
@@ -217,24 +223,44 @@ export class TopicSubscriptions {
     const { serverPattern: pattern } = subscription;
     let group = this.#groups.get(pattern.key);
     const isFirst = group === undefined;
-    group ??= { pattern, members: new Set() };
+    group ??= { pattern, members: new Set(), match: matchAtHand(pattern), isLoading: false };
     group.members.add(subscription);
     this.#groups.set(pattern.key, group);
     this.#routes.clear();
     if (isFirst && pattern.kind === 'component') this.#addProfile(pattern.key, pattern.profile);
+    if (isFirst && pattern.kind === 'regex' && group.match === undefined) void this.#load(group);
+    if (group.isLoading) return;
     this.#sync.want(pattern, rateOf(group));
     if (isFirst) return;
     // With another rate the master has yet to accept it, and will not send its retained records again.
     if (this.#sync.isAccepted(pattern.key)) subscription.handleAccepted();
     if (!this.#sync.isHeld(pattern.key)) return;
     for (const record of this.#newest.values()) {
-      if (this.#selects(pattern, record.topic)) subscription.handleRecord(record, false);
+      if (this.#selects(group, record.topic)) subscription.handleRecord(record, false);
     }
     for (const topic of this.#handedOver) {
-      if (!this.#selects(pattern, topic)) continue;
+      if (!this.#selects(group, topic)) continue;
       this.#sync.renew(pattern.key);
       return;
     }
+  }
+
+  /** The master is asked once records can be told apart; its retained ones come with that. [TD-64] */
+  async #load(group: Group): Promise<void> {
+    const { pattern } = group;
+    if (pattern.kind !== 'regex' || pattern.matcher.match !== undefined) return;
+    group.isLoading = true;
+    const isWanted = (): boolean => this.#groups.get(pattern.key) === group;
+    try {
+      group.match = await pattern.matcher.load();
+    } catch (cause) {
+      if (isWanted()) this.#handleRefused(pattern.key, notLoaded(pattern.source, cause));
+      return;
+    }
+    group.isLoading = false;
+    if (!isWanted()) return;
+    this.#routes.clear();
+    this.#sync.want(pattern, rateOf(group));
   }
 
   async #remove(subscription: Receiver): Promise<void> {
@@ -244,7 +270,7 @@ export class TopicSubscriptions {
     if (subscription.takesBuffers) this.#encodedCount -= 1;
     this.#routes.clear();
     if (group.members.size > 0) {
-      this.#sync.want(pattern, rateOf(group));
+      if (!group.isLoading) this.#sync.want(pattern, rateOf(group));
       return;
     }
     this.#groups.delete(pattern.key);
@@ -291,9 +317,7 @@ export class TopicSubscriptions {
   #routeOf(topic: string): Route {
     let route = this.#routes.get(topic);
     if (route === undefined) {
-      const groups = [...this.#groups.values()].filter(({ pattern }) =>
-        this.#selects(pattern, topic),
-      );
+      const groups = [...this.#groups.values()].filter((group) => this.#selects(group, topic));
       route = {
         receivers: groups.flatMap(({ members }) => [...members]),
         countAtMaster: groups.filter(({ pattern }) => pattern.kind !== 'component').length,
@@ -304,9 +328,9 @@ export class TopicSubscriptions {
     return route;
   }
 
-  #selects(pattern: ServerPattern, topic: string): boolean {
+  #selects({ pattern, match }: Group, topic: string): boolean {
     if (pattern.kind === 'topic') return pattern.topic === topic;
-    if (pattern.kind === 'regex') return pattern.matches(topic);
+    if (pattern.kind === 'regex') return match?.(topic) === true;
     return this.#componentTopics.has(pattern.key, topic);
   }
 
@@ -363,6 +387,22 @@ export class TopicSubscriptions {
       );
     }
   }
+}
+
+function matchAtHand(pattern: ServerPattern): TopicMatch | undefined {
+  return pattern.kind === 'regex' ? pattern.matcher.match : undefined;
+}
+
+function notLoaded(source: string, cause: unknown): ServiceError {
+  if (cause instanceof TypeError) {
+    return new ServiceError('invalid_argument', `${cause.message}.`, { cause });
+  }
+  const reason = cause instanceof Error ? cause.message : String(cause);
+  return new ServiceError(
+    'unavailable',
+    `The code that matches the regular expression "${source}" could not be loaded: ${reason}.`,
+    { cause },
+  );
 }
 
 /** The rate the master is asked for: the fastest of the group, 0 for every record. [TD-28] */

@@ -1,4 +1,5 @@
 import { isMasterTopic } from '@ubii/proto';
+import { encodeNodeMessageFrame } from '@ubii/proto/wire';
 import type { TopicListener, TopicPort, TopicSelector } from '@ubii/pm-sandbox';
 import type { EncodedListener, EncodedRecord } from '../core/encoded-record.ts';
 import type { TopicPattern } from '../core/topic-pattern.ts';
@@ -6,7 +7,10 @@ import type { UbiiClient } from '../core/ubii-client.ts';
 import type { DeviceTopics } from './device-topics.ts';
 
 /** What the port needs of a client. */
-export type TopicClient = Pick<UbiiClient, 'subscribeEncoded' | 'publishEncoded'>;
+export type TopicClient = Pick<
+  UbiiClient,
+  'subscribeEncoded' | 'publishEncoded' | 'sendNodeMessage'
+>;
 
 /** The topics of the master, as the modules of a node see them: over the node's client. */
 export class ClientTopicPort implements TopicPort {
@@ -39,6 +43,11 @@ export class ClientTopicPort implements TopicPort {
     if (isMasterTopic(topic)) return `Only the master may publish on "${topic}"`;
     this.#client.publishEncoded(topic, record, valueField);
     return undefined;
+  }
+
+  /** [SE-63] */
+  endTopics(topics: readonly string[]): void {
+    this.#client.sendNodeMessage(encodeNodeMessageFrame({ endedTopics: { topics: [...topics] } }));
   }
 }
 

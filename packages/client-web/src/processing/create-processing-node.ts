@@ -1,6 +1,7 @@
+import { compilerOf, lazyPatterns, type PatternSource } from '@ubii/patterns';
 import { ModuleEventKind, NodeExtensionKind } from '@ubii/proto';
 import type { Init, ModuleEvent, ProcessingModule, Session } from '@ubii/proto';
-import { REGEXP_PATTERNS, createModuleRuntime } from '@ubii/pm-sandbox';
+import { createModuleRuntime } from '@ubii/pm-sandbox';
 import type { Clock, ModuleFault, ModuleRuntime } from '@ubii/pm-sandbox';
 import { Listeners } from '../core/listeners.ts';
 import type { UbiiClient, Unsubscribe } from '../core/ubii-client.ts';
@@ -33,6 +34,7 @@ class Node implements ProcessingNode {
   readonly #client: UbiiClient;
   readonly #options: ProcessingNodeOptions;
   readonly #clock: Clock;
+  readonly #patterns: PatternSource;
   readonly #devices: DeviceTopics;
   readonly #reports: ModuleReports;
   readonly #keepers = new Map<string, InstanceKeeper>();
@@ -58,6 +60,7 @@ class Node implements ProcessingNode {
       options.clock ?? (options.kind === 'browser' ? createPageClock() : processingClock);
     // What modules publish is stamped alike, on whatever node they run. [TS-9]
     this.#clock = inMasterTime(clock, client.masterTime);
+    this.#patterns = options.patterns ?? lazyPatterns();
     this.#catalog = new ModuleCatalog(options.modules ?? []);
     this.#acceptsWork = options.acceptsWork ?? true;
     this.#devices = new DeviceTopics(client);
@@ -154,7 +157,7 @@ class Node implements ProcessingNode {
 
   /** [PM-60] */
   #tellProfile(isNode: boolean): Promise<void> {
-    const { kind, libraries = [], capacity = 0, isDedicated = false } = this.#options;
+    const { kind, libraries = [], capacity = 0, isDedicated = false, sandboxes } = this.#options;
     return this.#client.updateProfile({
       node: isNode
         ? {
@@ -163,6 +166,7 @@ class Node implements ProcessingNode {
             acceptsWork: this.#acceptsWork,
             libraries: [...libraries],
             capacity,
+            memoryBytes: sandboxes.memory?.limitBytes ?? 0,
           }
         : undefined,
       processingModules: isNode ? this.#catalog.offers() : [],
@@ -212,6 +216,7 @@ class Node implements ProcessingNode {
   #createKeeper(id: string): InstanceKeeper {
     return new InstanceKeeper(id, {
       runtime: this.#runtimeNow(),
+      patterns: this.#patterns,
       catalog: () => this.#catalog,
       handleStarted: (assigned) => this.#reports.started(assigned),
       handleEnded: (assigned) => this.#reports.ended(assigned),
@@ -222,13 +227,13 @@ class Node implements ProcessingNode {
 
   #runtimeNow(): ModuleRuntime {
     if (this.#runtime !== undefined) return this.#runtime;
-    const { sandboxes, libraries, limits, patterns = REGEXP_PATTERNS } = this.#options;
+    const { sandboxes, libraries, limits } = this.#options;
     const { createRuntime = createModuleRuntime } = this.#options;
     this.#runtime = createRuntime({
       nodeId: this.#client.id,
       clock: this.#clock,
       topics: new ClientTopicPort(this.#client, this.#devices),
-      patterns,
+      patterns: compilerOf(this.#patterns),
       sandboxes,
       libraries,
       limits,

@@ -1,5 +1,7 @@
+import type { PatternSource } from '@ubii/patterns';
 import { ProcessingModuleStatus } from '@ubii/proto';
 import type { ModuleStatistics, ProcessingModule } from '@ubii/proto';
+import { mappingNeedsPatterns } from '@ubii/pm-sandbox';
 import type { InstanceSpec, ModuleFault, ModuleRuntime } from '@ubii/pm-sandbox';
 import type { ModuleCatalog } from './module-catalog.ts';
 import type { NodeInstance } from './node-instance.ts';
@@ -8,6 +10,8 @@ import type { AssignedModule } from './session-modules.ts';
 /** What a keeper works with, and whom it tells. */
 export interface InstanceKeeperOptions {
   readonly runtime: ModuleRuntime;
+  /** Loaded before an instance whose muxers need it. */
+  readonly patterns: PatternSource;
   readonly catalog: () => ModuleCatalog;
   /** It runs, or is ready to where its session is paused. */
   readonly handleStarted: (assigned: AssignedModule) => void;
@@ -146,6 +150,7 @@ export class InstanceKeeper {
     });
     try {
       if (wanted.fault !== undefined) throw wanted.fault;
+      await this.#loadPatterns(wanted.spec);
       await this.#options.runtime.create(wanted.spec);
       this.#present = { as: wanted, isMade: true };
     } catch (error) {
@@ -159,7 +164,10 @@ export class InstanceKeeper {
     const { mapping, module } = wanted.spec;
     this.#present = { as: wanted, isMade: true };
     try {
-      if (wanted.mappingKey !== as.mappingKey) runtime.remap(this.id, mapping);
+      if (wanted.mappingKey !== as.mappingKey) {
+        await this.#loadPatterns(wanted.spec);
+        runtime.remap(this.id, mapping);
+      }
       if (wanted.modeKey !== as.modeKey) runtime.setMode(this.id, module.processingMode);
       if (wanted.assigned.isPaused && this.#isProcessing) {
         this.#isProcessing = false;
@@ -175,6 +183,13 @@ export class InstanceKeeper {
     if (this.#isReported) return;
     this.#isReported = true;
     this.#options.handleStarted(wanted.assigned);
+  }
+
+  /** [TD-64] */
+  async #loadPatterns({ mapping }: InstanceSpec): Promise<void> {
+    const { patterns } = this.#options;
+    if (patterns.compiler !== undefined || !mappingNeedsPatterns(mapping)) return;
+    await patterns.load();
   }
 
   async #end({ as }: Present): Promise<void> {

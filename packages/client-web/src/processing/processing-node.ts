@@ -1,9 +1,9 @@
+import type { PatternSource } from '@ubii/patterns';
 import type { Init, ModuleEvent, ProcessingModule } from '@ubii/proto';
 import type {
   Clock,
   ModuleRuntime,
   ModuleRuntimeOptions,
-  PatternPort,
   RuntimeLimits,
   SandboxFactory,
 } from '@ubii/pm-sandbox';
@@ -29,8 +29,8 @@ export interface ProcessingNodeOptions {
   readonly limits?: Partial<RuntimeLimits>;
   /** @default the system's, in a page one that keeps time while the page is hidden */
   readonly clock?: Clock;
-  /** @default the platform's regular expressions */
-  readonly patterns?: PatternPort;
+  /** Matches the regular expressions of muxers. @default RE2, loaded when a module needs it */
+  readonly patterns?: PatternSource;
   /** Makes the runtime, for tests. @default createModuleRuntime of `@ubii/pm-sandbox` */
   readonly createRuntime?: (options: ModuleRuntimeOptions) => ModuleRuntime;
 }

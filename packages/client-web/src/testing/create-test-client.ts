@@ -1,3 +1,5 @@
+import { readyPatterns, type PatternSource } from '@ubii/patterns';
+import { Re2Patterns } from '@ubii/patterns/re2';
 import type { ClientOptions } from '../core/client-options.ts';
 import type { ConnectionState } from '../core/connection-state.ts';
 import { createUbiiClient } from '../core/create-ubii-client.ts';
@@ -18,7 +20,10 @@ export interface TestClient {
 /** A client of a master in the same process. Jitter is none, unless the options say otherwise. */
 export function createTestClient(
   master: MemoryMaster,
-  options: Partial<ClientOptions> & { readonly clock?: FakeClock } = {},
+  options: Partial<ClientOptions> & {
+    readonly clock?: FakeClock;
+    readonly patterns?: PatternSource;
+  } = {},
 ): TestClient {
   const clock = options.clock ?? new FakeClock();
   const client = createUbiiClient(
@@ -26,6 +31,7 @@ export function createTestClient(
     {
       clock,
       random: options.random ?? (() => 0),
+      patterns: options.patterns ?? readyPatterns(new Re2Patterns()),
       uuid: systemUuid,
       services: createMemoryServices(master),
       topicData: createMemoryTopicData(master),

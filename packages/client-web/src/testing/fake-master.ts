@@ -1,3 +1,4 @@
+import { Re2Patterns } from '@ubii/patterns/re2';
 import {
   ClientState,
   SERVICES,
@@ -23,6 +24,8 @@ import { encodeRecordListFrame } from '@ubii/proto/wire';
 import { matchesProfile } from '../core/component-profile.ts';
 import type { TopicDataQuery } from '../core/ports/topic-data-transport.ts';
 import type { MemoryConnection, MemoryMaster, MemoryPeer } from '../transports/memory.ts';
+
+const PATTERNS = new Re2Patterns();
 
 interface FakeClient {
   client: Init<Client>;
@@ -297,7 +300,7 @@ export class FakeMaster implements MemoryMaster {
       );
     return (
       (topics.has(topic) ? 1 : 0) +
-      [...regexes].filter((source) => new RegExp(source).test(topic)).length +
+      [...regexes].filter((source) => PATTERNS.compile(source).test(topic)).length +
       [...profiles.values()].filter(isSelected).length
     );
   }

@@ -88,6 +88,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -154,6 +155,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: ['http'],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -210,6 +212,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -253,6 +256,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -296,6 +300,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -339,6 +344,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -382,6 +388,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -425,6 +432,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -495,6 +503,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -535,6 +544,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -580,6 +590,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -630,6 +641,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -675,6 +687,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -728,6 +741,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -781,6 +795,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -834,6 +849,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -887,6 +903,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -940,6 +957,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -1021,6 +1039,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -1094,6 +1113,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -1157,6 +1177,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
   {
@@ -1229,6 +1250,7 @@ export const LIBRARY: readonly JsonObject[] = [
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
     },
   },
 ];

@@ -14,7 +14,15 @@ export interface BrowserSandboxOptions {
   readonly hostLibraries?: Readonly<Record<string, HostLibrary>>;
   /** Workers of each kind; default: as many as cores, from 2 to 4. */
   readonly maxWorkers?: number;
+  /** Memory of all sandboxed instances, bytes; default: an eighth of the machine's, 128 to 512 MiB. [PM-58] */
+  readonly memoryBytes?: number;
 }
+
+const MIB = 1024 * 1024;
+const MEMORY_SHARE = 1 / 8;
+const LEAST_MEMORY = 128 * MIB;
+/** Tabs that take more are ended by phones. */
+const MOST_MEMORY = 512 * MIB;
 
 const MIN_WORKERS = 2;
 const MAX_WORKERS = 4;
@@ -28,6 +36,7 @@ export function createBrowserSandboxes(options: BrowserSandboxOptions = {}): San
     trustedWorkerUrl = SANDBOX_WORKER_FILES.trusted.path,
     sandboxWorkerUrl = SANDBOX_WORKER_FILES.sandboxed.path,
     hostLibraries = {},
+    memoryBytes = defaultMemory(),
     maxWorkers = Math.min(MAX_WORKERS, Math.max(MIN_WORKERS, navigator.hardwareConcurrency || 0)),
   } = options;
   return createPooledSandboxes(
@@ -44,8 +53,25 @@ export function createBrowserSandboxes(options: BrowserSandboxOptions = {}): San
       },
       atEndOfTurn: (fn) => queueMicrotask(fn),
     },
-    { libraries: {}, hostLibraries, maxWorkers: Math.max(1, maxWorkers) },
+    {
+      libraries: {},
+      hostLibraries,
+      maxWorkers: Math.max(1, maxWorkers),
+      // Pages share no memory with workers unless they give up a lot for it: each worker has its part.
+      memory: {
+        limitBytes: memoryBytes,
+        ownerLimitBytes: memoryBytes,
+        parts: Math.max(1, maxWorkers),
+      },
+    },
   );
+}
+
+/** Browsers say it in gigabytes, rounded, and at most 8; some do not. */
+function defaultMemory(): number {
+  const { deviceMemory = 0 } = navigator as { deviceMemory?: number };
+  const bytes = deviceMemory * 1024 * MIB * MEMORY_SHARE;
+  return Math.min(MOST_MEMORY, Math.max(LEAST_MEMORY, bytes));
 }
 
 function startWorker(url: string | URL, start: WorkerStart, listener: WorkerListener): WorkerLink {
@@ -72,6 +98,7 @@ function startWorker(url: string | URL, start: WorkerStart, listener: WorkerList
       worker.onmessage = null;
       worker.onerror = null;
       worker.terminate();
+      listener.onGone();
     },
   };
 }

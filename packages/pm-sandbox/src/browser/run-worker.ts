@@ -1,4 +1,5 @@
 import type { Engine, MaybePromise } from '../worker/engine.ts';
+import { MemoryAccount } from '../worker/memory-account.ts';
 import type { HostBatch, Progress, WorkerStart } from '../worker/protocol.ts';
 import { WorkerLoop } from '../worker/worker-loop.ts';
 import { stripGlobals } from './strip-globals.ts';
@@ -10,7 +11,7 @@ interface WorkerScope {
 }
 
 /** The program of a browser's worker; the first message tells it how to start. */
-export function runWorker(createEngine: () => MaybePromise<Engine>): void {
+export function runWorker(createEngine: (memory: MemoryAccount) => MaybePromise<Engine>): void {
   const scope = globalThis as unknown as WorkerScope;
   const post = scope.postMessage.bind(scope);
   const listen = scope.addEventListener.bind(scope);
@@ -40,14 +41,14 @@ export function runWorker(createEngine: () => MaybePromise<Engine>): void {
 
 async function startLoop(
   start: WorkerStart,
-  createEngine: () => MaybePromise<Engine>,
+  createEngine: (memory: MemoryAccount) => MaybePromise<Engine>,
   post: WorkerScope['postMessage'],
 ): Promise<WorkerLoop> {
   // Pages share no memory with workers unless they give up a lot for it: progress travels.
   let progress: Progress = { received: 0, running: 0, sequence: 0 };
   const turns = createTurns();
   return new WorkerLoop({
-    engine: await createEngine(),
+    engine: await createEngine(new MemoryAccount(start.memory)),
     hostLibraries: start.hostLibraries,
     post: (batch, transfer) => post({ ...batch, progress }, [...transfer]),
     // Its policy lets the worker load nothing.

@@ -7,7 +7,7 @@ import { runWorker } from './run-worker.ts';
  */
 const STACK_BYTES = 80 * 1024;
 
-runWorker(() => {
+runWorker((memory) => {
   const clock = performance;
-  return createQuickJsEngine({ stackBytes: STACK_BYTES, nowMs: () => clock.now() });
+  return createQuickJsEngine({ stackBytes: STACK_BYTES, nowMs: () => clock.now() }, memory);
 });

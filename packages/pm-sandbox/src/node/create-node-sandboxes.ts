@@ -6,6 +6,7 @@ import type { HostLibrary, WorkerLink, WorkerListener } from '../sandbox/worker-
 import { createPooledSandboxes } from '../sandbox/worker-pool.ts';
 import type { WorkerBatch, WorkerStart } from '../worker/protocol.ts';
 import type { NodeWorkerData } from './node-worker.ts';
+import { defaultModuleMemory, defaultSessionMemory } from './default-memory.ts';
 import { createProgressMemory, readProgress } from './shared-progress.ts';
 
 /** How sandboxes in Node are made. */
@@ -21,6 +22,10 @@ export interface NodeSandboxOptions {
   readonly hostLibraries?: Readonly<Record<string, HostLibrary>>;
   /** Workers of each kind, trusted and sandboxed; default: as many as cores, at least 2. */
   readonly maxWorkers?: number;
+  /** Memory of all sandboxed instances, bytes; default: `defaultModuleMemory`. [PM-58] */
+  readonly memoryBytes?: number;
+  /** Memory of the sandboxed instances of one session, bytes; default: half of `memoryBytes`, 1 GiB at most. */
+  readonly ownerMemoryBytes?: number;
 }
 
 /** Least workers of a kind: one that is held up must not hold up all. */
@@ -32,6 +37,7 @@ const THREAD_STACK_MB = 16;
 /** Sandboxes on threads of this process. The first thread starts with the first instance. */
 export function createNodeSandboxes(options: NodeSandboxOptions): SandboxFactory {
   const { workerFile, libraries = {}, hostLibraries = {} } = options;
+  const { memoryBytes = defaultModuleMemory() } = options;
   const maxWorkers = Math.max(
     1,
     options.maxWorkers ?? Math.max(MIN_WORKERS, availableParallelism()),
@@ -45,7 +51,16 @@ export function createNodeSandboxes(options: NodeSandboxOptions): SandboxFactory
       },
       atEndOfTurn: (fn) => queueMicrotask(fn),
     },
-    { libraries, hostLibraries, maxWorkers },
+    {
+      libraries,
+      hostLibraries,
+      maxWorkers,
+      memory: {
+        limitBytes: memoryBytes,
+        ownerLimitBytes: options.ownerMemoryBytes ?? defaultSessionMemory(memoryBytes),
+        parts: undefined,
+      },
+    },
   );
 }
 
@@ -83,7 +98,10 @@ function startWorker(
     if (error.code === 'ERR_WORKER_OUT_OF_MEMORY') over('memory', error.message);
     else over('exit', `The worker failed: ${error.message}.`);
   });
-  worker.on('exit', (code) => over('exit', `The worker ended by itself, with code ${code}.`));
+  worker.on('exit', (code) => {
+    listener.onGone();
+    over('exit', `The worker ended by itself, with code ${code}.`);
+  });
   worker.unref();
   return {
     post: (batch, transfer) => worker.postMessage(batch, transfer),

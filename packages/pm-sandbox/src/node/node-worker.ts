@@ -1,5 +1,7 @@
+import { getHeapStatistics } from 'node:v8';
 import { parentPort, workerData } from 'node:worker_threads';
 import type { HostBatch, WorkerStart } from '../worker/protocol.ts';
+import { MemoryAccount } from '../worker/memory-account.ts';
 import { createQuickJsEngine } from '../worker/quickjs/quickjs-engine.ts';
 import { createV8Engine } from '../worker/v8/v8-engine.ts';
 import { WorkerLoop } from '../worker/worker-loop.ts';
@@ -27,7 +29,10 @@ const nowMs = (): number => performance.now();
 const engine =
   start.kind === 'trusted'
     ? createV8Engine({ locateSyntaxError })
-    : await createQuickJsEngine({ stackBytes: STACK_BYTES, nowMs });
+    : await createQuickJsEngine(
+        { stackBytes: STACK_BYTES, nowMs },
+        new MemoryAccount(start.memory),
+      );
 const loop = new WorkerLoop({
   engine,
   hostLibraries: start.hostLibraries,
@@ -42,9 +47,16 @@ const loop = new WorkerLoop({
   ...createProgressWriter(progress),
   later: (fn) => void setImmediate(fn),
   nowMs,
+  ...(start.kind === 'trusted' && { sharedBytes: heapBytes }),
 });
 
 // A timer of one trusted module that throws is no reason to end the others.
 process.on('uncaughtException', (thrown) => loop.handleStray(thrown));
 process.on('unhandledRejection', (thrown) => loop.handleStray(thrown));
 port.on('message', (batch: HostBatch) => loop.handleBatch(batch));
+
+/** What trusted instances share: the heap of this thread, and buffers beside it. */
+function heapBytes(): number {
+  const { used_heap_size, external_memory } = getHeapStatistics();
+  return used_heap_size + external_memory;
+}

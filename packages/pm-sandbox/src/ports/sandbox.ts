@@ -31,12 +31,16 @@ export interface SandboxRequest {
   /** Its outputs; a format that is not known takes the one member the module set. */
   readonly outputs: readonly { readonly name: string; readonly format: DataFormat | undefined }[];
   readonly limits: SandboxLimits;
+  /** Whose memory its own counts as: the session's. [PM-58] */
+  readonly owner: string;
 }
 
 /** What a sandbox tells without being asked. */
 export interface SandboxEvents {
   /** The module wrote to its console. [PM-14] */
   onLog(line: { readonly level: string; readonly text: string }): void;
+  /** It has so many bytes of memory now; told when that changed. [PM-80] */
+  onMemory?(bytes: number): void;
   /** The instance is gone; what was pending has rejected with the same fault. [PM-53] */
   onKilled(fault: ModuleFault): void;
 }
@@ -108,8 +112,22 @@ export interface Sandbox {
   terminate(): void;
 }
 
+/** The memory of all instances together, bytes. [PM-58] */
+export interface SandboxMemory {
+  /** What they may have. */
+  readonly limitBytes: number;
+  /** What those of one owner may have. */
+  readonly ownerLimitBytes: number;
+  /** What a sandboxed instance takes at least. */
+  readonly leastBytes: number;
+  /** What all have, or those of an owner. */
+  usedBytes(owner?: string): number;
+}
+
 /** Where code runs. */
 export interface SandboxFactory {
+  /** Undefined when it is not counted. */
+  readonly memory?: SandboxMemory | undefined;
   open(request: SandboxRequest, events: SandboxEvents): Sandbox;
   /** Whether the source parses and its callbacks are functions. Runs none of it on the calling thread. */
   check(source: ModuleSource): Promise<ModuleFault | undefined>;

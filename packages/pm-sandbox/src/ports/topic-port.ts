@@ -43,7 +43,20 @@ export interface TopicPort {
   subscribe(selector: TopicSelector, listener: TopicListener): Cancel;
   /**
    * Publishes a complete encoded `TopicDataRecord`, which is the port's from now on.
+   * @param sessionId the session of the module that put it out
    * @returns a sentence when it was refused
    */
-  publish(topic: string, record: Uint8Array, valueField: number): string | undefined;
+  publish(
+    topic: string,
+    record: Uint8Array,
+    valueField: number,
+    sessionId: string,
+  ): string | undefined;
+  /**
+   * A demuxer is about to write a topic for the first time. Without it, everybody may. [SE-61]
+   * @returns why the session may not, as a sentence without its end
+   */
+  makeTopic?(topic: string, sessionId: string): string | undefined;
+  /** Topics that were made, each as often as here, are not written any more: their values end. [SE-62] */
+  endTopics?(topics: readonly string[], sessionId: string): void;
 }

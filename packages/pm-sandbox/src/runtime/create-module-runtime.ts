@@ -1,11 +1,12 @@
+import type { PatternCompiler } from '@ubii/patterns';
 import type { ModuleEvent, ProcessingModuleStatus } from '@ubii/proto';
 import { DEFAULT_RUNTIME_LIMITS, type RuntimeLimits } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
-import type { PatternPort } from '../ports/pattern-port.ts';
 import type { SandboxFactory } from '../ports/sandbox.ts';
 import type { EncodedRecord, TopicPort } from '../ports/topic-port.ts';
 import { RecordCompletion } from './binding/record-completion.ts';
+import { SessionPatterns } from './binding/session-patterns.ts';
 import { EndOfTurn } from './end-of-turn.ts';
 import { ModuleInstance } from './module-instance.ts';
 import type { InstanceSpec, ModuleRuntime, PassReply, PassRequest } from './module-runtime.ts';
@@ -17,7 +18,7 @@ export interface ModuleRuntimeOptions {
   readonly nodeId: string;
   readonly clock: Clock;
   readonly topics: TopicPort;
-  readonly patterns: PatternPort;
+  readonly patterns: PatternCompiler;
   /** Stays open when the runtime is closed. */
   readonly sandboxes: SandboxFactory;
   /** @default DEFAULT_RUNTIME_LIMITS */
@@ -50,13 +51,14 @@ class NodeModuleRuntime implements ModuleRuntime {
 
   constructor(options: ModuleRuntimeOptions) {
     const { nodeId, clock, topics, patterns, sandboxes } = options;
+    const limits = { ...DEFAULT_RUNTIME_LIMITS, ...options.limits };
     this.#context = {
       nodeId,
       clock,
       topics,
-      patterns,
+      patterns: new SessionPatterns(patterns, clock, limits),
       sandboxes,
-      limits: { ...DEFAULT_RUNTIME_LIMITS, ...options.limits },
+      limits,
       libraries: options.libraries ?? [],
       lockstepInputs: options.lockstepInputs ?? 'own',
       endOfTurn: new EndOfTurn(clock),

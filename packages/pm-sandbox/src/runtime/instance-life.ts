@@ -120,6 +120,9 @@ export class InstanceLife {
     try {
       sandbox = sandboxes.open(request, {
         onLog: ({ level, text }) => this.#reports.log(level, text),
+        onMemory: (bytes) => {
+          if (sandbox === this.#sandbox) this.#reports.noteMemory(bytes);
+        },
         onKilled: (fault) => {
           if (sandbox === this.#sandbox) this.#handleKilled(fault);
         },
@@ -225,6 +228,7 @@ export class InstanceLife {
   #dropSandbox(): void {
     const sandbox = this.#sandbox;
     this.#sandbox = undefined;
+    this.#reports.noteMemory(0);
     this.#runner.detach();
     sandbox?.terminate();
   }

@@ -2,6 +2,7 @@ import type { IOMapping } from '@ubii/proto';
 import type { ParsedIo } from '../definition/parse-module.ts';
 import type { SandboxResult } from '../ports/sandbox.ts';
 import { OutputBinding, type OutputRecord, type OutputSink } from './binding/output-binding.ts';
+import { MadeTopics } from './made-topics.ts';
 import type { InstanceReports } from './reports/instance-reports.ts';
 import { TokenBucket } from './reports/token-bucket.ts';
 import type { RuntimeContext } from './runtime-context.ts';
@@ -10,26 +11,47 @@ import type { RuntimeContext } from './runtime-context.ts';
 export class InstanceOutputs {
   readonly #context: RuntimeContext;
   readonly #reports: InstanceReports;
+  readonly #sessionId: string;
   readonly #binding: OutputBinding;
+  readonly #made: MadeTopics;
+  #demuxers: string;
   readonly #recordBudget: TokenBucket;
   readonly #byteBudget: TokenBucket;
 
   constructor(
     declared: readonly ParsedIo[],
     mapping: IOMapping,
+    sessionId: string,
     context: RuntimeContext,
     reports: InstanceReports,
   ) {
     this.#context = context;
     this.#reports = reports;
+    this.#sessionId = sessionId;
+    this.#made = new MadeTopics(context.topics, sessionId, context.limits);
+    this.#demuxers = demuxersOf(mapping);
     this.#binding = new OutputBinding(declared, mapping, context.completion);
     const nowMs = context.clock.monotonicMs();
     this.#recordBudget = new TokenBucket(context.limits.maxOutputsPerSecond, nowMs);
     this.#byteBudget = new TokenBucket(context.limits.maxOutputBytesPerSecond, nowMs);
   }
 
+  /** Topics its demuxers made. */
+  get topicCount(): number {
+    return this.#made.count;
+  }
+
   rebind(mapping: IOMapping): void {
+    const demuxers = demuxersOf(mapping);
+    // What the demuxers of before made, nobody may write any more. What is still written comes again.
+    if (demuxers !== this.#demuxers) this.#made.end();
+    this.#demuxers = demuxers;
     this.#binding.rebind(mapping);
+  }
+
+  /** Nothing is put out any more. [SE-62] */
+  end(): void {
+    this.#made.end();
   }
 
   /** The complete records of a run. Refused ones are reported. */
@@ -37,10 +59,14 @@ export class InstanceOutputs {
     for (const fault of result.faults) this.#reports.countRefused(fault.message, 1);
     if (result.outputs.length === 0) return [];
     const records: OutputRecord[] = [];
+    const nowMs = this.#context.clock.monotonicMs();
     const sink: OutputSink = {
       overLimit: this.#overLimit,
+      refuseTopic: (topic) => this.#made.write(topic, nowMs),
       onRecord: (record) => void records.push(record),
       onRefused: (reason, count) => this.#reports.countRefused(reason, count),
+      onTopicsRefused: (output, reason, count) =>
+        this.#reports.countTopicsRefused(output, reason, count),
     };
     this.#binding.route(result.outputs, this.#context.clock.nowMs(), sink);
     return records;
@@ -49,7 +75,7 @@ export class InstanceOutputs {
   /** Publishes them in one turn. [PM-35] */
   publish(records: readonly OutputRecord[]): void {
     for (const { topic, bytes, valueField } of records) {
-      const refusal = this.#context.topics.publish(topic, bytes, valueField);
+      const refusal = this.#context.topics.publish(topic, bytes, valueField, this.#sessionId);
       if (refusal === undefined) this.#reports.countOutputs(1);
       else this.#reports.countRefused(`Publishing on ${topic} was refused: ${refusal}`, 1);
     }
@@ -67,4 +93,12 @@ export class InstanceOutputs {
     this.#byteBudget.take(sizeBytes, nowMs);
     return undefined;
   };
+}
+
+function demuxersOf({ outputMappings }: IOMapping): string {
+  return JSON.stringify(
+    outputMappings.flatMap(({ outputName, topicDemux }) =>
+      topicDemux === undefined ? [] : [outputName, topicDemux.outputTopicFormat],
+    ),
+  );
 }

@@ -38,11 +38,11 @@ export class ModuleInstance {
     this.#reports = new InstanceReports(subject, clock, limits, context.onEvent);
     this.#runner = new Runner(clock);
     this.#host = this.#createHost();
-    this.#outputs = new InstanceOutputs(parsed.outputs, mapping, context, this.#reports);
+    this.#outputs = new InstanceOutputs(parsed.outputs, mapping, sessionId, context, this.#reports);
     this.#mode = parseMode(module.processingMode, limits.maxFrequencyHz);
     const inputContext: SlotContext = {
       topics: context.topics,
-      patterns: context.patterns,
+      patterns: context.patterns.of(sessionId),
       maxMuxElements: limits.maxMuxElements,
       onMark: () => this.#driver?.handleMark(),
       onProblem: (inputName, problem) => this.#reports.problem(`Input "${inputName}": ${problem}.`),
@@ -52,7 +52,10 @@ export class ModuleInstance {
     this.#life = new InstanceLife(spec, context, this.#reports, this.#runner, {
       onStart: () => this.#driver?.start(),
       onStop: () => this.#driver?.stop(),
-      onEnd: () => this.#inputs.close(),
+      onEnd: () => {
+        this.#inputs.close();
+        this.#outputs.end();
+      },
     });
   }
 
@@ -112,7 +115,8 @@ export class ModuleInstance {
 
   statistics(): ModuleStatistics {
     const waiting = this.#driver?.waiting ?? 0;
-    return this.#reports.takeStatistics(this.#life.wireStatus, waiting);
+    const topics = this.#outputs.topicCount;
+    return this.#reports.takeStatistics(this.#life.wireStatus, waiting, topics);
   }
 
   /** In lockstep, snapshots may bring all that the inputs need. */

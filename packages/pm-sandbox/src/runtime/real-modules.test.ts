@@ -1,3 +1,4 @@
+import { Re2Patterns } from '@ubii/patterns/re2';
 import { fromJson, ModuleEventKind, type ModuleEvent } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import {
@@ -5,7 +6,6 @@ import {
   type AnyModuleDefinition,
 } from '../definition/define-processing-module.ts';
 import { moduleToWire } from '../definition/module-to-wire.ts';
-import { REGEXP_PATTERNS } from '../patterns/regexp-patterns.ts';
 import { FakeClock } from '../testing/fake-clock.ts';
 import { FakeTopics } from '../testing/fake-topics.ts';
 import { createInlineSandboxes } from '../testing/inline-sandboxes.ts';
@@ -22,7 +22,7 @@ function createWorld() {
     clock,
     topics,
     sandboxes: createInlineSandboxes(),
-    patterns: REGEXP_PATTERNS,
+    patterns: new Re2Patterns(),
     onEvent: (event) => events.push(event),
     onStatus: () => {},
   });

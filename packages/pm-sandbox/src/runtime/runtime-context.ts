@@ -2,10 +2,10 @@ import type { ModuleEvent, ProcessingModuleStatus } from '@ubii/proto';
 import type { RuntimeLimits } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
-import type { PatternPort } from '../ports/pattern-port.ts';
 import type { SandboxFactory } from '../ports/sandbox.ts';
 import type { TopicPort } from '../ports/topic-port.ts';
 import type { RecordCompletion } from './binding/record-completion.ts';
+import type { SessionPatterns } from './binding/session-patterns.ts';
 import type { EndOfTurn } from './end-of-turn.ts';
 
 /** What the instances of a runtime have in common. */
@@ -13,7 +13,7 @@ export interface RuntimeContext {
   readonly nodeId: string;
   readonly clock: Clock;
   readonly topics: TopicPort;
-  readonly patterns: PatternPort;
+  readonly patterns: SessionPatterns;
   readonly sandboxes: SandboxFactory;
   readonly limits: RuntimeLimits;
   readonly libraries: readonly string[];

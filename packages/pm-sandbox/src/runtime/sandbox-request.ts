@@ -32,6 +32,7 @@ export function sandboxRequest(
     isTrusted: spec.isTrusted,
     libraries,
     outputs: outputs.map(({ name: outputName, format }) => ({ name: outputName, format })),
+    owner: spec.module.sessionId,
     limits: { callTimeoutMs, memoryBytes, outputBytes },
   };
 }

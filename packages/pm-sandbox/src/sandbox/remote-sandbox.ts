@@ -42,6 +42,7 @@ export class RemoteSandbox implements Sandbox {
     const number = host.add({
       request: this.#request,
       onLog: (line) => this.#events.onLog(line),
+      onMemory: (bytes) => this.#events.onMemory?.(bytes),
       onKilled: (killed) => {
         this.#leave(killed);
         this.#events.onKilled(killed);

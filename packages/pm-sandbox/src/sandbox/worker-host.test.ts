@@ -3,6 +3,7 @@ import type { ModuleFault } from '../ports/module-fault.ts';
 import { AWAIT_TIMEOUT_MS, WATCHDOG_GRACE_MS, WATCHDOG_INTERVAL_MS } from '../sandbox-limits.ts';
 import { faultFrom } from '../testing/sandbox-fixture.ts';
 import type { HostBatch, HostMessage, Progress, WorkerMessage } from '../worker/protocol.ts';
+import { PoolMemory } from './pool-memory.ts';
 import { WorkerHost } from './worker-host.ts';
 import type { PoolPlatform, WorkerListener } from './worker-link.ts';
 
@@ -40,8 +41,10 @@ function fakeWorker() {
     {
       libraries: {},
       maxWorkers: 1,
+      memory: { limitBytes: 1, ownerLimitBytes: 1, parts: 1 },
       hostLibraries: { echo: { say: (text) => Promise.resolve(`said ${String(text)}`) } },
     },
+    new PoolMemory({ limitBytes: 1, ownerLimitBytes: 1, parts: 1 }),
     (culprit) => void ended.push(culprit?.moduleName),
   );
   let count = 0;
@@ -70,10 +73,12 @@ function fakeWorker() {
           source: { onProcessing: '() => {}' },
           isTrusted: false,
           libraries: [],
+          owner: '',
           outputs: [],
           limits: { callTimeoutMs: 400, memoryBytes: 1, outputBytes: 1 },
         },
         onLog: () => undefined,
+        onMemory: () => undefined,
         onKilled: (fault) => void killed.push({ ...fault, who }),
         onClosed: () => undefined,
       });

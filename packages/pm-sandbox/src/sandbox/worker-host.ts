@@ -5,6 +5,7 @@ import { BytePacker } from '../worker/byte-packer.ts';
 import { describeThrown, moduleFault } from '../worker/module-error.ts';
 import type { HostMessage, WorkerBatch, WorkerKind, WorkerMessage } from '../worker/protocol.ts';
 import { readResult, wireRun } from '../worker/run-wire.ts';
+import type { MemoryUse, PoolMemory } from './pool-memory.ts';
 import { Watchdog, type Verdict, type WatchedCall } from './watchdog.ts';
 import type { PoolOptions, PoolPlatform, WorkerLink } from './worker-link.ts';
 
@@ -12,6 +13,7 @@ import type { PoolOptions, PoolPlatform, WorkerLink } from './worker-link.ts';
 export interface HostedInstance {
   readonly request: SandboxRequest;
   onLog(line: { readonly level: string; readonly text: string }): void;
+  onMemory(bytes: number): void;
   /** It is gone, and its calls have rejected. */
   onKilled(fault: ModuleFault): void;
   /** The host ends its worker. */
@@ -38,6 +40,7 @@ export class WorkerHost {
   readonly isSolo: boolean;
   readonly #platform: PoolPlatform;
   readonly #options: PoolOptions;
+  readonly #memory: PoolMemory;
   readonly #onEnd: (culprit: SandboxRequest | undefined) => void;
   readonly #link: WorkerLink;
   readonly #instances = new Map<number, HostedInstance>();
@@ -45,6 +48,8 @@ export class WorkerHost {
   readonly #packer = new BytePacker();
   readonly #watchdog: Watchdog<PendingCall>;
   #outgoing: HostMessage[] = [];
+  /** Who has their memory, and how much. */
+  readonly #owners = new Map<number, MemoryUse>();
   #lastInstance = 0;
   #lastCall = 0;
   #sentBatches = 0;
@@ -56,6 +61,7 @@ export class WorkerHost {
     isSolo: boolean,
     platform: PoolPlatform,
     options: PoolOptions,
+    memory: PoolMemory,
     /** The worker is over; `culprit` is who it was ended for. */
     onEnd: (culprit: SandboxRequest | undefined) => void,
   ) {
@@ -63,6 +69,7 @@ export class WorkerHost {
     this.isSolo = isSolo;
     this.#platform = platform;
     this.#options = options;
+    this.#memory = memory;
     this.#onEnd = onEnd;
     this.#watchdog = new Watchdog(
       {
@@ -80,10 +87,12 @@ export class WorkerHost {
       Object.entries(options.hostLibraries).map(([name, library]) => [name, Object.keys(library)]),
     );
     const libraries = kind === 'trusted' ? options.libraries : {};
+    const cells = memory.addWorker();
     this.#link = platform.startWorker(
-      { kind, hostLibraries, libraries },
+      { kind, hostLibraries, libraries, memory: cells },
       {
         onBatch: (batch) => this.#handleBatch(batch),
+        onGone: () => memory.removeWorker(cells),
         onExit: ({ kind: reason, message }) => this.#handleExit(reason, message),
       },
     );
@@ -101,6 +110,7 @@ export class WorkerHost {
   /** Takes in an instance. @returns its number here */
   add(instance: HostedInstance): number {
     this.#instances.set(++this.#lastInstance, instance);
+    this.#owners.set(this.#lastInstance, this.#memory.enter(instance.request.owner));
     return this.#lastInstance;
   }
 
@@ -111,6 +121,7 @@ export class WorkerHost {
       instance,
       call,
       request,
+      owner: this.#owners.get(instance)?.number ?? 0,
     }));
   }
 
@@ -130,7 +141,7 @@ export class WorkerHost {
 
   /** Lets go of an instance; what is pending of it rejects. */
   free(instance: number, fault: ModuleFault): void {
-    if (!this.#instances.delete(instance)) return;
+    if (!this.#forget(instance)) return;
     this.#send({ kind: 'free', instance });
     this.#rejectCalls(
       (call) => call.instance === instance,
@@ -146,7 +157,7 @@ export class WorkerHost {
   /** Ends the worker because its host wants so: what is pending rejects, nobody is killed. */
   end(fault: ModuleFault): void {
     for (const instance of this.#instances.values()) instance.onClosed(fault);
-    this.#instances.clear();
+    this.#forgetAll();
     this.#endAll(undefined, () => fault);
   }
 
@@ -209,22 +220,35 @@ export class WorkerHost {
       case 'done': {
         const call = this.#takeCall(message.call);
         call?.resolve(message.fault);
-        if (call?.phase === 'onDestroyed') this.#instances.delete(call.instance);
+        if (call?.phase === 'onDestroyed') this.#forget(call.instance);
         return;
       }
       case 'failed': {
         const call = this.#takeCall(message.call);
         call?.reject(message.fault);
-        if (call?.phase === 'onDestroyed') this.#instances.delete(call.instance);
+        if (call?.phase === 'onDestroyed') this.#forget(call.instance);
         return;
       }
       case 'killed':
         return this.#kill(message.instance, message.fault);
       case 'log':
         return this.#instances.get(message.instance)?.onLog(message);
+      case 'memory':
+        this.#owners.get(message.instance)?.note(message.bytes);
+        return this.#instances.get(message.instance)?.onMemory(message.bytes);
       case 'libraryCall':
         return this.#callLibrary(message);
     }
+  }
+
+  #forget(instance: number): boolean {
+    this.#owners.get(instance)?.leave();
+    this.#owners.delete(instance);
+    return this.#instances.delete(instance);
+  }
+
+  #forgetAll(): void {
+    for (const number of [...this.#instances.keys()]) this.#forget(number);
   }
 
   #takeCall(number: number): PendingCall | undefined {
@@ -255,7 +279,7 @@ export class WorkerHost {
   #kill(number: number, fault: ModuleFault): void {
     const instance = this.#instances.get(number);
     if (instance === undefined) return;
-    this.#instances.delete(number);
+    this.#forget(number);
     this.#rejectCalls(
       (call) => call.instance === number,
       () => fault,
@@ -301,7 +325,7 @@ export class WorkerHost {
         : `Its worker had to be ended because of "${name.moduleName}".`;
     const crashed = moduleFault('crashed', '', `${because} Its state is lost.`);
     const instances = [...this.#instances];
-    this.#instances.clear();
+    this.#forgetAll();
     this.#onEnd(name);
     const isHit = (number: number): boolean =>
       name === undefined ? culprit === undefined : number === culprit;

@@ -1,5 +1,6 @@
 import type { Cancel } from '../ports/clock.ts';
 import type { HostBatch, Progress, WorkerBatch, WorkerStart } from '../worker/protocol.ts';
+import type { PoolMemoryOptions } from './pool-memory.ts';
 
 /** One worker as its host sees it. */
 export interface WorkerLink {
@@ -15,6 +16,8 @@ export interface WorkerLink {
 /** Takes what a worker tells. */
 export interface WorkerListener {
   onBatch(batch: WorkerBatch): void;
+  /** It runs no code any more: after it was ended, or ended by itself. */
+  onGone(): void;
   /** It ended by itself. */
   onExit(reason: { readonly kind: 'memory' | 'exit'; readonly message: string }): void;
 }
@@ -38,4 +41,6 @@ export interface PoolOptions {
   readonly hostLibraries: Readonly<Record<string, HostLibrary>>;
   /** Workers of each kind; those of killed instances come on top. */
   readonly maxWorkers: number;
+  /** Memory of sandboxed instances. [PM-58] */
+  readonly memory: PoolMemoryOptions;
 }

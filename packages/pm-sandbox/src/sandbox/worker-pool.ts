@@ -2,6 +2,7 @@ import type { SandboxFactory, SandboxRequest } from '../ports/sandbox.ts';
 import { sourceTooLong } from '../worker/check-source.ts';
 import { moduleFault } from '../worker/module-error.ts';
 import type { WorkerKind } from '../worker/protocol.ts';
+import { PoolMemory } from './pool-memory.ts';
 import { RemoteSandbox } from './remote-sandbox.ts';
 import { WorkerHost } from './worker-host.ts';
 import type { PoolOptions, PoolPlatform } from './worker-link.ts';
@@ -17,8 +18,10 @@ export function createPooledSandboxes(
   platform: PoolPlatform,
   options: PoolOptions,
 ): SandboxFactory {
-  const pool = new WorkerPool(platform, options);
+  const memory = new PoolMemory(options.memory);
+  const pool = new WorkerPool(platform, options, memory);
   return {
+    memory,
     open: (request, events) =>
       new RemoteSandbox(
         request,
@@ -48,7 +51,10 @@ class WorkerPool {
   readonly #hosts = new Set<WorkerHost>();
   readonly #culprits = new Set<string>();
 
-  constructor(platform: PoolPlatform, options: PoolOptions) {
+  readonly #memory: PoolMemory;
+
+  constructor(platform: PoolPlatform, options: PoolOptions, memory: PoolMemory) {
+    this.#memory = memory;
     this.#platform = platform;
     this.#options = options;
   }
@@ -84,10 +90,17 @@ class WorkerPool {
   }
 
   #start(kind: WorkerKind, isSolo: boolean): WorkerHost {
-    const host = new WorkerHost(kind, isSolo, this.#platform, this.#options, (culprit) => {
-      this.#hosts.delete(host);
-      if (culprit !== undefined) this.#remember(culprit.instanceId);
-    });
+    const host = new WorkerHost(
+      kind,
+      isSolo,
+      this.#platform,
+      this.#options,
+      this.#memory,
+      (culprit) => {
+        this.#hosts.delete(host);
+        if (culprit !== undefined) this.#remember(culprit.instanceId);
+      },
+    );
     this.#hosts.add(host);
     return host;
   }

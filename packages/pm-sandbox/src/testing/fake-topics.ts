@@ -1,9 +1,10 @@
+import { compileGlob } from '@ubii/patterns';
+import { Re2Patterns } from '@ubii/patterns/re2';
 import {
   componentTopic,
   DATA_FORMATS,
   decodeRecord,
   encodeRecord,
-  globToRegExpSource,
   isMasterTopic,
   parseDataFormat,
   type Component,
@@ -20,6 +21,8 @@ import type {
   TopicPort,
   TopicSelector,
 } from '../ports/topic-port.ts';
+
+const PATTERNS = new Re2Patterns();
 
 interface FakeSubscription {
   readonly selector: TopicSelector;
@@ -56,7 +59,7 @@ export class FakeTopics implements TopicPort {
   }
 
   subscribe(selector: TopicSelector, listener: TopicListener): Cancel {
-    if (selector.kind === 'regex') new RegExp(selector.source);
+    if (selector.kind === 'regex') PATTERNS.compile(selector.source);
     const subscription = { selector, listener, seen: new Set<string>() };
     this.#subscriptions.add(subscription);
     for (const record of this.#records.values()) this.#deliver(subscription, record);
@@ -118,9 +121,9 @@ export class FakeTopics implements TopicPort {
       case 'topic':
         return topic === selector.topic;
       case 'regex':
-        return new RegExp(selector.source).test(topic);
+        return PATTERNS.compile(selector.source).test(topic);
       case 'glob':
-        return new RegExp(globToRegExpSource(selector.glob)).test(topic);
+        return compileGlob(selector.glob)(topic);
       case 'component': {
         const component = this.#components.get(topic);
         return component !== undefined && matches(component, selector.profile);

@@ -1,3 +1,5 @@
+import type { PatternCompiler } from '@ubii/patterns';
+import { Re2Patterns } from '@ubii/patterns/re2';
 import {
   fromJson,
   type IOMapping,
@@ -7,7 +9,6 @@ import {
   type ProcessingModuleStatus,
 } from '@ubii/proto';
 import type { RuntimeLimits } from '../limits.ts';
-import { REGEXP_PATTERNS } from '../patterns/regexp-patterns.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxFactory } from '../ports/sandbox.ts';
 import { createModuleRuntime } from '../runtime/create-module-runtime.ts';
@@ -55,6 +56,7 @@ export function createModuleWorld(
     readonly clock?: FakeClock;
     readonly sandboxes?: SandboxFactory;
     readonly lockstepInputs?: 'own' | 'given';
+    readonly patterns?: PatternCompiler;
   } = {},
 ): ModuleWorld {
   const { clock = new FakeClock() } = parts;
@@ -70,7 +72,7 @@ export function createModuleWorld(
     limits,
     libraries,
     lockstepInputs: parts.lockstepInputs,
-    patterns: REGEXP_PATTERNS,
+    patterns: parts.patterns ?? new Re2Patterns(),
     onEvent: (event) => events.push(event),
     onStatus: (id, status, fault) =>
       statuses.push(fault === undefined ? { id, status } : { id, status, fault }),

@@ -22,6 +22,8 @@ export interface SandboxInit {
   readonly limits?: Partial<SandboxRequest['limits']>;
   readonly instanceId?: string;
   readonly isTrusted?: boolean;
+  readonly owner?: string;
+  readonly onMemory?: (bytes: number) => void;
 }
 
 /** A sandbox with what it told. */
@@ -49,6 +51,7 @@ export function openSandbox(
   });
   const events: SandboxEvents = {
     onLog: ({ level, text }) => lines.push(`${level}: ${text}`),
+    ...(init.onMemory && { onMemory: init.onMemory }),
     onKilled: kill,
   };
   const { onProcessing = '() => {}', onCreated, onHalted, onDestroyed } = init;
@@ -59,6 +62,7 @@ export function openSandbox(
       source: { onProcessing, onCreated, onHalted, onDestroyed },
       isTrusted: init.isTrusted ?? isTrusted,
       libraries: init.libraries ?? [],
+      owner: init.owner ?? 'owner',
       outputs: Object.entries<DataFormat | undefined>(init.outputs ?? { out: 'string' }).map(
         ([name, format]) => ({
           name,

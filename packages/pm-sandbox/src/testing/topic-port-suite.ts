@@ -195,7 +195,7 @@ export function describeTopicPort(name: string, setup: () => Promise<TopicPortWo
       await world.settle();
       const topic = `${root}/out`;
       const bytes = encodeRecord({ topic, format: 'double', value: 5, clientId: 'me' });
-      expect(world.port.publish(topic, bytes, 3)).toBeUndefined();
+      expect(world.port.publish(topic, bytes, 3, 'session')).toBeUndefined();
       await world.settle();
       const seen = world.seenByOthers(topic);
       expect(seen && decodeRecord(seen)).toMatchObject({ topic, value: 5, clientId: 'me' });
@@ -204,7 +204,7 @@ export function describeTopicPort(name: string, setup: () => Promise<TopicPortWo
 
     it('[PM-47] refuses topics only the master publishes on, with a sentence', async () => {
       const bytes = encodeRecord({ topic: '/info/x', format: 'double', value: 5 });
-      expect(world.port.publish('/info/x', bytes, 3)).toMatch(/\w+ \w+/);
+      expect(world.port.publish('/info/x', bytes, 3, 'session')).toMatch(/\w+ \w+/);
       await world.settle();
       expect(world.seenByOthers('/info/x')).toBeUndefined();
     });

@@ -25,6 +25,8 @@ export interface EngineRequest {
   readonly outputNames: readonly string[];
   /** Libraries that are loaded where the code runs. */
   readonly modules: Readonly<Record<string, unknown>>;
+  /** Whose memory its own counts as; undefined: it is not counted. [PM-58] */
+  readonly owner?: number | undefined;
   /** Methods of the libraries that the host runs. */
   readonly hostLibraries: Readonly<Record<string, readonly string[]>>;
 }
@@ -48,6 +50,8 @@ export interface EngineInstance {
   ): MaybePromise<RawResult>;
   /** Frees what it holds; no call may follow. */
   free(): void;
+  /** Bytes of memory it has; engines that share theirs do not know. */
+  memoryBytes?(): number;
 }
 
 /** Something that runs source text. */

@@ -9,6 +9,8 @@ import { decodeInputs } from './module-records.ts';
 /** What surrounds an instance: its worker, or the thread of a test. */
 export interface InstanceHost {
   readonly engine: Engine;
+  /** Whose memory that of this one counts as. */
+  readonly owner?: number | undefined;
   /** The libraries it asked for. Rejects with a `ModuleError` of kind `library`. */
   loadLibraries(
     names: readonly string[],
@@ -91,13 +93,20 @@ export class Instance {
     code?.free();
   }
 
+  /** Undefined when its engine does not know. */
+  memoryBytes(): number | undefined {
+    return this.#code?.memoryBytes?.();
+  }
+
   #open(libraries: Pick<EngineRequest, 'modules' | 'hostLibraries'>): MaybePromise<void> {
     const { source, limits, outputs } = this.#request;
     if (source.onProcessing.trim() === '') {
       const message = 'The module has no onProcessing, and no code that could run.';
       throw new ModuleError(moduleFault('missing', 'onProcessing', message));
     }
-    const request = { source, limits, outputNames: outputs.map(({ name }) => name), ...libraries };
+    const outputNames = outputs.map(({ name }) => name);
+    const { owner } = this.#host;
+    const request = { source, limits, outputNames, owner, ...libraries };
     const start = (code: EngineInstance): MaybePromise<void> => {
       if (this.#isFree) {
         code.free();

@@ -1,5 +1,6 @@
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { ModuleSource, SandboxRequest } from '../ports/sandbox.ts';
+import type { MemoryCells } from './memory-account.ts';
 import type { ResultMessage, RunMessage } from './run-wire.ts';
 
 /** Which engine a worker has. [PM-51] */
@@ -19,6 +20,8 @@ export type HostMessage =
       readonly instance: number;
       readonly call: number;
       readonly request: SandboxRequest;
+      /** Whose memory its own counts as. */
+      readonly owner: number;
     }
   | { readonly kind: 'halt'; readonly instance: number; readonly call: number }
   | { readonly kind: 'destroy'; readonly instance: number; readonly call: number }
@@ -54,6 +57,8 @@ export type WorkerMessage =
       readonly level: string;
       readonly text: string;
     }
+  /** It has another amount of memory than before, bytes. */
+  | { readonly kind: 'memory'; readonly instance: number; readonly bytes: number }
   | {
       readonly kind: 'libraryCall';
       readonly instance: number;
@@ -88,6 +93,8 @@ export interface Progress {
 /** What a worker is told when it starts. */
 export interface WorkerStart {
   readonly kind: WorkerKind;
+  /** Where sandboxed instances take their memory from. */
+  readonly memory: MemoryCells;
   readonly hostLibraries: HostLibraryNames;
   /** Module specifiers of libraries that trusted code gets, by name. */
   readonly libraries: Readonly<Record<string, string>>;

@@ -28,8 +28,12 @@ export interface WorkerPlatform {
   /** Calls `fn` once all that is ready to run has run. */
   later(fn: () => void): void;
   nowMs(): number;
+  /** Bytes that instances have together, where they share their memory. */
+  sharedBytes?(): number;
 }
 
+/** How often shared memory is looked at, milliseconds. */
+const SHARED_MEMORY_MS = 1_000;
 /** Answers wait for the end of the batch, but no longer than this, milliseconds. */
 const MAX_HELD_MS = 2;
 
@@ -47,6 +51,11 @@ export class WorkerLoop {
   #heldSinceMs = 0;
   #isBusy = false;
   #lastRequest = 0;
+  /** What was told of the memory of each. */
+  readonly #toldBytes = new Map<number, number>();
+  /** Whose code ran since that was told. */
+  readonly #touched = new Set<number>();
+  #lookedMs = -Infinity;
 
   constructor(platform: WorkerPlatform) {
     this.#platform = platform;
@@ -100,6 +109,7 @@ export class WorkerLoop {
       case 'destroy':
         return this.#call(message, (instance) => {
           this.#instances.delete(message.instance);
+          this.#toldBytes.delete(message.instance);
           return instance.destroy();
         });
       case 'free':
@@ -117,8 +127,8 @@ export class WorkerLoop {
   }
 
   #create(message: MessageOf<'create'>): boolean {
-    const { instance: number, request } = message;
-    const instance = new Instance(request, this.#hostOf(), {
+    const { instance: number, request, owner } = message;
+    const instance = new Instance(request, this.#hostOf(owner), {
       onLog: (level, text) => this.#send({ kind: 'log', instance: number, level, text }),
       callHost: (library, method, args) => this.#callHost(number, library, method, args),
       onResume: () => this.#note(number),
@@ -162,6 +172,7 @@ export class WorkerLoop {
         (fault: ModuleFault) => this.#fail(message, fault),
       )
       .finally(() => {
+        this.#touched.add(message.instance);
         if (!this.#isBusy) this.#flush();
       });
     return true;
@@ -188,6 +199,7 @@ export class WorkerLoop {
   #free(instance: number): void {
     this.#instances.get(instance)?.free();
     this.#instances.delete(instance);
+    this.#toldBytes.delete(instance);
   }
 
   #callHost(
@@ -209,9 +221,10 @@ export class WorkerLoop {
     });
   }
 
-  #hostOf(): InstanceHost {
+  #hostOf(owner: number): InstanceHost {
     return {
       engine: this.#platform.engine,
+      owner,
       nowMs: () => this.#platform.nowMs(),
       loadLibraries: (names) => (names.length === 0 ? NO_LIBRARIES : this.#loadLibraries(names)),
     };
@@ -246,6 +259,7 @@ export class WorkerLoop {
     if (this.#outgoing.length > 0 && this.#platform.nowMs() - this.#heldSinceMs > MAX_HELD_MS) {
       this.#flush();
     }
+    this.#touched.add(instance);
     this.#platform.noteRunning(instance);
   }
 
@@ -254,7 +268,29 @@ export class WorkerLoop {
     this.#outgoing.push(message);
   }
 
+  #tellMemory(): void {
+    const sharedBytes = this.#platform.sharedBytes;
+    const nowMs = this.#platform.nowMs();
+    const isDue = sharedBytes !== undefined && nowMs - this.#lookedMs >= SHARED_MEMORY_MS;
+    if (isDue && this.#instances.size > 0) {
+      this.#lookedMs = nowMs;
+      const share = Math.round(sharedBytes() / this.#instances.size);
+      for (const number of this.#instances.keys()) this.#tellBytes(number, share);
+    }
+    for (const number of this.#touched) {
+      this.#tellBytes(number, this.#instances.get(number)?.memoryBytes());
+    }
+    this.#touched.clear();
+  }
+
+  #tellBytes(number: number, bytes: number | undefined): void {
+    if (bytes === undefined || bytes === this.#toldBytes.get(number)) return;
+    this.#toldBytes.set(number, bytes);
+    this.#send({ kind: 'memory', instance: number, bytes });
+  }
+
   #flush(): void {
+    this.#tellMemory();
     const messages = this.#outgoing;
     this.#outgoing = [];
     this.#platform.post({ messages }, this.#packer.pack());

@@ -1,5 +1,5 @@
+import type { MeteredPatterns } from '@ubii/patterns';
 import type { DataFormat, TopicInputMapping } from '@ubii/proto';
-import type { PatternPort } from '../../ports/pattern-port.ts';
 import type { SandboxInput } from '../../ports/sandbox.ts';
 import type { EncodedRecord, TopicPort } from '../../ports/topic-port.ts';
 
@@ -32,7 +32,7 @@ export interface InputSlot {
 /** What slots need and tell. */
 export interface SlotContext {
   readonly topics: TopicPort;
-  readonly patterns: PatternPort;
+  readonly patterns: MeteredPatterns;
   readonly maxMuxElements: number;
   /** A slot was marked. */
   onMark(): void;

@@ -1,17 +1,19 @@
 import { decodeRecord, encodeRecord, ModuleEventKind } from '@ubii/proto';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { FakeClock } from '../../testing/fake-clock.ts';
 import { EMPTY_RESULT, inputValues } from '../../testing/fake-sandboxes.ts';
 import { createModuleWorld, ioMapping, type ModuleSketch } from '../../testing/module-world.ts';
 import { MuxList } from './mux-list.ts';
+import { SessionPatterns } from './session-patterns.ts';
 
 const ON_INPUT = { triggerOnInput: { minDelayMs: 0, allInputsNeedUpdate: false } };
 const UUID_A = '6a2e3f80-1111-4aaa-8bbb-0123456789ab';
 const UUID_B = '7B2E3F80-2222-4AAA-9BBB-0123456789AB';
 
 /** A world in which every run ends at once. */
-function createWorld(limits = {}) {
-  const world = createModuleWorld(limits);
+function createWorld(limits = {}, parts: Parameters<typeof createModuleWorld>[2] = {}) {
+  const world = createModuleWorld(limits, [], parts);
   world.sandboxes.onRun = () => EMPTY_RESULT;
   const values = () => inputValues(world.sandboxes.last.lastCall);
   return { ...world, values };
@@ -234,6 +236,50 @@ describe('an input mapped to a muxer', () => {
     expect(world.values().x).toHaveLength(2);
     const message = 'Input "x": more than 2 topics match; the others are left out.';
     expect(world.events).toMatchObject([{ message, suppressed: 0 }, { message }]);
+  });
+
+  it('[PM-71] leaves topics out while matching took too long, and takes them with their next record', async () => {
+    let spentMs = 0;
+    const clock = new (class extends FakeClock {
+      override monotonicMs(): number {
+        return super.monotonicMs() + spentMs;
+      }
+    })();
+    const match = (text: string): string[] => {
+      spentMs += 5;
+      return [text];
+    };
+    const slow = { compile: () => ({ test: () => true, match }) };
+    const limits = { patternMatchMs: 5, patternMatchMsPerSecond: 1 };
+    const world = createWorld(limits, { clock, patterns: slow });
+    await world.begin(oneInput({ topicGlob: '/*', identityMatchPattern: '[a-z]$' }));
+    for (const topic of ['/a', '/b']) world.topics.put(topic, 'double', 1);
+    await world.clock.endTurn();
+    expect(world.values()).toEqual({ x: [['/a', 1]] });
+    const message = 'Input "x": matching "[a-z]$" takes too long; topics are left out.';
+    expect(world.events).toMatchObject([{ message }]);
+    await world.clock.advance(1000);
+    world.topics.put('/b', 'double', 2);
+    await world.clock.endTurn();
+    expect(world.values()).toEqual({
+      x: [
+        ['/a', 1],
+        ['/b', 2],
+      ],
+    });
+  });
+
+  it('[PM-71] has a budget for each session, so that none spends that of another', async () => {
+    const limits = { patternMatchMs: 1, patternMatchMsPerSecond: 0 };
+    let nowMs = 0;
+    const clock = { monotonicMs: () => nowMs };
+    const slow = { compile: () => ({ test: () => (nowMs += 1) > 0, match: () => undefined }) };
+    const patterns = new SessionPatterns(slow, clock, limits);
+    const [one, other] = [patterns.of('one').compile('x'), patterns.of('other').compile('x')];
+    expect(one.test('/a')).toBe(true);
+    expect(() => one.test('/b')).toThrow('takes too long');
+    expect(() => patterns.of('one').compile('y').test('/a')).toThrow('takes too long');
+    expect(other.test('/b')).toBe(true);
   });
 
   it.each([

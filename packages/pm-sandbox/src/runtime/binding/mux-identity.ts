@@ -1,15 +1,19 @@
+import type { PatternCompiler } from '@ubii/patterns';
 import { MuxIdentity, UUID_PATTERN, type TopicMux } from '@ubii/proto';
-import type { PatternPort } from '../../ports/pattern-port.ts';
 import type { EncodedRecord } from '../../ports/topic-port.ts';
 
 /** Tells the elements of a muxer apart. [PM-43] */
 export interface IdentityRule {
   /** From what a record brings with it; undefined when that says nothing. Cheap. */
   ofRecord(record: EncodedRecord): string | undefined;
-  /** From the topic, where `ofRecord` says nothing. To be asked once for each topic. */
+  /**
+   * From the topic, where `ofRecord` says nothing. To be asked once for each topic.
+   * @throws MatchBudgetError when matching takes longer than there is time for [PM-71]
+   */
   ofTopic(topic: string): string | undefined;
 }
 
+// eslint-disable-next-line no-restricted-syntax -- our own pattern, linear
 const FIRST_UUID = new RegExp(UUID_PATTERN);
 
 const none = (): undefined => undefined;
@@ -35,7 +39,7 @@ const TOPIC: IdentityRule = { ofRecord: none, ofTopic: (topic) => topic };
  */
 export function identityRule(
   mux: Pick<TopicMux, 'identitySource' | 'identityMatchPattern' | 'identityGroup'>,
-  patterns: PatternPort,
+  patterns: PatternCompiler,
 ): IdentityRule {
   switch (mux.identitySource) {
     case MuxIdentity.MUX_IDENTITY_CLIENT_ID:

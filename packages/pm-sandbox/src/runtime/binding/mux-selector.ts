@@ -1,4 +1,5 @@
-import { globToRegExpSource, type TopicMux } from '@ubii/proto';
+import type { MeteredPatterns } from '@ubii/patterns';
+import type { TopicMux } from '@ubii/proto';
 import type { TopicSelector } from '../../ports/topic-port.ts';
 
 /**
@@ -15,8 +16,23 @@ export function muxSelector(
   return undefined;
 }
 
-/** Source of the expression a selector is, or undefined when topics alone do not tell. */
-export function selectorSource(selector: TopicSelector): string | undefined {
-  if (selector.kind === 'glob') return globToRegExpSource(selector.glob);
-  return selector.kind === 'regex' ? selector.source : undefined;
+/**
+ * Tells whether a topic is selected; undefined when topics alone do not tell.
+ *
+ * @throws Error with the reason when the expression is refused
+ */
+export function selectorMatch(
+  selector: TopicSelector,
+  patterns: MeteredPatterns,
+): ((topic: string) => boolean) | undefined {
+  switch (selector.kind) {
+    case 'topic':
+      return (topic) => topic === selector.topic;
+    case 'glob':
+      return patterns.compileGlob(selector.glob);
+    case 'regex':
+      return patterns.compile(selector.source).test;
+    case 'component':
+      return undefined;
+  }
 }

@@ -1,13 +1,13 @@
+import { MatchBudgetError } from '@ubii/patterns';
 import { DATA_FORMATS, parseDataFormat, type DataFormat, type TopicMux } from '@ubii/proto';
 import type { Cancel } from '../../ports/clock.ts';
-import type { MatchPattern } from '../../ports/pattern-port.ts';
 import type { SandboxInput } from '../../ports/sandbox.ts';
 import type { EncodedRecord, TopicListener, TopicSelector } from '../../ports/topic-port.ts';
 import { fieldFits } from './formats-fit.ts';
 import type { InputSlot, SlotContext, SlotSpec, Snapshot } from './input-slot.ts';
 import { identityRule, type IdentityRule } from './mux-identity.ts';
 import { MuxList } from './mux-list.ts';
-import { muxSelector, selectorSource } from './mux-selector.ts';
+import { muxSelector, selectorMatch } from './mux-selector.ts';
 
 /** An input mapped to a muxer: the newest records of many topics. [PM-40] to [PM-44] */
 export class MuxSlot implements InputSlot, TopicListener {
@@ -20,7 +20,7 @@ export class MuxSlot implements InputSlot, TopicListener {
   readonly #selector: TopicSelector;
   readonly #list: MuxList;
   #cancel: Cancel | undefined;
-  #pattern: MatchPattern | undefined;
+  #selects: ((topic: string) => boolean) | undefined;
   #input: SandboxInput & { readonly elements: readonly unknown[] };
 
   /** @throws Error with a sentence when the muxer selects nothing, or an expression is refused */
@@ -43,7 +43,9 @@ export class MuxSlot implements InputSlot, TopicListener {
   onRecord(record: EncodedRecord): void {
     // [PM-42] A muxer selects; what it does not select is no mistake.
     if (!this.#fits(record.valueField)) return;
-    if (!this.#list.set(record)) {
+    const isListed = this.#withinBudget(() => this.#list.set(record));
+    if (isListed === undefined) return;
+    if (!isListed) {
       const { maxMuxElements } = this.#context;
       return this.#context.onProblem(
         this.name,
@@ -73,11 +75,12 @@ export class MuxSlot implements InputSlot, TopicListener {
       // A snapshot that came over the wire does not say all that is known here.
       const publisherId = record.publisherId || known.publisherId;
       const deviceId = record.deviceId || known.deviceId;
-      list.set({ ...record, publisherId, ...(deviceId === undefined ? {} : { deviceId }) });
+      const complete = { ...record, publisherId, ...(deviceId === undefined ? {} : { deviceId }) };
+      this.#withinBudget(() => list.set(complete));
     }
     for (const record of snapshot.values()) {
       if (this.#list.get(record.topic) !== undefined || !this.#fits(record.valueField)) continue;
-      if (this.#selects(record.topic)) list.set(record);
+      this.#withinBudget(() => this.#selects?.(record.topic) === true && list.set(record));
     }
     return { name: this.name, elements: list.read() };
   }
@@ -90,9 +93,8 @@ export class MuxSlot implements InputSlot, TopicListener {
     // Which topics the components have, nothing else tells.
     if (!isListening && this.#selector.kind === 'component' && this.#cancel !== undefined) return;
     this.close();
-    const source = selectorSource(this.#selector);
-    if (source !== undefined) this.#pattern ??= this.#context.patterns.compile(source);
-    if (isListening || source === undefined) {
+    this.#selects ??= selectorMatch(this.#selector, this.#context.patterns);
+    if (isListening || this.#selects === undefined) {
       this.#cancel = this.#context.topics.subscribe(this.#selector, this);
     }
   }
@@ -103,8 +105,15 @@ export class MuxSlot implements InputSlot, TopicListener {
     this.#list.clear();
   }
 
-  #selects(topic: string): boolean {
-    return this.#pattern?.match(topic) !== undefined;
+  /** A topic that there was no time for is left out, until its next record. [PM-71] */
+  #withinBudget<T>(find: () => T): T | undefined {
+    try {
+      return find();
+    } catch (error) {
+      if (!(error instanceof MatchBudgetError)) throw error;
+      this.#context.onProblem(this.name, `${error.message}; topics are left out`);
+      return undefined;
+    }
   }
 }
 

@@ -16,9 +16,13 @@ export interface OutputRecord {
 export interface OutputSink {
   /** Takes a record's share of what is allowed. Returns what is used up, if it is. [PM-55] */
   overLimit(sizeBytes: number): string | undefined;
+  /** A demuxer writes a topic. Returns why it may not, if it may not. [SE-61] */
+  refuseTopic(topic: string): string | undefined;
   onRecord(record: OutputRecord): void;
   /** @param reason a sentence; `count` records are refused for it */
   onRefused(reason: string, count: number): void;
+  /** @param reason a sentence; `count` elements of the output would have made topics too many */
+  onTopicsRefused(outputName: string, reason: string, count: number): void;
 }
 
 type Route =
@@ -105,16 +109,25 @@ export class OutputBinding {
     sink: OutputSink,
   ): void {
     let refused = 0;
+    let tooMany = 0;
+    let tooManyReason = '';
     for (const { value, params, identity, index } of output.elements) {
       const result = demuxTopic(format, params, identity);
       const fault = 'lacks' in result ? result.lacks : topicFault(result.topic);
       if ('topic' in result && fault === undefined) {
         const { topic } = result;
+        const reason = sink.refuseTopic(topic);
+        if (reason !== undefined) {
+          tooMany++;
+          tooManyReason = reason;
+          continue;
+        }
         this.#put(value, topic, this.#originOf(topic), nowMs, sink, output.name);
       } else if (++refused <= MAX_REPORTED_ELEMENTS) {
         sink.onRefused(`Output "${output.name}", element ${index}, is refused: ${fault}.`, 1);
       }
     }
+    if (tooMany > 0) sink.onTopicsRefused(output.name, tooManyReason, tooMany);
     const more = refused - MAX_REPORTED_ELEMENTS;
     if (more > 0)
       sink.onRefused(`Output "${output.name}": ${more} more elements are refused.`, more);

@@ -31,6 +31,9 @@ export class InstanceReports {
   #restarts = 0;
   #outputs = 0;
   #refused = 0;
+  #topicsRefused = 0;
+  #refusedOutput = '';
+  #memoryBytes = 0;
   #lastRuns = 0;
   #lastTakenMs: number;
 
@@ -83,6 +86,19 @@ export class InstanceReports {
     this.#tell({ kind: ModuleEventKind.REFUSED, phase: 'onProcessing', message });
   }
 
+  /** @param count elements of an output that would have made topics too many [SE-61] */
+  countTopicsRefused(output: string, reason: string, count: number): void {
+    this.#topicsRefused += count;
+    this.#refusedOutput = output;
+    const what = `Elements of the output "${output}" on new topics are refused`;
+    this.countRefused(`${what}: ${reason}. Topics that are there go on.`, count);
+  }
+
+  /** It has so much memory now. */
+  noteMemory(bytes: number): void {
+    this.#memoryBytes = bytes;
+  }
+
   countRestart(): void {
     this.#restarts++;
     const message = 'The module was started again, with an empty state.';
@@ -115,7 +131,11 @@ export class InstanceReports {
   }
 
   /** Since the call before. */
-  takeStatistics(status: ModuleStatistics['status'], waiting: number): ModuleStatistics {
+  takeStatistics(
+    status: ModuleStatistics['status'],
+    waiting: number,
+    topics: number,
+  ): ModuleStatistics {
     const nowMs = this.#clock.monotonicMs();
     const elapsedMs = nowMs - this.#lastTakenMs;
     const runs = this.#runs - this.#lastRuns;
@@ -137,6 +157,10 @@ export class InstanceReports {
       outputs: this.#outputs,
       outputsRefused: this.#refused,
       waiting,
+      topics,
+      topicsRefused: this.#topicsRefused,
+      refusedOutput: this.#refusedOutput,
+      memoryBytes: this.#memoryBytes,
     };
   }
 

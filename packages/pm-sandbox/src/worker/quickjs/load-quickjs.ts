@@ -4,61 +4,105 @@ import {
   newVariant,
   type QuickJSWASMModule,
 } from 'quickjs-emscripten-core';
+import { PAGE_BYTES, type MemoryShortage } from '../memory-account.ts';
+import { INITIAL_PAGES, UNTOUCHED_PAGES } from './engine-pages.ts';
+import { withInitialPages } from './initial-pages.ts';
 
 /** A copy of the engine with memory of its own. */
 export interface EngineCopy {
   readonly quickJs: QuickJSWASMModule;
-  /** Whether it ever wanted more memory than it may have. */
-  wasRefusedMemory(): boolean;
+  /** Bytes that it has of the memory of the machine, as far as they count. */
+  memoryBytes(): number;
+  /** Why it did not get memory that it wanted: it may have no more (`own`), or there is none left. */
+  refusedMemory(): 'own' | MemoryShortage | undefined;
+  /** It is not used any more. */
+  release(): void;
 }
 
-/** Of WebAssembly. */
-const PAGE_BYTES = 65_536;
-/** What the engine was compiled to begin with: 16 MiB, of which it touches a quarter of one. */
-const INITIAL_PAGES = 256;
+/** Where a copy takes its memory from. */
+export interface EngineMemory {
+  /** @returns whose memory does not suffice */
+  take(pages: number): MemoryShortage | undefined;
+  give(pages: number): void;
+}
+
+/** There is no memory left to begin with. */
+export class NoMemoryError extends Error {
+  readonly shortage: MemoryShortage;
+
+  constructor(shortage: MemoryShortage) {
+    super('no memory is left');
+    this.name = 'NoMemoryError';
+    this.shortage = shortage;
+  }
+}
 
 /**
  * Makes a function that yields new copies of the engine, each with memory of its own: what breaks
  * one, or is left behind in it, does not touch another, and it is freed as a whole. The engine is
- * compiled once; a copy takes a few milliseconds and a quarter of a megabyte.
+ * compiled once; a copy takes a few milliseconds and a third of a megabyte.
+ * What is made throws `NoMemoryError`.
  */
-export async function loadQuickJs(): Promise<(memoryBytes: number) => Promise<EngineCopy>> {
+export async function loadQuickJs(): Promise<
+  (memoryBytes: number, from: EngineMemory) => Promise<EngineCopy>
+> {
   const wasmModule = await compiledOnce();
-  return async (memoryBytes) => {
-    const memory = createMemory(memoryBytes);
+  return async (memoryBytes, from) => {
+    const memory = createMemory(memoryBytes, from);
     const limited = newVariant(variant, { wasmModule, wasmMemory: memory.wasmMemory });
-    return {
-      quickJs: await newQuickJSWASMModuleFromVariant(limited),
-      wasRefusedMemory: memory.wasRefused,
-    };
+    try {
+      const quickJs = await newQuickJSWASMModuleFromVariant(limited);
+      return { quickJs, ...memory };
+    } catch (thrown) {
+      memory.release();
+      throw thrown;
+    }
   };
 }
 
 /**
- * Memory that grows to a size and no further; the engine then reports that it is out of memory. The
- * engine's own limit cannot be relied on: compiled to WebAssembly it does not know how big its
- * allocations are, and counts eight bytes for each.
+ * Memory that grows to a size and no further, and only as long as there is some; the engine then
+ * reports that it is out of memory. The engine's own limit cannot be relied on: compiled to
+ * WebAssembly it does not know how big its allocations are, and counts eight bytes for each.
  */
-function createMemory(maxBytes: number): {
-  readonly wasmMemory: WebAssembly.Memory;
-  wasRefused(): boolean;
-} {
+function createMemory(
+  maxBytes: number,
+  from: EngineMemory,
+): Omit<EngineCopy, 'quickJs'> & { readonly wasmMemory: WebAssembly.Memory } {
   const maximum = Math.max(INITIAL_PAGES, Math.floor(maxBytes / PAGE_BYTES));
+  let pages = INITIAL_PAGES - UNTOUCHED_PAGES;
+  const shortage = from.take(pages);
+  if (shortage !== undefined) throw new NoMemoryError(shortage);
   const wasmMemory = new WebAssembly.Memory({ initial: INITIAL_PAGES, maximum });
   const grow = wasmMemory.grow.bind(wasmMemory);
-  let wasRefused = false;
-  wasmMemory.grow = (pages) => {
-    try {
-      return grow(pages);
-    } catch (thrown) {
-      wasRefused = true;
-      throw thrown;
+  let refused: ReturnType<EngineCopy['refusedMemory']>;
+  let isReleased = false;
+  wasmMemory.grow = (more) => {
+    const has = wasmMemory.buffer.byteLength / PAGE_BYTES;
+    const short = has + more > maximum ? 'own' : from.take(more);
+    if (short !== undefined) {
+      refused = short;
+      throw new RangeError('no memory is left');
     }
+    pages += more;
+    return grow(more);
   };
-  return { wasmMemory, wasRefused: () => wasRefused };
+  return {
+    wasmMemory,
+    memoryBytes: () => pages * PAGE_BYTES,
+    refusedMemory: () => refused,
+    release() {
+      if (isReleased) return;
+      isReleased = true;
+      from.give(pages);
+    },
+  };
 }
 
-/** The package holds the engine as text and compiles it each time; the first time tells us the result. */
+/**
+ * The package holds the engine as text and compiles it each time; the first time tells us the program,
+ * which is changed and compiled once.
+ */
 async function compiledOnce(): Promise<WebAssembly.Module> {
   const { instantiate } = WebAssembly;
   let compiled: WebAssembly.Module | undefined;
@@ -67,7 +111,7 @@ async function compiledOnce(): Promise<WebAssembly.Module> {
     imports?: WebAssembly.Imports,
   ): Promise<WebAssembly.WebAssemblyInstantiatedSource> => {
     const module =
-      source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
+      source instanceof WebAssembly.Module ? source : await WebAssembly.compile(smaller(source));
     compiled = module;
     return { module, instance: await instantiate(module, imports) };
   };
@@ -79,4 +123,13 @@ async function compiledOnce(): Promise<WebAssembly.Module> {
   }
   if (compiled === undefined) throw new Error('the engine was not compiled');
   return compiled;
+}
+
+function smaller(source: BufferSource): BufferSource {
+  const bytes = ArrayBuffer.isView(source)
+    ? new Uint8Array(source.buffer, source.byteOffset, source.byteLength)
+    : new Uint8Array(source);
+  const changed = withInitialPages(bytes, INITIAL_PAGES);
+  if (changed === undefined) throw new Error('the engine is not what it was expected to be');
+  return changed as Uint8Array<ArrayBuffer>;
 }

@@ -10,10 +10,12 @@ import type {
   RawResult,
 } from '../engine.ts';
 import { CONSOLE_LEVELS, SILENT_CONSOLE_METHODS } from '../format-log.ts';
+import type { MemoryAccount } from '../memory-account.ts';
 import { describeThrown, EngineBrokenError, ModuleError, moduleFault } from '../module-error.ts';
 import type { InputValues } from '../module-records.ts';
 import type { EngineCopy } from './load-quickjs.ts';
 import { loopPosition } from './loop-position.ts';
+import { outOfMemory } from './out-of-memory.ts';
 import { parseJson } from './parse-json.ts';
 import { positionOf } from './position-of.ts';
 import { prelude, type PreludeApi } from './prelude.ts';
@@ -47,6 +49,7 @@ export class QuickJsInstance implements EngineInstance {
   readonly #request: EngineRequest;
   readonly #hooks: EngineHooks;
   readonly #copy: EngineCopy;
+  readonly #memory: MemoryAccount | undefined;
   readonly #runtime: QuickJSRuntime;
   readonly #context: QuickJSContext;
   readonly #budget: TimeBudget;
@@ -62,7 +65,9 @@ export class QuickJsInstance implements EngineInstance {
     request: EngineRequest,
     hooks: EngineHooks,
     options: QuickJsOptions,
+    memory: MemoryAccount | undefined,
   ) {
+    this.#memory = memory;
     this.#request = request;
     this.#hooks = hooks;
     this.#budget = new TimeBudget(() => options.nowMs());
@@ -104,6 +109,15 @@ export class QuickJsInstance implements EngineInstance {
     this.#isFree = true;
     this.#waiting = undefined;
     this.#runtime.removeInterruptHandler();
+    this.#copy.release();
+  }
+
+  memoryBytes(): number {
+    return this.#copy.memoryBytes();
+  }
+
+  get #wasRefusedMemory(): boolean {
+    return this.#copy.refusedMemory() !== undefined;
   }
 
   #load(): void {
@@ -234,9 +248,9 @@ export class QuickJsInstance implements EngineInstance {
     const result = this.#take(this.#callApi('poll', []));
     if (result !== undefined || this.#hostCalls > 0) return result;
     // Without memory, what would settle it cannot be made.
-    if (this.#copy.wasRefusedMemory()) throw this.#outOfMemory();
+    if (this.#wasRefusedMemory) throw this.#outOfMemory();
     const message = `The promise of ${this.#phase} can never settle: nothing is left that could do it.`;
-    throw this.#fatal('timeout', message);
+    throw this.#tookTooLong(message);
   }
 
   #runJobs(): void {
@@ -315,7 +329,7 @@ export class QuickJsInstance implements EngineInstance {
     try {
       return compute();
     } catch (cause) {
-      throw this.#copy.wasRefusedMemory()
+      throw this.#wasRefusedMemory
         ? this.#outOfMemory()
         : new EngineBrokenError(this.#phase, cause);
     }
@@ -333,7 +347,7 @@ export class QuickJsInstance implements EngineInstance {
         const described = context.callFunction(describe, context.undefined, thrown);
         if (described.error !== undefined) {
           described.error.dispose();
-          return this.#copy.wasRefusedMemory() ? OUT_OF_MEMORY : UNKNOWN;
+          return this.#wasRefusedMemory ? OUT_OF_MEMORY : UNKNOWN;
         }
         const text = context.getString(described.value);
         described.value.dispose();
@@ -355,21 +369,21 @@ export class QuickJsInstance implements EngineInstance {
   }
 
   #outOfMemory(thrown?: ThrownText): ModuleError {
-    const megabytes = Math.round(this.#request.limits.memoryBytes / 1024 / 1024);
-    const message = `${this.#phase} needs more memory than the ${megabytes} MB it may have.`;
-    return this.#fatal('memory', message, thrown);
+    const shortage = this.#copy.refusedMemory() ?? 'own';
+    const fault = outOfMemory(this.#phase, shortage, this.#request.limits, this.#memory);
+    return new ModuleError({ ...fault, ...(thrown && positionOf(thrown.stack)) });
   }
 
   #endIfSpent(thrown?: ThrownText): void {
     if (!this.#budget.isSpent) return;
     const message = `${this.#phase} took longer than the ${this.#request.limits.callTimeoutMs} ms a call may take.`;
-    throw this.#fatal('timeout', message, thrown);
+    throw this.#tookTooLong(message, thrown);
   }
 
-  #fatal(kind: 'timeout' | 'memory', message: string, thrown?: ThrownText): ModuleError {
+  #tookTooLong(message: string, thrown?: ThrownText): ModuleError {
     const at = thrown && positionOf(thrown.stack);
     const source = this.#request.source[this.#phase];
-    const position = at && source && kind === 'timeout' ? loopPosition(source, at) : at;
-    return new ModuleError(moduleFault(kind, this.#phase, message, position));
+    const position = at && source ? loopPosition(source, at) : at;
+    return new ModuleError(moduleFault('timeout', this.#phase, message, position));
   }
 }

@@ -1,0 +1,34 @@
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { expect, it, onTestFinished } from 'vitest';
+import { readConfig } from './read-config.ts';
+import { readTokenFile } from './token-file.ts';
+
+function fileWith(text: string): string {
+  const folder = mkdtempSync(join(tmpdir(), 'ubii-token-'));
+  onTestFinished(() => rmSync(folder, { recursive: true }));
+  const file = join(folder, 'admin-token');
+  writeFileSync(file, text);
+  return file;
+}
+
+it('reads the token, without what ends the line [AC-44]', () => {
+  expect(readTokenFile(fileWith('abc-123\n'))).toBe('abc-123');
+  expect(readTokenFile(fileWith('http://localhost:8080/join#abc-123'))).toBe('abc-123');
+});
+
+it('says what is wrong with the file', () => {
+  expect(() => readTokenFile('/nowhere/admin-token')).toThrow('it is not there');
+  expect(() => readTokenFile(fileWith(''))).toThrow('must hold a token or code');
+  expect(() => readTokenFile(fileWith('a\nb'))).toThrow('must hold a token or code');
+});
+
+it('takes the place of a token on the command line', () => {
+  const read = (...args: string[]) => readConfig(args, {}, '/folder').tokenFile;
+  expect(read('--token-file', 'a')).toBe('/folder/a');
+  expect(readConfig([], { UBII_NODE_TOKEN_FILE: '/b' }, '/').tokenFile).toBe('/b');
+  expect(() => read('--token-file', 'a', '--join', 'K7QF-2MXR')).toThrow(
+    'leave one of the two out',
+  );
+});

@@ -1,0 +1,17 @@
+export { compileGlob } from './glob.ts';
+export { DEFAULT_PATTERN_LIMITS, type PatternLimits } from './limits.ts';
+export { MeteredPatterns, type MeterOptions } from './metered-patterns.ts';
+export type { CompiledPattern, PatternCompiler } from './pattern-compiler.ts';
+export {
+  compilerOf,
+  lazyPatterns,
+  LazyPatterns,
+  readyPatterns,
+  type PatternSource,
+} from './pattern-source.ts';
+export {
+  MatchBudgetError,
+  remembered,
+  type MatchBudget,
+  type RememberOptions,
+} from './remembered.ts';

@@ -1,0 +1,1 @@
+export { Re2Patterns } from './re2-patterns.ts';

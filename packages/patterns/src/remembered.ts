@@ -1,0 +1,77 @@
+/** Time that may be spent, milliseconds. */
+export interface MatchBudget {
+  /**
+   * Takes what was spent, going into debt if need be.
+   * @param nowMs monotonic milliseconds
+   * @returns whether something is left
+   */
+  spend(amountMs: number, nowMs: number): boolean;
+}
+
+/** How answers are remembered. */
+export interface RememberOptions {
+  /** Texts whose answer is remembered, the newest ones. @default 8192 */
+  readonly maxTexts?: number;
+  /** What finding answers may take. @default any time */
+  readonly meter?: {
+    readonly budget: MatchBudget;
+    readonly monotonicMs: () => number;
+    /** What takes the time, for the error. */
+    readonly source: string;
+  };
+}
+
+/** Twice what a muxer lists. */
+const DEFAULT_MAX_TEXTS = 8_192;
+
+/**
+ * What one answer is charged at most, milliseconds: what the worst pattern within the limits takes for a
+ * topic. When the clock says more, the machine was busy with something else.
+ */
+const LONGEST_MS = 30;
+
+/** The budget is spent: nothing is known of this text until some of it came back. */
+export class MatchBudgetError extends Error {
+  override readonly name = 'MatchBudgetError';
+}
+
+/**
+ * Finds the answer for a text once, and not with every record.
+ * @param find may take its time; the same text always has the same answer
+ * @returns throws a `MatchBudgetError` for a text without an answer while the budget is spent
+ */
+export function remembered<T>(
+  find: (text: string) => T,
+  { maxTexts = DEFAULT_MAX_TEXTS, meter }: RememberOptions = {},
+): (text: string) => T {
+  const found = new Map<string, T>();
+  return (text) => {
+    if (found.has(text)) return found.get(text) as T;
+    const answer = meter === undefined ? find(text) : metered(find, text, meter);
+    if (found.size >= maxTexts) {
+      const [oldest] = found.keys();
+      found.delete(oldest!);
+    }
+    found.set(text, answer);
+    return answer;
+  };
+}
+
+function metered<T>(
+  find: (text: string) => T,
+  text: string,
+  { budget, monotonicMs, source }: NonNullable<RememberOptions['meter']>,
+): T {
+  const startedMs = monotonicMs();
+  if (!budget.spend(0, startedMs)) {
+    throw new MatchBudgetError(`matching ${quote(source)} takes too long`);
+  }
+  const answer = find(text);
+  const endedMs = monotonicMs();
+  budget.spend(Math.min(endedMs - startedMs, LONGEST_MS), endedMs);
+  return answer;
+}
+
+function quote(source: string): string {
+  return JSON.stringify(source.length > 60 ? `${source.slice(0, 59)}…` : source);
+}
