@@ -34,4 +34,16 @@ await build({
   },
   logLevel: 'warning',
 });
+// On its own: it is a thread, and shares nothing with the program.
+await build({
+  entryPoints: { 'decode-worker': inPackage('src/adapters/http/bodies/decode-worker.ts') },
+  outdir,
+  bundle: true,
+  platform: 'node',
+  format: 'esm',
+  target: 'node20',
+  minifySyntax: true,
+  minifyWhitespace: true,
+  logLevel: 'warning',
+});
 await buildNodeWorker(join(outdir, 'pm-worker.js'));

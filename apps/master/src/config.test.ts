@@ -138,6 +138,15 @@ describe('a wrong value is explained in one sentence', () => {
     [['--publisher-percent', 'much'], '--publisher-percent must be a number from 1 to 100'],
     [['--log-level', 'loud'], 'error, warn, info or debug'],
     [['--allowed-origins', 'example.org'], 'such as https://example.org'],
+    // [AC-46]
+    [
+      ['--allowed-origins', 'null'],
+      'pages opened from files send it, and so can a page of every website',
+    ],
+    [['--allowed-origins', 'https://a.b,NULL'], 'calls with a token of its own'],
+    [['--trust-loopback', '--loopback', 'none'], 'leave one of the two out'],
+    [['--loopback', 'admin'], '--loopback must be participant or none'],
+    [['--trusted-proxy', 'lab.local'], 'networks separated by commas'],
     [['--name', ' '], '1 to 100 characters'],
     [['--port'], 'needs a value after it, --port <number>'],
     [['--port', '--lan'], 'needs a value after it'],

@@ -83,7 +83,30 @@ export const OPTIONS = {
     fallback: [],
     fallbackText: 'none',
     description:
-      'Networks whose existing clients are let in without joining, as participants, because they know no codes: 192.168.1.0/24,10.0.0.7. This machine always is.',
+      'Networks whose existing clients are let in without joining, as participants, because they know no codes: 192.168.1.0/24,10.0.0.7. For this machine, see --loopback.',
+    parse: parseNetworks,
+  }),
+  loopback: option<'participant' | 'none'>({
+    placeholder: 'participant|none',
+    fallback: 'participant',
+    description:
+      'What programs and pages of this machine are that show no token: participants, so that existing clients work, or nobody. Who starts the master becomes admin with the address or code in its terminal.',
+    parse: parseChoice('participant', 'none'),
+  }),
+  trustLoopback: option({
+    placeholder: '[on|off]',
+    fallback: false,
+    fallbackText: 'off',
+    description:
+      'Programs and pages of this machine are admins without a token, as in earlier versions: for machines that nobody else uses and that pass nothing on from others.',
+    parse: parseSwitch,
+  }),
+  trustedProxy: option<readonly string[]>({
+    placeholder: '<network>,...',
+    fallback: [],
+    fallbackText: 'none',
+    description:
+      'Networks of proxies that say for whom they ask, in X-Forwarded-For or Forwarded: 10.0.0.7,192.168.2.0/24. Whoever is behind any other proxy has to join.',
     parse: parseNetworks,
   }),
   https: option<'on' | 'off'>({
@@ -155,7 +178,7 @@ export const OPTIONS = {
     fallback: [],
     fallbackText: 'none',
     description:
-      'Web pages of other origins that may call the services, besides those of this machine and, with --lan, of private addresses: https://example.org, https://*.example.org, http://example.org:*, or * for all. Those named, and not *, need not join when this machine shows them.',
+      'Web pages of other origins that may call the services, besides those of this machine and, with --lan, of private addresses: https://example.org, https://*.example.org, http://example.org:*, or * for all. Those named, and not *, need not join when this machine shows them over HTTPS, or by an address.',
     parse: parseOrigins,
   }),
   name: option({

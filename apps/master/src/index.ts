@@ -1,5 +1,6 @@
 export * from './core/ports/index.ts';
 export { createMaster } from './core/create-master.ts';
+export { fitConnections } from './core/connections/fit-connections.ts';
 export { DEFAULT_LIMITS } from './core/limits.ts';
 export { LogTail } from './core/status/log-tail.ts';
 export type { LimitName, Limits } from './core/limits.ts';
@@ -10,5 +11,6 @@ export type {
   MasterMetrics,
   MetricFamily,
   ServiceAnswer,
+  TerminalAccess,
   TerminalJoin,
 } from './core/master.ts';

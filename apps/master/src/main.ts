@@ -10,7 +10,7 @@ import { bestPhoneUrl, formatBanner, joinUrl } from './adapters/terminal/banner.
 import { formatEndpoints } from './adapters/terminal/endpoints-line.ts';
 import { formatQrCode } from './adapters/terminal/qr-code.ts';
 import type { Config } from './config.ts';
-import { LogTail } from './index.ts';
+import { DEFAULT_LIMITS, LogTail } from './index.ts';
 import { startMaster } from './start-master.ts';
 import type { RunningMaster } from './start-master.ts';
 
@@ -24,7 +24,8 @@ const { version } = JSON.parse(
 ) as { version: string };
 // From src as well as from dist.
 const frontendFolder = fileURLToPath(new URL('../../frontend/dist', import.meta.url));
-const workerFile = findWorker();
+const workerFile = findBuilt('pm-worker.js');
+const decodeWorkerFile = findBuilt('decode-worker.js');
 
 try {
   await run(process.argv.slice(2));
@@ -45,18 +46,25 @@ async function run(args: readonly string[]): Promise<void> {
     return;
   }
   const log = createLog(config);
-  const master = await startMaster({ config, log, version, frontendFolder, workerFile });
+  const master = await startMaster({
+    config,
+    log,
+    version,
+    frontendFolder,
+    workerFile,
+    decodeWorkerFile,
+  });
   endInGoodOrder(master, log);
   await present(master, config);
 }
 
-/** Beside the program when it is built; run from its sources, the last build has one. */
-function findWorker(): URL {
-  const beside = new URL('./pm-worker.js', import.meta.url);
-  return existsSync(beside) ? beside : new URL('../dist/pm-worker.js', import.meta.url);
+/** Beside the program when it is built; run from its sources, the last build has it. */
+function findBuilt(name: string): URL {
+  const beside = new URL(`./${name}`, import.meta.url);
+  return existsSync(beside) ? beside : new URL(`../dist/${name}`, import.meta.url);
 }
 
-function createLog({ logLevel, logFormat }: Config): LogTail {
+function createLog({ logLevel, logFormat, limits }: Config): LogTail {
   const format = logFormat === 'auto' ? (process.stderr.isTTY ? 'text' : 'json') : logFormat;
   const written = new StreamLog({
     level: logLevel,
@@ -64,7 +72,7 @@ function createLog({ logLevel, logFormat }: Config): LogTail {
     write: (line) => process.stderr.write(`${line}\n`),
     nowMs: Date.now,
   });
-  return new LogTail(written, Date.now, logLevel === 'debug');
+  return new LogTail(written, Date.now, logLevel === 'debug', { ...DEFAULT_LIMITS, ...limits });
 }
 
 function endInGoodOrder(master: RunningMaster, log: LogTail): void {
@@ -111,15 +119,19 @@ async function present(master: RunningMaster, config: Config): Promise<void> {
       dataDir: config.dataDir,
       ports: master.ports,
       reachability,
-      join: master.join,
+      terminal: master.terminal,
+      loopback: master.loopback,
       devUrl: process.env['UBII_DEV_FRONTEND_URL'],
     }),
   );
   const phoneUrl = bestPhoneUrl(reachability);
-  if (phoneUrl !== undefined && master.join !== undefined && screen.isTTY) {
-    screen.write(`\n${await formatQrCode(joinUrl(phoneUrl, master.join.token))}\n`);
+  const join = master.terminal?.join;
+  if (phoneUrl !== undefined && join !== undefined && screen.isTTY) {
+    screen.write(`\n${await formatQrCode(joinUrl(phoneUrl, join.token))}\n`);
   }
   if (forPrograms) {
-    process.stdout.write(`${formatEndpoints(reachability.localUrl, process.pid, master.join)}\n`);
+    process.stdout.write(
+      `${formatEndpoints(reachability.localUrl, process.pid, master.terminal)}\n`,
+    );
   }
 }

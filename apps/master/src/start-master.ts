@@ -1,20 +1,27 @@
-import { homedir, hostname } from 'node:os';
+import { homedir } from 'node:os';
+import { join } from 'node:path';
 import type { AnnouncedMaster } from '@ubii/discovery';
 import { moduleLibrary } from '@ubii/modules';
-import { CallerReader } from './adapters/access/caller-reader.ts';
+import { Re2Patterns } from '@ubii/patterns/re2';
+import { AdminTokenFile } from './adapters/access/admin-token-file.ts';
+import { CallerReader, type LoopbackFacts } from './adapters/access/caller-reader.ts';
 import { HmacAccessSecrets } from './adapters/access/hmac-access-secrets.ts';
-import { LegacyNetworks } from './adapters/access/legacy-networks.ts';
-import { openSandboxes } from './adapters/processing/open-sandboxes.ts';
+import { Networks } from './adapters/access/networks.ts';
+import { PeerOwners } from './adapters/access/peer-owners.ts';
+import { limitsOfMachine, openSandboxes } from './adapters/processing/open-sandboxes.ts';
 import { TrustedLibrary } from './adapters/processing/trusted-library.ts';
-import { createMaster, DEFAULT_LIMITS } from './index.ts';
-import type { LogTail, TerminalJoin } from './index.ts';
+import { createMaster, DEFAULT_LIMITS, fitConnections } from './index.ts';
+import type { LogTail, TerminalAccess } from './index.ts';
 import { SystemClock } from './adapters/clock/system-clock.ts';
 import { describeConfig } from './adapters/config/describe-config.ts';
 import { prepareDataDir } from './adapters/config/prepare-data-dir.ts';
+import { BodyDecoder } from './adapters/http/bodies/body-decoder.ts';
 import { createHttpApp } from './adapters/http/http-app.ts';
 import { randomIds } from './adapters/ids/random-ids.ts';
 import { announce } from './adapters/discovery/announce.ts';
 import { isLoopbackHost } from './adapters/network/address-kinds.ts';
+import { descriptorLimit } from './adapters/network/descriptor-limit.ts';
+import { Doorkeeper } from './adapters/network/doorkeeper.ts';
 import { Listeners } from './adapters/network/listeners.ts';
 import type { ListeningPorts } from './adapters/network/listeners.ts';
 import { OwnAddresses } from './adapters/network/own-addresses.ts';
@@ -23,7 +30,7 @@ import { ALL_NETWORKS } from './adapters/network/open-port.ts';
 import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
-import { Re2Patterns } from './adapters/patterns/re2-patterns.ts';
+import { AuditFile } from './adapters/storage/audit-file.ts';
 import { openStorage } from './adapters/storage/open-storage.ts';
 import { HmacResumeTokens } from './adapters/tokens/hmac-resume-tokens.ts';
 import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
@@ -45,6 +52,8 @@ export interface MasterParts {
   readonly frontendFolder: string;
   /** The built worker of processing modules. */
   readonly workerFile: URL;
+  /** The built thread that decodes large requests; undefined: the main thread does it. */
+  readonly decodeWorkerFile: URL | undefined;
 }
 
 /** A master that listens. */
@@ -52,8 +61,10 @@ export interface RunningMaster {
   readonly ports: ListeningPorts;
   /** Asked anew each time: networks come and go. */
   reachability(): Reachability;
-  /** What others join with, until this run ends; undefined when only this machine reaches it [AC-19]. */
-  readonly join: TerminalJoin | undefined;
+  /** What the terminal shows; undefined when it could not be kept [AC-19] [AC-42]. */
+  readonly terminal: TerminalAccess | undefined;
+  /** What callers of this machine are, and whether the system tells them from others [AC-1] [AC-40]. */
+  readonly loopback: LoopbackFacts;
   /** Closes everything, within a second. */
   close(): Promise<void>;
 }
@@ -69,6 +80,7 @@ export async function startMaster({
   version,
   frontendFolder,
   workerFile,
+  decodeWorkerFile,
 }: MasterParts): Promise<RunningMaster> {
   prepareDataDir(config.dataDir);
   const key = readOrCreateTokenKey(config.dataDir);
@@ -80,18 +92,28 @@ export async function startMaster({
     host,
     allowedOrigins: config.allowedOrigins,
     isOwnAddress: (address) => ownAddresses.has(address),
-    ownNames: [hostname().toLowerCase(), hostname().split('.')[0]?.toLowerCase() ?? ''],
   });
-  const legacyNetworks = new LegacyNetworks(config.allowLegacy);
+  const legacyNetworks = new Networks(config.allowLegacy);
+  const proxies = new Networks(config.trustedProxy);
+  const owners = new PeerOwners();
+  const loopback: LoopbackFacts['role'] = config.trustLoopback ? 'admin' : config.loopback;
   const callers = new CallerReader({
     policy,
+    loopback,
     isOwnAddress: (address) => ownAddresses.has(address),
     isLegacyAddress: (address) => legacyNetworks.has(address),
+    isTrustedProxy: (address) => proxies.has(address),
+    owners,
   });
   const https = await openHttps(config, host, log);
-  const limits = { ...DEFAULT_LIMITS, ...config.limits };
-  const { sandboxes, libraries } = openSandboxes(workerFile, config.allowFetch);
+  const limits = fitConnections(limitsOfMachine(config.limits), descriptorLimit());
+  const { sandboxes, libraries } = openSandboxes(workerFile, config.allowFetch, limits);
   const storage = openStorage(config.dataDir);
+  const audit = new AuditFile({
+    folder: join(config.dataDir, 'audit'),
+    maxLines: limits.auditEntries ?? DEFAULT_LIMITS.auditEntries,
+    log,
+  });
   const library = await TrustedLibrary.open(moduleLibrary(), config.modules, log);
   const reachability = (): Reachability =>
     describeReachability(host, listeners.ports, listNetworkAddresses(), https !== undefined);
@@ -104,9 +126,13 @@ export async function startMaster({
       tokens,
       accessSecrets: new HmacAccessSecrets(key),
       grants: storage.grants,
+      audit,
       log,
       logTail: log,
-      patterns: new Re2Patterns(limits.patternInstructions),
+      patterns: new Re2Patterns({
+        length: limits.patternLength,
+        instructions: limits.patternInstructions,
+      }),
       usage: new ProcessUsage(),
       sandboxes,
       storage,
@@ -126,14 +152,18 @@ export async function startMaster({
       endpoints: () => reachability().endpoints,
     },
   );
+  const doorkeeper = new Doorkeeper({ master, isOwnAddress: (each) => ownAddresses.has(each) });
   const sockets = new TopicDataSockets({
     master,
     policy,
     callers,
     log,
+    clock,
+    doorkeeper,
     preflights: new PreflightSockets(clock),
     maxMessageBytes: limits.frameBytes,
   });
+  const decoder = new BodyDecoder({ workerFile: decodeWorkerFile, clock, log });
   const app = await createHttpApp({
     master,
     policy,
@@ -141,20 +171,44 @@ export async function startMaster({
     log,
     name: config.name,
     version,
-    maxRequestBytes: limits.frameBytes,
+    clock,
+    limits,
+    decoder,
+    doorkeeper,
     frontendFolder,
     authority: https?.authority,
   });
+  const loopbackFacts = { role: loopback, tellsOwners: owners.canTell };
+  if (loopback === 'admin' && !owners.canTell) {
+    log.warn(
+      'this system does not tell whose program calls: with --trust-loopback every user of this machine, and every proxy on it that says nothing of whom it serves, is an admin',
+    );
+  }
+  /** A master that cannot keep anything goes on as it is. */
+  const openTerminal = async (): Promise<TerminalAccess | undefined> => {
+    try {
+      const terminal = await master.openTerminal(!isLoopbackHost(host));
+      tokenFile = new AdminTokenFile(config.dataDir, terminal.admin.token);
+      return terminal;
+    } catch (error) {
+      log.warn('there is no token for the terminal of this run', { reason: String(error) });
+      return undefined;
+    }
+  };
   const listeners = new Listeners({
     host,
     log,
     onePort: https?.onePort,
+    doorkeeper,
+    timeouts: { headersMs: limits.headersTimeoutMs, stillMs: limits.slowSocketTimeoutMs },
     handleRequest: (request, response) => app.routing(request, response),
     handleUpgrade: (request, socket, head) => sockets.handleUpgrade(request, socket, head),
   });
 
+  let tokenFile: AdminTokenFile | undefined;
   let announced: AnnouncedMaster | undefined;
   const close = async (): Promise<void> => {
+    tokenFile?.close();
     const closed = listeners.close();
     const withdrawn = announced?.close();
     const ended = master.close();
@@ -166,7 +220,8 @@ export async function startMaster({
     }, CLOSE_GRACE_MS);
     await closed;
     clearTimeout(cut);
-    await Promise.all([app.close(), ended, storage.settled(), withdrawn]);
+    decoder.close();
+    await Promise.all([app.close(), ended, storage.settled(), audit.settled(), withdrawn]);
   };
 
   try {
@@ -187,8 +242,8 @@ export async function startMaster({
         log,
       });
     }
-    const join = isLoopbackHost(host) ? undefined : await master.openTerminal();
-    return { ports: listeners.ports, reachability, join, close };
+    const terminal = await openTerminal();
+    return { ports: listeners.ports, reachability, terminal, loopback: loopbackFacts, close };
   } catch (error) {
     await close();
     throw error;

@@ -1,6 +1,6 @@
 import { AccessRole, JoinProblem, SERVICES } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { LOCAL_CALLER } from '../src/index.ts';
+import { TRUSTED_CALLER } from '../src/index.ts';
 import { TestMaster } from '../src/testing/index.ts';
 import {
   codeOf,
@@ -53,7 +53,7 @@ describe('strangers', () => {
 
   it('with a token that is good for nothing are refused, also on this machine [AC-3]', async () => {
     const master = new TestMaster();
-    const caller = { ...LOCAL_CALLER, bearer: 'nonsense' };
+    const caller = { ...TRUSTED_CALLER, bearer: 'nonsense' };
     expect(await problemOf(master, caller)).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
     const { server } = await master.call({ topic: '/services/server_configuration' }, caller);
     expect(server).toBeDefined();
@@ -86,10 +86,10 @@ describe('strangers', () => {
 describe('guessing codes [AC-17]', () => {
   const wrong = (n: number) => `AAAA-${String(n).padStart(4, '0')}`;
 
-  it('is over after ten from one address, for a minute, and tokens go on', async () => {
+  it('is slowed down, and a right code from the same address is taken a moment later', async () => {
     const master = new TestMaster();
     const { token, code } = await createGrant(master, ACCESS_ROLE_PLAYER);
-    for (let i = 0; i < 10; i++) {
+    for (let i = 0; i < 20; i++) {
       expect(await problemOf(master, stranger(wrong(i)))).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
     }
     expect(await problemOf(master, stranger(code))).toBe(JoinProblem.JOIN_PROBLEM_GUESSING);
@@ -97,28 +97,30 @@ describe('guessing codes [AC-17]', () => {
     expect((await master.call(check, stranger())).joinCheck?.problem).toBe(
       JoinProblem.JOIN_PROBLEM_GUESSING,
     );
+    const { error } = await master.call(REGISTRATION, stranger(code));
+    expect(error).toMatchObject({ code: 'resource_exhausted' });
     expect(await problemOf(master, stranger(token))).toBe(JoinProblem.JOIN_PROBLEM_NONE);
     expect(await problemOf(master, stranger(code, '192.168.1.51'))).toBe(
       JoinProblem.JOIN_PROBLEM_NONE,
     );
-    master.clock.advance(60_000);
+    master.clock.advance(1_000);
     expect(await problemOf(master, stranger(code))).toBe(JoinProblem.JOIN_PROBLEM_NONE);
   });
 
-  it('is over after two hundred from all addresses', async () => {
+  it('from many addresses keeps nobody else out', async () => {
     const master = new TestMaster();
     const { code } = await createGrant(master, ACCESS_ROLE_PLAYER);
-    for (let i = 0; i < 200; i++) await problemOf(master, stranger(wrong(i), `10.0.0.${i}`));
-    expect(await problemOf(master, stranger(code, '10.0.1.1'))).toBe(
-      JoinProblem.JOIN_PROBLEM_GUESSING,
-    );
+    for (let i = 0; i < 600; i++) await problemOf(master, stranger(wrong(i), `10.0.0.${i % 20}`));
+    expect(await problemOf(master, stranger(code, '10.0.1.1'))).toBe(JoinProblem.JOIN_PROBLEM_NONE);
   });
 
   it('counts a call once', async () => {
     const master = new TestMaster({ limits: { wrongCodesPerAddress: 2 } });
     await createGrant(master, ACCESS_ROLE_PLAYER);
-    await master.call({ ...REGISTRATION }, stranger(wrong(1)));
-    expect(await problemOf(master, stranger(wrong(2)))).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
-    expect(await problemOf(master, stranger(wrong(3)))).toBe(JoinProblem.JOIN_PROBLEM_GUESSING);
+    for (let i = 0; i < 4; i++) {
+      const { error } = await master.call({ ...REGISTRATION }, stranger(wrong(i)));
+      expect(error?.join?.problem).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
+    }
+    expect(await problemOf(master, stranger(wrong(4)))).toBe(JoinProblem.JOIN_PROBLEM_GUESSING);
   });
 });

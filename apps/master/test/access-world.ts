@@ -5,12 +5,13 @@ import type { TestClient, TestMaster } from '../src/testing/index.ts';
 
 /** A caller of another machine. */
 export function stranger(bearer?: string, place = '192.168.1.50'): CallerFacts {
-  return { standing: 'other', place, bearer };
+  return { standing: 'other', isHere: false, place, bearer };
 }
 
 /** A caller of a network that is let in without a token. */
 export const NETWORK_CALLER: CallerFacts = {
   standing: 'network',
+  isHere: false,
   place: '10.0.0.7',
   bearer: undefined,
 };

@@ -34,7 +34,7 @@ export class ClientWorld implements MemoryMaster {
   /** While true nobody is there. */
   isDown = false;
   /** Where clients are, to the transport. */
-  standing: CallerStanding = 'local';
+  standing: CallerStanding = 'trusted';
   readonly #limits: Partial<Limits>;
   #test: TestMaster;
   #runs = 0;
@@ -122,7 +122,8 @@ export class ClientWorld implements MemoryMaster {
   }
 
   #callerWith(bearer: string | undefined): CallerFacts {
-    return { standing: this.standing, place: '192.168.1.50', bearer };
+    const isHere = this.standing === 'trusted' || this.standing === 'local';
+    return { standing: this.standing, isHere, place: '192.168.1.50', bearer };
   }
 
   openConnection(

@@ -5,7 +5,7 @@ import type { Subscription, UbiiClient } from '@ubii/client-web/node';
 import { describe, expect, it } from 'vitest';
 import { RecordingConnection } from '../src/testing/index.ts';
 import { ClientWorld } from './client-world.ts';
-import { LOCAL_CALLER } from '../src/index.ts';
+import { TRUSTED_CALLER } from '../src/index.ts';
 
 async function setup(...names: string[]) {
   const world = new ClientWorld();
@@ -197,7 +197,7 @@ describe('a client of ours whose link drops', () => {
     world.test.master.openConnection(
       { clientId: ada.client.id, token: world.test.tokens.issue(ada.client.id) },
       new RecordingConnection(),
-      LOCAL_CALLER,
+      TRUSTED_CALLER,
     );
     await world.pass(60_000);
     expect(ada.client.state).toMatchObject({ status: 'closed', error: { reason: 'superseded' } });

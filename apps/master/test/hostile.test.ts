@@ -1,7 +1,7 @@
+import { Re2Patterns } from '@ubii/patterns/re2';
 import { encode, encodeRecord } from '@ubii/proto';
 import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import { Re2Patterns } from '../src/adapters/patterns/re2-patterns.ts';
 import { DEFAULT_LIMITS } from '../src/index.ts';
 import { frameOf, TestMaster, type TestClient } from '../src/testing/index.ts';
 
@@ -12,7 +12,7 @@ describe('a hostile client', () => {
   let ben: TestClient;
 
   beforeEach(async () => {
-    master = new TestMaster({ patterns: new Re2Patterns(DEFAULT_LIMITS.patternInstructions) });
+    master = new TestMaster({ patterns: new Re2Patterns() });
     ada = await master.legacy('ada');
     ben = await master.extension('ben');
     mallory = await master.legacy('mallory');

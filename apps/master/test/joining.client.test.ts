@@ -65,7 +65,7 @@ describe('a client of ours that has to join', () => {
 
   it('joins when somebody gives it a code later, and again as something else [AC-11]', async () => {
     const { world, code } = await setup(ACCESS_ROLE_PLAYER);
-    world.standing = 'local';
+    world.standing = 'trusted';
     const participants = await createGrant(world.test, ACCESS_ROLE_PARTICIPANT);
     world.standing = 'other';
     const { client, states } = await world
@@ -144,6 +144,23 @@ describe('a client of ours that has to join', () => {
     });
     const again = world.connect('ada', { identity: browser.tab() });
     await expect(again).rejects.toMatchObject({ reason: 'join', joinProblem: 'revoked' });
+    expect(browser.credential).toBeUndefined();
+  });
+
+  it('is told when its time is over, and forgets what it joined with [AC-91] [EX-5]', async () => {
+    const { world } = await setup();
+    world.standing = 'trusted';
+    const { token } = await createGrant(world.test, ACCESS_ROLE_PLAYER, { lifetimeMs: 60_000 });
+    world.standing = 'other';
+    const browser = new Browser();
+    const { client } = await world.connect('ada', { joinToken: token, identity: browser.tab() });
+    expect(browser.credential).toBeDefined();
+    await world.pass(50_000);
+    expect(client.state.status).toBe('connected');
+    await world.pass(15_000);
+    expect(client.state).toMatchObject(joinError('expired'));
+    const again = world.connect('ada', { identity: browser.tab() });
+    await expect(again).rejects.toMatchObject({ reason: 'join', joinProblem: 'expired' });
     expect(browser.credential).toBeUndefined();
   });
 

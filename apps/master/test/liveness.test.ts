@@ -150,7 +150,9 @@ describe('liveness', () => {
     const { master, clock, ada, state } = await createAda({ clients: 3 });
     const ben = await master.legacy('ben');
     const cleo = await master.legacy('cleo');
-    await expect(master.register({ name: 'dora' })).rejects.toThrow('the limit clients');
+    await expect(master.register({ name: 'dora' })).rejects.toThrow(
+      'more than 3 clients (limit clients',
+    );
     ben.drop();
     clock.advance(500);
     cleo.drop();

@@ -1,7 +1,8 @@
+import { Re2Patterns } from '@ubii/patterns/re2';
 import { DecodeError, LEGACY_CONSTANTS, ServiceError, SERVICES, toJson } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { LOCAL_CALLER, DEFAULT_LIMITS } from '../src/index.ts';
-import { NativePatterns, TestMaster } from '../src/testing/index.ts';
+import { TRUSTED_CALLER, DEFAULT_LIMITS } from '../src/index.ts';
+import { TestMaster } from '../src/testing/index.ts';
 
 describe('services', () => {
   it('that take too long are answered with deadline_exceeded [SV-2]', async () => {
@@ -10,7 +11,7 @@ describe('services', () => {
       patterns: {
         compile(source) {
           master.clock.spend(10);
-          return new NativePatterns().compile(source);
+          return new Re2Patterns().compile(source);
         },
       },
     });
@@ -29,7 +30,7 @@ describe('services', () => {
           maxRateHz: 0,
         },
       },
-      LOCAL_CALLER,
+      TRUSTED_CALLER,
     );
     master.clock.spend(DEFAULT_LIMITS.serviceTimeoutMs);
     master.clock.advance(0);
@@ -51,7 +52,7 @@ describe('services', () => {
       patterns: {
         compile(source) {
           master.clock.spend(10);
-          return new NativePatterns().compile(source);
+          return new Re2Patterns().compile(source);
         },
       },
     });

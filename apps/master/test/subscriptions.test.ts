@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { Re2Patterns } from '../src/adapters/patterns/re2-patterns.ts';
+import { Re2Patterns } from '@ubii/patterns/re2';
 import { FakeClock, TestMaster, type TestMasterOptions } from '../src/testing/index.ts';
-import { LOCAL_CALLER } from '../src/index.ts';
+import { TRUSTED_CALLER } from '../src/index.ts';
 
 async function createPair(options: TestMasterOptions = {}) {
   const master = new TestMaster(options);
@@ -34,7 +34,7 @@ describe('subscriptions', () => {
   it.each(['(', '(?=a)', '(a)\\1', '(?<!x)y', 'a**'])(
     'by the regular expression %s are refused, with the reason [TD-21]',
     async (source) => {
-      const { ben, ada } = await createPair({ patterns: new Re2Patterns(1000) });
+      const { ben, ada } = await createPair({ patterns: new Re2Patterns() });
       await expect(ben.subscribe({ subscribeTopicRegexp: [source] })).rejects.toThrow(
         /^invalid_argument: ".*" is no regular expression with RE2 syntax: .+/,
       );
@@ -101,7 +101,7 @@ describe('subscriptions', () => {
     for (const client of [ben, cleo]) {
       const { reply, afterReply } = await master.master.handleServiceRequest(
         requestOf(client.id, { subscribeTopics: ['/a'] }),
-        LOCAL_CALLER,
+        TRUSTED_CALLER,
       );
       master.clock.advance(100);
       expect(reply.success).toBeDefined();
@@ -126,7 +126,7 @@ describe('subscriptions', () => {
     ada.publish('/a', 'double', 1);
     const { afterReply } = await master.master.handleServiceRequest(
       requestOf(ben.id, { subscribeTopics: ['/a'] }),
-      LOCAL_CALLER,
+      TRUSTED_CALLER,
     );
     ada.publish('/a', 'double', 2);
     afterReply();

@@ -1,14 +1,17 @@
 import type { Access } from './access/access.ts';
+import type { AuditLog } from './audit/audit-log.ts';
 import type { OverloadChecks } from './checks/overload-checks.ts';
 import type { ClientMeter } from './clients/client-meter.ts';
 import type { ClientRegistry } from './clients/client-registry.ts';
-import type { RegistrationBudget } from './clients/registration-budget.ts';
 import type { SocketAdmission } from './clients/socket-admission.ts';
+import type { Connections } from './connections/connections.ts';
 import type { DeviceRegistry } from './devices/device-registry.ts';
 import type { InfoTopics } from './info/info-topics.ts';
 import type { Limits } from './limits.ts';
 import type { Processing } from './sessions/create-processing.ts';
+import type { BodyAccounts } from './services/body-accounts.ts';
 import type { MasterPorts, MasterSettings } from './settings.ts';
+import type { Accounts } from './shares/accounts.ts';
 import type { Counters } from './status/counters.ts';
 import type { EventLog } from './status/event-log.ts';
 import type { LimitWatch } from './status/limit-watch.ts';
@@ -20,12 +23,16 @@ import type { SubscriptionTable } from './topics/subscription-table.ts';
 import type { TopicTable } from './topics/topic-table.ts';
 
 /** The parts of a master, as services and status work on them. */
-export interface Core extends MasterPorts {
+export interface Core extends Omit<MasterPorts, 'audit'> {
   readonly id: string;
   readonly startedMs: number;
   readonly settings: MasterSettings;
   readonly limits: Limits;
   readonly access: Access;
+  /** Connections to all ports. */
+  readonly connections: Connections;
+  /** Service requests in flight. */
+  readonly bodies: BodyAccounts;
   readonly topics: TopicTable;
   readonly patternTable: PatternTable;
   readonly selectionTable: SelectionTable;
@@ -33,12 +40,14 @@ export interface Core extends MasterPorts {
   readonly clients: ClientRegistry;
   readonly sockets: SocketAdmission;
   readonly devices: DeviceRegistry;
-  readonly budget: RegistrationBudget;
+  readonly accounts: Accounts;
   readonly info: InfoTopics;
   readonly processing: Processing;
   readonly counters: Counters;
   readonly limitWatch: LimitWatch;
   readonly events: EventLog;
+  /** What admins and participants did [EX-90]. */
+  readonly audit: AuditLog;
   readonly samples: Samples;
   readonly load: Load;
   readonly checks: OverloadChecks;

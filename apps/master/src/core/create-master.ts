@@ -1,10 +1,12 @@
 import { StatusEventKind, type ServiceRequest } from '@ubii/proto';
 import { TextCache } from '@ubii/proto/wire';
 import { Access } from './access/access.ts';
+import { watchGrants } from './access/grant-work.ts';
 import { Grants } from './access/grants.ts';
 import { GuessLimit } from './access/guess-limit.ts';
 import { openTerminal } from './access/open-terminal.ts';
 import { topicRightsOf } from './access/topic-rights.ts';
+import { AuditLog } from './audit/audit-log.ts';
 import { DEFAULT_CHECKS } from './checks/check-settings.ts';
 import { OverloadChecks } from './checks/overload-checks.ts';
 import { ClientRegistry } from './clients/client-registry.ts';
@@ -12,8 +14,8 @@ import { CLOSE } from './clients/close-codes.ts';
 import { ClientMeter } from './clients/client-meter.ts';
 import { Dismissals } from './clients/dismissals.ts';
 import { Liveness } from './clients/liveness.ts';
-import { RegistrationBudget } from './clients/registration-budget.ts';
 import { SocketAdmission } from './clients/socket-admission.ts';
+import { Connections } from './connections/connections.ts';
 import type { Core } from './core.ts';
 import { DeviceRegistry } from './devices/device-registry.ts';
 import { InfoTopics } from './info/info-topics.ts';
@@ -25,12 +27,14 @@ import type {
   Master,
   MasterMetrics,
   ServiceAnswer,
-  TerminalJoin,
+  TerminalAccess,
 } from './master.ts';
 import type { Role } from './access/roles.ts';
 import type { CallerFacts } from './ports/caller-facts.ts';
 import type { ClientConnection } from './ports/client-connection.ts';
 import type { ConnectionHandle } from './ports/connection-handle.ts';
+import { BodyAccounts } from './services/body-accounts.ts';
+import { IncomingRequest } from './services/incoming-request.ts';
 import { answerRequest, refuse } from './services/router.ts';
 import type { MasterPorts, MasterSettings } from './settings.ts';
 import { Counters } from './status/counters.ts';
@@ -38,6 +42,7 @@ import { EventLog } from './status/event-log.ts';
 import { LimitWatch } from './status/limit-watch.ts';
 import { tellOfGone } from './processing/local-topics.ts';
 import { createProcessing, type Processing } from './sessions/create-processing.ts';
+import { Accounts } from './shares/accounts.ts';
 import { readMetrics } from './status/metrics.ts';
 import { Load } from './status/load.ts';
 import { Samples } from './status/samples.ts';
@@ -52,11 +57,22 @@ import { TopicTable } from './topics/topic-table.ts';
 export function createMaster(ports: MasterPorts, settings: MasterSettings): Master {
   const core = createCore(ports, { ...DEFAULT_LIMITS, ...settings.limits }, settings);
   const liveness = new Liveness(core.clock, core.clients, core.limits);
-  core.processing.sessions.restore(); // [SE-24]
+  core.processing.sessions.restore((grantId) => core.access.grants.isGood(grantId)); // [SE-24]
+  const stopWatchingGrants = watchGrants(core);
   return {
     id: core.id,
-    handleServiceRequest(request: ServiceRequest, caller: CallerFacts): Promise<ServiceAnswer> {
-      return answerRequest(core, request, caller);
+    admitConnection(peer, cut) {
+      return core.connections.admit(peer, cut);
+    },
+    openRequest(caller: CallerFacts, connection: object): IncomingRequest {
+      return new IncomingRequest(core, caller, connection);
+    },
+    handleServiceRequest(
+      request: ServiceRequest,
+      caller: CallerFacts,
+      incoming?: IncomingRequest,
+    ): Promise<ServiceAnswer> {
+      return answerRequest(core, request, caller, incoming?.caller);
     },
     refuseServiceRequest(cause: unknown): ServiceAnswer {
       return refuse(core, cause);
@@ -75,16 +91,23 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     roleOf(caller: CallerFacts): Role {
       return core.access.identify(caller).role;
     },
-    openTerminal(): Promise<TerminalJoin> {
-      return openTerminal(core);
+    recognizes(caller: CallerFacts): boolean {
+      const { kind } = core.access.identify(caller);
+      return kind === 'client' || kind === 'joining';
+    },
+    openTerminal(isReachable: boolean): Promise<TerminalAccess> {
+      return openTerminal(core, isReachable);
     },
     metrics(): MasterMetrics {
       return readMetrics(core);
     },
     async close(): Promise<void> {
       liveness.close();
+      stopWatchingGrants();
+      core.connections.close();
       core.samples.close();
       core.load.close();
+      core.info.close();
       for (const { socket } of core.clients.values()) {
         socket?.close(CLOSE.goingAway.code, CLOSE.goingAway.reason);
       }
@@ -99,8 +122,14 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
   const startedMs = clock.nowMs();
   const id = ports.ids.uuid();
   const counters = new Counters();
-  const events = new EventLog(clock, log);
+  const events = new EventLog(clock, log, limits);
   const limitWatch = new LimitWatch(limits, clock, log, events);
+
+  const accounts = new Accounts({
+    clock,
+    limits: limitWatch,
+    makeRoom: (shortage, hasRoom) => clients.makeRoom(shortage, hasRoom),
+  });
 
   const patterns = new PatternTable({
     clock,
@@ -118,6 +147,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     [patterns, selections],
     startedMs * 1000,
     limits.keptRemovals,
+    accounts.master,
     (entry) => tellOfGone(publishing, entry),
   );
   const subscriptions: SubscriptionTable = new SubscriptionTable({
@@ -125,15 +155,15 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     patterns,
     selections,
     limits: limitWatch,
+    accounts,
     components: () => devices.components(),
   });
-  const publishing = { topics, subscriptions, limits, counters };
+  const publishing = { topics, subscriptions, limits, accounts, counters };
   const endOfTurn = new EndOfTurn(clock);
   const publisher = new MasterPublisher(publishing, clock);
-  const info = new InfoTopics(publisher);
+  const info = new InfoTopics(publisher, clock, limits);
 
-  const budget = new RegistrationBudget(limitWatch);
-  const shared = { ...ports, limits: limitWatch, events, topics, subscriptions, info, budget };
+  const shared = { ...ports, limits: limitWatch, events, topics, subscriptions, info, accounts };
   const devices: DeviceRegistry = new DeviceRegistry(shared);
   const dismissals = new Dismissals();
   const access = new Access({
@@ -210,6 +240,8 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     settings,
     limits,
     access,
+    bodies: new BodyAccounts(limits, limitWatch),
+    connections: new Connections(clock, limitWatch),
     topics,
     patternTable: patterns,
     selectionTable: selections,
@@ -217,12 +249,13 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     clients,
     sockets,
     devices,
-    budget,
+    accounts,
     info,
     processing,
     counters,
     limitWatch,
     events,
+    audit: new AuditLog({ clock, limits, audit: ports.audit }),
     samples,
     load,
     checks,

@@ -1,3 +1,5 @@
+import { DEFAULT_PATTERN_LIMITS } from '@ubii/patterns';
+
 const KIB = 1024;
 const MIB = 1024 * KIB;
 
@@ -15,6 +17,7 @@ export interface LimitInfo {
 /** Headings of limits, in their order. */
 export type LimitGroup =
   | 'messages'
+  | 'texts'
   | 'storage'
   | 'subscriptions'
   | 'rates'
@@ -34,7 +37,49 @@ export const LIMITS = {
     32 * MIB,
     'bytes',
     'messages',
-    'One WebSocket message or one service request. A raw 4K image (3840 x 2160 RGBA) is 31.6 MiB.',
+    'One WebSocket message. A raw 4K image (3840 x 2160 RGBA) is 31.6 MiB.',
+  ),
+  strangerBodyBytes: limit(
+    16 * KIB,
+    'bytes',
+    'messages',
+    'Body of a service request from a caller that has not joined. Such callers check a token and ask for the configuration: some hundred bytes.',
+  ),
+  joiningBodyBytes: limit(
+    1 * MIB,
+    'bytes',
+    'messages',
+    'Body of a service request from a caller with a token or code that is not registered yet. A registration with devices and small modules fits.',
+  ),
+  serviceBodyBytes: limit(
+    256 * KIB,
+    'bytes',
+    'messages',
+    'Body of an ordinary service request. Sessions, modules and registrations may have half as much again as `sessionBytes` and `registrationBytesPerClient`, because JSON is longer than what is counted there.',
+  ),
+  subscriptionBodyBytes: limit(
+    4 * MIB,
+    'bytes',
+    'messages',
+    'Body of a request to subscribe or unsubscribe: `listElements` topics of 200 bytes.',
+  ),
+  serviceValues: limit(
+    8_192,
+    'values',
+    'messages',
+    'Values (texts, numbers, objects, lists) in an ordinary service request. Decoding costs by value.',
+  ),
+  largeServiceValues: limit(
+    65_536,
+    'values',
+    'messages',
+    'Values in a request with a session, modules, a registration or subscriptions. A session with 256 modules and 4096 mappings has some 30 000.',
+  ),
+  requestDepth: limit(
+    64,
+    'levels',
+    'messages',
+    'Objects and lists within each other in a JSON request. The deepest request of the protocol has 16.',
   ),
   // MAX_TOPIC_BYTES
   topicBytes: limit(
@@ -44,13 +89,13 @@ export const LIMITS = {
     'UTF-8 bytes of a topic. Real topics are ids and short names, some 100 bytes; 1024 leaves room and keeps a full topic table in memory.',
   ),
   patternLength: limit(
-    1024,
+    DEFAULT_PATTERN_LIMITS.length,
     'characters',
     'messages',
     'Characters of a regular expression. Compiling and the compiled program grow with it.',
   ),
   patternInstructions: limit(
-    1_024,
+    DEFAULT_PATTERN_LIMITS.instructions,
     'instructions',
     'messages',
     'Instructions of a compiled regular expression: what one character of a topic may cost at worst. A UUID takes some 60.',
@@ -69,6 +114,95 @@ export const LIMITS = {
     'Profiles in one request for a list. Each is compared with everything that is listed.',
   ),
 
+  // --- What one text of a client may be ---
+
+  idCharacters: limit(
+    256,
+    'characters',
+    'texts',
+    'Id of a client, device, component, session, module or grant. Ids of the master have 36; existing programs make their own.',
+  ),
+  identifierCharacters: limit(
+    256,
+    'characters',
+    'texts',
+    'Name that something is found by: a session, module, component, input, output, muxer, data format. Refused when longer.',
+  ),
+  nameCharacters: limit(
+    100,
+    'characters',
+    'texts',
+    'Name of a client or device, label of an invitation, author. It stands in events, in the log and on pages. Names of clients and devices are cut.',
+  ),
+  tagCharacters: limit(100, 'characters', 'texts', 'One tag.'),
+  textsPerList: limit(
+    256,
+    'texts',
+    'texts',
+    'Tags, authors or libraries of one thing. People give a handful.',
+  ),
+  descriptionCharacters: limit(
+    4_096,
+    'characters',
+    'texts',
+    'Description: two pages of text. Of clients, devices and components it is cut, of sessions and modules refused.',
+  ),
+  reasonCharacters: limit(
+    200,
+    'characters',
+    'texts',
+    'Reason for what was done to somebody, one sentence. Cut when longer.',
+  ),
+  pathCharacters: limit(301, 'characters', 'texts', 'Path of a page that opens after joining.'),
+  libraryCharacters: limit(
+    64,
+    'characters',
+    'texts',
+    'What a client says of its library, its address and the libraries of its node. Cut when longer.',
+  ),
+  userAgentCharacters: limit(
+    256,
+    'characters',
+    'texts',
+    'What a browser says of itself. Cut when longer.',
+  ),
+  secretCharacters: limit(
+    1_024,
+    'characters',
+    'texts',
+    'Token or code that somebody shows. Ours have some 100; what is longer is wrong.',
+  ),
+  jsonCharacters: limit(
+    65_536,
+    'characters',
+    'texts',
+    'Metadata of a client, or constant of a session, as JSON.',
+  ),
+  eventCharacters: limit(
+    500,
+    'characters',
+    'texts',
+    'Event or problem in the status of the master. 200 events are kept. Cut when longer.',
+  ),
+  logCharacters: limit(
+    1_000,
+    'characters',
+    'texts',
+    'Message, or one of at most 20 values, of a line of the log. Cut when longer.',
+  ),
+  stackCharacters: limit(
+    8_192,
+    'characters',
+    'texts',
+    'Where in the code an error of the master happened, in its log. Cut when longer.',
+  ),
+  logBytesPerSecond: limit(
+    32 * KIB,
+    'bytes/s',
+    'texts',
+    'Lines of the log in the long run. At the start and after a quiet time as much as half a minute of it at once. What is more is left out and counted.',
+  ),
+
   // --- What the master holds ---
 
   topics: limit(
@@ -81,13 +215,55 @@ export const LIMITS = {
     131_072,
     'topics',
     'storage',
-    'Topics that belong to one client. Leaves half of all topics to the others.',
+    'Topics of one client: those it publishes on, and those it subscribes to before anybody publishes. Leaves half of all topics to the others.',
+  ),
+  topicsPerParticipant: limit(
+    32_768,
+    'topics',
+    'storage',
+    'The same of a participant that was invited. Three programs with 10 000 topics in one.',
+  ),
+  topicsPerPlayer: limit(
+    256,
+    'topics',
+    'storage',
+    'The same of a player or viewer. A phone with all its sensors has some twenty.',
+  ),
+  topicsPerSession: limit(
+    16_384,
+    'topics',
+    'storage',
+    'Topics that the demuxers of one session make on the master. Eight sessions at the limit leave room for all clients.',
+  ),
+  topicsPerModule: limit(
+    4_096,
+    'topics',
+    'storage',
+    'Topics that the demuxers of one module make on the master: one for each element that a muxer takes in.',
   ),
   retainedBytes: limit(
     512 * MIB,
     'bytes',
     'storage',
     'Bytes of all retained records. Sixteen raw 4K images, and a machine with 2 GiB still has room.',
+  ),
+  retainedBytesPerClient: limit(
+    256 * MIB,
+    'bytes',
+    'storage',
+    'Bytes of the retained records on the topics of one client. Eight raw 4K images.',
+  ),
+  retainedBytesPerParticipant: limit(
+    128 * MIB,
+    'bytes',
+    'storage',
+    'The same of a participant that was invited. Four raw 4K images.',
+  ),
+  retainedBytesPerPlayer: limit(
+    32 * MIB,
+    'bytes',
+    'storage',
+    'The same of a player or viewer. The camera of a phone at full resolution, once.',
   ),
   clients: limit(
     10_000,
@@ -101,11 +277,41 @@ export const LIMITS = {
     'storage',
     'Open topic-data sockets, below the file descriptors a process usually may have (16 384 and more).',
   ),
+  connections: limit(
+    12_288,
+    'connections',
+    'storage',
+    'Open connections to all ports. An eighth is kept for this machine. Lowered at the start to half of what the process may have open.',
+  ),
+  connectionsOfStrangers: limit(
+    2_048,
+    'connections',
+    'storage',
+    'The same of callers of whom nothing is known yet: all phones of a large room that load their page at once. At most half of all.',
+  ),
+  connectionsPerAddress: limit(
+    512,
+    'connections',
+    'storage',
+    'Connections from one address of another machine that are no sockets. A class of 60 phones behind one router loads its pages at once.',
+  ),
+  connectionsPerNetwork: limit(
+    1_024,
+    'connections',
+    'storage',
+    'The same of one IPv6 network of 64 bits, all of whose addresses one person may have.',
+  ),
   grants: limit(
     256,
     'grants',
     'storage',
     'Leaves to join that are kept. One for each group of an event, and for each start of the master.',
+  ),
+  devices: limit(
+    20_000,
+    'devices',
+    'storage',
+    'Devices of all clients. Two for each of as many clients as there may be.',
   ),
   devicesPerClient: limit(
     1_024,
@@ -113,6 +319,7 @@ export const LIMITS = {
     'storage',
     'Devices of one client. A phone is one or two; a motion-capture rig is a few dozen.',
   ),
+  devicesPerPlayer: limit(16, 'devices', 'storage', 'The same of a player. A phone is one or two.'),
   componentsPerDevice: limit(
     1_024,
     'components',
@@ -125,6 +332,12 @@ export const LIMITS = {
     'storage',
     'Encoded bytes of what one client registered: itself, its modules with their code, its devices.',
   ),
+  registrationBytesPerPlayer: limit(
+    256 * KIB,
+    'bytes',
+    'storage',
+    'The same of a player or viewer. A phone with ten components registers some 3 KiB.',
+  ),
   registrationBytes: limit(
     256 * MIB,
     'bytes',
@@ -134,6 +347,12 @@ export const LIMITS = {
 
   // --- Subscriptions ---
 
+  subscriptions: limit(
+    1_048_576,
+    'subscriptions',
+    'subscriptions',
+    'Subscriptions by topic of all clients. A hundred clients with 10 000 each; one takes some 100 bytes.',
+  ),
   subscriptionsPerClient: limit(
     32_768,
     'subscriptions',
@@ -145,6 +364,18 @@ export const LIMITS = {
     'expressions',
     'subscriptions',
     'Regular expressions of one client. A new topic is tried against each.',
+  ),
+  patternsPerParticipant: limit(
+    256,
+    'expressions',
+    'subscriptions',
+    'The same of a participant that was invited. A program of ours has a handful.',
+  ),
+  patternsPerPlayer: limit(
+    32,
+    'expressions',
+    'subscriptions',
+    'The same of a player or viewer. Thirty phones of one invitation fit into its share of all.',
   ),
   patterns: limit(
     4_096,
@@ -171,6 +402,12 @@ export const LIMITS = {
     'profiles',
     'subscriptions',
     'Component profiles of one client. A registered component is tried against each.',
+  ),
+  profilesPerPlayer: limit(
+    16,
+    'profiles',
+    'subscriptions',
+    'The same of a player or viewer. Thirty phones of one invitation fit into its share of all.',
   ),
   profiles: limit(
     2_048,
@@ -208,18 +445,48 @@ export const LIMITS = {
     'Frames within `protocolErrorWindowMs` that cannot be decoded before the socket is closed. A client with a bug has a few; a stranger has only these.',
   ),
   protocolErrorWindowMs: limit(10_000, 'ms', 'rates', 'The window of `protocolErrors`.'),
+  announcementBytes: limit(
+    8 * KIB,
+    'bytes',
+    'rates',
+    'Registration that is announced as a whole whenever its client changes; of larger ones the name, the state and a number that says whether the rest has changed. A phone with twenty components registers some 6 KiB.',
+  ),
+  clientNewsBytesPerSecond: limit(
+    8 * KIB,
+    'bytes/s',
+    'rates',
+    'What is announced of one client in the long run, to each who listens; four times as much at once. What is more waits, and the last state is told.',
+  ),
+  sessionNewsBytesPerSecond: limit(
+    1 * MIB,
+    'bytes/s',
+    'rates',
+    'The same of changes of one session. A session of 50 KiB may change twenty times a second.',
+  ),
+  sessionStartBytesPerSecond: limit(
+    1 * MIB,
+    'bytes/s',
+    'rates',
+    'Sessions that callers of one invitation start in the long run; 32 times as much at once. Everybody who listens is sent a session when it starts, when it runs and when it stops.',
+  ),
 
   wrongCodesPerAddress: limit(
     10,
-    'codes/min',
+    'codes/s',
     'rates',
-    'Wrong join codes from one address in a minute before codes from there are not looked at. People mistype twice.',
+    'Wrong join codes from one address. Somebody who shares it with an attacker gets in with a try or a few; one address guesses a code of 12 hours with a chance of 4 in 10 million.',
+  ),
+  wrongCodesPerNetwork: limit(
+    20,
+    'codes/s',
+    'rates',
+    'The same of one IPv6 network of 64 bits: one address in it leaves half to the others.',
   ),
   wrongCodes: limit(
     200,
-    'codes/min',
+    'codes/s',
     'rates',
-    'The same of all addresses together. A code stands for 12 hours at most: 144 000 tries at 10^12 codes.',
+    'The same of all addresses together. A code stands for 12 hours at most: 9 million tries at 10^12 codes.',
   ),
 
   // --- What waits for one client ---
@@ -243,6 +510,12 @@ export const LIMITS = {
     'queues',
     "Bytes that wait in a client's queue. Two raw 4K images.",
   ),
+  queuesBytes: limit(
+    512 * MIB,
+    'bytes',
+    'queues',
+    'The same of all queues together. A client that would add to more drops its own oldest records.',
+  ),
   // MAX_QUEUED_EVENTS
   queuedEventsPerTopic: limit(
     1_024,
@@ -256,6 +529,57 @@ export const LIMITS = {
     'ms',
     'queues',
     'A socket that takes nothing for this long is closed. A raw 4K image in one piece passes at 10 Mbit/s.',
+  ),
+
+  // --- Bodies of service requests that are being received or decoded ---
+
+  bodyBytes: limit(
+    128 * MIB,
+    'bytes',
+    'queues',
+    'Bytes of all service requests in flight. This machine may have three quarters of it, and so may all others.',
+  ),
+  bodyBytesOfStrangers: limit(
+    4 * MIB,
+    'bytes',
+    'queues',
+    'The same of all callers that have not joined: 256 of the largest requests.',
+  ),
+  bodyBytesOfJoining: limit(
+    16 * MIB,
+    'bytes',
+    'queues',
+    'The same of all callers with a token or code that are not registered yet.',
+  ),
+  bodyBytesPerAddress: limit(
+    2 * MIB,
+    'bytes',
+    'queues',
+    'The same of those two kinds of callers, from one address. A class of 60 phones behind one router registers at once.',
+  ),
+  bodyBytesPerClient: limit(
+    24 * MIB,
+    'bytes',
+    'queues',
+    'The same of one client, or of one address that is let in without a token. Two of the largest sessions.',
+  ),
+  bodyBytesPerConnection: limit(
+    16 * MIB,
+    'bytes',
+    'queues',
+    'The same of one connection. Existing clients send one request after another.',
+  ),
+  bodyGraceMs: limit(
+    10_000,
+    'ms',
+    'time',
+    'Time after which a body has to have come at `bodyBytesPerSecond`. A small one has to be there by then.',
+  ),
+  bodyBytesPerSecond: limit(
+    32 * KIB,
+    'bytes/s',
+    'rates',
+    'Slowest body of a service request. A mobile network with one bar has several times as much.',
   ),
 
   // --- Sessions ---
@@ -304,6 +628,18 @@ export const LIMITS = {
     'sessions',
     'Encoded bytes of all stored sessions, and of all stored modules.',
   ),
+  moduleBytes: limit(
+    2_048 * MIB,
+    'bytes',
+    'sessions',
+    "Memory of all sandboxed modules on the master. Unless set, the program takes a quarter of the machine's, or of its container's, at least 256 MiB. A module that keeps nothing takes less than one.",
+  ),
+  moduleBytesPerSession: limit(
+    1_024 * MIB,
+    'bytes',
+    'sessions',
+    'Memory of the sandboxed modules of one session on the master. Unless set, 1 GiB or half of `moduleBytes`, whichever is less, so that others have room.',
+  ),
   sourceCheckTimeoutMs: limit(
     3_000,
     'ms',
@@ -336,6 +672,12 @@ export const LIMITS = {
     'time',
     'The answer to a service request. Shorter than the 10 s after which clients of ours give up.',
   ),
+  headersTimeoutMs: limit(
+    10_000,
+    'ms',
+    'time',
+    'The first request of a connection, its TLS handshake included, and the headers of each further one. A phone at the edge of its Wi-Fi takes some seconds.',
+  ),
   // REPLAY_DELAY_MS
   replayDelayMs: limit(
     25,
@@ -349,6 +691,21 @@ export const LIMITS = {
     'ms',
     'time',
     'How long an unavailable client is remembered. A phone may sleep through a break and come back as itself.',
+  ),
+
+  // --- Audit log ---
+
+  auditEntries: limit(
+    10_000,
+    'entries',
+    'storage',
+    'Entries of the audit log that can be read. An entry takes some 300 bytes, 2 KiB at most; on disk there are at most twice as many.',
+  ),
+  auditEntriesPerSecond: limit(
+    2,
+    'entries/s',
+    'rates',
+    'Entries of one caller in the long run, and a minute of them at once. What is more is counted, and the next entry says how many.',
   ),
 
   // --- Statistics ---

@@ -5,12 +5,16 @@ import type { AddressKind } from './ports/address-kind.ts';
 import type { CallerFacts } from './ports/caller-facts.ts';
 import type { ClientConnection } from './ports/client-connection.ts';
 import type { ConnectionHandle } from './ports/connection-handle.ts';
+import type { OpenConnection, TransportPeer } from './connections/open-connection.ts';
+import type { IncomingRequest } from './services/incoming-request.ts';
 
 /** The reply to one service request. */
 export interface ServiceAnswer {
   readonly reply: Init<ServiceReply>;
   /** To be called once, when the reply was handed to the transport: what must not overtake the reply follows (TD-24). Never throws. */
   afterReply(): void;
+  /** Seconds after which a request that was refused for want of room may be sent again. */
+  readonly retryAfterS?: number;
 }
 
 /** What a terminal shows, so that somebody can join. */
@@ -19,6 +23,14 @@ export interface TerminalJoin {
   readonly code: string;
   /** Epoch milliseconds. */
   readonly expiresMs: number;
+}
+
+/** What the terminal of a run shows. */
+export interface TerminalAccess {
+  /** For the operator, on this machine [AC-42]. */
+  readonly admin: TerminalJoin;
+  /** For everybody else; undefined when nobody else can reach the master [AC-19]. */
+  readonly join: TerminalJoin | undefined;
 }
 
 /** What a client put into the URL of its socket. */
@@ -54,8 +66,29 @@ export type MasterMetrics = readonly MetricFamily[];
 export interface Master {
   /** Id of this run, a UUID: what `server_configuration` and `master_status` show. */
   readonly id: string;
-  /** Answers one decoded request; errors are in the reply. Settles within `limits.serviceTimeoutMs`. */
-  handleServiceRequest(request: ServiceRequest, caller: CallerFacts): Promise<ServiceAnswer>;
+  /**
+   * Takes a connection that was just made to one of the ports. [AC-60]
+   *
+   * @param cut closes it at once; called when there is no room for it any more, or when it says nothing
+   * @returns undefined when there is no room: it is to be cut
+   */
+  admitConnection(peer: TransportPeer, cut: () => void): OpenConnection | undefined;
+  /**
+   * Begins a request whose headers have come, before its body is read: says what the body may be. [SV-40]
+   *
+   * @param connection the same object for all requests of a connection
+   */
+  openRequest(caller: CallerFacts, connection: object): IncomingRequest;
+  /**
+   * Answers one decoded request; errors are in the reply. Settles within `limits.serviceTimeoutMs`.
+   *
+   * @param incoming what `openRequest` returned for it, so that a wrong code counts once
+   */
+  handleServiceRequest(
+    request: ServiceRequest,
+    caller: CallerFacts,
+    incoming?: IncomingRequest,
+  ): Promise<ServiceAnswer>;
   /** The reply to a request the edge refused itself: undecodable (pass the `DecodeError`), or with a `ServiceError` of its choice. Counts it (SV-7). */
   refuseServiceRequest(cause: unknown): ServiceAnswer;
   /** Why whoever asks for a pipe is not to be given one, before it is open; undefined: it is. [AC-27] */
@@ -70,8 +103,16 @@ export interface Master {
   readonly metrics: () => MasterMetrics;
   /** What this caller may do: for what the edge shows by itself. */
   roleOf(caller: CallerFacts): Role;
-  /** Makes the leave to join for the terminal of this run, in place of that of the run before [AC-19]. */
-  openTerminal(): Promise<TerminalJoin>;
+  /** Whether this caller shows a token, code or credential that is good for something. */
+  recognizes(caller: CallerFacts): boolean;
+  /**
+   * Makes what the terminal of this run shows, in place of what that of the run before showed [AC-19]
+   * [AC-42].
+   *
+   * @param isReachable whether others than this machine can reach the master
+   * @throws Error when it cannot be kept
+   */
+  openTerminal(isReachable: boolean): Promise<TerminalAccess>;
   /** Ends every timer, closes every connection with code 1001, and ends modules and workers. */
   close(): Promise<void>;
 }

@@ -1,11 +1,12 @@
+import type { PatternCompiler } from '@ubii/patterns';
 import type { SandboxFactory } from '@ubii/pm-sandbox';
 import type { Init, MasterAddress, ProcessingModule, SettingList } from '@ubii/proto';
+import type { AuditStore } from './ports/audit-store.ts';
 import type { Clock } from './ports/clock.ts';
 import type { AccessSecrets } from './ports/access-secrets.ts';
 import type { DocumentStore, SessionStorage } from './ports/document-store.ts';
 import type { IdSource } from './ports/id-source.ts';
 import type { Log } from './ports/log.ts';
-import type { PatternCompiler } from './ports/pattern-compiler.ts';
 import type { ResourceUsage } from './ports/resource-usage.ts';
 import type { ResumeTokens } from './ports/resume-tokens.ts';
 import type { CheckSettings } from './checks/check-settings.ts';
@@ -20,6 +21,8 @@ export interface MasterPorts {
   readonly accessSecrets: AccessSecrets;
   /** Leave to join that was given, for nobody but the master to read [AC-19]. */
   readonly grants: DocumentStore;
+  /** Where the audit log is kept [EX-92]. */
+  readonly audit: AuditStore;
   readonly log: Log;
   /** Keeps the last lines of `log`, and of what else the process logs [EX-37]. */
   readonly logTail: LogTail;

@@ -1,18 +1,18 @@
 import {
+  auditStoreSuite,
   clientConnectionSuite,
   clockSuite,
   documentStoreSuite,
   idSourceSuite,
   logSuite,
-  patternCompilerSuite,
   resourceUsageSuite,
   resumeTokensSuite,
 } from './acceptance/index.ts';
 import {
   FakeClock,
   FixedUsage,
+  MemoryAudit,
   MemoryDocuments,
-  NativePatterns,
   PlainTokens,
   RecordingConnection,
   RecordingLog,
@@ -24,11 +24,12 @@ clockSuite('FakeClock', () => {
   return { clock, passTime: () => clock.advance(100) };
 });
 
+const memoryAudit = new MemoryAudit();
+auditStoreSuite('MemoryAudit', () => memoryAudit);
+
 idSourceSuite('SequentialIds', () => new SequentialIds());
 
 resumeTokensSuite('PlainTokens', () => new PlainTokens());
-
-patternCompilerSuite('NativePatterns', () => new NativePatterns());
 
 resourceUsageSuite('FixedUsage', () => new FixedUsage());
 

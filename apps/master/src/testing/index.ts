@@ -1,11 +1,12 @@
+export { MemoryAudit } from './memory-audit.ts';
 export { MemoryDocuments, MemoryStorage } from './memory-documents.ts';
 export { FakeClock } from './fake-clock.ts';
 export { FixedUsage } from './fixed-usage.ts';
-export { NativePatterns } from './native-patterns.ts';
 export { PlainSecrets } from './plain-secrets.ts';
 export { PlainTokens } from './plain-tokens.ts';
 export { RecordingConnection, type Sent } from './recording-connection.ts';
 export { RecordingLog, type LogLine } from './recording-log.ts';
 export { SequentialIds } from './sequential-ids.ts';
+export { testAccount } from './test-account.ts';
 export { emptyRecord, frameOf, TestClient } from './test-client.ts';
 export { TestMaster, type TestMasterOptions } from './test-master.ts';

@@ -15,7 +15,7 @@ import {
   type TopicSubscription,
 } from '@ubii/proto';
 import { DEFAULT_LIMITS } from '../core/limits.ts';
-import { LOCAL_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
+import { TRUSTED_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
 import type { ConnectionHandle } from '../core/ports/connection-handle.ts';
 import type { ConnectionPeer } from '../core/master.ts';
 import { RecordingConnection, type Sent } from './recording-connection.ts';
@@ -36,7 +36,7 @@ export class TestClient {
     testMaster: TestMaster,
     name: string,
     registered: Client,
-    caller: CallerFacts = LOCAL_CALLER,
+    caller: CallerFacts = TRUSTED_CALLER,
   ) {
     this.#testMaster = testMaster;
     this.#caller = caller;

@@ -1,3 +1,5 @@
+import { Re2Patterns } from '@ubii/patterns/re2';
+import type { PatternCompiler } from '@ubii/patterns';
 import {
   decode,
   encode,
@@ -11,16 +13,15 @@ import {
 import { createMaster } from '../core/create-master.ts';
 import type { Limits } from '../core/limits.ts';
 import type { Master } from '../core/master.ts';
-import { LOCAL_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
+import { TRUSTED_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
 import { LogTail } from '../core/status/log-tail.ts';
-import type { PatternCompiler } from '../core/ports/pattern-compiler.ts';
 import type { MasterEndpoints, MasterSettings } from '../core/settings.ts';
 import { FakeClock } from './fake-clock.ts';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { FixedUsage } from './fixed-usage.ts';
+import { MemoryAudit } from './memory-audit.ts';
 import { MemoryDocuments, MemoryStorage } from './memory-documents.ts';
-import { NativePatterns } from './native-patterns.ts';
 import { PlainSecrets } from './plain-secrets.ts';
 import { PlainTokens } from './plain-tokens.ts';
 import { RecordingLog } from './recording-log.ts';
@@ -43,6 +44,8 @@ export interface TestMasterOptions {
   readonly idsGiven?: number;
   /** Leave to join that was there before: for a second run of the master. */
   readonly grants?: MemoryDocuments;
+  /** The audit log that was there before: for a second run of the master. */
+  readonly audit?: MemoryAudit;
   /** Trusted modules. Default: none. */
   readonly library?: readonly ProcessingModule[];
 }
@@ -55,6 +58,7 @@ export class TestMaster {
   readonly usage = new FixedUsage();
   readonly storage: MemoryStorage;
   readonly grants: MemoryDocuments;
+  readonly audit: MemoryAudit;
   readonly logTail: LogTail;
   readonly master: Master;
 
@@ -64,6 +68,7 @@ export class TestMaster {
     this.logTail = new LogTail(this.log, () => this.clock.nowMs(), false);
     this.storage = options.storage ?? new MemoryStorage();
     this.grants = options.grants ?? new MemoryDocuments();
+    this.audit = options.audit ?? new MemoryAudit();
     this.master = createMaster(
       {
         clock: this.clock,
@@ -71,9 +76,10 @@ export class TestMaster {
         tokens: this.tokens,
         accessSecrets: new PlainSecrets(),
         grants: this.grants,
+        audit: this.audit,
         log: this.logTail,
         logTail: this.logTail,
-        patterns: patterns ?? new NativePatterns(),
+        patterns: patterns ?? new Re2Patterns(),
         usage: this.usage,
         sandboxes: sandboxes ?? createInlineSandboxes(),
         storage: this.storage,
@@ -98,7 +104,7 @@ export class TestMaster {
   /** Asks a service; the reply leaves, and the turn ends. Both go through their encoded form. */
   async call(
     init: Init<ServiceRequest>,
-    caller: CallerFacts = LOCAL_CALLER,
+    caller: CallerFacts = TRUSTED_CALLER,
   ): Promise<ServiceReply> {
     const bytes = encode('ubii.services.ServiceRequest', init);
     return this.request(decode('ubii.services.ServiceRequest', bytes), caller);
@@ -112,7 +118,7 @@ export class TestMaster {
   /** Asks a service with a decoded request. */
   async request(
     request: ServiceRequest,
-    caller: CallerFacts = LOCAL_CALLER,
+    caller: CallerFacts = TRUSTED_CALLER,
   ): Promise<ServiceReply> {
     let isAnswered = false;
     const promise = this.master.handleServiceRequest(request, caller).then((answer) => {
@@ -157,7 +163,7 @@ export class TestMaster {
   }
 
   /** A registered client without a socket. @throws Error with the master's message when it refuses. */
-  async register(client: Init<Client>, caller = LOCAL_CALLER): Promise<TestClient> {
+  async register(client: Init<Client>, caller = TRUSTED_CALLER): Promise<TestClient> {
     const reply = await this.call({ topic: '/services/client/registration', client }, caller);
     if (reply.client === undefined) throw new Error(reply.error?.message ?? 'no client');
     return new TestClient(this, client.name ?? '', reply.client, caller);

@@ -1,4 +1,5 @@
-import { statSync, readdirSync, readFileSync } from 'node:fs';
+import { existsSync, statSync, readdirSync, readFileSync } from 'node:fs';
+import { execFile } from 'node:child_process';
 import { connect } from 'node:net';
 import { hostname } from 'node:os';
 import { join } from 'node:path';
@@ -45,7 +46,11 @@ async function call(
     body: JSON.stringify({ topic, ...payload }),
   });
   const { status, body } = response;
-  return { status, reply: (status === 200 ? JSON.parse(String(body)) : {}) as Reply };
+  return {
+    status,
+    headers: response.headers,
+    reply: (status === 200 ? JSON.parse(String(body)) : {}) as Reply,
+  };
 }
 
 const LIST = '/services/client/get_list';
@@ -90,6 +95,12 @@ function register(port: number, bearer: string, client: object = {}) {
   );
 }
 
+/** What people call this machine, as its mDNS name does. */
+function ownNames(): string[] {
+  const name = hostname().toLowerCase();
+  return [name, `${name.split('.')[0]}.local`];
+}
+
 /** How an upgrade ends: `open`, a close code, or the status it was refused with. */
 function upgrade(
   port: number,
@@ -110,21 +121,36 @@ function upgrade(
   });
 }
 
+/** Callers of this machine as a master takes them that was told nothing. */
+const DEFAULT = ['--trust-loopback', 'off'];
+
+const GUESSING = 'JOIN_PROBLEM_GUESSING';
+
 describe('who is of this machine [AC-1] [AC-2]', () => {
-  it('goes by headers of proxies, the host and the origin', async () => {
+  it.each([
+    ['admin', ['--trust-loopback']],
+    ['participant', DEFAULT],
+    ['unauthenticated', [...DEFAULT, '--loopback', 'none']],
+  ])('goes by headers of proxies, the host and the origin: %s [AC-40]', async (local, flags) => {
     const { port } = await startEdgeMaster({
-      flags: ['--allowed-origins', 'https://lab.example,*'],
+      flags: ['--allowed-origins', 'https://lab.example,*', ...flags],
     });
+    const named = local === 'admin' ? 'participant' : local;
     const host = `localhost:${port}`;
     const cases: [Headers, string][] = [
-      [{}, 'admin'],
-      [{ host, origin: `http://${host}` }, 'admin'],
-      [{ host, origin: 'http://localhost:3000' }, 'admin'],
-      [{ host, origin: 'http://127.0.0.1:3000' }, 'admin'],
-      [{ host: `${hostname().split('.')[0]!.toLowerCase()}.local` }, 'admin'],
-      [{ host, origin: 'https://lab.example' }, 'admin'],
-      [{ host, 'sec-fetch-site': 'same-origin' }, 'admin'],
-      [{ host, 'sec-fetch-site': 'none' }, 'admin'],
+      [{}, local],
+      [{ host, origin: `http://${host}` }, local],
+      [{ host, origin: 'http://localhost:3000' }, local],
+      [{ host, origin: 'http://127.0.0.1:3000' }, local],
+      [{ host, 'sec-fetch-site': 'same-origin' }, local],
+      [{ host, 'sec-fetch-site': 'none' }, local],
+      // A page that the operator named calls, and is no admin for its name.
+      [{ host, origin: 'https://lab.example' }, named],
+      // Names of this machine are names: a page that is re-bound to one has it as well. [AC-45]
+      ...ownNames().flatMap((name): [Headers, string][] => [
+        [{ host: name }, 'unauthenticated'],
+        [{ host: name, origin: `http://${name}` }, 'unauthenticated'],
+      ]),
       [{ host, 'sec-fetch-site': 'cross-site' }, 'unauthenticated'],
       [{ host, 'sec-fetch-site': 'same-site' }, 'unauthenticated'],
       // Pages of others, which `*` lets call.
@@ -146,6 +172,8 @@ describe('who is of this machine [AC-1] [AC-2]', () => {
         'X-Real-IP',
         'Via',
         'CF-Connecting-IP',
+        // One that nobody has heard of yet.
+        'X-New-Proxy-Forwarded-By',
       ].map((name): [Headers, string] => [{ [name]: '127.0.0.1' }, 'unauthenticated']),
     ];
     for (const [headers, role] of cases)
@@ -225,6 +253,175 @@ describe('who is of this machine [AC-1] [AC-2]', () => {
   });
 });
 
+/** Runs as another user: no test without the right to become one. */
+describe.skipIf(process.platform !== 'linux' || process.getuid?.() !== 0)(
+  'another user of this machine, as a proxy is that says nothing [AC-1]',
+  () => {
+    const SOMEBODY = 65_534;
+    const LISTING = JSON.stringify({ topic: LIST });
+    const REQUEST = `
+      const [port, body, bearer] = process.argv.slice(1);
+      const headers = { 'content-type': 'application/json' };
+      if (bearer) headers.authorization = 'Bearer ' + bearer;
+      fetch('http://127.0.0.1:' + port + '/services/json', { method: 'POST', headers, body })
+        .then((reply) => reply.text()).then((text) => process.stdout.write(text));`;
+    const ask = (uid: number, ...words: string[]): Promise<Reply> =>
+      new Promise((resolve, reject) => {
+        const options = { uid, cwd: '/', env: { PATH: process.env['PATH'] } };
+        const args = ['-e', REQUEST, ...words];
+        execFile(process.execPath, args, options, (error, stdout) => {
+          if (error === null) resolve(JSON.parse(stdout) as Reply);
+          else reject(error);
+        });
+      });
+
+    it.each([['--trust-loopback'], DEFAULT])('is a stranger: %s', async (...flags) => {
+      const { port } = await startEdgeMaster({ flags });
+      expect((await ask(SOMEBODY, String(port), LISTING)).error?.code).toBe('unauthenticated');
+      expect(await ask(0, String(port), LISTING)).toHaveProperty('clientList');
+    });
+
+    it('cannot use what is good on this machine for its operator [AC-43]', async () => {
+      const { port, terminal } = await startEdgeMaster({ flags: DEFAULT });
+      const check = { topic: '/services/ubii/join_check', joinCheckRequest: { token: '' } };
+      const words = [String(port), JSON.stringify(check), terminal.admin.token];
+      const problem = async (uid: number) =>
+        ((await ask(uid, ...words)).joinCheck as { problem?: string } | undefined)?.problem;
+      expect(await problem(SOMEBODY)).toBe('JOIN_PROBLEM_WRONG');
+      expect(await problem(0)).toBe('JOIN_PROBLEM_NONE');
+    });
+  },
+);
+
+describe('the operator [AC-42]', () => {
+  const authorized = (bearer: string): Headers => ({ authorization: `Bearer ${bearer}` });
+  const registerHere = async (port: number, bearer: string) => {
+    const { reply } = await call(port, '/services/client/registration', authorized(bearer), {
+      client: { name: 'desk', extension: {} },
+    });
+    return reply;
+  };
+
+  it('is admin by the token, the code and the file, and stays it over restarts [AC-44]', async () => {
+    const dataDir = newFolder();
+    const file = join(dataDir, 'admin-token');
+    const before = await startEdgeMaster({ dataDir, flags: DEFAULT });
+    const { token, code } = before.terminal.admin;
+    expect(before.terminal.join).toBeUndefined();
+    expect(readFileSync(file, 'utf8')).toBe(`${token}\n`);
+    expect(statSync(file).mode & 0o777).toBe(0o600);
+    expect(before.logged.join('\n')).not.toContain(token);
+    const credentials: string[] = [];
+    for (const secret of [token, code.toLowerCase()]) {
+      const { client } = await registerHere(before.port, secret);
+      expect(client?.extension['role']).toBe('ACCESS_ROLE_ADMIN');
+      credentials.push(client!.extension['credential']!);
+    }
+    await before.close();
+    expect(existsSync(file)).toBe(false);
+
+    const after = await startEdgeMaster({ dataDir, flags: DEFAULT });
+    for (const credential of credentials) {
+      expect(await roleOf(after.port, authorized(credential))).toBe('admin');
+    }
+    // The terminal shows others now, and the one before is scrolled away.
+    expect(readFileSync(file, 'utf8')).toBe(`${after.terminal.admin.token}\n`);
+    for (const secret of [token, code]) {
+      const { error } = await registerHere(after.port, secret);
+      expect(error?.join?.problem).toBe('JOIN_PROBLEM_WRONG');
+    }
+    expect((await registerHere(after.port, after.terminal.admin.code)).client).toBeDefined();
+  });
+
+  it('is nobody who passes requests on, token or not [AC-43]', async () => {
+    const { port, terminal } = await startEdgeMaster({ flags: DEFAULT });
+    const { client } = await registerHere(port, terminal.admin.token);
+    const credential = client!.extension['credential']!;
+    expect(await roleOf(port, authorized(credential))).toBe('admin');
+    expect(await roleOf(port, { ...STRANGER, ...authorized(credential) })).toBe('unauthenticated');
+    for (const secret of [terminal.admin.token, terminal.admin.code]) {
+      expect((await register(port, secret)).reply.error?.join?.problem).toBe('JOIN_PROBLEM_WRONG');
+    }
+  });
+
+  it('is replaced by the next start when it was taken back', async () => {
+    const dataDir = newFolder();
+    const before = await startEdgeMaster({ dataDir });
+    const { client } = await registerHere(before.port, before.terminal.admin.token);
+    const { reply } = await call(before.port, '/services/ubii/access_grant_list');
+    const [grant] = (reply['accessGrantList'] as { elements: { id: string }[] }).elements;
+    await call(
+      before.port,
+      '/services/ubii/access_grant_revoke',
+      {},
+      {
+        accessGrantRevokeRequest: { grantId: grant!.id },
+      },
+    );
+    await before.close();
+    const after = await startEdgeMaster({ dataDir });
+    const credential = client!.extension['credential']!;
+    expect(await roleOf(after.port, authorized(credential))).toBe('unauthenticated');
+    expect((await registerHere(after.port, after.terminal.admin.token)).client).toBeDefined();
+  });
+
+  it('is asked for a socket of an admin, by its resume token [AC-27]', async () => {
+    const { port, terminal } = await startEdgeMaster({ flags: DEFAULT });
+    const { client } = await registerHere(port, terminal.admin.token);
+    const query = `?clientID=${client!.id}`;
+    expect(await upgrade(port, query)).toBe('403');
+    expect(await upgrade(port, `${query}&token=${client!.extension['resumeToken']}`)).toBe('open');
+    const { reply } = await call(
+      port,
+      '/services/client/registration',
+      {},
+      { client: { name: 'old' } },
+    );
+    expect(await upgrade(port, `?clientID=${reply.client!.id}`)).toBe('open');
+  });
+});
+
+describe('pages without a name [AC-46]', () => {
+  const file = { origin: 'null' };
+
+  it('call with a token of their own, and with nothing else', async () => {
+    for (const flags of [DEFAULT, ['--trust-loopback']]) {
+      const { port } = await startEdgeMaster({ flags });
+      expect(await roleOf(port, file)).toBe('403');
+      expect(await roleOf(port, { ...file, authorization: 'Bearer ABCD-EFGH' })).toBe('403');
+      const nonsense = { ...file, authorization: `Bearer ${'x'.repeat(64)}` };
+      expect(await roleOf(port, nonsense)).toBe('403');
+    }
+    const { port } = await startEdgeMaster();
+    const { token } = await createGrant(port, AccessRole.ACCESS_ROLE_PARTICIPANT);
+    const shown = { ...file, authorization: `Bearer ${token}` };
+    const { reply } = await call(port, '/services/client/registration', shown, {
+      client: { name: 'page', extension: {} },
+    });
+    const { credential, resumeToken } = reply.client!.extension;
+    expect(await roleOf(port, { ...file, authorization: `Bearer ${credential}` })).toBe(
+      'participant',
+    );
+    const query = `?clientID=${reply.client!.id}`;
+    expect(await upgrade(port, query, file)).toBe('403');
+    expect(await upgrade(port, `${query}&token=nonsense`, file)).toBe('403');
+    expect(await upgrade(port, `${query}&token=${resumeToken}`, file)).toBe('open');
+  });
+
+  it('are told by the preflight of their browser that they may send one', async () => {
+    const { port } = await startEdgeMaster();
+    const ask = (headers: Headers) =>
+      send(port, '/services/json', {
+        method: 'OPTIONS',
+        headers: { ...file, 'access-control-request-method': 'POST', ...headers },
+      });
+    const asked = { 'access-control-request-headers': 'authorization,content-type' };
+    const { status, headers } = await ask(asked);
+    expect([status, headers['access-control-allow-origin']]).toEqual([204, 'null']);
+    expect((await ask({})).status).toBe(403);
+  });
+});
+
 describe('joining over HTTP', () => {
   it('lets in with a token, and goes on with the credential, in any spelling of the header [AC-13]', async () => {
     const { port } = await startEdgeMaster();
@@ -273,12 +470,19 @@ describe('joining over HTTP', () => {
     expect(headers['access-control-allow-headers']).toContain('Authorization');
   });
 
-  it('limits guesses [AC-17]', async () => {
-    const { port } = await startEdgeMaster();
+  it('slows guesses down, and lets right codes in beside them [AC-17]', async () => {
+    const { port } = await startEdgeMaster({ flags: ['--limits', 'wrongCodesPerAddress=1'] });
     const { code, token } = await createGrant(port);
-    for (let i = 0; i < 10; i++) await register(port, `0000000${i}`);
-    expect((await register(port, code)).reply.error?.join?.problem).toBe('JOIN_PROBLEM_GUESSING');
+    let refused;
+    for (let i = 0; i < 200 && refused?.reply.error?.join?.problem !== GUESSING; i++) {
+      refused = await register(port, `0000000${i % 10}`);
+    }
+    expect(refused?.reply.error?.join?.problem).toBe(GUESSING);
+    expect(refused?.headers['retry-after']).toBe('1');
     expect((await register(port, token)).reply.client).toBeDefined();
+    await expect
+      .poll(async () => (await register(port, code)).reply.client, { timeout: 30_000 })
+      .toBeDefined();
   });
 
   it('keeps grants for its owner only, without secrets, over a restart [AC-11] [AC-19]', async () => {

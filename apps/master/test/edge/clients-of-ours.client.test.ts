@@ -71,10 +71,12 @@ describe.each(['binary', 'json'])('clients of ours with %s services', (encoding)
       name: 'ada',
     });
     await ada.connect();
-    await expect(ada.subscribe({ regex: '(a)\\1' }).ready).rejects.toMatchObject({
-      name: 'ServiceError',
-      code: 'invalid_argument',
+    expect(() => ada.subscribe({ regex: '(a)\\1' })).toThrow('back-references are not supported');
+    const asked = ada.call('topicSubscription', {
+      clientId: ada.id,
+      subscribeTopicRegexp: ['(a)\\1'],
     });
+    await expect(asked).rejects.toMatchObject({ name: 'ServiceError', code: 'invalid_argument' });
   });
 });
 

@@ -7,13 +7,15 @@ import { onTestFinished } from 'vitest';
 
 import { resolveConfig } from '../../src/adapters/config/resolve-config.ts';
 import { StreamLog } from '../../src/adapters/log/stream-log.ts';
-import { LogTail } from '../../src/index.ts';
+import { LogTail, type TerminalAccess } from '../../src/index.ts';
 import { startMaster } from '../../src/start-master.ts';
 
 /** A master with all its adapters on free ports of loopback, closed when the test ends. */
 export interface EdgeMaster {
   readonly port: number;
   readonly url: string;
+  /** What its terminal shows. */
+  readonly terminal: TerminalAccess;
   /** Lines of the log. */
   readonly logged: readonly string[];
   readonly ports: { readonly main: number; readonly services: number; readonly topicData: number };
@@ -21,11 +23,14 @@ export interface EdgeMaster {
 }
 
 export interface EdgeMasterOptions {
+  /** More flags. Callers of this machine are admins, unless one of them says otherwise. */
   readonly flags?: readonly string[];
   readonly frontendFolder?: string;
   readonly dataDir?: string;
   /** The built worker of modules; without it none runs. */
   readonly workerFile?: URL;
+  /** The built thread that decodes large requests; without it the main thread does. */
+  readonly decodeWorkerFile?: URL;
 }
 
 export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<EdgeMaster> {
@@ -40,7 +45,7 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
   const dataDir = options.dataDir ?? newFolder();
   const flags = [
     ...['--lan', 'off', '--port', '0', '--data-dir', dataDir],
-    ...['--legacy-ports', 'off', '--mdns', 'off'],
+    ...['--legacy-ports', 'off', '--mdns', 'off', '--trust-loopback'],
   ];
   const master = await startMaster({
     config: resolveConfig([...flags, ...(options.flags ?? [])], {}, '/'),
@@ -48,11 +53,13 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     version: '1.2.3',
     frontendFolder: options.frontendFolder ?? join(newFolder(), 'not-there'),
     workerFile: options.workerFile ?? new URL('not-built.js', import.meta.url),
+    decodeWorkerFile: options.decodeWorkerFile,
   });
   onTestFinished(() => master.close());
   return {
     port: master.ports.main,
     url: `http://127.0.0.1:${master.ports.main}`,
+    terminal: master.terminal!,
     logged,
     ports: master.ports,
     close: () => master.close(),

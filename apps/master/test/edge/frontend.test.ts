@@ -41,6 +41,40 @@ describe('the frontend', () => {
     },
   );
 
+  it('may use the sensors of its devices, and nothing that it does not need [AC-67]', async () => {
+    const { port } = await startEdgeMaster({ frontendFolder: builtFrontend() });
+    for (const path of ['/', '/assets/main-abc123.js', '/health', '/nothing.js']) {
+      const { headers } = await send(port, path, { headers: asPage });
+      expect(headers['cross-origin-resource-policy']).toBe('same-origin');
+      expect(headers['cross-origin-opener-policy']).toBe('same-origin');
+      expect(headers['referrer-policy']).toBe('no-referrer');
+      const policy = String(headers['permissions-policy']).split(', ');
+      // Smart device, camera, gamepad; the screen that stays on, copying, big screens, tones.
+      for (const used of [
+        ...['accelerometer', 'gyroscope', 'magnetometer', 'camera', 'microphone', 'geolocation'],
+        ...['gamepad', 'screen-wake-lock', 'clipboard-read', 'clipboard-write', 'fullscreen'],
+        'autoplay',
+      ]) {
+        expect(policy).toContain(`${used}=(self)`);
+      }
+      for (const unused of ['usb', 'serial', 'hid', 'midi', 'payment', 'display-capture']) {
+        expect(policy).toContain(`${unused}=()`);
+      }
+      expect(String(headers['permissions-policy'])).not.toContain('*');
+    }
+  });
+
+  it('answers pages of other origins that may call, as before [SV-8] [AC-67]', async () => {
+    const { port } = await startEdgeMaster();
+    const { status, headers } = await send(port, '/services/json', {
+      method: 'POST',
+      headers: { 'content-type': 'application/json', origin: 'http://localhost:5173' },
+      body: '{"topic":"/services/server_configuration"}',
+    });
+    expect(status).toBe(200);
+    expect(headers['access-control-allow-origin']).toBe('http://localhost:5173');
+  });
+
   it('answers HEAD, and "not modified" to those who have it', async () => {
     const { port } = await startEdgeMaster({ frontendFolder: builtFrontend() });
     const { status, headers } = await send(port, '/', { method: 'HEAD', headers: asPage });

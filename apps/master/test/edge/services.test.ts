@@ -52,6 +52,27 @@ describe('services over HTTP', () => {
     );
   });
 
+  it('[EX-70] cut or refuse texts that are too long, in either format', async () => {
+    const master = await startEdgeMaster();
+    const long = 'x'.repeat(200_000);
+    const registration = { topic: '/services/client/registration', client: { name: long } };
+    const { reply } = await postJson(master, '/services/json', JSON.stringify(registration));
+    expect(reply).toMatchObject({ client: { name: 'x'.repeat(100) } });
+    const { status, body } = await send(master.port, '/services/binary', {
+      method: 'POST',
+      headers: BINARY_TYPE,
+      body: encode('ubii.services.ServiceRequest', {
+        topic: '/services/session/runtime/add',
+        session: { name: long },
+      }),
+    });
+    expect(status).toBe(200);
+    expect(decode('ubii.services.ServiceReply', body).error).toMatchObject({
+      code: 'resource_exhausted',
+      message: expect.stringContaining('session.name has 200000 characters'),
+    });
+  });
+
   it('[SV-1] go by the path, whatever the content is called', async () => {
     const master = await startEdgeMaster();
     const json = JSON.stringify(CONFIGURATION);

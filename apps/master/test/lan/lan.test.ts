@@ -25,6 +25,8 @@ interface Endpoints {
   readonly url: string;
   readonly joinToken: string;
   readonly joinCode: string;
+  readonly adminToken: string;
+  readonly adminCode: string;
 }
 
 describe.skipIf(reason !== undefined)('a master in a network of its own', () => {
@@ -134,9 +136,11 @@ describe.skipIf(reason !== undefined)('a master in a network of its own', () => 
     }
   });
 
-  it('takes callers of its own machine for admins, by any of its addresses [AC-1] [AC-2]', async () => {
+  it('takes callers of its own machine for participants, by any of its addresses [AC-1] [AC-2]', async () => {
     for (const host of ['127.0.0.1', '::1', MASTER, MASTER_V6]) {
       expect(await list({ where: 'master', host })).toHaveProperty('clientList');
+      const grants = await call('/services/ubii/access_grant_list', {}, { where: 'master', host });
+      expect(grants).toMatchObject({ error: { code: 'permission_denied' } });
     }
     // A page of another device, open in the browser of the operator.
     const headers = { origin: `http://${PHONE}` };
@@ -145,6 +149,27 @@ describe.skipIf(reason !== undefined)('a master in a network of its own', () => 
     });
     const upgrade = { where: 'master', path: '/topicdata?clientID=x', headers } as const;
     expect((await send({ upgrade: true }, upgrade)).status).toBe(403);
+  });
+
+  it('makes an admin of who shows its token or code, on its own machine alone [AC-42] [AC-43]', async () => {
+    const grants = (where: Call) => call('/services/ubii/access_grant_list', {}, where);
+    for (const secret of [endpoints.adminToken, endpoints.adminCode]) {
+      expect(await register(secret)).toMatchObject({
+        error: { join: { problem: 'JOIN_PROBLEM_WRONG' } },
+      });
+      const { client } = (await register(secret, { where: 'master', host: MASTER })) as unknown as {
+        client: { extension: { credential: string; role: string } };
+      };
+      expect(client.extension.role).toBe('ACCESS_ROLE_ADMIN');
+      const headers = { authorization: `Bearer ${client.extension.credential}` };
+      expect(await grants({ where: 'master', headers })).toHaveProperty('accessGrantList');
+      // Somebody else read it, or a proxy of this machine passes it on.
+      expect(await grants({ headers })).toMatchObject({ error: { code: 'unauthenticated' } });
+      const passedOn = { ...headers, 'x-forwarded-for': PHONE };
+      expect(await grants({ where: 'master', headers: passedOn })).toMatchObject({
+        error: { code: 'unauthenticated' },
+      });
+    }
   });
 
   it('lets existing devices in where the operator says so, and no others [AC-4]', async () => {

@@ -7,6 +7,8 @@ export const PHONE = '10.203.0.2';
 export const OLD_DEVICE = '10.203.0.3';
 export const MASTER_V6 = 'fd00:203::1';
 export const PHONE_V6 = 'fd00:203::2';
+/** More addresses of the machine that has the phone. */
+export const NEIGHBOURS = Array.from({ length: 12 }, (_, i) => `10.203.0.${10 + i}`);
 
 /** Two machines with a cable between them, and with nothing else: network namespaces of this test. */
 export class TestNetwork {
@@ -34,7 +36,11 @@ export class TestNetwork {
     ip('link', 'add', ends[0], 'type', 'veth', 'peer', 'name', ends[1]);
     const sides = [
       [this.#master, ends[0], [`${MASTER}/24`, `${MASTER_V6}/64`]],
-      [this.#phone, ends[1], [`${PHONE}/24`, `${OLD_DEVICE}/24`, `${PHONE_V6}/64`]],
+      [
+        this.#phone,
+        ends[1],
+        [PHONE, OLD_DEVICE, ...NEIGHBOURS].map((each) => `${each}/24`).concat(`${PHONE_V6}/64`),
+      ],
     ] as const;
     for (const [name, device, addresses] of sides) {
       ip('link', 'set', device, 'netns', name);
@@ -62,10 +68,33 @@ export class TestNetwork {
     return ['ip', 'netns', 'exec', where === 'master' ? this.#master : this.#phone];
   }
 
-  /** Starts a program of the machine that has the master. */
-  startOnMaster(args: readonly string[], env: NodeJS.ProcessEnv): ChildProcess {
-    const [program = '', ...words] = this.enter('master');
-    const command = [...words, process.execPath, ...args];
+  /**
+   * Starts a program of the machine that has the master.
+   *
+   * @param descriptors how many it may have open; as many as the test, when undefined
+   */
+  startOnMaster(
+    args: readonly string[],
+    env: NodeJS.ProcessEnv,
+    descriptors?: number,
+  ): ChildProcess {
+    const limit = descriptors === undefined ? 'true' : `ulimit -n ${descriptors}`;
+    return this.#start('master', ['sh', '-c', `${limit}; exec "$@"`, 'sh'], args, env);
+  }
+
+  /** Starts a program of the machine that has the phone. */
+  startOnPhone(args: readonly string[]): ChildProcess {
+    return this.#start('phone', [], args, process.env);
+  }
+
+  #start(
+    where: 'master' | 'phone',
+    before: readonly string[],
+    args: readonly string[],
+    env: NodeJS.ProcessEnv,
+  ): ChildProcess {
+    const [program = '', ...words] = this.enter(where);
+    const command = [...words, ...before, process.execPath, ...args];
     return spawn(program, command, { stdio: ['ignore', 'pipe', 'pipe'], env });
   }
 

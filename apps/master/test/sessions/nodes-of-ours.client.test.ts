@@ -281,4 +281,36 @@ describe('a node of ours', () => {
     await room.put('/in', 3);
     expect(room.outputs.at(-1)).toMatchObject(['/out/good', { x: 3 }]);
   });
+
+  it.each([
+    ['triggered', TRIGGER],
+    ['in lockstep', { lockstep: {} }],
+  ])('ends the topics of demuxers with their session, %s [SE-63]', async (_what, mode) => {
+    const world = await NodeWorld.create();
+    const { client } = await world.joinAsNode('node');
+    const session = sessionOf({
+      ...counter(client.id, 'spread', mode),
+      outputs: [{ internalName: 'out', messageFormat: 'double' }],
+      onProcessingStringified: `() => ({ outputs: { out: { elements: ['a', 'b'].map((name) => (
+        { double: 1, outputTopicParams: [name] })) } } })`,
+    });
+    const outputMappings = [
+      { outputName: 'out', topicDemux: { outputTopicFormat: '/out/{{#0}}' } },
+    ];
+    const { id } = await world.start({
+      ...session,
+      ioMappings: session.ioMappings!.map((mapping) => ({ ...mapping, outputMappings })),
+    });
+    await world.put('/in', 1);
+    await world.pass(500);
+    const topics = async (): Promise<string[]> => {
+      const listed = world.ada.call('topicList');
+      await world.pass();
+      return (await listed).elements.filter((topic) => topic.startsWith('/out/'));
+    };
+    expect(await topics()).toEqual(['/out/a', '/out/b']);
+    void world.ada.call('sessionRuntimeStop', { id });
+    await world.pass(500);
+    expect(await topics()).toEqual([]);
+  });
 });

@@ -1,3 +1,5 @@
+import type { SandboxFactory } from '@ubii/pm-sandbox';
+import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import { ModuleOrigin, SessionState, StatusEventKind } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { MemoryStorage } from '../../src/testing/index.ts';
@@ -239,6 +241,32 @@ describe('a master that ends', () => {
     expect(await next.value('/out')).toBe(4);
   });
 
+  it('answers a start and a stop when they are written down, else with an error [SE-24]', async () => {
+    const storage = new MemoryStorage();
+    const { running } = storage;
+    const world = await SessionWorld.create({ storage });
+    const write = running.write.bind(running);
+    const writes: (() => Promise<void>)[] = [];
+    running.write = (key, json) =>
+      new Promise((resolve) => writes.push(() => write(key, json).then(resolve)));
+    const marked = { ...doubling('/in', '/out'), extension: { startWithMaster: true } };
+    let isAnswered = false;
+    const reply = world.master.call({ topic: TOPICS.start, session: marked }).finally(() => {
+      isAnswered = true;
+    });
+    await world.master.pass(20);
+    expect(writes.length).toBeGreaterThan(0);
+    expect(isAnswered).toBe(false);
+    while (writes.length > 0) await writes.shift()!();
+    const { session } = await reply;
+    expect([...running.documents().keys()]).toEqual([session!.id]);
+
+    running.delete = () => Promise.reject(new Error('the disk is full'));
+    const { error } = await world.master.call({ topic: TOPICS.stop, session: { id: session!.id } });
+    expect(error).toMatchObject({ code: 'unavailable' });
+    expect(error!.message).toContain('the disk is full');
+  });
+
   it('does not start again what was stopped before [SE-24]', async () => {
     const storage = new MemoryStorage();
     const world = await SessionWorld.create({ storage });
@@ -279,7 +307,51 @@ describe('a master that ends', () => {
     await back.ran([{ ...waiting.processingModules[0], nodeId: back.id }]);
     expect((await next.get({ id })).extension?.state).toBe(SessionState.SESSION_RUNNING);
   });
+
+  it('does not give up what takes long to start again [SE-12] [SE-24]', async () => {
+    const storage = new MemoryStorage();
+    const world = await SessionWorld.create({ storage });
+    const { id } = await world.ask(TOPICS.start, {
+      ...doubling('/in', '/out'),
+      extension: { startWithMaster: true },
+    });
+    await world.master.master.close();
+
+    const { sandboxes, letStart } = slowSandboxes();
+    const next = await SessionWorld.create({ storage, sandboxes });
+    await next.master.pass(11_000);
+    const late = await next.get({ id });
+    expect(late.extension?.problems[0]).toMatchObject({ code: 'module_not_started' });
+    expect(late.extension?.state).toBe(SessionState.SESSION_DEGRADED);
+    expect([...storage.running.documents().keys()]).toEqual([id]);
+    letStart();
+    await next.master.pass(1_000);
+    expect((await next.get({ id })).extension?.state).toBe(SessionState.SESSION_RUNNING);
+    await next.ask(TOPICS.stop, { id });
+    expect([...storage.running.documents().keys()]).toEqual([]);
+  });
 });
+
+/** Sandboxes whose instances are there when they are let. */
+function slowSandboxes() {
+  const inline = createInlineSandboxes();
+  let letStart = (): void => {};
+  const start = new Promise<void>((resolve) => (letStart = resolve));
+  const sandboxes: SandboxFactory = {
+    ...inline,
+    open(request, events) {
+      const sandbox = inline.open(request, events);
+      return {
+        create: () => start.then(() => sandbox.create()),
+        run: (call) => sandbox.run(call),
+        halt: () => sandbox.halt(),
+        destroy: () => sandbox.destroy(),
+        terminate: () => sandbox.terminate(),
+      };
+    },
+  };
+  return { sandboxes, letStart: () => letStart() };
+}
 
 async function moduleOf(module: object) {
   const { decode, encode } = await import('@ubii/proto');

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { OriginPolicy } from '../network/origin-policy.ts';
 import { OwnAddresses } from '../network/own-addresses.ts';
-import { CallerReader } from './caller-reader.ts';
-import { LegacyNetworks } from './legacy-networks.ts';
+import { CallerReader, type LoopbackFacts } from './caller-reader.ts';
+import { Networks } from './networks.ts';
 
 const address = (text: string) => ({
   address: text,
@@ -16,17 +16,25 @@ const own = new OwnAddresses(
   () => 0,
   () => ({ eth0: [address('192.168.1.5'), address('fd00::5'), address('fe80::5')] }),
 );
-const legacy = new LegacyNetworks(['10.0.0.0/24', '10.9.0.7', 'fd00:7::/32']);
-const reader = new CallerReader({
-  policy: new OriginPolicy({
-    onLan: true,
-    host: '::',
-    allowedOrigins: [],
+const legacy = new Networks(['10.0.0.0/24', '10.9.0.7', 'fd00:7::/32']);
+const proxies = new Networks(['10.0.0.2', '127.0.0.9']);
+/** Ports of programs of other users of this machine. */
+const STRANGE_PORT = 33;
+const readerWith = (loopback: LoopbackFacts['role']) =>
+  new CallerReader({
+    policy: new OriginPolicy({
+      onLan: true,
+      host: '::',
+      allowedOrigins: [],
+      isOwnAddress: (text) => own.has(text),
+    }),
+    loopback,
     isOwnAddress: (text) => own.has(text),
-  }),
-  isOwnAddress: (text) => own.has(text),
-  isLegacyAddress: (text) => legacy.has(text),
-});
+    isLegacyAddress: (text) => legacy.has(text),
+    isTrustedProxy: (text) => proxies.has(text),
+    owners: { isOperators: ({ remotePort }) => remotePort !== STRANGE_PORT },
+  });
+const reader = readerWith('participant');
 const read = (remoteAddress: string | undefined, headers = {}) =>
   reader.read({ socket: { remoteAddress }, headers });
 
@@ -63,6 +71,64 @@ describe('a caller', () => {
     expect(reader.read({ socket, headers: {}, httpVersion: '1.0' }).standing).toBe('other');
     expect(reader.read({ socket, headers: {}, httpVersion: '1.1' }).standing).toBe('local');
     expect(read('10.0.0.77', { 'x-real-ip': '10.0.0.77' }).standing).toBe('other');
+  });
+
+  it('is trusted, let in or neither, as the operator says [AC-2] [AC-40]', () => {
+    const socket = { remoteAddress: '::1' };
+    const page = { host: 'localhost', origin: 'http://localhost:8081' };
+    const foreign = { host: 'localhost', origin: 'https://evil.example' };
+    const kinds = (['admin', 'participant', 'none'] as const).map((loopback) =>
+      [{}, page, foreign].map((headers) => {
+        const { standing, isHere } = readerWith(loopback).read({ socket, headers });
+        return [standing, isHere];
+      }),
+    );
+    expect(kinds).toEqual([
+      [
+        ['trusted', true],
+        ['trusted', true],
+        ['other', true],
+      ],
+      [
+        ['local', true],
+        ['local', true],
+        ['other', true],
+      ],
+      [
+        ['other', true],
+        ['other', true],
+        ['other', true],
+      ],
+    ]);
+  });
+
+  it('of another user of this machine is a stranger, whatever the operator trusts [AC-1]', () => {
+    const socket = { remoteAddress: '127.0.0.1', remotePort: STRANGE_PORT };
+    for (const loopback of ['admin', 'participant'] as const) {
+      expect(readerWith(loopback).read({ socket, headers: {} })).toMatchObject({
+        standing: 'other',
+        isHere: false,
+      });
+    }
+  });
+
+  it('is whom a trusted proxy names, and never of this machine [AC-41]', () => {
+    const behind = (remoteAddress: string, list: string) => {
+      const { standing, place, isHere } = read(remoteAddress, { 'x-forwarded-for': list });
+      return [standing, place, isHere];
+    };
+    expect(behind('10.0.0.2', '203.0.113.7')).toEqual(['other', '203.0.113.7', false]);
+    expect(behind('10.0.0.2', '10.9.0.7')).toEqual(['network', '10.9.0.7', false]);
+    expect(behind('10.0.0.2', '127.0.0.1')).toEqual(['other', '127.0.0.1', false]);
+    expect(behind('10.0.0.2', '192.168.1.5')).toEqual(['other', '192.168.1.5', false]);
+    expect(behind('127.0.0.9', '127.0.0.1')).toEqual(['other', '127.0.0.1', false]);
+    expect(behind('10.0.0.2', 'nonsense')).toEqual(['other', 'behind 10.0.0.2', false]);
+    // Nobody else speaks for others.
+    expect(behind('10.0.0.3', '10.9.0.7')).toEqual(['other', 'behind 10.0.0.3', false]);
+    expect(behind('127.0.0.1', '10.9.0.7')).toEqual(['other', 'behind 127.0.0.1', false]);
+    // A proxy that says nothing brings somebody, too; what is shown over it may come from here.
+    expect(read('10.0.0.2').standing).toBe('other');
+    expect(read('127.0.0.9')).toMatchObject({ standing: 'other', isHere: true });
   });
 
   it('is counted by its address, of IPv6 by its network [AC-17]', () => {

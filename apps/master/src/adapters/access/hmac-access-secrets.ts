@@ -1,19 +1,20 @@
 import { createHmac, randomBytes, randomInt, timingSafeEqual } from 'node:crypto';
 
 import type { AccessSecrets } from '../../core/ports/index.ts';
+import { deriveKey } from '../tokens/derive-key.ts';
 
 /** Random bytes of a token: 256 bits. */
 const TOKEN_BYTES = 32;
 
-/** Secrets of who may join, with a key that nothing else is signed with. [AC-11] [AC-13] */
+/** Secrets of who may join, with keys that nothing else is signed with. [AC-11] [AC-13] [AC-66] */
 export class HmacAccessSecrets implements AccessSecrets {
   readonly #signing: Uint8Array;
   readonly #hashing: Uint8Array;
 
   /** @param key at least 32 random bytes, secret; each use gets a key of its own made from it */
   constructor(key: Uint8Array) {
-    this.#signing = hash(key, 'ubi-interact credentials');
-    this.#hashing = hash(key, 'ubi-interact join secrets');
+    this.#signing = deriveKey(key, 'credentials');
+    this.#hashing = deriveKey(key, 'join secrets');
   }
 
   token(): string {

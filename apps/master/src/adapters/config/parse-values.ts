@@ -61,7 +61,12 @@ export function parseOrigins(text: string): readonly string[] {
     .split(',')
     .map((origin) => origin.trim().toLowerCase().replace(/\/$/, ''))
     .filter((origin) => origin !== '');
-  const isOrigin = /^(\*|null|https?:\/\/(\*\.)?[a-z0-9._[\]:-]*?[a-z0-9\]](:(\d{1,5}|\*))?)$/;
+  if (origins.includes('null')) {
+    throw new Error(
+      'origins that name somebody, as "null" does not: pages opened from files send it, and so can a page of every website. A page opened from a file calls with a token of its own',
+    );
+  }
+  const isOrigin = /^(\*|https?:\/\/(\*\.)?[a-z0-9._[\]:-]*?[a-z0-9\]](:(\d{1,5}|\*))?)$/;
   if (!origins.every((origin) => isOrigin.test(origin))) {
     throw new Error(
       'origins separated by commas, such as https://example.org or http://*.example.org:8080',

@@ -161,6 +161,11 @@ function checkTogether(config: Config, options: GivenOptions): void {
       `--lan listens on all networks and --host on "${config.host}" only: leave one of the two out.`,
     );
   }
+  if (config.trustLoopback && config.loopback === 'none') {
+    throw new ConfigError(
+      '--trust-loopback makes callers of this machine admins, and --loopback none lets them in to nothing: leave one of the two out.',
+    );
+  }
   if ((config.tlsCertificate === undefined) !== (config.tlsKey === undefined)) {
     throw new ConfigError(
       'A certificate and its key belong together: give both --tls-certificate and --tls-key, or neither.',

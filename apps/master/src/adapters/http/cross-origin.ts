@@ -1,24 +1,49 @@
-import type { FastifyInstance } from 'fastify';
+import type { FastifyInstance, FastifyRequest } from 'fastify';
 import { ServiceError } from '@ubii/proto';
 
+import type { Master } from '../../core/master.ts';
+import type { CallerReader } from '../access/caller-reader.ts';
+import { mayBeToken } from '../access/bearer.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
 import { SECURITY_HEADERS } from './security-headers.ts';
 
 /** How long a browser may keep the answer to a preflight, seconds. */
 const PREFLIGHT_MAX_AGE_S = 600;
 
+export interface OriginGuardOptions {
+  readonly policy: OriginPolicy;
+  readonly master: Pick<Master, 'recognizes'>;
+  readonly callers: Pick<CallerReader, 'read'>;
+}
+
 /**
  * Looks at the origin of every request before anything else: refused ones end here, preflights are
  * answered here. [SV-8]
  */
-export function guardOrigins(app: FastifyInstance, policy: OriginPolicy): void {
+export function guardOrigins(
+  app: FastifyInstance,
+  { policy, master, callers }: OriginGuardOptions,
+): void {
+  /** Whether the page shows a token, or asks whether it may. [AC-46] */
+  const hasToken = ({ method, headers, raw }: FastifyRequest): boolean => {
+    if (method === 'OPTIONS') {
+      return /(^|[ ,])authorization([ ,]|$)/i.test(
+        String(headers['access-control-request-headers']),
+      );
+    }
+    const caller = callers.read(raw);
+    return mayBeToken(caller.bearer) && master.recognizes(caller);
+  };
+
   app.addHook('onRequest', async (request, reply) => {
     reply.headers(SECURITY_HEADERS);
     const verdict = policy.judge(request.headers);
-    if (verdict.kind === 'refused') {
+    const isNameless = verdict.kind === 'nameless';
+    if (verdict.kind === 'refused' || (isNameless && !hasToken(request))) {
       throw new ServiceError('permission_denied', verdict.reason);
     }
     reply.header('vary', 'Origin');
+    if (isNameless) reply.header('access-control-allow-origin', 'null');
     if (verdict.kind === 'allowed') {
       reply.header('access-control-allow-origin', verdict.origin);
     }

@@ -1,14 +1,20 @@
+import type { IncomingMessage } from 'node:http';
 import fastify from 'fastify';
 import type { FastifyInstance } from 'fastify';
 
 import type { Master } from '../../core/master.ts';
-import type { Log } from '../../core/ports/index.ts';
+import type { Limits } from '../../core/limits.ts';
+import type { Clock, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
+import type { Doorkeeper } from '../network/doorkeeper.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
 import { addAuthority, addAuthorityFacts } from './authority-routes.ts';
+import type { BodyDecoder } from './bodies/body-decoder.ts';
+import { drain } from './bodies/drain.ts';
 import { guardOrigins } from './cross-origin.ts';
 import { replyErrors } from './error-replies.ts';
 import { addFrontend } from './frontend.ts';
+import { guardPaths } from './path-rights.ts';
 import { RequestCounts } from './request-counts.ts';
 import { addServices } from './services-routes.ts';
 import { addStatus } from './status-routes.ts';
@@ -20,20 +26,27 @@ export interface HttpAppOptions {
   readonly log: Log;
   readonly name: string;
   readonly version: string;
-  /** Largest service request. */
-  readonly maxRequestBytes: number;
+  readonly clock: Clock;
+  readonly limits: Limits;
+  readonly decoder: BodyDecoder;
+  readonly doorkeeper: Doorkeeper;
   /** The built frontend. */
   readonly frontendFolder: string;
   /** Certificate of the master's own authority, PEM; undefined when it has none. */
   readonly authority: string | undefined;
 }
 
+/** Ends the connection of a request that was answered and still goes on. [AC-65] */
+async function cutUnread(raw: IncomingMessage, clock: Clock): Promise<void> {
+  await drain(raw, clock);
+  if (!raw.complete) raw.socket.destroy();
+}
+
 /** Everything the master answers over HTTP. It listens nowhere: `routing` takes requests of any server. */
 export async function createHttpApp(options: HttpAppOptions): Promise<FastifyInstance> {
-  const { master, policy, callers, log, maxRequestBytes, frontendFolder } = options;
+  const { master, callers, policy, log, frontendFolder } = options;
   const app = fastify({
     logger: false,
-    bodyLimit: maxRequestBytes,
     routerOptions: { ignoreTrailingSlash: true },
     // Requests that arrive while the master ends are answered as long as their socket stands.
     return503OnClosing: false,
@@ -41,11 +54,13 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
   const counts = new RequestCounts();
   app.addHook('onResponse', (request, reply, done) => {
     counts.count(request.routeOptions.url, reply.statusCode);
+    void cutUnread(request.raw, options.clock);
     done();
   });
-  guardOrigins(app, policy);
+  guardOrigins(app, { policy, master, callers });
+  guardPaths(app, { master, callers });
   replyErrors(app, log);
-  addServices(app, { master, callers, maxRequestBytes });
+  addServices(app, options);
   addStatus(app, { ...options, edgeMetrics: () => counts.metrics() });
   addAuthorityFacts(app, options.authority);
   if (options.authority !== undefined) addAuthority(app, options.authority);

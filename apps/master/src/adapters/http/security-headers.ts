@@ -17,9 +17,59 @@ export const CONTENT_SECURITY_POLICY = [
   "frame-ancestors 'self'",
 ].join('; ');
 
-/** Sent with every response. */
+/** What pages of ours ask of a device, each where a person has to allow it besides. */
+const USED_FEATURES = [
+  'accelerometer',
+  'autoplay',
+  'camera',
+  'clipboard-read',
+  'clipboard-write',
+  'fullscreen',
+  'gamepad',
+  'geolocation',
+  'gyroscope',
+  'magnetometer',
+  'microphone',
+  'screen-wake-lock',
+];
+
+/** What none of them asks for, of what browsers know: code that gets into a page cannot, either. */
+const UNUSED_FEATURES = [
+  'browsing-topics',
+  'compute-pressure',
+  'display-capture',
+  'encrypted-media',
+  'hid',
+  'identity-credentials-get',
+  'idle-detection',
+  'keyboard-map',
+  'local-fonts',
+  'midi',
+  'otp-credentials',
+  'payment',
+  'picture-in-picture',
+  'publickey-credentials-create',
+  'publickey-credentials-get',
+  'serial',
+  'speaker-selection',
+  'storage-access',
+  'sync-xhr',
+  'usb',
+  'window-management',
+  'xr-spatial-tracking',
+];
+
+/**
+ * Sent with every response. Services are called across origins by requests that ask for leave (CORS), to
+ * which `cross-origin-resource-policy` does not apply; it keeps other pages from embedding what is here.
+ */
 export const SECURITY_HEADERS: Readonly<Record<string, string>> = {
   'x-content-type-options': 'nosniff',
   'referrer-policy': 'no-referrer',
   'cross-origin-opener-policy': 'same-origin',
+  'cross-origin-resource-policy': 'same-origin',
+  'permissions-policy': [
+    ...USED_FEATURES.map((feature) => `${feature}=(self)`),
+    ...UNUSED_FEATURES.map((feature) => `${feature}=()`),
+  ].join(', '),
 };

@@ -45,6 +45,21 @@ export function kindOfPeer(remoteAddress: string | undefined): AddressKind | und
   return isPrivateAddress(address) ? 'private' : 'public';
 }
 
+/**
+ * What one person has: an IPv4 address, or the 64 bits of an IPv6 network. Wrong codes and connections are
+ * counted by it. [AC-17] [AC-60]
+ *
+ * @param address as `plainAddress` gives it
+ */
+export function placeOf(address: string | undefined): string {
+  if (address === undefined || isIP(address) !== 6) return address ?? '';
+  const [head = '', tail] = address.split('::');
+  const groups = head === '' ? [] : head.split(':');
+  const missing =
+    tail === undefined ? 0 : 8 - groups.length - tail.split(':').filter(Boolean).length;
+  return [...groups, ...Array<string>(Math.max(0, missing)).fill('0')].slice(0, 4).join(':');
+}
+
 function isIn(list: BlockList, host: string): boolean {
   const version = isIP(host);
   return version !== 0 && list.check(host, version === 6 ? 'ipv6' : 'ipv4');

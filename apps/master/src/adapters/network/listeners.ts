@@ -5,6 +5,8 @@ import type { Duplex } from 'node:stream';
 import type { OnePort } from '../tls/one-port.ts';
 import type { LegacyPorts } from '../../config.ts';
 import type { Log } from '../../core/ports/index.ts';
+import { oneAtATime } from './one-at-a-time.ts';
+import type { Doorkeeper } from './doorkeeper.ts';
 import { explainListenError } from './explain-listen-error.ts';
 import { openPort } from './open-port.ts';
 
@@ -15,8 +17,27 @@ export interface ListenersOptions {
   readonly handleUpgrade: (request: IncomingMessage, socket: Duplex, head: Buffer) => void;
   /** Answers HTTPS on the same ports; undefined: they are for HTTP only. */
   readonly onePort: OnePort | undefined;
+  /** Says who may connect; undefined: everybody. */
+  readonly doorkeeper?: Doorkeeper;
+  /** Milliseconds. @default Node's own limits */
+  readonly timeouts?: ConnectionTimeouts;
   readonly log: Log;
 }
+
+/** How long connections may take, milliseconds [AC-63]. */
+export interface ConnectionTimeouts {
+  /** The headers of a request, from its first byte or the end of a TLS handshake. */
+  readonly headersMs: number;
+  /** During which nothing comes and nothing is taken, while a request is answered. */
+  readonly stillMs: number;
+}
+
+/** How often Node looks for headers that take too long, milliseconds. */
+const CHECK_INTERVAL_MS = 1_000;
+/** A connection that has nothing to do is closed after this time, milliseconds. */
+const KEEP_ALIVE_MS = 5_000;
+/** A request with its body has come by then, milliseconds. Bodies have a pace to keep besides. [SV-47] */
+const REQUEST_TIMEOUT_MS = 600_000;
 
 /** The ports to open. */
 export interface WantedPorts {
@@ -95,9 +116,27 @@ export class Listeners {
   }
 
   #createServer(): Server {
-    const { handleRequest, handleUpgrade, onePort } = this.#options;
-    const server = createServer(handleRequest).on('upgrade', handleUpgrade);
+    const { handleRequest, handleUpgrade, onePort, doorkeeper, timeouts } = this.#options;
+    const options = {
+      keepAliveTimeout: KEEP_ALIVE_MS,
+      requestTimeout: REQUEST_TIMEOUT_MS,
+      connectionsCheckingInterval: CHECK_INTERVAL_MS,
+      ...(timeouts && { headersTimeout: timeouts.headersMs }),
+    };
+    const server = createServer(
+      options,
+      oneAtATime((request, response) => {
+        doorkeeper?.of(request.socket)?.handleRequest();
+        handleRequest(request, response);
+      }),
+    );
+    if (timeouts) server.timeout = timeouts.stillMs;
+    server.on('upgrade', (request, socket, head) => {
+      doorkeeper?.of(socket)?.handleRequest();
+      handleUpgrade(request, socket, head);
+    });
     onePort?.attach(server);
+    doorkeeper?.guard(server);
     return server;
   }
 

@@ -75,7 +75,6 @@ describe('[SV-8] origins', () => {
     'http://192.168.1.5.evil.example:8080',
     'http://8.8.8.8',
     'http://172.32.0.1',
-    'null',
     'file://',
     'chrome-extension://localhost',
     '',
@@ -102,17 +101,72 @@ describe('[SV-8] origins', () => {
     expect(verdict(configured, origin)).toBe(expected);
   });
 
-  it('lets everybody in when told to, also pages without an origin', () => {
+  it('lets everybody in when told to, also pages without a name', () => {
     const open = new OriginPolicy({ onLan: false, host: 'localhost', allowedOrigins: ['*'] });
     expect(verdict(open, 'https://evil.example')).toBe('allowed');
     expect(verdict(open, 'null')).toBe('allowed');
+  });
+
+  it('asks pages without a name for a token, whatever is configured [AC-46]', () => {
+    for (const policy of [loopback, onLan, configured])
+      expect(verdict(policy, 'null')).toBe('nameless');
+    // Such a name is not let through by the configuration; it would be nobody's here either.
     const fromFiles = new OriginPolicy({
       onLan: false,
-      host: 'localhost',
+      host: 'null',
       allowedOrigins: ['null'],
+      isOwnAddress: () => true,
     });
-    expect(verdict(fromFiles, 'null')).toBe('allowed');
-    expect(verdict(fromFiles, 'https://evil.example')).toBe('refused');
+    expect(verdict(fromFiles, 'null')).toBe('nameless');
+    expect(fromFiles.pageOf({ host: 'localhost:8080', origin: 'null' })).toBe('foreign');
+    expect(fromFiles.pageOf({ host: 'null', origin: 'http://null' })).toBe('foreign');
+  });
+});
+
+describe('whose a page is, on this machine', () => {
+  const policy = new OriginPolicy({
+    onLan: true,
+    host: 'ubii.example.org',
+    allowedOrigins: [
+      'https://lab.example',
+      'http://lab.example',
+      'http://192.168.1.50',
+      'http://box.local',
+      '*',
+    ],
+    isOwnAddress: (address) => address === '192.168.1.5' || address === 'fd00::5',
+  });
+  const page = (headers: Parameters<typeof policy.pageOf>[0]) =>
+    policy.pageOf({ host: 'localhost:8080', ...headers });
+
+  it.each([
+    [{}, 'own'],
+    [{ origin: 'http://localhost:8080' }, 'own'],
+    [{ origin: 'http://localhost:8081' }, 'own'],
+    [{ origin: 'http://app.localhost:1' }, 'own'],
+    [{ origin: 'https://[::1]:3000' }, 'own'],
+    [{ host: '192.168.1.5:8080' }, 'own'],
+    [{ host: '[fd00::5]:8080', origin: 'http://[fd00::5]:8080' }, 'own'],
+    [{ 'sec-fetch-site': 'same-origin' }, 'own'],
+    [{ 'sec-fetch-site': 'none' }, 'own'],
+    [{ 'sec-fetch-site': 'same-site' }, 'foreign'],
+    [{ 'sec-fetch-site': 'cross-site' }, 'foreign'],
+    [{ origin: 'https://lab.example' }, 'named'],
+    [{ origin: 'http://192.168.1.50' }, 'named'],
+    // Named, but anybody in the network can make these mean themselves.
+    [{ origin: 'http://lab.example' }, 'foreign'],
+    [{ origin: 'http://box.local' }, 'foreign'],
+    [{ origin: 'https://evil.example' }, 'foreign'],
+    [{ origin: 'null' }, 'foreign'],
+    [{ origin: 'file://' }, 'foreign'],
+    // Names of this machine, and one it was told to go by.
+    [{ host: 'ubii.example.org' }, 'foreign'],
+    [{ host: 'ubii.example.org', origin: 'http://ubii.example.org' }, 'foreign'],
+    [{ host: 'box.local', origin: 'http://box.local' }, 'foreign'],
+    [{ host: 'lab.example', origin: 'https://lab.example' }, 'foreign'],
+    [{ host: '192.168.1.50' }, 'foreign'],
+  ])('%j is %s [AC-1] [AC-2] [AC-45]', (headers, kind) => {
+    expect(page(headers)).toBe(kind);
   });
 });
 

@@ -12,15 +12,21 @@ export interface OriginPolicyOptions {
    * resolves to (the Python node does), which is no loopback address everywhere. @default never
    */
   readonly isOwnAddress?: (address: string) => boolean;
-  /** Names of this machine, lower case, without a domain. @default none */
-  readonly ownNames?: readonly string[];
 }
 
 /** What is to happen with a request, by the headers a browser sets and a page cannot. */
 export type OriginVerdict =
   | { readonly kind: 'same-origin' }
   | { readonly kind: 'allowed'; readonly origin: string }
+  /** Of a page that has no name: who shows a token of its own may call. */
+  | { readonly kind: 'nameless'; readonly reason: string }
   | { readonly kind: 'refused'; readonly reason: string };
+
+/** Whose a page is, for a request of this machine: its own, one the operator named, somebody else's. */
+export type PageKind = 'own' | 'named' | 'foreign';
+
+const NAMELESS =
+  'A page that was opened from a file, or is shut off in a frame, may use this master with a token of its own only: make an invitation for it, and send its token as Authorization: Bearer.';
 
 /**
  * Decides which web pages may talk to this master. [SV-8]
@@ -34,10 +40,13 @@ export class OriginPolicy {
   readonly #patterns: readonly RegExp[];
   /** Those that name somebody. */
   readonly #named: readonly RegExp[];
+  /** Every page may call, those without a name as well. */
+  readonly #isOpen: boolean;
 
   constructor(options: OriginPolicyOptions) {
     this.#options = options;
     this.#patterns = options.allowedOrigins.map(patternOf);
+    this.#isOpen = options.allowedOrigins.includes('*');
     this.#named = options.allowedOrigins.filter((origin) => origin !== '*').map(patternOf);
   }
 
@@ -54,6 +63,9 @@ export class OriginPolicy {
     if (origin === undefined || origin === `http://${host}` || origin === `https://${host}`) {
       return { kind: 'same-origin' };
     }
+    if (origin === 'null' && !this.#isOpen) {
+      return { kind: 'nameless', reason: NAMELESS };
+    }
     if (this.#isAllowed(origin)) return { kind: 'allowed', origin: headers.origin ?? origin };
     return {
       kind: 'refused',
@@ -62,38 +74,32 @@ export class OriginPolicy {
   }
 
   /**
-   * Whether a request of this machine has its authority: it calls the master by what means this machine,
-   * and no page that could be somebody else's sends it. Names that somebody in the network could make
-   * resolve to this machine do not, nor does `--allowed-origins *`. [AC-1] [AC-2]
+   * Whose page sends a request that comes from this machine: its own or a program's, one that the operator
+   * named, or somebody else's. Only what nobody else can make mean this machine counts: loopback names,
+   * and loopback and own addresses. Other names, of the master and of pages, do not. [AC-1] [AC-2]
    */
-  isOfThisMachine(headers: {
+  pageOf(headers: {
     readonly host?: string;
     readonly origin?: string;
     readonly 'sec-fetch-site'?: string | readonly string[] | undefined;
-  }): boolean {
+  }): PageKind {
     const host = headers.host?.toLowerCase();
-    if (host !== undefined && !this.#isOwnHost(host)) return false;
+    if (host !== undefined && !this.#isOwnHost(hostNameOf(host))) return 'foreign';
     const origin = headers.origin?.toLowerCase();
     // Programs send neither; browsers leave the origin out of what a link or a picture asks for.
-    if (origin === undefined) return !/^(cross|same)-site$/.test(String(headers['sec-fetch-site']));
-    if (origin === `http://${host}` || origin === `https://${host}`) return true;
-    if (this.#isNamed(origin)) return true;
-    if (!/^https?:\/\//.test(origin)) return false;
+    if (origin === undefined) {
+      return /^(cross|same)-site$/.test(String(headers['sec-fetch-site'])) ? 'foreign' : 'own';
+    }
+    if (!/^https?:\/\//.test(origin)) return 'foreign';
     const name = hostNameOf(origin.replace(/^https?:\/\//, ''));
-    return isLoopbackHost(name) || this.#isOwnIp(name);
+    if (this.#isOwnHost(name)) return 'own';
+    // A name over HTTP is whoever the network says it is.
+    const isProven = origin.startsWith('https:') || isIpAddress(name);
+    return isProven && this.#isNamed(origin) ? 'named' : 'foreign';
   }
 
-  #isOwnHost(host: string): boolean {
-    const name = hostNameOf(host);
-    const { host: listened, ownNames = [] } = this.#options;
-    return (
-      isLoopbackHost(name) ||
-      this.#isOwnIp(name) ||
-      name === listened ||
-      ownNames.some((own) => name === own || name === `${own}.local`) ||
-      this.#isNamed(`http://${host}`) ||
-      this.#isNamed(`https://${host}`)
-    );
+  #isOwnHost(name: string): boolean {
+    return isLoopbackHost(name) || this.#isOwnIp(name);
   }
 
   #isOwnIp(name: string): boolean {
@@ -107,8 +113,8 @@ export class OriginPolicy {
 
   #isAllowed(origin: string): boolean {
     if (this.#patterns.some((pattern) => pattern.test(origin))) return true;
-    const name = hostNameOf(origin.replace(/^https?:\/\//, ''));
     if (!/^https?:\/\//.test(origin)) return false;
+    const name = hostNameOf(origin.replace(/^https?:\/\//, ''));
     const { onLan, isOwnAddress } = this.#options;
     return (
       isLoopbackHost(name) ||
@@ -150,5 +156,6 @@ function patternOf(origin: string): RegExp {
     .replace(/[.[\]?+^$(){}|\\/-]/g, '\\$&')
     .replace(/:\*$/, '(:\\d+)?')
     .replace('*\\.', '([a-z0-9-]+\\.)+');
+  // eslint-disable-next-line no-restricted-syntax -- the operator's, escaped; each level ends with a dot no level contains
   return new RegExp(`^${source}$`);
 }

@@ -1,5 +1,12 @@
 import type { SandboxFactory } from '@ubii/pm-sandbox';
-import { createHttpLibrary, createNodeSandboxes, type HostLibrary } from '@ubii/pm-sandbox/node';
+import {
+  createHttpLibrary,
+  createNodeSandboxes,
+  defaultModuleMemory,
+  defaultSessionMemory,
+  type HostLibrary,
+} from '@ubii/pm-sandbox/node';
+import { DEFAULT_LIMITS, type Limits } from '../../index.ts';
 
 /** Where code runs on this master, and what it finds there. */
 export interface OpenSandboxes {
@@ -12,13 +19,34 @@ export interface OpenSandboxes {
  * Sandboxes on threads of this process. The first of them starts with the first module.
  *
  * @param workerFile the worker, as the build makes it
+ * @param limits of the memory of sandboxed modules, bytes
  * @param allowedOrigins what modules may read from over HTTP; none: there is no library for it
  */
-export function openSandboxes(workerFile: URL, allowedOrigins: readonly string[]): OpenSandboxes {
+export function openSandboxes(
+  workerFile: URL,
+  allowedOrigins: readonly string[],
+  { moduleBytes, moduleBytesPerSession }: Pick<Limits, 'moduleBytes' | 'moduleBytesPerSession'>,
+): OpenSandboxes {
   const hostLibraries: Readonly<Record<string, HostLibrary>> =
     allowedOrigins.length === 0 ? {} : { http: createHttpLibrary(allowedOrigins) };
   return {
-    sandboxes: createNodeSandboxes({ workerFile, hostLibraries }),
+    sandboxes: createNodeSandboxes({
+      workerFile,
+      hostLibraries,
+      memoryBytes: moduleBytes,
+      ownerMemoryBytes: moduleBytesPerSession,
+    }),
     libraries: Object.keys(hostLibraries),
+  };
+}
+
+/** All limits: those that were set, those that depend on the machine, and those that are built in. */
+export function limitsOfMachine(set: Partial<Limits>): Limits {
+  const moduleBytes = set.moduleBytes ?? defaultModuleMemory();
+  return {
+    ...DEFAULT_LIMITS,
+    moduleBytes,
+    moduleBytesPerSession: defaultSessionMemory(moduleBytes),
+    ...set,
   };
 }

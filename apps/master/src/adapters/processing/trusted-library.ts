@@ -70,5 +70,5 @@ export class TrustedLibrary {
 
 function from(module: ProcessingModule, origin: ModuleOrigin): ProcessingModule {
   const { version = '', libraries = [] } = module.extension ?? {};
-  return { ...module, extension: { version, libraries, replaceable: false, origin } };
+  return { ...module, extension: { version, libraries, replaceable: false, origin, grantIds: [] } };
 }

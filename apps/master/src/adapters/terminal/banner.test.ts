@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
+import type { LoopbackFacts } from '../access/caller-reader.ts';
 import { describeReachability } from '../network/reachability.ts';
 import { bestPhoneUrl, formatBanner, joinUrl } from './banner.ts';
 import { formatEndpoints } from './endpoints-line.ts';
@@ -11,9 +12,10 @@ const facts = {
   version: '1.2.3',
   dataDir: '/data',
   ports,
-  join: undefined,
+  terminal: undefined,
+  loopback: { role: 'participant', tellsOwners: true },
   devUrl: undefined,
-};
+} as const;
 
 describe('what the terminal shows', () => {
   it('says how to let phones in while nobody else can reach the master', () => {
@@ -36,10 +38,29 @@ describe('what the terminal shows', () => {
     expect(text).not.toContain('--lan');
     expect(bestPhoneUrl(reachability)).toBe('http://10.0.0.2:8080');
     const join = { token: 'a-token', code: 'K7QF-2MXR' };
-    const withCode = formatBanner({ ...facts, reachability, join });
+    const admin = { token: 'admin-token', code: 'ABCD-EFGH' };
+    const withCode = formatBanner({ ...facts, reachability, terminal: { admin, join } });
     expect(withCode).toContain('K7QF-2MXR');
     expect(withCode).not.toContain('a-token');
+    expect(withCode).toContain('http://localhost:8080/join#admin-token');
+    expect(withCode).toContain('ABCD-EFGH');
     expect(joinUrl('http://10.0.0.2:8080', 'a-token')).toBe('http://10.0.0.2:8080/join#a-token');
+  });
+
+  it('says what callers of this machine are [AC-40]', () => {
+    const reachability = describeReachability('localhost', ports, []);
+    const admin = { token: 'admin-token', code: 'ABCD-EFGH' };
+    const textOf = (loopback: LoopbackFacts): string =>
+      formatBanner({ ...facts, reachability, loopback, terminal: { admin, join: undefined } });
+    expect(textOf({ role: 'participant', tellsOwners: true })).toContain(
+      'of your user on this machine are participants',
+    );
+    expect(textOf({ role: 'participant', tellsOwners: false })).toContain('of all its users');
+    expect(textOf({ role: 'none', tellsOwners: true })).toContain('are strangers');
+    const trusted = textOf({ role: 'admin', tellsOwners: true });
+    expect(trusted).toContain('are admins');
+    expect(trusted).not.toContain('admin-token');
+    expect(trusted).not.toContain('ABCD-EFGH');
   });
 
   it('tells phones that they have to trust the certificate once', () => {

@@ -2,6 +2,17 @@ import { MasterAddressKind } from '@ubii/proto';
 
 import type { ListeningPorts } from '../network/listeners.ts';
 import type { Reachability } from '../network/reachability.ts';
+import type { LoopbackFacts } from '../access/caller-reader.ts';
+
+interface Secrets {
+  readonly token: string;
+  readonly code: string;
+}
+
+interface BannerSecrets {
+  readonly admin: Secrets;
+  readonly join: Secrets | undefined;
+}
 
 export interface BannerFacts {
   readonly name: string;
@@ -9,8 +20,10 @@ export interface BannerFacts {
   readonly dataDir: string;
   readonly ports: ListeningPorts;
   readonly reachability: Reachability;
-  /** What others join with; undefined when only this machine reaches the master. */
-  readonly join: { readonly token: string; readonly code: string } | undefined;
+  /** What makes an admin, and what others join with; undefined when the master could not make them. */
+  readonly terminal: BannerSecrets | undefined;
+  /** What callers of this machine are without a token. */
+  readonly loopback: LoopbackFacts;
   /** Address of the development server that serves the pages instead of the master. */
   readonly devUrl: string | undefined;
 }
@@ -34,11 +47,22 @@ export function joinUrl(origin: string, token: string): string {
 
 /** What a person who started the master reads: where it is, and what to do next. */
 export function formatBanner(facts: BannerFacts): string {
-  const { name, version, dataDir, ports, reachability, join, devUrl } = facts;
+  const { name, version, dataDir, ports, reachability, terminal, loopback, devUrl } = facts;
   const { localUrl, networkAddresses } = reachability;
+  const join = terminal?.join;
+  const admin = loopback.role === 'admin' ? undefined : terminal?.admin;
+  const asAdmin = (url: string): string => (admin === undefined ? url : joinUrl(url, admin.token));
   const rows: (readonly [string, string])[] = [
-    ...(devUrl === undefined ? [] : [['Pages (hot reload)', devUrl] as const]),
-    ['On this machine', localUrl],
+    ...(devUrl === undefined ? [] : [['Pages (hot reload)', asAdmin(devUrl)] as const]),
+    ['On this machine', asAdmin(localUrl)],
+    ...(admin === undefined
+      ? []
+      : [
+          [
+            'Code for admins',
+            `${admin.code}   good on this machine, until this master ends`,
+          ] as const,
+        ]),
     ...networkAddresses.map(
       ({ url, kind, interfaceName }, index) =>
         [
@@ -59,9 +83,11 @@ export function formatBanner(facts: BannerFacts): string {
         ]),
     ['Data', dataDir],
   ];
-  const openUrl = devUrl ?? localUrl;
   const next = [
-    `Next: open ${openUrl} in two browsers and choose the mouse-pointer example.`,
+    ...decided(loopback),
+    admin === undefined
+      ? `Next: open ${devUrl ?? localUrl} in two browsers and choose the mouse-pointer example.`
+      : 'Next: open the address for this machine, which makes you admin, and choose the mouse-pointer example.',
     networkAddresses.length > 0
       ? networkAddresses[0]?.url.startsWith('https:')
         ? 'Phones in the same network open the address and type the code, or scan the QR code; they accept the certificate once.'
@@ -78,4 +104,19 @@ export function formatBanner(facts: BannerFacts): string {
     ...next.map((line) => `  ${line}`),
     '',
   ].join('\n');
+}
+
+/** What was decided on callers of this machine, who show no token. [AC-40] */
+function decided({ role, tellsOwners }: LoopbackFacts): readonly string[] {
+  const who = tellsOwners
+    ? 'Programs and pages of your user on this machine'
+    : 'Programs and pages of this machine, of all its users,';
+  switch (role) {
+    case 'admin':
+      return [`${who} are admins without a token (--trust-loopback).`];
+    case 'participant':
+      return [`${who} are participants; the address and code above make an admin.`];
+    case 'none':
+      return [`${who} are strangers without a token (--loopback none).`];
+  }
 }

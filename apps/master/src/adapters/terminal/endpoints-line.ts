@@ -1,19 +1,19 @@
+import type { TerminalAccess } from '../../core/master.ts';
+
 /**
  * What `--print-endpoints json` prints: one line of JSON for programs that start a master.
  *
- * @param join what others join with; undefined when only this machine reaches the master
+ * @param terminal what makes an admin, and what others join with
  */
-export function formatEndpoints(
-  localUrl: string,
-  pid: number,
-  join?: { readonly token: string; readonly code: string },
-): string {
+export function formatEndpoints(localUrl: string, pid: number, terminal?: TerminalAccess): string {
+  const { admin, join } = terminal ?? {};
   return JSON.stringify({
     url: localUrl,
     servicesJson: `${localUrl}/services/json`,
     servicesBinary: `${localUrl}/services/binary`,
     topicDataWs: `${localUrl.replace(/^http/, 'ws')}/topicdata`,
     pid,
+    ...(admin && { adminToken: admin.token, adminCode: admin.code }),
     ...(join && { joinToken: join.token, joinCode: join.code }),
   });
 }

@@ -1,14 +1,15 @@
 import { createHmac, timingSafeEqual } from 'node:crypto';
 
 import type { ResumeTokens } from '../../core/ports/index.ts';
+import { deriveKey } from './derive-key.ts';
 
 /** Tokens as keyed hashes of the client id: nothing needs to be stored per client. [EX-3] */
 export class HmacResumeTokens implements ResumeTokens {
   readonly #key: Uint8Array;
 
-  /** @param key at least 32 random bytes, secret */
+  /** @param key at least 32 random bytes, secret; a key of its own is made from it */
   constructor(key: Uint8Array) {
-    this.#key = key;
+    this.#key = deriveKey(key, 'resume tokens');
   }
 
   issue(clientId: string): string {

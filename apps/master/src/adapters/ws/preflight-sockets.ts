@@ -3,11 +3,12 @@ import type { Duplex } from 'node:stream';
 import { WebSocketServer } from 'ws';
 import type { WebSocket } from 'ws';
 
+import { SOCKET_RIGHTS } from '../../core/access/rights-table.ts';
 import type { Clock } from '../../core/ports/index.ts';
 import { refuseUpgrade } from './refuse-upgrade.ts';
 
 /** Where a page tries whether its browser gets WebSockets through, before it joins. [AC-29] */
-const PATH = '/preflight';
+const PATH = SOCKET_RIGHTS.preflight.path;
 
 /** A question is a counter; nothing longer is answered. */
 const MAX_MESSAGE_BYTES = 32;
@@ -45,7 +46,8 @@ export class PreflightSockets {
     const address = request.socket.remoteAddress ?? '';
     const open = this.#openByAddress.get(address) ?? 0;
     if (this.#server.clients.size >= MAX_OPEN || open >= MAX_OPEN_OF_ONE_ADDRESS) {
-      refuseUpgrade(socket, 503, 'Too many pages try their connection now. Try again in a moment.');
+      const reason = 'Too many pages try their connection now. Try again in a moment.';
+      refuseUpgrade(socket, 503, reason, this.#clock);
       return true;
     }
     this.#server.handleUpgrade(request, socket, head, (webSocket) => {

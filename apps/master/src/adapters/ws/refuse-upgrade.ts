@@ -1,8 +1,22 @@
 import { STATUS_CODES } from 'node:http';
 import type { Duplex } from 'node:stream';
 
-/** Answers an upgrade request with an ordinary HTTP response and closes. */
-export function refuseUpgrade(socket: Duplex, status: number, reason: string): void {
+import type { Clock } from '../../core/ports/index.ts';
+
+/** How long the other side may take to read the answer and close, milliseconds. */
+const LINGER_MS = 1_000;
+
+/**
+ * Answers an upgrade request with an ordinary HTTP response and closes, whatever the other side does.
+ * What it still sends is thrown away: a connection that is closed while bytes wait on it is reset, and
+ * the answer may be lost. [AC-65]
+ */
+export function refuseUpgrade(
+  socket: Duplex,
+  status: number,
+  reason: string,
+  clock: Pick<Clock, 'after'>,
+): void {
   const body = Buffer.from(`${reason}\n`);
   const head = [
     `HTTP/1.1 ${status} ${STATUS_CODES[status]}`,
@@ -12,6 +26,9 @@ export function refuseUpgrade(socket: Duplex, status: number, reason: string): v
     '',
     '',
   ].join('\r\n');
-  socket.on('error', () => socket.destroy());
+  const end = (): void => void socket.destroy();
+  const cancel = clock.after(LINGER_MS, end);
+  socket.on('error', end).on('end', end).on('close', cancel);
+  socket.resume();
   socket.end(Buffer.concat([Buffer.from(head, 'latin1'), body]));
 }

@@ -4,9 +4,10 @@ import { WebSocketServer } from 'ws';
 import type { WebSocket } from 'ws';
 
 import type { Master } from '../../core/master.ts';
-import type { CallerFacts, Log } from '../../core/ports/index.ts';
+import type { CallerFacts, Clock, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import { kindOfPeer } from '../network/address-kinds.ts';
+import type { Doorkeeper } from '../network/doorkeeper.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
 import type { PreflightSockets } from './preflight-sockets.ts';
 import { refuseUpgrade } from './refuse-upgrade.ts';
@@ -23,6 +24,9 @@ export interface TopicDataSocketsOptions {
   readonly policy: OriginPolicy;
   readonly callers: Pick<CallerReader, 'read'>;
   readonly log: Log;
+  readonly clock: Pick<Clock, 'after'>;
+  /** Knows the connections of sockets. */
+  readonly doorkeeper?: Pick<Doorkeeper, 'of'>;
   readonly preflights?: PreflightSockets;
   /** Largest message a client may send. */
   readonly maxMessageBytes: number;
@@ -51,8 +55,10 @@ export class TopicDataSockets {
   /** To be called for the `upgrade` event of every HTTP server. */
   handleUpgrade(request: IncomingMessage, socket: Duplex, head: Buffer): void {
     const verdict = this.#options.policy.judge(request.headers);
-    if (verdict.kind === 'refused') {
-      refuseUpgrade(socket, 403, verdict.reason);
+    // A page without a name proves to be a client: browsers let it send no header here. [AC-46]
+    const isUnproven = verdict.kind === 'nameless' && !queryOf(request.url ?? '').token;
+    if (verdict.kind === 'refused' || isUnproven) {
+      refuseUpgrade(socket, 403, verdict.reason, this.#options.clock);
       return;
     }
     if (this.#options.preflights?.handleUpgrade(request, socket, head)) return; // [AC-29]
@@ -60,7 +66,7 @@ export class TopicDataSockets {
     const caller = this.#options.callers.read(request);
     const reason = this.#options.master.refuseConnection(queryOf(request.url ?? ''), caller);
     if (reason !== undefined) {
-      refuseUpgrade(socket, 403, reason); // [AC-27]
+      refuseUpgrade(socket, 403, reason, this.#options.clock); // [AC-27]
       return;
     }
     this.#server.handleUpgrade(request, socket, head, (webSocket) => {
@@ -95,6 +101,7 @@ export class TopicDataSockets {
       }
     });
     if (opened === undefined) return;
+    this.#options.doorkeeper?.of(socket)?.handleUpgrade();
 
     // The library reads the socket between these two.
     socket.prependListener('data', () => opened.handleReadStart());

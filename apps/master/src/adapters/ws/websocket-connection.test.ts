@@ -10,7 +10,7 @@ import type { ConnectionPair, Seen } from '../../testing/acceptance/index.ts';
 import { StreamLog } from '../log/stream-log.ts';
 import { OriginPolicy } from '../network/origin-policy.ts';
 import { TopicDataSockets } from './topic-data-sockets.ts';
-import { LOCAL_CALLER } from '../../index.ts';
+import { TRUSTED_CALLER } from '../../index.ts';
 
 clientConnectionSuite('WebSocketConnection', openPair);
 
@@ -26,9 +26,10 @@ async function openPair(): Promise<ConnectionPair> {
       },
       refuseConnection: () => undefined,
     },
-    callers: { read: () => LOCAL_CALLER },
+    callers: { read: () => TRUSTED_CALLER },
     policy: new OriginPolicy({ onLan: false, host: 'localhost', allowedOrigins: [] }),
     log: new StreamLog({ level: 'error', format: 'json', write: () => {}, nowMs: () => 0 }),
+    clock: { after: () => () => undefined },
     maxMessageBytes: 1000,
   });
   const server = createServer().on('upgrade', (request, socket, head) =>

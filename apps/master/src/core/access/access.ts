@@ -13,7 +13,7 @@ import type { Caller, ClientAccess } from './caller.ts';
 import { looksLikeCredential, readCredential, writeCredential } from './credentials.ts';
 import type { Grant } from './grant.ts';
 import type { Grants } from './grants.ts';
-import type { GuessLimit } from './guess-limit.ts';
+import type { GuessLimit, GuessSource } from './guess-limit.ts';
 import { readJoinCode } from './join-code.ts';
 import { joinRefusal, roleRefusal } from './join-refusals.ts';
 import { SERVICE_RIGHTS } from './service-rights.ts';
@@ -37,7 +37,8 @@ type Found =
 const { JOIN_PROBLEM_EXPIRED, JOIN_PROBLEM_GUESSING, JOIN_PROBLEM_MISSING } = JoinProblem;
 const { JOIN_PROBLEM_REVOKED, JOIN_PROBLEM_USED, JOIN_PROBLEM_WRONG } = JoinProblem;
 
-const LOCAL: Caller = { kind: 'local', role: 'admin' };
+const TRUSTED: Caller = { kind: 'local', role: 'admin' };
+const LOCAL: Caller = { kind: 'local', role: 'participant' };
 const NETWORK: Caller = { kind: 'network', role: 'participant' };
 
 /** Decides who is let in, and to what. */
@@ -51,8 +52,10 @@ export class Access {
   }
 
   /** Who calls. What it shows counts, and what is good for nothing is not taken for none [AC-3]. */
-  identify({ standing, place, bearer }: CallerFacts): Caller {
-    if (bearer !== undefined) return this.#identifyBearer(bearer, place);
+  identify(facts: CallerFacts): Caller {
+    const { standing, bearer } = facts;
+    if (bearer !== undefined) return this.#identifyBearer(bearer, facts);
+    if (standing === 'trusted') return TRUSTED;
     if (standing === 'local') return LOCAL;
     if (standing === 'network') return NETWORK;
     return stranger(JOIN_PROBLEM_MISSING);
@@ -84,11 +87,11 @@ export class Access {
   mayActFor(caller: Caller, clientId: string): boolean {
     switch (caller.kind) {
       case 'local':
-        return true;
+        return caller.role === 'admin' || this.#isLikeUs(clientId, caller);
       case 'client':
         return clientId === caller.clientId;
       case 'network':
-        return (this.#context.accessOf(clientId)?.kind ?? 'network') === 'network';
+        return this.#isLikeUs(clientId, caller);
       case 'joining':
       case 'stranger':
         return false;
@@ -104,13 +107,12 @@ export class Access {
     clientId: string,
     token: string,
   ): ServiceError | undefined {
-    if (standing === 'local') return undefined;
+    if (standing === 'trusted') return undefined;
     const { tokens, accessOf } = this.#context;
     const access = accessOf(clientId);
     const mayTry = access === undefined || access.kind === 'grant';
-    if (standing === 'network' && (access === undefined || access.kind === 'network')) {
-      return undefined;
-    }
+    if (standing === 'local' && isLike(access, LOCAL)) return undefined;
+    if (standing === 'network' && isLike(access, NETWORK)) return undefined;
     // Who proves to have had an id hears what became of it.
     const isProven = clientId !== '' && token !== '' && tokens.verify(clientId, token);
     if (!mayTry || !isProven) return joinRefusal(JOIN_PROBLEM_MISSING);
@@ -119,13 +121,14 @@ export class Access {
   }
 
   /** What a token or code is good for, for whom it may concern [AC-16]. */
-  check(secret: string, place: string): Found {
+  check(secret: string, source: GuessSource & Pick<CallerFacts, 'isHere'>): Found {
+    const { isHere } = source;
     const code = readJoinCode(secret);
-    if (code === undefined) return this.#usable(this.grants.findByToken(secret));
+    if (code === undefined) return this.#usable(here(this.grants.findByToken(secret), isHere));
     const { guesses } = this.#context;
-    if (!guesses.mayTry(place)) return { problem: JOIN_PROBLEM_GUESSING };
-    const grant = this.grants.findByCode(code);
-    if (grant === undefined) guesses.countWrong(place);
+    if (!guesses.mayTry(source)) return { problem: JOIN_PROBLEM_GUESSING };
+    const grant = here(this.grants.findByCode(code), isHere);
+    if (grant === undefined) guesses.countWrong(source);
     return this.#usable(grant, grant?.codeExpiresMs);
   }
 
@@ -147,18 +150,27 @@ export class Access {
     return { credential, credentialExpiresMs: expiresMs };
   }
 
-  #identifyBearer(bearer: string, place: string): Caller {
+  #identifyBearer(bearer: string, facts: CallerFacts): Caller {
     if (!looksLikeCredential(bearer)) {
-      const { grant, problem } = this.check(bearer, place);
+      const { grant, problem } = this.check(bearer, facts);
       return grant === undefined ? stranger(problem) : { kind: 'joining', role: 'none', grant };
     }
     const credential = readCredential(this.#context.secrets, bearer);
     if (credential === undefined) return stranger(JOIN_PROBLEM_WRONG);
     const grant = this.grants.get(credential.grantId);
     const { clientId, expiresMs } = credential;
+    if (grant !== undefined && here(grant, facts.isHere) === undefined) {
+      return stranger(JOIN_PROBLEM_WRONG);
+    }
     if (grant === undefined || grant.revokedMs > 0) return stranger(JOIN_PROBLEM_REVOKED);
-    if (expiresMs <= this.#context.clock.nowMs()) return stranger(JOIN_PROBLEM_EXPIRED);
+    const endMs = Math.min(expiresMs, grant.staysUntilMs);
+    if (endMs <= this.#context.clock.nowMs()) return stranger(JOIN_PROBLEM_EXPIRED);
     return { kind: 'client', role: grant.role, clientId, grant, expiresMs };
+  }
+
+  /** Whether a client came in like this caller, without a token; one that is not there may have. */
+  #isLikeUs(clientId: string, caller: Caller): boolean {
+    return isLike(this.#context.accessOf(clientId), caller);
   }
 
   #usable(grant: Grant | undefined, codeExpiresMs = Number.POSITIVE_INFINITY): Found {
@@ -168,6 +180,15 @@ export class Access {
     if (Math.min(grant.closedMs, codeExpiresMs) <= nowMs) return { problem: JOIN_PROBLEM_EXPIRED };
     return { grant };
   }
+}
+
+function isLike(access: ClientAccess | undefined, { kind, role }: Caller): boolean {
+  return access === undefined || (access.kind === kind && access.role === role);
+}
+
+/** The grant where it may be used: one for this machine is as good as none elsewhere [AC-43]. */
+function here(grant: Grant | undefined, isHere: boolean): Grant | undefined {
+  return grant?.hereOnly === true && !isHere ? undefined : grant;
 }
 
 /** Whether somebody more may join with a grant [AC-18]. */

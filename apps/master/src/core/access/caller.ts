@@ -3,12 +3,12 @@ import type { Grant } from './grant.ts';
 import type { Role } from './roles.ts';
 
 /**
- * Who calls, once the transport and the token were looked at: `local` without a token [AC-2] · `network`,
- * let in without one [AC-4] · `client`, a client that joined, shown by its credential [AC-13] · `joining`,
+ * Who calls, once the transport and the token were looked at: `local`, of this machine, without a
+ * token [AC-2] · `network`, let in without one [AC-4] · `client`, a client that joined, shown by its credential [AC-13] · `joining`,
  * with a token or code, to register with · `stranger`, everybody else.
  */
 export type Caller =
-  | { readonly kind: 'local'; readonly role: 'admin' }
+  | { readonly kind: 'local'; readonly role: 'admin' | 'participant' }
   | { readonly kind: 'network'; readonly role: 'participant' }
   | {
       readonly kind: 'client';
@@ -36,8 +36,9 @@ export interface ClientAccess {
   readonly expiresMs: number;
 }
 
-/** How a client came in that needed no token, on this machine. */
-export const LOCAL_ACCESS: ClientAccess = withoutGrant('local', 'admin');
+/** How a client came in that needed no token, on a machine that is trusted [AC-40]. */
+export const TRUSTED_ACCESS: ClientAccess = withoutGrant('local', 'admin');
+const LOCAL_ACCESS = withoutGrant('local', 'participant');
 const NETWORK_ACCESS = withoutGrant('network', 'participant');
 
 /**
@@ -48,7 +49,7 @@ const NETWORK_ACCESS = withoutGrant('network', 'participant');
 export function accessOf(caller: Caller, expiresMs: number): ClientAccess {
   switch (caller.kind) {
     case 'local':
-      return LOCAL_ACCESS;
+      return caller.role === 'admin' ? TRUSTED_ACCESS : LOCAL_ACCESS;
     case 'network':
       return NETWORK_ACCESS;
     case 'client':
@@ -57,6 +58,11 @@ export function accessOf(caller: Caller, expiresMs: number): ClientAccess {
     case 'stranger':
       throw caller.refusal;
   }
+}
+
+/** With which grant somebody makes things; empty for who needs none [AC-90]. */
+export function makerOf(caller: Caller): string {
+  return caller.kind === 'client' && !caller.grant.hereOnly ? caller.grant.id : '';
 }
 
 function withoutGrant(kind: 'local' | 'network', role: Role): ClientAccess {

@@ -16,15 +16,21 @@ export interface GrantSpec {
   readonly writeTopics: readonly string[];
   /** The master made it itself, for its terminal [AC-19]. */
   readonly isTerminal: boolean;
+  /** Nobody can use it, its credentials included, but from the master's own machine [AC-43]. */
+  readonly hereOnly: boolean;
+  /** The grant of who made it, with which it ends; empty for the operator's [AC-93]. */
+  readonly madeWith: string;
 }
 
 /** Leave to join [AC-10]. */
 export interface Grant extends GrantSpec {
   readonly id: string;
   readonly createdMs: number;
-  /** Keyed hashes of its secrets [AC-11]. */
-  readonly token: string;
-  readonly code: string;
+  /** Keyed hashes of its secrets [AC-11], which change where each start shows new ones [AC-42]. */
+  token: string;
+  code: string;
+  expiresMs: number;
+  codeExpiresMs: number;
   /** 0 while it stands. */
   revokedMs: number;
   joins: number;
@@ -32,12 +38,28 @@ export interface Grant extends GrantSpec {
   credentialsEndMs: number;
   /** Nobody joins with it from then on: its own end, or that of the run of the master it was for. */
   closedMs: number;
+  /** Who has joined with it may stay until then [AC-91]. */
+  staysUntilMs: number;
+  /** Its time was over, and those who had joined were ended [AC-91]. */
+  isOver: boolean;
+}
+
+/** What was made or changed with a grant [AC-90]. */
+export interface GrantWork {
+  readonly sessionIds: readonly string[];
+  readonly runningSessionIds: readonly string[];
+  readonly storedSessionNames: readonly string[];
+  readonly moduleNames: readonly string[];
 }
 
 /** The grant as others may see it. */
-export function grantMessage(grant: Grant, clientIds: readonly string[]): Init<AccessGrant> {
+export function grantMessage(
+  grant: Grant,
+  clientIds: readonly string[],
+  work: GrantWork,
+): Init<AccessGrant> {
   const { id, label, role, target, createdMs, maxJoins, readTopics, writeTopics } = grant;
-  const { codeExpiresMs, revokedMs, joins, isTerminal, closedMs } = grant;
+  const { codeExpiresMs, revokedMs, joins, isTerminal, closedMs, staysUntilMs } = grant;
   return {
     id,
     label,
@@ -53,6 +75,17 @@ export function grantMessage(grant: Grant, clientIds: readonly string[]): Init<A
     clientIds: [...clientIds],
     isTerminal,
     codeExpiresMs: Math.min(codeExpiresMs, closedMs),
+    staysUntilMs,
+    ...copied(work),
+  };
+}
+
+function copied({ sessionIds, runningSessionIds, storedSessionNames, moduleNames }: GrantWork) {
+  return {
+    sessionIds: [...sessionIds],
+    runningSessionIds: [...runningSessionIds],
+    storedSessionNames: [...storedSessionNames],
+    moduleNames: [...moduleNames],
   };
 }
 
@@ -61,6 +94,9 @@ export function grantToJson(grant: Grant): JsonObject {
   const { readTopics, writeTopics, ...rest } = grant;
   return { ...rest, readTopics: [...readTopics], writeTopics: [...writeTopics] };
 }
+
+/** What grants of earlier versions lack. */
+type LaterMember = 'hereOnly' | 'madeWith' | 'staysUntilMs' | 'isOver';
 
 /** A grant as it was kept; undefined when this is none. */
 export function grantFromJson(json: unknown): Grant | undefined {
@@ -76,9 +112,16 @@ export function grantFromJson(json: unknown): Grant | undefined {
     numbers.every((number) => typeof number === 'number' && Number.isFinite(number)) &&
     isGivenRole(kept.role) &&
     typeof kept.isTerminal === 'boolean' &&
+    (kept.hereOnly === undefined || typeof kept.hereOnly === 'boolean') &&
+    (kept.madeWith === undefined || typeof kept.madeWith === 'string') &&
+    (kept.staysUntilMs === undefined || Number.isFinite(kept.staysUntilMs)) &&
     isTextList(kept.readTopics) &&
     isTextList(kept.writeTopics);
-  return isGrant ? (json as Grant) : undefined;
+  if (!isGrant) return undefined;
+  const grant = json as Omit<Grant, LaterMember> & Partial<Pick<Grant, LaterMember>>;
+  // Grants of earlier versions are good everywhere, and last as long as what they gave.
+  const staysUntilMs = Math.max(grant.expiresMs, grant.credentialsEndMs);
+  return { hereOnly: false, madeWith: '', isOver: false, staysUntilMs, ...grant };
 }
 
 function isTextList(value: unknown): value is readonly string[] {

@@ -8,8 +8,6 @@ import { CREDENTIAL_LIFETIME_MS } from './credentials.ts';
 import { grantFromJson, grantToJson, type Grant, type GrantSpec } from './grant.ts';
 import { createJoinCode, readJoinCode } from './join-code.ts';
 
-/** Who has joined may come back for this long after nobody joins any more, milliseconds [AC-13]. */
-const RETURN_MS = 30 * 24 * 3_600_000;
 /** The end of credentials is kept in steps of this size, so that not every registration writes a file. */
 const KEPT_STEP_MS = 24 * 3_600_000;
 
@@ -23,11 +21,20 @@ export interface GrantsContext {
   readonly log: Log;
 }
 
+/** A grant with its secrets, which nobody can be told again [AC-11]. */
+export interface NewGrant {
+  readonly grant: Grant;
+  readonly token: string;
+  readonly code: string;
+}
+
 /** Every grant that is kept, found by id, token and code [AC-10] [AC-19]. */
 export class Grants {
   readonly #context: GrantsContext;
   readonly #grants = new Map<string, Grant>();
   readonly #byToken = new Map<string, Grant>();
+  /** Grants that are being kept: whether they have changed since. */
+  readonly #changed = new Map<Grant, boolean>();
   readonly #byCode = new Map<string, Grant>();
 
   constructor(context: GrantsContext) {
@@ -66,30 +73,51 @@ export class Grants {
 
   /**
    * Makes a grant; it is kept when the promise is fulfilled [AC-19].
+   *
+   * @param staysUntilMs end of those who join, epoch milliseconds; its own end when that is later [AC-91]
    * @returns with its secrets, which nobody can be told again [AC-11]
    * @throws ServiceError when there is no room
    */
-  async create(spec: GrantSpec): Promise<{ grant: Grant; token: string; code: string }> {
-    const { clock, ids, secrets, limits } = this.#context;
+  async create(spec: GrantSpec, staysUntilMs = spec.expiresMs): Promise<NewGrant> {
+    const { clock, ids, limits } = this.#context;
     const max = limits.limits.grants;
     if (this.#grants.size >= max && !(await this.#makeRoom())) {
       throw limits.refusal('grants', `more than ${max} leaves to join`);
     }
-    const token = secrets.token();
-    const code = createJoinCode(secrets);
+    const { token, code, hashes } = this.#newSecrets();
     const grant: Grant = {
       ...spec,
       id: ids.uuid(),
       createdMs: clock.nowMs(),
-      token: secrets.fingerprint(`token ${token}`),
-      code: secrets.fingerprint(`code ${readJoinCode(code)!}`),
+      ...hashes,
       revokedMs: 0,
       joins: 0,
       credentialsEndMs: 0,
       closedMs: spec.expiresMs,
+      staysUntilMs: Math.max(spec.expiresMs, staysUntilMs),
+      isOver: false,
     };
     await this.#keep(grant);
     this.#index(grant);
+    return { grant, token, code };
+  }
+
+  /**
+   * Gives a grant new secrets in place of its own, and a new end; who has joined with it stays [AC-42].
+   *
+   * @param expiresMs end of token and code, epoch milliseconds
+   */
+  async renew(grant: Grant, expiresMs: number): Promise<NewGrant> {
+    const { token, code, hashes } = this.#newSecrets();
+    this.#unindex(grant);
+    Object.assign(grant, hashes, {
+      expiresMs,
+      codeExpiresMs: expiresMs,
+      closedMs: expiresMs,
+      staysUntilMs: expiresMs,
+    });
+    this.#index(grant);
+    await this.#keep(grant);
     return { grant, token, code };
   }
 
@@ -99,11 +127,39 @@ export class Grants {
     await this.#keep(grant);
   }
 
-  /** Nobody joins with the grants of earlier terminals any more; those nobody joined with go [AC-19]. */
+  /** Those whose time is over, and whose clients were not ended for it yet [AC-91]. They count as ended then. */
+  takeOver(): Grant[] {
+    const nowMs = this.#context.clock.nowMs();
+    const over = this.list().filter(
+      ({ staysUntilMs, isOver, revokedMs }) => !isOver && revokedMs === 0 && staysUntilMs <= nowMs,
+    );
+    for (const grant of over) {
+      grant.isOver = true;
+      this.#keep(grant).catch((error: unknown) =>
+        this.#context.log.warn('a grant could not be kept', { reason: String(error) }),
+      );
+    }
+    return over;
+  }
+
+  /** Whether those who joined with it may be here. */
+  isGood(id: string): boolean {
+    const grant = this.#grants.get(id);
+    return (
+      grant !== undefined &&
+      grant.revokedMs === 0 &&
+      grant.staysUntilMs > this.#context.clock.nowMs()
+    );
+  }
+
+  /**
+   * Nobody joins with what earlier terminals showed to others any more; what nobody joined with goes
+   * [AC-19].
+   */
   async closeTerminals(): Promise<void> {
     const nowMs = this.#context.clock.nowMs();
     for (const grant of this.list()) {
-      if (!grant.isTerminal) continue;
+      if (!grant.isTerminal || grant.hereOnly) continue;
       if (grant.joins === 0) await this.#forget(grant);
       else if (grant.closedMs > nowMs) {
         grant.closedMs = nowMs;
@@ -115,7 +171,7 @@ export class Grants {
   /** When a credential given now ends; undefined when the grant gives none any more [AC-13]. */
   credentialEndMs(grant: Grant): number | undefined {
     const nowMs = this.#context.clock.nowMs();
-    const endMs = Math.min(nowMs + CREDENTIAL_LIFETIME_MS, grant.closedMs + RETURN_MS);
+    const endMs = Math.min(nowMs + CREDENTIAL_LIFETIME_MS, grant.staysUntilMs);
     return endMs > nowMs ? endMs : undefined;
   }
 
@@ -128,13 +184,36 @@ export class Grants {
     const isNew = endMs > grant.credentialsEndMs;
     if (isNew) grant.credentialsEndMs = Math.ceil(endMs / KEPT_STEP_MS) * KEPT_STEP_MS;
     if (!hasJoined && !isNew) return;
-    const kept = this.#keep(grant);
-    if (hasJoined && grant.maxJoins > 0) await kept;
-    else {
-      kept.catch((error: unknown) =>
-        this.#context.log.warn('a grant could not be kept', { reason: String(error) }),
-      );
+    if (hasJoined && grant.maxJoins > 0) await this.#keep(grant);
+    else void this.#keepSoon(grant);
+  }
+
+  /** Keeps it as it is then, once for all that come meanwhile: many joins do not hold up a revocation. */
+  async #keepSoon(grant: Grant): Promise<void> {
+    const isUnderWay = this.#changed.has(grant);
+    this.#changed.set(grant, true);
+    if (isUnderWay) return;
+    try {
+      while (this.#changed.get(grant) === true && this.#grants.has(grant.id)) {
+        this.#changed.set(grant, false);
+        await this.#keep(grant);
+      }
+    } catch (error) {
+      this.#context.log.warn('a grant could not be kept', { reason: String(error) });
+    } finally {
+      this.#changed.delete(grant);
     }
+  }
+
+  #newSecrets() {
+    const { secrets } = this.#context;
+    const token = secrets.token();
+    const code = createJoinCode(secrets);
+    const hashes = {
+      token: secrets.fingerprint(`token ${token}`),
+      code: secrets.fingerprint(`code ${readJoinCode(code)!}`),
+    };
+    return { token, code, hashes };
   }
 
   #index(grant: Grant): void {
@@ -148,10 +227,14 @@ export class Grants {
   }
 
   async #forget(grant: Grant): Promise<void> {
+    this.#unindex(grant);
+    await this.#context.store.delete(grant.id);
+  }
+
+  #unindex(grant: Grant): void {
     this.#grants.delete(grant.id);
     if (this.#byToken.get(grant.token) === grant) this.#byToken.delete(grant.token);
     if (this.#byCode.get(grant.code) === grant) this.#byCode.delete(grant.code);
-    await this.#context.store.delete(grant.id);
   }
 
   /** Lets go of one that serves nobody any more, the oldest of them [AC-10]. */

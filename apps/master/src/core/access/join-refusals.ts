@@ -1,5 +1,8 @@
 import { JoinProblem, ServiceError, type ServiceErrorCode } from '@ubii/proto';
 
+/** When a code that was not looked at may be. */
+const RETRY_AFTER_S = 1;
+
 interface Sentence {
   readonly code: ServiceErrorCode;
   readonly message: string;
@@ -31,7 +34,8 @@ const SENTENCES: { readonly [P in JoinProblem]?: Sentence } = {
   },
   [JoinProblem.JOIN_PROBLEM_GUESSING]: {
     code: 'resource_exhausted',
-    message: 'Too many wrong codes were tried. Wait a minute, or scan the QR code.',
+    message:
+      'Too many wrong codes come from this network. Try again in a moment, or scan the QR code, which works at once.',
   },
 };
 
@@ -40,7 +44,10 @@ export function joinRefusal(problem: JoinProblem): ServiceError {
   const { code, message } = SENTENCES[problem] ?? SENTENCES[JoinProblem.JOIN_PROBLEM_MISSING]!;
   return new ServiceError(code, message, {
     title: 'Join first',
-    details: { joinProblem: problem },
+    details: {
+      joinProblem: problem,
+      ...(problem === JoinProblem.JOIN_PROBLEM_GUESSING && { retryAfterS: RETRY_AFTER_S }),
+    },
   });
 }
 

@@ -1,16 +1,53 @@
 import type { Core } from '../core.ts';
-import type { TerminalJoin } from '../master.ts';
+import type { TerminalAccess, TerminalJoin } from '../master.ts';
+import type { GrantSpec } from './grant.ts';
 
-/** How long somebody can join with what a terminal shows, milliseconds [AC-19]. */
+/** How long others can join with what a terminal shows, milliseconds [AC-19]. */
 const TERMINAL_LIFETIME_MS = 12 * 3_600_000;
+/** Who joined with it comes back for so long after the start, milliseconds: phones of a course of some days [AC-19]. */
+const TERMINAL_STAY_MS = 7 * 24 * 3_600_000;
+/** The token of the operator's machine is good while the master runs, and for no longer than this, milliseconds [AC-42]. */
+const OPERATOR_LIFETIME_MS = 365 * 24 * 3_600_000;
 
-/** Makes the leave to join for the terminal of this run, in place of that of the run before [AC-19]. */
-export async function openTerminal({ access, clock }: Core): Promise<TerminalJoin> {
-  await access.grants.closeTerminals();
+/**
+ * Makes what the terminal of this run shows, in place of what that of the run before showed.
+ *
+ * @param isReachable whether others than this machine can reach the master
+ */
+export async function openTerminal(core: Core, isReachable: boolean): Promise<TerminalAccess> {
+  await core.access.grants.closeTerminals();
+  return { admin: await openAdmin(core), join: isReachable ? await openJoin(core) : undefined };
+}
+
+/** Leave for the operator, in the one grant that lasts: browsers that have it stay admins [AC-42]. */
+async function openAdmin({ access, clock }: Core): Promise<TerminalJoin> {
+  const { grants } = access;
+  const expiresMs = clock.nowMs() + OPERATOR_LIFETIME_MS;
+  const before = grants
+    .list()
+    .find(({ isTerminal, hereOnly, revokedMs }) => isTerminal && hereOnly && revokedMs === 0);
+  const { token, code } =
+    before === undefined
+      ? await grants.create({
+          ...terminalSpec('This machine', 'admin', expiresMs),
+          hereOnly: true,
+        })
+      : await grants.renew(before, expiresMs);
+  return { token, code, expiresMs };
+}
+
+/** Leave for others [AC-19]. */
+async function openJoin({ access, clock }: Core): Promise<TerminalJoin> {
   const expiresMs = clock.nowMs() + TERMINAL_LIFETIME_MS;
-  const { token, code } = await access.grants.create({
-    label: 'Terminal',
-    role: 'participant',
+  const spec = terminalSpec('Terminal', 'participant', expiresMs);
+  const { token, code } = await access.grants.create(spec, clock.nowMs() + TERMINAL_STAY_MS);
+  return { token, code, expiresMs };
+}
+
+function terminalSpec(label: string, role: GrantSpec['role'], expiresMs: number): GrantSpec {
+  return {
+    label,
+    role,
     target: '',
     expiresMs,
     codeExpiresMs: expiresMs,
@@ -18,6 +55,7 @@ export async function openTerminal({ access, clock }: Core): Promise<TerminalJoi
     readTopics: [],
     writeTopics: [],
     isTerminal: true,
-  });
-  return { token, code, expiresMs };
+    hereOnly: false,
+    madeWith: '',
+  };
 }

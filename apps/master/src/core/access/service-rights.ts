@@ -6,12 +6,15 @@ export interface ServiceRight {
   readonly roles: readonly GivenRole[] | 'anyone';
   /** Its request names the client that asks, which has to be the caller [AC-22]. */
   readonly actsForClient: boolean;
+  /** It changes something for others, and whoever calls it is written down [EX-90]. */
+  readonly audited: boolean;
 }
 
-const ANYONE: ServiceRight = { roles: 'anyone', actsForClient: false };
+const ANYONE: ServiceRight = { roles: 'anyone', actsForClient: false, audited: false };
 const JOINED = right('admin', 'participant', 'player', 'viewer');
 const READERS = right('admin', 'participant', 'viewer');
 const PARTICIPANTS = right('admin', 'participant');
+const AUDITED_PARTICIPANTS = audited(PARTICIPANTS);
 const ADMINS = right('admin');
 
 /** Every service of the protocol and of ours: who may call it [AC-21]. */
@@ -62,45 +65,50 @@ export const SERVICE_RIGHTS: { readonly [S in ServiceName]: ServiceRight } = {
   topicMuxRuntimeGet: READERS,
   topicMuxRuntimeGetList: READERS,
 
-  notifyConditionAdd: PARTICIPANTS,
-  notifyConditionRemove: PARTICIPANTS,
-  processingModuleDatabaseSave: PARTICIPANTS,
-  processingModuleDatabaseDelete: PARTICIPANTS,
+  notifyConditionAdd: AUDITED_PARTICIPANTS,
+  notifyConditionRemove: AUDITED_PARTICIPANTS,
+  processingModuleDatabaseSave: AUDITED_PARTICIPANTS,
+  processingModuleDatabaseDelete: AUDITED_PARTICIPANTS,
   processingModuleRuntimeAdd: PARTICIPANTS,
   processingModuleRuntimeRemove: PARTICIPANTS,
-  processingModuleRegistryAdd: PARTICIPANTS,
-  processingModuleRegistryRemove: PARTICIPANTS,
-  sessionDatabaseSave: PARTICIPANTS,
-  sessionDatabaseDelete: PARTICIPANTS,
-  sessionRuntimeAdd: PARTICIPANTS,
-  sessionRuntimeRemove: PARTICIPANTS,
-  sessionRuntimeStart: PARTICIPANTS,
-  sessionRuntimeStop: PARTICIPANTS,
-  sessionRuntimeUpdate: PARTICIPANTS,
-  sessionPause: PARTICIPANTS,
-  sessionResume: PARTICIPANTS,
-  topicDemuxDatabaseSave: PARTICIPANTS,
-  topicDemuxDatabaseDelete: PARTICIPANTS,
-  topicMuxDatabaseSave: PARTICIPANTS,
-  topicMuxDatabaseDelete: PARTICIPANTS,
+  processingModuleRegistryAdd: AUDITED_PARTICIPANTS,
+  processingModuleRegistryRemove: AUDITED_PARTICIPANTS,
+  sessionDatabaseSave: AUDITED_PARTICIPANTS,
+  sessionDatabaseDelete: AUDITED_PARTICIPANTS,
+  sessionRuntimeAdd: AUDITED_PARTICIPANTS,
+  sessionRuntimeRemove: AUDITED_PARTICIPANTS,
+  sessionRuntimeStart: AUDITED_PARTICIPANTS,
+  sessionRuntimeStop: AUDITED_PARTICIPANTS,
+  sessionRuntimeUpdate: AUDITED_PARTICIPANTS,
+  sessionPause: AUDITED_PARTICIPANTS,
+  sessionResume: AUDITED_PARTICIPANTS,
+  topicDemuxDatabaseSave: AUDITED_PARTICIPANTS,
+  topicDemuxDatabaseDelete: AUDITED_PARTICIPANTS,
+  topicMuxDatabaseSave: AUDITED_PARTICIPANTS,
+  topicMuxDatabaseDelete: AUDITED_PARTICIPANTS,
 
   // Of others, only an admin's: see `requireTarget`.
-  clientRename: actsForClient(PARTICIPANTS),
-  clientDisconnect: actsForClient(PARTICIPANTS),
+  clientRename: audited(actsForClient(PARTICIPANTS)),
+  clientDisconnect: audited(actsForClient(PARTICIPANTS)),
   // Or who is throttled would lift it.
-  clientThrottle: actsForClient(ADMINS),
+  clientThrottle: audited(actsForClient(ADMINS)),
 
   logTail: ADMINS,
   settingList: ADMINS,
-  accessGrantCreate: actsForClient(ADMINS),
+  accessGrantCreate: audited(actsForClient(ADMINS)),
   accessGrantList: ADMINS,
-  accessGrantRevoke: actsForClient(ADMINS),
+  auditLog: ADMINS,
+  accessGrantRevoke: audited(actsForClient(ADMINS)),
 };
 
 function right(...roles: readonly GivenRole[]): ServiceRight {
-  return { roles, actsForClient: false };
+  return { roles, actsForClient: false, audited: false };
 }
 
 function actsForClient({ roles }: ServiceRight): ServiceRight {
-  return { roles, actsForClient: true };
+  return { roles, actsForClient: true, audited: false };
+}
+
+function audited(plain: ServiceRight): ServiceRight {
+  return { ...plain, audited: true };
 }

@@ -1,6 +1,13 @@
-import { clientTopic, globToRegExpSource, identifyTopic, preflightTopic } from '@ubii/proto';
-import type { CompiledPattern, PatternCompiler } from '../ports/pattern-compiler.ts';
+import type { CompiledPattern, PatternCompiler } from '@ubii/patterns';
+import {
+  clientTopic,
+  globToRegExpSource,
+  identifyTopic,
+  isMasterTopic,
+  preflightTopic,
+} from '@ubii/proto';
 import type { Grant } from './grant.ts';
+import { TOPIC_RIGHTS, type TopicKind, type TopicRight } from './rights-table.ts';
 import type { Role } from './roles.ts';
 
 /** Where a client may publish. In its place, undefined: everywhere [AC-24]. */
@@ -26,13 +33,19 @@ export interface Namespaces {
 /** Topics of which an answer is remembered, for each player. */
 const MAX_REMEMBERED = 1_024;
 
+/** Kinds that do not depend on the role: the master publishes there, and players by their invitation. */
+const MASTERS_KINDS: readonly TopicKind[] = ['ownState', 'master', 'granted'];
+
+/** Kinds that are told apart by who is registered: only where it matters, as it costs a search. */
+const KINDS_OF_OTHERS: readonly TopicKind[] = ['identify', 'inputOfOther', 'other', 'elsewhere'];
+
 /** A client's rights on topics. */
 export interface TopicRights {
   readonly publish: PublishRights | undefined;
   readonly read: ReadRights | undefined;
 }
 
-/** The rights of a client with this role. @param grant the one it joined with */
+/** The rights of a client with this role, by the table. @param grant the one it joined with */
 export function topicRightsOf(
   clientId: string,
   role: Role,
@@ -40,69 +53,94 @@ export function topicRightsOf(
   namespaces: Namespaces,
   patterns: PatternCompiler,
 ): TopicRights {
-  switch (role) {
-    case 'admin':
-      return { publish: undefined, read: undefined };
-    case 'participant':
-      return { publish: new ParticipantRights(clientId, namespaces), read: undefined };
-    case 'viewer':
-      return { publish: viewerPublishing(clientId), read: undefined };
-    case 'player':
-    case 'none':
-      return playerRights(clientId, role === 'none' ? undefined : grant, patterns);
-  }
+  const rightsIn = (direction: 'publish' | 'receive', globs: readonly string[]): Rights =>
+    new Rights(
+      clientId,
+      kindsFor(role, direction),
+      new Globs(role === 'player' ? globs : [], patterns),
+      namespaces,
+    );
+  const publish = kindsFor(role, 'publish');
+  const receive = kindsFor(role, 'receive');
+  return {
+    publish: hasAll(publish, MASTERS_KINDS)
+      ? undefined
+      : rightsIn('publish', grant?.writeTopics ?? []),
+    read: hasAll(receive, ['granted']) ? undefined : rightsIn('receive', grant?.readTopics ?? []),
+  };
 }
 
-/** Everywhere, but in the namespace of another client only where that client listens. */
-class ParticipantRights implements PublishRights {
-  /** It may, as on other topics that are nobody's. */
-  readonly maySayFarewell = false;
-  readonly #clientId: string;
-  readonly #own: string;
-  readonly #namespaces: Namespaces;
+function kindsFor(role: Role, direction: 'publish' | 'receive'): ReadonlySet<TopicKind> {
+  const rows = Object.entries<TopicRight>(TOPIC_RIGHTS);
+  const allowed = rows.filter(([, row]) => row[direction].some((given) => given === role));
+  return new Set(allowed.map(([kind]) => kind as TopicKind));
+}
 
-  constructor(clientId: string, namespaces: Namespaces) {
-    this.#clientId = clientId;
-    this.#own = `/${clientId}/`;
+/** Whether every kind is among these, but for those that do not count. */
+function hasAll(kinds: ReadonlySet<TopicKind>, except: readonly TopicKind[]): boolean {
+  return Object.keys(TOPIC_RIGHTS).every(
+    (kind) => kinds.has(kind as TopicKind) || except.includes(kind as TopicKind),
+  );
+}
+
+/** What the table allows one client in one direction. */
+class Rights implements PublishRights, ReadRights {
+  readonly maySayFarewell: boolean;
+  readonly #kinds: ReadonlySet<TopicKind>;
+  readonly #granted: Globs;
+  readonly #namespaces: Namespaces;
+  readonly #own: string;
+  /** Existing programs look for the orientation of a phone without a slash in front. */
+  readonly #bare: string;
+  readonly #preflight: string;
+  readonly #state: string;
+  readonly #tellsOthersApart: boolean;
+
+  constructor(
+    clientId: string,
+    kinds: ReadonlySet<TopicKind>,
+    granted: Globs,
+    namespaces: Namespaces,
+  ) {
+    this.#kinds = kinds;
+    this.#granted = granted;
     this.#namespaces = namespaces;
+    this.#own = `/${clientId}/`;
+    this.#bare = `${clientId}/`;
+    this.#preflight = preflightTopic(clientId);
+    this.#state = clientTopic(clientId);
+    const ofOthers = new Set(KINDS_OF_OTHERS.map((kind) => kinds.has(kind)));
+    this.#tellsOthersApart = ofOthers.size > 1;
+    // Who may publish everywhere needs no leave for it.
+    this.maySayFarewell = kinds.has('farewell') && !kinds.has('elsewhere');
   }
 
   mayPublish(topic: string): boolean {
-    if (topic.startsWith(this.#own)) return true;
-    const end = topic.indexOf('/', 1);
-    if (end < 0) return true;
-    const owner = topic.slice(topic.startsWith('/') ? 1 : 0, end);
-    return (
-      owner === this.#clientId ||
-      !this.#namespaces.isClient(owner) ||
-      topic === identifyTopic(owner) ||
-      this.#namespaces.isInputOf(owner, topic)
-    );
+    return this.#kinds.has(this.#kindOf(topic));
   }
-}
 
-/** What its preflight found, for the host [AC-30]; nothing else. */
-function viewerPublishing(clientId: string): PublishRights {
-  const own = preflightTopic(clientId);
-  return { mayPublish: (topic) => topic === own, maySayFarewell: false };
-}
+  mayRead(topic: string): boolean {
+    return this.#kinds.has(this.#kindOf(topic));
+  }
 
-function playerRights(
-  clientId: string,
-  grant: Grant | undefined,
-  patterns: PatternCompiler,
-): TopicRights {
-  const own = `/${clientId}/`;
-  // Existing programs look for the orientation of a phone without a slash in front.
-  const bare = `${clientId}/`;
-  const self = clientTopic(clientId);
-  const writes = new Globs(grant?.writeTopics ?? [], patterns);
-  const reads = new Globs(grant?.readTopics ?? [], patterns);
-  const isOwn = (topic: string): boolean => topic.startsWith(own) || topic.startsWith(bare);
-  return {
-    publish: { mayPublish: (topic) => isOwn(topic) || writes.match(topic), maySayFarewell: true },
-    read: { mayRead: (topic) => isOwn(topic) || topic === self || reads.match(topic) },
-  };
+  /** The kind of a topic as far as the topic tells it: `farewell` depends on the value. */
+  #kindOf(topic: string): TopicKind {
+    if (topic.startsWith(this.#own)) return topic === this.#preflight ? 'ownPreflight' : 'own';
+    if (topic.startsWith(this.#bare)) return 'own';
+    if (topic === this.#state) return 'ownState';
+    if (this.#granted.match(topic)) return 'granted';
+    if (isMasterTopic(topic)) return 'master';
+    return this.#tellsOthersApart ? this.#kindOfOthers(topic) : 'elsewhere';
+  }
+
+  #kindOfOthers(topic: string): TopicKind {
+    const end = topic.indexOf('/', 1);
+    if (end < 0) return 'elsewhere';
+    const owner = topic.slice(topic.startsWith('/') ? 1 : 0, end);
+    if (!this.#namespaces.isClient(owner)) return 'elsewhere';
+    if (topic === identifyTopic(owner)) return 'identify';
+    return this.#namespaces.isInputOf(owner, topic) ? 'inputOfOther' : 'other';
+  }
 }
 
 /** Globs, with what was found for the topics of late [AC-28]. */

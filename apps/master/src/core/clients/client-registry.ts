@@ -1,11 +1,17 @@
 import { encode, ServiceError, StatusEventKind, type Client as ClientMessage } from '@ubii/proto';
 import type { ClientAccess } from '../access/caller.ts';
+import { shareOf } from '../access/share-of.ts';
 import type { TopicRights } from '../access/topic-rights.ts';
+import { areEqual } from '../bytes.ts';
 import type { DeviceRegistry } from '../devices/device-registry.ts';
 import type { InfoTopics } from '../info/info-topics.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { ResumeTokens } from '../ports/resume-tokens.ts';
+import type { Account } from '../shares/account.ts';
+import type { Accounts } from '../shares/accounts.ts';
+import { RESOURCE } from '../shares/resources.ts';
+import { fillMaxOf, type Shortage } from '../shares/shortage.ts';
 import type { EventLog } from '../status/event-log.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
@@ -13,16 +19,11 @@ import type { ClientSubscriber } from '../topics/subscriber.ts';
 import { TokenBucket } from '../topics/token-bucket.ts';
 import { quote } from '../topics/topic-names.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
-import { oneLine } from '../one-line.ts';
 import { Client, specOf, type ClientSpec } from './client.ts';
 import { closeReason } from './close-reason.ts';
 import { CLOSE } from './close-codes.ts';
 import type { Dismissals } from './dismissals.ts';
 import { nextStatus, type ClientEvent, type ClientStatus } from './client-states.ts';
-import type { RegistrationBudget } from './registration-budget.ts';
-
-/** Characters kept of what a client says of its library [EX-25]. */
-const MAX_LIBRARY_LENGTH = 64;
 
 /** What a client registry works on. */
 export interface ClientContext {
@@ -35,8 +36,12 @@ export interface ClientContext {
   readonly subscriptions: SubscriptionTable;
   readonly devices: DeviceRegistry;
   readonly info: InfoTopics;
-  readonly budget: RegistrationBudget;
-  readonly createSubscriber: (clientId: string, isExtension: boolean) => ClientSubscriber;
+  readonly accounts: Accounts;
+  readonly createSubscriber: (
+    clientId: string,
+    isExtension: boolean,
+    account: Account,
+  ) => ClientSubscriber;
   /** What a client that came in like this may do on topics [AC-24] [AC-25]. */
   readonly topicRightsOf: (clientId: string, access: ClientAccess) => TopicRights;
   readonly dismissals: Dismissals;
@@ -99,12 +104,13 @@ export class ClientRegistry {
   ): { client: Client; isResumed: boolean; isKnown: boolean } {
     const earlierId = this.provenId(message);
     const known = earlierId === undefined ? undefined : this.#clients.get(earlierId);
-    const client = known ?? this.#create(message, earlierId ?? this.#context.ids.uuid());
+    const client = known ?? this.#create(message, earlierId ?? this.#context.ids.uuid(), access);
     this.#describe(client, message);
     this.#admit(client, access);
     if (known !== undefined) this.handleSign(known);
     else {
       this.#clients.set(client.id, client);
+      client.account.add(RESOURCE.clients, 1);
       this.#context.dismissals.forget(client.id); // [EX-30]
       const isBack = earlierId !== undefined;
       this.#context.events.add(
@@ -154,13 +160,10 @@ export class ClientRegistry {
    * @throws ServiceError when there is no room for it
    */
   rename(client: Client, name: string): void {
-    const { budget, info } = this.#context;
     const spec = { ...client.spec, name };
-    const growth = sizeOf(spec) - sizeOf(client.spec);
-    budget.require(client, growth);
-    budget.add(client, growth);
+    this.#resize(client, sizeOf(spec) - sizeOf(client.spec));
     client.spec = spec;
-    info.announceClient(client);
+    this.#context.info.announceClient(client);
   }
 
   /** Removes a client because somebody wants it gone; it is told why, now or when it comes back [EX-30]. */
@@ -171,19 +174,38 @@ export class ClientRegistry {
     this.handleEvent(client, 'deregistered');
   }
 
-  #create(message: ClientMessage, id: string): Client {
-    const { limits, clock, createSubscriber } = this.#context;
-    const { clients, recordsPerSecond, publishedBytesPerSecond } = limits.limits;
-    if (this.#clients.size >= clients && !this.#makeRoom()) {
-      throw limits.refusal('clients', `more than ${clients} clients`);
+  /**
+   * Removes clients that are away, until there is room [AC-84]: those first that never had a socket, then the
+   * one that is away longest. Never those of a class that may use more than the one that asks.
+   */
+  makeRoom({ account, resource, level }: Shortage, hasRoom: () => boolean): void {
+    const fillMax = fillMaxOf(account, resource);
+    const away = [...this.#clients.values()].filter(
+      (client) =>
+        client.status === 'unavailable' &&
+        client.account.used(resource) > 0 &&
+        client.account.isWithin(level) &&
+        fillMaxOf(client.account, resource) <= fillMax,
+    );
+    for (const client of away.sort(compareMissed)) {
+      this.handleEvent(client, 'expired');
+      if (hasRoom()) return;
     }
+  }
+
+  #create(message: ClientMessage, id: string, access: ClientAccess): Client {
+    const { limits, clock, createSubscriber, accounts } = this.#context;
+    const { recordsPerSecond, publishedBytesPerSecond } = limits.limits;
+    const account = accounts.createClient(id, shareOf(access));
+    accounts.require(account, RESOURCE.clients, 1);
     const nowMs = clock.monotonicMs();
     const isExtension = message.extension !== undefined; // [EX-1]
     return new Client({
       id,
       spec: specOf(message),
       isExtension,
-      subscriber: createSubscriber(id, isExtension),
+      account,
+      subscriber: createSubscriber(id, isExtension, account),
       recordBudget: new TokenBucket(recordsPerSecond, nowMs),
       byteBudget: new TokenBucket(publishedBytesPerSecond, nowMs),
       nowMs,
@@ -193,17 +215,16 @@ export class ClientRegistry {
 
   /** Takes over what the client says of itself, if there is room for it. */
   #describe(client: Client, message: ClientMessage): void {
-    const { budget } = this.#context;
     const described = specOf(message);
     // What somebody renamed keeps that name until it says another one itself. [EX-29]
     const isSameName = described.name === client.ownName;
     const spec = isSameName ? { ...described, name: client.spec.name } : described;
     const growth = sizeOf(spec) - (this.#clients.has(client.id) ? sizeOf(client.spec) : 0);
-    budget.require(client, growth);
-    budget.add(client, growth);
+    this.#resize(client, growth);
+    if (!areEqual(bytesOf(spec), bytesOf(client.spec))) client.registrationRevision++;
     client.spec = spec;
     client.ownName = described.name;
-    client.library = oneLine(message.extension?.library ?? '', MAX_LIBRARY_LENGTH); // [EX-25]
+    client.library = message.extension?.library ?? ''; // [EX-25]
     client.node = client.isExtension ? message.extension?.node : undefined; // [PM-60]
     client.subscriber.outbox.hearsOfGone = client.node !== undefined; // [TD-42]
     client.takesRecordLists = message.extension?.recordLists ?? false; // [EX-2]
@@ -214,6 +235,7 @@ export class ClientRegistry {
   #admit(client: Client, access: ClientAccess): void {
     const { access: before, subscriber } = client;
     client.access = access;
+    this.#context.accounts.move(client.account, shareOf(access));
     if (before.role === access.role && before.grant === access.grant) return;
     const { publish, read } = this.#context.topicRightsOf(client.id, access);
     client.publishRights = publish;
@@ -224,20 +246,15 @@ export class ClientRegistry {
     this.#context.subscriptions.handleRightsChanged(subscriber);
   }
 
-  /** When the house is full, whoever has been away longest makes room, those first who never had a socket. */
-  #makeRoom(): boolean {
-    let goes: Client | undefined;
-    for (const client of this.#clients.values()) {
-      if (client.status !== 'unavailable') continue;
-      if (goes === undefined || isLessMissed(client, goes)) goes = client;
-    }
-    if (goes === undefined) return false;
-    this.handleEvent(goes, 'expired');
-    return true;
+  /** Takes room for what a client registered, or with a negative number gives it back. */
+  #resize({ account }: Client, growthBytes: number): void {
+    const resource = RESOURCE.registrationBytes;
+    if (growthBytes > 0) this.#context.accounts.require(account, resource, growthBytes);
+    account.add(resource, growthBytes);
   }
 
   #remove(client: Client, event: ClientEvent): void {
-    const { events, devices, subscriptions, info, budget } = this.#context;
+    const { events, devices, subscriptions, info, accounts } = this.#context;
     client.socket?.close(1000, 'deregistered'); // [CL-16]
     devices.deregisterAll(client);
     this.#endTopics(client); // [TD-40]
@@ -245,7 +262,10 @@ export class ClientRegistry {
     client.subscriber.outbox.discard();
     client.subscriber.sampler.discard();
     this.#clients.delete(client.id);
-    budget.add(client, -client.registrationBytes);
+    const { account } = client;
+    account.add(RESOURCE.registrationBytes, -account.used(RESOURCE.registrationBytes));
+    account.add(RESOURCE.clients, -1);
+    accounts.close(account);
     // Of one that somebody removed, that is told instead.
     const isDismissed = this.#context.dismissals.of(client.id) !== undefined;
     if (event === 'deregistered' && !isDismissed) {
@@ -260,12 +280,17 @@ export class ClientRegistry {
   }
 }
 
-function isLessMissed(client: Client, other: Client): boolean {
-  const isStranger = client.heardSequence === undefined;
-  const isOtherStranger = other.heardSequence === undefined;
-  return isStranger === isOtherStranger ? client.statusSinceMs < other.statusSinceMs : isStranger;
+/** Those that are missed least come first. */
+function compareMissed(a: Client, b: Client): number {
+  const hadSocket = Number(a.heardSequence !== undefined);
+  const hadOtherSocket = Number(b.heardSequence !== undefined);
+  return hadSocket - hadOtherSocket || a.statusSinceMs - b.statusSinceMs;
 }
 
 function sizeOf(spec: ClientSpec): number {
-  return encode('ubii.clients.Client', spec).byteLength;
+  return bytesOf(spec).byteLength;
+}
+
+function bytesOf(spec: ClientSpec): Uint8Array {
+  return encode('ubii.clients.Client', spec);
 }

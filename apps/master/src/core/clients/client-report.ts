@@ -74,14 +74,18 @@ function activityOf(
     ownedTopics: client.ownedTopics.size,
     userAgent: peer.userAgent,
     library: client.library,
-    addressKind:
-      addressKind === undefined ? ClientActivityAddressKind.UNKNOWN : ADDRESS_KINDS[addressKind],
+    addressKind: wireAddressKind(addressKind),
     ...(throttle !== undefined && { throttle: throttleOf(throttle) }),
     workShare,
     ...(client.clock !== undefined && { clock: clockOf(client.clock, clock) }),
     role: wireRole(client.access.role), // [AC-20]
     grantId: client.access.grant?.id ?? '',
   };
+}
+
+/** How near an address is, as it is told. */
+export function wireAddressKind(kind: AddressKind | undefined): ClientActivityAddressKind {
+  return kind === undefined ? ClientActivityAddressKind.UNKNOWN : ADDRESS_KINDS[kind];
 }
 
 function subscriptionsOf(subscriber: ClientSubscriber): Init<ClientSubscription>[] {

@@ -1,7 +1,8 @@
 import type { Client as ClientMessage, Device, NodeExtension } from '@ubii/proto';
-import { LOCAL_ACCESS, type ClientAccess } from '../access/caller.ts';
+import { TRUSTED_ACCESS, type ClientAccess } from '../access/caller.ts';
 import type { PublishRights } from '../access/topic-rights.ts';
 import type { AddressKind } from '../ports/address-kind.ts';
+import type { Account } from '../shares/account.ts';
 import { Streak } from '../status/streak.ts';
 import type { PublishingClient } from '../topics/publication.ts';
 import type { ClientSubscriber } from '../topics/subscriber.ts';
@@ -21,6 +22,7 @@ export interface ClientParts {
   readonly id: string;
   readonly spec: ClientSpec;
   readonly isExtension: boolean;
+  readonly account: Account;
   readonly subscriber: ClientSubscriber;
   readonly recordBudget: TokenBucket;
   readonly byteBudget: TokenBucket;
@@ -41,6 +43,8 @@ export class Client implements PublishingClient {
   readonly id: string;
   /** It sent `Client.extension` at registration [EX-1]. */
   readonly isExtension: boolean;
+  /** What it uses of what is scarce [AC-80]. */
+  readonly account: Account;
   readonly subscriber: ClientSubscriber;
   recordBudget: TokenBucket;
   readonly byteBudget: TokenBucket;
@@ -48,6 +52,8 @@ export class Client implements PublishingClient {
   readonly ownedTopics = new Set<TopicEntry>();
   readonly devices = new Map<string, Device>();
 
+  /** Grows with every change of its devices, and of what it says of itself [EX-74]. */
+  registrationRevision = 0;
   spec: ClientSpec;
   /** The name it said it has; `spec` has another one when somebody renamed it [EX-29]. */
   ownName: string;
@@ -61,14 +67,12 @@ export class Client implements PublishingClient {
   readonly firstSeenMs: number;
   throttle: Throttle | undefined = undefined;
   /** How it came in, and what it may do [AC-20]. */
-  access: ClientAccess = LOCAL_ACCESS;
+  access: ClientAccess = TRUSTED_ACCESS;
   publishRights: PublishRights | undefined = undefined;
   /** What it said of itself as a node; undefined when it is none [PM-60]. */
   node: NodeExtension | undefined = undefined;
   /** Takes lists of records [EX-2]. */
   takesRecordLists = false;
-  /** Encoded bytes of what it registered, devices included. */
-  registrationBytes = 0;
   status: ClientStatus = 'active';
   statusSinceMs: number;
   lastSignMs: number;
@@ -89,6 +93,7 @@ export class Client implements PublishingClient {
     this.ownName = parts.spec.name;
     this.firstSeenMs = parts.epochMs;
     this.isExtension = parts.isExtension;
+    this.account = parts.account;
     this.subscriber = parts.subscriber;
     this.recordBudget = parts.recordBudget;
     this.byteBudget = parts.byteBudget;

@@ -1,4 +1,4 @@
-import { isLongerThan } from '../topics/topic-names.ts';
+import { isLongerThan } from '../texts/text-length.ts';
 
 /** What the reason of a close frame may take beside its code (RFC 6455, section 5.5.1). */
 const MAX_REASON_BYTES = 123;

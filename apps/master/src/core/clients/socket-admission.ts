@@ -1,7 +1,9 @@
 import type { Access } from '../access/access.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ConnectionPeer, ConnectionQuery } from '../master.ts';
-import { oneLine } from '../one-line.ts';
+import { RESOURCE } from '../shares/resources.ts';
+import { limitOf } from '../shares/shortage.ts';
+import { oneLine } from '../texts/one-line.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ResumeTokens } from '../ports/resume-tokens.ts';
 import type { Client } from './client.ts';
@@ -17,9 +19,6 @@ export interface AdmissionContext extends SocketContext {
   readonly tokens: ResumeTokens;
   readonly dismissals: Dismissals;
 }
-
-/** Characters kept of a User-Agent [EX-25]. */
-const MAX_USER_AGENT_LENGTH = 256;
 
 /** A code with what is said with it. */
 interface CloseReason {
@@ -64,13 +63,16 @@ export class SocketAdmission {
       return undefined;
     }
     const before = client.socket;
-    if (before === undefined) this.#open++;
-    else before.supersede(); // [TD-7]
+    if (before === undefined) {
+      this.#open++;
+      client.account.add(RESOURCE.sockets, 1);
+    } else before.supersede(); // [TD-7]
     counters.connectionsOpened++;
     const socket = new TopicDataSocket(this.#context, client, connection);
     client.socket = socket;
     client.socketOpenedMs = this.#context.clock.nowMs();
-    client.peer = { userAgent: oneLine(userAgent, MAX_USER_AGENT_LENGTH), addressKind };
+    const { userAgentCharacters } = this.#context.limits;
+    client.peer = { userAgent: oneLine(userAgent, userAgentCharacters), addressKind }; // [EX-25]
     socket.setRecordLists(client.takesRecordLists); // [TD-3] [TD-4]
     const { outbox } = client.subscriber;
     if (client.heardSequence !== undefined) {
@@ -89,6 +91,7 @@ export class SocketAdmission {
   handleClosed(socket: TopicDataSocket, hasLeft: boolean): void {
     const { client } = socket;
     this.#open--;
+    client.account.add(RESOURCE.sockets, -1);
     client.socket = undefined;
     client.pingSentMs = undefined;
     client.subscriber.sampler.close();
@@ -106,10 +109,12 @@ export class SocketAdmission {
       return dismissals.of(clientId) ?? CLOSE.unknownClient; // [EX-30] [AC-15] [TD-6]
     }
     if (client.isExtension && !tokens.verify(client.id, token ?? '')) return CLOSE.notThisClient; // [EX-4]
-    if (client.socket === undefined && this.#open >= limits.sockets) {
-      limitWatch.count('sockets', client.id);
-      return CLOSE.tooMany;
-    }
-    return undefined;
+    if (client.socket !== undefined) return undefined;
+    const { account } = client;
+    const resource = RESOURCE.sockets;
+    const level = account.shortage(resource, 1);
+    if (level === undefined) return undefined;
+    limitWatch.count(limitOf({ account, resource, level }, limits), client.id);
+    return CLOSE.tooMany;
   }
 }

@@ -13,6 +13,7 @@ export interface TimedPing {
 }
 
 const NUMBER = String.raw`\d{1,13}(?:\.\d{1,6})?`;
+// eslint-disable-next-line no-restricted-syntax -- of constants, without nested repetitions
 const TIMED_PING = new RegExp(`^PING (\\d{1,10})(?: (-?${NUMBER}) (${NUMBER}) (-?${NUMBER}))?$`);
 
 /** undefined for a text that is none. */

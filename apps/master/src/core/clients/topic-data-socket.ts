@@ -144,8 +144,12 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
     const refusal = publish(this.#context, publication);
     if (refusal === undefined) return;
     // Only what is sent is put into words. [TD-17]
-    this.#refuse(refusal.code, refusal.limit, () =>
-      refusal.describe(publication, this.#context.limits),
+    const { limits } = this.#context;
+    const { limit } = refusal;
+    this.#refuse(
+      refusal.code,
+      typeof limit === 'function' ? limit(publication, limits) : limit,
+      () => refusal.describe(publication, limits),
     );
   }
 

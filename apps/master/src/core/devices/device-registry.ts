@@ -6,11 +6,13 @@ import {
   type Component,
   type Device,
 } from '@ubii/proto';
+import { areEqual } from '../bytes.ts';
 import { requireDeviceRights } from '../access/device-rights.ts';
 import type { Client } from '../clients/client.ts';
-import type { RegistrationBudget } from '../clients/registration-budget.ts';
 import type { InfoTopics } from '../info/info-topics.ts';
 import type { IdSource } from '../ports/id-source.ts';
+import type { Accounts } from '../shares/accounts.ts';
+import { RESOURCE } from '../shares/resources.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
 import { quote } from '../topics/topic-names.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
@@ -24,7 +26,7 @@ export interface DeviceContext {
   readonly topics: TopicTable;
   readonly subscriptions: SubscriptionTable;
   readonly info: InfoTopics;
-  readonly budget: RegistrationBudget;
+  readonly accounts: Accounts;
 }
 
 interface Registered {
@@ -100,6 +102,10 @@ export class DeviceRegistry {
     requireDeviceRights(client, message);
     const byteLength = encode('ubii.devices.Device', message).byteLength;
     this.#check(client, message, byteLength, before);
+    const isWatcher = message.deviceType === DeviceType.WATCHER; // it is owed values [DV-3]
+    if (before !== undefined && !isWatcher && isSame(before.device, message)) {
+      return { device: before.device, owed: [] }; // [EX-76]
+    }
     if (before !== undefined) this.#remove(before);
 
     const id = message.id === '' ? this.#context.ids.uuid() : message.id; // [DV-1]
@@ -167,27 +173,28 @@ export class DeviceRegistry {
     byteLength: number,
     before: Registered | undefined,
   ): void {
-    const { limits } = this.#context;
-    const { devicesPerClient, componentsPerDevice } = limits.limits;
-    if (before === undefined && client.devices.size >= devicesPerClient) {
-      const text = `more than ${devicesPerClient} devices of one client`;
-      throw limits.refusal('devicesPerClient', text, client.id);
-    }
+    const { limits, accounts } = this.#context;
+    const { componentsPerDevice } = limits.limits;
+    const { account } = client;
+    if (before === undefined) accounts.require(account, RESOURCE.devices, 1);
     if (message.components.length > componentsPerDevice) {
       const text = `more than ${componentsPerDevice} components of one device`;
       throw limits.refusal('componentsPerDevice', text, client.id);
     }
-    this.#context.budget.require(client, byteLength - (before?.byteLength ?? 0));
+    const growth = byteLength - (before?.byteLength ?? 0);
+    if (growth > 0) accounts.require(account, RESOURCE.registrationBytes, growth);
   }
 
   #add(registered: Registered): TopicEntry[] {
     const { device, client, byteLength } = registered;
-    const { subscriptions, info, budget } = this.#context;
+    const { subscriptions, info } = this.#context;
     this.#devices.set(device.id, registered);
     this.#byTopic = undefined;
     this.#inputsByTopic = undefined;
     client.devices.set(device.id, device);
-    budget.add(client, byteLength);
+    client.registrationRevision++;
+    client.account.add(RESOURCE.devices, 1);
+    client.account.add(RESOURCE.registrationBytes, byteLength);
     for (const component of device.components) {
       this.#componentIds.add(component.id);
       subscriptions.addComponent(component);
@@ -199,12 +206,14 @@ export class DeviceRegistry {
   }
 
   #remove({ device, client, byteLength }: Registered): void {
-    const { subscriptions, budget } = this.#context;
+    const { subscriptions } = this.#context;
     this.#devices.delete(device.id);
     this.#byTopic = undefined;
     this.#inputsByTopic = undefined;
     client.devices.delete(device.id);
-    budget.add(client, -byteLength);
+    client.registrationRevision++;
+    client.account.add(RESOURCE.devices, -1);
+    client.account.add(RESOURCE.registrationBytes, -byteLength);
     for (const component of device.components) {
       this.#componentIds.delete(component.id);
       subscriptions.removeComponent(component);
@@ -222,4 +231,19 @@ export class DeviceRegistry {
       if (entry.owner === undefined || entry.owner === client) topics.deleteValue(entry);
     }
   }
+}
+
+/** Whether this registration says what is known already; ids that it leaves out were given by the master. */
+function isSame(known: Device, message: Device): boolean {
+  if (known.components.length !== message.components.length) return false;
+  const components = message.components.map((component, i) => {
+    const { id, deviceId } = known.components[i]!;
+    return { ...component, id: component.id || id, deviceId };
+  });
+  const { id, clientId } = known;
+  return areEqual(bytesOf(known), bytesOf({ ...message, id, clientId, components }));
+}
+
+function bytesOf(device: Device): Uint8Array {
+  return encode('ubii.devices.Device', device);
 }

@@ -1,13 +1,32 @@
-import { clientTopic, INFO_TOPICS, type Device } from '@ubii/proto';
+import {
+  clientTopic,
+  INFO_TOPICS,
+  type Client as ClientMessage,
+  type Device,
+  type Init,
+} from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
+import type { Limits } from '../limits.ts';
+import type { Clock } from '../ports/clock.ts';
+import { RESOURCE } from '../shares/resources.ts';
 import type { MasterPublisher } from './master-publisher.ts';
+import { PacedNews } from './paced-news.ts';
+
+/** Seconds of news of one client that may come at once. */
+const BURST_SECONDS = 4;
 
 /** Announces who comes, changes and goes. */
 export class InfoTopics {
   readonly #publisher: MasterPublisher;
+  readonly #limits: Limits;
+  readonly #ofClients: PacedNews;
 
-  constructor(publisher: MasterPublisher) {
+  constructor(publisher: MasterPublisher, clock: Clock, limits: Limits) {
     this.#publisher = publisher;
+    this.#limits = limits;
+    const { clientNewsBytesPerSecond: bytesPerSecond } = limits;
+    const burstBytes = BURST_SECONDS * bytesPerSecond;
+    this.#ofClients = new PacedNews(clock, { bytesPerSecond, burstBytes });
   }
 
   /** [CL-30] */
@@ -20,14 +39,37 @@ export class InfoTopics {
     this.#publisher.publish(INFO_TOPICS.deleteDevice, { device });
   }
 
-  /** [CL-31] */
+  /** [CL-31] [EX-74] [EX-75] */
   announceClient(client: Client): void {
-    this.#publisher.publish(clientTopic(client.id), { client: client.toMessage() });
+    const topic = clientTopic(client.id);
+    this.#ofClients.tell(client.id, () =>
+      this.#publisher.publishChange(topic, { client: this.#messageOf(client) }),
+    );
   }
 
   /** The last news of a client, which is removed [CL-31]. */
   announceClientGone(client: Client): void {
-    this.announceClient(client);
-    this.#publisher.deleteValue(clientTopic(client.id));
+    const topic = clientTopic(client.id);
+    this.#ofClients.forget(client.id);
+    this.#publisher.publish(topic, { client: this.#messageOf(client) });
+    this.#publisher.deleteValue(topic);
+  }
+
+  /** Ends every timer. */
+  close(): void {
+    this.#ofClients.close();
+  }
+
+  /** The client as it is announced: as a whole, or what can be told in a few bytes [EX-74]. */
+  #messageOf(client: Client): Init<ClientMessage> {
+    const message = client.toMessage();
+    const bytes = client.account.used(RESOURCE.registrationBytes);
+    if (bytes <= this.#limits.announcementBytes) return message;
+    const { id, name, state, latency, isDedicatedProcessingNode } = message;
+    const { registrationRevision } = client;
+    return {
+      ...{ id, name, state, latency, isDedicatedProcessingNode },
+      extension: { abridged: true, registrationRevision },
+    };
   }
 }

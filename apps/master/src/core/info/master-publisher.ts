@@ -1,8 +1,12 @@
 import { encode, timestampFromMs, type Init, type TopicDataRecord } from '@ubii/proto';
 import { recordValueField } from '@ubii/proto/wire';
+import { areEqual } from '../bytes.ts';
 import type { Clock } from '../ports/clock.ts';
 import { Publication } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
+
+/** The value of a record. */
+type Value = Init<Omit<TopicDataRecord, 'topic' | 'timestamp'>>;
 
 /** Publishes what the master has to say itself. */
 export class MasterPublisher {
@@ -15,14 +19,10 @@ export class MasterPublisher {
     this.#clock = clock;
   }
 
-  /** Publishes this value on a topic of the master. */
-  publish(topic: string, value: Init<Omit<TopicDataRecord, 'topic' | 'timestamp'>>): void {
+  /** Publishes this value on a topic of the master. Returns the bytes of its record. */
+  publish(topic: string, value: Value): number {
     const nowMs = this.#clock.nowMs();
-    const record = encode('ubii.topicData.TopicDataRecord', {
-      topic,
-      timestamp: timestampFromMs(nowMs),
-      ...value,
-    });
+    const record = recordOf(topic, nowMs, value);
     const publication = this.#publication;
     publication.topic = topic;
     publication.frame = record;
@@ -31,6 +31,17 @@ export class MasterPublisher {
     publication.nowMs = nowMs;
     publication.monotonicMs = this.#clock.monotonicMs();
     publish(this.#context, publication);
+    return record.byteLength;
+  }
+
+  /** The same of a state, unless it is what the topic says already: then 0. */
+  publishChange(topic: string, value: Value): number {
+    const entry = this.#context.topics.get(topic);
+    if (entry?.record !== undefined) {
+      const same = recordOf(topic, entry.publishedMs, value);
+      if (areEqual(same, entry.record)) return 0;
+    }
+    return this.publish(topic, value);
   }
 
   /** Deletes the value of a topic of the master. */
@@ -38,4 +49,12 @@ export class MasterPublisher {
     const entry = this.#context.topics.get(topic);
     if (entry !== undefined) this.#context.topics.deleteValue(entry);
   }
+}
+
+function recordOf(topic: string, timeMs: number, value: Value): Uint8Array {
+  return encode('ubii.topicData.TopicDataRecord', {
+    topic,
+    timestamp: timestampFromMs(timeMs),
+    ...value,
+  });
 }

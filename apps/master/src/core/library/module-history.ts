@@ -197,7 +197,9 @@ function contentOf(module: ProcessingModule): ProcessingModule {
     nodeId: '',
     sessionId: '',
     status: 0,
-    extension: isBare ? undefined : { version, libraries, replaceable: false, origin: 0 },
+    extension: isBare
+      ? undefined
+      : { version, libraries, replaceable: false, origin: 0, grantIds: [] },
   };
 }
 

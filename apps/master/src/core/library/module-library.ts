@@ -55,10 +55,32 @@ export class ModuleLibrary {
     return this.stored.get(name) !== undefined;
   }
 
-  /** @throws ServiceError when the module may not be changed. */
-  async save(module: ProcessingModule): Promise<ProcessingModule> {
+  /** Names of the stored ones that clients of a grant made or changed [AC-90]. */
+  madeWith(grantId: string): string[] {
+    return [...this.stored.list().values()]
+      .filter(({ message }) => message.extension?.grantIds.includes(grantId))
+      .map(({ message }) => message.name);
+  }
+
+  /** Stored modules are no longer those of a grant [AC-92]. */
+  async handOver(grantId: string): Promise<void> {
+    for (const name of this.madeWith(grantId)) {
+      const module = this.stored.get(name)!;
+      const grantIds = grantIdsOf(module).filter((id) => id !== grantId);
+      const json = toJson('ubii.processing.ProcessingModule', withGrants(module, grantIds));
+      await this.stored.store.write(this.stored.keyOf(name), json);
+    }
+  }
+
+  /**
+   * @param maker Grant of who saves it; empty for who needs none [AC-90].
+   * @throws ServiceError when the module may not be changed.
+   */
+  async save(module: ProcessingModule, maker: string): Promise<ProcessingModule> {
     this.#requireStorable(module.name);
-    const stored = storable(module);
+    const before = this.stored.get(module.name);
+    const makers = new Set([...grantIdsOf(before), ...(maker === '' ? [] : [maker])]);
+    const stored = withGrants(storable(module), [...makers]);
     const json = toJson('ubii.processing.ProcessingModule', stored);
     await this.stored.store.write(this.stored.keyOf(module.name), json);
     return withOrigin(this.stored.get(module.name) ?? stored, ModuleOrigin.MODULE_ORIGIN_STORED);
@@ -82,8 +104,16 @@ export class ModuleLibrary {
 
 /** The module, with where it is from. */
 export function withOrigin(module: ProcessingModule, origin: ModuleOrigin): ProcessingModule {
-  const { version = '', libraries = [] } = module.extension ?? {};
-  return { ...module, extension: { version, libraries, replaceable: false, origin } };
+  const { version = '', libraries = [], grantIds = [] } = module.extension ?? {};
+  return { ...module, extension: { version, libraries, replaceable: false, origin, grantIds } };
+}
+
+function withGrants(module: ProcessingModule, grantIds: string[]): ProcessingModule {
+  return { ...withOrigin(module, 0), extension: { ...withOrigin(module, 0).extension!, grantIds } };
+}
+
+function grantIdsOf(module: ProcessingModule | undefined): readonly string[] {
+  return module?.extension?.grantIds ?? [];
 }
 
 export function unknownModule(name: string): ServiceError {

@@ -13,6 +13,8 @@ export class SessionLibrary {
   readonly #running: StoredMessages<'ubii.sessions.Session'>;
   readonly #masterId: string;
   readonly #log: Log;
+  /** The newest write of each session that is under way, by id. */
+  readonly #remembering = new Map<string, Promise<void>>();
 
   constructor(parts: {
     readonly stored: StoredMessages<'ubii.sessions.Session'>;
@@ -57,6 +59,17 @@ export class SessionLibrary {
     await this.stored.store.write(this.stored.keyOf(name), this.#toJson(session));
   }
 
+  /** Stored sessions are no longer those of a grant [AC-92]. */
+  async handOver(grantId: string): Promise<void> {
+    for (const { key, message } of this.stored.entries()) {
+      const { extension } = message;
+      if (extension?.grantIds.includes(grantId) !== true) continue;
+      const grantIds = extension.grantIds.filter((id) => id !== grantId);
+      const changed = { ...message, extension: { ...extension, grantIds } };
+      await this.stored.store.write(key, toJson('ubii.sessions.Session', changed));
+    }
+  }
+
   async delete(name: string): Promise<void> {
     await this.stored.store.delete(this.stored.keyOf(name));
   }
@@ -74,12 +87,29 @@ export class SessionLibrary {
       : store.documents().has(session.id)
         ? store.delete(session.id)
         : Promise.resolve();
-    done.catch((error: unknown) => {
-      this.#log.error('what runs could not be written down', {
-        session: session.label,
-        reason: String(error),
+    this.#remembering.set(session.id, done);
+    done
+      .catch((error: unknown) => {
+        this.#log.error('what runs could not be written down', {
+          session: session.label,
+          reason: String(error),
+        });
+      })
+      .finally(() => {
+        if (this.#remembering.get(session.id) === done) this.#remembering.delete(session.id);
       });
-    });
+  }
+
+  /** What `remember` was told of a session last is on the disk. @throws ServiceError when it could not be written */
+  async remembered(sessionId: string): Promise<void> {
+    try {
+      await this.#remembering.get(sessionId);
+    } catch (error) {
+      throw new ServiceError(
+        'unavailable',
+        `It is done, but could not be written down: whether the session starts with the next master is as it was before. ${String(error)}`,
+      );
+    }
   }
 
   /** The specification alone: nothing of how the session is now. */
@@ -95,7 +125,12 @@ export class SessionLibrary {
         sessionId: '',
         status: 0,
       })),
-      extension: { startWithMaster, lockstepHertz, editorJson },
+      extension: {
+        startWithMaster,
+        lockstepHertz,
+        editorJson,
+        grantIds: [...session.grantIds],
+      },
     });
   }
 }
@@ -105,6 +140,7 @@ function withStored(message: SessionMessage): SessionMessage {
     startWithMaster: false,
     lockstepHertz: 0,
     editorJson: '',
+    grantIds: [],
   };
   return {
     ...message,

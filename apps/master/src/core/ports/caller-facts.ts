@@ -1,17 +1,33 @@
 /**
- * Who calls, as far as the transport can tell: `local`, this machine itself; `network`, one of the
- * networks that are let in without a token; `other`, everybody else [AC-1] [AC-4] [AC-5].
+ * Who calls, as far as the transport can tell: `trusted`, this machine itself where the operator trusts
+ * all of it; `local`, this machine; `network`, one of the networks that are let in without a token;
+ * `other`, everybody else [AC-1] [AC-4] [AC-5] [AC-40].
  */
-export type CallerStanding = 'local' | 'network' | 'other';
+export type CallerStanding = 'trusted' | 'local' | 'network' | 'other';
 
 /** What a transport knows of the one who calls or connects. */
 export interface CallerFacts {
   readonly standing: CallerStanding;
+  /**
+   * The connection comes from this machine with nobody in between, whatever page or name it is for: what
+   * is only good here may be shown over it [AC-43].
+   */
+  readonly isHere: boolean;
   /** Where wrong codes are counted for: its address, or the network that one person has [AC-17]. */
   readonly place: string;
+  /** The address itself, where `place` is a network. @default `place` */
+  readonly address?: string | undefined;
   /** What follows `Bearer` in its header `Authorization`; undefined when it sent none [AC-3]. */
   readonly bearer: string | undefined;
 }
 
 /** A caller of this machine, without a token. */
-export const LOCAL_CALLER: CallerFacts = { standing: 'local', place: 'here', bearer: undefined };
+export const LOCAL_CALLER: CallerFacts = {
+  standing: 'local',
+  isHere: true,
+  place: 'here',
+  bearer: undefined,
+};
+
+/** The same, where the operator trusts all of this machine. */
+export const TRUSTED_CALLER: CallerFacts = { ...LOCAL_CALLER, standing: 'trusted' };

@@ -1,12 +1,13 @@
 export type { AccessSecrets } from './access-secrets.ts';
 export type { AddressKind } from './address-kind.ts';
-export { LOCAL_CALLER } from './caller-facts.ts';
+export { LOCAL_CALLER, TRUSTED_CALLER } from './caller-facts.ts';
 export type { CallerFacts, CallerStanding } from './caller-facts.ts';
+export type { AuditStore } from './audit-store.ts';
 export type { Cancel, Clock } from './clock.ts';
 export type { IdSource } from './id-source.ts';
 export type { ResumeTokens } from './resume-tokens.ts';
 export type { Log, LogFields } from './log.ts';
-export type { CompiledPattern, PatternCompiler } from './pattern-compiler.ts';
+export type { CompiledPattern, PatternCompiler } from '@ubii/patterns';
 export type { ResourceUsage, UsageMeasurement } from './resource-usage.ts';
 export type { BatchEncoder, RecordBatch } from './record-batch.ts';
 export type { ClientConnection } from './client-connection.ts';

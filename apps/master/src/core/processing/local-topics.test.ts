@@ -1,13 +1,14 @@
+import { Re2Patterns } from '@ubii/patterns/re2';
 import { describeTopicPort } from '@ubii/pm-sandbox/testing';
 import { ComponentIOType, decode, encode, encodeRecord } from '@ubii/proto';
 import { recordValueField } from '@ubii/proto/wire';
-import { FakeClock, NativePatterns, RecordingLog, SequentialIds } from '../../testing/index.ts';
-import { RegistrationBudget } from '../clients/registration-budget.ts';
+import { FakeClock, RecordingLog, SequentialIds, testAccount } from '../../testing/index.ts';
 import { Client, specOf } from '../clients/client.ts';
 import { DeviceRegistry } from '../devices/device-registry.ts';
 import { InfoTopics } from '../info/info-topics.ts';
 import { MasterPublisher } from '../info/master-publisher.ts';
 import { DEFAULT_LIMITS } from '../limits.ts';
+import { Accounts } from '../shares/accounts.ts';
 import { Counters } from '../status/counters.ts';
 import { EventLog } from '../status/event-log.ts';
 import { LimitWatch } from '../status/limit-watch.ts';
@@ -30,15 +31,16 @@ function setup() {
     limits,
     clock,
     new RecordingLog(),
-    new EventLog(clock, new RecordingLog()),
+    new EventLog(clock, new RecordingLog(), limits),
   );
   const patterns = new PatternTable({
     clock,
-    compiler: new NativePatterns(),
+    compiler: new Re2Patterns(),
     onOverdrawn: () => undefined,
   });
   const selections = new SelectionTable();
-  const topics = new TopicTable([patterns, selections], 0, 10, (entry) =>
+  const accounts = new Accounts({ clock, limits: limitWatch, makeRoom: () => undefined });
+  const topics = new TopicTable([patterns, selections], 0, 10, accounts.master, (entry) =>
     tellOfGone(publishing, entry),
   );
   const subscriptions: SubscriptionTable = new SubscriptionTable({
@@ -46,27 +48,30 @@ function setup() {
     patterns,
     selections,
     limits: limitWatch,
+    accounts,
     components: () => devices.components(),
   });
-  const publishing = { topics, subscriptions, limits, counters };
+  const publishing = { topics, subscriptions, limits, accounts, counters };
   const devices: DeviceRegistry = new DeviceRegistry({
     ids,
     limits: limitWatch,
     topics,
     subscriptions,
-    info: new InfoTopics(new MasterPublisher(publishing, clock)),
-    budget: new RegistrationBudget(limitWatch),
+    info: new InfoTopics(new MasterPublisher(publishing, clock), clock, limits),
+    accounts,
   });
   const createSubscriber = subscriberFactory({
     ...publishing,
     clock,
     endOfTurn: new EndOfTurn(clock),
   });
+  const account = testAccount();
   const client = new Client({
     id: 'client',
     spec: specOf(decode('ubii.clients.Client', new Uint8Array())),
     isExtension: true,
-    subscriber: createSubscriber('client', true),
+    account,
+    subscriber: createSubscriber('client', true, account),
     recordBudget: new TokenBucket(1e6, 0),
     byteBudget: new TokenBucket(1e9, 0),
     nowMs: 0,
@@ -76,7 +81,10 @@ function setup() {
     ...publishing,
     clock,
     nodeId: 'master',
+    account: testAccount(),
     deviceOf: (topic) => devices.deviceOfTopic(topic),
+    isSession: () => true,
+    onLimit: () => undefined,
   });
   return { clock, topics, devices, client, port, ids };
 }
@@ -88,7 +96,7 @@ describeTopicPort("the master's topics", () => {
     publisherId: client.id,
     put(record) {
       const bytes = encodeRecord(record);
-      port.publishAs(client, record.topic, bytes, recordValueField(bytes));
+      port.publishAs(client, record.topic, bytes, recordValueField(bytes), 'session');
     },
     settle() {
       clock.endTurn();

@@ -7,8 +7,10 @@ import type {
   TopicSelector,
 } from '@ubii/pm-sandbox';
 import { globToRegExpSource } from '@ubii/proto';
-import type { Limits } from '../limits.ts';
+import type { LimitName, Limits } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
+import type { Account } from '../shares/account.ts';
+import { RESOURCE } from '../shares/resources.ts';
 import { Publication, type PublishingClient } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
 import type { Receiver } from '../topics/receiver.ts';
@@ -23,8 +25,22 @@ export interface LocalTopicsContext extends PublishContext {
   readonly clock: Clock;
   /** Id of the master as a node: who publishes. */
   readonly nodeId: string;
+  /** Pays for what modules subscribe to [AC-80]. */
+  readonly account: Account;
   /** Id of the device that has a component with this topic. */
   readonly deviceOf: (topic: string) => string | undefined;
+  /** Whether there is a session of this id. */
+  readonly isSession: (id: string) => boolean;
+  /** A session met a limit. */
+  readonly onLimit: (limit: LimitName, sessionId: string) => void;
+}
+
+/** The topics of one session whose modules run on the master. */
+interface SessionTopics {
+  /** As whom its modules publish: what they make is the session's. [SE-60] */
+  readonly publisher: PublishingClient;
+  /** Topics that demuxers made, with the number of those that write each. */
+  readonly made: Map<string, number>;
 }
 
 /**
@@ -33,7 +49,9 @@ export interface LocalTopicsContext extends PublishContext {
  */
 export class LocalTopics implements TopicPort {
   readonly #context: LocalTopicsContext;
-  readonly #publisher: PublishingClient;
+  /** What all sessions publish with; the topics of each are its own. */
+  readonly #publisher: Omit<PublishingClient, 'ownedTopics' | 'account'>;
+  readonly #sessions = new Map<string, SessionTopics>();
   readonly #publication = new Publication();
 
   constructor(context: LocalTopicsContext) {
@@ -42,7 +60,6 @@ export class LocalTopics implements TopicPort {
     const nowMs = clock.monotonicMs();
     this.#publisher = {
       id: nodeId,
-      ownedTopics: new Set(),
       recordBudget: new TokenBucket(limits.recordsPerSecond, nowMs),
       byteBudget: new TokenBucket(limits.publishedBytesPerSecond, nowMs),
       traffic: new Traffic(),
@@ -52,16 +69,66 @@ export class LocalTopics implements TopicPort {
   }
 
   subscribe(selector: TopicSelector, listener: TopicListener): Cancel {
-    const { subscriptions, limits, clock, nodeId, deviceOf } = this.#context;
+    const { subscriptions, limits, clock, nodeId, account, deviceOf } = this.#context;
     const receiver = new ListeningReceiver(listener, deviceOf);
-    const subscriber = localSubscriber(nodeId, receiver, limits, clock);
+    const subscriber = localSubscriber(nodeId, receiver, account, limits, clock);
     const entries = this.#select(subscriber, selector);
     for (const entry of entries) receiver.replay(entry);
     return () => subscriptions.unsubscribeAll(subscriber);
   }
 
-  publish(topic: string, record: Uint8Array, valueField: number): string | undefined {
-    return this.publishAs(undefined, topic, record, valueField);
+  publish(
+    topic: string,
+    record: Uint8Array,
+    valueField: number,
+    sessionId: string,
+  ): string | undefined {
+    return this.publishAs(undefined, topic, record, valueField, sessionId);
+  }
+
+  /** [SE-61] */
+  makeTopic(topic: string, sessionId: string): string | undefined {
+    const { made } = this.#ofSession(sessionId) ?? {};
+    if (made === undefined) return 'the session was removed';
+    const writers = made.get(topic) ?? 0;
+    const refusal = writers > 0 ? undefined : this.#refuseNew(sessionId, made.size);
+    if (refusal === undefined) made.set(topic, writers + 1);
+    return refusal;
+  }
+
+  /** [SE-62] */
+  endTopics(topics: readonly string[], sessionId: string): void {
+    const session = this.#sessions.get(sessionId);
+    if (session === undefined) return;
+    for (const topic of topics) {
+      const writers = (session.made.get(topic) ?? 0) - 1;
+      if (writers > 0) {
+        session.made.set(topic, writers);
+        continue;
+      }
+      session.made.delete(topic);
+      const entry = this.#context.topics.get(topic);
+      if (entry?.owner === session.publisher) this.#context.topics.deleteValue(entry);
+    }
+  }
+
+  /** Ends what a session has, but for these topics and those that its demuxers write. [SE-62] */
+  keepOnly(sessionId: string, topics: ReadonlySet<string>): void {
+    const session = this.#sessions.get(sessionId);
+    if (session === undefined) return;
+    for (const entry of [...session.publisher.ownedTopics]) {
+      if (topics.has(entry.topic) || session.made.has(entry.topic)) continue;
+      this.#context.topics.deleteValue(entry);
+    }
+  }
+
+  /** A session was removed: what it made ends. [SE-62] */
+  endSession(sessionId: string): void {
+    const session = this.#sessions.get(sessionId);
+    this.#sessions.delete(sessionId);
+    for (const entry of [...(session?.publisher.ownedTopics ?? [])]) {
+      this.#context.topics.deleteValue(entry);
+    }
   }
 
   /** The same for a client whose share of a lockstep pass it is; for the master without one. */
@@ -70,10 +137,13 @@ export class LocalTopics implements TopicPort {
     topic: string,
     record: Uint8Array,
     valueField: number,
+    sessionId: string,
   ): string | undefined {
     const { clock } = this.#context;
+    const publisher = client ?? this.#ofSession(sessionId)?.publisher;
+    if (publisher === undefined) return 'The session was removed.';
     const publication = this.#publication;
-    publication.client = client ?? this.#publisher;
+    publication.client = publisher;
     publication.topic = topic;
     publication.frame = record;
     publication.start = 0;
@@ -86,6 +156,36 @@ export class LocalTopics implements TopicPort {
     // What is not kept need not stay in memory until the next record.
     publication.frame = NO_BYTES;
     return refusal?.describe(publication, this.#context.limits);
+  }
+
+  #ofSession(sessionId: string): SessionTopics | undefined {
+    const known = this.#sessions.get(sessionId);
+    if (known !== undefined) return known;
+    // What a module puts out while it ends must not bring back a session that was removed.
+    if (!this.#context.isSession(sessionId)) return undefined;
+    const { accounts, limits } = this.#context;
+    const { topicsPerSession, mappingsPerSession, retainedBytesPerClient } = limits;
+    const account = accounts.createSession(sessionId, {
+      [RESOURCE.topics]: topicsPerSession + mappingsPerSession,
+      [RESOURCE.retainedBytes]: retainedBytesPerClient,
+    });
+    const publisher = { ...this.#publisher, account, ownedTopics: new Set<TopicEntry>() };
+    const session = { publisher, made: new Map<string, number>() };
+    this.#sessions.set(sessionId, session);
+    return session;
+  }
+
+  #refuseNew(sessionId: string, made: number): string | undefined {
+    const { limits, onLimit } = this.#context;
+    if (made >= limits.topicsPerSession) {
+      onLimit('topicsPerSession', sessionId);
+      return `the demuxers of one session make at most ${limits.topicsPerSession} topics (limit topicsPerSession)`;
+    }
+    let all = 0;
+    for (const session of this.#sessions.values()) all += session.made.size;
+    if (all < limits.topicsPerClient) return undefined;
+    onLimit('topicsPerClient', sessionId);
+    return `the modules on the master make at most ${limits.topicsPerClient} topics (limit topicsPerClient)`;
   }
 
   #select(subscriber: Subscriber, selector: TopicSelector): readonly TopicEntry[] {
@@ -163,6 +263,7 @@ class LocalRecord implements EncodedRecord {
 function localSubscriber(
   clientId: string,
   outbox: Receiver,
+  account: Account,
   limits: Limits,
   clock: Clock,
 ): Subscriber {
@@ -171,6 +272,7 @@ function localSubscriber(
     clientId,
     isExtension: true,
     outbox,
+    account,
     readRights: undefined,
     sampler: undefined,
     patternBudget: new TokenBucket(patternMatchMsPerSecond, clock.monotonicMs(), patternMatchMs),

@@ -63,8 +63,11 @@ export class NodeTable {
     return this.list().some((node) => offerOf(node, name) !== undefined);
   }
 
-  /** @param loadOf Modules of sessions a node runs now. */
-  toMessages(loadOf: (node: Node) => number): NodeInfo[] {
+  /**
+   * @param loadOf Modules of sessions a node runs now.
+   * @param memoryOf Their memory, bytes.
+   */
+  toMessages(loadOf: (node: Node) => number, memoryOf: (node: Node) => number): NodeInfo[] {
     return this.list().map((node) => ({
       clientId: node.id,
       name: node.label,
@@ -73,6 +76,7 @@ export class NodeTable {
       instances: loadOf(node),
       available: node.isAvailable,
       dedicated: node.isDedicated,
+      memoryBytes: memoryOf(node),
     }));
   }
 
@@ -90,13 +94,18 @@ export class NodeTable {
 }
 
 /** What the master says of itself as a node. */
-export function masterExtension(libraries: readonly string[], capacity: number): NodeExtension {
+export function masterExtension(
+  libraries: readonly string[],
+  capacity: number,
+  memoryBytes: number,
+): NodeExtension {
   return {
     kind: NodeExtensionKind.MASTER,
     runsJavascript: true,
     acceptsWork: true,
     libraries: [...libraries],
     capacity,
+    memoryBytes,
   };
 }
 

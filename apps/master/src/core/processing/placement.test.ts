@@ -9,6 +9,7 @@ const ours = {
   acceptsWork: true,
   libraries: [] as string[],
   capacity: 1,
+  memoryBytes: 0,
 };
 
 function moduleOf(init: Init<ProcessingModule>): ProcessingModule {

@@ -2,18 +2,24 @@ import {
   globToRegExpSource,
   JoinProblem,
   ServiceError,
+  RevokedWork,
+  type AccessGrant,
   type AccessGrantCreateRequest,
   type AccessRole,
+  type Init,
 } from '@ubii/proto';
 import { isUsedUp } from '../access/access.ts';
+import { makerOf, type Caller } from '../access/caller.ts';
+import { clientIdsOf, endGrant, withDescendants, workOf } from '../access/grant-work.ts';
 import { grantMessage, type Grant, type GrantSpec } from '../access/grant.ts';
 import { joinRefusal } from '../access/join-refusals.ts';
 import { givenRole, wireRole } from '../access/roles.ts';
 import { CLOSE } from '../clients/close-codes.ts';
 import type { Core } from '../core.ts';
-import { oneLine } from '../one-line.ts';
+import { oneLine } from '../texts/one-line.ts';
 import { nameOf } from '../settings.ts';
-import { isLongerThan, quote } from '../topics/topic-names.ts';
+import { isLongerThan } from '../texts/text-length.ts';
+import { quote } from '../topics/topic-names.ts';
 import { byCaller } from './by-caller.ts';
 import type { ServiceCall, ServiceHandler } from './handler.ts';
 
@@ -22,11 +28,10 @@ const DEFAULT_LIFETIME_MS = 12 * HOUR_MS;
 const LONGEST_LIFETIME_MS = 30 * 24 * HOUR_MS;
 /** A code can be guessed in the long run [AC-11]. */
 const CODE_LIFETIME_MS = 12 * HOUR_MS;
-const MAX_LABEL_LENGTH = 100;
 const MAX_JOINS = 100_000;
 const MAX_TOPICS = 16;
 /** A path on this origin: `//host` and `/\\host` would be another. */
-const TARGET = /^\/(?![/\\])[^\s\\]{0,300}$/;
+const TARGET = /^\/(?![/\\])[^\s\\]*$/;
 
 /** `/services/ubii/join_check` [AC-16] */
 export const checkJoin: ServiceHandler = (core, request, call) => {
@@ -45,39 +50,46 @@ export const checkJoin: ServiceHandler = (core, request, call) => {
 };
 
 /** `/services/ubii/access_grant_create` [AC-10] */
-export const createGrant: ServiceHandler = async (core, request) => {
+export const createGrant: ServiceHandler = async (core, request, { caller }) => {
   const wanted = request.accessGrantCreateRequest!;
-  const { grant, token, code } = await core.access.grants.create(specOf(core, wanted));
+  const spec = specOf(core, wanted, caller);
+  const staysUntilMs = core.clock.nowMs() + wanted.stayMs;
+  const { grant, token, code } = await core.access.grants.create(spec, staysUntilMs);
   core.log.info('leave to join was made', { grantId: grant.id, role: grant.role });
-  return { accessGrantCreated: { grant: grantMessage(grant, []), token, code } };
+  return { accessGrantCreated: { grant: messageOf(core, grant), token, code } };
 };
 
 /** `/services/ubii/access_grant_list` [AC-14] */
 export const listGrants: ServiceHandler = (core) => ({
   accessGrantList: {
-    elements: core.access.grants
-      .list()
-      .map((grant) => grantMessage(grant, clientIdsOf(core, grant))),
+    elements: core.access.grants.list().map((grant) => messageOf(core, grant)),
   },
 });
 
 /** `/services/ubii/access_grant_revoke` [AC-15] */
 export const revokeGrant: ServiceHandler = async (core, request) => {
-  const { clientId, grantId, reason } = request.accessGrantRevokeRequest!;
+  const { clientId, grantId, reason, work } = request.accessGrantRevokeRequest!;
   const grant = core.access.grants.get(grantId);
   if (grant === undefined) {
     throw new ServiceError('not_found', `No leave to join has the id ${quote(grantId)}.`);
   }
   // It counts at once, written or not; nobody comes in between.
-  const revoked = core.access.grants.revoke(grant);
-  const told = byCaller(core, clientId, reason);
-  for (const id of clientIdsOf(core, grant)) {
-    core.clients.dismiss(core.clients.get(id)!, told, CLOSE.revoked.code);
-  }
-  core.log.info('leave to join was revoked', { grantId: grant.id, joins: grant.joins });
-  await revoked;
-  return { accessGrant: grantMessage(grant, []) };
+  const told = { code: CLOSE.revoked.code, reason: byCaller(core, clientId, reason) };
+  const isHandedOver = work === RevokedWork.REVOKED_WORK_HAND_OVER;
+  await Promise.all(
+    withDescendants(core, grant).map(async (one) => {
+      const revoked = core.access.grants.revoke(one);
+      await endGrant(core, one, told, isHandedOver);
+      core.log.info('leave to join was revoked', { grantId: one.id, joins: one.joins });
+      await revoked;
+    }),
+  );
+  return { accessGrant: messageOf(core, grant) };
 };
+
+function messageOf(core: Core, grant: Grant): Init<AccessGrant> {
+  return grantMessage(grant, clientIdsOf(core, grant), workOf(core, grant));
+}
 
 interface Checked {
   readonly grant?: Grant | undefined;
@@ -87,7 +99,7 @@ interface Checked {
 }
 
 function ofToken({ access }: Core, token: string, call: ServiceCall): Checked {
-  const { grant, problem } = access.check(token, call.place);
+  const { grant, problem } = access.check(token, call);
   if (grant === undefined) return { problem };
   if (isUsedUp(grant) && !isOfGrant(call, grant)) return { problem: JoinProblem.JOIN_PROBLEM_USED };
   return { grant, role: wireRole(grant.role), expiresMs: grant.closedMs };
@@ -117,24 +129,24 @@ function ofCaller({ caller }: ServiceCall): Checked {
   }
 }
 
-function clientIdsOf({ clients }: Core, grant: Grant): string[] {
-  return [...clients.values()].flatMap(({ id, access }) => (access.grant === grant ? [id] : []));
-}
-
 /** @throws ServiceError for what no grant can be */
-function specOf(core: Core, wanted: AccessGrantCreateRequest): GrantSpec {
-  const { label, target, lifetimeMs, maxJoins, readTopics, writeTopics } = wanted;
+function specOf(core: Core, wanted: AccessGrantCreateRequest, caller: Caller): GrantSpec {
+  const { label, target, lifetimeMs, maxJoins, readTopics, writeTopics, stayMs } = wanted;
   const role = givenRole(wanted.role);
   if (role === undefined)
     throw invalid('role', 'is one of the roles admin, participant, player and viewer');
-  if (label !== oneLine(label, MAX_LABEL_LENGTH)) {
-    throw invalid('label', `has at most ${MAX_LABEL_LENGTH} characters on one line`);
+  const { nameCharacters } = core.limits;
+  if (label !== oneLine(label, nameCharacters)) {
+    throw invalid('label', `has at most ${nameCharacters} characters on one line`);
   }
   if (target !== '' && !TARGET.test(target)) {
     throw invalid('target', 'is a path on this master, such as /devices, or empty');
   }
   if (!(lifetimeMs >= 0 && lifetimeMs <= LONGEST_LIFETIME_MS)) {
     throw invalid('lifetime_ms', `is from 0 to ${LONGEST_LIFETIME_MS}`);
+  }
+  if (!(stayMs >= 0 && stayMs <= LONGEST_LIFETIME_MS)) {
+    throw invalid('stay_ms', `is from 0 to ${LONGEST_LIFETIME_MS}`);
   }
   if (maxJoins < 0 || maxJoins > MAX_JOINS) throw invalid('max_joins', `is from 0 to ${MAX_JOINS}`);
   requireGlobs(core, 'read_topics', role, readTopics);
@@ -151,6 +163,8 @@ function specOf(core: Core, wanted: AccessGrantCreateRequest): GrantSpec {
     readTopics,
     writeTopics,
     isTerminal: false,
+    hereOnly: false,
+    madeWith: makerOf(caller),
   };
 }
 

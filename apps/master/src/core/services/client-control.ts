@@ -4,8 +4,8 @@ import type { Client } from '../clients/client.ts';
 import { readClientReport } from '../clients/client-report.ts';
 import { throttleClient, unthrottleClient } from '../clients/throttling.ts';
 import type { Core } from '../core.ts';
-import { oneLine } from '../one-line.ts';
-import { byCaller, MAX_NAME_LENGTH, MAX_REASON_LENGTH, nameOfCaller } from './by-caller.ts';
+import { oneLine } from '../texts/one-line.ts';
+import { byCaller, nameOfCaller } from './by-caller.ts';
 import type { ServiceCall, ServiceHandler } from './handler.ts';
 import { requireElements } from './list-limits.ts';
 
@@ -24,10 +24,11 @@ export const renameClient: ServiceHandler = (core, request, call) => {
   const { clientId, targetId, name } = request.clientRenameRequest!;
   const client = core.clients.require(targetId, 'client_rename_request.target_id');
   requireTarget(call, client, 'rename');
-  if (name === '' || name !== oneLine(name, MAX_NAME_LENGTH)) {
+  const { nameCharacters } = core.limits;
+  if (name === '' || name !== oneLine(name, nameCharacters)) {
     throw new ServiceError(
       'invalid_argument',
-      `A name has 1 to ${MAX_NAME_LENGTH} characters on one line, without spaces around it.`,
+      `A name has 1 to ${nameCharacters} characters on one line, without spaces around it.`,
     );
   }
   if (name !== client.spec.name) {
@@ -73,7 +74,7 @@ export const controlThrottle: ServiceHandler = (core, request) => {
     recordsPerSecond,
     byPolicy: false,
     byName,
-    reason: oneLine(reason, MAX_REASON_LENGTH),
+    reason,
   });
   const message = `${client.label} is throttled to ${recordsPerSecond} records per second.`;
   return { success: { title: 'Success', message } };

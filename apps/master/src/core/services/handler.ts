@@ -8,6 +8,10 @@ export interface ServiceCall {
   readonly caller: Caller;
   /** Where wrong codes of this caller are counted [AC-17]. */
   readonly place: string;
+  /** The caller is on this machine, with nobody in between [AC-43]. */
+  readonly isHere: boolean;
+  /** Its address, where `place` is a network. */
+  readonly address: string | undefined;
   /** Has `fn` called when the reply has left [TD-24]. */
   afterReply(fn: () => void): void;
   /** To be called between pieces of long work, and awaited when it took long: gives others a turn. */

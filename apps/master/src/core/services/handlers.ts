@@ -14,6 +14,7 @@ import {
   listDevices,
   registerDevice,
 } from './devices.ts';
+import { readAuditLog } from './audit.ts';
 import type { ServiceHandler } from './handler.ts';
 import { listLimits } from './limits.ts';
 import { tailLog } from './log.ts';
@@ -53,6 +54,7 @@ import {
 } from './sessions.ts';
 import { subscribe } from './topic-subscription.ts';
 import { listTopics, topicStatistics } from './topics.ts';
+import { whenRemembered } from './when-remembered.ts';
 
 /** Who answers which service. */
 const DOMAIN_HANDLERS = {
@@ -81,14 +83,15 @@ const DOMAIN_HANDLERS = {
   accessGrantCreate: createGrant,
   accessGrantList: listGrants,
   accessGrantRevoke: revokeGrant,
+  auditLog: readAuditLog,
   moduleVersionList: listModuleVersions,
   sessionRuntimeAdd: addSession,
   sessionRuntimeGet: getSession,
   sessionRuntimeGetList: listSessions,
-  sessionRuntimeStart: startSession,
-  sessionRuntimeStop: stopSession,
-  sessionRuntimeUpdate: updateSession,
-  sessionRuntimeRemove: removeSession,
+  sessionRuntimeStart: whenRemembered(startSession),
+  sessionRuntimeStop: whenRemembered(stopSession),
+  sessionRuntimeUpdate: whenRemembered(updateSession),
+  sessionRuntimeRemove: whenRemembered(removeSession),
   sessionPause: pauseSession,
   sessionResume: resumeSession,
   sessionDatabaseSave: saveSessions,

@@ -4,6 +4,7 @@ import {
   ServiceError,
   type ProcessingModule,
 } from '@ubii/proto';
+import { makerOf } from '../access/caller.ts';
 import type { Core } from '../core.ts';
 import { requireRoom } from '../library/require-room.ts';
 import { matchesModule } from '../library/module-profiles.ts';
@@ -14,7 +15,7 @@ import type { ServiceCall, ServiceHandler } from './handler.ts';
 import { requireElements, requireProfiles } from './list-limits.ts';
 
 /** `/services/processing_module/database/save` [SE-22] */
-export const saveModule: ServiceHandler = async (core, request) => {
+export const saveModule: ServiceHandler = async (core, request, { caller }) => {
   const module = request.processingModule!;
   const { modules } = core.processing;
   const [problem] = moduleProblems(module);
@@ -26,7 +27,7 @@ export const saveModule: ServiceHandler = async (core, request) => {
   }
   requireRoom(core.limitWatch, modules.stored, 'ubii.processing.ProcessingModule', module);
   const before = modules.stored.get(module.name);
-  const saved = await modules.save(module);
+  const saved = await modules.save(module, makerOf(caller));
   core.processing.reload.look();
   const { history } = core.processing;
   await history.record(`module ${module.name}`, before, saved, ModuleVersionOrigin.SAVED); // [EX-41]

@@ -1,9 +1,12 @@
 import { serviceByTopic, ServiceError, SERVICES, type ServiceRequest } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
 import type { Core } from '../core.ts';
+import { LIMITS } from '../limits.ts';
 import type { ServiceAnswer } from '../master.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
+import { boundTexts } from '../texts/bound-texts.ts';
 import { quote } from '../topics/topic-names.ts';
+import { auditSubject, writeAudit } from './audit.ts';
 import { callerId } from './clients.ts';
 import type { ServiceCall } from './handler.ts';
 import { HANDLERS } from './handlers.ts';
@@ -11,14 +14,19 @@ import { HANDLERS } from './handlers.ts';
 /** A call that works longer than this gives others a turn, milliseconds. A frame of an animation is 16. */
 const LONGEST_BREATH_MS = 8;
 
-/** Answers a request, whatever it holds; never rejects [SV-2]. */
+/**
+ * Answers a request, whatever it holds; never rejects [SV-2].
+ *
+ * @param known who called, when that was found before the body was read
+ */
 export function answerRequest(
   core: Core,
   request: ServiceRequest,
   facts: CallerFacts,
+  known?: Caller,
 ): Promise<ServiceAnswer> {
   core.counters.countRequest(request.topic);
-  const call = new Call(core, facts);
+  const call = new Call(core, facts, known);
   const { serviceTimeoutMs } = core.limits;
   return new Promise((resolve) => {
     const cancel = core.clock.after(serviceTimeoutMs, () => {
@@ -29,7 +37,9 @@ export function answerRequest(
       cancel();
       resolve(answered);
     };
-    handle(core, request, call).then(answer, (error: unknown) => answer(refuse(core, error, call)));
+    audited(core, request, call).then(answer, (error: unknown) =>
+      answer(refuse(core, error, call)),
+    );
   });
 }
 
@@ -44,7 +54,26 @@ export function refuse(core: Core, thrown: unknown, call?: Call): ServiceAnswer 
       stack: thrown instanceof Error ? thrown.stack : undefined,
     });
   }
-  return { reply: { error: error.toWire() }, afterReply: () => call?.finish() };
+  const { retryAfterS } = error.details;
+  return {
+    reply: { error: error.toWire() },
+    afterReply: () => call?.finish(),
+    ...(typeof retryAfterS === 'number' && { retryAfterS }),
+  };
+}
+
+/** Handles a request, and writes down how it ended when somebody is to know [EX-90]. */
+async function audited(core: Core, request: ServiceRequest, call: Call): Promise<ServiceAnswer> {
+  const subject = auditSubject(core, request, call.caller);
+  if (subject === undefined) return handle(core, request, call);
+  try {
+    const answer = await handle(core, request, call);
+    writeAudit(core, request, call.caller, subject, '');
+    return answer;
+  } catch (error) {
+    writeAudit(core, request, call.caller, subject, ServiceError.from(error).code);
+    throw error;
+  }
 }
 
 async function handle(core: Core, request: ServiceRequest, call: Call): Promise<ServiceAnswer> {
@@ -65,6 +94,7 @@ async function handle(core: Core, request: ServiceRequest, call: Call): Promise<
       { details: { member } },
     );
   }
+  const bounded = withBoundTexts(core, request);
   // Who registers or leaves says so itself. [CL-11]
   if (name !== 'clientRegistration' && name !== 'clientDeregistration') {
     const client = core.access.mayActFor(call.caller, actsFor)
@@ -72,8 +102,27 @@ async function handle(core: Core, request: ServiceRequest, call: Call): Promise<
       : undefined;
     if (client !== undefined) core.clients.handleSign(client);
   }
-  const reply = await handler(core, request, call);
+  const reply = await handler(core, bounded, call);
   return { reply, afterReply: () => call.finish() };
+}
+
+/** The request with its texts as long as they may be. @throws ServiceError when one is refused [EX-70] */
+function withBoundTexts(core: Core, request: ServiceRequest): ServiceRequest {
+  const { limits, limitWatch } = core;
+  return boundTexts('ubii.services.ServiceRequest', request, {
+    limits,
+    refuse({ member, limit, length }) {
+      // The id in the request may be the text that is too long.
+      limitWatch.count(limit, core.clients.get(callerId(request))?.id);
+      const max = limits[limit];
+      const { unit } = LIMITS[limit];
+      return new ServiceError(
+        'resource_exhausted',
+        `The member ${member} has ${length} ${unit}, and at most ${max} are taken (limit ${limit}); send less there.`,
+        { details: { limit, max, member, length } },
+      );
+    },
+  });
 }
 
 function unknownService(topic: string): ServiceError {
@@ -92,6 +141,8 @@ function unknownService(topic: string): ServiceError {
 /** One call on its way through its handler. */
 class Call implements ServiceCall {
   readonly place: string;
+  readonly isHere: boolean;
+  readonly address: string | undefined;
   readonly #core: Core;
   readonly #facts: CallerFacts;
   #caller: Caller | undefined = undefined;
@@ -99,10 +150,14 @@ class Call implements ServiceCall {
   #isFinished = false;
   #breathMs: number;
 
-  constructor(core: Core, facts: CallerFacts) {
+  constructor(core: Core, facts: CallerFacts, known?: Caller) {
     this.#core = core;
     this.#facts = facts;
+    // Who was let in is looked at again: it may have been revoked while the body came.
+    if (known?.kind === 'stranger') this.#caller = known;
     this.place = facts.place;
+    this.isHere = facts.isHere;
+    this.address = facts.address;
     this.#breathMs = core.clock.monotonicMs();
   }
 

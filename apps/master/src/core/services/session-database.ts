@@ -1,4 +1,5 @@
 import { ServiceError, type Session as SessionMessage } from '@ubii/proto';
+import { makerOf } from '../access/caller.ts';
 import type { Core } from '../core.ts';
 import { requireRoom } from '../library/require-room.ts';
 import type { Session } from '../sessions/session.ts';
@@ -7,13 +8,15 @@ import type { ServiceHandler } from './handler.ts';
 import { requireElements } from './list-limits.ts';
 
 /** `/services/session/database/save` [SE-21] */
-export const saveSessions: ServiceHandler = async (core, request) => {
+export const saveSessions: ServiceHandler = async (core, request, { caller }) => {
   const messages = [
     ...(request.session === undefined ? [] : [request.session]),
     ...requireElements(core, request.sessionList?.elements ?? []),
   ];
   const elements: SessionMessage[] = [];
-  for (const message of messages) elements.push((await saveSession(core, message)).toMessage());
+  for (const message of messages) {
+    elements.push((await saveSession(core, message, makerOf(caller))).toMessage());
+  }
   return { sessionList: { elements } };
 };
 
@@ -54,7 +57,7 @@ export const listStoredSessions: ServiceHandler = ({ processing }) => ({
 export const listOnlineSessions: ServiceHandler = () => ({ sessionList: { elements: [] } });
 
 /** Makes a session known, and stores it under its name. */
-async function saveSession(core: Core, message: SessionMessage): Promise<Session> {
+async function saveSession(core: Core, message: SessionMessage, maker: string): Promise<Session> {
   const { sessions, sessionLibrary } = core.processing;
   if (message.name === '') {
     throw new ServiceError(
@@ -63,7 +66,7 @@ async function saveSession(core: Core, message: SessionMessage): Promise<Session
     );
   }
   requireRoom(core.limitWatch, sessionLibrary.stored, 'ubii.sessions.Session', message);
-  const session = await toSave(core, message);
+  const session = await toSave(core, message, maker);
   await sessionLibrary.save(session);
   for (const other of sessions.list()) {
     if (other.description.name === message.name) sessions.setStored(other, other === session);
@@ -72,15 +75,19 @@ async function saveSession(core: Core, message: SessionMessage): Promise<Session
 }
 
 /** The session of the id, or of the stored name, with this specification; a new one when there is none. */
-async function toSave({ processing }: Core, message: SessionMessage): Promise<Session> {
+async function toSave(
+  { processing }: Core,
+  message: SessionMessage,
+  maker: string,
+): Promise<Session> {
   const { sessions } = processing;
   const known = sessions
     .list()
     .find(({ id, isStored, description }) =>
       message.id === '' ? isStored && description.name === message.name : id === message.id,
     );
-  if (known === undefined) return sessions.add(message);
+  if (known === undefined) return sessions.add(message, maker);
   // A name and an id alone mean the session as it is.
-  if (message.processingModules.length > 0) await sessions.update(known, message);
+  if (message.processingModules.length > 0) await sessions.update(known, message, maker);
   return known;
 }

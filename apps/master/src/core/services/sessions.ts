@@ -1,11 +1,12 @@
 import type { Session as SessionMessage, ServiceRequest } from '@ubii/proto';
+import { makerOf } from '../access/caller.ts';
 import type { Core } from '../core.ts';
 import type { Session } from '../sessions/session.ts';
 import type { ServiceHandler } from './handler.ts';
 
 /** `/services/session/runtime/add` [SE-1] */
-export const addSession: ServiceHandler = async ({ processing }, request) => ({
-  session: (await processing.sessions.add(payloadOf(request))).toMessage(),
+export const addSession: ServiceHandler = async ({ processing }, request, { caller }) => ({
+  session: (await processing.sessions.add(payloadOf(request), makerOf(caller))).toMessage(),
 });
 
 /** `/services/session/runtime/get` */
@@ -21,8 +22,8 @@ export const listSessions: ServiceHandler = ({ processing }) => ({
 });
 
 /** `/services/session/runtime/start` [SE-11] */
-export const startSession: ServiceHandler = async ({ processing }, request) => ({
-  session: (await processing.sessions.start(payloadOf(request))).toMessage(),
+export const startSession: ServiceHandler = async ({ processing }, request, { caller }) => ({
+  session: (await processing.sessions.start(payloadOf(request), makerOf(caller))).toMessage(),
 });
 
 /** `/services/session/runtime/stop` [SE-13] */
@@ -33,9 +34,9 @@ export const stopSession: ServiceHandler = (core, request) => {
 };
 
 /** `/services/session/runtime/update` [SE-15] */
-export const updateSession: ServiceHandler = async (core, request) => {
+export const updateSession: ServiceHandler = async (core, request, { caller }) => {
   const session = known(core, request);
-  await core.processing.sessions.update(session, payloadOf(request));
+  await core.processing.sessions.update(session, payloadOf(request), makerOf(caller));
   return { session: session.toMessage() };
 };
 

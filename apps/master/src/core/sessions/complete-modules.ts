@@ -9,6 +9,7 @@ import type { DraftModule } from './draft.ts';
 import { errorProblem } from './problems.ts';
 import { quote } from '../topics/topic-names.ts';
 
+// eslint-disable-next-line no-restricted-syntax -- our own pattern, linear
 const UUID = new RegExp(`^${UUID_PATTERN}$`);
 
 /** A module as somebody has it, for what a request leaves out. */

@@ -31,6 +31,7 @@ import { SessionNews } from './session-news.ts';
 import { SessionTable } from './session-table.ts';
 import { Sessions } from './sessions.ts';
 import { Supervision } from './supervision.ts';
+import { TopicTroubles } from './topic-troubles.ts';
 
 /** What sessions and modules are built on. */
 export interface ProcessingParts {
@@ -93,16 +94,20 @@ export function createProcessing(parts: ProcessingParts): Processing {
     {
       id: masterId,
       name: nameOf(settings),
-      extension: masterExtension(libraries, capacity),
+      extension: masterExtension(libraries, capacity, limits.moduleBytes),
       modules: () => modules.list(),
     },
     clients,
   );
+  const table = new SessionTable();
   const localTopics = new LocalTopics({
     ...publishing,
     clock,
     nodeId: masterId,
+    account: publishing.accounts.createSession(masterId),
     deviceOf: (topic) => devices.deviceOfTopic(topic),
+    isSession: (id) => table.get(id) !== undefined,
+    onLimit: (limit) => limitWatch.count(limit, masterId),
   });
   const createRuntime = (hooks: RuntimeHooks) =>
     createModuleRuntime({
@@ -112,17 +117,20 @@ export function createProcessing(parts: ProcessingParts): Processing {
       patterns,
       sandboxes,
       libraries,
+      limits: { maxTopics: limits.topicsPerModule },
       ...hooks,
     });
-  const table = new SessionTable();
   const local: LocalNode = new LocalNode(createRuntime, {
     onStarted: (moduleId) => void handleReport(masterId, moduleId, true),
     onStopped: (moduleId) => void handleReport(masterId, moduleId, false),
-    onFailed: (moduleId, reason, fault) => reportFailed(masterId, moduleId, reason, fault),
+    onFailed(moduleId, reason, fault) {
+      if (fault?.shortage !== undefined) noteShortage(moduleId, fault.shortage);
+      reportFailed(masterId, moduleId, reason, fault);
+    },
     onEvent: (event) => reports.handleEvent(masterId, event),
   });
   const { topics, subscriptions } = publishing;
-  const news = new SessionNews({ publisher, topics, subscriptions, clock });
+  const news = new SessionNews({ publisher, topics, subscriptions, clock, limits });
   const life: LifeContext = {
     clock,
     limits,
@@ -157,16 +165,18 @@ export function createProcessing(parts: ProcessingParts): Processing {
     news,
     topics: localTopics,
     patterns,
-    publish(record, client) {
+    publish(record, client, sessionId) {
       const { topic, valueField } = readRecordHead(record);
-      localTopics.publishAs(client, topic, record, valueField);
+      localTopics.publishAs(client, topic, record, valueField, sessionId);
     },
   });
   const reports = new NodeReports({
+    limits,
     table,
     news,
     lockstep,
     clock,
+    topics,
     onFailed: (nodeId, { moduleId, message, line, column }) =>
       reportFailed(nodeId, moduleId, message, { line, column }),
   });
@@ -190,10 +200,20 @@ export function createProcessing(parts: ProcessingParts): Processing {
     life,
     library: sessionLibrary,
     history,
+    topics: localTopics,
+  });
+  const topicTroubles = new TopicTroubles({
+    monotonicMs: () => clock.monotonicMs(),
+    onRunaway(_session, { nodeId }, text) {
+      limitWatch.count('topicsPerModule', nodeId);
+      events.add(StatusEventKind.LIMIT_REACHED, text, nodeId);
+    },
+    onChange: (session) => news.announceChange(session),
   });
   const supervision = new Supervision(life, {
     passes: (session) => lockstep.statistics(session),
     recheck: (session) => sessions.recheck(session),
+    lookAtTopics: (session) => topicTroubles.look(session),
   });
 
   const reload = new ModuleReload({ library: modules, sessions, news });
@@ -206,6 +226,19 @@ export function createProcessing(parts: ProcessingParts): Processing {
     sessionLibrary.remember(
       session,
       isKnown && session.isLive && session.description.startWithMaster,
+    );
+  }
+  /** A module on the master did not get memory [SE-65]. */
+  function noteShortage(moduleId: string, shortage: 'all' | 'owner'): void {
+    const found = table.findModule(moduleId);
+    if (found === undefined) return;
+    limitWatch.count(shortage === 'all' ? 'moduleBytes' : 'moduleBytesPerSession', masterId);
+    const { session, module } = found;
+    const whose = shortage === 'all' ? 'all modules on the master' : 'the modules of its session';
+    events.add(
+      StatusEventKind.LIMIT_REACHED,
+      `The module ${quote(module.name)} of the session ${quote(session.label)} was ended: the memory of ${whose} is used up`,
+      masterId,
     );
   }
   /** Nobody speaks for modules of others. */
@@ -249,6 +282,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     async close() {
       isClosed = true;
       files.close();
+      news.close();
       reload.close();
       unwatchModules();
       supervision.close();

@@ -1,24 +1,30 @@
-import { ModuleEventKind, type ModuleEvent, type ModuleReports } from '@ubii/proto';
+import {
+  ModuleEventKind,
+  type EndedTopics,
+  type ModuleEvent,
+  type ModuleReports,
+} from '@ubii/proto';
 import { readNodeMessage } from '@ubii/proto/wire';
 import type { Client } from '../clients/client.ts';
 import type { Clock } from '../ports/clock.ts';
+import type { Limits } from '../limits.ts';
+import { cutTexts } from '../texts/bound-texts.ts';
+import type { TopicTable } from '../topics/topic-table.ts';
 import type { Lockstep } from './lockstep/lockstep.ts';
 import type { SessionNews } from './session-news.ts';
 import type { SessionTable } from './session-table.ts';
 
 /** What node messages are for. */
 export interface NodeReportsContext {
+  readonly limits: Limits;
   readonly table: SessionTable;
   readonly news: SessionNews;
   readonly lockstep: Lockstep;
   readonly clock: Clock;
+  readonly topics: TopicTable;
   /** A module could not be made, or was given up [SE-12]. */
   readonly onFailed: (nodeId: string, event: ModuleEvent) => void;
 }
-
-/** Characters kept of a callback's name or a level, and of a message: everybody who watches gets them. */
-const MOST_WORD = 32;
-const MOST_TEXT = 4_096;
 
 /** Takes what nodes say over their sockets: answers of passes, and how their modules do [EX-20]. */
 export class NodeReports {
@@ -30,7 +36,7 @@ export class NodeReports {
 
   /** @throws DecodeError when the bytes are no message of a node */
   handleMessage(client: Client, bytes: Uint8Array): void {
-    const { lockstepReply, moduleReports } = readNodeMessage(bytes);
+    const { lockstepReply, moduleReports, endedTopics } = readNodeMessage(bytes);
     if (lockstepReply !== undefined) {
       const { sessionId, pass } = lockstepReply.head;
       // The frame may be reused for something else before all have answered.
@@ -38,6 +44,7 @@ export class NodeReports {
       this.#context.lockstep.handleReply(client.id, sessionId, pass, records);
     }
     if (moduleReports !== undefined) this.#takeReports(client, moduleReports);
+    if (endedTopics !== undefined) this.#endTopics(client, endedTopics);
   }
 
   /** An event of a module, from whichever node [SE-51]. */
@@ -46,14 +53,22 @@ export class NodeReports {
     // Nobody speaks for modules of others.
     if (found === undefined || found.module.nodeId !== nodeId) return;
     this.#context.news.publishEvent({
-      ...event,
-      phase: event.phase.slice(0, MOST_WORD),
-      level: event.level.slice(0, MOST_WORD),
-      message: event.message.slice(0, MOST_TEXT),
+      ...cutTexts('ubii.extension.ModuleEvent', event, this.#context.limits),
       sessionId: found.session.id,
       moduleName: found.module.name,
       nodeId,
     });
+  }
+
+  /** [SE-63] */
+  #endTopics(client: Client, { topics }: EndedTopics): void {
+    const { topics: table, clock } = this.#context;
+    for (const topic of topics) {
+      if (!client.recordBudget.take(1, clock.monotonicMs())) return;
+      const entry = table.get(topic);
+      // Nobody ends topics of others.
+      if (entry?.owner === client) table.deleteValue(entry);
+    }
   }
 
   /** [PM-80] [PM-81] */
@@ -61,12 +76,14 @@ export class NodeReports {
     for (const one of statistics) {
       const module = this.#context.table.findModule(one.moduleId)?.module;
       if (module?.nodeId === client.id) {
-        module.statistics = { ...one, nodeId: client.id, moduleName: module.name };
+        const bounded = cutTexts('ubii.extension.ModuleStatistics', one, this.#context.limits);
+        module.statistics = { ...bounded, nodeId: client.id, moduleName: module.name };
       }
     }
-    for (const event of events) {
+    for (const told of events) {
       // What a node has to say counts like what it publishes.
       if (!client.recordBudget.take(1, this.#context.clock.monotonicMs())) return;
+      const event = cutTexts('ubii.extension.ModuleEvent', told, this.#context.limits);
       this.handleEvent(client.id, event);
       if (event.kind === ModuleEventKind.FAILED) this.#context.onFailed(client.id, event);
     }

@@ -40,7 +40,8 @@ export type ProblemCode =
   | 'node_cannot_update'
   | 'module_not_reloaded'
   | 'node_without_lockstep'
-  | 'node_late';
+  | 'node_late'
+  | 'too_many_topics';
 
 /** One problem as it is found; what is not given is empty. */
 export type ProblemInit = { readonly code: ProblemCode; readonly message: string } & Partial<

@@ -75,7 +75,7 @@ export class ModuleReload {
     const key = `reload ${now.name}`;
     try {
       const next: SessionMessage = { ...message, processingModules };
-      await this.#context.sessions.update(session, next);
+      await this.#context.sessions.update(session, next, '');
       for (const { module } of users) this.#behind.delete(module.id);
       if (session.troubles.delete(key)) this.#context.news.announceChange(session);
     } catch (error) {
@@ -126,6 +126,7 @@ function replaced(
     onHaltedStringified: now.onHaltedStringified,
     onDestroyedStringified: now.onDestroyedStringified,
     extension: {
+      grantIds: [],
       origin: module.extension?.origin ?? 0,
       replaceable: module.extension?.replaceable ?? false,
       version,

@@ -40,6 +40,7 @@ export function startSession(context: LifeContext, session: Session): void {
 export function stopSession(context: LifeContext, session: Session): void {
   if (!canHappen(session.life, 'stop')) return;
   move(context, session, 'stop');
+  session.isRestored = false;
   session.stoppingSinceMs = context.clock.monotonicMs();
   session.troubles.clear();
   for (const module of session.modules) {
@@ -116,7 +117,8 @@ export function evaluate(context: LifeContext, session: Session): void {
   }
   // What is late counts as failed, but may still come.
   const isHopeless = count('failed') === modules.length || isOverdue(context, session);
-  if (isHopeless && count('running') === 0 && count('away') === 0) stopSession(context, session);
+  const isNothingThere = count('running') === 0 && count('away') === 0;
+  if (isHopeless && isNothingThere && !session.isRestored) stopSession(context, session);
   else if (count('waiting') === 0 || isOverdue(context, session)) {
     moveAndTell(context, session, 'some run');
   }

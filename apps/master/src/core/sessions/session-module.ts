@@ -1,3 +1,4 @@
+import { LEAST_MODULE_BYTES } from '@ubii/pm-sandbox';
 import {
   ProcessingModuleLanguage,
   ProcessingModuleStatus,
@@ -68,6 +69,17 @@ export class SessionModule {
     return this.phase === 'waiting' || this.phase === 'running' || this.phase === 'failed';
   }
 
+  /** Memory it has, bytes, or is about to take at least. */
+  get memoryBytes(): number {
+    if (!this.isPlaced || this.phase === 'failed') return 0;
+    return Math.max(this.statistics?.memoryBytes ?? 0, this.leastMemoryBytes);
+  }
+
+  /** Memory it takes at least, bytes; trusted ones share the heap of their worker. */
+  get leastMemoryBytes(): number {
+    return this.isTrusted ? 0 : LEAST_MODULE_BYTES;
+  }
+
   /** The module as others see it. */
   toMessage(sessionId: string, isPaused: boolean): ProcessingModule {
     const { version = '', libraries = [], origin = 0 } = this.spec.extension ?? {};
@@ -75,7 +87,14 @@ export class SessionModule {
       ...this.spec,
       sessionId,
       status: this.#status(isPaused),
-      extension: { version, libraries, origin, replaceable: this.wishedNodeId === '' }, // [EX-22]
+      // [EX-22]
+      extension: {
+        version,
+        libraries,
+        origin,
+        replaceable: this.wishedNodeId === '',
+        grantIds: [],
+      },
     };
   }
 

@@ -9,6 +9,8 @@ import {
 } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
+import { PacedNews } from '../info/paced-news.ts';
+import type { Limits } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
@@ -20,22 +22,33 @@ export interface NewsContext {
   readonly topics: TopicTable;
   readonly subscriptions: SubscriptionTable;
   readonly clock: Clock;
+  readonly limits: Limits;
 }
+
+/** Seconds of news of one session that may come at once. */
+const BURST_SECONDS = 4;
 
 /** Tells everybody what becomes of sessions, each time with the whole session [SE-8]. */
 export class SessionNews {
   readonly #context: NewsContext;
+  readonly #changes: PacedNews;
 
   constructor(context: NewsContext) {
     this.#context = context;
+    const { sessionNewsBytesPerSecond: bytesPerSecond } = context.limits;
+    const burstBytes = BURST_SECONDS * bytesPerSecond;
+    this.#changes = new PacedNews(context.clock, { bytesPerSecond, burstBytes });
   }
 
   announceNew(session: Session): void {
     this.#publish(INFO_TOPICS.newSession, session);
   }
 
+  /** [EX-75] */
   announceChange(session: Session): void {
-    this.#publish(INFO_TOPICS.changeSession, session);
+    this.#changes.tell(session.id, () =>
+      this.#context.publisher.publish(INFO_TOPICS.changeSession, { session: session.toMessage() }),
+    );
   }
 
   /** Tells nodes to run their modules [SE-11]. */
@@ -55,9 +68,15 @@ export class SessionNews {
 
   /** The last news of a session, which is forgotten [SE-16]. */
   announceGone(session: Session): void {
+    this.#changes.forget(session.id);
     this.#publish(INFO_TOPICS.deleteSession, session);
     this.#context.publisher.deleteValue(sessionStatisticsTopic(session.id));
     this.#context.publisher.deleteValue(moduleEventTopic(session.id));
+  }
+
+  /** Ends every timer. */
+  close(): void {
+    this.#changes.close();
   }
 
   /** [SE-50] */
@@ -91,6 +110,8 @@ export class SessionNews {
   }
 
   #publish(topic: string, session: Session): void {
-    this.#context.publisher.publish(topic, { session: session.toMessage() });
+    const bytes = this.#context.publisher.publish(topic, { session: session.toMessage() });
+    // What tells nodes to start and stop never waits; changes wait the longer for it.
+    if (topic !== INFO_TOPICS.deleteSession) this.#changes.spend(session.id, bytes);
   }
 }

@@ -56,6 +56,13 @@ export class SessionTable {
     return load;
   }
 
+  /** Memory of modules on a node, bytes, as far as it was told. */
+  memoryOn(nodeId: string): number {
+    let bytes = 0;
+    for (const session of this.#sessions.values()) bytes += session.memoryOn(nodeId);
+    return bytes;
+  }
+
   #unindex(session: Session): void {
     for (const [id, other] of this.#byModule) if (other === session) this.#byModule.delete(id);
   }

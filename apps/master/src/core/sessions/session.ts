@@ -19,6 +19,8 @@ export class Session {
   byteLength = 0;
   /** Grows with every change of the specification [SE-15]. */
   revision = 1;
+  /** Grants whose clients made or changed it [AC-90]. */
+  readonly grantIds: Set<string>;
   /** A stored session has its name [SE-21]. */
   isStored: boolean;
   /** What is doubtful about its specification, as it was found last [SE-5]. */
@@ -27,15 +29,18 @@ export class Session {
   readonly troubles = new Map<string, SessionProblem>();
   /** All its modules ran at once since it was started: `/info/session/running` was published. */
   wasRunning = false;
+  /** It was started with the master, and by nobody since: only people stop it [SE-24]. */
+  isRestored = false;
   /** When it was told to stop, monotonic milliseconds. */
   stoppingSinceMs: number | undefined = undefined;
 
-  constructor(id: string, draft: SessionDraft, isStored: boolean) {
+  constructor(id: string, draft: SessionDraft, isStored: boolean, grantIds: Iterable<string> = []) {
     const { modules, ...description } = draft;
     this.id = id;
     this.description = description;
     this.modules = modules.map((module) => createModule(module));
     this.isStored = isStored;
+    this.grantIds = new Set(grantIds);
   }
 
   get isLive(): boolean {
@@ -58,6 +63,23 @@ export class Session {
 
   modulesOn(nodeId: string): SessionModule[] {
     return this.modules.filter((module) => module.nodeId === nodeId);
+  }
+
+  /** Memory of its modules on a node, bytes, as far as it was told; what is being made counts as the least. */
+  memoryOn(nodeId: string): number {
+    return this.modules.reduce(
+      (sum, module) => sum + (module.nodeId === nodeId ? module.memoryBytes : 0),
+      0,
+    );
+  }
+
+  /** Topics that outputs are mapped to; those of demuxers show only when they run. */
+  outputTopics(): Set<string> {
+    return new Set(
+      this.modules.flatMap(({ mapping }) =>
+        mapping.outputMappings.flatMap(({ topic }) => topic || []),
+      ),
+    );
   }
 
   /** What is wrong now, errors first. */
@@ -88,6 +110,7 @@ export class Session {
         editorJson,
         revision: this.revision,
         stored: this.isStored,
+        grantIds: [...this.grantIds],
       },
     };
   }

@@ -9,18 +9,22 @@ import {
 } from '@ubii/proto';
 import { isSame, type ModuleHistory } from '../library/module-history.ts';
 import type { SessionLibrary } from '../library/session-library.ts';
+import type { LocalTopics } from '../processing/local-topics.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
 import { quote } from '../topics/topic-names.ts';
 import { checkSession, checkSurroundings, SURROUNDINGS } from './checks/check-session.ts';
+import { hasCodeOf } from './complete-modules.ts';
 import { completeDraft, draftOf, makeDraft, type DraftContext } from './draft-maker.ts';
 import type { SessionDraft } from './draft.ts';
 import type { LifeContext } from './life-context.ts';
+import { memoryShortage } from './memory-room.ts';
 import { assignNode } from './place-module.ts';
 import { Session } from './session.ts';
 import { pauseSession, resumeSession, startSession, stopSession } from './session-life.ts';
 import type { SessionModule } from './session-module.ts';
 import type { SessionTable } from './session-table.ts';
+import { StartPace } from './start-pace.ts';
 import { updateSession } from './update-session.ts';
 
 /** What sessions are made with. */
@@ -32,14 +36,18 @@ export interface SessionsContext {
   readonly life: LifeContext;
   readonly library: SessionLibrary;
   readonly history: ModuleHistory;
+  /** Topics of modules on the master. */
+  readonly topics: Pick<LocalTopics, 'keepOnly' | 'endSession'>;
 }
 
 /** Everything that can be done with sessions. Requests are checked before anything is changed. */
 export class Sessions {
   readonly #context: SessionsContext;
+  readonly #startPace: StartPace;
 
   constructor(context: SessionsContext) {
     this.#context = context;
+    this.#startPace = new StartPace(context.life.clock, context.limits);
   }
 
   list(): Session[] {
@@ -63,7 +71,12 @@ export class Sessions {
   /** Nodes with what they run now [PM-61]. */
   nodes(): NodeInfo[] {
     const { nodes, loadOf } = this.#context.life;
-    return nodes.toMessages(loadOf);
+    return nodes.toMessages(loadOf, (node) => this.memoryOn(node.id));
+  }
+
+  /** Memory of modules on a node, bytes [SE-64]. */
+  memoryOn(nodeId: string): number {
+    return this.#context.table.memoryOn(nodeId);
   }
 
   /** Modules of sessions that live, as they are now. */
@@ -73,16 +86,34 @@ export class Sessions {
       .flatMap((session) => session.toMessage().processingModules);
   }
 
-  /** Creates a session, from a request or from the stored one of its name [SE-1]. */
-  async add(message: SessionMessage): Promise<Session> {
+  /** Those that clients of a grant made or changed [AC-90]. */
+  madeWith(grantId: string): Session[] {
+    return this.list().filter(({ grantIds }) => grantIds.has(grantId));
+  }
+
+  /** It is the operator's from now on, and no longer that of a grant [AC-92]. */
+  handOver(session: Session, grantId: string): void {
+    if (!session.grantIds.delete(grantId)) return;
+    const { life } = this.#context;
+    life.onModules(session);
+    life.news.announceChange(session);
+  }
+
+  /**
+   * Creates a session, from a request or from the stored one of its name [SE-1].
+   * @param maker Grant of who asks for it; empty for who needs none [AC-90].
+   */
+  async add(message: SessionMessage, maker: string): Promise<Session> {
     const { library } = this.#context;
     const stored = message.processingModules.length === 0 ? library.get(message.name) : undefined;
-    return this.#create(stored ?? message, stored !== undefined);
+    return this.#create(stored ?? message, stored !== undefined, maker);
   }
 
   /** Starts a session that is there, a stored one, or one that is created for it [SE-11]. */
-  async start(message: SessionMessage): Promise<Session> {
-    const session = await this.#toStart(message);
+  async start(message: SessionMessage, maker: string): Promise<Session> {
+    const session = await this.#toStart(message, maker);
+    this.#requireMemory(session);
+    if (!session.isLive) this.#startPace.spend(session, maker);
     startSession(this.#context.life, session);
     return session;
   }
@@ -100,7 +131,7 @@ export class Sessions {
   }
 
   /** [SE-15] */
-  async update(session: Session, message: SessionMessage): Promise<void> {
+  async update(session: Session, message: SessionMessage, maker: string): Promise<void> {
     this.#requireNewest(session, message);
     const byteLength = this.#requireSpace(message, session);
     const { draft, warnings } = await makeDraft(this.#context.drafts, message, session);
@@ -108,13 +139,26 @@ export class Sessions {
     this.require(session.id);
     this.#requireNewest(session, message);
     const before = new Map(session.modules.map(({ id, spec }) => [id, spec]));
+    this.#noteMakers(session, draft, maker);
     updateSession(this.#context.life, session, draft);
+    this.#context.topics.keepOnly(session.id, session.outputTopics());
     this.#recordVersions(session, before);
     session.byteLength = byteLength;
     session.warnings = this.#warningsOf(draft, warnings);
     this.#context.life.news.announceChange(session);
     this.#context.table.reindex(session);
     this.#context.life.onModules(session);
+  }
+
+  /** Whose code it has: that of who changes it, and of who stored the modules that it takes [AC-90]. */
+  #noteMakers(session: Session, { modules }: SessionDraft, maker: string): void {
+    if (maker !== '') session.grantIds.add(maker);
+    const { stored } = this.#context.drafts.completion;
+    for (const { spec } of modules) {
+      const offer = stored(spec.name);
+      if (offer === undefined || offer.isTrusted || !hasCodeOf(spec, offer.module)) continue;
+      for (const grantId of offer.module.extension?.grantIds ?? []) session.grantIds.add(grantId);
+    }
   }
 
   /** [EX-41] */
@@ -132,20 +176,30 @@ export class Sessions {
     stopSession(life, session);
     table.delete(session);
     life.onLife(session);
+    this.#context.topics.endSession(session.id);
     life.news.announceGone(session);
   }
 
-  /** Starts again what ran when the master ended [SE-24]. */
-  restore(): void {
+  /**
+   * Starts again what ran when the master ended [SE-24], but for what belongs to a grant that ended meanwhile.
+   * @param isGood Whether those who joined with a grant may be here.
+   */
+  restore(isGood: (grantId: string) => boolean): void {
     const { library, drafts, table, life } = this.#context;
     for (const message of library.interrupted()) {
       const { draft } = completeDraft(drafts, message);
-      const session = new Session(message.id, draft, library.get(message.name) !== undefined);
+      const grantIds = message.extension?.grantIds ?? [];
+      const isStored = library.get(message.name) !== undefined;
+      const session = new Session(message.id, draft, isStored, grantIds);
       session.byteLength = encode('ubii.sessions.Session', message).byteLength;
       table.add(session);
       life.news.announceNew(session);
       this.recheck(session, false);
-      if (session.modules.length > 0) startSession(life, session);
+      const mayRun = grantIds.every((grantId) => isGood(grantId));
+      if (session.modules.length > 0 && mayRun) {
+        session.isRestored = true;
+        startSession(life, session);
+      } else life.onModules(session);
     }
   }
 
@@ -173,7 +227,15 @@ export class Sessions {
     this.#context.life.news.announceChange(session);
   }
 
-  async #toStart(message: SessionMessage): Promise<Session> {
+  #requireMemory(session: Session): void {
+    const { life, limits } = this.#context;
+    const shortage = memoryShortage(life, session);
+    if (shortage === undefined) return;
+    if (shortage.limit !== undefined) limits.count(shortage.limit, life.nodes.masterId);
+    throw new ServiceError('resource_exhausted', shortage.text, { details: shortage.details });
+  }
+
+  async #toStart(message: SessionMessage, maker: string): Promise<Session> {
     const { table, library } = this.#context;
     if (message.id !== '') {
       const known = table.get(message.id);
@@ -183,23 +245,26 @@ export class Sessions {
         return this.require(message.id);
       }
     }
-    if (message.processingModules.length > 0) return this.#create(message, false);
+    if (message.processingModules.length > 0) return this.#create(message, false, maker);
     const stored = library.get(message.name);
-    if (stored === undefined) return this.#create(message, false);
+    if (stored === undefined) return this.#create(message, false, maker);
     const known = this.list().find(
       ({ isStored, isLive, life, description }) =>
         isStored && !isLive && life !== 'stopping' && description.name === message.name,
     );
-    return known ?? this.#create(stored, true);
+    return known ?? this.#create(stored, true, '');
   }
 
-  async #create(message: SessionMessage, isStored: boolean): Promise<Session> {
+  async #create(message: SessionMessage, isStored: boolean, maker: string): Promise<Session> {
     const { ids, table, life, drafts } = this.#context;
     this.#requireRoom();
     const { draft, warnings } = await makeDraft(drafts, message);
     this.#requireRoom();
     const byteLength = this.#requireSpace(message);
-    const session = new Session(ids.uuid(), draft, isStored);
+    // What is stored belongs to who stored it.
+    const grantIds = isStored ? (message.extension?.grantIds ?? []) : maker === '' ? [] : [maker];
+    const session = new Session(ids.uuid(), draft, isStored, grantIds);
+    this.#noteMakers(session, draft, '');
     session.byteLength = byteLength;
     session.warnings = this.#warningsOf(draft, warnings);
     table.add(session);

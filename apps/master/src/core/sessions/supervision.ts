@@ -20,6 +20,8 @@ export interface SupervisionParts {
   ) => Pick<SessionStatistics, 'passesPerSecond' | 'passP50Ms' | 'passP95Ms' | 'lateAnswers'>;
   /** Looks anew at what is doubtful about a session [SE-5]. */
   readonly recheck: (session: Session) => void;
+  /** Looks for modules that make too many topics [SE-61]. */
+  readonly lookAtTopics: (session: Session) => void;
 }
 
 /** Looks after the sessions that live: who is late, and how they do. Without any it sleeps. */
@@ -69,7 +71,9 @@ export class Supervision {
   #lookAt(session: Session): void {
     if (session.life === 'stopping') return this.#lookAtStop(session);
     this.#lookAtStart(session);
-    if (session.isLive && this.#looks % LOOKS_PER_CHECK === 0) this.#parts.recheck(session);
+    if (!session.isLive || this.#looks % LOOKS_PER_CHECK !== 0) return;
+    this.#parts.recheck(session);
+    this.#parts.lookAtTopics(session);
   }
 
   /** [SE-12] */
@@ -118,12 +122,13 @@ export class Supervision {
   }
 
   #publish(session: Session): void {
-    const { clock, news } = this.#context;
+    const { clock, limits, news } = this.#context;
     news.publishStatistics({
       sessionId: session.id,
       state: wireState(session.life),
       timeMs: clock.nowMs(),
       modules: session.modules.flatMap(({ statistics }) => statistics ?? []),
+      memoryLimitBytes: limits.moduleBytesPerSession,
       ...this.#parts.passes(session),
     });
   }

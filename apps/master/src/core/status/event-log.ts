@@ -1,8 +1,10 @@
 import { StatusEventKind, type StatusEvent } from '@ubii/proto';
+import type { Limits } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { Log } from '../ports/log.ts';
+import { oneLine } from '../texts/one-line.ts';
 
-/** Events kept [EX-17]: what a page can show, in some 30 KB. */
+/** Events kept [EX-17]: what a page can show, usually in some 30 KB. */
 const KEPT_EVENTS = 200;
 
 /** What is logged where it happens, with more about it, and what people see without a log. */
@@ -17,15 +19,18 @@ const NOT_LOGGED: ReadonlySet<StatusEventKind> = new Set([
 export class EventLog {
   readonly #clock: Clock;
   readonly #log: Log;
+  readonly #limits: Limits;
   readonly #events: StatusEvent[] = [];
 
-  constructor(clock: Clock, log: Log) {
+  constructor(clock: Clock, log: Log, limits: Limits) {
     this.#clock = clock;
     this.#log = log;
+    this.#limits = limits;
   }
 
   add(kind: StatusEventKind, text: string, clientId = ''): void {
-    this.#events.push({ timeMs: this.#clock.nowMs(), kind, text, clientId });
+    const bounded = oneLine(text, this.#limits.eventCharacters); // [EX-72]
+    this.#events.push({ timeMs: this.#clock.nowMs(), kind, text: bounded, clientId });
     if (this.#events.length > KEPT_EVENTS) this.#events.shift();
     if (NOT_LOGGED.has(kind)) return;
     this.#log.info(text, clientId === '' ? {} : { clientId });

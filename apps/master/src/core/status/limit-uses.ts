@@ -2,6 +2,7 @@ import type { Init, LimitUse } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
 import type { Core } from '../core.ts';
 import type { LimitName } from '../limits.ts';
+import { RESOURCE, type Resource } from '../shares/resources.ts';
 import type { Session } from '../sessions/session.ts';
 
 /** How much of each limit is used, where that is known [EX-36]. */
@@ -10,18 +11,31 @@ type LimitUses = { readonly [L in LimitName]?: (core: Core) => Init<LimitUse> };
 /** The present use of limits. Limits of one message, and times, have none. */
 export const LIMIT_USES: LimitUses = {
   topics: ({ topics }) => ({ value: topics.size }),
-  topicsPerClient: ofClients(({ ownedTopics }) => ownedTopics.size),
+  topicsPerClient: ofAccounts(RESOURCE.topics),
+  topicsPerSession: ofSessions(({ modules }) =>
+    modules.reduce((sum, { statistics }) => sum + (statistics?.topics ?? 0), 0),
+  ),
+  topicsPerModule: ofSessions(({ modules }) =>
+    modules.reduce((most, { statistics }) => Math.max(most, statistics?.topics ?? 0), 0),
+  ),
   retainedBytes: ({ topics }) => ({ value: topics.retainedBytes }),
+  retainedBytesPerClient: ofAccounts(RESOURCE.retainedBytes),
   clients: ({ clients }) => ({ value: clients.size }),
   sockets: ({ sockets }) => ({ value: sockets.openCount }),
+  connections: ({ connections }) => ({ value: connections.size }),
+  connectionsOfStrangers: ({ connections }) => ({ value: connections.strangers }),
+  connectionsPerAddress: ({ connections }) => ({ value: connections.mostOfAddress }),
+  connectionsPerNetwork: ({ connections }) => ({ value: connections.mostOfNetwork }),
   grants: ({ access }) => ({ value: access.grants.size }),
+  devices: ({ devices }) => ({ value: devices.size }),
   devicesPerClient: ofClients(({ devices }) => devices.size),
   componentsPerDevice: ofClients(({ devices }) =>
     [...devices.values()].reduce((most, device) => Math.max(most, device.components.length), 0),
   ),
-  registrationBytesPerClient: ofClients(({ registrationBytes }) => registrationBytes),
-  registrationBytes: ({ budget }) => ({ value: budget.totalBytes }),
+  registrationBytesPerClient: ofAccounts(RESOURCE.registrationBytes),
+  registrationBytes: ({ accounts }) => ({ value: accounts.all.used(RESOURCE.registrationBytes) }),
 
+  subscriptions: ({ accounts }) => ({ value: accounts.all.used(RESOURCE.subscriptions) }),
   subscriptionsPerClient: ofClients(({ subscriber }) => subscriber.topics.size),
   patternsPerClient: ofClients(({ subscriber }) => subscriber.patterns.size),
   patterns: ({ patternTable }) => ({ value: patternTable.size }),
@@ -32,7 +46,15 @@ export const LIMIT_USES: LimitUses = {
   publishedBytesPerSecond: ofClients(({ traffic }) => traffic.rates.bytesInPerSecond),
 
   connectionQueuedBytes: ofClients(({ socket }) => socket?.connection.queuedBytes ?? 0),
+  queuesBytes: ({ accounts }) => ({ value: accounts.all.used(RESOURCE.queueBytes) }),
   queueBytes: ofClients(({ subscriber }) => subscriber.outbox.waitingBytes),
+
+  bodyBytes: ({ bodies }) => ({ value: bodies.totalBytes }),
+  bodyBytesOfStrangers: ({ bodies }) => ({ value: bodies.bytesOf('bodyBytesOfStrangers') }),
+  bodyBytesOfJoining: ({ bodies }) => ({ value: bodies.bytesOf('bodyBytesOfJoining') }),
+  bodyBytesPerAddress: ({ bodies }) => ({ value: bodies.mostOf('bodyBytesPerAddress') }),
+  bodyBytesPerClient: ({ bodies }) => ({ value: bodies.mostOf('bodyBytesPerClient') }),
+  bodyBytesPerConnection: ({ bodies }) => ({ value: bodies.mostOf('bodyBytesPerConnection') }),
 
   sessions: ({ processing }) => ({ value: processing.sessions.list().length }),
   modulesPerSession: ofSessions(({ modules }) => modules.length),
@@ -45,6 +67,13 @@ export const LIMIT_USES: LimitUses = {
   moduleSourceBytes: ofSessions(({ modules }) =>
     modules.reduce((most, { spec }) => Math.max(most, spec.onProcessingStringified.length), 0),
   ),
+  moduleBytes: ({ processing: { nodes, sessions } }) => ({
+    value: sessions.memoryOn(nodes.masterId),
+  }),
+  moduleBytesPerSession: ({ processing: { nodes, sessions } }) => {
+    const [which, value] = most(sessions.list(), (session) => session.memoryOn(nodes.masterId));
+    return { value, sessionId: which?.id ?? '' };
+  },
   sessionBytes: ofSessions(({ byteLength }) => byteLength),
   sessionsBytes: ({ processing }) => ({
     value: processing.sessions.list().reduce((sum, { byteLength }) => sum + byteLength, 0),
@@ -56,6 +85,11 @@ export const LIMIT_USES: LimitUses = {
     value: Math.max(modules.stored.byteLength, sessionLibrary.stored.byteLength),
   }),
 };
+
+/** The client that uses most of a scarce resource. */
+function ofAccounts(resource: Resource): (core: Core) => Init<LimitUse> {
+  return ofClients(({ account }) => account.used(resource));
+}
 
 /** The client that uses most of what each may have. */
 function ofClients(use: (client: Client) => number): (core: Core) => Init<LimitUse> {

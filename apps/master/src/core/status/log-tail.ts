@@ -1,16 +1,13 @@
 import { LogLevel, type Init, type LogTail as LogTailMessage } from '@ubii/proto';
-import { oneLine } from '../one-line.ts';
+import { DEFAULT_LIMITS, type Limits } from '../limits.ts';
 import type { Log, LogFields } from '../ports/log.ts';
+import { LogBudget, type BoundedLine, type LevelName } from './log-budget.ts';
 
-/** Lines that are kept [EX-37]: some 200 KB at most in practice. */
+/** Lines that are kept, and characters of all of them [EX-37]. */
 const KEPT_LINES = 1_000;
-/** Fields of one line, and characters of one text [EX-37]. */
-const MAX_FIELDS = 20;
-const MAX_TEXT_LENGTH = 1_000;
+const KEPT_CHARACTERS = 1_000_000;
 /** Line numbers of one run of the master: those of the next begin behind them. */
 const LINES_PER_MS = 1_000;
-
-type LevelName = 'error' | 'warn' | 'info' | 'debug';
 
 const LEVELS: Readonly<Record<LevelName, LogLevel>> = {
   error: LogLevel.LOG_ERROR,
@@ -18,6 +15,8 @@ const LEVELS: Readonly<Record<LevelName, LogLevel>> = {
   info: LogLevel.LOG_INFO,
   debug: LogLevel.LOG_DEBUG,
 };
+
+const LEFT_OUT = 'lines of the log were left out: more came than logBytesPerSecond';
 
 /** What must not be shown to whoever may read the log [EX-39]. */
 const SECRET_NAME = /token|key|passw|secret|cookie|authorization/i;
@@ -30,18 +29,23 @@ interface KeptLine {
   readonly level: LogLevel;
   readonly message: string;
   readonly fields: { name: string; value: string }[];
+  /** Characters of all its texts. */
+  readonly length: number;
 }
 
 /** What all children of one log share. */
 interface Ring {
   readonly lines: KeptLine[];
+  /** Characters of all of them. */
+  length: number;
+  readonly budget: LogBudget;
   readonly firstNumber: number;
   lastNumber: number;
   readonly keepsDebug: boolean;
   readonly nowMs: () => number;
 }
 
-/** A log that also keeps its last lines, for people who cannot see where it is written [EX-37]. */
+/** A log of bounded lines that also keeps the last ones, for people who cannot see where it is written [EX-37] [EX-72]. */
 export class LogTail implements Log {
   readonly #inner: Log;
   readonly #ring: Ring;
@@ -51,15 +55,23 @@ export class LogTail implements Log {
    * @param inner Where the lines are written.
    * @param nowMs Epoch milliseconds.
    * @param keepsDebug Whether debug lines are kept as well [EX-38].
+   * @param limits Default: those of the table.
    */
-  constructor(inner: Log, nowMs: () => number, keepsDebug: boolean);
+  constructor(inner: Log, nowMs: () => number, keepsDebug: boolean, limits?: Limits);
   constructor(inner: Log, ring: Ring, fields: LogFields);
-  constructor(inner: Log, ring: Ring | (() => number), third: boolean | LogFields) {
+  constructor(
+    inner: Log,
+    ring: Ring | (() => number),
+    third: boolean | LogFields,
+    limits: Limits = DEFAULT_LIMITS,
+  ) {
     this.#inner = inner;
     if (typeof ring === 'function') {
       const firstNumber = Math.floor(ring()) * LINES_PER_MS;
       this.#ring = {
         lines: [],
+        length: 0,
+        budget: new LogBudget(limits, ring()),
         firstNumber,
         lastNumber: firstNumber,
         keepsDebug: third === true,
@@ -73,23 +85,19 @@ export class LogTail implements Log {
   }
 
   error(message: string, fields?: LogFields): void {
-    this.#keep('error', message, fields);
-    this.#inner.error(message, fields);
+    this.#write('error', message, fields);
   }
 
   warn(message: string, fields?: LogFields): void {
-    this.#keep('warn', message, fields);
-    this.#inner.warn(message, fields);
+    this.#write('warn', message, fields);
   }
 
   info(message: string, fields?: LogFields): void {
-    this.#keep('info', message, fields);
-    this.#inner.info(message, fields);
+    this.#write('info', message, fields);
   }
 
   debug(message: string, fields?: LogFields): void {
-    if (this.#ring.keepsDebug) this.#keep('debug', message, fields);
-    this.#inner.debug(message, fields);
+    this.#write('debug', message, fields);
   }
 
   child(fields: LogFields): Log {
@@ -115,20 +123,44 @@ export class LogTail implements Log {
       cursor: lastNumber,
       reset: !isKnown,
       missed: forgotten + wanted.length - told.length,
-      lines: told,
+      lines: told.map(({ length: _length, ...line }) => line),
     };
   }
 
-  #keep(level: LevelName, message: string, fields: LogFields = {}): void {
+  #write(level: LevelName, message: string, fields: LogFields | undefined): void {
+    const { budget, nowMs } = this.#ring;
+    const line = budget.admit(level, message, fields, nowMs());
+    if (line === undefined) return;
+    const leftOut = budget.takeLeftOut();
+    if (leftOut > 0) this.#pass('warn', { message: LEFT_OUT, fields: { lines: leftOut } });
+    this.#pass(level, line);
+  }
+
+  #pass(level: LevelName, { message, fields }: BoundedLine): void {
+    if (level !== 'debug' || this.#ring.keepsDebug) this.#keep(level, message, fields);
+    this.#inner[level](message, fields);
+  }
+
+  #keep(level: LevelName, message: string, fields: LogFields): void {
     const ring = this.#ring;
+    const kept = keptFields({ ...this.#fields, ...fields });
+    const text = withoutSecrets(message);
+    const length = kept.reduce(
+      (sum, { name, value }) => sum + name.length + value.length,
+      text.length,
+    );
     ring.lines.push({
       number: ++ring.lastNumber,
       timeMs: ring.nowMs(),
       level: LEVELS[level],
-      message: withoutSecrets(message),
-      fields: keptFields({ ...this.#fields, ...fields }),
+      message: text,
+      fields: kept,
+      length,
     });
-    if (ring.lines.length > KEPT_LINES) ring.lines.shift();
+    ring.length += length;
+    while (ring.lines.length > KEPT_LINES || ring.length > KEPT_CHARACTERS) {
+      ring.length -= ring.lines.shift()!.length;
+    }
   }
 }
 
@@ -138,11 +170,11 @@ function keptFields(fields: LogFields): KeptLine['fields'] {
   for (const [name, value] of Object.entries(fields)) {
     if (value === undefined || name === 'stack') continue;
     const text = SECRET_NAME.test(name) ? '***' : withoutSecrets(String(value));
-    if (kept.push({ name, value: text }) >= MAX_FIELDS) break;
+    kept.push({ name, value: text });
   }
   return kept;
 }
 
 function withoutSecrets(text: string): string {
-  return oneLine(text, MAX_TEXT_LENGTH).replace(SECRET_PARAMETER, '$1$2***');
+  return text.replace(SECRET_PARAMETER, '$1$2***');
 }

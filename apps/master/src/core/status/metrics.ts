@@ -48,6 +48,17 @@ export function readMetrics(core: Core): MasterMetrics {
       'Service requests answered with an error.',
       counters.failedRequests,
     ),
+    gauge(
+      'ubii_request_bytes_in_flight',
+      'Bytes of service requests that are being received or decoded.',
+      core.bodies.totalBytes,
+    ),
+    gauge('ubii_connections', 'Open connections to all ports.', core.connections.size),
+    gauge(
+      'ubii_connections_of_strangers',
+      'Open connections of which nobody knows whose they are.',
+      core.connections.strangers,
+    ),
     counter('ubii_sockets_opened_total', 'Topic-data sockets opened.', counters.connectionsOpened),
     counter(
       'ubii_sockets_refused_total',

@@ -4,6 +4,7 @@ import { describeThrottle } from '../clients/throttle.ts';
 import type { Core } from '../core.ts';
 import type { LimitName } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
+import { oneLine } from '../texts/one-line.ts';
 import { quote } from '../topics/topic-names.ts';
 import type { Problem } from './problem.ts';
 
@@ -14,8 +15,12 @@ const MOST_PROBLEMS = 100;
 const COMMON_LIMITS: ReadonlySet<LimitName> = new Set<LimitName>([
   'topics',
   'retainedBytes',
+  'subscriptions',
+  'devices',
+  'queuesBytes',
   'clients',
   'sockets',
+  'connections',
   'registrationBytes',
   'patterns',
   'profiles',
@@ -26,7 +31,11 @@ export function listProblems(core: Core): Problem[] {
   const problems = [...limitProblems(core)];
   problems.push(...fileProblems(core), ...sessionProblems(core), ...core.checks.problems());
   for (const client of core.clients.values()) problems.push(...clientProblems(core, client));
-  return problems.sort((a, b) => b.severity - a.severity).slice(0, MOST_PROBLEMS);
+  const { eventCharacters } = core.limits;
+  return problems
+    .sort((a, b) => b.severity - a.severity)
+    .slice(0, MOST_PROBLEMS)
+    .map((problem) => ({ ...problem, text: oneLine(problem.text, eventCharacters) })); // [EX-72]
 }
 
 function* limitProblems({ limitWatch, clock, limits }: Core): Iterable<Problem> {

@@ -1,5 +1,6 @@
 import type { Component } from '@ubii/proto';
 import { matchesProfile } from '../devices/profiles.ts';
+import type { Account } from '../shares/account.ts';
 import type { Subscriber } from './subscriber.ts';
 import type { TopicEntry } from './topic-entry.ts';
 
@@ -13,6 +14,8 @@ export class ComponentSelection {
   readonly topics = new Map<string, number>();
   /** The entries of those topics that exist. */
   readonly entries = new Set<TopicEntry>();
+  /** The account that it counts for [AC-80]. */
+  payer: Account | undefined = undefined;
 
   constructor(key: string, profile: Component) {
     this.key = key;

@@ -1,6 +1,7 @@
 import { encodeRecord } from '@ubii/proto';
 import type { Limits } from '../limits.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
+import type { Account } from '../shares/account.ts';
 import type { Clock } from '../ports/clock.ts';
 import { Streak } from '../status/streak.ts';
 import type { BatchNode } from './batch-node.ts';
@@ -32,14 +33,17 @@ export class Outbox implements Flushable {
   /** Undefined while nothing waits, which is nearly always. */
   #waiting: WaitingRecords | undefined = undefined;
   readonly #owed = new Set<TopicEntry>();
+  readonly #account: Account;
   #openedSequence = 0;
   /** Whether it is told of values that were deleted, which only nodes understand [TD-42]. */
   hearsOfGone = false;
   /** Records that were dropped because the client was too slow [TD-34]. */
   readonly drops = new Streak();
 
-  constructor(context: OutboxContext) {
+  /** @param account Pays for what waits. */
+  constructor(context: OutboxContext, account: Account) {
     this.#context = context;
+    this.#account = account;
   }
 
   get isOpen(): boolean {
@@ -88,6 +92,7 @@ export class Outbox implements Flushable {
     for (const node of this.#batch?.nodes() ?? []) this.#owed.add(node.entry!);
     for (const entry of this.#waiting?.topics() ?? []) this.#owed.add(entry);
     this.#batch = undefined;
+    this.#waiting?.clear();
     this.#waiting = undefined;
   }
 
@@ -184,7 +189,7 @@ export class Outbox implements Flushable {
   #createWaiting(): WaitingRecords {
     const { clock, limits, onDropped } = this.#context;
     return new WaitingRecords({
-      maxBytes: limits.queueBytes,
+      account: this.#account,
       maxEventsPerTopic: limits.queuedEventsPerTopic,
       onDropped: (entry) => {
         this.drops.add(clock.monotonicMs());

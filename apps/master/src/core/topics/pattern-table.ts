@@ -1,5 +1,5 @@
+import type { PatternCompiler } from '@ubii/patterns';
 import type { Clock } from '../ports/clock.ts';
-import type { PatternCompiler } from '../ports/pattern-compiler.ts';
 import { Pattern } from './pattern.ts';
 import type { Subscriber } from './subscriber.ts';
 import type { TopicEntry } from './topic-entry.ts';

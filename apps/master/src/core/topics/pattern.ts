@@ -1,4 +1,5 @@
-import type { CompiledPattern } from '../ports/pattern-compiler.ts';
+import type { CompiledPattern } from '@ubii/patterns';
+import type { Account } from '../shares/account.ts';
 import { requiredLiteral, type RequiredLiteral } from './required-literal.ts';
 import type { Subscriber } from './subscriber.ts';
 import type { TopicEntry } from './topic-entry.ts';
@@ -10,6 +11,8 @@ export class Pattern {
   readonly subscribers = new Map<Subscriber, number>();
   /** The topics that match. */
   readonly entries = new Set<TopicEntry>();
+  /** The account that it counts for [AC-80]. */
+  payer: Account | undefined = undefined;
   readonly #compiled: CompiledPattern;
   readonly #required: RequiredLiteral | undefined;
   readonly #meansExtensions: boolean;

@@ -1,5 +1,6 @@
 import type { PublishRights } from '../access/topic-rights.ts';
 import type { Throttle } from '../clients/throttle.ts';
+import type { Shortage } from '../shares/shortage.ts';
 import type { TokenBucket } from './token-bucket.ts';
 import type { TopicEntry, TopicOwner } from './topic-entry.ts';
 
@@ -44,6 +45,8 @@ export class Publication {
   monotonicMs = 0;
   nowMs = 0;
   entry: TopicEntry | undefined = undefined;
+  /** What there was no room for, when it was refused for that. */
+  shortage: Shortage | undefined = undefined;
   /** Where the copy of the next small record goes. */
   #shared: ArrayBuffer | undefined = undefined;
   #sharedLength = 0;

@@ -1,4 +1,6 @@
 import { isMasterTopic } from '@ubii/proto';
+import type { Accounts } from '../shares/accounts.ts';
+import { RESOURCE } from '../shares/resources.ts';
 import type { Limits } from '../limits.ts';
 import type { Counters } from '../status/counters.ts';
 import { isOwnFarewell } from './farewell.ts';
@@ -14,6 +16,7 @@ export interface PublishContext {
   readonly topics: TopicTable;
   readonly subscriptions: SubscriptionTable;
   readonly limits: Limits;
+  readonly accounts: Accounts;
   readonly counters: Counters;
 }
 
@@ -42,7 +45,7 @@ function checkClients(context: PublishContext, publication: Publication): Refusa
     checkTopic(context, publication) ??
     checkRights(publication) ??
     checkTopicCount(context, publication) ??
-    checkRetainedBytes(context, publication)
+    checkRetainedBytes(publication)
   );
 }
 
@@ -90,24 +93,33 @@ function checkRights(publication: Publication): Refusal | undefined {
   return isFarewell ? undefined : REFUSALS.notYours;
 }
 
-function checkRetainedBytes(
-  { topics, limits }: PublishContext,
-  publication: Publication,
-): Refusal | undefined {
-  const growth = publication.byteLength - (publication.entry?.record?.byteLength ?? 0);
-  return growth > 0 && topics.retainedBytes + growth > limits.retainedBytes
-    ? REFUSALS.tooManyRetainedBytes
-    : undefined;
+/** [AC-80] */
+function checkRetainedBytes(publication: Publication): Refusal | undefined {
+  const { entry, client } = publication;
+  const growth = publication.byteLength - (entry?.record?.byteLength ?? 0);
+  if (growth <= 0) return undefined;
+  // What is on the topic of somebody else counts for that one.
+  const account = entry?.owner?.account ?? client!.account;
+  const resource = RESOURCE.retainedBytes;
+  // Clients that are away retain nothing that they could give back [CL-13].
+  const level = account.shortage(resource, growth);
+  if (level === undefined) return undefined;
+  publication.shortage = { account, resource, level };
+  return REFUSALS.noRoom;
 }
 
-/** A topic without value gets one, and with it an owner: there may be too many of both. */
-function checkTopicCount(
-  { topics, limits }: PublishContext,
-  { entry, client }: Publication,
-): Refusal | undefined {
+/** A topic without value gets one, and with it an owner, who pays for it: there may be too many [AC-80]. */
+function checkTopicCount(context: PublishContext, publication: Publication): Refusal | undefined {
+  const { entry, client } = publication;
   if (entry?.record !== undefined) return undefined;
-  if (entry === undefined && topics.size >= limits.topics) return REFUSALS.tooManyTopics;
-  return client!.ownedTopics.size >= limits.topicsPerClient ? REFUSALS.tooManyOwnTopics : undefined;
+  const { account } = client!;
+  const resource = RESOURCE.topics;
+  if (account.shortage(resource, 1, entry?.payer) === undefined) return undefined;
+  publication.shortage = context.accounts.shortage(account, resource, 1, entry?.payer);
+  if (publication.shortage !== undefined) return REFUSALS.noRoom;
+  // Who made room may have been the last to subscribe to this topic.
+  findTopic(context, publication);
+  return undefined;
 }
 
 function createTopic({ topics }: PublishContext, publication: Publication): void {

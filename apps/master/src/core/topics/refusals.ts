@@ -1,6 +1,7 @@
 import type { ServiceErrorCode } from '@ubii/proto';
 import { describeThrottle } from '../clients/throttle.ts';
 import type { LimitName, Limits } from '../limits.ts';
+import { describeShortage, limitOf } from '../shares/shortage.ts';
 import type { Publication } from './publication.ts';
 import { quote } from './topic-names.ts';
 
@@ -8,7 +9,7 @@ import { quote } from './topic-names.ts';
 export interface Refusal {
   readonly code: ServiceErrorCode;
   /** The limit that was met, if it was one. */
-  readonly limit?: LimitName;
+  readonly limit?: LimitName | ((publication: Publication, limits: Limits) => LimitName);
   /** Names the topic, what was expected and what was received: one sentence [TD-17]. */
   describe(publication: Publication, limits: Limits): string;
 }
@@ -60,22 +61,11 @@ export const REFUSALS = {
     describe: ({ topic, byteLength }, { publishedBytesPerSecond }) =>
       `The record of ${byteLength} bytes on ${quote(topic)} came too soon: a client publishes at most ${publishedBytesPerSecond} bytes per second (limit publishedBytesPerSecond).`,
   },
-  tooManyTopics: {
+  /** [AC-83] */
+  noRoom: {
     code: 'resource_exhausted',
-    limit: 'topics',
-    describe: ({ topic }, { topics }) =>
-      `The topic ${quote(topic)} would be one more than the ${topics} topics of this master (limit topics).`,
-  },
-  tooManyOwnTopics: {
-    code: 'resource_exhausted',
-    limit: 'topicsPerClient',
-    describe: ({ topic }, { topicsPerClient }) =>
-      `The topic ${quote(topic)} would be one more than the ${topicsPerClient} topics a client may have (limit topicsPerClient).`,
-  },
-  tooManyRetainedBytes: {
-    code: 'resource_exhausted',
-    limit: 'retainedBytes',
-    describe: ({ topic, byteLength }, { retainedBytes }) =>
-      `The record of ${byteLength} bytes on ${quote(topic)} does not fit: the values of all topics take at most ${retainedBytes} bytes (limit retainedBytes).`,
+    limit: ({ shortage }, limits) => limitOf(shortage!, limits),
+    describe: ({ topic, shortage }, limits) =>
+      `The record on ${quote(topic)} was refused: with it there would be ${describeShortage(shortage!, limits)}`,
   },
 } as const satisfies Record<string, Refusal>;

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { Re2Patterns } from '../../adapters/patterns/re2-patterns.ts';
+import { Re2Patterns } from '@ubii/patterns/re2';
 import { requiredLiteral } from './required-literal.ts';
 
 describe('requiredLiteral', () => {
@@ -26,7 +26,7 @@ describe('requiredLiteral', () => {
   );
 
   it('is contained in everything that the pattern matches [TD-22]', () => {
-    const compiler = new Re2Patterns(1000);
+    const compiler = new Re2Patterns();
     const piece = fc.constantFrom(
       ...[
         'a',

@@ -1,5 +1,6 @@
 import type { Limits } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
+import type { Account } from '../shares/account.ts';
 import type { Counters } from '../status/counters.ts';
 import type { EndOfTurn } from './end-of-turn.ts';
 import { Outbox, type OutboxContext } from './outbox.ts';
@@ -22,7 +23,7 @@ export interface SubscriberParts {
 /** Makes the subscriber of each new client; all of them share the end of the turn. */
 export function subscriberFactory(
   parts: SubscriberParts,
-): (clientId: string, isExtension: boolean) => ClientSubscriber {
+): (clientId: string, isExtension: boolean, account: Account) => ClientSubscriber {
   const { clock, limits, counters, endOfTurn, topics, subscriptions } = parts;
   const outboxContext: OutboxContext = {
     clock,
@@ -42,12 +43,13 @@ export function subscriberFactory(
     refreshTargets: (entry) => void subscriptions.targetsOf(entry),
   };
   const { patternMatchMs, patternMatchMsPerSecond } = limits;
-  return (clientId, isExtension) => {
-    const outbox = new Outbox(outboxContext);
+  return (clientId, isExtension, account) => {
+    const outbox = new Outbox(outboxContext, account);
     return {
       clientId,
       isExtension,
       outbox,
+      account,
       readRights: undefined,
       sampler: new Sampler(outbox, samplerContext),
       patternBudget: new TokenBucket(patternMatchMsPerSecond, clock.monotonicMs(), patternMatchMs),

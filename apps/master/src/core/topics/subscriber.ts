@@ -1,4 +1,5 @@
 import type { ReadRights } from '../access/topic-rights.ts';
+import type { Account } from '../shares/account.ts';
 import type { ComponentSelection } from './component-selection.ts';
 import type { Outbox } from './outbox.ts';
 import type { Pattern } from './pattern.ts';
@@ -13,6 +14,8 @@ export interface Subscriber {
   /** Gets topics under /ubii/, and retained records for patterns and profiles [TD-24] [TD-26]. */
   readonly isExtension: boolean;
   readonly outbox: Receiver;
+  /** Pays for its subscriptions [AC-80]. */
+  readonly account: Account;
   /** Undefined: it may receive everything [AC-25]. */
   readRights: ReadRights | undefined;
   /** Undefined: gets every record. */

@@ -1,4 +1,7 @@
 import { ServiceError, type Component } from '@ubii/proto';
+import type { Accounts } from '../shares/accounts.ts';
+import { charge } from '../shares/charge.ts';
+import { RESOURCE, type Resource } from '../shares/resources.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
 import type { ComponentSelection } from './component-selection.ts';
 import type { Pattern } from './pattern.ts';
@@ -16,6 +19,7 @@ export interface SubscriptionContext {
   readonly patterns: PatternTable;
   readonly selections: SelectionTable;
   readonly limits: LimitWatch;
+  readonly accounts: Accounts;
   /** Every component that is registered. */
   readonly components: () => Iterable<Component>;
 }
@@ -40,7 +44,7 @@ export class SubscriptionTable {
 
   /** @throws ServiceError when the topic is none, or there are too many. */
   subscribeTopic(subscriber: Subscriber, topic: string, rateHz: number): TopicEntry[] {
-    const { topics, limits } = this.#context;
+    const { topics, limits, accounts } = this.#context;
     const fault = topicFault(topic, limits.limits.topicBytes);
     if (fault === 'is too long') throw this.#tooMany('topicBytes', 'bytes of a topic', subscriber);
     if (fault !== undefined) {
@@ -55,24 +59,18 @@ export class SubscriptionTable {
         `A client that joined with this role cannot subscribe to ${quote(topic)}: it receives its own topics, /${subscriber.clientId}/..., and those it was given.`,
       );
     }
-    const known = topics.get(topic);
-    const isNew = known === undefined || !subscriber.topics.has(known);
-    if (isNew && subscriber.topics.size >= limits.limits.subscriptionsPerClient) {
-      throw this.#tooMany(
-        'subscriptionsPerClient',
-        'topic subscriptions of one client',
-        subscriber,
-      );
-    }
-    if (known === undefined && topics.size >= limits.limits.topics) {
-      throw this.#tooMany('topics', 'topics', subscriber);
-    }
+    const { account } = subscriber;
+    const isSubscribed = subscriber.topics.has(topics.get(topic)!);
+    if (!isSubscribed) accounts.require(account, RESOURCE.subscriptions, 1);
+    if (topics.get(topic) === undefined) accounts.require(account, RESOURCE.topics, 1);
     const entry = topics.getOrCreate(topic);
     if (entry.subscribers.get(subscriber) === rateHz) return []; // [TD-23]
     entry.subscribers.set(subscriber, rateHz);
     subscriber.topics.add(entry);
+    if (!isSubscribed) account.add(RESOURCE.subscriptions, 1);
+    topics.settlePayer(entry);
     topics.markSubscribersChanged(entry);
-    return isNew && this.#reaches(subscriber, entry) ? [entry] : [];
+    return !isSubscribed && this.#reaches(subscriber, entry) ? [entry] : [];
   }
 
   /** @throws ServiceError when the pattern is refused, or there are too many. */
@@ -96,22 +94,22 @@ export class SubscriptionTable {
         'more time than the regular expressions of one client may take (in milliseconds)';
       throw limits.refusal('patternMatchMs', text, subscriber.clientId); // [TD-29]
     }
-    return this.#subscribe(subscriber, pattern, subscriber.patterns, rateHz, isNew);
+    const owed = this.#subscribe(subscriber, pattern, subscriber.patterns, rateHz, isNew);
+    settle(pattern, RESOURCE.patterns);
+    return owed;
   }
 
   /** @throws ServiceError when there are too many. */
   subscribeComponents(subscriber: Subscriber, profile: Component, rateHz: number): TopicEntry[] {
-    const { topics, selections, components, limits } = this.#context;
+    const { topics, selections, components, accounts } = this.#context;
     let selection = selections.get(profile);
     const isNew = selection === undefined || !subscriber.selections.has(selection);
-    if (isNew && subscriber.selections.size >= limits.limits.profilesPerClient) {
-      throw this.#tooMany('profilesPerClient', 'component profiles of one client', subscriber);
-    }
-    if (selection === undefined && selections.size >= limits.limits.profiles) {
-      throw this.#tooMany('profiles', 'component profiles', subscriber);
-    }
+    if (isNew) this.#requireOwn(subscriber, RESOURCE.profiles, subscriber.selections.size);
+    if (selection === undefined) accounts.require(subscriber.account, RESOURCE.profiles, 1);
     selection ??= selections.create(profile, components(), (topic) => topics.get(topic));
-    return this.#subscribe(subscriber, selection, subscriber.selections, rateHz, isNew);
+    const owed = this.#subscribe(subscriber, selection, subscriber.selections, rateHz, isNew);
+    settle(selection, RESOURCE.profiles);
+    return owed;
   }
 
   // What is not subscribed is unsubscribed already [TD-23].
@@ -120,6 +118,8 @@ export class SubscriptionTable {
     const entry = this.#context.topics.get(topic);
     if (entry === undefined || !subscriber.topics.delete(entry)) return;
     entry.subscribers.delete(subscriber);
+    subscriber.account.add(RESOURCE.subscriptions, -1);
+    this.#context.topics.settlePayer(entry);
     if (!this.isSubscribed(subscriber, entry)) subscriber.outbox.forgive(entry);
     this.#context.topics.markSubscribersChanged(entry);
     this.#context.topics.forgetIfUnused(entry);
@@ -129,6 +129,7 @@ export class SubscriptionTable {
     const pattern = this.#context.patterns.get(source);
     if (pattern === undefined || !subscriber.patterns.delete(pattern)) return;
     this.#unsubscribe(subscriber, pattern);
+    settle(pattern, RESOURCE.patterns);
     this.#context.patterns.forgetIfUnused(pattern);
   }
 
@@ -141,6 +142,7 @@ export class SubscriptionTable {
     const selection = this.#context.selections.get(profile);
     if (selection === undefined || !subscriber.selections.delete(selection)) return;
     this.#unsubscribe(subscriber, selection);
+    settle(selection, RESOURCE.profiles);
     this.#context.selections.forgetIfUnused(selection);
   }
 
@@ -245,16 +247,18 @@ export class SubscriptionTable {
   }
 
   #checkPattern(subscriber: Subscriber, source: string, isUnknown: boolean): void {
-    const { limits, patterns } = this.#context;
+    const { limits, accounts } = this.#context;
     if (source.length > limits.limits.patternLength) {
       throw this.#tooMany('patternLength', 'characters of a regular expression', subscriber);
     }
-    if (subscriber.patterns.size >= limits.limits.patternsPerClient) {
-      throw this.#tooMany('patternsPerClient', 'regular expressions of one client', subscriber);
-    }
-    if (isUnknown && patterns.size >= limits.limits.patterns) {
-      throw this.#tooMany('patterns', 'different regular expressions', subscriber);
-    }
+    this.#requireOwn(subscriber, RESOURCE.patterns, subscriber.patterns.size);
+    if (isUnknown) accounts.require(subscriber.account, RESOURCE.patterns, 1);
+  }
+
+  /** One client has only so many, whoever pays for them. */
+  #requireOwn({ account }: Subscriber, resource: Resource, used: number): void {
+    if (used < account.max(resource)) return;
+    throw this.#context.accounts.refusal({ account, resource, level: account, used });
   }
 
   #reaches(subscriber: Subscriber, entry: TopicEntry): boolean {
@@ -276,4 +280,13 @@ export class SubscriptionTable {
       this.#context.topics.markSubscribersChanged(entry);
     }
   }
+}
+
+/** Who subscribed to it longest ago pays for it [AC-80]. */
+function settle(
+  subscribed: Pattern | ComponentSelection,
+  resource: typeof RESOURCE.patterns | typeof RESOURCE.profiles,
+): void {
+  const [first] = subscribed.subscribers.keys();
+  charge(subscribed, resource, first?.account);
 }

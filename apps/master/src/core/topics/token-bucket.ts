@@ -31,6 +31,12 @@ export class TokenBucket {
     return this.#tokens > 0;
   }
 
+  /** Milliseconds until there are some units again; 0 when there are. */
+  waitMs(nowMs: number): number {
+    this.#fill(nowMs);
+    return this.#tokens > 0 ? 0 : Math.max(1, Math.ceil(-this.#tokens / this.#perMs));
+  }
+
   #fill(nowMs: number): void {
     if (nowMs === this.#filledMs) return;
     const grown = this.#tokens + (nowMs - this.#filledMs) * this.#perMs;

@@ -1,4 +1,5 @@
 import { DATA_FORMATS, dataFormatOfField, isExtensionTopic, isMasterTopic } from '@ubii/proto';
+import type { Account } from '../shares/account.ts';
 import type { ComponentSelection } from './component-selection.ts';
 import type { Pattern } from './pattern.ts';
 import type { Subscriber } from './subscriber.ts';
@@ -8,6 +9,8 @@ import type { Targets } from './targets.ts';
 export interface TopicOwner {
   readonly id: string;
   readonly ownedTopics: Set<TopicEntry>;
+  /** Pays for its topics and for what is retained there [AC-80]. */
+  readonly account: Account;
 }
 
 /** Everything the master knows of one topic. Plain fields: this is what the record path touches. */
@@ -30,6 +33,8 @@ export class TopicEntry {
   publishedMs = 0;
   publisherId = '';
   owner: TopicOwner | undefined = undefined;
+  /** The account that this topic and its retained record count for [AC-80]. */
+  payer: Account | undefined = undefined;
 
   records = 0;
   bytes = 0;

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { isLongerThan, quote, topicFault } from './topic-names.ts';
+import { isLongerThan } from '../texts/text-length.ts';
+import { quote, topicFault } from './topic-names.ts';
 
 describe('topicFault', () => {
   it.each(['a', '/a/b', 'with space', '/ä/🙂', '/' + 'a'.repeat(1023), ' '])(

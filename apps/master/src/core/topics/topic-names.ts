@@ -1,3 +1,5 @@
+import { isLongerThan } from '../texts/text-length.ts';
+
 // eslint-disable-next-line no-control-regex -- control characters are what it looks for
 const CONTROL_CHARACTER = /[\u0000-\u001f\u007f-\u009f]/;
 
@@ -9,19 +11,6 @@ export function topicFault(topic: string, maxBytes: number): TopicFault | undefi
   if (topic === '') return 'is empty';
   if (isLongerThan(topic, maxBytes)) return 'is too long';
   return CONTROL_CHARACTER.test(topic) ? 'contains a control character' : undefined;
-}
-
-/** Whether the text takes more than `maxBytes` in UTF-8. */
-export function isLongerThan(text: string, maxBytes: number): boolean {
-  // A UTF-16 unit takes one to three bytes, so that the length alone mostly answers.
-  if (text.length > maxBytes) return true;
-  if (text.length * 3 <= maxBytes) return false;
-  let byteLength = 0;
-  for (const char of text) {
-    const code = char.codePointAt(0)!;
-    byteLength += code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
-  }
-  return byteLength > maxBytes;
 }
 
 /** A topic or pattern as it may stand in a message for people: quoted, on one line, not endless. */

@@ -1,11 +1,14 @@
 import { describe, expect, it } from 'vitest';
+import { testAccount } from '../../testing/index.ts';
+import { RESOURCE } from '../shares/resources.ts';
 import type { TopicEntry, TopicOwner } from './topic-entry.ts';
 import { TopicTable } from './topic-table.ts';
 
 const FIRST_EPOCH = 1000;
 
 function createTable(keptRemovals = 10) {
-  const table = new TopicTable([], FIRST_EPOCH, keptRemovals);
+  const master = testAccount();
+  const table = new TopicTable([], FIRST_EPOCH, keptRemovals, master);
   const publish = (topic: string, byteLength = 1): TopicEntry => {
     const entry = table.getOrCreate(topic);
     table.store(entry, new Uint8Array(byteLength), 3, 0);
@@ -15,7 +18,7 @@ function createTable(keptRemovals = 10) {
     const { entries, removed, isReset, epoch: next } = table.takeChanges(epoch);
     return { topics: entries.map(({ topic }) => topic), removed, isReset, next };
   };
-  return { table, publish, changesSince };
+  return { table, master, publish, changesSince };
 }
 
 describe('TopicTable', () => {
@@ -33,7 +36,7 @@ describe('TopicTable', () => {
   it('forgets a topic with its last reason to be [TD-41]', () => {
     const { table, publish } = createTable();
     const entry = publish('/a');
-    const subscriber = {} as never;
+    const subscriber = { account: testAccount() } as never;
     entry.subscribers.set(subscriber, 0);
     table.deleteValue(entry);
     expect(table.get('/a')).toBe(entry);
@@ -44,12 +47,43 @@ describe('TopicTable', () => {
 
   it('takes a topic from its owner with its value [TD-19]', () => {
     const { table, publish } = createTable();
-    const owner: TopicOwner = { id: 'ada', ownedTopics: new Set() };
-    const entry = publish('/a');
+    const owner: TopicOwner = { id: 'ada', ownedTopics: new Set(), account: testAccount() };
+    const entry = table.getOrCreate('/a');
     table.own(entry, owner);
+    publish('/a');
     table.deleteValue(entry);
     expect(owner.ownedTopics.size).toBe(0);
     expect(entry.owner).toBeUndefined();
+  });
+
+  it('counts a topic for its owner, then for who subscribed to it longest ago [AC-80]', () => {
+    const { table, master, publish } = createTable();
+    const [ada, ben, cleo] = [testAccount(), testAccount(), testAccount()] as const;
+    const [bens, cleos] = [{ account: ben } as never, { account: cleo } as never] as const;
+    const entry = table.getOrCreate('/a');
+    entry.subscribers.set(bens, 0);
+    entry.subscribers.set(cleos, 0);
+    table.settlePayer(entry);
+    const used = () =>
+      [master, ada, ben, cleo].map((account) => [
+        account.used(RESOURCE.topics),
+        account.used(RESOURCE.retainedBytes),
+      ]);
+    const nothing = [0, 0];
+    expect(used()).toEqual([nothing, nothing, [1, 0], nothing]);
+    table.own(entry, { id: 'ada', ownedTopics: new Set(), account: ada });
+    publish('/a', 10);
+    publish('/a', 7);
+    expect(used()).toEqual([nothing, [1, 7], nothing, nothing]);
+    entry.subscribers.delete(bens);
+    table.deleteValue(entry);
+    expect(used()).toEqual([nothing, nothing, nothing, [1, 0]]);
+    publish('/a', 5);
+    expect(used()).toEqual([[1, 5], nothing, nothing, nothing]);
+    table.deleteValue(entry);
+    entry.subscribers.delete(cleos);
+    table.forgetIfUnused(entry);
+    expect(used()).toEqual([nothing, nothing, nothing, nothing]);
   });
 
   it('tells what changed since, and what is gone [EX-11]', () => {

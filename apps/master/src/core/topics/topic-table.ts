@@ -1,3 +1,6 @@
+import type { Account } from '../shares/account.ts';
+import { charge } from '../shares/charge.ts';
+import { RESOURCE } from '../shares/resources.ts';
 import { TopicEntry, type TopicOwner } from './topic-entry.ts';
 
 /** What has to be found for a topic when it appears, and undone when it is forgotten. */
@@ -11,6 +14,7 @@ export class TopicTable {
   readonly #entries = new Map<string, TopicEntry>();
   readonly #matching: readonly TopicMatching[];
   readonly #keptRemovals: number;
+  readonly #master: Account;
   readonly #onGone: (entry: TopicEntry) => void;
   #removals: { topic: string; epoch: number }[] = [];
   #retainedBytes = 0;
@@ -22,18 +26,21 @@ export class TopicTable {
    * @param matching Asked in this order.
    * @param firstEpoch Where the epochs of the statistics begin: beyond those of every earlier run.
    * @param keptRemovals Forgotten topics remembered for the statistics.
+   * @param master Pays for topics that belong to no client.
    * @param onGone The value of a topic was deleted.
    */
   constructor(
     matching: readonly TopicMatching[],
     firstEpoch: number,
     keptRemovals: number,
+    master: Account,
     onGone: (entry: TopicEntry) => void = () => undefined,
   ) {
     this.#matching = matching;
     this.#firstEpoch = firstEpoch;
     this.#epoch = firstEpoch;
     this.#keptRemovals = keptRemovals;
+    this.#master = master;
     this.#onGone = onGone;
   }
 
@@ -72,8 +79,14 @@ export class TopicTable {
 
   /** Makes `record` the retained value. The bytes belong to the table from now on. */
   store(entry: TopicEntry, record: Uint8Array, valueField: number, nowMs: number): void {
-    this.#retainedBytes += record.byteLength - (entry.record?.byteLength ?? 0);
+    const growth = record.byteLength - (entry.record?.byteLength ?? 0);
+    const isFirst = entry.record === undefined;
     entry.record = record;
+    if (isFirst) this.settlePayer(entry);
+    if (growth !== 0) {
+      this.#retainedBytes += growth;
+      entry.payer!.add(RESOURCE.retainedBytes, growth);
+    }
     entry.valueField = valueField;
     entry.sequence = ++this.#sequence;
     entry.publishedMs = nowMs;
@@ -82,6 +95,18 @@ export class TopicTable {
     entry.changedEpoch = this.#epoch;
   }
 
+  /**
+   * Finds anew who pays for a topic [AC-80]: while it has a value, its owner or the master; else the client
+   * that subscribed to it longest ago.
+   */
+  settlePayer(entry: TopicEntry): void {
+    const hasValue = entry.record !== undefined;
+    const [first] = hasValue ? [] : entry.subscribers.keys();
+    const payer = hasValue ? (entry.owner?.account ?? this.#master) : first?.account;
+    charge(entry, RESOURCE.topics, payer);
+  }
+
+  /** To be called before the first value is stored. */
   own(entry: TopicEntry, owner: TopicOwner): void {
     entry.owner = owner;
     owner.ownedTopics.add(entry);
@@ -91,9 +116,11 @@ export class TopicTable {
   deleteValue(entry: TopicEntry): void {
     if (entry.record === undefined) return;
     this.#retainedBytes -= entry.record.byteLength;
+    entry.payer?.add(RESOURCE.retainedBytes, -entry.record.byteLength);
     entry.record = undefined;
     entry.owner?.ownedTopics.delete(entry);
     entry.owner = undefined;
+    this.settlePayer(entry);
     entry.changedEpoch = this.#epoch;
     this.#onGone(entry);
     this.forgetIfUnused(entry);
@@ -104,6 +131,7 @@ export class TopicTable {
     if (entry.record !== undefined || entry.subscribers.size > 0) return;
     if (this.#entries.get(entry.topic) !== entry) return;
     this.#entries.delete(entry.topic);
+    charge(entry, RESOURCE.topics, undefined);
     for (const matching of this.#matching) matching.detach(entry);
     if (entry.isExtension) return; // [EX-15]
     this.#removals.push({ topic: entry.topic, epoch: this.#epoch });

@@ -1,4 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { testAccount } from '../../testing/index.ts';
+import { RESOURCE } from '../shares/resources.ts';
 import { TopicEntry } from './topic-entry.ts';
 import { WaitingRecords } from './waiting-records.ts';
 
@@ -7,8 +9,9 @@ const B = new TopicEntry('/b');
 
 function createQueue(maxBytes = 1000, maxEventsPerTopic = 3) {
   const dropped: string[] = [];
+  const account = testAccount({ [RESOURCE.queueBytes]: maxBytes });
   const queue = new WaitingRecords({
-    maxBytes,
+    account,
     maxEventsPerTopic,
     onDropped: ({ topic }) => dropped.push(topic),
   });

@@ -1,3 +1,5 @@
+import type { Account } from '../shares/account.ts';
+import { RESOURCE } from '../shares/resources.ts';
 import type { TopicEntry } from './topic-entry.ts';
 
 interface WaitingRecord {
@@ -12,7 +14,8 @@ export interface TakenRecord extends WaitingRecord {
 
 /** Bounds of a queue, and who is told what falls out of it. */
 export interface WaitingBounds {
-  readonly maxBytes: number;
+  /** Pays for what waits, and bounds it [AC-80]. */
+  readonly account: Account;
   readonly maxEventsPerTopic: number;
   /** A record of this topic was dropped, because a newer one came or for want of room. */
   readonly onDropped: (entry: TopicEntry) => void;
@@ -64,9 +67,12 @@ export class WaitingRecords {
       this.#dropped(entry, waiting.shift()!);
     }
     waiting.push({ record, isEvent });
-    this.#byteLength += record.byteLength;
     this.#count++;
-    while (this.#byteLength > this.#bounds.maxBytes && this.#count > 1) this.#dropOldest();
+    this.#grow(record.byteLength);
+    const { account } = this.#bounds;
+    while (this.#count > 1 && account.shortage(RESOURCE.queueBytes, 0) !== undefined) {
+      this.#dropOldest();
+    }
   }
 
   /** The record whose turn it is, removed from the queue. */
@@ -76,7 +82,7 @@ export class WaitingRecords {
       this.#topics.delete(entry);
       // To the end of the line, or a topic with many events would starve the others.
       if (waiting.length > 0) this.#topics.set(entry, waiting);
-      this.#byteLength -= record.byteLength;
+      this.#grow(-record.byteLength);
       this.#count--;
       return { entry, record, isEvent };
     }
@@ -85,8 +91,13 @@ export class WaitingRecords {
 
   clear(): void {
     this.#topics.clear();
-    this.#byteLength = 0;
+    this.#grow(-this.#byteLength);
     this.#count = 0;
+  }
+
+  #grow(bytes: number): void {
+    this.#byteLength += bytes;
+    this.#bounds.account.add(RESOURCE.queueBytes, bytes);
   }
 
   #dropOldest(): void {
@@ -98,7 +109,7 @@ export class WaitingRecords {
   }
 
   #dropped(entry: TopicEntry, dropped: WaitingRecord): void {
-    this.#byteLength -= dropped.record.byteLength;
+    this.#grow(-dropped.record.byteLength);
     this.#count--;
     this.#bounds.onDropped(entry);
   }

@@ -4,10 +4,10 @@ export {
   type ConnectionPair,
   type Seen,
 } from './client-connection-suite.ts';
+export { auditStoreSuite } from './audit-store-suite.ts';
 export { clockSuite } from './clock-suite.ts';
 export { idSourceSuite } from './id-source-suite.ts';
 export { logSuite, type WrittenLine } from './log-suite.ts';
-export { patternCompilerSuite } from './pattern-compiler-suite.ts';
 export { resourceUsageSuite } from './resource-usage-suite.ts';
 export { resumeTokensSuite } from './resume-tokens-suite.ts';
 export { documentStoreSuite, type StoreParts } from './document-store-suite.ts';

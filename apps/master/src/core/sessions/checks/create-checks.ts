@@ -1,7 +1,7 @@
+import type { CompiledPattern, PatternCompiler } from '@ubii/patterns';
 import { dataFormatOfField } from '@ubii/proto';
 import type { DeviceRegistry } from '../../devices/device-registry.ts';
 import type { Limits } from '../../limits.ts';
-import type { CompiledPattern, PatternCompiler } from '../../ports/pattern-compiler.ts';
 import { offerOf } from '../../processing/node.ts';
 import type { NodeTable } from '../../processing/node-table.ts';
 import type { TopicTable } from '../../topics/topic-table.ts';

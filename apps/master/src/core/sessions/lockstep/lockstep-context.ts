@@ -1,4 +1,5 @@
-import type { PatternPort, TopicPort } from '@ubii/pm-sandbox';
+import type { PatternCompiler } from '@ubii/patterns';
+import type { TopicPort } from '@ubii/pm-sandbox';
 import type { ClientRegistry } from '../../clients/client-registry.ts';
 import type { Limits } from '../../limits.ts';
 import type { Clock } from '../../ports/clock.ts';
@@ -16,7 +17,11 @@ export interface LockstepContext {
   readonly local: LocalNode;
   readonly news: SessionNews;
   readonly topics: TopicPort;
-  readonly patterns: PatternPort;
+  readonly patterns: PatternCompiler;
   /** Publishes a complete record for a node: as the client that put it out, or as the master. */
-  readonly publish: (record: Uint8Array, publisher: PublishingClient | undefined) => void;
+  readonly publish: (
+    record: Uint8Array,
+    publisher: PublishingClient | undefined,
+    sessionId: string,
+  ) => void;
 }

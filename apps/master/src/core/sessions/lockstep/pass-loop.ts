@@ -45,7 +45,7 @@ export class PassLoop {
   constructor(context: LockstepContext, session: Session) {
     this.#context = context;
     this.#session = session;
-    this.#inputs = new SnapshotInputs(context);
+    this.#inputs = new SnapshotInputs(context, session.id);
     this.#durations = new Durations(context.clock.monotonicMs());
     this.#dueMs = context.clock.monotonicMs();
   }
@@ -223,7 +223,9 @@ export class PassLoop {
       });
     });
     outputs.sort((a, b) => a.place - b.place);
-    for (const { record, publisher } of outputs) publish(record, publisher);
+    for (const { record, publisher } of outputs) {
+      publish(record, publisher, this.#session.id);
+    }
     this.#durations.add(clock.monotonicMs() - pass.startedMs);
     if (this.#isRunning) this.#startNext();
   }

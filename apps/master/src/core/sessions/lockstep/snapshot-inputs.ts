@@ -1,5 +1,11 @@
-import { InputBinding, parseModule, type EncodedRecord } from '@ubii/pm-sandbox';
-import { DEFAULT_RUNTIME_LIMITS } from '@ubii/pm-sandbox';
+import type { MeteredPatterns } from '@ubii/patterns';
+import {
+  DEFAULT_RUNTIME_LIMITS,
+  InputBinding,
+  parseModule,
+  SessionPatterns,
+  type EncodedRecord,
+} from '@ubii/pm-sandbox';
 import type { SessionModule } from '../session-module.ts';
 import type { LockstepContext } from './lockstep-context.ts';
 
@@ -13,10 +19,14 @@ interface Bound {
 /** The inputs of lockstep modules that run elsewhere: the master takes the snapshot for them [SE-40]. */
 export class SnapshotInputs {
   readonly #context: LockstepContext;
+  readonly #patterns: MeteredPatterns;
   readonly #bound = new Map<string, Bound>();
 
-  constructor(context: LockstepContext) {
+  /** @param sessionId whose modules they are: their patterns have one budget [PM-71] */
+  constructor(context: LockstepContext, sessionId: string) {
     this.#context = context;
+    const { patterns, clock } = context;
+    this.#patterns = new SessionPatterns(patterns, clock, DEFAULT_RUNTIME_LIMITS).of(sessionId);
   }
 
   /** The newest records of all inputs of these modules, each topic once. */
@@ -53,10 +63,10 @@ export class SnapshotInputs {
       return bound.binding;
     }
     bound?.binding.close();
-    const { topics, patterns } = this.#context;
+    const { topics } = this.#context;
     const binding = new InputBinding(parseModule(spec).inputs, mapping, {
       topics,
-      patterns,
+      patterns: this.#patterns,
       maxMuxElements: DEFAULT_RUNTIME_LIMITS.maxMuxElements,
       onMark: () => undefined,
       // The node that runs the module finds the same, and tells it.

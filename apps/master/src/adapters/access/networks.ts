@@ -1,7 +1,7 @@
 import { BlockList, isIP } from 'node:net';
 
-/** Networks whose peers are let in without a token, as `--allow-legacy` names them. [AC-4] */
-export class LegacyNetworks {
+/** Addresses and CIDR blocks, as options name them. [AC-4] [AC-41] */
+export class Networks {
   readonly #list = new BlockList();
 
   /** @param networks as `parseNetworks` of the configuration lets them through */

@@ -1,0 +1,18 @@
+/** Nothing of ours is longer; what is, is good for nothing and not looked at. */
+const MAX_LENGTH = 1_024;
+/** Tokens and credentials are longer than any code that somebody typed. */
+const MIN_TOKEN_LENGTH = 40;
+
+/** What follows `Bearer`; undefined for other ways to show who one is, which are not ours. [AC-3] */
+export function bearerOf(authorization: string | undefined): string | undefined {
+  if (authorization === undefined) return undefined;
+  const match = /^bearer(?: +(.*))?$/i.exec(authorization.trim());
+  if (match === null) return undefined;
+  const bearer = match[1]?.trim() ?? '';
+  return bearer.length > MAX_LENGTH ? '' : bearer;
+}
+
+/** Whether this may be a token or credential, and is no code: codes are guessed. [AC-46] */
+export function mayBeToken(bearer: string | undefined): boolean {
+  return bearer !== undefined && bearer.length >= MIN_TOKEN_LENGTH;
+}

@@ -1,0 +1,80 @@
+import type { IncomingHttpHeaders } from 'node:http';
+import { isIP } from 'node:net';
+
+import { plainAddress } from '../network/address-kinds.ts';
+
+/**
+ * Headers by which proxies and tunnels say that they pass on the request of somebody else, by what their
+ * names have in common: new ones follow the habit. Those of browsers and programs are none of them. [AC-1]
+ */
+// eslint-disable-next-line no-restricted-syntax -- alternatives of words, without repetitions
+const FORWARDING = new RegExp(
+  [
+    'forward',
+    'proxied',
+    '^via$',
+    '^x-original-',
+    '^x-real-',
+    '^x-remote-',
+    '^remote-',
+    '^x-proxy-',
+    '^proxy-(?!connection$)',
+    '(^|-)(client|connecting|cluster|peer|source|user|end-?user|visitor|true)-?(ip|addr(ess)?)$',
+    '-clientip$',
+    '^x-(host|scheme|ssl|https)$',
+    '^(cf|cdn|fastly|fly|akamai|tailscale|ngrok|x-ngrok|incap|x-sucuri|x-arr|x-envoy|x-amzn?|x-azure|x-appengine|x-goog|x-vercel|x-nf|x-akamai|x-varnish|x-cluster|x-authentik|x-auth-request)-',
+    '^x-varnish$',
+  ].join('|'),
+);
+
+/** Addresses in a chain beyond which nobody is looked for. */
+const MAX_HOPS = 32;
+
+/** Whether a header says that somebody passes this request on. */
+export function isPassedOn(headers: IncomingHttpHeaders): boolean {
+  for (const name in headers) if (FORWARDING.test(name)) return true;
+  return false;
+}
+
+/**
+ * For whom a trusted proxy speaks: the last address of its chain that is no trusted proxy's itself.
+ * What stands before that was written by whoever it is. [AC-41]
+ *
+ * @returns undefined when it does not say, or says it in a way that could mean somebody else
+ */
+export function callerBehind(
+  headers: IncomingHttpHeaders,
+  isTrustedProxy: (address: string) => boolean,
+): string | undefined {
+  const chain = chainOf(headers);
+  for (const hop of chain?.slice(-MAX_HOPS).reverse() ?? []) {
+    const address = addressOf(hop);
+    if (address === undefined || !isTrustedProxy(address)) return address;
+  }
+  return undefined;
+}
+
+/** Who passed the request on, the nearest last; undefined when two headers say so, or none. */
+function chainOf(headers: IncomingHttpHeaders): readonly string[] | undefined {
+  const { forwarded } = headers;
+  const list = headers['x-forwarded-for'];
+  // One of the two may be what a stranger wrote and a proxy left as it was.
+  if ((forwarded === undefined) === (list === undefined)) return undefined;
+  if (list !== undefined) return String(list).split(',');
+  return String(forwarded)
+    .split(',')
+    .map((element) => {
+      const [node, ...more] = element
+        .split(';')
+        .flatMap((pair) => /^\s*for\s*=\s*(.*?)\s*$/i.exec(pair)?.[1] ?? []);
+      return more.length > 0 ? '' : (node ?? '').replace(/^"(.*)"$/, '$1');
+    });
+}
+
+/** `10.0.0.7`, `10.0.0.7:80`, `fd00::7`, `[fd00::7]:80`; undefined for names and what is hidden. */
+function addressOf(hop: string): string | undefined {
+  const text = hop.trim();
+  const bracketed = /^\[([^\]]*)\](?::\d{1,5})?$/.exec(text)?.[1];
+  const plain = bracketed ?? (text.includes('.') ? text.replace(/:\d{1,5}$/, '') : text);
+  return isIP(plain) === 0 ? undefined : plainAddress(plain);
+}

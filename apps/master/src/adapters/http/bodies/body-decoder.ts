@@ -1,0 +1,201 @@
+import {
+  MessageChannel,
+  receiveMessageOnPort,
+  Worker,
+  type MessagePort,
+} from 'node:worker_threads';
+import { ServiceError } from '@ubii/proto';
+import type { ServiceRequest } from '@ubii/proto';
+
+import type { Clock, Log } from '../../../core/ports/index.ts';
+import type { Cancel } from '../../../core/ports/clock.ts';
+import { FORMATS, type FormatName } from '../service-format.ts';
+import type { DecodeAnswer, DecodeJob, DecodeWorkerData } from './decode-job.ts';
+import { JoinedMessage, type MessagePiece } from './message-pieces.ts';
+import type { ReceivedBody } from './receive-body.ts';
+
+/** What is decoded on this thread: it takes some milliseconds at worst. Bytes and values. */
+const SMALL_BYTES = 64 * 1024;
+const SMALL_VALUES = 2_048;
+
+/** How long pieces of a request are taken before others have a turn, milliseconds. */
+const TURN_MS = 4;
+/** The largest body takes a tenth of it. */
+const JOB_TIMEOUT_MS = 5_000;
+/** Heap of the thread. The largest body takes a quarter of it. */
+const HEAP_MIB = 256;
+/** A thread that has nothing to do for this long is ended. */
+const IDLE_MS = 60_000;
+
+export interface BodyDecoderOptions {
+  /** The decoding thread, as the build makes it; undefined: everything is decoded on this thread. */
+  readonly workerFile: URL | undefined;
+  readonly clock: Clock;
+  readonly log: Log;
+}
+
+interface Job extends DecodeJob {
+  readonly resolve: (request: ServiceRequest) => void;
+  readonly reject: (error: ServiceError) => void;
+}
+
+interface Thread {
+  readonly worker: Worker;
+  readonly pieces: MessagePort;
+}
+
+/**
+ * Decodes bodies: small ones at once, large ones on a thread of their own, one after the other, each
+ * caller in turn. What comes back is taken in pieces, so that no body holds this thread. [SV-44]
+ */
+export class BodyDecoder {
+  readonly #options: BodyDecoderOptions;
+  /** Jobs that wait, by caller; the next one is of the first caller. */
+  readonly #waiting = new Map<unknown, Job[]>();
+  #current: Job | undefined = undefined;
+  #thread: Thread | undefined = undefined;
+  #cancelTimer: Cancel = () => undefined;
+  #isClosed = false;
+
+  constructor(options: BodyDecoderOptions) {
+    this.#options = options;
+  }
+
+  /**
+   * @param caller whose turn it takes
+   * @throws ServiceError when it is no request
+   */
+  async decode(body: ReceivedBody, format: FormatName, caller: unknown): Promise<ServiceRequest> {
+    const { bytes, values } = body;
+    const isSmall = bytes.byteLength <= SMALL_BYTES && values <= SMALL_VALUES;
+    if (isSmall || this.#options.workerFile === undefined) {
+      return FORMATS[format].decodeRequest(bytes);
+    }
+    return new Promise((resolve, reject) => {
+      const job = { format, bytes, resolve, reject };
+      const jobs = this.#waiting.get(caller);
+      if (jobs === undefined) this.#waiting.set(caller, [job]);
+      else jobs.push(job);
+      this.#startNext();
+    });
+  }
+
+  /** Ends the thread; what waits is refused. */
+  close(): void {
+    this.#isClosed = true;
+    this.#endThread('the master ends');
+    for (const job of [...this.#waiting.values()].flat()) job.reject(failure('the master ends'));
+    this.#waiting.clear();
+  }
+
+  #startNext(): void {
+    if (this.#current !== undefined) return;
+    const job = this.#nextJob();
+    this.#cancelTimer();
+    const { clock } = this.#options;
+    if (job === undefined) {
+      if (this.#thread !== undefined) {
+        this.#cancelTimer = clock.after(IDLE_MS, () => this.#endThread('it was idle'));
+      }
+      return;
+    }
+    this.#current = job;
+    this.#cancelTimer = clock.after(JOB_TIMEOUT_MS, () =>
+      this.#endThread(`it took longer than ${JOB_TIMEOUT_MS} ms`),
+    );
+    const { format, bytes } = job;
+    try {
+      this.#thread ??= this.#startThread(this.#options.workerFile!);
+      this.#thread.worker.postMessage({ format, bytes }, [bytes.buffer]);
+    } catch (error) {
+      this.#endThread(String(error));
+    }
+  }
+
+  #nextJob(): Job | undefined {
+    if (this.#isClosed) return undefined;
+    for (const [caller, jobs] of this.#waiting) {
+      const job = jobs.shift();
+      this.#waiting.delete(caller);
+      if (jobs.length > 0) this.#waiting.set(caller, jobs);
+      return job;
+    }
+    return undefined;
+  }
+
+  #startThread(file: URL): Thread {
+    const { port1, port2 } = new MessageChannel();
+    const workerData: DecodeWorkerData = { pieces: port2 };
+    const worker = new Worker(file, {
+      name: 'ubii request decoder',
+      workerData,
+      transferList: [port2],
+      env: {},
+      argv: [],
+      execArgv: [],
+      resourceLimits: { maxOldGenerationSizeMb: HEAP_MIB },
+    });
+    const isCurrent = (): boolean => this.#thread?.worker === worker;
+    worker.on('message', (answer: DecodeAnswer) => {
+      if (isCurrent()) void this.#finish(answer, port1);
+    });
+    worker.on('error', (error) => {
+      if (isCurrent()) this.#endThread(error.message);
+    });
+    worker.on('exit', () => {
+      if (isCurrent()) this.#endThread('its thread ended');
+    });
+    worker.unref();
+    return { worker, pieces: port1 };
+  }
+
+  async #finish({ reason }: DecodeAnswer, pieces: MessagePort): Promise<void> {
+    const job = this.#current!;
+    if (reason !== undefined) {
+      job.reject(new ServiceError('invalid_argument', `${reason}.`));
+    } else {
+      const request = await this.#takePieces(pieces);
+      // The thread ended meanwhile, and the job with it.
+      if (this.#current !== job) return;
+      job.resolve(request as unknown as ServiceRequest);
+    }
+    this.#current = undefined;
+    this.#startNext();
+  }
+
+  async #takePieces(pieces: MessagePort): Promise<Record<string, unknown>> {
+    const { clock } = this.#options;
+    const joined = new JoinedMessage();
+    let startMs = clock.monotonicMs();
+    for (;;) {
+      const next = receiveMessageOnPort(pieces) as { readonly message: MessagePiece } | undefined;
+      if (next === undefined) return joined.message;
+      joined.add(next.message);
+      if (clock.monotonicMs() - startMs < TURN_MS) continue;
+      await new Promise<void>((resolve) => clock.after(0, resolve));
+      startMs = clock.monotonicMs();
+    }
+  }
+
+  /** Ends the thread and refuses what it decodes; the next job starts another. */
+  #endThread(reason: string): void {
+    const thread = this.#thread;
+    const job = this.#current;
+    this.#thread = undefined;
+    this.#current = undefined;
+    this.#cancelTimer();
+    thread?.pieces.close();
+    void thread?.worker.terminate();
+    if (job === undefined) return;
+    this.#options.log.warn('a request could not be decoded', { reason });
+    job.reject(failure(reason));
+    this.#startNext();
+  }
+}
+
+function failure(reason: string): ServiceError {
+  return new ServiceError(
+    'unavailable',
+    `The request could not be decoded: ${reason}; send it again, or in smaller parts.`,
+  );
+}

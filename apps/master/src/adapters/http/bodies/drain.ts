@@ -1,0 +1,34 @@
+import type { IncomingMessage } from 'node:http';
+
+import type { Clock } from '../../../core/ports/index.ts';
+
+/** What is still read of a refused body, so that its sender hears why, bytes. */
+const MAX_DRAINED_BYTES = 1024 * 1024;
+/** For how long. */
+const DRAIN_DEADLINE_MS = 2_000;
+
+/**
+ * Throws away what still comes of a refused body. A connection that is closed while bytes wait on it
+ * is reset, and its peer may lose the answer. [SV-45]
+ *
+ * @returns resolves when the body ended, or when that took too long or was too much
+ */
+export function drain(stream: IncomingMessage, clock: Clock): Promise<void> {
+  if (stream.complete || stream.destroyed) return Promise.resolve();
+  return new Promise((resolve) => {
+    let size = 0;
+    const end = (): void => {
+      cancel();
+      stream.off('data', count);
+      stream.pause();
+      resolve();
+    };
+    const count = (chunk: Buffer): void => {
+      size += chunk.length;
+      if (size > MAX_DRAINED_BYTES) end();
+    };
+    const cancel = clock.after(DRAIN_DEADLINE_MS, end);
+    stream.on('data', count).once('end', end).once('close', end).on('error', end);
+    stream.resume();
+  });
+}

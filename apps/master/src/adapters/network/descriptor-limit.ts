@@ -1,0 +1,29 @@
+import { readFileSync } from 'node:fs';
+
+/**
+ * How many files and connections this process may have open (`ulimit -n`); undefined when the system
+ * sets no such limit or does not tell. Node has raised it as far as it may.
+ */
+export function descriptorLimit(): number | undefined {
+  if (process.platform === 'win32') return undefined;
+  const limit = process.platform === 'linux' ? ofLinux() : ofReport();
+  return limit !== undefined && Number.isSafeInteger(limit) && limit > 0 ? limit : undefined;
+}
+
+function ofLinux(): number | undefined {
+  try {
+    const limits = readFileSync('/proc/self/limits', 'utf8');
+    return Number(/^Max open files\s+(\d+)/m.exec(limits)?.[1] ?? Number.NaN);
+  } catch {
+    return undefined;
+  }
+}
+
+/** https://nodejs.org/api/report.html: "userLimits" */
+function ofReport(): number | undefined {
+  const report = process.report.getReport() as {
+    readonly userLimits?: { readonly open_files?: { readonly soft?: number | 'unlimited' } };
+  };
+  const soft = report.userLimits?.open_files?.soft;
+  return typeof soft === 'number' ? soft : undefined;
+}

@@ -1,0 +1,103 @@
+import { mkdirSync, readFileSync } from 'node:fs';
+import { appendFile, rename } from 'node:fs/promises';
+import { join } from 'node:path';
+
+import type { AuditStore, Log } from '../../core/ports/index.ts';
+
+/** Lines that wait to be written at most: of more, while a disk hangs, the newest are lost. */
+const MOST_WAITING = 10_000;
+
+export interface AuditFileParts {
+  readonly folder: string;
+  /** A file with so many lines becomes the one before; that one goes. */
+  readonly maxLines: number;
+  readonly log: Log;
+}
+
+/** Lines in two files that take turns, for nobody but the operator to read [EX-92]. */
+export class AuditFile implements AuditStore {
+  readonly #parts: AuditFileParts;
+  readonly #current: string;
+  readonly #before: string;
+  #lines: string[];
+  /** In the current file. */
+  #lineCount = 0;
+  #isCutOff = false;
+  #waiting: string[] = [];
+  #lost = 0;
+  #written: Promise<void> = Promise.resolve();
+
+  /** A folder that cannot be made or read is empty; what cannot be written is said in the log. */
+  constructor(parts: AuditFileParts) {
+    this.#parts = parts;
+    this.#current = join(parts.folder, 'audit.jsonl');
+    this.#before = join(parts.folder, 'audit.1.jsonl');
+    try {
+      mkdirSync(parts.folder, { recursive: true, mode: 0o700 });
+    } catch (error) {
+      parts.log.warn('the audit log cannot be kept', { reason: String(error) });
+    }
+    const text = readText(this.#current);
+    const lines = linesOf(text);
+    this.#lineCount = lines.length;
+    this.#isCutOff = text !== '' && !text.endsWith('\n');
+    this.#lines = [...linesOf(readText(this.#before)), ...lines];
+  }
+
+  /** Once: the lines are not kept in memory twice. */
+  read(): readonly string[] {
+    const lines = this.#lines;
+    this.#lines = [];
+    return lines;
+  }
+
+  append(line: string): void {
+    if (this.#waiting.length >= MOST_WAITING) {
+      this.#lost++;
+      return;
+    }
+    // The first that waits has all of them written, with those that come until its turn.
+    if (this.#waiting.push(line) === 1) this.#written = this.#written.then(() => this.#write());
+  }
+
+  settled(): Promise<void> {
+    return this.#written;
+  }
+
+  async #write(): Promise<void> {
+    const lines = this.#waiting;
+    this.#waiting = [];
+    try {
+      if (this.#lineCount > 0 && this.#lineCount + lines.length > this.#parts.maxLines) {
+        await rename(this.#current, this.#before);
+        this.#lineCount = 0;
+        this.#isCutOff = false;
+      }
+      const text = lines.map((line) => `${line}\n`).join('');
+      await appendFile(this.#current, this.#isCutOff ? `\n${text}` : text, { mode: 0o600 });
+      this.#isCutOff = false;
+      this.#lineCount += lines.length;
+    } catch (error) {
+      this.#lost += lines.length;
+      // How much of it is there nobody knows: the next line begins anew.
+      this.#isCutOff = true;
+      this.#parts.log.warn('entries of the audit log were not kept', {
+        entries: this.#lost,
+        reason: String(error),
+      });
+      this.#lost = 0;
+    }
+  }
+}
+
+function readText(file: string): string {
+  try {
+    return readFileSync(file, 'utf8');
+  } catch {
+    return '';
+  }
+}
+
+function linesOf(text: string): string[] {
+  return text.split('\n').filter((line) => line !== '');
+}

@@ -1,0 +1,34 @@
+import { createHmac } from 'node:crypto';
+import { describe, expect, it } from 'vitest';
+
+import { HmacAccessSecrets } from '../access/hmac-access-secrets.ts';
+import { deriveKey } from './derive-key.ts';
+import { HmacResumeTokens } from './hmac-resume-tokens.ts';
+
+const RAW = new Uint8Array(32).fill(7);
+const PURPOSES = ['resume tokens', 'credentials', 'join secrets'] as const;
+const hmac = (key: Uint8Array, text: string) =>
+  createHmac('sha256', key).update(text).digest('base64url');
+
+describe('keys [AC-66]', () => {
+  it('are those of HKDF-SHA-256, one for each purpose', () => {
+    // Extract and expand by hand (RFC 5869, 2.2 and 2.3).
+    const extracted = createHmac('sha256', 'ubi-interact master keys 1').update(RAW).digest();
+    for (const purpose of PURPOSES) {
+      const expanded = createHmac('sha256', extracted)
+        .update(`ubi-interact ${purpose}`)
+        .update(Uint8Array.of(1))
+        .digest();
+      expect(Buffer.from(deriveKey(RAW, purpose))).toEqual(expanded);
+    }
+    const keys = PURPOSES.map((purpose) => Buffer.from(deriveKey(RAW, purpose)).toString('hex'));
+    expect(new Set(keys).size).toBe(PURPOSES.length);
+  });
+
+  it('sign each its own, and the raw one nothing', () => {
+    const secrets = new HmacAccessSecrets(RAW);
+    expect(new HmacResumeTokens(RAW).issue('x')).toBe(hmac(deriveKey(RAW, 'resume tokens'), 'x'));
+    expect(secrets.sign('x')).toBe(hmac(deriveKey(RAW, 'credentials'), 'x'));
+    expect(secrets.fingerprint('x')).toBe(hmac(deriveKey(RAW, 'join secrets'), 'x'));
+  });
+});

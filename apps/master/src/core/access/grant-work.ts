@@ -1,0 +1,82 @@
+import { StatusEventKind } from '@ubii/proto';
+import { CLOSE } from '../clients/close-codes.ts';
+import type { Dismissal } from '../clients/dismissals.ts';
+import type { Core } from '../core.ts';
+import type { Cancel } from '../ports/clock.ts';
+import { quote } from '../topics/topic-names.ts';
+import type { Grant, GrantWork } from './grant.ts';
+
+/** How often the time of grants is looked at, milliseconds. */
+const LOOK_INTERVAL_MS = 1_000;
+
+/** What was made or changed with a grant [AC-90]. */
+export function workOf({ processing }: Core, { id }: Grant): GrantWork {
+  const { sessions, sessionLibrary, modules } = processing;
+  const made = sessions.madeWith(id);
+  return {
+    sessionIds: made.map((session) => session.id),
+    runningSessionIds: made.filter(({ isLive }) => isLive).map((session) => session.id),
+    storedSessionNames: sessionLibrary
+      .list()
+      .filter(({ extension }) => extension?.grantIds.includes(id))
+      .map(({ name }) => name),
+    moduleNames: modules.madeWith(id),
+  };
+}
+
+/** Ids of the clients that joined with a grant and are registered. */
+export function clientIdsOf({ clients }: Core, grant: Grant): string[] {
+  return [...clients.values()].flatMap(({ id, access }) => (access.grant === grant ? [id] : []));
+}
+
+/** The grant, and those that were made with it, and with those [AC-93]. */
+export function withDescendants({ access }: Core, grant: Grant): Grant[] {
+  const all = [grant];
+  const others = access.grants.list();
+  for (const one of all) {
+    all.push(...others.filter((other) => other.madeWith === one.id && !all.includes(other)));
+  }
+  return all;
+}
+
+/**
+ * Ends who joined with a grant, and what was made with it: sessions stop, or it is the operator's from
+ * now on [AC-92]. All but what is written down has happened when this returns.
+ */
+export async function endGrant(
+  core: Core,
+  grant: Grant,
+  { code, reason }: Dismissal,
+  isHandedOver: boolean,
+): Promise<void> {
+  const { sessions, sessionLibrary, modules } = core.processing;
+  for (const id of clientIdsOf(core, grant)) {
+    core.clients.dismiss(core.clients.get(id)!, reason, code);
+  }
+  if (isHandedOver) {
+    for (const session of sessions.madeWith(grant.id)) sessions.handOver(session, grant.id);
+    await sessionLibrary.handOver(grant.id);
+    await modules.handOver(grant.id);
+    return;
+  }
+  for (const session of sessions.madeWith(grant.id)) {
+    if (!session.isLive) continue;
+    sessions.stop(session);
+    core.events.add(
+      StatusEventKind.SESSION_DEGRADED,
+      `The session ${quote(session.label)} was stopped: the leave to join of who made it has ended`,
+    );
+  }
+}
+
+/** Ends grants when their time is over [AC-91]. @returns what makes it stop */
+export function watchGrants(core: Core): Cancel {
+  const look = (): void => {
+    for (const grant of core.access.grants.takeOver()) {
+      void endGrant(core, grant, CLOSE.expired, false);
+      core.log.info('the time of a leave to join is over', { grantId: grant.id });
+    }
+  };
+  look();
+  return core.clock.every(LOOK_INTERVAL_MS, look);
+}

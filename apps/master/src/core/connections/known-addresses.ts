@@ -1,0 +1,30 @@
+import type { Clock } from '../ports/clock.ts';
+
+/** Addresses remembered; those of the longest ago go first. */
+const MOST = 4_096;
+
+/** Addresses from which somebody who has joined called of late. */
+export class KnownAddresses {
+  readonly #clock: Clock;
+  readonly #keptMs: number;
+  readonly #seenMs = new Map<string, number>();
+
+  /** @param keptMs how long an address counts after the last call from it */
+  constructor(clock: Clock, keptMs: number) {
+    this.#clock = clock;
+    this.#keptMs = keptMs;
+  }
+
+  has(address: string): boolean {
+    const seenMs = this.#seenMs.get(address);
+    return seenMs !== undefined && this.#clock.monotonicMs() - seenMs < this.#keptMs;
+  }
+
+  add(address: string): void {
+    this.#seenMs.delete(address);
+    this.#seenMs.set(address, this.#clock.monotonicMs());
+    if (this.#seenMs.size <= MOST) return;
+    const [first] = this.#seenMs.keys();
+    if (first !== undefined) this.#seenMs.delete(first);
+  }
+}

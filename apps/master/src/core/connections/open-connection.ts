@@ -1,0 +1,75 @@
+import type { Caller } from '../access/caller.ts';
+
+/** The other end of a connection, as a transport sees it before a byte has come. */
+export interface TransportPeer {
+  readonly address: string;
+  /** The same for all addresses that one person may have: of IPv6, 64 bits. */
+  readonly network: string;
+  /** It is an address of this machine. */
+  readonly isLocal: boolean;
+}
+
+/**
+ * What is known of a connection: `local`, of this machine; `stranger`, nothing; `known`, from an address
+ * where somebody has joined; `member`, a request on it came from somebody who has joined; `socket`, it
+ * is the WebSocket of a client.
+ */
+export type ConnectionKind = 'local' | 'stranger' | 'known' | 'member' | 'socket';
+
+/** What a connection tells of itself. */
+interface ConnectionKeeper {
+  handleRequest(connection: OpenConnection): void;
+  handleCaller(connection: OpenConnection, caller: Caller['kind']): void;
+  handleUpgrade(connection: OpenConnection): void;
+  handleClose(connection: OpenConnection): void;
+}
+
+/** One connection to one of the ports of the master. */
+export class OpenConnection {
+  readonly peer: TransportPeer;
+  /** Monotonic milliseconds. */
+  readonly openedMs: number;
+  kind: ConnectionKind;
+  readonly #keeper: ConnectionKeeper;
+  readonly #cut: () => void;
+
+  constructor(made: {
+    readonly peer: TransportPeer;
+    readonly kind: ConnectionKind;
+    readonly openedMs: number;
+    readonly cut: () => void;
+    readonly keeper: ConnectionKeeper;
+  }) {
+    this.peer = made.peer;
+    this.kind = made.kind;
+    this.openedMs = made.openedMs;
+    this.#cut = made.cut;
+    this.#keeper = made.keeper;
+  }
+
+  /** The headers of a request have come. */
+  handleRequest(): void {
+    this.#keeper.handleRequest(this);
+  }
+
+  /** A request said who calls. */
+  handleCaller(caller: Caller['kind']): void {
+    this.#keeper.handleCaller(this, caller);
+  }
+
+  /** It is the socket of a client from now on. */
+  handleUpgrade(): void {
+    this.#keeper.handleUpgrade(this);
+  }
+
+  /** The transport says that it is closed. May be said more than once. */
+  handleClose(): void {
+    this.#keeper.handleClose(this);
+  }
+
+  /** Closes it at once. */
+  end(): void {
+    this.handleClose();
+    this.#cut();
+  }
+}

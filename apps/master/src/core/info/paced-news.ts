@@ -1,0 +1,84 @@
+import type { Cancel, Clock } from '../ports/clock.ts';
+import { TokenBucket } from '../topics/token-bucket.ts';
+
+/** How much one subject may have told of it, bytes. */
+export interface NewsPace {
+  readonly bytesPerSecond: number;
+  /** At once. What is larger is told alone, and the rest of its time is waited for afterwards. */
+  readonly burstBytes: number;
+}
+
+interface Subject {
+  readonly bucket: TokenBucket;
+  /** What is to be told when there is room again; undefined while nothing waits. */
+  tell: (() => number) | undefined;
+  cancel: Cancel | undefined;
+}
+
+/**
+ * Tells states of subjects, of each only so many bytes a second [EX-75]. What cannot be told at once is told as
+ * soon as there is room, as it is then: the last state always comes.
+ */
+export class PacedNews {
+  readonly #clock: Clock;
+  readonly #pace: NewsPace;
+  readonly #subjects = new Map<string, Subject>();
+
+  constructor(clock: Clock, pace: NewsPace) {
+    this.#clock = clock;
+    this.#pace = pace;
+  }
+
+  /** @param tell Publishes the state as it is when it is called; returns the bytes of it, 0 when there was nothing to tell. */
+  tell(id: string, tell: () => number): void {
+    const subject = this.#subjectOf(id);
+    if (subject.tell !== undefined) {
+      subject.tell = tell;
+      return;
+    }
+    this.#tellOrWait(subject, tell);
+  }
+
+  /** Counts what was told of a subject in another way, which comes in any case. */
+  spend(id: string, bytes: number): void {
+    this.#subjectOf(id).bucket.spend(bytes, this.#clock.monotonicMs());
+  }
+
+  /** The subject is gone: nothing more is told of it. */
+  forget(id: string): void {
+    this.#subjects.get(id)?.cancel?.();
+    this.#subjects.delete(id);
+  }
+
+  /** Ends every timer. */
+  close(): void {
+    for (const id of [...this.#subjects.keys()]) this.forget(id);
+  }
+
+  #subjectOf(id: string): Subject {
+    let subject = this.#subjects.get(id);
+    if (subject === undefined) {
+      const { bytesPerSecond, burstBytes } = this.#pace;
+      const bucket = new TokenBucket(bytesPerSecond, this.#clock.monotonicMs(), burstBytes);
+      subject = { bucket, tell: undefined, cancel: undefined };
+      this.#subjects.set(id, subject);
+    }
+    return subject;
+  }
+
+  #tellOrWait(subject: Subject, tell: () => number): void {
+    const nowMs = this.#clock.monotonicMs();
+    const waitMs = subject.bucket.waitMs(nowMs);
+    if (waitMs === 0) {
+      subject.bucket.spend(tell(), nowMs);
+      return;
+    }
+    subject.tell = tell;
+    subject.cancel = this.#clock.after(waitMs, () => {
+      const waiting = subject.tell;
+      subject.tell = undefined;
+      subject.cancel = undefined;
+      if (waiting !== undefined) this.#tellOrWait(subject, waiting);
+    });
+  }
+}

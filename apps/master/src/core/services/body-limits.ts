@@ -1,0 +1,54 @@
+import { SERVICES, type RequestMember, type ServiceName } from '@ubii/proto';
+import type { LimitName, Limits } from '../limits.ts';
+
+/** How large the body of a request may be. */
+export interface BodyLimits {
+  readonly bytes: number;
+  /** The limit that `bytes` comes from. */
+  readonly bytesLimit: LimitName;
+  readonly values: number;
+  /** The limit that `values` comes from. */
+  readonly valuesLimit: LimitName;
+}
+
+/** A payload with a limit in encoded bytes may have so much more as JSON: names of members, escapes, base64. */
+const JSON_FACTOR = 1.5;
+
+/** What a payload is measured by; all others are ordinary. */
+const LARGE: { readonly [M in RequestMember]?: LimitName } = {
+  session: 'sessionBytes',
+  sessionList: 'sessionBytes',
+  processingModule: 'sessionBytes',
+  processingModuleList: 'sessionBytes',
+  client: 'registrationBytesPerClient',
+  device: 'registrationBytesPerClient',
+  topicSubscription: 'subscriptionBodyBytes',
+};
+
+/** The limits on the body of a request to a service [SV-42]. */
+export function bodyLimitsOf(limits: Limits, name: ServiceName): BodyLimits {
+  const { request } = SERVICES[name];
+  const large = request === undefined ? undefined : LARGE[request];
+  if (large === undefined) {
+    return {
+      bytes: limits.serviceBodyBytes,
+      bytesLimit: 'serviceBodyBytes',
+      values: limits.serviceValues,
+      valuesLimit: 'serviceValues',
+    };
+  }
+  const factor = large === 'subscriptionBodyBytes' ? 1 : JSON_FACTOR;
+  return {
+    bytes: Math.max(limits.serviceBodyBytes, Math.floor(limits[large] * factor)),
+    bytesLimit: large,
+    values: Math.max(limits.serviceValues, limits.largeServiceValues),
+    valuesLimit: 'largeServiceValues',
+  };
+}
+
+/** The limits on the body of a request whose service is not known yet: those of the largest. */
+export function largestBodyLimits(limits: Limits): BodyLimits {
+  return (Object.keys(SERVICES) as ServiceName[])
+    .map((name) => bodyLimitsOf(limits, name))
+    .reduce((largest, each) => (each.bytes > largest.bytes ? each : largest));
+}

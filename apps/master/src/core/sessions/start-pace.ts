@@ -1,0 +1,56 @@
+import { ServiceError } from '@ubii/proto';
+import type { Clock } from '../ports/clock.ts';
+import type { LimitWatch } from '../status/limit-watch.ts';
+import { TokenBucket } from '../topics/token-bucket.ts';
+import { quote } from '../topics/topic-names.ts';
+import type { Session } from './session.ts';
+
+/** Seconds of the long run that may be used at once. */
+const BURST_SECONDS = 32;
+/** Invitations that are remembered; those of the longest ago are forgotten first. */
+const MOST = 1_024;
+
+/** How fast the callers of each invitation may start sessions, which are announced whole [EX-77]. */
+export class StartPace {
+  readonly #clock: Clock;
+  readonly #limits: LimitWatch;
+  readonly #buckets = new Map<string, TokenBucket>();
+
+  constructor(clock: Clock, limits: LimitWatch) {
+    this.#clock = clock;
+    this.#limits = limits;
+  }
+
+  /**
+   * Counts a start.
+   * @param maker Grant of who starts it; empty for who needs none.
+   * @throws ServiceError when it comes too soon
+   */
+  spend(session: Session, maker: string): void {
+    const nowMs = this.#clock.monotonicMs();
+    const bucket = this.#bucketOf(maker, nowMs);
+    const waitMs = bucket.waitMs(nowMs);
+    if (waitMs === 0) {
+      bucket.spend(session.byteLength, nowMs);
+      return;
+    }
+    this.#limits.count('sessionStartBytesPerSecond');
+    const { sessionStartBytesPerSecond: max } = this.#limits.limits;
+    throw new ServiceError(
+      'resource_exhausted',
+      `Sessions are sent to everybody who listens when they start, and those that were started of late are too large to start ${quote(session.label)} now (limit sessionStartBytesPerSecond); try again in ${Math.ceil(waitMs / 1000)} s.`,
+      { details: { limit: 'sessionStartBytesPerSecond', max } },
+    );
+  }
+
+  #bucketOf(maker: string, nowMs: number): TokenBucket {
+    const known = this.#buckets.get(maker);
+    if (known !== undefined) return known;
+    const { sessionStartBytesPerSecond: perSecond } = this.#limits.limits;
+    const bucket = new TokenBucket(perSecond, nowMs, BURST_SECONDS * perSecond);
+    this.#buckets.set(maker, bucket);
+    const [oldest] = this.#buckets.keys();
+    if (this.#buckets.size > MOST && oldest !== undefined) this.#buckets.delete(oldest);
+    return bucket;
+  }
+}

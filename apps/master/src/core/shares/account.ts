@@ -1,0 +1,114 @@
+import { RESOURCES, type Resource } from './resources.ts';
+
+/** What an account is of. `all` is the whole master. */
+export type AccountKind = 'all' | 'class' | 'invitation' | 'client' | 'session' | 'master';
+
+/** What makes an account, once. */
+export interface AccountParts {
+  readonly kind: AccountKind;
+  /** Id of the client, session or invitation; name of the class. */
+  readonly id: string;
+  /** What people call it. Default: its id. */
+  readonly label?: string;
+  /** The account that everything counts for as well; undefined for that of the whole master. */
+  readonly parent?: Account | undefined;
+  /** The most of each resource, in the order of `RESOURCE`. */
+  readonly max: Float64Array;
+  /** How much of each may be used in all when this account takes more. Default: as much as there is. */
+  readonly untilFilled?: Float64Array;
+}
+
+/**
+ * What somebody uses of each scarce resource [AC-80]. What is added to an account is added to its invitation,
+ * its class and the whole. Adding is cheap enough for each record: some additions of numbers.
+ */
+export class Account {
+  readonly kind: AccountKind;
+  readonly id: string;
+  readonly label: string;
+  #parent: Account | undefined;
+  #max: Float64Array;
+  readonly #untilFilled: Float64Array | undefined;
+  readonly #used = new Float64Array(RESOURCES.length);
+  /** Until when nobody is looked for again who could make room, by resource; monotonic milliseconds. */
+  readonly barrenUntilMs = new Float64Array(RESOURCES.length).fill(Number.NEGATIVE_INFINITY);
+
+  constructor({ kind, id, label = id, parent, max, untilFilled }: AccountParts) {
+    this.kind = kind;
+    this.id = id;
+    this.label = label;
+    this.#parent = parent;
+    this.#max = max;
+    this.#untilFilled = untilFilled;
+  }
+
+  get parent(): Account | undefined {
+    return this.#parent;
+  }
+
+  used(resource: Resource): number {
+    return this.#used[resource]!;
+  }
+
+  max(resource: Resource): number {
+    return this.#max[resource]!;
+  }
+
+  /** How much of it may be used in all when this account takes more; undefined: as much as there is. */
+  untilFilled(resource: Resource): number | undefined {
+    return this.#untilFilled?.[resource];
+  }
+
+  /** Nothing is used. */
+  get isIdle(): boolean {
+    return this.#used.every((amount) => amount === 0);
+  }
+
+  /** Whether this account, or one it counts for, is `other`. */
+  isWithin(other: Account): boolean {
+    return this === other || (this.#parent?.isWithin(other) ?? false);
+  }
+
+  /**
+   * The account that has no room for `amount` more of this: the own one, that of the invitation, of the class or of
+   * the whole. Undefined: there is room.
+   * @param from The account that pays for it now: what both count for stays the same.
+   */
+  shortage(resource: Resource, amount: number, from?: Account): Account | undefined {
+    return this.#shortage(resource, amount, from, Number.POSITIVE_INFINITY);
+  }
+
+  /** Takes so much, or with a negative number gives it back. */
+  add(resource: Resource, amount: number): void {
+    this.#used[resource]! += amount;
+    this.#parent?.add(resource, amount);
+  }
+
+  /** From now on it counts for another account, with all it uses [AC-18]. */
+  moveTo(parent: Account, max: Float64Array): void {
+    this.#max = max;
+    if (parent === this.#parent) return;
+    for (const resource of RESOURCES) {
+      this.#parent?.add(resource, -this.#used[resource]!);
+      parent.add(resource, this.#used[resource]!);
+    }
+    this.#parent = parent;
+  }
+
+  /** @param fillMax how full the whole may be for the account that asks */
+  #shortage(
+    resource: Resource,
+    amount: number,
+    from: Account | undefined,
+    fillMax: number,
+  ): Account | undefined {
+    if (from?.isWithin(this)) return undefined;
+    const used = this.#used[resource]! + amount;
+    if (used > this.#max[resource]!) return this;
+    if (this.kind === 'all' && used > fillMax) return this;
+    const nextFillMax = this.#untilFilled?.[resource] ?? fillMax;
+    const parent = this.#parent;
+    if (parent === undefined) return undefined;
+    return parent.#shortage(resource, amount, from, nextFillMax);
+  }
+}

@@ -1,0 +1,15 @@
+import type { Account } from './account.ts';
+import type { Resource } from './resources.ts';
+
+/** One of a scarce resource, which one account pays for: others may use it as well. */
+export interface Charged {
+  payer: Account | undefined;
+}
+
+/** From now on this account pays for it; undefined: nobody, because it is gone. */
+export function charge(charged: Charged, resource: Resource, payer: Account | undefined): void {
+  if (charged.payer === payer) return;
+  charged.payer?.add(resource, -1);
+  payer?.add(resource, 1);
+  charged.payer = payer;
+}

@@ -1,0 +1,26 @@
+/** Kinds of owners that shares are given to: roles of clients, sessions, and the master itself. */
+export type ShareClass = 'master' | 'admin' | 'session' | 'participant' | 'player' | 'viewer';
+
+/** Parts of a limit of the whole master, from 0 to 1. */
+export interface ClassShare {
+  /** What all owners of the class may use together. */
+  readonly ofAll: number;
+  /** How full the whole may be for an owner of the class to get more: the rest is a reserve for others. */
+  readonly untilFilled: number;
+  /** What all clients of one invitation of the class may use together. */
+  readonly perInvitation: number;
+}
+
+/**
+ * What each class may use of every resource [AC-82]. An eighth is a reserve for running sessions and
+ * admins, half of that for admins alone. Invitations to play and to watch are shown to many people: one
+ * of them leaves most to others, and all of them leave half to participants.
+ */
+export const CLASS_SHARES: { readonly [C in ShareClass]: ClassShare } = {
+  master: { ofAll: 1, untilFilled: 1, perInvitation: 1 },
+  admin: { ofAll: 1, untilFilled: 1, perInvitation: 1 },
+  session: { ofAll: 3 / 4, untilFilled: 15 / 16, perInvitation: 3 / 4 },
+  participant: { ofAll: 7 / 8, untilFilled: 7 / 8, perInvitation: 1 / 2 },
+  player: { ofAll: 1 / 2, untilFilled: 3 / 4, perInvitation: 1 / 4 },
+  viewer: { ofAll: 1 / 4, untilFilled: 3 / 4, perInvitation: 1 / 8 },
+};

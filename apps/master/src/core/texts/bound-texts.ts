@@ -1,0 +1,180 @@
+import { messageDescriptor, type MessageDescriptor, type MessageTypes } from '@ubii/proto';
+import { LIMITS, type LimitName, type Limits } from '../limits.ts';
+import { isOneLine, oneLine } from './one-line.ts';
+import { firstCharacters, hasMoreCharacters, isLongerThan } from './text-length.ts';
+import { LISTED_TEXTS, TEXT_RULES, type TextRule } from './text-limits.ts';
+
+/** A text, or a list of texts, that is refused because it is too long. */
+export interface TextFault {
+  /** Where it stands, such as `session.io_mappings[3].input_mappings[0].input_name`. */
+  readonly member: string;
+  readonly limit: LimitName;
+  /** What it has, in the unit of the limit. */
+  readonly length: number;
+}
+
+/** What clients say: requests, and what nodes tell of their modules. */
+type Root =
+  'ubii.services.ServiceRequest' | 'ubii.extension.ModuleStatistics' | 'ubii.extension.ModuleEvent';
+
+/** How a walk through texts ends, and by which numbers it goes. */
+export interface TextContext {
+  readonly limits: Limits;
+  /** Makes the error for a text that is refused. */
+  readonly refuse: (fault: TextFault) => Error;
+}
+
+interface Plan {
+  readonly texts: readonly TextPlan[];
+  readonly messages: readonly MessagePlan[];
+}
+
+interface TextPlan {
+  readonly jsonName: string;
+  readonly protoName: string;
+  readonly rule: Extract<TextRule, { limit: LimitName }>;
+  /** What becomes of a list with too many; undefined when their number is limited elsewhere. */
+  readonly listed: 'refuse' | 'cut' | undefined;
+}
+
+interface MessagePlan {
+  readonly jsonName: string;
+  readonly protoName: string;
+  readonly plan: Plan;
+}
+
+type Fields = Readonly<Record<string, unknown>>;
+
+const PLANS: { readonly [R in Root]: Plan } = plansOf();
+
+/**
+ * The message with every text as long as it may be [EX-70] [EX-71]: itself when nothing is too long, else a
+ * copy with texts cut.
+ *
+ * @throws what `context.refuse` makes, for a text that is not cut
+ */
+export function boundTexts<R extends Root>(
+  type: R,
+  message: MessageTypes[R],
+  context: TextContext,
+): MessageTypes[R] {
+  return new Walk(context).message(
+    PLANS[type],
+    message as object as Fields,
+  ) as object as MessageTypes[R];
+}
+
+/** The same for a message whose texts are all cut and never refused. */
+export function cutTexts<R extends Exclude<Root, 'ubii.services.ServiceRequest'>>(
+  type: R,
+  message: MessageTypes[R],
+  limits: Limits,
+): MessageTypes[R] {
+  return boundTexts(type, message, { limits, refuse: ({ member }) => new RangeError(member) });
+}
+
+/** One walk through a message. */
+class Walk {
+  readonly #context: TextContext;
+  readonly #path: (string | number)[] = [];
+
+  constructor(context: TextContext) {
+    this.#context = context;
+  }
+
+  message(plan: Plan, fields: Fields): Fields {
+    let bounded: Record<string, unknown> | undefined;
+    for (const text of plan.texts) {
+      const given = fields[text.jsonName];
+      if (given === undefined || given === '') continue;
+      this.#path.push(text.protoName);
+      const kept =
+        typeof given === 'string'
+          ? this.#text(text, given)
+          : this.#texts(text, given as readonly string[]);
+      this.#path.pop();
+      if (kept !== given) (bounded ??= { ...fields })[text.jsonName] = kept;
+    }
+    for (const { jsonName, protoName, plan: inner } of plan.messages) {
+      const given = fields[jsonName];
+      if (given === undefined) continue;
+      this.#path.push(protoName);
+      const kept = Array.isArray(given)
+        ? this.#list(given as readonly Fields[], (element) => this.message(inner, element))
+        : this.message(inner, given as Fields);
+      this.#path.pop();
+      if (kept !== given) (bounded ??= { ...fields })[jsonName] = kept;
+    }
+    return bounded ?? fields;
+  }
+
+  #texts(plan: TextPlan, texts: readonly string[]): readonly string[] {
+    const { textsPerList } = this.#context.limits;
+    const isTooLong = plan.listed !== undefined && texts.length > textsPerList;
+    if (isTooLong && plan.listed === 'refuse') this.#refuse('textsPerList', texts.length);
+    const kept = isTooLong ? texts.slice(0, textsPerList) : texts;
+    return this.#list(kept, (text) => this.#text(plan, text));
+  }
+
+  /** The same list when every element stays the same. */
+  #list<T>(list: readonly T[], bound: (element: T) => T): readonly T[] {
+    let bounded: T[] | undefined;
+    for (const [i, element] of list.entries()) {
+      this.#path.push(i);
+      const kept = bound(element);
+      this.#path.pop();
+      if (kept !== element) (bounded ??= [...list])[i] = kept;
+    }
+    return bounded ?? list;
+  }
+
+  #text({ rule: { limit, over } }: TextPlan, text: string): string {
+    const max = this.#context.limits[limit];
+    const isInBytes = LIMITS[limit].unit === 'bytes';
+    const isTooLong = isInBytes ? isLongerThan(text, max) : hasMoreCharacters(text, max);
+    if (over === 'line') return isTooLong || !isOneLine(text) ? oneLine(text, max) : text;
+    if (!isTooLong) return text;
+    if (over === 'cut') return firstCharacters(text, max);
+    return this.#refuse(limit, text.length);
+  }
+
+  #refuse(limit: LimitName, length: number): never {
+    const member = this.#path.reduce<string>(
+      (path, part) => (typeof part === 'number' ? `${path}[${part}]` : `${path}.${part}`),
+      '',
+    );
+    throw this.#context.refuse({ member: member.slice(1), limit, length });
+  }
+}
+
+function plansOf(): { readonly [R in Root]: Plan } {
+  const known = new Map<MessageDescriptor, Plan>();
+  const planOf = (type: Root): Plan => planMessage(messageDescriptor(type), known);
+  return {
+    'ubii.services.ServiceRequest': planOf('ubii.services.ServiceRequest'),
+    'ubii.extension.ModuleStatistics': planOf('ubii.extension.ModuleStatistics'),
+    'ubii.extension.ModuleEvent': planOf('ubii.extension.ModuleEvent'),
+  };
+}
+
+/** @throws RangeError when a text has no row in the table */
+function planMessage(descriptor: MessageDescriptor, known: Map<MessageDescriptor, Plan>): Plan {
+  const before = known.get(descriptor);
+  if (before !== undefined) return before;
+  const texts: TextPlan[] = [];
+  const messages: MessagePlan[] = [];
+  const plan: Plan = { texts, messages };
+  known.set(descriptor, plan);
+  if (TEXT_RULES[descriptor.name] !== undefined) return plan;
+  for (const { type, jsonName, protoName } of descriptor.fields) {
+    const name = `${descriptor.name}.${protoName}`;
+    if (type === 'string') {
+      const rule = TEXT_RULES[name];
+      if (rule === undefined) throw new RangeError(`the text ${name} has no row in text-limits.ts`);
+      if ('limit' in rule) texts.push({ jsonName, protoName, rule, listed: LISTED_TEXTS[name] });
+    } else if (typeof type === 'object' && type.kind === 'message') {
+      messages.push({ jsonName, protoName, plan: planMessage(type, known) });
+    }
+  }
+  return plan;
+}
