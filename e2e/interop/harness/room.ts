@@ -64,7 +64,7 @@ export function useRoom(): Room {
 
   beforeEach(async () => {
     leave = [];
-    master = await MasterProcess.start({ legacyPorts: '0,0' });
+    master = await MasterProcess.start({ legacyPorts: '0,0', trustsLoopback: false });
     legacy = await whereClientsLook(master);
   });
   afterEach(async () => {

@@ -1,8 +1,12 @@
 import AxeBuilder from '@axe-core/playwright';
+import type { UbiiClient } from '@ubii/client-web/node';
+import { SessionState } from '@ubii/proto';
+import { callService } from '../../fixtures/call-service.ts';
 import { expect } from '../../fixtures/test.ts';
 import { testWith } from '../../fixtures/test-with.ts';
 import { FROM_ELSEWHERE, JoinPage } from '../../pages/join-page.ts';
 import { Shell } from '../../pages/shell.ts';
+import { makeGrant } from './make-grant.ts';
 
 const test = testWith('--lan', 'on', '--mdns', 'off');
 const REFUSED = /status of (401|403)/;
@@ -42,6 +46,71 @@ test('the host shows one code, sees who joins with it, and takes it back', async
   await expect(desk.page.locator('[data-phone]')).toHaveCount(0);
   await phone.page.goto('/');
   await expect(join.heading).toHaveText('The host has closed this code.');
+});
+
+/** Starts a session that only counts, as a guest. */
+async function startSession(guest: UbiiClient, name: string): Promise<void> {
+  await guest.call('sessionRuntimeStart', {
+    name,
+    processingModules: [
+      {
+        name: 'counter',
+        outputs: [{ internalName: 'count', messageFormat: 'double' }],
+        processingMode: { frequency: { hertz: 10 } },
+        onProcessingStringified:
+          '(deltaTime, inputs, state) => ({ outputs: { count: { double: (state.count = (state.count ?? 0) + 1) } } })',
+      },
+    ],
+  });
+}
+
+test('what guests made is told, ended or handed over with their code, and who did what is written down [AC-91] [EX-90]', async ({
+  master,
+  room,
+}) => {
+  const first = await makeGrant(master, { label: 'Class 7b' });
+  const second = await makeGrant(master, { label: 'Lab' });
+  await startSession(await room.program('Mara', first.token), 'Marble');
+  await startSession(await room.program('Noor', second.token), 'Northern lights');
+  const { page } = await room.atDesk('Ben');
+  await page.goto('/connect');
+
+  const grantOf = (label: string) => page.locator('[data-grant]').filter({ hasText: label });
+  await test.step('ended, unless the host wants something else', async () => {
+    const grant = grantOf('Class 7b');
+    await expect(grant).toContainText('made 1 session (1 running)');
+    await grant.getByRole('button', { name: 'Revoke' }).click();
+    await expect(grant).toContainText('Nothing is deleted');
+    await grant.getByRole('button', { name: 'Revoke it' }).click();
+    await expect(grant).toHaveCount(0);
+  });
+  await test.step('or handed over', async () => {
+    const grant = grantOf('Lab');
+    await grant.getByRole('button', { name: 'Revoke' }).click();
+    await grant.getByRole('radio', { name: 'Hand over to you' }).click();
+    await expect(grant).toContainText('go on and are yours');
+    await grant.getByRole('button', { name: 'Revoke it' }).click();
+    await expect(grant).toHaveCount(0);
+  });
+  const { sessionList } = await callService(master.addresses, {
+    topic: '/services/session/runtime/get_list',
+  });
+  const states = sessionList?.elements.map(({ name, extension }) => [name, extension?.state]);
+  expect(states).toEqual(
+    expect.arrayContaining([
+      ['Marble', SessionState.SESSION_STOPPED],
+      ['Northern lights', SessionState.SESSION_RUNNING],
+    ]),
+  );
+
+  await page.goto('/settings/audit');
+  const entries = page.getByRole('list', { name: 'Audit log' }).getByRole('listitem');
+  const started = entries.filter({ hasText: 'Mara started the session Marble' });
+  await expect(started).toContainText('participant, invitation Class 7b');
+  await expect(entries.filter({ hasText: 'Ben revoked the invitation' })).toHaveCount(2);
+  await page.getByRole('searchbox', { name: 'Search the audit log' }).fill('northern');
+  await expect(entries).toHaveCount(1);
+  await expect(entries).toContainText('Noor started the session Northern lights');
 });
 
 test('the choice of page, role and time makes the code that fits', async ({ room }) => {

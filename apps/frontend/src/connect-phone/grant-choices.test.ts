@@ -1,12 +1,13 @@
 import { AccessRole, type AccessGrant } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { isOpen, leftWord, reusable } from './grant-choices.ts';
+import { isOpen, leftWord, reusable, workWords } from './grant-choices.ts';
 
 const MINUTE = 60_000;
 const choice = {
   target: '/topics',
   role: AccessRole.ACCESS_ROLE_VIEWER,
   lifetimeMs: 15 * MINUTE,
+  stayMs: 60 * MINUTE,
 };
 const grant = (changes: Partial<AccessGrant> = {}): AccessGrant =>
   ({
@@ -15,6 +16,7 @@ const grant = (changes: Partial<AccessGrant> = {}): AccessGrant =>
     target: choice.target,
     createdMs: 0,
     expiresMs: 15 * MINUTE,
+    staysUntilMs: 60 * MINUTE,
     revokedMs: 0,
     maxJoins: 0,
     joins: 0,
@@ -33,6 +35,7 @@ describe('reusable', () => {
     expect(find(grant({ target: '/' }))).toBeUndefined();
     expect(find(grant({ role: AccessRole.ACCESS_ROLE_PLAYER }))).toBeUndefined();
     expect(find(grant({ expiresMs: 8 * 60 * MINUTE }))).toBeUndefined();
+    expect(find(grant({ staysUntilMs: 15 * MINUTE }))).toBeUndefined();
     expect(find(grant({ revokedMs: 1 }))).toBeUndefined();
     expect(find(grant(), 13 * MINUTE)).toBeUndefined();
     expect(find(grant(), MINUTE, false)).toBeUndefined();
@@ -50,4 +53,19 @@ it('what is left is told in minutes, hours or days', () => {
   expect(leftWord(14.2 * MINUTE)).toBe('15 min');
   expect(leftWord(8 * 60 * MINUTE)).toBe('8 h');
   expect(leftWord(30 * 24 * 60 * MINUTE)).toBe('30 d');
+});
+
+it('what was made is counted in words [AC-90]', () => {
+  const words = (work: Partial<AccessGrant>): string =>
+    workWords({
+      ...{ sessionIds: [], runningSessionIds: [], storedSessionNames: [], moduleNames: [] },
+      ...work,
+    } as unknown as AccessGrant);
+  expect(words({})).toBe('');
+  expect(words({ sessionIds: ['a', 'b'], runningSessionIds: ['a'] })).toBe(
+    '2 sessions (1 running)',
+  );
+  expect(words({ sessionIds: ['a'], storedSessionNames: ['s'], moduleNames: ['m', 'n'] })).toBe(
+    '1 session, 1 stored session, 2 modules',
+  );
 });

@@ -6,6 +6,8 @@ export interface GrantChoice {
   readonly role: AccessRole;
   /** Milliseconds. */
   readonly lifetimeMs: number;
+  /** How long those who joined may stay, milliseconds; 0 as long as others can join. [AC-91] */
+  readonly stayMs: number;
 }
 
 const MINUTE_MS = 60_000;
@@ -35,6 +37,13 @@ export const LIFETIMES = [
   { value: 'open', text: 'Until I take it back', lifetimeMs: LONGEST_MS },
 ] as const;
 export type LifetimeChoice = (typeof LIFETIMES)[number]['value'];
+
+export const STAYS = [
+  { value: 'same', text: 'Until it ends', stayMs: 0 },
+  { value: 'day', text: '12 hours', stayMs: 12 * HOUR_MS },
+  { value: 'month', text: '30 days', stayMs: LONGEST_MS },
+] as const;
+export type StayChoice = (typeof STAYS)[number]['value'];
 
 /** Pages that phones are sent to. */
 export const TARGETS = [
@@ -71,6 +80,8 @@ export function reusable(
       grant.role === choice.role &&
       grant.target === choice.target &&
       Math.abs(grant.expiresMs - grant.createdMs - choice.lifetimeMs) < MINUTE_MS &&
+      Math.abs(grant.staysUntilMs - grant.createdMs - Math.max(choice.stayMs, choice.lifetimeMs)) <
+        MINUTE_MS &&
       isOpen(grant, nowMs) &&
       grant.expiresMs - nowMs > choice.lifetimeMs * LEAST_LEFT &&
       hasSecret(grant.id),
@@ -81,4 +92,25 @@ export function reusable(
 export function leftWord(ms: number): string {
   if (ms < HOUR_MS) return `${Math.max(1, Math.ceil(ms / MINUTE_MS))} min`;
   return ms < 48 * HOUR_MS ? `${Math.round(ms / HOUR_MS)} h` : `${Math.round(ms / 24 / HOUR_MS)} d`;
+}
+
+/** What was made with a grant, in words: `2 sessions (1 running), 1 module`; empty when nothing was. */
+export function workWords({
+  sessionIds,
+  runningSessionIds,
+  storedSessionNames,
+  moduleNames,
+}: AccessGrant): string {
+  const count = (number: number, one: string): string =>
+    number === 0 ? '' : `${number} ${one}${number === 1 ? '' : 's'}`;
+  const running = runningSessionIds.length;
+  const runs = running === 0 ? '' : ` (${running} running)`;
+  const sessions = count(sessionIds.length, 'session');
+  return [
+    sessions && `${sessions}${runs}`,
+    count(storedSessionNames.length, 'stored session'),
+    count(moduleNames.length, 'module'),
+  ]
+    .filter(Boolean)
+    .join(', ');
 }

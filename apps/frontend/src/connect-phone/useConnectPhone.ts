@@ -4,10 +4,12 @@ import { useConnection } from '../connection/useConnection.ts';
 import { phoneAddresses } from './addresses.ts';
 import {
   LIFETIMES,
+  STAYS,
   ROLES,
   TARGETS,
   type GrantChoice,
   type LifetimeChoice,
+  type StayChoice,
   type RoleChoice,
 } from './grant-choices.ts';
 import { joinAddress, pageAddress } from './addresses.ts';
@@ -24,6 +26,7 @@ export function useConnectPhone(makesAtOnce: boolean, opens?: string) {
   const page = opens === undefined ? remembered : ref(opens);
   const role = useLocalStorage<RoleChoice>('ubii.connect.role', 'participant');
   const lifetime = useLocalStorage<LifetimeChoice>('ubii.connect.lifetime', 'day');
+  const stay = useLocalStorage<StayChoice>('ubii.connect.stay', 'day');
   const mayMake = ref(makesAtOnce);
   const chosen = shallowRef<string>();
 
@@ -32,6 +35,7 @@ export function useConnectPhone(makesAtOnce: boolean, opens?: string) {
     role: (ROLES.find(({ value }) => value === role.value) ?? ROLES[0]).role,
     lifetimeMs: (LIFETIMES.find(({ value }) => value === lifetime.value) ?? LIFETIMES[1])
       .lifetimeMs,
+    stayMs: (STAYS.find(({ value }) => value === stay.value) ?? STAYS[1]).stayMs,
   }));
   const grants = useGrants(choice, mayMake);
 
@@ -63,6 +67,7 @@ export function useConnectPhone(makesAtOnce: boolean, opens?: string) {
     page,
     role,
     lifetime,
+    stay,
     mayMake,
     choice,
     isKnown,

@@ -1,5 +1,5 @@
 import { ConnectionError } from '@ubii/client-web';
-import { ServiceError, type AccessGrant } from '@ubii/proto';
+import { ServiceError, type AccessGrant, type RevokedWork } from '@ubii/proto';
 import { computed, ref, shallowRef, watch, type Ref } from 'vue';
 import { usePoll } from '../connection/poll.ts';
 import { useConnection } from '../connection/useConnection.ts';
@@ -54,12 +54,13 @@ export function useGrants(choice: Ref<GrantChoice>, mayMake: Ref<boolean>) {
     if (isMaking.value || current.value !== undefined || grants.value === undefined) return;
     isMaking.value = true;
     try {
-      const { target, role: wanted, lifetimeMs } = choice.value;
+      const { target, role: wanted, lifetimeMs, stayMs } = choice.value;
       const created = await client.call('accessGrantCreate', {
         label: 'Connect a phone',
         role: wanted,
         target,
         lifetimeMs,
+        stayMs,
       });
       if (created.grant === undefined) return;
       secrets.add(created.grant.id, created);
@@ -69,10 +70,14 @@ export function useGrants(choice: Ref<GrantChoice>, mayMake: Ref<boolean>) {
     }
   }
 
-  const revoke = (grant: AccessGrant): Promise<void> =>
+  const revoke = (grant: AccessGrant, work: RevokedWork): Promise<void> =>
     attempt(async () => {
       mayMake.value = false; // or a new one would take its place at once
-      await client.call('accessGrantRevoke', { grantId: grant.id, reason: 'the host closed it' });
+      await client.call('accessGrantRevoke', {
+        grantId: grant.id,
+        reason: 'the host closed it',
+        work,
+      });
       await refresh();
     });
 

@@ -1,11 +1,14 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { ClientState, ServiceError, type Client } from '@ubii/proto';
+import { useTimeoutFn } from '@vueuse/core';
 import { computed, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 import { createInterest } from './interest.ts';
 import { perFrame } from './per-frame.ts';
 import { usePoll } from './poll.ts';
 
 const ANNOUNCEMENTS = '/ubii/client/*';
+/** What was left out of announcements is asked for this long after the first one, for all of them. [EX-74] */
+const SETTLE_MS = 2_000;
 
 /** Every client the master knows, as it announces them. [CL-31] */
 export interface ClientsStore {
@@ -50,13 +53,31 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
     }
   }
 
+  /** Revision of the registration that was asked for last, of clients that are announced abridged. */
+  const revisions = new Map<string, number>();
+  const { start: startTimer, isPending } = useTimeoutFn(() => void refresh(), SETTLE_MS, {
+    immediate: false,
+  });
+
+  /** The client as it is known with what is new of it. */
+  function completed(value: Client): Client {
+    const { extension, id, name, state, latency } = value;
+    if (extension?.abridged !== true) return value;
+    if (revisions.get(id) !== extension.registrationRevision) {
+      revisions.set(id, extension.registrationRevision);
+      if (!isPending.value) startTimer();
+    }
+    const before = known.get(id);
+    return before === undefined ? value : { ...before, name, state, latency };
+  }
+
   client.subscribe({ glob: ANNOUNCEMENTS }, { format: 'client' }).onRecord(({ value }) => {
     if (value.state === ClientState.UNAVAILABLE) {
       // Lost or removed: both are announced alike, the list tells. Until then nothing is shown of it.
       if (!known.has(value.id)) known.set(value.id, value);
       return void refresh();
     }
-    known.set(value.id, value);
+    known.set(value.id, completed(value));
     present.add(value.id);
     announced.add(value.id);
     draw();

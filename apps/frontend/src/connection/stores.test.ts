@@ -56,6 +56,30 @@ describe('clients store', () => {
     return { ...fake, store, names, isConnected };
   }
 
+  it('keeps what an announcement leaves out, and asks for it once when it changed [EX-74]', async () => {
+    const devices = [{ name: 'pen' }] as Client['devices'];
+    const { store, announce, call } = setup([{ ...person('a'), devices }]);
+    await settle();
+    const abridged = (name: string, registrationRevision: number) =>
+      announce({
+        ...person('a'),
+        name,
+        devices: [],
+        extension: { abridged: true, registrationRevision } as Client['extension'],
+      } as Client);
+    abridged('Ada', 3);
+    abridged('Eve', 3);
+    abridged('Eve', 4);
+    await settle();
+    expect(store.find('a')).toMatchObject({ name: 'Eve', devices: [{ name: 'pen' }] });
+    expect(call).toHaveBeenCalledTimes(1);
+    await vi.advanceTimersByTimeAsync(2_000);
+    expect(call).toHaveBeenCalledTimes(2);
+    abridged('Ada', 4);
+    await vi.advanceTimersByTimeAsync(5_000);
+    expect(call).toHaveBeenCalledTimes(2);
+  });
+
   it('starts with the list, then follows what is announced [CL-31]', async () => {
     const { store, names, announce, subscribe } = setup([person('a')]);
     expect(store.list.value).toBeUndefined();

@@ -28,8 +28,8 @@ const PROBLEMS: Record<JoinProblem, ProblemWords> = {
     text: 'This code was for a limited number of devices. Ask the host for another.',
   },
   guessing: {
-    title: 'Too many wrong codes.',
-    text: 'The master looks at no code until a minute is over. Scanning the QR code works at once.',
+    title: 'Too many wrong codes from this network.',
+    text: 'This page asks again every second; scanning the QR code works at once.',
   },
   role: {
     title: 'This device may not open that page.',
@@ -37,8 +37,26 @@ const PROBLEMS: Record<JoinProblem, ProblemWords> = {
   },
 };
 
-export function problemWords(problem: JoinProblem): ProblemWords {
-  return PROBLEMS[problem];
+/** The same for somebody at the master's own machine, whose terminal shows a code. [AC-42] */
+const PROBLEMS_HERE: Partial<Record<JoinProblem, ProblemWords>> = {
+  missing: {
+    title: 'Enter the code.',
+    text: 'The terminal that the master was started in shows it as the code for admins. It makes this browser an admin.',
+  },
+  wrong: {
+    title: 'That code is not known here.',
+    text: 'Look at the terminal again: a letter may be different, or the master was started anew and shows another code.',
+  },
+};
+
+/** @param isHere somebody wants to become admin, on the master's own machine */
+export function problemWords(problem: JoinProblem, isHere = false): ProblemWords {
+  return (isHere ? PROBLEMS_HERE[problem] : undefined) ?? PROBLEMS[problem];
+}
+
+/** What a button says that leads to where an admin's code is entered. */
+export function becomeAdminWords(isHere: boolean): string {
+  return isHere ? 'Enter the code shown in the terminal' : 'Enter a code for admins';
 }
 
 const ROLES: Record<ClientRole, string> = {

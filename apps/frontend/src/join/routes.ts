@@ -11,6 +11,14 @@ export function anotherCode(to: string): RouteLocationRaw {
   return { path: JOIN_PATH, query: { [ANOTHER]: '', to } };
 }
 
+/** In the query, for `ANOTHER`: what is wanted is to become admin. */
+export const TO_ADMIN = 'admin';
+
+/** Where one becomes admin with a code. @param to path of the page to come back to */
+export function adminCode(to: string): RouteLocationRaw {
+  return { path: JOIN_PATH, query: { [ANOTHER]: TO_ADMIN, to } };
+}
+
 export const joinRoutes: readonly RouteRecordRaw[] = [
   {
     path: JOIN_PATH,

@@ -8,6 +8,7 @@ import { rememberStart, startPath } from '../install/start-path.ts';
 import { checkToken } from './check-token.ts';
 import { ANOTHER } from './routes.ts';
 import { safeTarget } from './target.ts';
+import { isThisMachine } from './this-machine.ts';
 
 /**
  * `asking`: what the token is good for · `code`: somebody has to type one · `ready`: one tap away ·
@@ -27,8 +28,12 @@ export interface Invitation {
 
 /** A master that does not answer is asked again after this, milliseconds. */
 const ASK_AGAIN_MS = 3000;
+/** While others try wrong codes, a code is shown again after this, milliseconds. [AC-17] */
+const GUESSING_AGAIN_MS = 1000;
 /** A live channel that takes longer is a trouble to be told, milliseconds. */
 const PATIENCE_MS = 10_000;
+
+const GUESSING = 'Too many wrong codes come from this network; this page goes on asking.';
 
 /** The way of one device from a token or code to the page it came for. */
 export function useJoin(beforeLeaving: () => void) {
@@ -70,7 +75,8 @@ export function useJoin(beforeLeaving: () => void) {
     asked += 1;
     const serial = asked;
     const asClient = isConnected.value;
-    if (phase.value !== 'unreachable') phase.value = 'asking';
+    const isWaiting = phase.value === 'code' && problem.value === 'guessing';
+    if (phase.value !== 'unreachable' && !isWaiting) phase.value = 'asking';
     trouble.value = '';
     try {
       const answer = await (asClient ? client.call('joinCheck', { token }) : checkToken(token));
@@ -87,6 +93,8 @@ export function useJoin(beforeLeaving: () => void) {
         invitation.value = undefined;
         if (token === '') handleNobody();
         else phase.value = 'code';
+        if (problem.value === 'guessing')
+          again = setTimeout(() => void ask(token), GUESSING_AGAIN_MS);
       }
     } catch (cause) {
       if (serial !== asked) return;
@@ -119,7 +127,7 @@ export function useJoin(beforeLeaving: () => void) {
     if (as.trim() !== '') name.value = as.trim();
     wasIn = isConnected.value;
     phase.value = 'joining';
-    trouble.value = '';
+    if (trouble.value !== GUESSING) trouble.value = '';
     const isRegistered = client.role !== undefined && state.value.status === 'reconnecting';
     try {
       // A token for one device counts once; who is registered only waits for the channel
@@ -129,6 +137,14 @@ export function useJoin(beforeLeaving: () => void) {
       else if (isRegistered) await patience();
     } catch (cause) {
       if (cause instanceof ConnectionError && cause.reason === 'join') {
+        if (cause.joinProblem === 'guessing') {
+          trouble.value = GUESSING;
+          again = setTimeout(() => {
+            phase.value = 'ready';
+            void join(as);
+          }, GUESSING_AGAIN_MS);
+          return;
+        }
         problem.value = cause.joinProblem ?? 'wrong';
         invitation.value = undefined;
         phase.value = 'code';
@@ -152,6 +168,9 @@ export function useJoin(beforeLeaving: () => void) {
     });
   }
 
+  /** The operator at the master's own machine has a name and is in: there is nothing to be asked. [AC-42] */
+  const makesAdminHere = (): boolean => isThisMachine() && invitation.value?.role === 'admin';
+
   // A scanned address opens in the same tab as well
   watch(
     () => route.hash.slice(1),
@@ -174,6 +193,7 @@ export function useJoin(beforeLeaving: () => void) {
       if (invitation.value === undefined && isPlain) goOn();
       else if (invitation.value?.isJoined === true || (isJoining && !wasIn)) goOn();
       else if (invitation.value !== undefined && client.role === 'admin') goOn();
+      else if (phase.value === 'ready' && makesAdminHere()) void join(name.value);
       else if (mayBeIn && !isToClient) void ask(route.hash.slice(1));
     },
     { immediate: true },

@@ -1,3 +1,4 @@
+import { isThisMachine } from '../join/this-machine.ts';
 import { isInstalled } from '../install/install-offer.ts';
 
 /** Built from `service-worker.ts` by `service-worker-plugin.js`. */
@@ -8,7 +9,7 @@ const SERVICE_WORKER = '/service-worker.js';
  * The machine of the master has them not: its addresses belong to other programs, too.
  */
 export function keepInReach(): void {
-  const isHere = /^(localhost|127\..*|\[::1\])$/.test(location.hostname);
+  const isHere = isThisMachine();
   if (!import.meta.env.PROD || (isHere && !isInstalled())) return;
   // Missing over plain HTTP; refused where the certificate was accepted, but is not trusted
   navigator.serviceWorker?.register(SERVICE_WORKER).catch(() => undefined);

@@ -25,6 +25,11 @@ export const settingsRoutes: readonly RouteRecordRaw[] = [
     meta: { title: 'Log', parent },
   },
   {
+    path: '/settings/audit',
+    component: () => import('./audit/AuditPage.vue'),
+    meta: { title: 'Audit log', parent },
+  },
+  {
     path: '/settings/licences',
     component: () => import('./licences/LicencesPage.vue'),
     meta: { title: 'Licences', parent },

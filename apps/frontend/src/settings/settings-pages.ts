@@ -1,4 +1,4 @@
-import { FileText, Gauge, Info, Monitor, Server } from '@lucide/vue';
+import { ClipboardList, FileText, Gauge, Info, Monitor, Server } from '@lucide/vue';
 import type { Component } from 'vue';
 
 /** The pages of the settings, in the order of their navigation. */
@@ -23,6 +23,7 @@ export const SETTINGS_PAGES: readonly {
   },
   { title: 'Limits', to: '/settings/limits', icon: Gauge, words: 'what is allowed, and used' },
   { title: 'Log', to: '/settings/log', icon: FileText, words: 'what the master says' },
+  { title: 'Audit log', to: '/settings/audit', icon: ClipboardList, words: 'who did what' },
   {
     title: 'Licences',
     to: '/settings/licences',

@@ -1,6 +1,13 @@
 import { ConnectionError } from '@ubii/client-web';
 import { ServiceError } from '@ubii/proto';
-import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
+import {
+  computed,
+  shallowRef,
+  toValue,
+  type ComputedRef,
+  type MaybeRefOrGetter,
+  type ShallowRef,
+} from 'vue';
 import { usePoll } from '../connection/poll.ts';
 import { useConnection } from '../connection/useConnection.ts';
 
@@ -12,8 +19,16 @@ export interface ServiceAnswer<R> {
   readonly problem: ComputedRef<string | undefined>;
 }
 
-/** Asks a service again and again while the calling component lives and the page is seen. */
-export function useServiceReply<R>(ask: () => Promise<R>, intervalMs: number): ServiceAnswer<R> {
+/**
+ * Asks a service again and again while the calling component lives and the page is seen.
+ *
+ * @param enabled false while there is no use in asking
+ */
+export function useServiceReply<R>(
+  ask: () => Promise<R>,
+  intervalMs: number,
+  enabled: MaybeRefOrGetter<boolean> = true,
+): ServiceAnswer<R> {
   const { isConnected } = useConnection();
   const reply = shallowRef<R>();
   const error = shallowRef<ServiceError>();
@@ -30,7 +45,7 @@ export function useServiceReply<R>(ask: () => Promise<R>, intervalMs: number): S
       }
     },
     intervalMs,
-    isConnected,
+    () => isConnected.value && toValue(enabled),
   );
   return { reply, problem: computed(() => error.value && problemSentence(error.value)) };
 }

@@ -1,8 +1,10 @@
 import { ConnectionError } from '@ubii/client-web';
 import { identifyTopic, ServiceError, type ClientSubscription } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
+import { useRole } from '../../connection/useRole.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
+import { usePatterns, type Patterns } from '../../patterns/usePatterns.ts';
 import type { ClientView } from '../model/client-view.ts';
 
 /** What people do to clients. Each resolves with whether it was done; if not, `failure` says why. */
@@ -17,9 +19,13 @@ export interface ClientActions {
   disconnect(view: ClientView, reason: string): Promise<boolean>;
 }
 
+const ADMIN_HOW = 'The dialog This browser says how to become one.';
+
 export function useClientActions(): ClientActions {
   const { client, name, reports } = useConnection();
+  const { isNoAdmin } = useRole();
   const toasts = useToasts();
+  const patterns = usePatterns();
   const failure = shallowRef<string>();
 
   async function attempt(intent: () => Promise<string>): Promise<boolean> {
@@ -30,7 +36,10 @@ export function useClientActions(): ClientActions {
       return true;
     } catch (cause) {
       if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      failure.value = cause.message;
+      failure.value =
+        isNoAdmin.value && cause instanceof ServiceError
+          ? `${cause.message} ${ADMIN_HOW}`
+          : cause.message;
       return false;
     }
   }
@@ -45,7 +54,7 @@ export function useClientActions(): ClientActions {
         const [activity] = report.clients;
         if (activity?.connected !== true) return `${label} has no connection now.`;
         client.publish(topic, 'string', name.value, { immediate: true });
-        const listens = activity.subscriptions.some((one) => hears(one, topic));
+        const listens = await isHeard(topic, activity.subscriptions, patterns);
         return listens
           ? `${label} was asked to show itself.`
           : `${label} does not listen for this, so nothing may be seen.`;
@@ -71,13 +80,21 @@ export function useClientActions(): ClientActions {
   };
 }
 
-/** True when a subscription takes a topic. */
-function hears({ topic, pattern }: ClientSubscription, wanted: string): boolean {
-  if (pattern === '') return topic === wanted;
-  try {
-    return new RegExp(pattern).test(wanted);
-  } catch {
-    // Expressions are the master's kind; a browser may not read one.
-    return false;
-  }
+/** True when one of the subscriptions takes a topic. Their expressions are the client's: matched as the master does. */
+async function isHeard(
+  wanted: string,
+  subscriptions: readonly ClientSubscription[],
+  patterns: Patterns,
+): Promise<boolean> {
+  if (subscriptions.some(({ topic, pattern }) => pattern === '' && topic === wanted)) return true;
+  const expressions = subscriptions.filter(({ pattern }) => pattern !== '');
+  if (expressions.length === 0) return false;
+  const compiler = await patterns.load().catch(() => undefined);
+  return expressions.some(({ pattern }) => {
+    try {
+      return compiler?.compile(pattern).test(wanted) === true;
+    } catch {
+      return false; // refused here, or too slow: nothing is known of it
+    }
+  });
 }

@@ -1,3 +1,4 @@
+import { muxNeedsPatterns } from '@ubii/pm-sandbox';
 import { type ModuleEvent, type ModuleStatistics, type Session, type TopicMux } from '@ubii/proto';
 import { useDocumentVisibility, useRafFn } from '@vueuse/core';
 import {
@@ -14,6 +15,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import { useSessionEvents } from '../../sessions/live/useSessionEvents.ts';
 import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.ts';
 import { isAlive } from '../../sessions/state/session-state.ts';
+import { usePatterns } from '../../patterns/usePatterns.ts';
 import { RowValues } from '../../topics/rows/row-values.ts';
 import type { Graph } from '../model/graph.ts';
 import {
@@ -65,6 +67,7 @@ export function useLiveGraph(
   graph: Readonly<Ref<Graph>>,
 ): LiveGraph {
   const { client, topics } = useConnection();
+  const patterns = usePatterns();
   topics.watch(STATISTICS_MS);
   const statistics = useSessionStatistics(session.value.id);
   const events = useSessionEvents(session.value.id);
@@ -162,7 +165,8 @@ export function useLiveGraph(
     isMoving,
     isInView,
     topic: (topic) => shown.get(topic),
-    preview: (mux) => muxPreview(mux, known.value),
+    preview: (mux) =>
+      muxPreview(mux, known.value, muxNeedsPatterns(mux) ? patterns.compiler : undefined),
     module: (id) => modules.get(id),
     has: (id) => modules.has(id),
     runTimes: (id) => runTimes.get(id) ?? [],

@@ -39,6 +39,7 @@ function extensionOf({ extension }: Session): NonNullable<Session['extension']> 
       editorJson: '',
       revision: 0,
       stored: false,
+      grantIds: [],
     }
   );
 }

@@ -43,8 +43,15 @@ describe('sessionTotals', () => {
   it('sums counters; of run times the slowest module counts [SE-50]', () => {
     const { modules } = fromJson('ubii.extension.SessionStatistics', {
       modules: [
-        { runsPerSecond: 60, runP50Ms: 0.2, runP95Ms: 0.5, errors: 1, overruns: 2 },
-        { runsPerSecond: 30, runP50Ms: 3, runP95Ms: 0.4, errors: 2 },
+        {
+          runsPerSecond: 60,
+          runP50Ms: 0.2,
+          runP95Ms: 0.5,
+          errors: 1,
+          overruns: 2,
+          memoryBytes: 3e6,
+        },
+        { runsPerSecond: 30, runP50Ms: 3, runP95Ms: 0.4, errors: 2, memoryBytes: 4e6 },
         { runsPerSecond: 0, runP50Ms: 99, runP95Ms: 99 },
       ],
     });
@@ -54,6 +61,7 @@ describe('sessionTotals', () => {
       p95Ms: 0.5,
       errors: 3,
       overruns: 2,
+      memoryBytes: 7e6,
     });
     expect(sessionTotals({ modules: [] }).p50Ms).toBeUndefined();
   });

@@ -10,6 +10,8 @@ export interface SessionTotals {
   readonly errors: number;
   readonly restarts: number;
   readonly refused: number;
+  /** Bytes, as far as nodes know. */
+  readonly memoryBytes: number;
 }
 
 /** Sums what can be summed; of run times the slowest counts, for it is what people feel. */
@@ -27,5 +29,6 @@ export function sessionTotals({ modules }: Pick<SessionStatistics, 'modules'>): 
     errors: sum((one) => one.errors),
     restarts: sum((one) => one.restarts),
     refused: sum((one) => one.outputsRefused),
+    memoryBytes: sum((one) => one.memoryBytes),
   };
 }

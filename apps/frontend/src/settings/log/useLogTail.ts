@@ -1,6 +1,7 @@
 import { LogLevel } from '@ubii/proto';
 import { computed, ref, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
+import { useRole } from '../../connection/useRole.ts';
 import { useServiceReply } from '../use-service-reply.ts';
 import { addTail, EMPTY_LOG, type KeptLog } from './log-lines.ts';
 
@@ -20,6 +21,7 @@ export interface LiveLog {
 /** Follows the log while the calling component lives and the page is seen. */
 export function useLogTail(): LiveLog {
   const { client } = useConnection();
+  const { isNoAdmin } = useRole();
   const kept = shallowRef<KeptLog>(EMPTY_LOG);
   const isPaused = ref(false);
   const { reply, problem } = useServiceReply(
@@ -28,6 +30,7 @@ export function useLogTail(): LiveLog {
         ? undefined
         : client.call('logTail', { cursor: kept.value.cursor, level: LogLevel.LOG_DEBUG }),
     INTERVAL_MS,
+    () => !isNoAdmin.value,
   );
   watch(reply, (tail) => {
     if (tail && !isPaused.value) kept.value = addTail(kept.value, tail);

@@ -45,7 +45,8 @@ export function useLayout(): LayoutStore {
   const router = useRouter();
   const kept = useLocalStorage<string>('ubii.panels', '');
   // The address lags behind: what this tab had made of it is newer than what it says after a reload.
-  const ofTab = useSessionStorage('ubii.panelsOfTab', { address: '', layout: '' });
+  // While one address takes the place of another, a reload finds either.
+  const ofTab = useSessionStorage('ubii.panelsOfTab', { address: '', before: '', layout: '' });
   const named = useLocalStorage<Record<string, string>>('ubii.panelLayouts', {});
   const problem = shallowRef<string>();
 
@@ -69,9 +70,10 @@ export function useLayout(): LayoutStore {
     }
   }
 
-  const isOwnAddress = route.hash !== '' && route.hash === ofTab.value.address;
+  const isOwn = (address: string): boolean =>
+    address === ofTab.value.address || address === ofTab.value.before;
   const ofLink =
-    (isOwnAddress ? readKept(ofTab.value.layout) : undefined) ??
+    (route.hash !== '' && isOwn(route.hash) ? readKept(ofTab.value.layout) : undefined) ??
     attempt(() => layoutOfHash(route.hash));
   const before = readKept(kept.value) ?? EMPTY_LAYOUT;
   let first: LayoutSteps = firstStep(before);
@@ -89,7 +91,7 @@ export function useLayout(): LayoutStore {
   }
 
   // Kept at once, for the page may be left; the address follows.
-  ofTab.value.address = route.hash;
+  ofTab.value.address = ofTab.value.before = route.hash;
   watch(
     layout,
     (next) => {
@@ -102,8 +104,11 @@ export function useLayout(): LayoutStore {
     hash,
     (next = '') => {
       if (next === route.hash) return;
+      ofTab.value.before = route.hash;
       ofTab.value.address = next;
-      void router.replace({ path: '/panels', hash: next });
+      void router.replace({ path: '/panels', hash: next }).then(() => {
+        if (route.hash === next) ofTab.value.before = next;
+      });
     },
     { debounce: LINK_MS, immediate: true },
   );
@@ -113,7 +118,7 @@ export function useLayout(): LayoutStore {
     () => route.hash,
     (next) => {
       if (next === '' || next === ofTab.value.address || route.path !== '/panels') return;
-      ofTab.value.address = next;
+      ofTab.value.address = ofTab.value.before = next;
       const linked = attempt(() => layoutOfHash(next));
       if (linked && layoutHash(linked) !== hash.value) set(linked);
     },

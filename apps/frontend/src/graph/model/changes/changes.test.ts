@@ -81,7 +81,13 @@ describe('changes of a running session [SE-15]', () => {
 
   it('do not name what the master says', () => {
     const [first, ...rest] = session.processingModules;
-    const extension = { version: '', libraries: [], replaceable: true, origin: 0 as const };
+    const extension = {
+      version: '',
+      libraries: [],
+      replaceable: true,
+      origin: 0 as const,
+      grantIds: [],
+    };
     const placed = { ...first!, nodeId: 'master', status: 2 as const, sessionId: 'x', extension };
     expect(changesBetween({ ...session, processingModules: [placed, ...rest] }, session)).toEqual(
       [],

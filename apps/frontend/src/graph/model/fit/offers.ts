@@ -63,6 +63,7 @@ function topicAt(graph: Graph, { node, ref }: WireEnd): string | undefined {
   return freeTopic(graph, ref);
 }
 
+// eslint-disable-next-line no-restricted-syntax -- our own pattern, linear
 const UUID = new RegExp(UUID_PATTERN, 'i');
 
 /** The same topic of all clients or devices; undefined when nothing in it says which one it is of. */

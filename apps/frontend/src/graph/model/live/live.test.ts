@@ -1,3 +1,5 @@
+import { MeteredPatterns } from '@ubii/patterns';
+import { Re2Patterns } from '@ubii/patterns/re2';
 import { fromJson, type TopicMux } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { graphOf } from '../graph-of.ts';
@@ -5,6 +7,7 @@ import { aModule, aSessionOf } from '../testing/small-graph.ts';
 import { demuxPreview, muxPreview } from './mux-preview.ts';
 import { problemsInGraph } from './problems-in-graph.ts';
 
+const patterns = new Re2Patterns();
 const mux = (init: object): TopicMux => fromJson('ubii.devices.TopicMux', init);
 const UUID = '0f8fad5b-d9cb-469f-a165-70867728950e';
 const topics = [
@@ -15,7 +18,9 @@ const topics = [
 
 describe('the preview of a muxer', () => {
   it('tells what is selected, apart, and left out [PM-41] [PM-42] [PM-43]', () => {
-    expect(muxPreview(mux({ topicGlob: '/*/phone/touch', dataType: 'vector2' }), topics)).toEqual({
+    expect(
+      muxPreview(mux({ topicGlob: '/*/phone/touch', dataType: 'vector2' }), topics, undefined),
+    ).toEqual({
       kind: 'matches',
       matches: [
         { topic: `/${UUID}/phone/touch`, identity: 'ann', fits: true },
@@ -23,25 +28,49 @@ describe('the preview of a muxer', () => {
       ],
     });
     const own = { topicSelector: 'phone', identityMatchPattern: '^/(.)/', identityGroup: 1 };
-    expect(muxPreview(mux(own), topics)).toMatchObject({
+    expect(muxPreview(mux(own), topics, patterns)).toMatchObject({
       matches: [{ identity: undefined }, { identity: 'b' }, { identity: 'b' }],
     });
   });
 
   it('asks for the topics of components', () => {
     const profile = mux({ component: { tags: ['touch'] }, topicGlob: '/**' });
-    const found = muxPreview(profile, topics, ({ tags }) =>
+    const found = muxPreview(profile, topics, undefined, ({ tags }) =>
       tags.includes('touch') ? new Set(['/b/phone/touch']) : new Set(),
     );
     expect(found).toMatchObject({ matches: [{ topic: '/b/phone/touch' }] });
   });
 
   it('says what is wrong with a pattern', () => {
-    expect(muxPreview(mux({}), topics)).toMatchObject({ kind: 'fault' });
-    expect(muxPreview(mux({ topicSelector: '(' }), topics)).toMatchObject({
+    expect(muxPreview(mux({}), topics, patterns)).toMatchObject({ kind: 'fault' });
+    expect(muxPreview(mux({ topicSelector: '(' }), topics, patterns)).toMatchObject({
       kind: 'fault',
       reason: expect.stringContaining('The pattern cannot be used') as string,
     });
+  });
+});
+
+describe('the preview of a muxer with an expression that others wrote [TD-65]', () => {
+  const slow = mux({ topicSelector: '(a+)+$', identityMatchPattern: '^(b|bb)+$' });
+  const long = [`/${'a'.repeat(1000)}!`, '/aaa'].map((topic) => ({ topic, format: 'double' }));
+
+  it('ends, though it stalls other engines', () => {
+    expect(muxPreview(slow, long, patterns)).toMatchObject({ matches: [{ topic: '/aaa' }] });
+  });
+
+  it('says so when it takes too long', () => {
+    const spent = new MeteredPatterns(patterns, {
+      budget: { spend: () => false },
+      monotonicMs: () => 0,
+    });
+    expect(muxPreview(slow, long, spent)).toMatchObject({
+      kind: 'fault',
+      reason: expect.stringContaining('takes too long') as string,
+    });
+  });
+
+  it('waits for the code that matches', () => {
+    expect(muxPreview(slow, long, undefined)).toMatchObject({ kind: 'fault' });
   });
 });
 

@@ -1,20 +1,15 @@
+import { compileGlob, type PatternCompiler } from '@ubii/patterns';
 import {
   demuxTopic,
   formatsFit,
   hasPlaceholder,
   identityOf,
   identityRule,
+  muxNeedsPatterns,
   muxSelector,
   parseDemuxFormat,
-  REGEXP_PATTERNS,
 } from '@ubii/pm-sandbox';
-import {
-  globToRegExpSource,
-  parseDataFormat,
-  type Component,
-  type TopicDemux,
-  type TopicMux,
-} from '@ubii/proto';
+import { parseDataFormat, type Component, type TopicDemux, type TopicMux } from '@ubii/proto';
 
 /** A topic that is there, with what is known of it. */
 export interface LiveTopic {
@@ -43,20 +38,26 @@ export type MuxPreview =
 
 /**
  * What a muxer would gather of the topics that are there, by the rules of the nodes [PM-41] [PM-43].
+ * @param patterns matches regular expressions; undefined: that is being loaded
  * @param topicsOf topics of the components that match a profile; without it profiles match nothing
  */
 export function muxPreview(
   mux: TopicMux,
   topics: readonly LiveTopic[],
+  patterns: PatternCompiler | undefined,
   topicsOf: (profile: Component) => ReadonlySet<string> = () => new Set(),
 ): MuxPreview {
   const selector = muxSelector(mux);
   if (selector === undefined) {
     return { kind: 'fault', reason: 'It selects nothing yet: give it a pattern of topics.' };
   }
+  if (patterns === undefined && muxNeedsPatterns(mux)) {
+    return { kind: 'fault', reason: 'What it selects is shown in a moment.' };
+  }
+  const compiler = patterns ?? NO_PATTERNS;
   try {
-    const selects = selectionOf(selector, topicsOf);
-    const rule = identityRule(mux, REGEXP_PATTERNS);
+    const selects = selectionOf(selector, compiler, topicsOf);
+    const rule = identityRule(mux, compiler);
     const format = parseDataFormat(mux.dataType);
     const matches = topics.filter(({ topic }) => selects(topic));
     return {
@@ -81,8 +82,16 @@ export function muxPreview(
 
 const NO_BYTES = new Uint8Array(0);
 
+/** For muxers that need none. */
+const NO_PATTERNS: PatternCompiler = {
+  compile(source) {
+    throw new Error(`"${source}" was not expected`);
+  },
+};
+
 function selectionOf(
   selector: NonNullable<ReturnType<typeof muxSelector>>,
+  patterns: PatternCompiler,
   topicsOf: (profile: Component) => ReadonlySet<string>,
 ): (topic: string) => boolean {
   if (selector.kind === 'component') {
@@ -90,9 +99,8 @@ function selectionOf(
     return (topic) => topics.has(topic);
   }
   if (selector.kind === 'topic') return (topic) => topic === selector.topic;
-  const source = selector.kind === 'glob' ? globToRegExpSource(selector.glob) : selector.source;
-  const pattern = new RegExp(source);
-  return (topic) => pattern.test(topic);
+  if (selector.kind === 'glob') return compileGlob(selector.glob);
+  return patterns.compile(selector.source).test;
 }
 
 /** Topics a demuxer would publish on for elements with these identities, or why it would not. [PM-45] */

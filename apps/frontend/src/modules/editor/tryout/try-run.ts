@@ -1,6 +1,6 @@
+import type { PatternCompiler } from '@ubii/patterns';
 import {
   createModuleRuntime,
-  REGEXP_PATTERNS,
   type Clock,
   type ModuleFault,
   type ModuleRuntime,
@@ -42,7 +42,7 @@ function isFault(thrown: unknown): thrown is ModuleFault {
  * runtime as on every node; only what goes in and comes out stays here.
  */
 export class TryRun {
-  readonly topics = new TryTopics();
+  readonly topics: TryTopics;
   readonly #events: TryRunEvents;
   readonly #runtime: ModuleRuntime;
   #status: TryStatus = 'off';
@@ -50,13 +50,19 @@ export class TryRun {
   /** The end of this instance was told. */
   #wasTold = false;
 
-  constructor(sandboxes: SandboxFactory, clock: Clock, events: TryRunEvents) {
+  constructor(
+    sandboxes: SandboxFactory,
+    patterns: PatternCompiler,
+    clock: Clock,
+    events: TryRunEvents,
+  ) {
+    this.topics = new TryTopics(patterns);
     this.#events = events;
     this.#runtime = createModuleRuntime({
       nodeId: 'this-page',
       clock,
       topics: this.topics,
-      patterns: REGEXP_PATTERNS,
+      patterns,
       sandboxes: tapSandboxes(sandboxes, (result) => events.onResult(result)),
       libraries: [],
       // What is killed stays so: a person looks at it

@@ -1,4 +1,4 @@
-import { globToRegExpSource } from '@ubii/proto';
+import { compileGlob, type PatternCompiler } from '@ubii/patterns';
 import { recordValueField } from '@ubii/proto/wire';
 import type {
   Cancel,
@@ -13,18 +13,14 @@ interface Subscription {
   readonly listener: TopicListener;
 }
 
-function matcher(selector: TopicSelector): (topic: string) => boolean {
+function matcher(selector: TopicSelector, patterns: PatternCompiler): (topic: string) => boolean {
   switch (selector.kind) {
     case 'topic':
       return (topic) => topic === selector.topic;
-    case 'glob': {
-      const pattern = new RegExp(globToRegExpSource(selector.glob));
-      return (topic) => pattern.test(topic);
-    }
-    case 'regex': {
-      const pattern = new RegExp(selector.source);
-      return (topic) => pattern.test(topic);
-    }
+    case 'glob':
+      return compileGlob(selector.glob);
+    case 'regex':
+      return patterns.compile(selector.source).test;
     case 'component':
       return () => false;
   }
@@ -34,9 +30,14 @@ function matcher(selector: TopicSelector): (topic: string) => boolean {
 export class TryTopics implements TopicPort {
   readonly #records = new Map<string, EncodedRecord>();
   readonly #subscriptions = new Set<Subscription>();
+  readonly #patterns: PatternCompiler;
+
+  constructor(patterns: PatternCompiler) {
+    this.#patterns = patterns;
+  }
 
   subscribe(selector: TopicSelector, listener: TopicListener): Cancel {
-    const subscription = { selects: matcher(selector), listener };
+    const subscription = { selects: matcher(selector, this.#patterns), listener };
     this.#subscriptions.add(subscription);
     for (const [topic, record] of this.#records) {
       if (subscription.selects(topic)) listener.onRecord(record);

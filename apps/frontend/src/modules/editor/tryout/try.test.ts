@@ -1,3 +1,4 @@
+import { Re2Patterns } from '@ubii/patterns/re2';
 import { createInlineSandboxes, FakeClock, settle } from '@ubii/pm-sandbox/testing';
 import type { ModuleFault, SandboxResult } from '@ubii/pm-sandbox';
 import { decodeRecord, ModuleEventKind, type ModuleEvent } from '@ubii/proto';
@@ -17,7 +18,7 @@ function setup() {
   const faults: ModuleFault[] = [];
   const statuses: TryStatus[] = [];
   const clock = new FakeClock();
-  const run = new TryRun(createInlineSandboxes(), clock, {
+  const run = new TryRun(createInlineSandboxes(), new Re2Patterns(), clock, {
     onResult: (result) => results.push(result),
     onEvent: (event) => events.push(event),
     onFault: (fault) => faults.push(fault),

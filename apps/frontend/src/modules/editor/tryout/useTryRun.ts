@@ -1,3 +1,4 @@
+import { lazyPatterns } from '@ubii/patterns';
 import type { ModuleFault, SandboxFactory, SandboxResult } from '@ubii/pm-sandbox';
 import {
   decodeRecord,
@@ -77,6 +78,7 @@ export function useTryRun(
   const inputs = shallowReactive(new Map<string, { key: string; input: TryInput }>());
   const opened = shallowRef('');
 
+  const patterns = lazyPatterns();
   let current: Promise<TryRun> | undefined;
   let count = 0;
   let durations: number[] = [];
@@ -103,9 +105,9 @@ export function useTryRun(
   }
 
   function open(): Promise<TryRun> {
-    return (current ??= openSandboxes().then(
-      (sandboxes) =>
-        new TryRun(sandboxes, browserClock, {
+    return (current ??= Promise.all([openSandboxes(), patterns.load()]).then(
+      ([sandboxes, compiler]) =>
+        new TryRun(sandboxes, compiler, browserClock, {
           onResult: handleResult,
           onEvent(event) {
             // The one that gave up says what the kill said

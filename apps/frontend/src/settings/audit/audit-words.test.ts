@@ -1,0 +1,37 @@
+import { AccessRole, AuditEntryWay, type AuditEntry } from '@ubii/proto';
+import { expect, it } from 'vitest';
+import { deedOf, standingOf, whoOf } from './audit-words.ts';
+
+const entry = (changes: Partial<AuditEntry> = {}): AuditEntry =>
+  ({
+    number: 1,
+    timeMs: 0,
+    service: '/services/session/runtime/start',
+    object: 'Lights',
+    error: '',
+    clientId: 'c-1',
+    clientName: 'Ben',
+    role: AccessRole.ACCESS_ROLE_PARTICIPANT,
+    way: AuditEntryWay.GRANT,
+    grantId: '12345678-9',
+    grantLabel: 'Class 7b',
+    addressKind: 0,
+    leftOut: 0,
+    ...changes,
+  }) as AuditEntry;
+
+it('an entry is told in words [EX-91]', () => {
+  expect(deedOf(entry())).toBe('started the session Lights');
+  expect(deedOf(entry({ service: '/services/new/thing', object: '' }))).toBe('called new/thing');
+  expect(deedOf(entry({ error: 'not_found' }))).toBe('tried to start the session Lights');
+  expect(standingOf(entry())).toBe('participant, invitation Class 7b');
+  expect(standingOf(entry({ grantLabel: '' }))).toBe('participant, invitation 12345678');
+  expect(standingOf(entry({ grantId: '', role: AccessRole.ACCESS_ROLE_ADMIN }))).toBe('admin');
+});
+
+it('who did it has a name, an id, or a way in [EX-91]', () => {
+  expect(whoOf(entry())).toBe('Ben');
+  expect(whoOf(entry({ clientName: '' }))).toBe('c-1');
+  const nobody = { clientName: '', clientId: '', way: AuditEntryWay.LOCAL };
+  expect(whoOf(entry(nobody))).toContain('master’s machine');
+});

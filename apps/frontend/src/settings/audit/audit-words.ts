@@ -1,0 +1,67 @@
+import { AccessRole, AuditEntryWay, type AuditEntry } from '@ubii/proto';
+
+/** What was done, by the end of the topic of the service: as it was done, and as it was tried. */
+const DEEDS: Readonly<Record<string, readonly [done: string, tried: string]>> = {
+  'session/runtime/add': ['made the session', 'make the session'],
+  'session/runtime/start': ['started the session', 'start the session'],
+  'session/runtime/stop': ['stopped the session', 'stop the session'],
+  'session/runtime/update': ['changed the session', 'change the session'],
+  'session/runtime/remove': ['removed the session', 'remove the session'],
+  'session/database/save': ['stored the session', 'store the session'],
+  'session/database/delete': ['deleted the stored session', 'delete the stored session'],
+  'ubii/session_pause': ['paused the session', 'pause the session'],
+  'ubii/session_resume': ['resumed the session', 'resume the session'],
+  'processing_module/database/save': ['stored the module', 'store the module'],
+  'processing_module/database/delete': ['deleted the module', 'delete the module'],
+  'ubii/client_rename': ['renamed', 'rename'],
+  'ubii/client_disconnect': ['disconnected', 'disconnect'],
+  'ubii/client_throttle': ['throttled', 'throttle'],
+  'ubii/access_grant_create': ['made the invitation', 'make the invitation'],
+  'ubii/access_grant_revoke': ['revoked the invitation', 'revoke the invitation'],
+};
+
+const ROLES: Readonly<Record<number, string>> = {
+  [AccessRole.ACCESS_ROLE_ADMIN]: 'admin',
+  [AccessRole.ACCESS_ROLE_PARTICIPANT]: 'participant',
+  [AccessRole.ACCESS_ROLE_PLAYER]: 'player',
+  [AccessRole.ACCESS_ROLE_VIEWER]: 'viewer',
+};
+
+/** What can be asked for, by a part of the names of services. */
+export const AREAS = [
+  { value: 'all', text: 'everything' },
+  { value: 'session', text: 'sessions' },
+  { value: 'processing_module', text: 'modules' },
+  { value: 'ubii/client', text: 'clients' },
+  { value: 'access_grant', text: 'invitations' },
+] as const;
+
+export type Area = (typeof AREAS)[number]['value'];
+
+/** Who did it: a name, or how it came in. */
+export function whoOf({ clientName, clientId, way }: AuditEntry): string {
+  if (clientName !== '') return clientName;
+  if (clientId !== '') return clientId;
+  if (way === AuditEntryWay.LOCAL) return 'A program of the master’s machine';
+  return way === AuditEntryWay.NETWORK ? 'A program of a network that is let in' : 'A client';
+}
+
+/** `started the session Lights`, or `tried to start` it; of services without words, their name. */
+export function deedOf({ service, object, error }: AuditEntry): string {
+  const name = service.replace('/services/', '');
+  const [done, tried] = DEEDS[name] ?? [`called ${name}`, `call ${name}`];
+  return [error === '' ? done : `tried to ${tried}`, object].filter(Boolean).join(' ');
+}
+
+/** `participant, invitation Class 7b`. */
+export function standingOf({ role, grantId, grantLabel }: AuditEntry): string {
+  const invitation = grantId === '' ? undefined : `invitation ${grantLabel || grantId.slice(0, 8)}`;
+  return [ROLES[role], invitation].filter(Boolean).join(', ');
+}
+
+/** Day and time here: `22 Nov 22:41:07`. */
+export function momentOf({ timeMs }: AuditEntry): string {
+  const time = new Date(timeMs);
+  const day = time.toLocaleDateString('en-GB', { day: 'numeric', month: 'short' });
+  return `${day} ${time.toLocaleTimeString('en-GB')}`;
+}

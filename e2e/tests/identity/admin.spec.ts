@@ -1,0 +1,132 @@
+import AxeBuilder from '@axe-core/playwright';
+import { testWith } from '../../fixtures/test-with.ts';
+import { expect, type Person } from '../../fixtures/test.ts';
+import type { MasterProcess } from '../../fixtures/master-process.ts';
+import { JoinPage } from '../../pages/join-page.ts';
+import { Shell } from '../../pages/shell.ts';
+
+/** A master as somebody gets it who says nothing: what is printed makes an admin. */
+const test = testWith('--trust-loopback', 'off');
+
+/** Refusals of services are answers with a status of their own, which browsers log. */
+const REFUSED = /status of (401|403|429)/;
+
+/** The address for this machine, as somebody reads it on the screen. */
+function printedAddress(master: MasterProcess): string {
+  const [address] = master.log.flatMap(
+    (line) => /On this machine\s+(http:\S+)/.exec(line)?.[1] ?? [],
+  );
+  if (address === undefined) throw new Error('No address was printed.');
+  return address;
+}
+
+/** The role, as the page says it. */
+async function expectRole({ page }: Pick<Person, 'page'>, role: string): Promise<void> {
+  await page.getByRole('button', { name: /^This browser/ }).click();
+  const dialog = page.getByRole('dialog', { name: 'This browser' });
+  await expect(dialog).toContainText(`Here as ${role}`);
+  await page.keyboard.press('Escape');
+  await expect(dialog).toBeHidden();
+}
+
+test('the printed address leads home as admin, over a reload, a new tab and a restart [AC-42]', async ({
+  master,
+  room,
+}) => {
+  const desk = await room.atDesk('Ada');
+  desk.watch.expect(/WebSocket|ERR_CONNECTION_REFUSED/);
+  await desk.page.goto(printedAddress(master));
+  await expect(desk.page).toHaveURL(`${master.url}/`);
+  await new Shell(desk.page).expectConnected();
+  await expectRole(desk, 'admin');
+  // The way back does not lead through the token
+  expect(await desk.page.evaluate(() => history.state?.back ?? '')).not.toContain(
+    master.addresses.adminToken,
+  );
+
+  await desk.page.reload();
+  await expectRole(desk, 'admin');
+  const second = await desk.context.newPage();
+  await second.goto('/settings/log');
+  await expect(second.getByText(/^\d+ lines?\./)).toBeVisible();
+  await second.close();
+
+  await master.stop();
+  await master.startAgain();
+  await desk.page.reload();
+  await new Shell(desk.page).expectConnected();
+  await expectRole(desk, 'admin');
+});
+
+test('the bare address is for participants, who enter the code where an admin is needed', async ({
+  master,
+  room,
+}) => {
+  const desk = await room.atDesk('Ben');
+  desk.watch.expect(REFUSED);
+  const { page } = desk;
+  const join = new JoinPage(desk);
+  const button = page.getByRole('main').getByRole('link', {
+    name: 'Enter the code shown in the terminal',
+  });
+  await page.goto('/');
+  await new Shell(page).expectConnected();
+  await expectRole(desk, 'participant');
+
+  await page.goto('/settings/master');
+  await expect(page.getByText('is shown to admins')).toBeVisible();
+  await page.goto('/connect');
+  await expect(page.getByText('Only this machine can reach the master')).toBeVisible();
+  await page.goto('/settings/audit');
+  await expect(page.getByText('only admins read it')).toBeVisible();
+  await expect(page.getByRole('alert')).toHaveCount(0);
+  await page.goto('/settings/log');
+  await expect(page.getByText('only admins read it')).toBeVisible();
+  await expect(page.getByRole('alert')).toHaveCount(0);
+  await button.click();
+  await expect(join.heading).toHaveText('Enter the code.');
+
+  await join.type('0000-0000');
+  await expect(join.heading).toHaveText('That code is not known here.');
+  await join.type(master.addresses.adminCode.toLowerCase());
+  await expect(page).toHaveURL(/\/settings\/log$/);
+  await expect(page.getByText(/^\d+ lines?\./)).toBeVisible();
+  await expect(button).toHaveCount(0);
+  await expectRole(desk, 'admin');
+});
+
+test('who does not want to become admin goes on as before', async ({ room }) => {
+  const desk = await room.atDesk('Cleo');
+  await desk.page.goto('/settings/log');
+  await desk.page.getByRole('link', { name: 'Enter the code shown in the terminal' }).click();
+  await desk.page.getByRole('button', { name: 'Go on as before' }).click();
+  await expect(desk.page).toHaveURL(/\/settings\/log$/);
+  await expectRole(desk, 'participant');
+});
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  for (const [size, viewport] of [
+    ['desk', { width: 1440, height: 900 }],
+    ['phone', { width: 390, height: 844 }],
+  ] as const) {
+    test(`becoming admin is accessible, ${colorScheme}, ${size}`, async ({ room }, testInfo) => {
+      const desk = await room.atDesk('Dora', { colorScheme, viewport });
+      for (const path of [
+        '/settings/log',
+        '/settings/master#flags',
+        '/connect',
+        '/join?another=admin',
+      ]) {
+        await desk.page.goto(path);
+        await expect(desk.page.getByText(/code|terminal/i).first()).toBeVisible();
+        await testInfo.attach(`${path} ${colorScheme} ${size}`, {
+          body: await desk.page.screenshot(),
+          contentType: 'image/png',
+        });
+        expect(await new Shell(desk.page).overflowPx()).toBeLessThanOrEqual(0);
+        const { violations } = await new AxeBuilder({ page: desk.page }).analyze();
+        expect(violations).toEqual([]);
+      }
+    });
+  }
+}
