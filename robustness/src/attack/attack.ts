@@ -1,0 +1,42 @@
+import type { World } from './world/world.ts';
+
+/** `holds`: the aim is met. `breaks`: it is not. `figure`: it has none, others are compared with it. */
+export type Verdict = 'holds' | 'breaks' | 'figure';
+
+/** One figure of an attack, with what it should be. */
+export interface Finding {
+  /** What was measured. */
+  readonly what: string;
+  /** With its unit. */
+  readonly figure: string;
+  /** What it should be, as far as this decides. */
+  readonly aim: string;
+  readonly verdict: Verdict;
+}
+
+/** Something that a caller does to a built master, and what becomes of the others. */
+export interface Attack {
+  /** For `--only`. */
+  readonly name: string;
+  readonly about: string;
+  /** @throws Error when it could not be tried */
+  run(world: World): Promise<readonly Finding[]>;
+}
+
+/** A finding that holds when the condition does. */
+export function finding(what: string, figure: string, aim: string, holds: boolean): Finding {
+  return { what, figure, aim, verdict: holds ? 'holds' : 'breaks' };
+}
+
+/** A finding for others to be compared with. */
+export function comparison(what: string, figure: string): Finding {
+  return { what, figure, aim: 'none', verdict: 'figure' };
+}
+
+export function seconds(ms: number): string {
+  return `${(ms / 1000).toFixed(1)} s`;
+}
+
+export function millis(ms: number): string {
+  return `${Math.round(ms)} ms`;
+}

@@ -1,0 +1,48 @@
+import { AccessRole } from '@ubii/proto';
+
+import { mib } from '../../master/process-figures.ts';
+import { comparison, finding, type Attack } from '../attack.ts';
+
+const NAME = 'n'.repeat(3_800_000);
+const RUN_MS = 3_000;
+const AT_ONCE = 4;
+const MOST_BYTES = 2 * 1024 * 1024;
+
+export const longNames: Attack = {
+  name: 'long-names',
+  about: 'a player registers with names of 3.8 MB for 3 s',
+  async run(world) {
+    const master = await world.startMaster();
+    const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
+    const endMs = performance.now() + RUN_MS;
+    let taken = 0;
+    const keepOn = async (index: number): Promise<void> => {
+      const player = world.outsider(master, index);
+      while (performance.now() < endMs) {
+        await player.join(token, { name: NAME }).then(
+          () => taken++,
+          () => {},
+        );
+      }
+    };
+    await Promise.all(Array.from({ length: AT_ONCE }, (_, index) => keepOn(index)));
+    const reply = await world
+      .insider(master)
+      .ask(
+        'POST',
+        '/services/json',
+        { 'content-type': 'application/json' },
+        '{"topic":"/services/ubii/master_status","masterStatusRequest":{"sinceMs":0}}',
+      );
+    const bytes = master.logBytes + reply.body.length;
+    return [
+      finding(
+        'bytes of log and status',
+        mib(bytes),
+        `at most ${mib(MOST_BYTES)}`,
+        bytes <= MOST_BYTES,
+      ),
+      comparison('registrations that were answered', String(taken)),
+    ];
+  },
+};

@@ -1,0 +1,50 @@
+import { AccessRole } from '@ubii/proto';
+
+import { mib } from '../../master/process-figures.ts';
+import { pause } from '../../pause.ts';
+import { comparison, finding, type Attack } from '../attack.ts';
+
+const MODULES = 60;
+/** The budget of one session is 1 GiB; the rest is the master itself. */
+const MOST_BYTES = 1_280 * 1024 * 1024;
+
+export const moduleMemory: Attack = {
+  name: 'module-memory',
+  about: `a session of a participant with ${MODULES} modules that each take what they get`,
+  async run(world) {
+    const master = await world.startMaster();
+    const { token } = await world.invite(master, AccessRole.ACCESS_ROLE_PARTICIPANT);
+    const participant = world.outsider(master);
+    const member = await participant.join(token);
+    const modules = Array.from({ length: MODULES }, (_, index) => ({
+      name: `hoarder ${index}`,
+      processingMode: { frequency: { hertz: 10 } },
+      onCreatedStringified: '(state) => { state.kept = []; }',
+      onProcessingStringified: `(deltaTime, inputs, state) => {
+        if (state.kept.length < 40) state.kept.push(new Uint8Array(1024 * 1024).fill(1));
+        return {};
+      }`,
+    }));
+    const { session, error } = await participant.call(
+      {
+        topic: '/services/session/runtime/start',
+        session: { name: 'hoarders', processingModules: modules },
+      },
+      member.bearer,
+    );
+    await pause(20_000);
+    const { peakBytes = 0 } = master.figures();
+    return [
+      finding(
+        'most resident',
+        mib(peakBytes),
+        `at most ${mib(MOST_BYTES)}`,
+        peakBytes <= MOST_BYTES,
+      ),
+      comparison(
+        'the session',
+        session === undefined ? `refused: ${error?.message ?? ''}` : 'started',
+      ),
+    ];
+  },
+};

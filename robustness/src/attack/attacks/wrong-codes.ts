@@ -1,0 +1,72 @@
+import { AccessRole } from '@ubii/proto';
+
+import type { MasterProcess } from '../../master/master-process.ts';
+import { pause } from '../../pause.ts';
+import { finding, seconds, type Attack, type Finding } from '../attack.ts';
+import type { Outsider } from '../../master/outsider.ts';
+import type { World } from '../world/world.ts';
+
+const PATIENCE_MS = 75_000;
+const MOST_WAIT_MS = 10_000;
+
+export const wrongCodes: Attack = {
+  name: 'wrong-codes',
+  about:
+    'wrong codes from one IPv6 address, and from 20 IPv4 addresses, while others have right ones',
+  async run(world) {
+    const findings: Finding[] = [];
+    if (world.hasNetwork) {
+      const master = await world.startMaster();
+      await guess(world.outsider(master, 0, 6), 30);
+      const neighbour = await timeUntilIn(world, master, world.outsider(master, 1, 6), 'code');
+      findings.push(outcome('a right code from a neighbour of the same /64 (IPv6)', neighbour));
+      await world.clear();
+    }
+    const master = await world.startMaster();
+    await Promise.all(
+      Array.from({ length: 20 }, (_, index) => guess(world.outsider(master, index), 30)),
+    );
+    const other = await timeUntilIn(world, master, world.outsider(master, 45), 'code');
+    findings.push(outcome('a right code from another IPv4 address', other));
+    const scanned = await timeUntilIn(world, master, world.outsider(master, 0), 'token');
+    findings.push(outcome('a token from an address that guessed', scanned));
+    return findings;
+  },
+};
+
+function outcome(what: string, waitedMs: number | undefined): Finding {
+  const figure = waitedMs === undefined ? `not within ${seconds(PATIENCE_MS)}` : seconds(waitedMs);
+  const holds = waitedMs !== undefined && waitedMs <= MOST_WAIT_MS;
+  return finding(`${what}: time until in`, figure, `at most ${seconds(MOST_WAIT_MS)}`, holds);
+}
+
+async function guess(stranger: Outsider, times: number): Promise<void> {
+  for (let index = 0; index < times; index++) {
+    const token = `ABCD-${String(2000 + index)}`;
+    const asked = stranger
+      .call({ topic: '/services/ubii/join_check', joinCheckRequest: { token } })
+      .catch(() => {});
+    // Whoever is slowed down is told nothing for a while: an attacker does not wait.
+    await Promise.race([asked, pause(300)]);
+  }
+}
+
+/** Tries once a second, as a person does. */
+async function timeUntilIn(
+  world: World,
+  master: MasterProcess,
+  caller: Outsider,
+  by: 'code' | 'token',
+): Promise<number | undefined> {
+  const invitation = await world.invite(master, AccessRole.ACCESS_ROLE_PLAYER);
+  const begunMs = performance.now();
+  while (performance.now() - begunMs < PATIENCE_MS) {
+    const isIn = await caller.join(invitation[by]).then(
+      () => true,
+      () => false,
+    );
+    if (isIn) return performance.now() - begunMs;
+    await pause(1_000);
+  }
+  return undefined;
+}

@@ -1,0 +1,78 @@
+import { connect, createServer, type AddressInfo, type Server, type Socket } from 'node:net';
+
+import { pause } from '../pause.ts';
+import type { Random } from '../random.ts';
+
+const WAITS_MS = [0, 0, 0, 5, 20, 80, 300];
+
+/**
+ * A slow and lossy way to the master, as a program sees it: bytes come late and unevenly (what was lost is sent again),
+ * nothing comes for a while, or the connection breaks.
+ */
+export class RoughRelay {
+  readonly #server: Server;
+  readonly #sockets = new Set<Socket>();
+  readonly #random: Random;
+  #isSilent = false;
+
+  private constructor(port: number, random: Random) {
+    this.#random = random;
+    this.#server = createServer((near) => {
+      const far = connect(port, '127.0.0.1');
+      this.#pass(near, far);
+      this.#pass(far, near);
+    });
+  }
+
+  static async open(port: number, random: Random): Promise<RoughRelay> {
+    const relay = new RoughRelay(port, random);
+    await new Promise<void>((resolve) => relay.#server.listen(0, '127.0.0.1', resolve));
+    return relay;
+  }
+
+  get url(): string {
+    return `http://localhost:${(this.#server.address() as AddressInfo).port}`;
+  }
+
+  /** Nothing passes until it is switched off; nobody is told. */
+  set isSilent(isSilent: boolean) {
+    this.#isSilent = isSilent;
+  }
+
+  /** Every connection breaks. */
+  breakAll(): void {
+    for (const socket of this.#sockets) socket.resetAndDestroy();
+  }
+
+  close(): void {
+    this.#server.close();
+    this.breakAll();
+  }
+
+  #pass(from: Socket, to: Socket): void {
+    this.#sockets.add(from);
+    let last = Promise.resolve();
+    from.on('data', (chunk) => {
+      // As on a network, what is late delays what comes after it, but delays do not add up.
+      const dueMs = performance.now() + this.#random.pick(WAITS_MS);
+      last = last.then(async () => {
+        await this.#waitUntil(dueMs);
+        if (!to.destroyed) to.write(chunk);
+      });
+    });
+    from.on('end', () => void last.then(() => to.end()));
+    from.on('error', () => to.destroy());
+    from.on('close', () => {
+      this.#sockets.delete(from);
+      void last.then(() => to.destroy());
+    });
+  }
+
+  async #waitUntil(dueMs: number): Promise<void> {
+    for (;;) {
+      const ms = this.#isSilent ? 20 : dueMs - performance.now();
+      if (ms <= 0) return;
+      await pause(ms);
+    }
+  }
+}

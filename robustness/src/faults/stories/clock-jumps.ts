@@ -1,0 +1,50 @@
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+import { pause } from '../../pause.ts';
+import type { Story } from '../story.ts';
+import { Theatre } from '../theatre.ts';
+
+const HOUR_MS = 3_600_000;
+/** Leave to join lives for seven days here: none of these ends it. */
+const JUMPS_MS = [HOUR_MS, -2 * HOUR_MS, 26 * HOUR_MS, -25 * HOUR_MS, 400, -400, 0];
+
+export const clockJumps: Story = {
+  name: 'clock-jumps',
+  about: 'jumps of the wall clock of the master, by hours and days, forth and back',
+  async run({ program, random, times }) {
+    const folder = mkdtempSync(join(tmpdir(), 'ubii-clock-'));
+    const file = join(folder, 'offset');
+    const preload = new URL('../shift-clock.mjs', import.meta.url);
+    preload.search = encodeURIComponent(file);
+    const theatre = await Theatre.open({ program, nodeFlags: ['--import', preload.href] }, random);
+    const losses: string[] = [];
+    const backMs: number[] = [];
+    const notes: string[] = [];
+    try {
+      const pulse = await theatre.pulse();
+      await theatre.workFor(500);
+      for (let index = 0; index < times; index++) {
+        const offsetMs = JUMPS_MS[index % JUMPS_MS.length]!;
+        writeFileSync(file, String(offsetMs));
+        process.kill(theatre.master.pid, 'SIGUSR2');
+        const begunMs = performance.now();
+        await pause(50);
+        await pulse.beat();
+        if (!(await theatre.scribe.save())) {
+          losses.push(`nothing can be stored after a jump: ${theatre.scribe.lastRefusal}`);
+        }
+        backMs.push(performance.now() - begunMs);
+        await theatre.workFor(400);
+        losses.push(...(await theatre.findLosses()));
+      }
+      const { failures } = theatre.master;
+      if (failures.length > 0) notes.push(`the master logged: ${failures[0]}`);
+      return theatre.outcome(losses, backMs, notes);
+    } finally {
+      await theatre.close();
+      rmSync(folder, { recursive: true, force: true });
+    }
+  },
+};

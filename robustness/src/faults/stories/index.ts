@@ -1,0 +1,15 @@
+import type { Story } from '../story.ts';
+import { clockJumps } from './clock-jumps.ts';
+import { fullDisk, readOnlyDisk } from './full-disk.ts';
+import { killMaster } from './kill-master.ts';
+import { killNode } from './kill-node.ts';
+import { roughNetwork } from './rough-network.ts';
+
+export const STORIES: readonly Story[] = [
+  killMaster,
+  killNode,
+  fullDisk,
+  readOnlyDisk,
+  clockJumps,
+  roughNetwork,
+];

@@ -1,0 +1,103 @@
+import { spawn, type ChildProcess } from 'node:child_process';
+import { once } from 'node:events';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { createInterface } from 'node:readline';
+import { createClient } from '@ubii/client-web/node';
+
+import { ticking } from '../../master/sessions.ts';
+import { pause } from '../../pause.ts';
+import type { Story } from '../story.ts';
+import { Theatre } from '../theatre.ts';
+
+const PATIENCE_MS = 60_000;
+
+export const killNode: Story = {
+  name: 'kill-node',
+  about: 'kill -9 of a node that runs the module of a session, and a start of it as the same node',
+  async run({ program, node, random, times }) {
+    const theatre = await Theatre.open({ program }, random);
+    const folder = mkdtempSync(join(tmpdir(), 'ubii-node-'));
+    const { url } = theatre.master.endpoints;
+    const identity = join(folder, 'identity');
+    const watcher = createClient({ url, name: 'watcher' });
+    let child: ChildProcess | undefined;
+    const losses: string[] = [];
+    const backMs: number[] = [];
+    try {
+      const started = await startNode(node, url, identity);
+      child = started.child;
+      const session = ticking('on a node', '/node/tick');
+      const { session: running } = await theatre.master.call({
+        topic: '/services/session/runtime/start',
+        session: {
+          ...session,
+          processingModules: session.processingModules!.map((one) => ({
+            ...one,
+            nodeId: started.id,
+          })),
+        },
+      });
+      await watcher.connect();
+      let count = 0;
+      const subscription = watcher.subscribe('/node/tick', { format: 'double' });
+      subscription.onRecord(() => count++);
+      await subscription.ready;
+      const more = async (): Promise<void> => {
+        const before = count;
+        const endMs = performance.now() + PATIENCE_MS;
+        // The first may be the one that was kept.
+        while (count < before + 2) {
+          if (performance.now() > endMs) throw new Error('The module came back on no node.');
+          await pause(10);
+        }
+      };
+      await more();
+      for (let index = 0; index < times; index++) {
+        await theatre.workFor(random.below(1_500));
+        child.kill('SIGKILL');
+        await once(child, 'exit');
+        const begunMs = performance.now();
+        const again = await startNode(node, url, identity);
+        child = again.child;
+        if (again.id !== started.id) losses.push('the node came back as another one');
+        await more();
+        backMs.push(performance.now() - begunMs);
+        const { session: now } = await theatre.ask({
+          topic: '/services/session/runtime/get',
+          session: { id: running!.id },
+        });
+        if (now === undefined) losses.push('the session is gone');
+        losses.push(...(await theatre.findLosses()));
+      }
+      return theatre.outcome(losses, backMs);
+    } finally {
+      child?.kill('SIGKILL');
+      await watcher.close();
+      await theatre.close();
+      rmSync(folder, { recursive: true, force: true });
+    }
+  },
+};
+
+async function startNode(
+  program: string,
+  master: string,
+  identity: string,
+): Promise<{ child: ChildProcess; id: string }> {
+  const flags = ['--master', master, '--identity', identity, '--print-endpoints', 'json'];
+  const child = spawn(process.execPath, [program, ...flags], {
+    stdio: ['ignore', 'pipe', 'ignore'],
+  });
+  const killWithUs = (): void => void child.kill('SIGKILL');
+  process.once('exit', killWithUs);
+  child.once('exit', () => process.off('exit', killWithUs));
+  const id = await new Promise<string>((resolve, reject) => {
+    createInterface({ input: child.stdout! }).on('line', (line) => {
+      if (line.startsWith('{')) resolve((JSON.parse(line) as { id: string }).id);
+    });
+    child.once('exit', (code) => reject(new Error(`The node ended with ${code}.`)));
+  });
+  return { child, id };
+}

@@ -1,0 +1,34 @@
+import type { Random } from '../random.ts';
+
+/** What a story has. */
+export interface Stage {
+  /** Main file of a built master, and of a built node. */
+  readonly program: string;
+  readonly node: string;
+  readonly random: Random;
+  /** How often the fault happens: the longer the run, the more often. */
+  readonly times: number;
+}
+
+/** What came of it. */
+export interface Outcome {
+  /** Requests that the master acknowledged, and that it refused or did not answer. */
+  readonly acknowledged: number;
+  readonly refused: number;
+  /** Acknowledged and gone; nothing may be. In words. */
+  readonly losses: readonly string[];
+  /** Time until everything was back, for each fault, milliseconds. */
+  readonly backMs: readonly number[];
+  /** What else is worth knowing. */
+  readonly notes: readonly string[];
+}
+
+/** One kind of fault during a workload. */
+export interface Story {
+  /** For `--only`. */
+  readonly name: string;
+  readonly about: string;
+  /** Why it cannot be tried here; undefined: it can. */
+  reasonAgainst?(): string | undefined;
+  run(stage: Stage): Promise<Outcome>;
+}

@@ -1,0 +1,31 @@
+import type { MasterProcess } from '../master/master-process.ts';
+import type { Random } from '../random.ts';
+
+/** What a fuzz run has at hand. */
+export interface FuzzTarget {
+  /** Main file of the master, for those who start one of their own. */
+  readonly program: string;
+  /** The one under test; with entrances of kind `running` alone. */
+  readonly master: MasterProcess;
+  /** Id of a client that exists for the fuzzer, with its token. */
+  readonly clientId: string;
+  readonly resumeToken: string;
+}
+
+/** An entrance of bytes into the master. */
+export interface Entrance {
+  readonly name: string;
+  /** What enters there. */
+  readonly about: string;
+  /** What an input meets: a running master, a start of its own, or a parser in this process. */
+  readonly kind: 'running' | 'start' | 'parser';
+  /** Good inputs, to begin with. */
+  seeds(): readonly Uint8Array[];
+  mutate(random: Random, seed: Uint8Array, other: Uint8Array): Uint8Array;
+  /**
+   * Delivers one input; resolves when the master has answered it or hung up.
+   *
+   * @throws Error when what came back is no answer
+   */
+  deliver(input: Uint8Array, target: FuzzTarget): Promise<void>;
+}

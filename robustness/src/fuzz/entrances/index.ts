@@ -1,0 +1,13 @@
+import type { Entrance } from '../entrance.ts';
+import { files } from './files.ts';
+import { http } from './http.ts';
+import { join } from './join.ts';
+import { codec, jsonCodec } from './parsers.ts';
+import { binary, json } from './services.ts';
+import { start } from './start.ts';
+import { frames, preflight, topicData } from './websocket.ts';
+
+/** Every entrance of bytes. */
+export const ENTRANCES: readonly Entrance[] = [
+  ...[http, json, binary, topicData, frames, preflight, join, files, start, codec, jsonCodec],
+];

@@ -1,0 +1,69 @@
+import { randomInt } from 'node:crypto';
+import { resolve } from 'node:path';
+import { parseArgs } from 'node:util';
+
+import { BUILT_MASTER } from '../master/built-master.ts';
+import { mib } from '../master/process-figures.ts';
+import { findGrown, formatSoak } from './report.ts';
+import { soak } from './soak.ts';
+
+const HELP = `Keeps a built master busy, and looks whether anything grows.
+
+  npm run soak                       64 clients, sessions and phones, for 20 minutes
+
+  --minutes <n>     time of the whole run (default 20)
+  --clients <n>     clients that stay (default 64)
+  --phones <n>      phones at once that come and go (default 16)
+  --sessions <n>    sessions at once that start and end (default 4)
+  --seed <n>        of what phones do (default: random; it is printed)
+  --master <file>   another build of the master
+  --help            this text
+
+A quarter of the time is warm-up. Then memory, descriptors, timers, topics and the like are compared: the quarters of
+the rest of the run by their medians, and the master at rest after the warm-up with the master at rest at the end.
+Ends with 1 when something has grown by more than is tolerated, or something went wrong. Needs Linux for all figures.`;
+
+const { values } = parseArgs({
+  options: {
+    minutes: { type: 'string', default: '20' },
+    clients: { type: 'string', default: '64' },
+    phones: { type: 'string', default: '16' },
+    sessions: { type: 'string', default: '4' },
+    seed: { type: 'string' },
+    master: { type: 'string' },
+    help: { type: 'boolean', short: 'h' },
+  },
+});
+
+if (values.help) console.log(HELP);
+else {
+  const seed = values.seed === undefined ? randomInt(2 ** 32) : Number(values.seed);
+  const begunMs = performance.now();
+  console.log(`seed ${seed}, ${values.minutes} minutes, ${values.clients} clients`);
+  let samples = 0;
+  const result = await soak({
+    program:
+      values.master === undefined
+        ? BUILT_MASTER
+        : resolve(process.env['INIT_CWD'] ?? process.cwd(), values.master),
+    durationMs: Number(values.minutes) * 60_000,
+    clients: Number(values.clients),
+    phones: Number(values.phones),
+    sessions: Number(values.sessions),
+    seed,
+    onSample({ heapBytes, residentBytes, descriptors, topics, timers }, tally) {
+      if (samples++ % 6 !== 0) return;
+      const atS = Math.round((performance.now() - begunMs) / 1000);
+      const records = tally.counts.get('records') ?? 0;
+      console.log(
+        `${String(atS).padStart(5)} s  heap ${mib(heapBytes)}  resident ${mib(residentBytes)}  ${descriptors} descriptors  ${topics} topics  ${timers} timers  ${records} records`,
+      );
+    },
+  });
+  console.log(formatSoak(result));
+  const grown = findGrown(result);
+  console.log(grown.length === 0 ? 'Nothing grew.' : `Grew: ${grown.join(', ')}.`);
+  if (grown.length > 0 || result.tally.problems.size > 0 || result.failures.length > 0) {
+    process.exitCode = 1;
+  }
+}

@@ -1,0 +1,103 @@
+import { readFileSync } from 'node:fs';
+
+import type { MasterProcess } from '../master/master-process.ts';
+import { pause } from '../pause.ts';
+
+const PATIENCE_MS = 60_000;
+
+/**
+ * What is measured, and how much more of it is no growth: the larger of a share and an amount. At rest, counts have
+ * the amount alone, because nobody comes and goes then.
+ */
+export const QUANTITIES = {
+  heapBytes: { title: 'heap after collection', isBytes: true, relative: 0.1, absolute: 6 << 20 },
+  externalBytes: { title: 'buffers', isBytes: true, relative: 0.1, absolute: 8 << 20 },
+  residentBytes: { title: 'resident memory', isBytes: true, relative: 0.1, absolute: 48 << 20 },
+  descriptors: { title: 'descriptors', isBytes: false, relative: 0.25, absolute: 8 },
+  threads: { title: 'threads', isBytes: false, relative: 0, absolute: 2 },
+  timers: { title: 'timers', isBytes: false, relative: 0.25, absolute: 8 },
+  handles: { title: 'other resources of Node', isBytes: false, relative: 0.25, absolute: 8 },
+  topics: { title: 'topics', isBytes: false, relative: 0.25, absolute: 32 },
+  retainedBytes: { title: 'retained records', isBytes: true, relative: 0.05, absolute: 64 << 10 },
+  clients: { title: 'clients', isBytes: false, relative: 0.1, absolute: 8 },
+  devices: { title: 'devices', isBytes: false, relative: 0, absolute: 8 },
+  sessions: { title: 'sessions', isBytes: false, relative: 0, absolute: 2 },
+} as const;
+
+export type Quantity = keyof typeof QUANTITIES;
+export type Sample = Readonly<Record<Quantity, number>>;
+
+/** Measures a master that was started with `probeFlags`. */
+export class Gauge {
+  readonly #master: MasterProcess;
+  readonly #file: string;
+  #count = 0;
+
+  constructor(master: MasterProcess, file: string) {
+    this.#master = master;
+    this.#file = file;
+  }
+
+  /** @throws Error when the master tells nothing for a minute */
+  async read(): Promise<Sample> {
+    process.kill(this.#master.pid, 'SIGUSR2');
+    this.#count++;
+    const told = await this.#whenTold();
+    const figures = this.#master.figures();
+    const metrics = await this.#master.metrics();
+    const sum = (name: string): number => {
+      let all = 0;
+      for (const [key, value] of metrics) {
+        if (key === name || key.startsWith(`${name}{`)) all += value;
+      }
+      return all;
+    };
+    const { Timeout: timers = 0, ...others } = told.resources;
+    // These are about what is under way at the moment.
+    for (const passing of ['Immediate', 'TickObject', 'FSReqPromise', 'FSReqCallback']) {
+      delete (others as Record<string, number>)[passing];
+    }
+    return {
+      heapBytes: told.heapUsed,
+      externalBytes: told.external,
+      residentBytes: figures.residentBytes ?? 0,
+      descriptors: figures.descriptors ?? 0,
+      threads: figures.threads ?? 0,
+      timers,
+      handles: Object.values(others).reduce((all, one) => all + one, 0),
+      topics: sum('ubii_topics'),
+      retainedBytes: sum('ubii_retained_bytes'),
+      clients: sum('ubii_clients'),
+      devices: sum('ubii_devices'),
+      sessions: sum('ubii_sessions'),
+    };
+  }
+
+  async #whenTold(): Promise<Told> {
+    const endMs = performance.now() + PATIENCE_MS;
+    while (performance.now() < endMs) {
+      try {
+        const told = JSON.parse(readFileSync(this.#file, 'utf8')) as Told;
+        if (told.count >= this.#count) return told;
+      } catch {
+        // Not written yet.
+      }
+      await pause(20);
+    }
+    throw new Error('The master did not tell what it holds.');
+  }
+}
+
+interface Told {
+  readonly count: number;
+  readonly heapUsed: number;
+  readonly external: number;
+  readonly resources: Readonly<Record<string, number>>;
+}
+
+/** Flags of Node with which a master tells what it holds, in a file. */
+export function probeFlags(file: string): string[] {
+  const probe = new URL('probe.mjs', import.meta.url);
+  probe.search = encodeURIComponent(file);
+  return ['--expose-gc', '--import', probe.href];
+}

@@ -1,0 +1,91 @@
+import { encode, type Client } from '@ubii/proto';
+import type { WebSocket } from 'ws';
+
+import { dialLoopback } from '../../master/dial-loopback.ts';
+import type { MasterProcess } from '../../master/master-process.ts';
+import { Outsider, type Member } from '../../master/outsider.ts';
+import { pause } from '../../pause.ts';
+import type { Random } from '../../random.ts';
+import type { Tally } from './tally.ts';
+
+const RECORDS = 20;
+
+/** Where phones are in this run, and what they join with. */
+export interface PhoneWorld {
+  readonly master: MasterProcess;
+  readonly tally: Tally;
+  readonly random: Random;
+  token: string;
+}
+
+/** One phone: it joins, is a device, loses its connection, comes back, and leaves or is gone. */
+export async function bePhone(world: PhoneWorld): Promise<void> {
+  const { master, tally, random } = world;
+  const phone = new Outsider({
+    ...{ host: '127.0.0.1', port: master.port, from: '127.0.0.1', headers: {} },
+    dial: () => dialLoopback(master.port),
+  });
+  let member = await phone.join(world.token, { name: 'phone' });
+  let socket = await phone.openSocket(member);
+  tally.done('phones joined');
+  try {
+    await registerDevice(phone, member);
+    await publish(socket, member.client);
+    if (random.oneIn(2)) {
+      socket.terminate();
+      await pause(random.below(100));
+      member = await comeBack(phone, member);
+      socket = await phone.openSocket(member);
+      tally.done('phones back');
+      await publish(socket, member.client);
+    }
+    if (random.oneIn(8)) {
+      tally.done('phones gone without a word');
+      return;
+    }
+    const { error } = await phone.call(
+      { topic: '/services/client/deregistration', client: { id: member.client.id } },
+      member.bearer,
+    );
+    if (error !== undefined) throw new Error(error.message);
+    tally.done('phones left');
+  } finally {
+    socket.terminate();
+  }
+}
+
+async function registerDevice(phone: Outsider, { client, bearer }: Member): Promise<void> {
+  const { error } = await phone.call(
+    {
+      topic: '/services/device/registration',
+      device: {
+        name: 'smart device',
+        clientId: client.id,
+        components: ['touch', 'orientation', 'acceleration'].map((name) => ({
+          name,
+          topic: `/${client.id}/${name}`,
+          messageFormat: 'ubii.dataStructure.Vector3',
+          tags: [name],
+        })),
+      },
+    },
+    bearer,
+  );
+  if (error !== undefined) throw new Error(error.message);
+}
+
+async function comeBack(phone: Outsider, { client, bearer }: Member): Promise<Member> {
+  const { resumeToken = '' } = client.extension ?? {};
+  const member = await phone.join(bearer, { id: client.id, extension: { resumeToken } });
+  if (member.client.id !== client.id) throw new Error('A phone came back as somebody else.');
+  return member;
+}
+
+async function publish(socket: WebSocket, { id }: Client): Promise<void> {
+  for (let index = 0; index < RECORDS; index++) {
+    const topic = `/${id}/${['touch', 'orientation', 'acceleration'][index % 3]}`;
+    const topicDataRecord = { topic, vector3: { x: index, y: 0, z: 0 } };
+    socket.send(encode('ubii.topicData.TopicData', { topicDataRecord }));
+    await pause(2);
+  }
+}
