@@ -14,8 +14,10 @@ const noApps = {
     '@ubii/node',
     '@ubii/benchmarks',
     '@ubii/e2e',
+    '@ubii/robustness',
   ],
-  message: 'Nobody imports apps, benchmarks or e2e: move what is needed into a package.',
+  message:
+    'Nobody imports apps, benchmarks, e2e or robustness: move what is needed into a package.',
 };
 const noClient = {
   group: ['@ubii/client-web', '@ubii/client-web/*'],
@@ -23,7 +25,16 @@ const noClient = {
     'The master does not know the client library: speak through the ports of src/core/ports.',
 };
 const noNode = {
-  group: ['node:*', 'fastify', '@fastify/*', 'ws', 'pino', 'prom-client', 'qrcode', 're2js'],
+  group: [
+    'node:*',
+    'fastify',
+    '@fastify/*',
+    'ws',
+    'pino',
+    'prom-client',
+    'qrcode',
+    '@ubii/patterns/re2',
+  ],
   message: 'The core is pure: take a port in the constructor and implement it in src/adapters.',
 };
 const noSandboxAdapters = {
@@ -47,6 +58,12 @@ const noVue = {
   group: ['vue', 'vue-router', 'reka-ui'],
   message: 'Packages do not know the frontend.',
 };
+/** [TD-60] */
+const noNativePatterns = ['NewExpression', 'CallExpression'].map((call) => ({
+  selector: `${call}[callee.name="RegExp"][arguments.0.type!="Literal"]`,
+  message:
+    'A pattern that somebody else wrote can stop the thread: compile it with @ubii/patterns. A pattern of ours may stay, with the reason why it is linear.',
+}));
 const restrict = (...patterns) => ({
   '@typescript-eslint/no-restricted-imports': ['error', { patterns }],
 });
@@ -57,7 +74,8 @@ export default ts.config(
       '**/dist/**',
       '**/node_modules/**',
       '**/.cache/**',
-      '**/.cache-lan/**',
+      '**/.cache-lan*/**',
+      '**/.cache-robustness/**',
       'packages/*/src/generated/**',
       'e2e/test-results/**',
       'e2e/playwright-report/**',
@@ -116,11 +134,24 @@ export default ts.config(
       '**/*.test.ts',
       'e2e/**',
       'benchmarks/**',
+      'robustness/**',
       'scripts/**',
       '**/*.config.ts',
       'packages/*/examples/**',
     ],
     rules: { 'no-console': 'error' },
+  },
+  {
+    files: ['**/*.{ts,vue}'],
+    ignores: [
+      '**/*.test.ts',
+      'packages/*/test/**',
+      'apps/*/test/**',
+      'e2e/**',
+      'benchmarks/**',
+      'robustness/**',
+    ],
+    rules: { 'no-restricted-syntax': ['error', ...noNativePatterns] },
   },
   { files: ['**/*.test.ts'], rules: { 'vue/one-component-per-file': 'off' } },
   { files: ['packages/**'], rules: restrict(noApps, noVue) },
@@ -130,7 +161,7 @@ export default ts.config(
   },
   { files: ['packages/client-web/**'], rules: restrict(noApps, noVue, noModules) },
   {
-    files: ['packages/discovery/**'],
+    files: ['packages/{discovery,patterns}/**'],
     rules: restrict(noApps, noVue, noClient, noRuntimes, noModules),
   },
   { files: ['packages/pm-sandbox/**'], rules: restrict(noApps, noVue, noClient, noModules) },
@@ -175,7 +206,7 @@ export default ts.config(
       ],
     },
   },
-  { files: ['apps/frontend/**'], rules: restrict(noApps) },
+  { files: ['apps/frontend/**', 'robustness/**'], rules: restrict(noApps) },
   {
     files: ['**/*.{js,mjs}'],
     languageOptions: { globals: { ...globals.node } },

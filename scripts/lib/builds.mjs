@@ -10,6 +10,7 @@ const everywhere = [
   'pnpm-lock.yaml',
   'tsconfig.base.json',
   'packages/proto',
+  'packages/patterns',
   'packages/pm-sandbox',
   'packages/modules',
   'scripts/lib/builds.mjs',

@@ -22,6 +22,13 @@ export async function runGate() {
     const problems = findUndocumentedErrors();
     if (problems.length > 0) throw new StepFailed(problems.join('\n'));
   });
+  const { problems, notes } = await step('dependencies', async () => {
+    // Needs packages, which may have been installed only now
+    const { checkDependencies } = await import('./dependencies.mjs');
+    return checkDependencies(Date.now());
+  });
+  for (const note of notes) process.stderr.write(`    ${note}\n`);
+  if (problems.length > 0) throw new StepFailed(problems.join('\n'));
   await step('generated code unchanged', checkGeneratedCode);
   for (const pair of pairs(packagesWithTypes())) {
     await step(`types of ${pair.map(({ name }) => name).join(' and ')}`, async () => {
