@@ -17,6 +17,7 @@ export async function openModule(
       source: { onProcessing: payload.onProcessing },
       isTrusted,
       libraries: [],
+      owner: '',
       outputs: [{ name: 'out', format: payload.outputFormat }],
       limits: { callTimeoutMs, memoryBytes, outputBytes },
     },

@@ -12,6 +12,7 @@ describe.each([RECORD_PAYLOAD, picturePayload()])('$title', (payload) => {
         source: { onProcessing: payload.onProcessing },
         isTrusted: true,
         libraries: [],
+        owner: '',
         outputs: [{ name: 'out', format: payload.outputFormat }],
         limits: DEFAULT_RUNTIME_LIMITS,
       },

@@ -1,6 +1,7 @@
 import { clientsPage } from './clients-page.ts';
 import { fanOut } from './fan-out.ts';
 import { graphEditor, graphEditorOpen } from './graph-editor.ts';
+import { hostileBodies } from './hostile-bodies.ts';
 import { masterTime } from './master-time.ts';
 import { MODULE_CALLS } from './module-call.ts';
 import { MODULE_CALLS_IN_BROWSER } from './module-call-browser.ts';
@@ -22,6 +23,7 @@ export const WORKLOADS: readonly Workload[] = [
   ...LOCKSTEPS,
   modules100,
   masterTime,
+  hostileBodies,
   graphEditor,
   topicsPage,
   clientsPage,
