@@ -12,6 +12,7 @@ export interface LiveTopic {
   readonly text: string | undefined;
   readonly record: TopicRecord | undefined;
   readonly spark: SparkLine;
+  /** Since the newest record; undefined before the first. */
   readonly ageMs: number | undefined;
   readonly isStale: boolean;
   readonly droppedPerSecond: number;
@@ -38,6 +39,8 @@ export function liveTopic(rate: TopicRate, value: RowValue | undefined, nowMs: n
 
 const rateText = ({ hz }: LiveTopic): string | undefined => hz?.toFixed(1);
 
+const isPublished = ({ ageMs }: LiveTopic): boolean => ageMs !== undefined;
+
 /** Whether there is something else to see. */
 export function hasChanged(a: LiveTopic, b: LiveTopic): boolean {
   return (
@@ -45,6 +48,7 @@ export function hasChanged(a: LiveTopic, b: LiveTopic): boolean {
     a.format !== b.format ||
     rateText(a) !== rateText(b) ||
     a.text !== b.text ||
+    isPublished(a) !== isPublished(b) ||
     a.spark !== b.spark ||
     a.isStale !== b.isStale ||
     a.droppedPerSecond !== b.droppedPerSecond ||
