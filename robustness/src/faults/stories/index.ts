@@ -3,11 +3,13 @@ import { clockJumps } from './clock-jumps.ts';
 import { fullDisk, readOnlyDisk } from './full-disk.ts';
 import { killMaster } from './kill-master.ts';
 import { killNode } from './kill-node.ts';
+import { killTab } from './kill-tab.ts';
 import { roughNetwork } from './rough-network.ts';
 
 export const STORIES: readonly Story[] = [
   killMaster,
   killNode,
+  killTab,
   fullDisk,
   readOnlyDisk,
   clockJumps,

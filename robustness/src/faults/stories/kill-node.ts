@@ -4,14 +4,11 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { createInterface } from 'node:readline';
-import { createClient } from '@ubii/client-web/node';
 
 import { ticking } from '../../master/sessions.ts';
-import { pause } from '../../pause.ts';
 import type { Story } from '../story.ts';
 import { Theatre } from '../theatre.ts';
-
-const PATIENCE_MS = 60_000;
+import { Ticks } from '../ticks.ts';
 
 export const killNode: Story = {
   name: 'kill-node',
@@ -21,8 +18,8 @@ export const killNode: Story = {
     const folder = mkdtempSync(join(tmpdir(), 'ubii-node-'));
     const { url } = theatre.master.endpoints;
     const identity = join(folder, 'identity');
-    const watcher = createClient({ url, name: 'watcher' });
     let child: ChildProcess | undefined;
+    let ticks: Ticks | undefined;
     const losses: string[] = [];
     const backMs: number[] = [];
     try {
@@ -39,21 +36,8 @@ export const killNode: Story = {
           })),
         },
       });
-      await watcher.connect();
-      let count = 0;
-      const subscription = watcher.subscribe('/node/tick', { format: 'double' });
-      subscription.onRecord(() => count++);
-      await subscription.ready;
-      const more = async (): Promise<void> => {
-        const before = count;
-        const endMs = performance.now() + PATIENCE_MS;
-        // The first may be the one that was kept.
-        while (count < before + 2) {
-          if (performance.now() > endMs) throw new Error('The module came back on no node.');
-          await pause(10);
-        }
-      };
-      await more();
+      ticks = await Ticks.open(url, '/node/tick');
+      await ticks.more();
       for (let index = 0; index < times; index++) {
         await theatre.workFor(random.below(1_500));
         child.kill('SIGKILL');
@@ -62,7 +46,7 @@ export const killNode: Story = {
         const again = await startNode(node, url, identity);
         child = again.child;
         if (again.id !== started.id) losses.push('the node came back as another one');
-        await more();
+        await ticks.more();
         backMs.push(performance.now() - begunMs);
         const { session: now } = await theatre.ask({
           topic: '/services/session/runtime/get',
@@ -74,7 +58,7 @@ export const killNode: Story = {
       return theatre.outcome(losses, backMs);
     } finally {
       child?.kill('SIGKILL');
-      await watcher.close();
+      await ticks?.close();
       await theatre.close();
       rmSync(folder, { recursive: true, force: true });
     }
