@@ -4,6 +4,7 @@ import { fullDisk, readOnlyDisk } from './full-disk.ts';
 import { killMaster } from './kill-master.ts';
 import { killNode } from './kill-node.ts';
 import { killTab } from './kill-tab.ts';
+import { lossyNetwork } from './lossy-network.ts';
 import { roughNetwork } from './rough-network.ts';
 
 export const STORIES: readonly Story[] = [
@@ -13,5 +14,6 @@ export const STORIES: readonly Story[] = [
   fullDisk,
   readOnlyDisk,
   clockJumps,
+  lossyNetwork,
   roughNetwork,
 ];
