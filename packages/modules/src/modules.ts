@@ -1,6 +1,9 @@
 import type { AnyModuleDefinition } from '@ubii/pm-sandbox';
+import { averagePositions } from './average-positions/average-positions.ts';
 import { clock } from './clock/clock.ts';
+import { counter } from './counter/counter.ts';
 import { httpPoller } from './http-poller/http-poller.ts';
+import { keyChord } from './key-chord/key-chord.ts';
 import { loadGenerator } from './load-generator/load-generator.ts';
 import {
   lowPass,
@@ -12,6 +15,8 @@ import {
 import { mapRange } from './map-range/map-range.ts';
 import { mergeVector2, mergeVector3, mergeVector4 } from './merge-vector/merge-vector.ts';
 import { mirrorPointer } from './mirror-pointer/mirror-pointer.ts';
+import { mix } from './mix/mix.ts';
+import { noise } from './noise/noise.ts';
 import {
   oneEuroFilter,
   oneEuroFilterQuaternion,
@@ -20,14 +25,21 @@ import {
   oneEuroFilterVector4,
 } from './one-euro-filter/one-euro-filter.ts';
 import { pickField } from './pick-field/pick-field.ts';
+import { pictureEdges } from './picture-edges/picture-edges.ts';
+import { positionColor } from './position-color/position-color.ts';
+import { speedVector2 } from './speed-vector2/speed-vector2.ts';
 import { statistics } from './statistics/statistics.ts';
+import { testPicture } from './test-picture/test-picture.ts';
 import { threshold } from './threshold/threshold.ts';
 import { touchProximity } from './touch-proximity/touch-proximity.ts';
 
 /** All modules of the library, by name from a to z. */
 export const MODULES: readonly AnyModuleDefinition[] = [
+  averagePositions,
   clock,
+  counter,
   httpPoller,
+  keyChord,
   loadGenerator,
   lowPass,
   lowPassQuaternion,
@@ -39,13 +51,19 @@ export const MODULES: readonly AnyModuleDefinition[] = [
   mergeVector3,
   mergeVector4,
   mirrorPointer,
+  mix,
+  noise,
   oneEuroFilter,
   oneEuroFilterQuaternion,
   oneEuroFilterVector2,
   oneEuroFilterVector3,
   oneEuroFilterVector4,
   pickField,
+  pictureEdges,
+  positionColor,
+  speedVector2,
   statistics,
+  testPicture,
   threshold,
   touchProximity,
 ];

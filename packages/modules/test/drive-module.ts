@@ -88,10 +88,22 @@ async function drive(
         | undefined;
       if (result?.state !== undefined) state = result.state;
       // Out of the other context, as it would cross a boundary.
-      outputs = JSON.parse(JSON.stringify(result?.outputs ?? {})) as typeof outputs;
+      outputs = ownCopy(result?.outputs ?? {}) as typeof outputs;
       return outputValues(definition, outputs);
     },
   };
+}
+
+/** A copy without what is undefined, made here whatever context the value is from. */
+function ownCopy(value: unknown): unknown {
+  if (ArrayBuffer.isView(value)) return new Uint8Array(value as Uint8Array);
+  if (Array.isArray(value)) return value.map(ownCopy);
+  if (typeof value !== 'object' || value === null) return value;
+  return Object.fromEntries(
+    Object.entries(value)
+      .filter(([, member]) => member !== undefined)
+      .map(([name, member]) => [name, ownCopy(member)]),
+  );
 }
 
 /** An input before anything came. */

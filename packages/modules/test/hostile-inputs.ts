@@ -48,6 +48,16 @@ export class HostileInputs {
         return this.#random() < 0.5;
       case 'string':
         return this.pick(TEXTS);
+      case 'keyEvent':
+        return { type: this.pick([0, 1, 7]), key: this.pick(TEXTS) };
+      case 'image2D':
+        // Complete, too short, and without any pixel.
+        return {
+          width: this.pick([4, 0, -1]),
+          height: this.pick([3, 3, 100_000]),
+          dataFormat: this.pick([0, 1, 2, 9]),
+          data: new Uint8Array(this.pick([12, 36, 48, 0])).fill(this.pick([0, 255])),
+        };
       default:
         return Object.fromEntries(
           Object.keys(DATA_FORMATS[format].createDefault() as object).map((part) => [

@@ -105,6 +105,9 @@ function expectClose(actual: unknown, expected: unknown): void {
   if (typeof expected === 'number') {
     const tolerance = 1e-9 * Math.max(1, Math.abs(expected));
     expect(Math.abs((actual as number) - expected)).toBeLessThanOrEqual(tolerance);
+  } else if (expected instanceof Uint8Array) {
+    // Comparing 100 000 pixels one by one takes seconds.
+    expect(Buffer.compare(actual as Uint8Array, expected)).toBe(0);
   } else if (typeof expected === 'object' && expected !== null) {
     expect(Object.keys(actual as object).sort()).toEqual(Object.keys(expected).sort());
     for (const [name, value] of Object.entries(expected)) {

@@ -11,7 +11,7 @@ export interface SessionWorld {
   readonly runtime: ModuleRuntime;
   /** Errors and log lines of the modules. */
   readonly events: readonly ModuleEvent[];
-  /** Ids of the instances, by the name of the module. */
+  /** Ids of the instances, by the name of the module; of several with one name, the first. */
   readonly ids: ReadonlyMap<string, string>;
   /** Everything that was published on a topic, oldest first. */
   values(topic: string): unknown[];
@@ -40,10 +40,16 @@ export async function startSession(
   });
   const library = moduleLibrary();
   const ids = new Map<string, string>();
+  const all: string[] = [];
+  const free = [...session.ioMappings];
   for (const [index, { name, processingMode }] of session.processingModules.entries()) {
+    // Mappings go to the modules of their name in order. [SE-2]
+    const at = free.findIndex((mapping) => mapping.processingModuleName === name);
+    const [mapping] = free.splice(at, 1);
     const module = library.find((candidate) => candidate.name === name)!;
     const id = `module-${index}`;
-    ids.set(name, id);
+    if (!ids.has(name)) ids.set(name, id);
+    all.push(id);
     await runtime.create({
       module: {
         ...module,
@@ -51,11 +57,11 @@ export async function startSession(
         sessionId: 'session-1',
         processingMode: processingMode ?? module.processingMode,
       },
-      mapping: session.ioMappings.find((mapping) => mapping.processingModuleName === name)!,
+      mapping: mapping!,
       isTrusted: true,
     });
   }
-  for (const id of ids.values()) runtime.start(id);
+  for (const id of all) runtime.start(id);
   await clock.endTurn();
   return {
     clock,

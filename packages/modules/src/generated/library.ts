@@ -4,6 +4,52 @@ import type { JsonObject } from '@ubii/proto';
 /** Every module of the library as JSON, from a to z. */
 export const LIBRARY: readonly JsonObject[] = [
   {
+    name: 'average-positions',
+    authors: ['Ubi-Interact'],
+    tags: ['vector', 'muxer', 'demuxer', 'pointer'],
+    description:
+      'Gives the middle of many positions, and the offset of each of them from the middle.',
+    processingMode: {
+      frequency: {
+        hertz: 30,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'positions',
+        messageFormat: 'ubii.dataStructure.Vector2',
+        isRecordList: true,
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'middle',
+        messageFormat: 'ubii.dataStructure.Vector2',
+        isRecordList: false,
+      },
+      {
+        internalName: 'count',
+        messageFormat: 'int32',
+        isRecordList: false,
+      },
+      {
+        internalName: 'offsets',
+        messageFormat: 'ubii.dataStructure.Vector2',
+        isRecordList: true,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ onProcessing(_deltaTimeMs, inputs) {\n    const usable = (inputs.positions?.elements ?? []).filter(\n      ({ vector2 }) => Math.abs(vector2.x) <= 1e100 && Math.abs(vector2.y) <= 1e100\n    );\n    const count = usable.length;\n    if (count === 0) return { outputs: { count: { int32: 0 } } };\n    const middle = { x: 0, y: 0 };\n    for (const { vector2 } of usable) {\n      middle.x += vector2.x / count;\n      middle.y += vector2.y / count;\n    }\n    const offsets = usable.flatMap(\n      ({ identity, vector2 }) => identity ? [\n        {\n          vector2: { x: vector2.x - middle.x, y: vector2.y - middle.y },\n          outputTopicParams: [identity]\n        }\n      ] : []\n    );\n    return {\n      outputs: {\n        middle: { vector2: middle },\n        count: { int32: count },\n        offsets: { elements: offsets }\n      }\n    };\n  } })["onProcessing"]',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+    },
+  },
+  {
     name: 'clock',
     authors: ['Ubi-Interact'],
     tags: ['source', 'generator', 'time', 'number'],
@@ -92,6 +138,54 @@ export const LIBRARY: readonly JsonObject[] = [
     },
   },
   {
+    name: 'counter',
+    authors: ['Ubi-Interact'],
+    tags: ['event', 'number', 'counter'],
+    description: 'Counts events: each true that arrives. Another true sets the counter to zero.',
+    processingMode: {
+      triggerOnInput: {
+        minDelayMs: 0,
+        allInputsNeedUpdate: false,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'event',
+        messageFormat: 'bool',
+        isRecordList: false,
+      },
+      {
+        internalName: 'reset',
+        messageFormat: 'bool',
+        isRecordList: false,
+      },
+      {
+        internalName: 'step',
+        messageFormat: 'int32',
+        isRecordList: false,
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'count',
+        messageFormat: 'int32',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ onProcessing(_deltaTimeMs, inputs, state) {\n    const step = inputs.step?.int32 ?? 1;\n    const isOn = inputs.event?.bool === true;\n    const triggers = state.inputTriggerNames ?? [];\n    const isEvent = triggers.length > 0 ? isOn && triggers.includes("event") : isOn && !state.wasOn;\n    state.wasOn = isOn;\n    const isReset = inputs.reset?.bool === true && (triggers.length === 0 || triggers.includes("reset"));\n    if (isReset) state.count = 0;\n    else if (isEvent) state.count = state.count + step | 0;\n    if (state.told === state.count) return void 0;\n    state.told = state.count;\n    return { outputs: { count: { int32: state.count } } };\n  } })["onProcessing"]',
+    onCreatedStringified:
+      '(state) => { Object.assign(state, (() => ({\n    count: 0,\n    told: void 0,\n    wasOn: false\n  })\n)()); }',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+    },
+  },
+  {
     name: 'http-poller',
     authors: ['Ubi-Interact'],
     tags: ['source', 'http', 'json', 'rest', 'iot'],
@@ -153,6 +247,49 @@ export const LIBRARY: readonly JsonObject[] = [
     extension: {
       version: '1.0.0',
       libraries: ['http'],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+    },
+  },
+  {
+    name: 'key-chord',
+    authors: ['Ubi-Interact'],
+    tags: ['event', 'key', 'keyboard', 'text'],
+    description: 'Gives the keys that are held together as one text, such as "a + d".',
+    processingMode: {
+      triggerOnInput: {
+        minDelayMs: 0,
+        allInputsNeedUpdate: false,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'key',
+        messageFormat: 'ubii.dataStructure.KeyEvent',
+        isRecordList: false,
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'chord',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+      {
+        internalName: 'count',
+        messageFormat: 'int32',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ onProcessing(_deltaTimeMs, inputs, state) {\n    const event = inputs.key?.keyEvent;\n    if (event === void 0) return void 0;\n    const key = event.key === " " ? "Space" : event.key.slice(0, 32);\n    const others = state.held.filter((held) => held !== key);\n    const isDown = Number(event.type) === 1;\n    if (isDown && key !== "") {\n      if (others.length === state.held.length && others.length < 16) state.held.push(key);\n    } else state.held = others;\n    const chord = state.held.join(" + ");\n    if (chord === state.told) return void 0;\n    state.told = chord;\n    return { outputs: { chord: { string: chord }, count: { int32: state.held.length } } };\n  } })["onProcessing"]',
+    onCreatedStringified:
+      '(state) => { Object.assign(state, (() => ({ held: [], told: void 0 })\n)()); }',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
@@ -691,6 +828,130 @@ export const LIBRARY: readonly JsonObject[] = [
     },
   },
   {
+    name: 'mix',
+    authors: ['Ubi-Interact'],
+    tags: ['number', 'sum', 'mixer'],
+    description: 'Adds up to three numbers, each multiplied by a gain. A negative gain subtracts.',
+    processingMode: {
+      triggerOnInput: {
+        minDelayMs: 0,
+        allInputsNeedUpdate: false,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'a',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'b',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'c',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'gainA',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'gainB',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'gainC',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'mixed',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ onProcessing(_deltaTimeMs, inputs) {\n    const read = {\n      value(record) {\n        return record?.double ?? record?.float ?? record?.int32;\n      },\n      // What is not a finite number counts as missing.\n      number(record, fallback) {\n        const value = this.value(record);\n        return Number.isFinite(value) ? value : fallback;\n      }\n    };\n    if (!inputs.a && !inputs.b && !inputs.c) return void 0;\n    const mixed = read.number(inputs.a, 0) * read.number(inputs.gainA, 1) + read.number(inputs.b, 0) * read.number(inputs.gainB, 1) + read.number(inputs.c, 0) * read.number(inputs.gainC, 1);\n    return Number.isFinite(mixed) ? { outputs: { mixed: { double: mixed } } } : void 0;\n  } })["onProcessing"]',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+    },
+  },
+  {
+    name: 'noise',
+    authors: ['Ubi-Interact'],
+    tags: ['source', 'generator', 'number', 'random'],
+    description:
+      'Gives pseudo-random numbers: uniform, normal, and a random walk that stays in range.',
+    processingMode: {
+      frequency: {
+        hertz: 30,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'amplitude',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'offset',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'walkSpeed',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'seed',
+        messageFormat: 'int32',
+        isRecordList: false,
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'uniform',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'normal',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'walk',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ onProcessing(deltaTimeMs, inputs, state) {\n    const read = {\n      value(record) {\n        return record?.double ?? record?.float ?? record?.int32;\n      },\n      // What is not a finite number counts as missing.\n      number(record, fallback, min, max) {\n        const value = this.value(record);\n        return Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : fallback;\n      },\n      /** From 0 to below 1. */\n      random() {\n        state.random = state.random + 1831565813 | 0;\n        let mixed = Math.imul(state.random ^ state.random >>> 15, 1 | state.random);\n        mixed = mixed + Math.imul(mixed ^ mixed >>> 7, 61 | mixed) ^ mixed;\n        return ((mixed ^ mixed >>> 14) >>> 0) / 4294967296;\n      }\n    };\n    const amplitude = read.number(inputs.amplitude, 1, -1e150, 1e150);\n    const offset = read.number(inputs.offset, 0, -1e150, 1e150);\n    const walkSpeed = read.number(inputs.walkSpeed, 1, 0, 100);\n    const seed = read.number(inputs.seed, 1, -(2 ** 31), 2 ** 31 - 1) | 0;\n    if (state.seed !== seed) {\n      state.seed = seed;\n      state.random = seed;\n      state.walk = 0;\n    }\n    const uniform = 2 * read.random() - 1;\n    const radius = Math.sqrt(-2 * Math.log(1 - read.random()));\n    const normal = radius * Math.cos(2 * Math.PI * read.random());\n    const seconds = Math.min(1, deltaTimeMs / 1e3);\n    let walk = state.walk + normal * walkSpeed * Math.sqrt(seconds);\n    walk = ((walk + 1) % 4 + 4) % 4 - 1;\n    if (walk > 1) walk = 2 - walk;\n    state.walk = walk;\n    return {\n      outputs: {\n        uniform: { double: offset + amplitude * uniform },\n        normal: { double: offset + amplitude * normal },\n        walk: { double: offset + amplitude * walk }\n      }\n    };\n  } })["onProcessing"]',
+    onCreatedStringified:
+      '(state) => { Object.assign(state, (() => ({\n    seed: void 0,\n    random: 0,\n    walk: 0\n  })\n)()); }',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+    },
+  },
+  {
     name: 'one-euro-filter',
     authors: ['Ubi-Interact'],
     tags: ['filter', 'smoothing', 'one-euro'],
@@ -1043,6 +1304,156 @@ export const LIBRARY: readonly JsonObject[] = [
     },
   },
   {
+    name: 'picture-edges',
+    authors: ['Ubi-Interact'],
+    tags: ['image', 'filter', 'edge'],
+    description: 'Turns a picture of raw pixels into grey, and finds its edges (Sobel operator).',
+    processingMode: {
+      triggerOnInput: {
+        minDelayMs: 0,
+        allInputsNeedUpdate: false,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'picture',
+        messageFormat: 'ubii.dataStructure.Image2D',
+        isRecordList: false,
+      },
+      {
+        internalName: 'threshold',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'grey',
+        messageFormat: 'ubii.dataStructure.Image2D',
+        isRecordList: false,
+      },
+      {
+        internalName: 'edges',
+        messageFormat: 'ubii.dataStructure.Image2D',
+        isRecordList: false,
+      },
+      {
+        internalName: 'error',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ onProcessing(_deltaTimeMs, inputs, state) {\n    const read = {\n      value(record) {\n        return record?.double ?? record?.float ?? record?.int32;\n      },\n      // What is not a finite number counts as missing.\n      number(record, fallback, min, max) {\n        const value = this.value(record);\n        return Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : fallback;\n      }\n    };\n    const picture = inputs.picture?.image2D;\n    if (picture === void 0) return void 0;\n    const { width, height, data } = picture;\n    const channels = Number(picture.dataFormat) === 1 ? 3 : Number(picture.dataFormat) === 2 ? 4 : 1;\n    const size = width * height;\n    let error = "";\n    if (!(width > 0 && height > 0 && data?.length === size * channels)) {\n      error = `The picture has ${data?.length ?? 0} bytes instead of ${size * channels}. Send raw pixels: GRAY8, RGB8 or RGBA8.`;\n    } else if (size > 640 * 480) {\n      error = `The picture has ${width} \\xD7 ${height} pixels. Send at most 640 \\xD7 480.`;\n    }\n    const isNew = error !== state.error;\n    state.error = error;\n    if (error !== "") return isNew ? { outputs: { error: { string: error } } } : void 0;\n    const grey = new Uint8Array(size);\n    for (let pixel = 0; pixel < size; pixel++) {\n      const at = pixel * channels;\n      grey[pixel] = channels === 1 ? data[at] : 0.299 * data[at] + 0.587 * data[at + 1] + 0.114 * data[at + 2] + 0.5;\n    }\n    const threshold2 = 255 * read.number(inputs.threshold, 0, 0, 1);\n    const edges = new Uint8Array(size);\n    for (let y = 1; y < height - 1; y++) {\n      for (let x = 1; x < width - 1; x++) {\n        const at = y * width + x;\n        const up = at - width;\n        const down = at + width;\n        const dx = grey[up + 1] - grey[up - 1] + 2 * (grey[at + 1] - grey[at - 1]) + grey[down + 1] - grey[down - 1];\n        const dy = grey[down - 1] - grey[up - 1] + 2 * (grey[down] - grey[up]) + grey[down + 1] - grey[up + 1];\n        const strength = Math.min(255, Math.sqrt(dx * dx + dy * dy));\n        edges[at] = threshold2 === 0 ? strength : strength >= threshold2 ? 255 : 0;\n      }\n    }\n    return {\n      outputs: {\n        grey: { image2D: { width, height, dataFormat: 0, data: grey } },\n        edges: { image2D: { width, height, dataFormat: 0, data: edges } },\n        error: isNew ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
+    onCreatedStringified: '(state) => { Object.assign(state, (() => ({ error: "" })\n)()); }',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+    },
+  },
+  {
+    name: 'position-color',
+    authors: ['Ubi-Interact'],
+    tags: ['color', 'vector', 'pointer', 'convert'],
+    description: 'Turns a position from 0 to 1 into a colour: hue by x, lightness by y.',
+    processingMode: {
+      triggerOnInput: {
+        minDelayMs: 0,
+        allInputsNeedUpdate: false,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'position',
+        messageFormat: 'ubii.dataStructure.Vector2',
+        isRecordList: false,
+      },
+      {
+        internalName: 'saturation',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'color',
+        messageFormat: 'ubii.dataStructure.Color',
+        isRecordList: false,
+      },
+      {
+        internalName: 'hex',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ onProcessing(_deltaTimeMs, inputs) {\n    const read = {\n      value(record) {\n        return record?.double ?? record?.float ?? record?.int32;\n      },\n      // What is not a finite number counts as missing.\n      number(record, fallback) {\n        const value = this.value(record);\n        return Number.isFinite(value) ? Math.min(1, Math.max(0, value)) : fallback;\n      }\n    };\n    const position = inputs.position?.vector2;\n    if (!position || !Number.isFinite(position.x) || !Number.isFinite(position.y)) return void 0;\n    const saturation = read.number(inputs.saturation, 0.8);\n    const hue = (position.x % 1 + 1) % 1;\n    const lightness = 0.85 - 0.65 * Math.min(1, Math.max(0, position.y));\n    const chroma = saturation * Math.min(lightness, 1 - lightness);\n    const channels = [0, 8, 4].map((n) => {\n      const k = (n + hue * 12) % 12;\n      return lightness - chroma * Math.max(-1, Math.min(k - 3, 9 - k, 1));\n    });\n    const [r = 0, g = 0, b = 0] = channels;\n    const hex = channels.map(\n      (part) => Math.round(part * 255).toString(16).padStart(2, "0")\n    );\n    return {\n      outputs: { color: { color: { r, g, b, a: 1 } }, hex: { string: `#${hex.join("")}` } }\n    };\n  } })["onProcessing"]',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+    },
+  },
+  {
+    name: 'speed-vector2',
+    authors: ['Ubi-Interact'],
+    tags: ['vector', 'number', 'derivative', 'pointer'],
+    description: 'Gives velocity, speed and distance travelled of a position.',
+    processingMode: {
+      frequency: {
+        hertz: 30,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'position',
+        messageFormat: 'ubii.dataStructure.Vector2',
+        isRecordList: false,
+      },
+      {
+        internalName: 'smoothingMs',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'velocity',
+        messageFormat: 'ubii.dataStructure.Vector2',
+        isRecordList: false,
+      },
+      {
+        internalName: 'speed',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'distance',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ onProcessing(deltaTimeMs, inputs, state) {\n    const read = {\n      value(record) {\n        return record?.double ?? record?.float ?? record?.int32;\n      },\n      // What is not a finite number counts as missing.\n      number(record, fallback, min, max) {\n        const value = this.value(record);\n        return Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : fallback;\n      }\n    };\n    const smoothingMs = read.number(inputs.smoothingMs, 60, 0, 6e4);\n    state.waitedMs += deltaTimeMs;\n    const position = inputs.position?.vector2;\n    const triggers = state.inputTriggerNames ?? [];\n    if (position === void 0 || triggers.length > 0 && !triggers.includes("position"))\n      return void 0;\n    if (![position.x, position.y].every((part) => Math.abs(part) <= 1e100)) return void 0;\n    const { x, y } = position;\n    const last = state.last;\n    if (last !== void 0 && state.waitedMs <= 0) return void 0;\n    if (last !== void 0) {\n      const seconds = state.waitedMs / 1e3;\n      const way = { x: x - last.x, y: y - last.y };\n      state.distance += Math.hypot(way.x, way.y);\n      const share = smoothingMs === 0 ? 1 : -Math.expm1(-state.waitedMs / smoothingMs);\n      state.velocity = {\n        x: state.velocity.x + share * (way.x / seconds - state.velocity.x),\n        y: state.velocity.y + share * (way.y / seconds - state.velocity.y)\n      };\n    }\n    state.last = { x, y };\n    state.waitedMs = 0;\n    return {\n      outputs: {\n        velocity: { vector2: state.velocity },\n        speed: { double: Math.hypot(state.velocity.x, state.velocity.y) },\n        distance: { double: state.distance }\n      }\n    };\n  } })["onProcessing"]',
+    onCreatedStringified:
+      '(state) => { Object.assign(state, (() => ({\n    last: void 0,\n    waitedMs: 0,\n    velocity: { x: 0, y: 0 },\n    distance: 0\n  })\n)()); }',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+    },
+  },
+  {
     name: 'statistics',
     authors: ['Ubi-Interact'],
     tags: ['number', 'statistics', 'window'],
@@ -1108,6 +1519,53 @@ export const LIBRARY: readonly JsonObject[] = [
       '({ onProcessing(deltaTimeMs, inputs, state) {\n    const read = {\n      value(record) {\n        return record?.double ?? record?.float ?? record?.int32;\n      },\n      // What is no finite number counts as not there.\n      number(record, fallback, min, max) {\n        const value2 = this.value(record);\n        return Number.isFinite(value2) ? Math.min(max, Math.max(min, value2)) : fallback;\n      }\n    };\n    const aggregate = {\n      none() {\n        return { count: 0, mean: 0, m2: 0, min: Infinity, max: -Infinity };\n      },\n      one(value2) {\n        return { count: 1, mean: value2, m2: 0, min: value2, max: value2 };\n      },\n      merge(a, b) {\n        if (a.count === 0) return b;\n        if (b.count === 0) return a;\n        const count = a.count + b.count;\n        const delta = b.mean - a.mean;\n        return {\n          count,\n          mean: a.mean + delta * b.count / count,\n          m2: a.m2 + b.m2 + delta * delta * a.count * b.count / count,\n          min: Math.min(a.min, b.min),\n          max: Math.max(a.max, b.max)\n        };\n      }\n    };\n    const windowMs = read.number(inputs.windowMs, 1e3, 0, Number.MAX_VALUE);\n    const windowCount = Math.floor(read.number(inputs.windowCount, 0, 0, 1e4)) || 1e4;\n    state.nowMs += deltaTimeMs;\n    const value = read.value(inputs.value);\n    const isUsable = value !== void 0 && Math.abs(value) <= 1e140;\n    const triggers = state.inputTriggerNames ?? [];\n    const isNew = triggers.length === 0 || triggers.includes("value");\n    if (isUsable && isNew) {\n      state.newer.push({ atMs: state.nowMs, value });\n      state.newerAggregate = aggregate.merge(state.newerAggregate, aggregate.one(value));\n    }\n    for (; ; ) {\n      if (state.older.length === 0) {\n        let merged = aggregate.none();\n        for (const { atMs, value: sample } of state.newer.reverse()) {\n          merged = aggregate.merge(aggregate.one(sample), merged);\n          state.older.push({ atMs, aggregate: merged });\n        }\n        state.newer = [];\n        state.newerAggregate = aggregate.none();\n      }\n      const oldest2 = state.older.at(-1);\n      if (oldest2 === void 0) break;\n      const isTooOld = windowMs > 0 && state.nowMs - oldest2.atMs >= windowMs;\n      if (!isTooOld && state.older.length + state.newer.length <= windowCount) break;\n      state.older.pop();\n    }\n    const oldest = state.older.at(-1);\n    const all = aggregate.merge(oldest?.aggregate ?? aggregate.none(), state.newerAggregate);\n    if (all.count === 0) return { outputs: { count: { int32: 0 } } };\n    return {\n      outputs: {\n        count: { int32: all.count },\n        mean: { double: all.mean },\n        min: { double: all.min },\n        max: { double: all.max },\n        standardDeviation: { double: all.count > 1 ? Math.sqrt(all.m2 / (all.count - 1)) : 0 },\n        rms: { double: Math.sqrt(all.mean * all.mean + all.m2 / all.count) }\n      }\n    };\n  } })["onProcessing"]',
     onCreatedStringified:
       '(state) => { Object.assign(state, (() => ({\n    nowMs: 0,\n    older: [],\n    newer: [],\n    newerAggregate: { count: 0, mean: 0, m2: 0, min: Infinity, max: -Infinity }\n  })\n)()); }',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+    },
+  },
+  {
+    name: 'test-picture',
+    authors: ['Ubi-Interact'],
+    tags: ['source', 'generator', 'image'],
+    description:
+      'Generates a moving picture in colour, so that no camera is needed to work with images.',
+    processingMode: {
+      frequency: {
+        hertz: 12,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'width',
+        messageFormat: 'int32',
+        isRecordList: false,
+      },
+      {
+        internalName: 'height',
+        messageFormat: 'int32',
+        isRecordList: false,
+      },
+      {
+        internalName: 'turnsPerSecond',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'picture',
+        messageFormat: 'ubii.dataStructure.Image2D',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ onProcessing(deltaTimeMs, inputs, state) {\n    const read = {\n      value(record) {\n        return record?.double ?? record?.float ?? record?.int32;\n      },\n      // What is not a finite number counts as missing.\n      number(record, fallback, min, max) {\n        const value = this.value(record);\n        return Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : fallback;\n      }\n    };\n    const width = Math.round(read.number(inputs.width, 96, 16, 320));\n    const height = Math.round(read.number(inputs.height, 54, 16, 240));\n    const turnsPerSecond = read.number(inputs.turnsPerSecond, 0.2, 0, 10);\n    state.turns = (state.turns + turnsPerSecond * deltaTimeMs / 1e3) % 1;\n    const angle = 2 * Math.PI * state.turns;\n    const discX = width * (0.5 + 0.34 * Math.cos(angle));\n    const discY = height * (0.5 + 0.26 * Math.sin(2 * angle));\n    const radius = height * 0.22;\n    const barWidth = width / 8;\n    const data = new Uint8Array(width * height * 3);\n    let at = 0;\n    for (let y = 0; y < height; y++) {\n      const shade = 40 + 90 * y / height;\n      for (let x = 0; x < width; x++) {\n        const isDisc = (x - discX) ** 2 + (y - discY) ** 2 < radius ** 2;\n        const isBar = y > height * 0.7 && Math.floor(x / barWidth) % 2 === 0;\n        data[at++] = isDisc ? 250 : isBar ? 30 : shade;\n        data[at++] = isDisc ? 200 : isBar ? 120 : shade + 20;\n        data[at++] = isDisc ? 90 : isBar ? 170 : shade + 60;\n      }\n    }\n    return { outputs: { picture: { image2D: { width, height, dataFormat: 1, data } } } };\n  } })["onProcessing"]',
+    onCreatedStringified: '(state) => { Object.assign(state, (() => ({ turns: 0 })\n)()); }',
     extension: {
       version: '1.0.0',
       libraries: [],

@@ -1,0 +1,35 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type { NumberRecord } from '../number-record.ts';
+
+/** Counts events and starts again when told to. */
+export const counter = defineProcessingModule({
+  name: 'counter',
+  description: 'Counts events: each true that arrives. Another true sets the counter to zero.',
+  tags: ['event', 'number', 'counter'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: { event: 'bool', reset: 'bool', step: 'int32' },
+  outputs: { count: 'int32' },
+  mode: { triggerOnInput: {} },
+  createState: (): { count: number; told: number | undefined; wasOn: boolean } => ({
+    count: 0,
+    told: undefined,
+    wasOn: false,
+  }),
+  onProcessing(_deltaTimeMs, inputs, state) {
+    const step = (inputs.step as NumberRecord | undefined)?.int32 ?? 1;
+    const isOn = inputs.event?.bool === true;
+    // In a mode without triggers, only the change from false to true is an event.
+    const triggers = state.inputTriggerNames ?? [];
+    const isEvent = triggers.length > 0 ? isOn && triggers.includes('event') : isOn && !state.wasOn;
+    state.wasOn = isOn;
+    const isReset =
+      inputs.reset?.bool === true && (triggers.length === 0 || triggers.includes('reset'));
+    // Kept in the range of int32.
+    if (isReset) state.count = 0;
+    else if (isEvent) state.count = (state.count + step) | 0;
+    if (state.told === state.count) return undefined;
+    state.told = state.count;
+    return { outputs: { count: { int32: state.count } } };
+  },
+});

@@ -1,0 +1,46 @@
+import type { Init, Session } from '@ubii/proto';
+
+/**
+ * The same module in two processing modes: one instance keeps its own time at a frequency, the other one
+ * runs in the lockstep passes of the session. Their difference shows how far they drift apart.
+ */
+export const metronomeSession = {
+  name: 'metronome',
+  description:
+    'A metronome of 2 Hz, and the time of a frequency module beside that of a lockstep module.',
+  tags: ['example'],
+  processingModules: [
+    { name: 'clock', processingMode: { frequency: { hertz: 25 } } },
+    { name: 'clock', processingMode: { lockstep: {} } },
+    { name: 'mix', processingMode: { frequency: { hertz: 25 } } },
+    { name: 'counter' },
+  ],
+  ioMappings: [
+    {
+      processingModuleName: 'clock',
+      inputMappings: [{ inputName: 'waveHz', constantJson: '{"double":2}' }],
+      outputMappings: [
+        { outputName: 'tick', topic: '/examples/metronome/tick' },
+        { outputName: 'elapsedMs', topic: '/examples/metronome/frequency_ms' },
+      ],
+    },
+    {
+      processingModuleName: 'clock',
+      outputMappings: [{ outputName: 'elapsedMs', topic: '/examples/metronome/lockstep_ms' }],
+    },
+    {
+      processingModuleName: 'mix',
+      inputMappings: [
+        { inputName: 'a', topic: '/examples/metronome/frequency_ms' },
+        { inputName: 'b', topic: '/examples/metronome/lockstep_ms' },
+        { inputName: 'gainB', constantJson: '{"double":-1}' },
+      ],
+      outputMappings: [{ outputName: 'mixed', topic: '/examples/metronome/drift_ms' }],
+    },
+    {
+      processingModuleName: 'counter',
+      inputMappings: [{ inputName: 'event', topic: '/examples/metronome/tick' }],
+      outputMappings: [{ outputName: 'count', topic: '/examples/metronome/beats' }],
+    },
+  ],
+} satisfies Init<Session>;

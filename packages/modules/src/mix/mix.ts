@@ -1,0 +1,39 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type { NumberRecord } from '../number-record.ts';
+
+/** Adds up to three numbers, each multiplied by a gain: a mixer, and with a negative gain a difference. */
+export const mix = defineProcessingModule({
+  name: 'mix',
+  description: 'Adds up to three numbers, each multiplied by a gain. A negative gain subtracts.',
+  tags: ['number', 'sum', 'mixer'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: {
+    a: 'double',
+    b: 'double',
+    c: 'double',
+    gainA: 'double',
+    gainB: 'double',
+    gainC: 'double',
+  },
+  outputs: { mixed: 'double' },
+  mode: { triggerOnInput: {} },
+  onProcessing(_deltaTimeMs, inputs) {
+    const read = {
+      value(record: NumberRecord | undefined) {
+        return record?.double ?? record?.float ?? record?.int32;
+      },
+      // What is not a finite number counts as missing.
+      number(record: NumberRecord | undefined, fallback: number) {
+        const value = this.value(record);
+        return Number.isFinite(value) ? value! : fallback;
+      },
+    };
+    if (!inputs.a && !inputs.b && !inputs.c) return undefined;
+    const mixed =
+      read.number(inputs.a, 0) * read.number(inputs.gainA, 1) +
+      read.number(inputs.b, 0) * read.number(inputs.gainB, 1) +
+      read.number(inputs.c, 0) * read.number(inputs.gainC, 1);
+    return Number.isFinite(mixed) ? { outputs: { mixed: { double: mixed } } } : undefined;
+  },
+});

@@ -1,0 +1,74 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type { NumberRecord } from '../number-record.ts';
+
+/**
+ * A source of pseudo-random numbers: uniform, normal, and a random walk. The same seed gives the same
+ * numbers, so a test and a demonstration can be repeated.
+ *
+ * Source of the generator: mulberry32 by T. Ettinger, public domain (2017). Normal numbers: G. E. P. Box,
+ * M. E. Muller: "A Note on the Generation of Random Normal Deviates", 1958.
+ */
+export const noise = defineProcessingModule({
+  name: 'noise',
+  description:
+    'Gives pseudo-random numbers: uniform, normal, and a random walk that stays in range.',
+  tags: ['source', 'generator', 'number', 'random'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: { amplitude: 'double', offset: 'double', walkSpeed: 'double', seed: 'int32' },
+  outputs: { uniform: 'double', normal: 'double', walk: 'double' },
+  mode: { frequency: { hertz: 30 } },
+  createState: (): { seed: number | undefined; random: number; walk: number } => ({
+    seed: undefined,
+    random: 0,
+    walk: 0,
+  }),
+  onProcessing(deltaTimeMs, inputs, state) {
+    const read = {
+      value(record: NumberRecord | undefined) {
+        return record?.double ?? record?.float ?? record?.int32;
+      },
+      // What is not a finite number counts as missing.
+      number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
+        const value = this.value(record);
+        return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
+      },
+      /** From 0 to below 1. */
+      random() {
+        state.random = (state.random + 0x6d2b79f5) | 0;
+        let mixed = Math.imul(state.random ^ (state.random >>> 15), 1 | state.random);
+        mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
+        return ((mixed ^ (mixed >>> 14)) >>> 0) / 4_294_967_296;
+      },
+    };
+    const amplitude = read.number(inputs.amplitude, 1, -1e150, 1e150);
+    const offset = read.number(inputs.offset, 0, -1e150, 1e150);
+    const walkSpeed = read.number(inputs.walkSpeed, 1, 0, 100);
+    const seed = read.number(inputs.seed, 1, -(2 ** 31), 2 ** 31 - 1) | 0;
+    if (state.seed !== seed) {
+      state.seed = seed;
+      state.random = seed;
+      state.walk = 0;
+    }
+
+    const uniform = 2 * read.random() - 1;
+    // 1 − random is never 0, so the logarithm is finite.
+    const radius = Math.sqrt(-2 * Math.log(1 - read.random()));
+    const normal = radius * Math.cos(2 * Math.PI * read.random());
+    // The variance of a random walk grows with time; after a pause it is as if a second had passed.
+    const seconds = Math.min(1, deltaTimeMs / 1000);
+    let walk = state.walk + normal * walkSpeed * Math.sqrt(seconds);
+    // Reflected at both ends of −1 to 1: a triangle wave of period 4.
+    walk = ((((walk + 1) % 4) + 4) % 4) - 1;
+    if (walk > 1) walk = 2 - walk;
+    state.walk = walk;
+
+    return {
+      outputs: {
+        uniform: { double: offset + amplitude * uniform },
+        normal: { double: offset + amplitude * normal },
+        walk: { double: offset + amplitude * walk },
+      },
+    };
+  },
+});

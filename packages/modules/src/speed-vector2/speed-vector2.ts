@@ -1,0 +1,76 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type { NumberRecord } from '../number-record.ts';
+
+interface SpeedState {
+  last: { x: number; y: number } | undefined;
+  /** Time since the position in `last`, milliseconds. */
+  waitedMs: number;
+  velocity: { x: number; y: number };
+  distance: number;
+}
+
+/**
+ * The velocity of a position. It runs at a frequency, so that the speed goes down to 0 when no new
+ * position arrives.
+ */
+export const speedVector2 = defineProcessingModule({
+  name: 'speed-vector2',
+  description: 'Gives velocity, speed and distance travelled of a position.',
+  tags: ['vector', 'number', 'derivative', 'pointer'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  inputs: { position: 'vector2', smoothingMs: 'double' },
+  outputs: { velocity: 'vector2', speed: 'double', distance: 'double' },
+  mode: { frequency: { hertz: 30 } },
+  createState: (): SpeedState => ({
+    last: undefined,
+    waitedMs: 0,
+    velocity: { x: 0, y: 0 },
+    distance: 0,
+  }),
+  onProcessing(deltaTimeMs, inputs, state) {
+    const read = {
+      value(record: NumberRecord | undefined) {
+        return record?.double ?? record?.float ?? record?.int32;
+      },
+      // What is not a finite number counts as missing.
+      number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
+        const value = this.value(record);
+        return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
+      },
+    };
+    const smoothingMs = read.number(inputs.smoothingMs, 60, 0, 60_000);
+    state.waitedMs += deltaTimeMs;
+    const position = inputs.position?.vector2;
+    // A run that only a parameter caused brings no new position.
+    const triggers = state.inputTriggerNames ?? [];
+    if (position === undefined || (triggers.length > 0 && !triggers.includes('position')))
+      return undefined;
+    // Differences of larger numbers could be infinite.
+    if (![position.x, position.y].every((part) => Math.abs(part) <= 1e100)) return undefined;
+
+    const { x, y } = position;
+    const last = state.last;
+    if (last !== undefined && state.waitedMs <= 0) return undefined;
+    if (last !== undefined) {
+      const seconds = state.waitedMs / 1000;
+      const way = { x: x - last.x, y: y - last.y };
+      state.distance += Math.hypot(way.x, way.y);
+      // First-order low-pass, exact for any interval.
+      const share = smoothingMs === 0 ? 1 : -Math.expm1(-state.waitedMs / smoothingMs);
+      state.velocity = {
+        x: state.velocity.x + share * (way.x / seconds - state.velocity.x),
+        y: state.velocity.y + share * (way.y / seconds - state.velocity.y),
+      };
+    }
+    state.last = { x, y };
+    state.waitedMs = 0;
+    return {
+      outputs: {
+        velocity: { vector2: state.velocity },
+        speed: { double: Math.hypot(state.velocity.x, state.velocity.y) },
+        distance: { double: state.distance },
+      },
+    };
+  },
+});
