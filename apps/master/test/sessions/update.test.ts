@@ -1,4 +1,4 @@
-import { SessionState, type Session } from '@ubii/proto';
+import { SessionState, StatusEventKind, type Session } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { codes, doubler, doubling, SessionWorld, TOPICS } from './session-world.ts';
 import { TestNode } from './test-node.ts';
@@ -52,6 +52,29 @@ describe('an update of a running session', () => {
     world.ada.publish('/in', 'double', 1);
     await world.master.pass(10);
     expect(await world.value('/out')).toBeGreaterThan(100);
+    expect((await world.get(session)).extension?.state).toBe(SessionState.SESSION_RUNNING);
+  });
+
+  it('stays running while a changed module restarts and an added one starts [SE-12] [SE-15]', async () => {
+    const { world, session } = await setup();
+    const states: (SessionState | undefined)[] = [];
+    world.takeNews();
+    session.processingModules[0]!.onCreatedStringified = '(state) => { state.count = 100; }';
+    await world.ask(TOPICS.update, {
+      ...session,
+      processingModules: [...session.processingModules, { ...doubler, name: 'second' }],
+    });
+    await world.master.pass(10);
+    for (const [, { extension }] of world.takeNews()) states.push(extension?.state);
+    expect(states.length).toBeGreaterThan(0);
+    expect(new Set(states)).toEqual(new Set([SessionState.SESSION_RUNNING]));
+    const { masterStatus } = await world.master.call({
+      topic: '/services/ubii/master_status',
+      masterStatusRequest: { sinceMs: 0 },
+    });
+    expect(masterStatus!.events.map(({ kind }) => kind)).not.toContain(
+      StatusEventKind.SESSION_DEGRADED,
+    );
     expect((await world.get(session)).extension?.state).toBe(SessionState.SESSION_RUNNING);
   });
 
@@ -139,7 +162,7 @@ describe('an update of a running session', () => {
     const node = await TestNode.ours(world.master, 'tab');
     session.processingModules[0]!.nodeId = node.id;
     const moved = await world.ask(TOPICS.update, session);
-    expect(moved.extension?.state).toBe(SessionState.SESSION_DEGRADED);
+    expect(moved.extension?.state).toBe(SessionState.SESSION_RUNNING);
     const [module] = node.own(node.told('change'));
     await node.ran([module!]);
     expect((await world.get(session)).extension?.state).toBe(SessionState.SESSION_RUNNING);

@@ -112,7 +112,11 @@ export function evaluate(context: LifeContext, session: Session): void {
     return;
   }
   if (life !== 'starting') {
-    moveAndTell(context, session, 'some run');
+    // A module that an update starts or restarts has its time, too: until then nothing is wrong.
+    const isMissing = modules.some(
+      (module) => module.phase !== 'running' && !isStartingInTime(context, module),
+    );
+    if (isMissing) moveAndTell(context, session, 'some run');
     return;
   }
   // What is late counts as failed, but may still come.
@@ -125,11 +129,16 @@ export function evaluate(context: LifeContext, session: Session): void {
 }
 
 /** Nodes had their time to start its modules [SE-12]. */
-function isOverdue({ clock, limits }: LifeContext, session: Session): boolean {
-  return session.modules.every(
-    ({ phase, waitingSinceMs }) =>
-      phase !== 'waiting' || clock.monotonicMs() - waitingSinceMs >= limits.startTimeoutMs,
-  );
+function isOverdue(context: LifeContext, session: Session): boolean {
+  return session.modules.every((module) => !isStartingInTime(context, module));
+}
+
+/** Its node was told to start it, and still has time to report [SE-12]. */
+function isStartingInTime(
+  { clock, limits }: LifeContext,
+  { phase, waitingSinceMs }: SessionModule,
+): boolean {
+  return phase === 'waiting' && clock.monotonicMs() - waitingSinceMs < limits.startTimeoutMs;
 }
 
 /** The master's own modules of this session become what the session says. */
