@@ -16,9 +16,10 @@ import { joinAddress, pageAddress } from './addresses.ts';
 import { useGrants } from './useGrants.ts';
 
 /**
- * What a host shows phones: an address, a code, and what both lead to.
- * @param makesAtOnce false where nobody asked for a code yet
- * @param opens the page that is chosen at first, where the place says it; not remembered
+ * Provides what a phone needs to join: an address, a code, and the page that opens.
+ *
+ * @param makesAtOnce creates an invitation without asking, where a phone can reach the master
+ * @param opens the page that is selected at first; not remembered. @default the page selected last
  */
 export function useConnectPhone(makesAtOnce: boolean, opens?: string) {
   const { master } = useConnection();
@@ -37,8 +38,6 @@ export function useConnectPhone(makesAtOnce: boolean, opens?: string) {
       .lifetimeMs,
     stayMs: (STAYS.find(({ value }) => value === stay.value) ?? STAYS[1]).stayMs,
   }));
-  const grants = useGrants(choice, mayMake);
-
   const isKnown = computed(
     () =>
       master.view.value !== undefined ||
@@ -52,9 +51,14 @@ export function useConnectPhone(makesAtOnce: boolean, opens?: string) {
     get: () => (addresses.value.find((one) => one.url === chosen.value) ?? addresses.value[0])?.url,
     set: (next) => (chosen.value = next),
   });
-  /** Whether codes are made here; else the page's own address is shown. */
+  const grants = useGrants(
+    choice,
+    mayMake,
+    computed(() => isKnown.value && url.value !== undefined),
+  );
+  /** Whether this browser creates invitations; else the plain address of the page is shown. */
   const usesCodes = computed(() => grants.isAdmin.value && !grants.isUnsupported.value);
-  /** What the QR code says; `undefined` while there is nothing to say. */
+  /** Content of the QR code; `undefined` while there is none. */
   const scanned = computed(() => {
     if (url.value === undefined) return undefined;
     if (!usesCodes.value) return pageAddress(url.value, page.value);

@@ -9,15 +9,21 @@ import { useGrantSecrets } from './grant-secrets.ts';
 const INTERVAL_MS = 2000;
 
 /**
- * Who may join, for the host, and the grant for what is chosen: an earlier one where there is one.
- * @param mayMake false where nobody asked for a code yet
+ * Lists the invitations of this master for an admin, and creates one for the current choice unless an open one exists.
+ *
+ * @param mayMake false until the user asks for a code
+ * @param isReachable false while no phone can reach the master: then no invitation is created
  */
-export function useGrants(choice: Ref<GrantChoice>, mayMake: Ref<boolean>) {
+export function useGrants(
+  choice: Ref<GrantChoice>,
+  mayMake: Ref<boolean>,
+  isReachable: Readonly<Ref<boolean>>,
+) {
   const { client, state, isConnected, master, clients } = useConnection();
   const secrets = useGrantSecrets();
   const grants = shallowRef<readonly AccessGrant[]>();
   const error = ref('');
-  /** A master from before there were roles: everybody is let in. */
+  /** A master of a version without roles: every client has access. */
   const isUnsupported = ref(false);
   const isMaking = ref(false);
   const nowMs = (): number => Date.now() + (master.view.value?.clock.offsetMs ?? 0);
@@ -49,8 +55,9 @@ export function useGrants(choice: Ref<GrantChoice>, mayMake: Ref<boolean>) {
       if (mayMake.value) await make();
     });
 
-  /** Makes a grant for what is chosen unless there is one. */
+  /** Creates an invitation for the current choice unless an open one exists. */
   async function make(): Promise<void> {
+    if (!isReachable.value) return;
     if (isMaking.value || current.value !== undefined || grants.value === undefined) return;
     isMaking.value = true;
     try {
@@ -72,10 +79,10 @@ export function useGrants(choice: Ref<GrantChoice>, mayMake: Ref<boolean>) {
 
   const revoke = (grant: AccessGrant, work: RevokedWork): Promise<void> =>
     attempt(async () => {
-      mayMake.value = false; // or a new one would take its place at once
+      mayMake.value = false; // else the next refresh creates a replacement
       await client.call('accessGrantRevoke', {
         grantId: grant.id,
-        reason: 'the host closed it',
+        reason: 'the host revoked the invitation',
         work,
       });
       await refresh();
@@ -86,10 +93,10 @@ export function useGrants(choice: Ref<GrantChoice>, mayMake: Ref<boolean>) {
     INTERVAL_MS,
     computed(() => isConnected.value && isAdmin.value && !isUnsupported.value),
   );
-  watch([choice, mayMake], () => {
+  watch([choice, mayMake, isReachable], () => {
     if (mayMake.value && isAdmin.value && isConnected.value) void attempt(make);
   });
-  // Who joined shows at once
+  // Show new devices at once
   watch(clients.list, (list, before) => {
     if (list?.length !== before?.length && isConnected.value && isAdmin.value) void refresh();
   });
