@@ -19,14 +19,13 @@ import { BodyDecoder } from './adapters/http/bodies/body-decoder.ts';
 import { createHttpApp } from './adapters/http/http-app.ts';
 import { randomIds } from './adapters/ids/random-ids.ts';
 import { announce } from './adapters/discovery/announce.ts';
-import { isLoopbackHost } from './adapters/network/address-kinds.ts';
 import { descriptorLimit } from './adapters/network/descriptor-limit.ts';
 import { Doorkeeper } from './adapters/network/doorkeeper.ts';
+import { LanSwitch } from './adapters/network/lan-switch.ts';
 import { Listeners } from './adapters/network/listeners.ts';
 import type { ListeningPorts } from './adapters/network/listeners.ts';
 import { OwnAddresses } from './adapters/network/own-addresses.ts';
 import { listNetworkAddresses } from './adapters/network/network-addresses.ts';
-import { ALL_NETWORKS } from './adapters/network/open-port.ts';
 import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
@@ -35,7 +34,6 @@ import { openStorage } from './adapters/storage/open-storage.ts';
 import { HmacResumeTokens } from './adapters/tokens/hmac-resume-tokens.ts';
 import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
 import { localName } from './adapters/tls/own-names.ts';
-import { openHttps } from './adapters/tls/open-https.ts';
 import { ProcessUsage } from './adapters/usage/process-usage.ts';
 import { PreflightSockets } from './adapters/ws/preflight-sockets.ts';
 import { TopicDataSockets } from './adapters/ws/topic-data-sockets.ts';
@@ -85,11 +83,16 @@ export async function startMaster({
   prepareDataDir(config.dataDir);
   const key = readOrCreateTokenKey(config.dataDir);
   const tokens = new HmacResumeTokens(key);
-  const host = config.lan ? ALL_NETWORKS : config.host;
+  const lan = await LanSwitch.create({
+    config,
+    log,
+    move: (reach) => listeners.move(reach),
+    onOpen: () => announceIfWished(),
+  });
   const ownAddresses = new OwnAddresses();
   const policy = new OriginPolicy({
-    onLan: !isLoopbackHost(host),
-    host,
+    isOnLan: () => lan.isOpen,
+    host: lan.host,
     allowedOrigins: config.allowedOrigins,
     isOwnAddress: (address) => ownAddresses.has(address),
   });
@@ -105,7 +108,6 @@ export async function startMaster({
     isTrustedProxy: (address) => proxies.has(address),
     owners,
   });
-  const https = await openHttps(config, host, log);
   const limits = fitConnections(limitsOfMachine(config.limits), descriptorLimit());
   const { sandboxes, libraries } = openSandboxes(workerFile, config.allowFetch, limits);
   const storage = openStorage(config.dataDir);
@@ -116,7 +118,12 @@ export async function startMaster({
   });
   const library = await TrustedLibrary.open(moduleLibrary(), config.modules, log);
   const reachability = (): Reachability =>
-    describeReachability(host, listeners.ports, listNetworkAddresses(), https !== undefined);
+    describeReachability(
+      lan.host,
+      listeners.ports,
+      listNetworkAddresses(),
+      lan.https !== undefined,
+    );
 
   const clock = new SystemClock(log);
   const master = createMaster(
@@ -134,6 +141,7 @@ export async function startMaster({
         instructions: limits.patternInstructions,
       }),
       usage: new ProcessUsage(),
+      lan,
       sandboxes,
       storage,
       library: () => library.modules(),
@@ -176,7 +184,7 @@ export async function startMaster({
     decoder,
     doorkeeper,
     frontendFolder,
-    authority: https?.authority,
+    authority: () => lan.https?.authority,
   });
   const loopbackFacts = { role: loopback, tellsOwners: owners.canTell };
   if (loopback === 'admin' && !owners.canTell) {
@@ -187,7 +195,7 @@ export async function startMaster({
   /** A master that cannot keep anything goes on as it is. */
   const openTerminal = async (): Promise<TerminalAccess | undefined> => {
     try {
-      const terminal = await master.openTerminal(!isLoopbackHost(host));
+      const terminal = await master.openTerminal(lan.isOpen);
       tokenFile = new AdminTokenFile(config.dataDir, terminal.admin.token);
       return terminal;
     } catch (error) {
@@ -196,9 +204,9 @@ export async function startMaster({
     }
   };
   const listeners = new Listeners({
-    host,
+    host: lan.host,
     log,
-    onePort: https?.onePort,
+    onePort: lan.https?.onePort,
     doorkeeper,
     timeouts: { headersMs: limits.headersTimeoutMs, stillMs: limits.slowSocketTimeoutMs },
     handleRequest: (request, response) => app.routing(request, response),
@@ -207,13 +215,26 @@ export async function startMaster({
 
   let tokenFile: AdminTokenFile | undefined;
   let announced: AnnouncedMaster | undefined;
+  const announceIfWished = (): void => {
+    if (config.mdns === 'off') return;
+    announced = announce({
+      id: master.id,
+      name: config.name,
+      version,
+      ports: listeners.ports,
+      https: lan.https !== undefined,
+      host: localName(),
+      reachability,
+      log,
+    });
+  };
   const close = async (): Promise<void> => {
     tokenFile?.close();
     const closed = listeners.close();
     const withdrawn = announced?.close();
     const ended = master.close();
     library.close();
-    https?.close();
+    lan.close();
     const cut = setTimeout(() => {
       sockets.terminate();
       listeners.cut();
@@ -230,18 +251,7 @@ export async function startMaster({
       legacy: config.legacyPorts,
       legacyWished: config.given.has('legacyPorts'),
     });
-    if (config.mdns === 'on' && !isLoopbackHost(host)) {
-      announced = announce({
-        id: master.id,
-        name: config.name,
-        version,
-        ports: listeners.ports,
-        https: https !== undefined,
-        host: localName(),
-        reachability,
-        log,
-      });
-    }
+    if (lan.isOpen) announceIfWished();
     const terminal = await openTerminal();
     return { ports: listeners.ports, reachability, terminal, loopback: loopbackFacts, close };
   } catch (error) {

@@ -6,6 +6,7 @@ import type { Clock } from './ports/clock.ts';
 import type { AccessSecrets } from './ports/access-secrets.ts';
 import type { DocumentStore, SessionStorage } from './ports/document-store.ts';
 import type { IdSource } from './ports/id-source.ts';
+import type { Lan } from './ports/lan.ts';
 import type { Log } from './ports/log.ts';
 import type { ResourceUsage } from './ports/resource-usage.ts';
 import type { ResumeTokens } from './ports/resume-tokens.ts';
@@ -28,6 +29,8 @@ export interface MasterPorts {
   readonly logTail: LogTail;
   readonly patterns: PatternCompiler;
   readonly usage: ResourceUsage;
+  /** Opens the master to the local network while it runs [AC-47]. */
+  readonly lan: Lan;
   /** Where modules on the master run. Opened when the first of them comes; the core closes it. */
   readonly sandboxes: SandboxFactory;
   readonly storage: SessionStorage;

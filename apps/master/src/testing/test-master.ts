@@ -19,6 +19,7 @@ import type { MasterEndpoints, MasterSettings } from '../core/settings.ts';
 import { FakeClock } from './fake-clock.ts';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import type { SandboxFactory } from '@ubii/pm-sandbox';
+import { FakeLan } from './fake-lan.ts';
 import { FixedUsage } from './fixed-usage.ts';
 import { MemoryAudit } from './memory-audit.ts';
 import { MemoryDocuments, MemoryStorage } from './memory-documents.ts';
@@ -56,6 +57,7 @@ export class TestMaster {
   readonly log = new RecordingLog();
   readonly tokens = new PlainTokens();
   readonly usage = new FixedUsage();
+  readonly lan = new FakeLan();
   readonly storage: MemoryStorage;
   readonly grants: MemoryDocuments;
   readonly audit: MemoryAudit;
@@ -81,6 +83,7 @@ export class TestMaster {
         logTail: this.logTail,
         patterns: patterns ?? new Re2Patterns(),
         usage: this.usage,
+        lan: this.lan,
         sandboxes: sandboxes ?? createInlineSandboxes(),
         storage: this.storage,
         library: () => library,

@@ -201,3 +201,118 @@ describe.skipIf(reason !== undefined)('a master in a network of its own', () => 
     });
   });
 });
+
+describe.skipIf(reason !== undefined)('a master with --lan off in a network of its own', () => {
+  const network = new TestNetwork();
+  let master: ReturnType<TestNetwork['startOnMaster']>;
+  let endpoints: Endpoints;
+
+  beforeAll(async () => {
+    execFileSync(process.execPath, ['build.mjs', '.cache-lan'], { cwd: packageFolder });
+    network.open();
+    const flags = ['--lan', 'off', '--port', '0', '--legacy-ports', 'off', '--mdns', 'off'];
+    master = network.startOnMaster(
+      [program, ...flags, '--print-endpoints', 'json', '--data-dir', newFolder()],
+      { PATH: process.env['PATH'], HOME: newFolder() },
+    );
+    endpoints = await new Promise<Endpoints>((resolve, reject) => {
+      let text = '';
+      let problem = '';
+      master.stderr?.on('data', (chunk) => (problem += String(chunk)));
+      master.stdout?.on('data', (chunk) => {
+        text += String(chunk);
+        if (text.includes('\n')) resolve(JSON.parse(text) as Endpoints);
+      });
+      master.once('close', () => reject(new Error(problem)));
+    });
+  }, 120_000);
+
+  afterAll(() => {
+    master?.kill('SIGKILL');
+    network.close();
+  });
+
+  const send = async (
+    where: 'master' | 'phone',
+    topic: string,
+    payload: object,
+    { host = MASTER, scheme = 'http', bearer = '' } = {},
+  ): Promise<{ status: number; reply: Record<string, unknown> }> => {
+    const { status, text } = (await network.run(where, ask, {
+      url: `${scheme}://${host}:${new URL(endpoints.url).port}/services/json`,
+      method: 'POST',
+      headers: {
+        'content-type': 'application/json',
+        ...(bearer !== '' && { authorization: `Bearer ${bearer}` }),
+      },
+      body: JSON.stringify({ topic, ...payload }),
+    })) as Answer;
+    return {
+      status,
+      reply: status === 200 ? (JSON.parse(text) as Record<string, unknown>) : { text },
+    };
+  };
+  const configuration = (where: 'master' | 'phone', scheme = 'http') =>
+    send(where, '/services/server_configuration', {}, { scheme });
+
+  it('is reached by phones after an admin of its machine turned the network on [AC-47]', async () => {
+    expect((await configuration('phone')).status).toBe(0);
+    const here = { host: '127.0.0.1' };
+    // Whoever has not shown the token of the terminal is no admin.
+    const refused = await send('master', '/services/ubii/lan_open', {}, here);
+    expect(refused.reply).toMatchObject({ error: { code: 'permission_denied' } });
+    expect((await configuration('phone')).status).toBe(0);
+
+    const registered = await send(
+      'master',
+      '/services/client/registration',
+      { client: { name: 'desk', extension: {} } },
+      { ...here, bearer: endpoints.adminToken },
+    );
+    const { client } = registered.reply as unknown as {
+      client: { extension: { credential: string } };
+    };
+    const bearer = client.extension.credential;
+    const opened = await send('master', '/services/ubii/lan_open', {}, { ...here, bearer });
+    expect(opened.reply).toHaveProperty('success');
+
+    // The same port, HTTP and HTTPS; whoever comes is a stranger, as with --lan on.
+    for (const scheme of ['http', 'https']) {
+      expect((await configuration('phone', scheme)).reply).toHaveProperty('server');
+    }
+    expect((await send('phone', '/services/client/get_list', {})).reply).toMatchObject({
+      error: { code: 'unauthenticated' },
+    });
+    // An admin's credential of the master's machine is worth nothing elsewhere. [AC-43]
+    expect((await send('phone', '/services/client/get_list', {}, { bearer })).reply).toMatchObject({
+      error: { code: 'unauthenticated' },
+    });
+    // Who was there stays, and gets what the network offers now.
+    const status = await send(
+      'master',
+      '/services/ubii/master_status',
+      { masterStatusRequest: { sinceMs: 0 } },
+      { ...here, bearer },
+    );
+    expect(JSON.stringify(status.reply)).toContain(`https://${MASTER}:`);
+
+    const made = await send(
+      'master',
+      '/services/ubii/access_grant_create',
+      { accessGrantCreateRequest: { role: 'ACCESS_ROLE_PARTICIPANT' } },
+      { ...here, bearer },
+    );
+    const { accessGrantCreated } = made.reply as unknown as {
+      accessGrantCreated: { token: string };
+    };
+    const joined = await send(
+      'phone',
+      '/services/client/registration',
+      { client: { name: 'phone', extension: {} } },
+      { scheme: 'https', bearer: accessGrantCreated.token },
+    );
+    expect(joined.reply).toMatchObject({
+      client: { extension: { role: 'ACCESS_ROLE_PARTICIPANT' } },
+    });
+  });
+});

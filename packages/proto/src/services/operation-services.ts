@@ -42,6 +42,11 @@ export const OPERATION_SERVICES = {
     'logTail',
     'Returns the lines of the log of the master after a cursor.',
   ),
+  lanOpen: withoutPayload(
+    '/services/ubii/lan_open',
+    'success',
+    'Lets other machines of the local network reach the master, until it ends.',
+  ),
   moduleVersionList: withPayload(
     '/services/ubii/module_version_list',
     'moduleVersionRequest',

@@ -42,6 +42,7 @@ describe('the service table', () => {
       '/services/ubii/limit_list',
       '/services/ubii/setting_list',
       '/services/ubii/log_tail',
+      '/services/ubii/lan_open',
       '/services/ubii/module_version_list',
       '/services/ubii/join_check',
       '/services/ubii/access_grant_create',

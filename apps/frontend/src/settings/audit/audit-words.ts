@@ -16,6 +16,7 @@ const DEEDS: Readonly<Record<string, readonly [done: string, tried: string]>> = 
   'ubii/client_rename': ['renamed', 'rename'],
   'ubii/client_disconnect': ['disconnected', 'disconnect'],
   'ubii/client_throttle': ['throttled', 'throttle'],
+  'ubii/lan_open': ['turned on the local network', 'turn on the local network'],
   'ubii/access_grant_create': ['made the invitation', 'make the invitation'],
   'ubii/access_grant_revoke': ['revoked the invitation', 'revoke the invitation'],
 };

@@ -23,7 +23,7 @@ const STRANGE_PORT = 33;
 const readerWith = (loopback: LoopbackFacts['role']) =>
   new CallerReader({
     policy: new OriginPolicy({
-      onLan: true,
+      isOnLan: () => true,
       host: '::',
       allowedOrigins: [],
       isOwnAddress: (text) => own.has(text),

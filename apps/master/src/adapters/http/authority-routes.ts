@@ -1,56 +1,60 @@
 import { createHash, X509Certificate } from 'node:crypto';
-import type { FastifyInstance, FastifyReply } from 'fastify';
+import type { FastifyInstance } from 'fastify';
+
+/** Gives the authority's certificate as PEM; undefined while the master has none. */
+type Authority = () => string | undefined;
 
 /**
- * The authority's certificate, for devices that are to trust this master: in each form that some system
- * installs. It is no secret; its key never leaves the data directory.
- *
- * @param authority PEM
+ * Serves the authority's certificate to devices that are to trust this master, in each form that some system
+ * installs. It is no secret; its key never leaves the data directory. Without an authority the paths are not found.
  */
-export function addAuthority(app: FastifyInstance, authority: string): void {
-  const der = new X509Certificate(authority).raw;
-  const send = (reply: FastifyReply, type: string, name: string, body: string | Buffer): unknown =>
-    reply
-      .header('cache-control', 'no-store')
-      .header('content-disposition', `attachment; filename="${name}"`)
-      .type(type)
-      .send(body);
+export function addAuthority(app: FastifyInstance, authority: Authority): void {
+  const add = (
+    path: string,
+    type: string,
+    name: string,
+    bodyOf: (pem: string) => string | Buffer,
+  ): void => {
+    app.get(path, (_request, reply) => {
+      const pem = authority();
+      if (pem === undefined) return reply.callNotFound();
+      return reply
+        .header('cache-control', 'no-store')
+        .header('content-disposition', `attachment; filename="${name}"`)
+        .type(type)
+        .send(bodyOf(pem));
+    });
+  };
   // Firefox, Linux and macOS.
-  app.get('/ca.pem', (_request, reply) =>
-    send(reply, 'application/x-pem-file', 'ubi-interact.pem', authority),
-  );
+  add('/ca.pem', 'application/x-pem-file', 'ubi-interact.pem', (pem) => pem);
   // Android and Windows.
-  app.get('/ca.crt', (_request, reply) =>
-    send(reply, 'application/x-x509-ca-cert', 'ubi-interact.crt', der),
-  );
+  add('/ca.crt', 'application/x-x509-ca-cert', 'ubi-interact.crt', derOf);
   // iOS and iPadOS.
-  app.get('/ca.mobileconfig', (_request, reply) =>
-    send(
-      reply,
-      'application/x-apple-aspen-config',
-      'ubi-interact.mobileconfig',
-      profileOf(der, commonNameOf(authority)),
-    ),
+  add('/ca.mobileconfig', 'application/x-apple-aspen-config', 'ubi-interact.mobileconfig', (pem) =>
+    profileOf(derOf(pem), commonNameOf(pem)),
   );
 }
 
 /**
- * For the page that helps to install it: what to compare it with on the machine of the master. Empty where
- * there is no authority.
- *
- * @param authority PEM
+ * Serves what a person compares the certificate with on the machine of the master. Empty while there is no
+ * authority.
  */
-export function addAuthorityFacts(app: FastifyInstance, authority: string | undefined): void {
+export function addAuthorityFacts(app: FastifyInstance, authority: Authority): void {
   app.get('/ca.json', (_request, reply) => {
     reply.header('cache-control', 'no-store');
-    if (authority === undefined) return reply.send({});
-    const { fingerprint256, validTo } = new X509Certificate(authority);
+    const pem = authority();
+    if (pem === undefined) return reply.send({});
+    const { fingerprint256, validTo } = new X509Certificate(pem);
     return reply.send({
-      name: commonNameOf(authority),
+      name: commonNameOf(pem),
       fingerprint: fingerprint256,
       validToMs: Date.parse(validTo),
     });
   });
+}
+
+function derOf(pem: string): Buffer {
+  return new X509Certificate(pem).raw;
 }
 
 function commonNameOf(authority: string): string {

@@ -32,8 +32,8 @@ export interface HttpAppOptions {
   readonly doorkeeper: Doorkeeper;
   /** The built frontend. */
   readonly frontendFolder: string;
-  /** Certificate of the master's own authority, PEM; undefined when it has none. */
-  readonly authority: string | undefined;
+  /** Certificate of the master's own authority, PEM; undefined while it has none. */
+  readonly authority: () => string | undefined;
 }
 
 /** Ends the connection of a request that was answered and still goes on. [AC-65] */
@@ -63,7 +63,7 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
   addServices(app, options);
   addStatus(app, { ...options, edgeMetrics: () => counts.metrics() });
   addAuthorityFacts(app, options.authority);
-  if (options.authority !== undefined) addAuthority(app, options.authority);
+  addAuthority(app, options.authority);
   await addFrontend(app, frontendFolder);
   await app.ready();
   return app;

@@ -1,5 +1,5 @@
-import { createServer } from 'node:http';
-import { afterEach, describe, expect, it } from 'vitest';
+import { createServer, type ServerResponse } from 'node:http';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 
 import { StreamLog } from '../log/stream-log.ts';
 import { Listeners } from './listeners.ts';
@@ -87,6 +87,59 @@ describe('opening ports', () => {
     const master = listeners();
     await master.open({ main, legacy: { services: main, topicData: main }, legacyWished: true });
     expect(master.ports).toEqual({ main, services: main, topicData: main });
+  });
+
+  it('moves to another host on the same ports, and open connections stay', async () => {
+    const answers: ServerResponse[] = [];
+    const master = new Listeners({
+      onePort: undefined,
+      host: 'localhost',
+      log,
+      handleRequest: (request, response) => {
+        if (request.url === '/slow') answers.push(response);
+        else response.end('hello');
+      },
+      handleUpgrade: (_request, socket) => socket.destroy(),
+    });
+    opened.push(master);
+    await master.open({ main: 0, legacy: { services: 0, topicData: 0 }, legacyWished: true });
+    const { ports } = master;
+    const slow = fetch(`http://127.0.0.1:${ports.main}/slow`);
+    await vi.waitFor(() => expect(answers).toHaveLength(1));
+    // Another loopback address stands for another network.
+    await master.move({ host: '127.0.0.2', onePort: undefined });
+    expect(master.ports).toEqual(ports);
+    for (const port of Object.values(ports)) {
+      expect(await (await fetch(`http://127.0.0.2:${port}`)).text()).toBe('hello');
+      await expect(fetch(`http://127.0.0.1:${port}`)).rejects.toThrow();
+    }
+    answers[0]!.end('late');
+    expect(await (await slow).text()).toBe('late');
+  });
+
+  it('stays where it is when the main port cannot be had on the other host', async () => {
+    const master = listeners();
+    await master.open({ main: 0, legacy: { services: 0, topicData: 0 }, legacyWished: true });
+    const { main, services } = master.ports;
+    await expect(master.move({ host: '192.0.2.1', onePort: undefined })).rejects.toThrow(
+      'The host "192.0.2.1" (--host) is no address of this machine',
+    );
+    for (const port of [main, services]) {
+      expect(await (await fetch(`http://127.0.0.1:${port}`)).text()).toBe('hello');
+    }
+  });
+
+  it('leaves a legacy port where it is that cannot be had on the other host, with a warning', async () => {
+    const master = listeners();
+    await master.open({ main: 0, legacy: { services: 0, topicData: 0 }, legacyWished: true });
+    const { main, services } = master.ports;
+    const taken = createServer();
+    await new Promise<void>((done) => taken.listen(services, '127.0.0.2', done));
+    opened.push({ close: () => new Promise((done) => taken.close(done)) });
+    await master.move({ host: '127.0.0.2', onePort: undefined });
+    expect(await (await fetch(`http://127.0.0.2:${main}`)).text()).toBe('hello');
+    expect(await (await fetch(`http://127.0.0.1:${services}`)).text()).toBe('hello');
+    expect(logged.join()).toContain(`Port ${services} (--legacy-ports) is taken`);
   });
 
   it('explains a host that is none of this machine', async () => {

@@ -11,11 +11,11 @@ import { explainListenError } from './explain-listen-error.ts';
 import { openPort } from './open-port.ts';
 
 export interface ListenersOptions {
-  /** What to listen on, see `openPort`. */
+  /** What to listen on at first, see `openPort`. */
   readonly host: string;
   readonly handleRequest: RequestListener;
   readonly handleUpgrade: (request: IncomingMessage, socket: Duplex, head: Buffer) => void;
-  /** Answers HTTPS on the same ports; undefined: they are for HTTP only. */
+  /** Answers HTTPS on the same ports at first; undefined: they are for HTTP only. */
   readonly onePort: OnePort | undefined;
   /** Says who may connect; undefined: everybody. */
   readonly doorkeeper?: Doorkeeper;
@@ -47,6 +47,13 @@ export interface WantedPorts {
   readonly legacyWished: boolean;
 }
 
+/** Where the ports are, and whether they answer HTTPS. */
+export interface Reach {
+  /** See `openPort`. */
+  readonly host: string;
+  readonly onePort: OnePort | undefined;
+}
+
 /** The ports clients are told. */
 export interface ListeningPorts {
   readonly main: number;
@@ -60,10 +67,16 @@ export interface ListeningPorts {
 export class Listeners {
   readonly #options: ListenersOptions;
   readonly #opened = new Map<number, readonly Server[]>();
+  /** Servers that listen no more, and answer the connections that they have. */
+  readonly #retired: Server[] = [];
+  /** Settle when the last connection of a server that was closed ended. */
+  readonly #ends: Promise<unknown>[] = [];
+  #reach: Reach;
   #ports: ListeningPorts = { main: 0, services: 0, topicData: 0 };
 
   constructor(options: ListenersOptions) {
     this.#options = options;
+    this.#reach = { host: options.host, onePort: options.onePort };
   }
 
   /** All zero before `open` is done. */
@@ -90,22 +103,66 @@ export class Listeners {
     };
   }
 
+  /**
+   * Listens on the same ports of another host. Open connections stay; for the moment in which a port changes hands,
+   * new ones are refused. A legacy port that cannot be had there stays where it is, with a warning.
+   *
+   * @throws ConfigError when the main port cannot be had there; everything is as before then
+   */
+  async move(reach: Reach): Promise<void> {
+    const before = this.#reach;
+    const { main } = this.#ports;
+    this.#reach = reach;
+    try {
+      await this.#reopen(main, '--port');
+    } catch (error) {
+      this.#reach = before;
+      await this.#reopen(main, '--port');
+      throw error;
+    }
+    for (const port of [...this.#opened.keys()].filter((each) => each !== main)) {
+      try {
+        await this.#reopen(port, '--legacy-ports');
+      } catch (error) {
+        this.#options.log.warn(`${String((error as Error).message)} It stays as it was.`);
+        this.#reach = before;
+        await this.#reopen(port, '--legacy-ports');
+        this.#reach = reach;
+      }
+    }
+  }
+
   /** Takes no more connections and ends the idle ones; settles when the last one ended. */
   async close(): Promise<void> {
-    await Promise.all(
-      this.#servers().map((server) => new Promise((resolve) => server.close(resolve))),
-    );
+    for (const port of [...this.#opened.keys()]) this.#retire(port);
+    await Promise.all(this.#ends);
   }
 
   /** Cuts what is still being answered. Upgraded connections are not ours any more. */
   cut(): void {
-    this.#options.onePort?.cut();
-    for (const server of this.#servers()) server.closeAllConnections();
+    this.#reach.onePort?.cut();
+    for (const server of [...this.#opened.values()].flat()) server.closeAllConnections();
+    for (const server of this.#retired) server.closeAllConnections();
+  }
+
+  async #reopen(port: number, option: string): Promise<void> {
+    this.#retire(port);
+    await this.#open(port, option);
+  }
+
+  /** Stops listening on a port, at once. */
+  #retire(port: number): void {
+    const servers = this.#opened.get(port) ?? [];
+    this.#opened.delete(port);
+    for (const server of servers) {
+      this.#retired.push(server);
+      this.#ends.push(new Promise((resolve) => server.close(resolve)));
+    }
   }
 
   async #open(port: number, option: string): Promise<number> {
     if (this.#opened.has(port)) return port;
-    const { host } = this.#options;
+    const { host } = this.#reach;
     try {
       const opened = await openPort(port, host, () => this.#createServer());
       this.#opened.set(opened.port, opened.servers);
@@ -116,7 +173,8 @@ export class Listeners {
   }
 
   #createServer(): Server {
-    const { handleRequest, handleUpgrade, onePort, doorkeeper, timeouts } = this.#options;
+    const { handleRequest, handleUpgrade, doorkeeper, timeouts } = this.#options;
+    const { onePort } = this.#reach;
     const options = {
       keepAliveTimeout: KEEP_ALIVE_MS,
       requestTimeout: REQUEST_TIMEOUT_MS,
@@ -138,9 +196,5 @@ export class Listeners {
     onePort?.attach(server);
     doorkeeper?.guard(server);
     return server;
-  }
-
-  #servers(): readonly Server[] {
-    return [...this.#opened.values()].flat();
   }
 }

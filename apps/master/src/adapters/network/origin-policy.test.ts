@@ -2,10 +2,10 @@ import { describe, expect, it } from 'vitest';
 
 import { OriginPolicy } from './origin-policy.ts';
 
-const loopback = new OriginPolicy({ onLan: false, host: 'localhost', allowedOrigins: [] });
-const onLan = new OriginPolicy({ onLan: true, host: '::', allowedOrigins: [] });
+const loopback = new OriginPolicy({ isOnLan: () => false, host: 'localhost', allowedOrigins: [] });
+const onLan = new OriginPolicy({ isOnLan: () => true, host: '::', allowedOrigins: [] });
 const configured = new OriginPolicy({
-  onLan: false,
+  isOnLan: () => false,
   host: 'localhost',
   allowedOrigins: [
     'https://*.example.org',
@@ -48,7 +48,7 @@ describe('[SV-8] origins', () => {
 
   it('allows the addresses of this machine: programs here call themselves by them', () => {
     const policy = new OriginPolicy({
-      onLan: false,
+      isOnLan: () => false,
       host: 'localhost',
       allowedOrigins: [],
       isOwnAddress: (address) => address === '192.168.1.5',
@@ -102,7 +102,11 @@ describe('[SV-8] origins', () => {
   });
 
   it('lets everybody in when told to, also pages without a name', () => {
-    const open = new OriginPolicy({ onLan: false, host: 'localhost', allowedOrigins: ['*'] });
+    const open = new OriginPolicy({
+      isOnLan: () => false,
+      host: 'localhost',
+      allowedOrigins: ['*'],
+    });
     expect(verdict(open, 'https://evil.example')).toBe('allowed');
     expect(verdict(open, 'null')).toBe('allowed');
   });
@@ -112,7 +116,7 @@ describe('[SV-8] origins', () => {
       expect(verdict(policy, 'null')).toBe('nameless');
     // Such a name is not let through by the configuration; it would be nobody's here either.
     const fromFiles = new OriginPolicy({
-      onLan: false,
+      isOnLan: () => false,
       host: 'null',
       allowedOrigins: ['null'],
       isOwnAddress: () => true,
@@ -125,7 +129,7 @@ describe('[SV-8] origins', () => {
 
 describe('whose a page is, on this machine', () => {
   const policy = new OriginPolicy({
-    onLan: true,
+    isOnLan: () => true,
     host: 'ubii.example.org',
     allowedOrigins: [
       'https://lab.example',
@@ -194,7 +198,11 @@ describe('[SV-8] host names, against re-binding', () => {
   );
 
   it('accepts the name it listens on, and those of allowed origins', () => {
-    const named = new OriginPolicy({ onLan: true, host: 'ubii.example.org', allowedOrigins: [] });
+    const named = new OriginPolicy({
+      isOnLan: () => true,
+      host: 'ubii.example.org',
+      allowedOrigins: [],
+    });
     expect(verdict(named, undefined, 'ubii.example.org:8080')).toBe('same-origin');
     expect(verdict(configured, 'https://a.example.org', 'a.example.org')).toBe('same-origin');
     expect(verdict(configured, undefined, 'example.org')).toBe('refused');

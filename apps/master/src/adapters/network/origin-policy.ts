@@ -1,8 +1,8 @@
 import { isIpAddress, isLoopbackHost, isPrivateAddress } from './address-kinds.ts';
 
 export interface OriginPolicyOptions {
-  /** Whether others than this machine can reach the master. */
-  readonly onLan: boolean;
+  /** Whether other machines can reach the master now. */
+  readonly isOnLan: () => boolean;
   /** Name the master was told to listen on. */
   readonly host: string;
   /** Origins of the configuration, see `allowedOrigins` in config.ts. */
@@ -115,10 +115,10 @@ export class OriginPolicy {
     if (this.#patterns.some((pattern) => pattern.test(origin))) return true;
     if (!/^https?:\/\//.test(origin)) return false;
     const name = hostNameOf(origin.replace(/^https?:\/\//, ''));
-    const { onLan, isOwnAddress } = this.#options;
+    const { isOnLan, isOwnAddress } = this.#options;
     return (
       isLoopbackHost(name) ||
-      (onLan && isPrivateAddress(name)) ||
+      (isOnLan() && isPrivateAddress(name)) ||
       (isIpAddress(name) && isOwnAddress?.(name) === true)
     );
   }

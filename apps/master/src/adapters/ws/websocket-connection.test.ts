@@ -27,7 +27,7 @@ async function openPair(): Promise<ConnectionPair> {
       refuseConnection: () => undefined,
     },
     callers: { read: () => TRUSTED_CALLER },
-    policy: new OriginPolicy({ onLan: false, host: 'localhost', allowedOrigins: [] }),
+    policy: new OriginPolicy({ isOnLan: () => false, host: 'localhost', allowedOrigins: [] }),
     log: new StreamLog({ level: 'error', format: 'json', write: () => {}, nowMs: () => 0 }),
     clock: { after: () => () => undefined },
     maxMessageBytes: 1000,

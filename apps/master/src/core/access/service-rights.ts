@@ -95,6 +95,8 @@ export const SERVICE_RIGHTS: { readonly [S in ServiceName]: ServiceRight } = {
 
   logTail: ADMINS,
   settingList: ADMINS,
+  // On the machine of the master alone. [AC-47]
+  lanOpen: audited(ADMINS),
   accessGrantCreate: audited(actsForClient(ADMINS)),
   accessGrantList: ADMINS,
   auditLog: ADMINS,

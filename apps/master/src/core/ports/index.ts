@@ -6,6 +6,7 @@ export type { AuditStore } from './audit-store.ts';
 export type { Cancel, Clock } from './clock.ts';
 export type { IdSource } from './id-source.ts';
 export type { ResumeTokens } from './resume-tokens.ts';
+export type { Lan } from './lan.ts';
 export type { Log, LogFields } from './log.ts';
 export type { CompiledPattern, PatternCompiler } from '@ubii/patterns';
 export type { ResourceUsage, UsageMeasurement } from './resource-usage.ts';

@@ -16,6 +16,7 @@ import {
 } from './devices.ts';
 import { readAuditLog } from './audit.ts';
 import type { ServiceHandler } from './handler.ts';
+import { openLan } from './lan.ts';
 import { listLimits } from './limits.ts';
 import { tailLog } from './log.ts';
 import { listModuleVersions } from './module-versions.ts';
@@ -79,6 +80,7 @@ const DOMAIN_HANDLERS = {
   limitList: listLimits,
   settingList: listSettings,
   logTail: tailLog,
+  lanOpen: openLan,
   joinCheck: checkJoin,
   accessGrantCreate: createGrant,
   accessGrantList: listGrants,

@@ -1,0 +1,75 @@
+import type { Config } from '../../config.ts';
+import type { Lan, Log } from '../../core/ports/index.ts';
+import { openHttps, type Https } from '../tls/open-https.ts';
+import { isLoopbackHost } from './address-kinds.ts';
+import type { Reach } from './listeners.ts';
+import { ALL_NETWORKS } from './open-port.ts';
+
+export interface LanSwitchParts {
+  readonly config: Config;
+  readonly log: Log;
+  /** Listens on the same ports elsewhere. @throws when a port cannot be had; nothing has changed then */
+  readonly move: (reach: Reach) => Promise<void>;
+  /** Called when other machines can reach the master that could not before. */
+  readonly onOpen: () => void;
+}
+
+/** Knows what the master listens on, and opens it to the local network while it runs [AC-47]. */
+export class LanSwitch implements Lan {
+  readonly #parts: LanSwitchParts;
+  #host: string;
+  #https: Https | undefined;
+  #opening: Promise<void> | undefined;
+
+  private constructor(parts: LanSwitchParts, host: string, https: Https | undefined) {
+    this.#parts = parts;
+    this.#host = host;
+    this.#https = https;
+  }
+
+  /** @throws ConfigError when there is a certificate that cannot be used */
+  static async create(parts: LanSwitchParts): Promise<LanSwitch> {
+    const { config, log } = parts;
+    const host = config.lan ? ALL_NETWORKS : config.host;
+    return new LanSwitch(parts, host, await openHttps(config, host, log));
+  }
+
+  /** What the master listens on, see `openPort`. */
+  get host(): string {
+    return this.#host;
+  }
+
+  /** HTTPS on its ports; undefined while it answers HTTP alone. */
+  get https(): Https | undefined {
+    return this.#https;
+  }
+
+  get isOpen(): boolean {
+    return !isLoopbackHost(this.#host);
+  }
+
+  /** Callers at the same time wait for the same opening. */
+  async open(): Promise<void> {
+    if (this.isOpen) return;
+    this.#opening ??= this.#open().finally(() => (this.#opening = undefined));
+    await this.#opening;
+  }
+
+  close(): void {
+    this.#https?.close();
+  }
+
+  async #open(): Promise<void> {
+    const { config, log, move, onOpen } = this.#parts;
+    const https = this.#https ?? (await openHttps(config, ALL_NETWORKS, log));
+    try {
+      await move({ host: ALL_NETWORKS, onePort: https?.onePort });
+    } catch (error) {
+      if (https !== this.#https) https?.close();
+      throw error;
+    }
+    this.#host = ALL_NETWORKS;
+    this.#https = https;
+    onOpen();
+  }
+}

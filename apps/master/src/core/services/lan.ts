@@ -1,0 +1,36 @@
+import { ServiceError } from '@ubii/proto';
+import type { ServiceHandler } from './handler.ts';
+
+/** `/services/ubii/lan_open` [AC-47] */
+export const openLan: ServiceHandler = async ({ lan, log, settings }, _request, { isHere }) => {
+  if (lan.isOpen) {
+    return { success: { title: 'Success', message: 'The local network can reach this master.' } };
+  }
+  if (!isHere) {
+    throw new ServiceError(
+      'failed_precondition',
+      'The local network can be turned on only from the machine that runs the master. Open this page there.',
+    );
+  }
+  try {
+    await lan.open();
+  } catch (cause) {
+    const reason = cause instanceof Error ? cause.message : String(cause);
+    throw new ServiceError(
+      'unavailable',
+      `The local network could not be turned on, and nothing has changed: ${reason}`,
+    );
+  }
+  log.info('the local network can reach the master until it ends', {
+    addresses: settings
+      .endpoints()
+      .addresses.map(({ url }) => url)
+      .join(' '),
+  });
+  return {
+    success: {
+      title: 'Success',
+      message: 'The local network can reach this master until it ends.',
+    },
+  };
+};
