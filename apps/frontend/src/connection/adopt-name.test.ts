@@ -11,7 +11,7 @@ function setup() {
   scope.run(() =>
     adoptName(
       { id: 'me' },
-      { list, find: (id) => list.value?.find((one) => one.id === id) },
+      { list, ownName: (id) => list.value?.find((one) => one.id === id)?.name },
       name,
       () => now,
     ),

@@ -12,7 +12,7 @@ const ECHO_MS = 5000;
  */
 export function adoptName(
   client: Pick<UbiiClient, 'id'>,
-  clients: Pick<ClientsStore, 'list' | 'find'>,
+  clients: Pick<ClientsStore, 'list' | 'ownName'>,
   name: Ref<string>,
   nowMs: () => number,
 ): void {
@@ -20,7 +20,7 @@ export function adoptName(
   let announced: string | undefined;
   watch(name, (next) => said.set(next, nowMs()), { immediate: true, flush: 'sync' });
   watch(clients.list, () => {
-    const own = clients.find(client.id)?.name;
+    const own = clients.ownName(client.id);
     if (own === undefined || own === '' || own === announced) return;
     const isFirst = announced === undefined;
     announced = own;

@@ -2,6 +2,7 @@ import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { ClientState, ServiceError, type Client } from '@ubii/proto';
 import { useTimeoutFn } from '@vueuse/core';
 import { computed, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
+import { displayNames } from './display-names.ts';
 import { createInterest } from './interest.ts';
 import { perFrame } from './per-frame.ts';
 import { usePoll } from './poll.ts';
@@ -10,12 +11,17 @@ const ANNOUNCEMENTS = '/ubii/client/*';
 /** What was left out of announcements is asked for this long after the first one, for all of them. [EX-74] */
 const SETTLE_MS = 2_000;
 
-/** Every client the master knows, as it announces them. [CL-31] */
+/**
+ * Every client the master knows, as it announces them. [CL-31] Their names are display names: no two clients have the
+ * same one, and none is empty.
+ */
 export interface ClientsStore {
   /** In the order in which this page learned of them; `undefined` until the first list. */
   readonly list: Readonly<ShallowRef<readonly Client[] | undefined>>;
   /** By id; works for clients that are gone, so that their topics keep a name. */
   find(id: string): Client | undefined;
+  /** The name that a client gave itself, as the master has it. */
+  ownName(id: string): string | undefined;
   /** Keeps round trips fresh (they are not announced) while the calling component lives. */
   keepFresh(intervalMs: number): void;
 }
@@ -29,9 +35,33 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
   const announced = new Set<string>();
   const interest = createInterest();
 
+  /** Names that this page shows, by id. */
+  let names: ReadonlyMap<string, string> = new Map();
+  /** A client with its display name; the same object for the same client and name. */
+  const named = new Map<string, { readonly from: Client; readonly to: Client }>();
+
+  function show(client: Client): Client {
+    const name = names.get(client.id) ?? client.name;
+    const last = named.get(client.id);
+    if (last?.from === client && last.to.name === name) return last.to;
+    const to = client.name === name ? client : { ...client, name };
+    named.set(client.id, { from: client, to });
+    return to;
+  }
+
   const draw = perFrame(() => {
-    list.value = [...known.values()].filter(({ id }) => present.has(id));
+    const all = [...known.values()];
+    names = displayNames(
+      all.map(({ id, name }) => ({ id, name, isPresent: present.has(id) })),
+      names,
+    );
+    list.value = all.filter(({ id }) => present.has(id)).map(show);
   });
+
+  function find(id: string): Client | undefined {
+    const client = known.get(id);
+    return client && show(client);
+  }
 
   /** Answers may overtake each other; that of the last question counts. */
   let questions = 0;
@@ -90,5 +120,10 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
     computed(() => isConnected.value && interest.intervalMs.value !== undefined),
   );
 
-  return { list, find: (id) => known.get(id), keepFresh: (ms) => interest.express(ms) };
+  return {
+    list,
+    find,
+    ownName: (id) => known.get(id)?.name,
+    keepFresh: (ms) => interest.express(ms),
+  };
 }

@@ -56,6 +56,21 @@ describe('clients store', () => {
     return { ...fake, store, names, isConnected };
   }
 
+  it('gives clients of the same name display names of their own, and keeps what they call themselves', async () => {
+    const named = (id: string, name: string) => ({ ...person(id), name });
+    const { store, announce } = setup([named('a', 'Phone'), named('b', 'Phone')]);
+    await settle();
+    expect(store.list.value?.map(({ name }) => name)).toEqual(['Phone', 'Phone 2']);
+    expect(store.find('b')?.name).toBe('Phone 2');
+    expect(store.ownName('b')).toBe('Phone');
+    const before = store.find('b');
+    announce(named('c', 'Phone'));
+    await settle();
+    expect(store.list.value?.map(({ name }) => name)).toEqual(['Phone', 'Phone 2', 'Phone 3']);
+    // Views compare clients by identity.
+    expect(store.find('b')).toBe(before);
+  });
+
   it('keeps what an announcement leaves out, and asks for it once when it changed [EX-74]', async () => {
     const devices = [{ name: 'pen' }] as Client['devices'];
     const { store, announce, call } = setup([{ ...person('a'), devices }]);
