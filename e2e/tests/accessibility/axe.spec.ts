@@ -56,11 +56,16 @@ async function enter(room: Room, screen: (typeof SCREENS)[number]) {
   return screen === 'phone' ? room.withPhone('Anna', options) : room.atDesk('Anna', options);
 }
 
+/** Without the extra page that axe opens to merge what frames of other origins found: there are none. */
+function axe(page: Page): AxeBuilder {
+  return new AxeBuilder({ page }).setLegacyMode();
+}
+
 /** All of it in dark, and its colours in light. */
 async function expectAccessible(page: Page, ...except: readonly string[]): Promise<void> {
-  await expectNoViolation(page, 'dark', new AxeBuilder({ page }).withTags(TAGS), except);
+  await expectNoViolation(page, 'dark', axe(page).withTags(TAGS), except);
   await page.emulateMedia({ colorScheme: 'light' });
-  const inLight = new AxeBuilder({ page }).withRules(COLOUR_RULES);
+  const inLight = axe(page).withRules(COLOUR_RULES);
   await expectNoViolation(page, 'light', inLight, except);
   await page.emulateMedia({ colorScheme: 'dark' });
 }
