@@ -125,7 +125,7 @@ test('a session is renamed, copied, saved as another one, opened, deleted and br
     await expect(dialog.getByRole('button', { name: /^Second/ })).toBeHidden();
     await dialog.getByRole('button', { name: /^First threshold/ }).click();
     await expect(anna.title).toHaveText('First');
-    await anna.page.getByRole('button', { name: 'Go on with them' }).click();
+    await anna.page.getByRole('button', { name: 'Restore changes' }).click();
     await expect(anna.node('Module statistics')).toBeVisible();
   });
 
@@ -134,7 +134,7 @@ test('a session is renamed, copied, saved as another one, opened, deleted and br
     await expect(anna.page).toHaveURL(/\/sessions$/);
     await anna.page.getByRole('button', { name: 'Undo' }).click();
     await expect(anna.title).toHaveText('First');
-    await anna.page.getByRole('button', { name: 'Go on with them' }).click();
+    await anna.page.getByRole('button', { name: 'Restore changes' }).click();
     await expect(anna.node('Module statistics')).toBeVisible();
   });
 

@@ -39,13 +39,13 @@ test('work that was not saved survives a reload', async ({ room, master }) => {
   await anna.drag(anna.paletteModule('threshold'), await anna.spot(0.6, 0.2));
   await expect(anna.node('Module threshold')).toBeVisible();
   await anna.page.reload();
-  await anna.page.getByRole('button', { name: 'Go on with them' }).click();
+  await anna.page.getByRole('button', { name: 'Restore changes' }).click();
   await expect(anna.node('Module threshold')).toBeVisible();
   await anna.life.getByRole('button', { name: 'Save 1 change' }).click();
   await expect(anna.life.getByRole('button', { name: /^Save(?! and)/ })).toBeHidden();
   await anna.page.reload();
   await expect(anna.node('Module threshold')).toBeVisible();
-  await expect(anna.page.getByRole('button', { name: 'Go on with them' })).toBeHidden();
+  await expect(anna.page.getByRole('button', { name: 'Restore changes' })).toBeHidden();
 });
 
 test('a module that fails says so on its node, with the line', async ({ room, master }) => {

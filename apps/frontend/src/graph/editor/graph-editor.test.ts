@@ -72,6 +72,57 @@ describe('the graph editor', () => {
     expect(editor.changes.value).toBe(0);
   });
 
+  it('recognises its own save when the reply was lost and the announcement arrives', () => {
+    const editor = editorOf(withRevision(3));
+    addTopic(editor, '/b');
+    const sent = editor.toSession();
+    const release = editor.hold(sent);
+    editor.handleSession({ ...sent, extension: { ...sent.extension!, revision: 4 } });
+    release();
+    expect(editor.news.value).toBeUndefined();
+    expect(editor.merged.value).toBeUndefined();
+    expect(editor.changes.value).toBe(0);
+    expect(editor.toSession().extension?.revision).toBe(4);
+    editor.undo();
+    expect(editor.graph.value.nodes.has('topic:/b')).toBe(false);
+  });
+
+  it('recognises its own save also when it was changed further meanwhile', () => {
+    const editor = editorOf(withRevision(3));
+    addTopic(editor, '/b');
+    const sent = editor.toSession();
+    const release = editor.hold(sent);
+    addTopic(editor, '/c');
+    release();
+    editor.handleSession({ ...sent, extension: { ...sent.extension!, revision: 4 } });
+    expect(editor.news.value).toBeUndefined();
+    expect(editor.merged.value).toBeUndefined();
+    expect(editor.changes.value).toBe(1);
+  });
+
+  it('recognises a save that the page sent before it was reloaded', () => {
+    const before = editorOf(withRevision(3));
+    addTopic(before, '/b');
+    const sent = before.toSession();
+    const reloaded = editorOf(withRevision(3));
+    reloaded.expect(sent);
+    reloaded.handleSession({ ...sent, extension: { ...sent.extension!, revision: 4 } });
+    expect(reloaded.news.value).toBeUndefined();
+    expect(reloaded.graph.value.nodes.has('topic:/b')).toBe(true);
+    expect(reloaded.changes.value).toBe(0);
+  });
+
+  it('reports what another client saved instead of the save that was lost', () => {
+    const editor = editorOf(withRevision(3));
+    addTopic(editor, '/b');
+    editor.hold(editor.toSession())();
+    editor.handleSession(withRevision(4, 'Renamed'));
+    expect(editor.news.value?.changes.map(({ words }) => words)).toEqual([
+      'called the session Renamed',
+    ]);
+    expect(editor.changes.value).toBe(1);
+  });
+
   it('shows what others saved while nothing was changed here', () => {
     const editor = editorOf(withRevision(3));
     editor.handleSession(withRevision(4, 'Renamed'));

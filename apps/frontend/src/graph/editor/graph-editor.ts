@@ -33,18 +33,18 @@ export interface Saved {
   readonly steps: number;
 }
 
-/** What somebody else saved. */
+/** What another client saved. */
 export interface News {
   readonly revision: number;
   readonly changes: readonly GraphNews[];
 }
 
-/** A session being edited as a graph. Everything people do to it goes through `apply`. */
+/** A session being edited as a graph. All edits go through `apply`. */
 export interface GraphEditor {
   /** As the master has it: its life, problems and what was saved last. */
   readonly session: Readonly<ShallowRef<Session>>;
   readonly graph: ComputedRef<Graph>;
-  /** Where every node stands, also those that nobody has placed yet. */
+  /** Where every node stands, also nodes without a stored position. */
   readonly places: ComputedRef<ReadonlyMap<string, Point>>;
   readonly selection: ShallowRef<Selection>;
   /** Steps made since the session was saved. */
@@ -52,9 +52,9 @@ export interface GraphEditor {
   /** What the next undo takes back, in words; undefined when there is nothing. */
   readonly undoLabel: ComputedRef<string | undefined>;
   readonly redoLabel: ComputedRef<string | undefined>;
-  /** Somebody else saved the session while there were changes here: what both changed. */
+  /** Another client saved the session while there were changes here: what both changed. */
   readonly merged: Readonly<ShallowRef<readonly Conflict[] | undefined>>;
-  /** What somebody else saved last, until it was read. */
+  /** What another client saved last, until the notice is closed. */
   readonly news: Readonly<ShallowRef<News | undefined>>;
   /** @param key the same for all commands that are one step: the parts of a drag, letters typed */
   apply(command: GraphCommand, key?: string): void;
@@ -64,14 +64,16 @@ export interface GraphEditor {
   redo(): void;
   select(nodes: Iterable<string>): void;
   selectWire(wire: string): void;
-  /** Hears what the master has now. */
+  /** Takes the session as the master announces it. */
   handleSession(session: Session): void;
   /**
-   * Lets what the master tells wait while a save is on its way: the news of it may come before its
-   * answer, and is nobody else's.
-   * @returns what ends that
+   * Delays announcements while a save is under way: its announcement may arrive before its reply.
+   * @param sent what is being saved; recognised when only its announcement arrives
+   * @returns a function that ends the delay
    */
-  hold(): () => void;
+  hold(sent: Session): () => void;
+  /** Recognises a save that this page sent before it was opened anew. */
+  expect(sent: Session): void;
   /** Puts down everything as it was arranged now: for saving. */
   toSession(): Session;
   /** What there is to save now, to be told when it was. */
@@ -142,6 +144,30 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     merged.value = conflicts;
   }
 
+  /** The newest save without a reply, and the steps it holds; without steps, of an earlier page. */
+  let sent: { readonly session: Session; readonly mark?: Saved } | undefined;
+  const mark = (): Saved => ({ graph: graph.value, steps: state.value.past.length });
+
+  /** Whether this is what was sent last. A reply can be lost with the connection or with the page. */
+  const isSent = (theirs: Graph): boolean =>
+    sent !== undefined && graphNews(graphOf(withIds(sent.session, uuid)), theirs).length === 0;
+
+  function handleSent(next: Session): void {
+    const { mark: steps } = sent!;
+    sent = undefined;
+    if (steps !== undefined) {
+      base = withIds(keepEditorData(next, base), uuid);
+      session.value = next;
+      merged.value = undefined;
+      saved.value = steps;
+    } else if (changes.value === 0) {
+      reset(next);
+    } else {
+      rebaseOn(next, graphOf(base), graph.value);
+      if (merged.value?.length === 0) merged.value = undefined;
+    }
+  }
+
   let holds = 0;
   let held: Session | undefined;
 
@@ -152,7 +178,12 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     }
     const before = graphOf(base);
     const kept = withIds(keepEditorData(next, base), uuid);
-    const said = graphNews(before, graphOf(kept));
+    const theirs = graphOf(kept);
+    const said = graphNews(before, theirs);
+    if (said.length > 0 && isSent(theirs)) {
+      handleSent(next);
+      return;
+    }
     if (said.length === 0) {
       // How it lives, or where the master put what: nothing to undo is lost by that.
       base = kept;
@@ -161,7 +192,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     }
     if (changes.value === 0) reset(next);
     else rebaseOn(next, before, graph.value);
-    news.value = said.length === 0 ? undefined : { revision: revisionOf(next), changes: said };
+    news.value = { revision: revisionOf(next), changes: said };
   }
 
   return {
@@ -188,21 +219,24 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
       if (holds > 0) held = next;
       else hear(next);
     },
-    hold() {
+    expect: (earlier) => (sent = { session: earlier }),
+    hold(next) {
+      sent = { session: next, mark: mark() };
       holds += 1;
       return () => {
         holds -= 1;
-        const next = held;
-        if (holds > 0 || next === undefined) return;
+        const waiting = held;
+        if (holds > 0 || waiting === undefined) return;
         held = undefined;
-        hear(next);
+        hear(waiting);
       };
     },
     toSession() {
       const positions = placesOf(graph.value);
       return sessionOf(applyCommand(graph.value, { kind: 'move', positions }).graph, base);
     },
-    handleSaved(next, sent) {
+    handleSaved(next, stored) {
+      sent = undefined;
       if (revisionOf(next) > 0 && revisionOf(next) === revisionOf(base)) {
         // The news of it came first: what is here stands on top of it already.
         if (merged.value?.length === 0) merged.value = undefined;
@@ -211,9 +245,9 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
       base = next;
       session.value = next;
       merged.value = undefined;
-      saved.value = sent;
+      saved.value = stored;
     },
-    mark: () => ({ graph: graph.value, steps: state.value.past.length }),
+    mark,
     takeTheirs(conflict) {
       show(perform(state.value, conflict.takeTheirs));
       settle(conflict);

@@ -18,7 +18,7 @@ export function rebase(base: Graph, mine: Graph, theirs: Graph): Rebased {
     wires: differing(theirs.wires, graph.wires),
     details: sameValue(graph.details, theirs.details) ? undefined : graph.details,
   };
-  const label = 'Your changes from before';
+  const label = 'Your earlier changes';
   const state = perform(startEditing(theirs), { kind: 'patch', patch, label });
   return { state, conflicts };
 }

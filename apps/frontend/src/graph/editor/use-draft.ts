@@ -1,36 +1,45 @@
 import { useDebounceFn, useEventListener } from '@vueuse/core';
 import { onScopeDispose, shallowRef, watch, type ShallowRef } from 'vue';
+import { randomUuid } from '../../connection/random-uuid.ts';
+import { graphNews } from '../model/changes/graph-news.ts';
+import { graphOf } from '../model/graph-of.ts';
+import type { Graph } from '../model/graph.ts';
+import { withIds } from '../model/with-ids.ts';
 import { findDraft, removeDraft, saveDraft, type Draft } from '../model/changes/draft.ts';
 import type { GraphEditor } from './graph-editor.ts';
 
-/** Changes that were not saved, kept in this browser until they are. */
+/** Unsaved changes, kept in this browser until they are saved. */
 export interface Drafts {
   /** Found when the page was opened. */
   readonly found: Readonly<ShallowRef<Draft | undefined>>;
-  /** There is no room to keep changes: leaving the page would lose them. */
+  /** The browser's storage is full: leaving the page would lose the changes. */
   readonly isFull: Readonly<ShallowRef<boolean>>;
-  /** Writes the changes down now. */
+  /** Stores the changes now. */
   keep(): void;
-  /** Goes on with what was found. */
+  /** Restores what was found. */
   take(): void;
   discard(): void;
-  /** Changes of a session are somewhere else now. */
+  /** Removes the draft of a session whose changes are stored elsewhere. */
   forget(sessionId: string): void;
-  /** Writes nothing more down, until `resume`: what is there belongs to somebody else. */
+  /** Stores nothing until `resume`. */
   pause(): void;
   resume(): void;
 }
 
 const KEEP_MS = 400;
 
-/** Put into the state of the history by who leads here in the middle of the work. */
+/** Whether a graph holds all of a draft. */
+const isSaved = ({ edited }: Draft, graph: Graph): boolean =>
+  graphNews(graphOf(withIds(edited, randomUuid)), graph).length === 0;
+
+/** History state of a navigation that continues unsaved work. */
 export interface GoOn {
   readonly goOn: true;
-  /** Saving was asked for, and could not be done yet. */
+  /** A save was requested and is still to be done. */
   readonly save: boolean;
 }
 
-/** What was put there. */
+/** Returns that state, if the page was opened with it. */
 export function goOnHere(): GoOn | undefined {
   const { state } = history as { readonly state: Partial<GoOn> | null };
   return state?.goOn === true ? { goOn: true, save: state.save === true } : undefined;
@@ -41,9 +50,18 @@ export function useDraft(editor: GraphEditor): Drafts {
   const found = shallowRef(findDraft(localStorage, sessionId));
   const isFull = shallowRef(false);
   let isPaused = false;
+  // A page that is reloaded during a save leaves a draft of what the master gets or has already.
+  if (found.value !== undefined) editor.expect(found.value.edited);
+  watch(
+    editor.session,
+    () => {
+      if (found.value !== undefined && isSaved(found.value, editor.graph.value)) discard();
+    },
+    { immediate: true },
+  );
 
   function keep(): void {
-    // What was found waits for an answer.
+    // The found draft stays until the user restores or discards it.
     if (found.value !== undefined || isPaused) return;
     if (editor.changes.value === 0) {
       removeDraft(localStorage, sessionId);
@@ -57,11 +75,16 @@ export function useDraft(editor: GraphEditor): Drafts {
   const keepSoon = useDebounceFn(keep, KEEP_MS);
   watch([editor.graph, editor.changes], () => void keepSoon());
   useEventListener(window, 'pagehide', keep);
-  // While nothing is kept, leaving loses it: the browser asks.
+  // Leaving would lose the changes: the browser asks.
   useEventListener(window, 'beforeunload', (event: BeforeUnloadEvent) => {
     if (isFull.value && editor.changes.value > 0) event.preventDefault();
   });
   onScopeDispose(keep);
+
+  function discard(): void {
+    found.value = undefined;
+    removeDraft(localStorage, sessionId);
+  }
 
   function take(): void {
     const draft = found.value;
@@ -75,10 +98,7 @@ export function useDraft(editor: GraphEditor): Drafts {
     isFull,
     keep,
     take,
-    discard() {
-      found.value = undefined;
-      removeDraft(localStorage, sessionId);
-    },
+    discard,
     forget(id) {
       removeDraft(localStorage, id);
       if (id === sessionId) isPaused = true;

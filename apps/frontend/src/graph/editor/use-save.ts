@@ -7,14 +7,14 @@ import type { LifeAction } from '../../sessions/state/session-state.ts';
 import { problemsInGraph, type PlacedProblem } from '../model/live/problems-in-graph.ts';
 import type { GraphEditor } from './graph-editor.ts';
 
-/** Brings changes to the master, and the session to life. */
+/** Saves changes at the master, and starts and stops the session. */
 export interface Saving {
   readonly isBusy: ComputedRef<boolean>;
   /** Why the last intent failed, one sentence. */
   readonly failure: Readonly<ShallowRef<string | undefined>>;
   /** What the master found wrong with what was to be saved, and where. [SE-3] */
   readonly problems: Readonly<ShallowRef<readonly PlacedProblem[]>>;
-  /** It was asked for while the master was not there, and is done when it is back. */
+  /** A save was requested while the connection was lost; it is sent after the reconnect. */
   readonly isWaiting: Readonly<ShallowRef<boolean>>;
   /** The newest revision that was saved here. */
   readonly savedRevision: Readonly<ShallowRef<number>>;
@@ -58,15 +58,14 @@ export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
   }
 
   /** Stored sessions go by their names: a renamed one leaves no other behind. [SE-21] */
-  function send(): Promise<Session> {
-    const next = editor.toSession();
+  function send(next: Session): Promise<Session> {
     const { name } = editor.session.value;
     return next.name === name
       ? actions.calls.update(next, {})
       : actions.calls.rename({ ...next, name }, next.name);
   }
 
-  /** Somebody else may have saved: what the master has is merged in. @returns whether it had news */
+  /** Merges what the master has; another client may have saved. @returns whether it had news */
   async function catchUp(): Promise<boolean> {
     const before = editor.baseSession();
     const newest = await client.call('sessionRuntimeGet', { id: editor.session.value.id });
@@ -82,13 +81,14 @@ export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
       (other) => other.name === name && other.id !== editor.session.value.id,
     );
     if (isTaken && name !== editor.session.value.name) {
-      failure.value = `Another session is called ${name}. Give this one a name of its own.`;
+      failure.value = `Another session has the name "${name}". Choose a different name.`;
       return false;
     }
     const mark = editor.mark();
-    const release = editor.hold();
+    const sent = editor.toSession();
+    const release = editor.hold(sent);
     try {
-      const saved = await send();
+      const saved = await send(sent);
       savedRevision.value = saved.extension?.revision ?? -1;
       editor.handleSaved(saved, mark);
       release();
@@ -96,13 +96,26 @@ export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
     } catch (cause) {
       release();
       const isOld = cause instanceof ServiceError && cause.code === 'failed_precondition';
-      // Where both changed the same, people choose first
+      // Conflicts are resolved by the user first
       if (!isOld || !(await catchUp())) throw cause;
       return isSettled() ? saveNow() : false;
     }
   }
 
+  /** One after the other: a second save of the same revision would be refused. */
+  let last: Promise<boolean> | undefined;
   async function save(): Promise<boolean> {
+    while (last !== undefined) await last;
+    const own = saveOnce();
+    last = own;
+    try {
+      return await own;
+    } finally {
+      last = undefined;
+    }
+  }
+
+  async function saveOnce(): Promise<boolean> {
     failure.value = undefined;
     problems.value = [];
     if (editor.changes.value === 0) return true;
@@ -114,7 +127,7 @@ export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
     try {
       return await saveNow();
     } catch (cause) {
-      // The link went while it was on its way: it is tried again, and merged should it have arrived.
+      // The connection was lost during the save. It may have arrived: look after the reconnect.
       if (cause instanceof ConnectionError) isWaiting.value = true;
       else if (cause instanceof ServiceError) fail(cause);
       else throw cause;
@@ -130,7 +143,7 @@ export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
       await catchUp();
     } catch (cause) {
       if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      // The link went again, or the session is not there: whoever finds it again goes on with this.
+      // The connection was lost again, or the session is gone: see use-session-gone.ts.
       return;
     }
     isWaiting.value = false;
