@@ -96,7 +96,7 @@ export class CanvasCommands {
   insertOn(wire: string, id: string, leg = 0): boolean {
     const graph = this.#editor.graph.value;
     const node = graph.nodes.get(id);
-    const command = node && insertOnWire(graph, wire, node, leg);
+    const command = node && insertOnWire(graph, wire, node, leg, this.#stage.boxes());
     if (command === undefined) return false;
     this.#editor.apply(command);
     return true;

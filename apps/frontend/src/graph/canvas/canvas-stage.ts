@@ -43,8 +43,10 @@ export class CanvasStage {
   readonly isSelecting: ShallowRef<boolean> = shallowRef(false);
   /** Under the nodes. */
   readonly wires = layer('wires');
-  /** Over the nodes. */
+  /** Over the wires and under the nodes: no chip covers a socket. */
   readonly chips = layer('chips');
+  /** Over the nodes. */
+  readonly guides = layer('guides');
   /** What has come near and is made in the next frames. */
   readonly soon = new FrameQueue();
   /** Where sockets that are not made yet will be. */
@@ -87,6 +89,7 @@ export class CanvasStage {
     this.#area.area.content.add(this.ground);
     this.#area.area.content.add(this.wires);
     this.#area.area.content.add(this.chips);
+    this.#area.area.content.add(this.guides);
     this.#editor.use(this.#area);
     this.#area.addPipe((context) => {
       const { type } = context;

@@ -4,17 +4,20 @@ import type { GraphEditor } from '../editor/graph-editor.ts';
 import type { Adapter } from '../model/fit/adapter.ts';
 import { adaptCommand } from '../model/fit/adapt.ts';
 import { offerCommand } from '../model/fit/fitting.ts';
-import type { Point, PortRef } from '../model/graph.ts';
+import type { Point, PortRef, Size } from '../model/graph.ts';
 import { portOf } from '../model/port-format.ts';
 import { frameUnder } from '../model/selection/frames.ts';
 import { insertOnWire } from '../model/selection/insert.ts';
+import { isAlive } from '../../sessions/state/session-state.ts';
 import type { Addable } from './addable.ts';
 import type { CanvasStage } from './canvas-stage.ts';
 import type { ConnectGesture, Offer } from './connect-gesture.ts';
 import { drawnSize } from './drawn-size.ts';
 import { freeSpot, NODE_HALF, onGrid } from './free-spot.ts';
 import { inHost } from './in-host.ts';
+import { insertedText, misfitOnWire } from './insert-words.ts';
 import { newNode, type NewNode } from './new-nodes.ts';
+import type { Box } from './stage-view.ts';
 import { viewShowing } from './view-showing.ts';
 import { roomiest } from './wire-hit.ts';
 
@@ -30,6 +33,8 @@ export interface AddingSpot {
   readonly wire: string | undefined;
   /** The menu was asked to put something into the wire: nothing else is offered. */
   readonly isInto?: boolean;
+  /** No place was pointed at: a free one in view is looked for. */
+  readonly isAnywhere?: boolean;
 }
 
 /** What a menu asks to add, at a place of the canvas: at a socket, into a wire, or by itself. */
@@ -54,6 +59,8 @@ export interface Adding {
   takeOffer(adapter: Adapter): void;
 }
 
+/** What covers the edges of the canvas, pixels: docks lie over top and bottom. */
+const COVERED = { left: 24, top: 60, right: 24, bottom: 72 };
 /** What is added to a socket stands this far from it. */
 const FROM_SOCKET = 90;
 /** So few nodes are all shown when a new one does not fit on the screen. */
@@ -67,6 +74,7 @@ export function useAdding(
   stage: CanvasStage,
   gesture: ConnectGesture,
   showAll: () => Promise<void>,
+  tell: (sentence: string) => void,
 ): Adding {
   const spot = shallowRef<AddingSpot>();
 
@@ -74,6 +82,17 @@ export function useAdding(
     const at = stage.toCanvas(clientX, clientY);
     const { wire } = editor.selection.value;
     spot.value = { at, ...inHost(stage.container, clientX, clientY, MENU), end, wire };
+  }
+  /** What is seen of the canvas beside the docks. */
+  function clearArea(): Box {
+    const { x, y, width, height } = stage.seen;
+    const { k } = stage.view.value;
+    return {
+      x: x + COVERED.left / k,
+      y: y + COVERED.top / k,
+      width: width - (COVERED.left + COVERED.right) / k,
+      height: height - (COVERED.top + COVERED.bottom) / k,
+    };
   }
   watch(gesture.offer, (offer) => {
     if (offer === undefined) return;
@@ -103,26 +122,40 @@ export function useAdding(
     const [from, to] = [stage.socketAt(wire.from, 'out'), stage.socketAt(wire.to, 'in')];
     if (from === undefined || to === undefined) return false;
     const { x, y, leg } = roomiest(from, to, wire.points);
-    const at = onGrid({ x: x - NODE_HALF.x, y: y - NODE_HALF.y });
-    const node = newNode(item, at, randomUuid);
-    const command = insertOnWire(graph, wire.id, node, leg);
-    if (command === undefined) return false;
+    const node = newNode(item, { x: 0, y: 0 }, randomUuid);
+    const size = drawnSize(node);
+    const at = onGrid({ x: x - size.width / 2, y: y - NODE_HALF.y });
+    const boxes = [...stage.boxes(), { id: node.id, ...at, ...size }];
+    const command = insertOnWire(graph, wire.id, { ...node, position: at }, leg, boxes);
+    if (command === undefined) {
+      tell(`${misfitOnWire(graph, wire, node)} It was added beside the wire.`);
+      return false;
+    }
     editor.apply(command);
     editor.select([node.id]);
+    tell(insertedText(graph, wire, node, isAlive(editor.session.value)));
     return true;
   }
 
-  /** In small graphs right of the node that is selected, as values flow; else in the middle. */
-  function nextSpot(isSmall: boolean): Point {
+  /** In small graphs right of the node that is selected, as values flow; else the middle of the view. */
+  function nextSpot(
+    isSmall: boolean,
+    { width, height }: Size,
+  ): Point & { readonly isBeside: boolean } {
     const [only, ...others] = editor.selection.value.nodes;
     const isOne = isSmall && only !== undefined && others.length === 0;
     const [box] = isOne ? stage.boxes([only]) : [];
-    return box === undefined ? stage.middle : { x: box.x + box.width + FROM_SOCKET, y: box.y };
+    if (box !== undefined) return { x: box.x + box.width + FROM_SOCKET, y: box.y, isBeside: true };
+    const { x, y } = stage.middle;
+    return { x: x - width / 2, y: y - height / 2, isBeside: false };
   }
   function placeInMiddle(item: NewNode): void {
     const isSmall = editor.graph.value.nodes.size < FEW;
     const before = editor.graph.value.nodes;
-    place(item, freeSpot(stage, editor.graph.value, nextSpot(isSmall)));
+    const size = drawnSize(newNode(item, { x: 0, y: 0 }, randomUuid));
+    const { isBeside, ...wish } = nextSpot(isSmall, size);
+    const area = isBeside ? {} : { area: clearArea() };
+    place(item, freeSpot(stage, editor.graph.value, wish, { size, ...area }));
     const added = [...editor.graph.value.nodes.values()].find(({ id }) => !before.has(id));
     if (!isSmall || added?.position === undefined) return;
     const box = { ...added.position, ...drawnSize(added) };
@@ -145,14 +178,18 @@ export function useAdding(
     askInMiddle() {
       const { left, top, width, height } = stage.container.getBoundingClientRect();
       askAt(left + width / 2 - MENU.width / 2, top + height / 3);
+      spot.value = { ...spot.value!, isAnywhere: true };
     },
     choose({ item, offer }) {
       const chosen = spot.value;
       spot.value = undefined;
       host.value?.focus();
       if (chosen === undefined) return;
-      const { at, end, wire } = chosen;
-      if (item !== undefined && !placeOnWire(item, wire)) place(item, at);
+      const { at, end, wire, isAnywhere } = chosen;
+      if (item !== undefined && !placeOnWire(item, wire)) {
+        if (isAnywhere === true) placeInMiddle(item);
+        else place(item, at);
+      }
       if (offer === undefined || end === undefined) return;
       const left = end.side === 'out' ? at.x : at.x - 2 * NODE_HALF.x;
       const position = onGrid({ x: left, y: at.y - NODE_HALF.y });

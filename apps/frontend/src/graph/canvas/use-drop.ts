@@ -4,14 +4,18 @@ import type { GraphEditor } from '../editor/graph-editor.ts';
 import type { Point, PortRef } from '../model/graph.ts';
 import type { InsertPlace } from '../model/selection/drop-nodes.ts';
 import { insertOnWire } from '../model/selection/insert.ts';
+import { isAlive } from '../../sessions/state/session-state.ts';
 import { canRun } from '../../sessions/words/node-words.ts';
 import { draggedItem, type DraggedItem, type HostItem } from '../palette/drag-item.ts';
 import { placeCommand } from '../palette/place-command.ts';
 import type { CanvasStage } from './canvas-stage.ts';
 import { socketUnder, type ConnectGesture } from './connect-gesture.ts';
-import type { InsertTarget } from './drag/insert-target.ts';
+import { spotsOnStage, type InsertTarget } from './drag/insert-target.ts';
+import { drawnSize } from './drawn-size.ts';
 import { freeSpot, NODE_HALF, onGrid } from './free-spot.ts';
+import { insertedText, misfitOnWire } from './insert-words.ts';
 import { newNode, type NewNode } from './new-nodes.ts';
+import { nearestOn } from './wire-hit.ts';
 
 /** What dropping works on. */
 export interface DropTarget {
@@ -55,6 +59,7 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     if (port !== undefined && node?.kind === 'module' && item.kind === 'topic') {
       mapTopic(item, port, { clientX, clientY });
     } else {
+      if (port === undefined) tellMisfit(item, pointer);
       place(item, at);
     }
   };
@@ -63,7 +68,7 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     const id = under?.closest<HTMLElement>('[data-graph-node]')?.dataset['graphNode'];
     const node = id === undefined ? undefined : editor.graph.value.nodes.get(id);
     if (node?.kind !== 'module') {
-      tell('Drop it on a module, which then runs there.');
+      tell('Drop this node on a module to run the module there.');
     } else if (!canRun(runner, node.module)) {
       tell(`${runner.name || 'This node'} cannot run ${node.module.name}.`);
     } else {
@@ -72,13 +77,31 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     }
   }
 
-  function insert(item: NewNode, { wire, leg }: InsertPlace, at: Point): boolean {
+  function insert(item: NewNode, { wire: id, leg }: InsertPlace, at: Point): boolean {
+    const graph = editor.graph.value;
     const node = newNode(item, onGrid(at), randomUuid);
-    const command = insertOnWire(editor.graph.value, wire, node, leg);
-    if (command === undefined) return false;
+    const boxes = [...stage.boxes(), { id: node.id, ...onGrid(at), ...drawnSize(node) }];
+    const wire = graph.wires.get(id);
+    const command = insertOnWire(graph, id, node, leg, boxes);
+    if (wire === undefined || command === undefined) return false;
     editor.apply(command);
     editor.select([node.id]);
+    tell(insertedText(graph, wire, node, isAlive(editor.session.value)));
     return true;
+  }
+
+  /** Says why a module that was dropped on a wire is not part of it. */
+  function tellMisfit(item: NewNode, pointer: Point): void {
+    if (item.kind !== 'module') return;
+    const graph = editor.graph.value;
+    const reach = WIRE_PX / stage.view.value.k;
+    const under = [...graph.wires.values()].find((wire) => {
+      const near = nearestOn(spotsOnStage(stage, wire), pointer);
+      return near !== undefined && near.distance <= reach;
+    });
+    if (under === undefined) return;
+    const node = newNode(item, pointer, randomUuid);
+    tell(`${misfitOnWire(graph, under, node)} It was added beside the wire.`);
   }
 
   function mapTopic(

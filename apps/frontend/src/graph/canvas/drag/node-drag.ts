@@ -188,7 +188,9 @@ export class NodeDrag {
     if (by.x === 0 && by.y === 0 && !held.isDetached) return;
     const boxes = held.boxes.map((box) => ({ ...box, x: box.x + by.x, y: box.y + by.y }));
     const on = this.#target.end();
-    const drop = { boxes, frames: this.#frames(), by, isDetached: held.isDetached, on };
+    const moved = new Set(boxes.map(({ id }) => id));
+    const others = this.#stage.boxes().filter(({ id }) => !moved.has(id));
+    const drop = { boxes, frames: this.#frames(), by, isDetached: held.isDetached, on, others };
     this.#editor.apply(dropNodes(this.#editor.graph.value, drop));
   }
 

@@ -26,6 +26,8 @@ export interface NodeDrop {
   readonly isDetached: boolean;
   /** Where it was dropped on a wire, when it was one node. */
   readonly on: InsertPlace | undefined;
+  /** All nodes as they are drawn: on a wire, what is downstream makes room. */
+  readonly others?: readonly Box[];
 }
 
 /** All that a drag did, as one step. */
@@ -37,7 +39,8 @@ export function dropNodes(graph: Graph, drop: NodeDrop): GraphCommand {
   const places = new Map(boxes.map(({ id, x, y }) => [id, { x, y }]));
   const [only] = boxes;
   const node = only && rest.nodes.get(only.id);
-  const insert = on && node && insertOnWire(rest, on.wire, node, on.leg);
+  const around = drop.others === undefined || only === undefined ? [] : [...drop.others, only];
+  const insert = on && node && insertOnWire(rest, on.wire, node, on.leg, around);
   // What moved with its frame stays in it.
   const loose = boxes.filter(({ id }) => {
     const frame = rest.nodes.get(id)?.frame;

@@ -11,6 +11,8 @@ import {
   type Wire,
 } from '../graph.ts';
 import { wiresAt, wiresOf } from '../wires-of.ts';
+import type { Box } from './arrange.ts';
+import { makeRoom } from './make-room.ts';
 
 /** Through which ports a node would take a wire. */
 export interface Insertion {
@@ -48,29 +50,51 @@ export function insertionOf(graph: Graph, wire: Wire, node: GraphNode): Insertio
 /**
  * Leads a wire through a node, which is added when it is not there; undefined when it does not fit.
  * @param leg how many of the points of the wire come before the node
+ * @param boxes of all nodes and of this one, where it should go: what is downstream makes room
  */
 export function insertOnWire(
   graph: Graph,
   id: string,
   node: GraphNode,
   leg = 0,
+  boxes: readonly Box[] = [],
 ): GraphCommand | undefined {
   const wire = graph.wires.get(id);
   const insertion = wire && insertionOf(graph, wire, node);
   if (wire === undefined || insertion === undefined) return undefined;
   const at = (port: string): PortRef => ({ node: node.id, port });
+  const box = boxes.find((one) => one.id === node.id);
+  const room = box && makeRoom(graph, wire, box, boxes);
+  const isThere = graph.nodes.has(node.id);
+  const position = room?.position ?? node.position;
+  const [before, behind] = [wire.points.slice(0, leg), wire.points.slice(leg)];
+  const shift = room?.shift ?? 0;
   return {
     kind: 'all',
     label: `Insert ${nodeName(node)} on a wire`,
     commands: [
-      { kind: 'add', nodes: graph.nodes.has(node.id) ? [] : [node] },
+      { kind: 'add', nodes: isThere ? [] : [{ ...node, position, frame: frameOf(graph, wire) }] },
+      ...(isThere && position !== undefined
+        ? [{ kind: 'move', positions: new Map([[node.id, position]]) } as const]
+        : []),
+      ...(room?.commands ?? []),
       { kind: 'remove', wires: [id] },
       connectKeepingTopic(graph, wire, at(insertion.input)),
       { kind: 'connect', from: at(insertion.output), to: wire.to },
-      reroute(wire.from, at(insertion.input), wire.points.slice(0, leg)),
-      reroute(at(insertion.output), wire.to, wire.points.slice(leg)),
+      reroute(wire.from, at(insertion.input), before),
+      reroute(
+        at(insertion.output),
+        wire.to,
+        behind.map(({ x, y }) => ({ x: x + shift, y })),
+      ),
     ],
   };
+}
+
+/** The frame that both ends of a wire are in. */
+function frameOf({ nodes }: Graph, { from, to }: Wire): string | undefined {
+  const frame = nodes.get(from.node)?.frame;
+  return frame === nodes.get(to.node)?.frame ? frame : undefined;
 }
 
 const reroute = (from: PortRef, to: PortRef, points: readonly Point[]): GraphCommand => ({

@@ -1,0 +1,31 @@
+import { describe, expect, it } from 'vitest';
+import { moduleNode } from '../model/make-node.ts';
+import { aGraphOf, aModule } from '../model/testing/small-graph.ts';
+import { insertedText, misfitOnWire } from './insert-words.ts';
+
+const graph = aGraphOf([aModule('source', {}, { o: 'double' }), aModule('sink', { i: 'double' })], {
+  'source.o': '/a',
+  'sink.i': '/a',
+});
+const [wire] = [...graph.wires.values()];
+
+describe('insert words', () => {
+  it('names the formats that do not fit', () => {
+    const node = moduleNode(aModule('turn', { v: 'vector2' }, { o: 'double' }));
+    expect(misfitOnWire(graph, wire!, node)).toBe(
+      'turn does not fit this wire: source · o gives double, but turn · v takes vector2.',
+    );
+  });
+
+  it('says that a module has no output', () => {
+    const node = moduleNode(aModule('log', { v: 'double' }));
+    expect(misfitOnWire(graph, wire!, node)).toBe('log has no output for this wire.');
+  });
+
+  it('says what to do next', () => {
+    const node = moduleNode(aModule('scale', { v: 'double' }, { o: 'double' }));
+    expect(insertedText(graph, wire!, node, true)).toBe(
+      'Inserted scale between source · o and sink · i. Apply the change to run it.',
+    );
+  });
+});

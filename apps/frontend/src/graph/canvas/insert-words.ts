@@ -1,0 +1,39 @@
+import { applyCommand } from '../model/commands/apply-command.ts';
+import { nodeName, portName } from '../model/commands/command-label.ts';
+import { fitOf } from '../model/fit/fit-of.ts';
+import type { Graph, GraphNode, PortRef, Wire } from '../model/graph.ts';
+
+/** Why a node does not go into a wire, one sentence. The node need not be in the graph. */
+export function misfitOnWire(graph: Graph, wire: Wire, node: GraphNode): string {
+  const whole = applyCommand(graph, { kind: 'add', nodes: [node] }).graph;
+  const reasons = (direction: 'in' | 'out'): string[] =>
+    node.ports
+      .filter((port) => port.direction === direction)
+      .map(({ id }): PortRef => ({ node: node.id, port: id }))
+      .map((ref) =>
+        direction === 'in' ? fitOf(whole, wire.from, ref) : fitOf(whole, ref, wire.to),
+      )
+      .map((fit) => (fit.fits ? '' : fit.reason));
+  const name = nodeName(node);
+  for (const [direction, side] of [
+    ['in', 'input'],
+    ['out', 'output'],
+  ] as const) {
+    const found = reasons(direction);
+    if (found.length === 0) return `${name} has no ${side} for this wire.`;
+    if (!found.includes('')) return `${name} does not fit this wire: ${found[0]}`;
+  }
+  return `The inputs of ${name} that fit this wire are connected already.`;
+}
+
+/** What became of a node that was inserted, and what has to be done for it to run. */
+export function insertedText(
+  graph: Graph,
+  { from, to }: Wire,
+  node: GraphNode,
+  isRunning: boolean,
+): string {
+  const place = `between ${portName(graph, from)} and ${portName(graph, to)}`;
+  const next = isRunning ? 'Apply the change to run it.' : 'Start the session to run it.';
+  return `Inserted ${nodeName(node)} ${place}. ${next}`;
+}
