@@ -26,7 +26,7 @@ test('the host shows one code, sees who joins with it, and takes it back', async
   await desk.page.goto('/connect');
   await expect(desk.page.locator('[data-join-code]')).toHaveText(shown);
   // A phone that reaches nothing cannot say why: the host can look it up
-  await desk.page.getByText('The phone opens nothing?').click();
+  await desk.page.getByText('The phone cannot open the page?').click();
   for (const cause of ['Client isolation', 'VPN', 'Firewall', '.local', 'certificate']) {
     await expect(desk.page.locator('details')).toContainText(cause);
   }
@@ -39,13 +39,13 @@ test('the host shows one code, sees who joins with it, and takes it back', async
   await join.join.click();
   await expect(desk.page.locator('[data-phone]')).toContainText('Mara');
 
-  const grant = desk.page.locator('[data-grant]').filter({ hasText: '1 joined, 1 here' });
+  const grant = desk.page.locator('[data-grant]').filter({ hasText: '1 joined, 1 connected' });
   await grant.getByRole('button', { name: 'Revoke' }).click();
-  await expect(grant).toContainText('1 device is disconnected at once');
-  await grant.getByRole('button', { name: 'Revoke it' }).click();
+  await expect(grant).toContainText('1 device is disconnected now');
+  await grant.getByRole('button', { name: 'Revoke invitation' }).click();
   await expect(desk.page.locator('[data-phone]')).toHaveCount(0);
   await phone.page.goto('/');
-  await expect(join.heading).toHaveText('The host has closed this code.');
+  await expect(join.heading).toHaveText('The host revoked this code.');
 });
 
 /** Starts a session that only counts, as a guest. */
@@ -81,7 +81,7 @@ test('what guests made is told, ended or handed over with their code, and who di
     await expect(grant).toContainText('made 1 session (1 running)');
     await grant.getByRole('button', { name: 'Revoke' }).click();
     await expect(grant).toContainText('Nothing is deleted');
-    await grant.getByRole('button', { name: 'Revoke it' }).click();
+    await grant.getByRole('button', { name: 'Revoke invitation' }).click();
     await expect(grant).toHaveCount(0);
   });
   await test.step('or handed over', async () => {
@@ -89,7 +89,7 @@ test('what guests made is told, ended or handed over with their code, and who di
     await grant.getByRole('button', { name: 'Revoke' }).click();
     await grant.getByRole('radio', { name: 'Hand over to you' }).click();
     await expect(grant).toContainText('go on and are yours');
-    await grant.getByRole('button', { name: 'Revoke it' }).click();
+    await grant.getByRole('button', { name: 'Revoke invitation' }).click();
     await expect(grant).toHaveCount(0);
   });
   const { sessionList } = await callService(master.addresses, {

@@ -1,3 +1,4 @@
+import { callService } from '../../fixtures/call-service.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { Shell } from '../../pages/shell.ts';
 
@@ -34,7 +35,7 @@ test('every page of the navigation can be reached, shared by its address, and go
 test('an unknown address says so and leads home', async ({ room }) => {
   const { page } = await room.atDesk();
   await page.goto('/sessions/of/another/version');
-  await expect(page.getByRole('heading', { level: 1 })).toHaveText('There is no page here.');
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('Page not found');
   await expect(page.getByText('/sessions/of/another/version')).toBeVisible();
   await page.getByRole('main').getByRole('link', { name: 'Home' }).click();
   await expect(page).toHaveURL((url) => url.pathname === '/');
@@ -93,14 +94,33 @@ test('everything can be reached with the keyboard alone', async ({ room }) => {
   });
 });
 
-test('a phone is connected by a code that leads to this master', async ({ room }) => {
-  const { page } = await room.atDesk();
+test('where no phone can reach the master, a phone opens in this browser', async ({
+  master,
+  room,
+}) => {
+  const { page, context } = await room.atDesk('Ben');
   await page.goto('/');
   await new Shell(page).button('Connect a phone').click();
   const dialog = page.getByRole('dialog');
-  await expect(dialog).toBeVisible();
-  // This master listens on loopback only: no code would work, so the page says what to do.
-  await expect(dialog).toContainText('--lan');
+  // This master listens on loopback only: no code would work, so no invitation is created.
+  await expect(dialog.getByRole('button', { name: 'Turn on the local network' })).toBeVisible();
+  await expect(dialog.locator('[data-join-code]')).toHaveCount(0);
+
+  const opened = context.waitForEvent('page');
+  await dialog.getByRole('button', { name: 'Open a phone in this browser' }).click();
+  const phone = await opened;
+  await expect(phone).toHaveURL(/\/devices\/smart-device$/);
   await page.keyboard.press('Escape');
   await expect(dialog).toBeHidden();
+
+  await test.step('it is a client of its own, with a name of its own', async () => {
+    const clients = page.getByRole('table', { name: 'Clients' });
+    await expect(clients.getByRole('link', { name: 'Ben 2', exact: true })).toBeVisible();
+    await expect(clients.getByRole('link', { name: 'Ben', exact: true })).toBeVisible();
+    await expect(phone.getByRole('button', { name: 'Change your name' })).toContainText('Ben 2');
+  });
+  const { accessGrantList } = await callService(master.addresses, {
+    topic: '/services/ubii/access_grant_list',
+  });
+  expect(accessGrantList!.elements.filter(({ isTerminal }) => !isTerminal)).toEqual([]);
 });

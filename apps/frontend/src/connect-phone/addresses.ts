@@ -33,7 +33,7 @@ const VIRTUAL_KINDS = [
 
 const LINK_LOCAL = /^(169\.254\.|\[fe[89ab])/i;
 
-/** What kind of network an address belongs to, in people's words. */
+/** Returns the kind of network that an address belongs to. */
 export function networkWord({ kind, interfaceName, url }: MasterAddress): string {
   if (LINK_LOCAL.test(new URL(url).hostname)) return 'Link-local';
   switch (kind) {
@@ -48,7 +48,7 @@ export function networkWord({ kind, interfaceName, url }: MasterAddress): string
   }
 }
 
-/** Where one joins with a token, which is sent to nobody in this place. [AC-11] */
+/** Returns the address to join with a token. Browsers send the part behind # to no server. [AC-11] */
 export function joinAddress(origin: string, token: string): string {
   return `${pageAddress(origin, JOIN_PATH)}#${token}`;
 }
@@ -83,7 +83,7 @@ export function phoneAddresses(
       network: networkWord(address),
       interfaceName: address.interfaceName,
     }))
-    // Nobody but a neighbour on the same wire reaches these
+    // Only neighbours on the same wire reach these.
     .sort((a, b) => Number(a.network === 'Link-local') - Number(b.network === 'Link-local'));
   if (reachable.length > 0) return reachable;
   const { origin, hostname } = new URL(pageUrl);

@@ -1,18 +1,18 @@
 import { AccessRole, type AccessGrant } from '@ubii/proto';
 
-/** What the host chooses for those who join. */
+/** The choices of the host for an invitation. */
 export interface GrantChoice {
   readonly target: string;
   readonly role: AccessRole;
   /** Milliseconds. */
   readonly lifetimeMs: number;
-  /** How long those who joined may stay, milliseconds; 0 as long as others can join. [AC-91] */
+  /** How long joined clients stay connected, milliseconds; 0: as long as the invitation is open. [AC-91] */
   readonly stayMs: number;
 }
 
 const MINUTE_MS = 60_000;
 const HOUR_MS = 60 * MINUTE_MS;
-/** As long as a master lets anybody join with one grant. [AC-10] */
+/** The longest lifetime that a master accepts. [AC-10] */
 const LONGEST_MS = 30 * 24 * HOUR_MS;
 
 export const ROLES = [
@@ -23,18 +23,18 @@ export const ROLES = [
 ] as const;
 export type RoleChoice = (typeof ROLES)[number]['value'];
 
-/** What a role may do, under the choice. */
+/** Describes a role, below the choice. */
 export const ROLE_HINTS: Record<RoleChoice, string> = {
-  participant: 'Uses and changes everything except who may join and how others are treated.',
-  player: 'Takes part with its own sensors and topics; cannot open sessions, topics or clients.',
-  viewer: 'Sees everything, changes nothing.',
-  admin: 'May do everything, also let others in and throw them out.',
+  participant: 'Can use and change everything except invitations and other clients.',
+  player: 'Publishes its own sensors and topics. Cannot open sessions, topics or clients.',
+  viewer: 'Can see everything and change nothing.',
+  admin: 'Can do everything, including inviting and disconnecting other clients.',
 };
 
 export const LIFETIMES = [
   { value: 'short', text: '15 minutes', lifetimeMs: 15 * MINUTE_MS },
   { value: 'day', text: '8 hours', lifetimeMs: 8 * HOUR_MS },
-  { value: 'open', text: 'Until I take it back', lifetimeMs: LONGEST_MS },
+  { value: 'open', text: 'Until revoked', lifetimeMs: LONGEST_MS },
 ] as const;
 export type LifetimeChoice = (typeof LIFETIMES)[number]['value'];
 
@@ -56,19 +56,19 @@ export const TARGETS = [
 
 /** The role in one word. */
 export function grantRoleWord(role: AccessRole): string {
-  return ROLES.find((one) => one.role === role)?.text ?? 'Nobody';
+  return ROLES.find((one) => one.role === role)?.text ?? 'No role';
 }
 
-/** Whether somebody can join with it now. @param nowMs the master's clock */
+/** Returns whether a client can join with it now. @param nowMs the master's clock */
 export function isOpen(grant: AccessGrant, nowMs: number): boolean {
   const isUsedUp = grant.maxJoins > 0 && grant.joins >= grant.maxJoins;
   return grant.revokedMs === 0 && grant.expiresMs > nowMs && !isUsedUp;
 }
 
-/** A code that ends sooner than this is made anew, as a share of its lifetime. */
+/** An invitation with less of its lifetime left than this share is replaced by a new one. */
 const LEAST_LEFT = 1 / 5;
 
-/** The grant that was made for the same choice and still lasts long enough to be shown. */
+/** Returns the invitation that was created for the same choice and lasts long enough to be shown. */
 export function reusable(
   grants: readonly AccessGrant[],
   choice: GrantChoice,
@@ -88,13 +88,13 @@ export function reusable(
   );
 }
 
-/** How long something lasts still: `12 min`, `7 h`, `29 d`. */
+/** Formats the time that is left: `12 min`, `7 h`, `29 d`. */
 export function leftWord(ms: number): string {
   if (ms < HOUR_MS) return `${Math.max(1, Math.ceil(ms / MINUTE_MS))} min`;
   return ms < 48 * HOUR_MS ? `${Math.round(ms / HOUR_MS)} h` : `${Math.round(ms / 24 / HOUR_MS)} d`;
 }
 
-/** What was made with a grant, in words: `2 sessions (1 running), 1 module`; empty when nothing was. */
+/** Lists what was created with an invitation: `2 sessions (1 running), 1 module`; empty for nothing. */
 export function workWords({
   sessionIds,
   runningSessionIds,

@@ -1,6 +1,6 @@
 import { useLocalStorage } from '@vueuse/core';
 
-/** What a grant is joined with; the master shows it once. [AC-11] */
+/** The token and code of an invitation; the master shows them once. [AC-11] */
 export interface GrantSecret {
   readonly token: string;
   readonly code: string;
@@ -17,7 +17,7 @@ export function useGrantSecrets() {
     add(grantId: string, { token, code }: GrantSecret): void {
       secrets.value = { ...secrets.value, [grantId]: { token, code } };
     },
-    /** Forgets all others. */
+    /** Removes the secrets of all other invitations. */
     keep(grantIds: ReadonlySet<string>): void {
       const kept = Object.entries(secrets.value).filter(([id]) => grantIds.has(id));
       if (kept.length < Object.keys(secrets.value).length) {

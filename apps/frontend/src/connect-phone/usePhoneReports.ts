@@ -2,10 +2,10 @@ import { onScopeDispose, shallowRef } from 'vue';
 import { useConnection } from '../connection/useConnection.ts';
 import { PREFLIGHT_TOPICS, readReport, type PreflightReport } from '../join/preflight/report.ts';
 
-/** More phones than a master lets in; a hostile publisher makes no list grow without end. */
+/** More phones than a master accepts: bounds the list against a hostile publisher. */
 const MAX_REPORTS = 2000;
 
-/** What the preflight of each phone found, by client id. [AC-30] */
+/** Returns the preflight reports of phones, by client id. [AC-30] */
 export function usePhoneReports() {
   const { client } = useConnection();
   const reports = shallowRef<ReadonlyMap<string, PreflightReport>>(new Map());
