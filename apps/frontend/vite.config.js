@@ -2,6 +2,7 @@ import { sandboxWorkersPlugin } from '@ubii/pm-sandbox/build';
 import vue from '@vitejs/plugin-vue';
 import { defineConfig } from 'vite';
 import { licencesPlugins } from '../../scripts/lib/licences.mjs';
+import { firstLoadPlugin } from './first-load-plugin.js';
 import { serviceWorkerPlugin } from './service-worker-plugin.js';
 
 /** Where `npm run dev` finds a master; the built frontend is served by the master itself. */
@@ -33,7 +34,13 @@ function passOn(options) {
 }
 
 export default defineConfig({
-  plugins: [vue(), sandboxWorkersPlugin(), serviceWorkerPlugin(), licences.plugin],
+  plugins: [
+    vue(),
+    sandboxWorkersPlugin(),
+    serviceWorkerPlugin(),
+    licences.plugin,
+    firstLoadPlugin(),
+  ],
   build: {
     // The newest syntax every browser of the last years runs; Lightning CSS lowers light-dark() to it.
     target: ['chrome105', 'firefox110', 'safari16.0'],
@@ -45,6 +52,19 @@ export default defineConfig({
           groups: [
             // Pages share some hundred small modules; each as a file of its own is a request of its own.
             { name: 'icons', test: /@lucide/, includeDependenciesRecursively: false },
+            // Every page uses these; each file has headers of 1.4 kB.
+            {
+              name: 'proto',
+              test: /packages\/proto\/src\//,
+              minShareCount: 3,
+              includeDependenciesRecursively: false,
+            },
+            {
+              name: 'shared',
+              test: /\/src\/(formats|ui\/readouts|ui\/tooltip|connection)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(shell\/(pages|shell|shortcuts)|join\/(join-words|routes|this-machine|AdminNeeded)|connect-phone\/addresses)|@vueuse|vue-router|vite\/preload-helper/,
+              minShareCount: 2,
+              includeDependenciesRecursively: false,
+            },
           ],
         },
       },

@@ -4,11 +4,11 @@ test('home says in one sentence who is here and what flows', async ({ room }) =>
   const { page } = await room.atDesk('Anna');
   await page.goto('/');
   const sentence = page.getByRole('heading', { level: 1 });
-  await expect(sentence).toContainText('Only this browser is here.');
+  await expect(sentence).toContainText('Only this browser is connected.');
 
   const robot = await room.program('Robot');
-  await expect(sentence).toContainText('Two clients are here');
-  await expect(sentence).toContainText('nobody is publishing');
+  await expect(sentence).toContainText('Two clients are connected');
+  await expect(sentence).toContainText('none is publishing');
 
   let value = 0;
   const beat = setInterval(() => robot.publish('/lab/beat', 'double', value++), 20);
@@ -19,7 +19,7 @@ test('home says in one sentence who is here and what flows', async ({ room }) =>
 test('home lists who is here by name, as they come and go', async ({ room }) => {
   const { page } = await room.atDesk('Anna');
   await page.goto('/');
-  const here = page.getByRole('table', { name: 'Here' });
+  const here = page.getByRole('table', { name: 'Clients' });
   await expect(here.getByRole('row', { name: /Anna/ })).toBeVisible();
   const robot = await room.program('Robot');
   await expect(here.getByRole('row', { name: /Robot/ })).toBeVisible();
@@ -56,7 +56,7 @@ test('a name given in the settings is seen by others at once, and kept', async (
   const anna = await room.atDesk('Anna');
   const ben = await room.atDesk('Ben');
   await Promise.all([anna.page.goto('/settings'), ben.page.goto('/')]);
-  const here = ben.page.getByRole('table', { name: 'Here' });
+  const here = ben.page.getByRole('table', { name: 'Clients' });
   await expect(here.getByRole('row', { name: /Anna/ })).toBeVisible();
   const name = anna.page.getByRole('textbox', { name: 'Name' });
   await name.fill('Annabel');

@@ -5,7 +5,7 @@ import { expect } from '../../fixtures/test.ts';
 /** One percent of the time is much to this master: what is noisy anywhere is noisy here. */
 const test = testWith('--busy-percent', '1', '--publisher-percent', '1');
 
-/** Publishes some thousand records a second until it is told to stop. */
+/** Publishes some thousand records per second until it is told to stop. */
 function makeNoise(robot: UbiiClient): () => void {
   let value = 0;
   const noise = setInterval(() => {
@@ -31,7 +31,7 @@ test('home names who takes too much, with cause and remedy; one press throttles,
   await noisy.getByRole('button', { name: 'Throttle' }).click();
   const throttled = rows.filter({ hasText: /Robot is throttled/ });
   await expect(throttled).toContainText('by Anna');
-  await throttled.getByRole('button', { name: 'Lift throttle' }).click();
+  await throttled.getByRole('button', { name: 'Remove throttle' }).click();
   await expect(throttled).toHaveCount(0);
   stop();
 });
@@ -60,7 +60,7 @@ test('home stops a session whose module takes too much, and starts it again [EX-
   await slow.getByRole('button', { name: 'Stop session' }).click();
   const sessions = page.getByRole('list', { name: 'Sessions' });
   await expect(sessions).toContainText('Stopped');
-  await page.getByRole('button', { name: 'Start again' }).click();
+  await page.getByRole('button', { name: 'Undo' }).click();
   await expect(sessions).toContainText(/Running|Degraded/);
 });
 
@@ -81,8 +81,8 @@ test('who is throttled is told so once, by whom and what to do, wherever they ar
   await throttle(10);
   const warning = page.getByRole('status', { name: 'Warning' });
   await expect(warning).toContainText(/This page is throttled .* by Robot: too loud/);
-  await expect(warning).toContainText('ask who did it to lift the throttle');
-  await warning.getByRole('button', { name: 'Put this warning away' }).click();
+  await expect(warning).toContainText('ask an admin to remove the throttle');
+  await warning.getByRole('button', { name: 'Dismiss the warning' }).click();
   await expect(warning).toHaveCount(0);
   await page.getByRole('link', { name: 'Home' }).click();
   await expect(page.getByRole('list', { name: 'Problems' })).toContainText('throttled');

@@ -6,7 +6,9 @@ export interface DevicePage {
   readonly path: string;
   readonly title: string;
   readonly icon: Component;
-  /** What it gives and takes, one sentence. */
+  /** What it gives, a few words. */
+  readonly summary: string;
+  /** What it publishes and receives, one or two sentences. */
   readonly description: string;
   readonly page: () => Promise<unknown>;
 }
@@ -16,40 +18,45 @@ export const DEVICE_PAGES: readonly DevicePage[] = [
     path: '/devices/smart-device',
     title: 'Smart device',
     icon: Smartphone,
+    summary: 'Touch, motion, compass, buttons',
     description:
-      'Touch, motion, orientation, compass, buttons, text and, if you allow it, microphone level and location. It vibrates, sounds, lights up and shows what it is sent.',
+      'Publishes touch, motion, orientation, compass, buttons, text and, if you allow it, microphone level and location. Vibrates, plays tones, lights up and shows what it receives.',
     page: () => import('./smart-device/SmartDevicePage.vue'),
   },
   {
     path: '/devices/controller',
     title: 'Controller',
     icon: Joystick,
+    summary: 'Stick, buttons and tilt for games',
     description:
-      'Stick, A, B, Start, orientation and acceleration for games. It shows colours and pictures and vibrates; a session makes it a camera and a gamepad again.',
+      'Publishes a stick, the buttons A, B and Start, orientation and acceleration. Shows colours and pictures and vibrates. A session can turn it into a camera or a gamepad and back.',
     page: () => import('./controller/ControllerPage.vue'),
   },
   {
     path: '/devices/camera',
     title: 'Camera',
     icon: Camera,
+    summary: 'Pictures for sessions to look at',
     description:
-      'Pictures of the camera, as large and as often as you choose, with what sessions find in them drawn over.',
+      'Publishes camera pictures of the size and rate you choose, and draws over them what sessions find.',
     page: () => import('./camera/CameraPage.vue'),
   },
   {
     path: '/devices/gamepad',
     title: 'Gamepad',
     icon: Gamepad2,
+    summary: 'A gamepad that is plugged in or paired',
     description:
-      'Gamepads at this device: sticks, triggers and buttons under the names of the controller, and rumble.',
+      'Publishes the sticks, triggers and buttons of connected gamepads, with rumble as output.',
     page: () => import('./gamepad/GamepadPage.vue'),
   },
   {
     path: '/devices/keyboard-mouse',
     title: 'Keyboard and mouse',
     icon: Keyboard,
+    summary: 'Keys and a pad for the pointer',
     description:
-      'Keys and the mouse on a pad, in place of a phone or a controller. Nothing is sent while the pad is not in use.',
+      'Publishes keys and the mouse position on a pad. Publishes nothing while the pad is not in use.',
     page: () => import('./keyboard-mouse/KeyboardMousePage.vue'),
   },
 ];

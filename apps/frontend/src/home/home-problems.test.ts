@@ -32,9 +32,10 @@ const session = {
     ],
   },
 } as unknown as Session;
-const list = (problems: StatusProblem[], sessions: Session[] = []) =>
+const list = (problems: StatusProblem[], sessions: Session[] = [], shownAs = 'Mara') =>
   homeProblems(problems, {
-    findClient: (id) => (id === 'c' ? ({ name: 'Mara' } as Client) : undefined),
+    findClient: (id) => (id === 'c' ? ({ name: shownAs } as Client) : undefined),
+    ownName: (id) => (id === 'c' ? 'Mara' : undefined),
     sessions,
   });
 
@@ -65,6 +66,12 @@ describe('homeProblems', () => {
     const [one] = list([problem({ code, ...changes })]);
     expect(one?.action).toEqual(action);
     expect(one?.link?.text).toBe(link);
+  });
+
+  it('shows the display name of a client in place of the name that it gave itself', () => {
+    expect(list([problem({})], [], 'Mara 2')).toMatchObject([
+      { subject: 'Mara 2', text: 'takes data more slowly than it comes.' },
+    ]);
   });
 
   it('a sentence about the master keeps the master as its subject', () => {
@@ -100,6 +107,6 @@ it.each([
   [3, 1],
   [60, 30],
   [779, 300],
-])('of %d records a second, %d are tried', (rate, half) => {
+])('of %d records per second, %d are tried', (rate, half) => {
   expect(halfRate(rate)).toBe(half);
 });

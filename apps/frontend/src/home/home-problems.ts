@@ -5,50 +5,53 @@ import { sessionLocation } from '../sessions/routes.ts';
 import { problemParts } from './problem-parts.ts';
 import { sessionProblems } from './session-problems.ts';
 
-/** Something that can be done about a problem right here. */
+/** An action against a problem, offered beside it. */
 export type ProblemAction =
   | { readonly kind: 'show-qr' }
   | { readonly kind: 'throttle'; readonly clientId: string }
   | { readonly kind: 'unthrottle'; readonly clientId: string }
   | { readonly kind: 'stop-session'; readonly sessionId: string };
 
-/** Where the thing is that has the problem. */
+/** The page of the client or session that has the problem. */
 export interface ProblemLink {
   readonly text: string;
   readonly to: RouteLocationRaw;
 }
 
-/** One thing that is wrong, as Home shows it. */
+/** One problem, as Home shows it. */
 export interface HomeProblem {
-  /** Stays the same while the problem stands. */
+  /** Stays the same while the problem lasts. */
   readonly key: string;
   readonly code: string;
   readonly isError: boolean;
-  /** Whom or what it is about, when the sentence begins with that. */
+  /** The client or session that the sentence begins with. */
   readonly subject: string | undefined;
-  /** What is wrong, and what follows. */
+  /** The rest of the sentence. */
   readonly text: string;
-  /** What to do about it; empty when nobody can do anything. */
+  /** What to do about it; may be empty. */
   readonly remedy: string;
-  /** Master's clock, epoch milliseconds; `undefined` when nobody knows since when. */
+  /** Start of the problem: master's clock, epoch milliseconds; `undefined` when unknown. */
   readonly sinceMs: number | undefined;
   readonly link: ProblemLink | undefined;
   readonly action: ProblemAction | undefined;
 }
 
-/** What the sentences are about. */
+/** Where the names in the sentences come from. */
 export interface ProblemContext {
+  /** With its display name. */
   findClient(id: string): Client | undefined;
+  /** The name that the client gave itself, which the master writes. */
+  ownName(id: string): string | undefined;
   readonly sessions: readonly Session[];
 }
 
-/** Everything that is wrong, errors first: what the master finds, and what sessions say of themselves. */
+/** Returns all problems of the master and of sessions, errors first. */
 export function homeProblems(
   problems: readonly StatusProblem[],
   context: ProblemContext,
 ): HomeProblem[] {
   const ofMaster = problems
-    // Those of sessions are told in full by the sessions
+    // The sessions report theirs in full.
     .filter(({ code }) => code !== 'session_degraded')
     .map((problem) => ofStatus(problem, context));
   const ofSessions = sessionProblems(context.sessions).map(
@@ -67,20 +70,21 @@ export function homeProblems(
   return [...ofSessions, ...ofMaster].sort((a, b) => Number(b.isError) - Number(a.isError));
 }
 
-/** Of these there may be several, told apart by how their sentences begin. */
+/** Several of one code may exist: the first clause of their text tells them apart. */
 const IN_TEXT: ReadonlySet<string> = new Set(['limit_reached', 'file_broken']);
 
-function ofStatus(problem: StatusProblem, { findClient }: ProblemContext): HomeProblem {
+function ofStatus(problem: StatusProblem, { findClient, ownName }: ProblemContext): HomeProblem {
   const { code, clientId, sessionId, moduleId, severity, text, remedy, sinceMs } = problem;
-  const name = clientId === '' ? undefined : findClient(clientId)?.name;
-  const parts = problemParts(text, name);
+  const own = clientId === '' ? undefined : ownName(clientId);
+  const parts = problemParts(text, own);
+  // A sentence about the master that names a client begins with the master.
+  const isAboutClient = own !== undefined && own !== '' && text.startsWith(`${own} `);
   return {
     key: `${code} ${clientId} ${sessionId} ${moduleId} ${IN_TEXT.has(code) ? text.split(',', 1)[0] : ''}`,
     code,
     isError: severity === StatusProblemSeverity.ERROR,
-    // A sentence about the master that names a client begins with the master
-    subject: name !== undefined && text.startsWith(`${name} `) ? parts.subject : undefined,
-    text: name !== undefined && text.startsWith(`${name} `) ? parts.text : text,
+    subject: isAboutClient ? (findClient(clientId)?.name ?? parts.subject) : undefined,
+    text: isAboutClient ? parts.text : text,
     remedy,
     sinceMs,
     link: linkOf(problem),

@@ -1,20 +1,20 @@
-/** What the sentence is made from. */
+/** The facts that the sentence is made from. */
 export interface HomeFacts {
-  /** Clients that are there, this page included. */
+  /** Connected clients, this page included. */
   readonly active: number;
-  /** Clients that went silent a moment ago. */
+  /** Clients that lost their connection a moment ago. */
   readonly silent: number;
   readonly errors: number;
   readonly warnings: number;
-  /** Sessions that run, or are held. */
+  /** Sessions that run or are paused. */
   readonly running: number;
-  /** Modules of them that do not do what they should. */
+  /** Modules of them with an error. */
   readonly troubledModules: number;
-  /** Records per second; `undefined` when the master does not tell. */
+  /** Records per second; `undefined` when the master does not report it. */
   readonly recordsPerSecond: number | undefined;
 }
 
-/** The one true sentence: what is, and, dimmer, what it asks of the reader. */
+/** The sentence that Home opens with: the state, and, dimmer, what needs attention. */
 export interface HomeSentence {
   readonly is: string;
   readonly asks?: string;
@@ -41,23 +41,29 @@ const capital = (text: string): string => text.charAt(0).toUpperCase() + text.sl
 
 function whatIs({ active, running, recordsPerSecond }: HomeFacts): string {
   if (running > 0) {
-    const whom = active <= 1 ? 'this browser alone' : `${inWords(active)} clients`;
+    const clients = active <= 1 ? 'this browser only' : `${inWords(active)} clients`;
     const verb = running === 1 ? 'session is' : 'sessions are';
-    return `${capital(inWords(running))} ${verb} running for ${whom}.`;
+    return `${capital(inWords(running))} ${verb} running for ${clients}.`;
   }
-  if (active <= 1) return 'Only this browser is here.';
-  const here = `${capital(inWords(active))} clients are here`;
+  if (active <= 1) return 'Only this browser is connected.';
+  const here = `${capital(inWords(active))} clients are connected`;
   if (recordsPerSecond === undefined) return `${here}.`;
-  return recordsPerSecond < 0.5 ? `${here}, nobody is publishing.` : `${here} and data is flowing.`;
+  return recordsPerSecond < 0.5
+    ? `${here}, and none is publishing.`
+    : `${here} and data is flowing.`;
 }
 
 function whatAsks(facts: HomeFacts): string | undefined {
   const { active, running, troubledModules, silent, errors, warnings } = facts;
   const needs = (count: number, thing: string): string =>
-    `${capital(inWords(count))} ${thing}${count === 1 ? ' needs' : 's need'} you.`;
+    `${capital(inWords(count))} ${thing}${count === 1 ? ' needs' : 's need'} attention.`;
   if (troubledModules > 0 && errors === 0) return needs(troubledModules, 'module');
   if (errors > 0) return needs(errors, 'problem');
-  if (silent > 0) return `${capital(inWords(silent))} went silent.`;
+  if (silent > 0) {
+    return silent === 1
+      ? 'One client lost its connection.'
+      : `${capital(inWords(silent))} clients lost their connection.`;
+  }
   if (warnings > 0) return needs(warnings, 'warning');
   if (active <= 1 && running === 0) return 'Connect a phone or open an example.';
   return undefined;

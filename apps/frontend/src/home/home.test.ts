@@ -14,22 +14,31 @@ describe('homeSentence', () => {
   };
 
   it.each([
-    [calm, 'Five clients are here and data is flowing.'],
-    [{ ...calm, recordsPerSecond: 0 }, 'Five clients are here, nobody is publishing.'],
-    [{ ...calm, recordsPerSecond: undefined }, 'Five clients are here.'],
-    [{ ...calm, active: 1 }, 'Only this browser is here. Connect a phone or open an example.'],
+    [calm, 'Five clients are connected and data is flowing.'],
+    [{ ...calm, recordsPerSecond: 0 }, 'Five clients are connected, and none is publishing.'],
+    [{ ...calm, recordsPerSecond: undefined }, 'Five clients are connected.'],
+    [{ ...calm, active: 1 }, 'Only this browser is connected. Connect a phone or open an example.'],
     [
       { ...calm, running: 2, troubledModules: 1 },
-      'Two sessions are running for five clients. One module needs you.',
+      'Two sessions are running for five clients. One module needs attention.',
     ],
-    [{ ...calm, active: 1, running: 1 }, 'One session is running for this browser alone.'],
-    [{ ...calm, active: 13 }, '13 clients are here and data is flowing.'],
-    [{ ...calm, errors: 1 }, 'Five clients are here and data is flowing. One problem needs you.'],
-    [{ ...calm, errors: 2 }, 'Five clients are here and data is flowing. Two problems need you.'],
-    [{ ...calm, silent: 1 }, 'Five clients are here and data is flowing. One went silent.'],
+    [{ ...calm, active: 1, running: 1 }, 'One session is running for this browser only.'],
+    [{ ...calm, active: 13 }, '13 clients are connected and data is flowing.'],
+    [
+      { ...calm, errors: 1 },
+      'Five clients are connected and data is flowing. One problem needs attention.',
+    ],
+    [
+      { ...calm, errors: 2 },
+      'Five clients are connected and data is flowing. Two problems need attention.',
+    ],
+    [
+      { ...calm, silent: 1 },
+      'Five clients are connected and data is flowing. One client lost its connection.',
+    ],
     [
       { ...calm, warnings: 3 },
-      'Five clients are here and data is flowing. Three warnings need you.',
+      'Five clients are connected and data is flowing. Three warnings need attention.',
     ],
   ])('%o', (facts, expected) => {
     const { is, asks } = homeSentence(facts);

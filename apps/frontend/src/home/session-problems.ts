@@ -1,13 +1,13 @@
 import type { Session, SessionProblem } from '@ubii/proto';
 import { hasTrouble } from '../sessions/state/session-state.ts';
 
-/** An error of a session that should run. */
+/** An error of a session that runs or is starting. */
 export interface SessionTrouble {
   readonly session: Session;
   readonly problem: SessionProblem;
 }
 
-/** What is wrong with sessions that run, or should. */
+/** Returns the errors of sessions that run or are starting. */
 export function sessionProblems(sessions: readonly Session[]): SessionTrouble[] {
   return sessions
     .filter(hasTrouble)
@@ -18,7 +18,7 @@ export function sessionProblems(sessions: readonly Session[]): SessionTrouble[] 
     );
 }
 
-/** How many modules do not do what they should; a problem of a whole session counts as one. */
+/** Returns the number of modules with an error; an error of a whole session counts as one. */
 export function troubledModules(sessions: readonly Session[]): number {
   const keys = sessionProblems(sessions).map(
     ({ session, problem }) => problem.moduleId || `session ${session.id}`,

@@ -6,7 +6,7 @@ import { formatNumber } from '../ui/readouts/format-number.ts';
 import { useToasts } from '../ui/toasts/toasts.ts';
 import type { ProblemAction } from './home-problems.ts';
 
-/** Half of what a publisher sends, a round number, is what is tried first. */
+/** Returns half of a rate, rounded: the throttle that is tried first. */
 export function halfRate(recordsPerSecond: number): number {
   const half = Math.max(1, recordsPerSecond / 2);
   const step = 10 ** Math.floor(Math.log10(half));
@@ -16,11 +16,11 @@ export function halfRate(recordsPerSecond: number): number {
 export const ACTION_WORDS: Readonly<Record<ProblemAction['kind'], string>> = {
   'show-qr': 'Show QR',
   throttle: 'Throttle',
-  unthrottle: 'Lift throttle',
+  unthrottle: 'Remove throttle',
   'stop-session': 'Stop session',
 };
 
-/** Does what a problem offers, says what was done, and takes it back when somebody asks for that. */
+/** Runs the action of a problem, reports it and offers to undo it. */
 export function useProblemActions(): (action: ProblemAction) => Promise<void> {
   const { client, clients, sessions, reports } = useConnection();
   const shell = useShell();
@@ -28,7 +28,8 @@ export function useProblemActions(): (action: ProblemAction) => Promise<void> {
   const nameOf = (id: string): string => clients.find(id)?.name || 'The client';
 
   async function throttle(targetId: string, recordsPerSecond: number): Promise<void> {
-    const reason = recordsPerSecond === 0 ? '' : 'It takes too much of the master.';
+    const reason =
+      recordsPerSecond === 0 ? '' : 'This client takes too large a share of the forwarding work.';
     await client.call('clientThrottle', { targetId, recordsPerSecond, reason });
     void reports.refresh();
   }
@@ -42,19 +43,19 @@ export function useProblemActions(): (action: ProblemAction) => Promise<void> {
         await reports.refresh();
         const rate = halfRate(reports.byId.value?.get(clientId)?.recordsInPerSecond ?? 0);
         await throttle(clientId, rate);
-        return toasts.show(`${nameOf(clientId)} may publish ${formatNumber(rate)} records/s`, {
+        return toasts.show(`Throttled ${nameOf(clientId)} to ${formatNumber(rate)} records/s`, {
           text: 'Undo',
           run: () => void attempt(() => throttle(clientId, 0)),
         });
       }
       case 'unthrottle':
         await throttle(action.clientId, 0);
-        return toasts.show(`${nameOf(action.clientId)} may publish as it likes`);
+        return toasts.show(`Throttle removed from ${nameOf(action.clientId)}`);
       case 'stop-session': {
         const id = action.sessionId;
         await client.call('sessionRuntimeStop', { id });
         return toasts.show(`Stopped ${sessions.find(id)?.name || 'the session'}`, {
-          text: 'Start again',
+          text: 'Undo',
           run: () =>
             void attempt(async () => void (await client.call('sessionRuntimeStart', { id }))),
         });
