@@ -12,7 +12,7 @@ export class ClientsPage {
   constructor({ page }: { page: Page }) {
     this.page = page;
     this.list = page.getByRole('treegrid', { name: 'Clients' });
-    this.loads = page.getByRole('list', { name: 'Clients that take most' });
+    this.loads = page.getByRole('list', { name: 'Clients by load' });
     this.search = page.getByRole('searchbox', { name: /^Search clients/ });
     this.note = page.getByRole('contentinfo').or(page.locator('footer')).getByRole('status');
   }

@@ -16,7 +16,7 @@ export class PerformancePage {
     this.start = page.getByRole('button', { name: 'Start', exact: true });
     this.stop = page.getByRole('button', { name: 'Stop', exact: true });
     this.progress = page.getByRole('progressbar', { name: 'Progress of the test' });
-    this.kept = page.getByRole('list', { name: 'Kept results' }).getByRole('listitem');
+    this.kept = page.getByRole('list', { name: 'Stored results' }).getByRole('listitem');
   }
 
   async open(place = 'round-trip'): Promise<void> {

@@ -148,8 +148,8 @@ for (const screen of SCREENS) {
     await expect(page.getByRole('row', { name: /angle/ })).toContainText('0.25');
     await expectAccessible(page, TOOLTIP);
     await page.goto(`/clients/${robot.id}`);
-    await expect(page.getByRole('list', { name: 'What is wrong' })).toContainText('throttled');
-    await expect(page.getByRole('list', { name: 'What it listens to' })).toContainText('/lamp');
+    await expect(page.getByRole('list', { name: 'Problems' })).toContainText('throttled');
+    await expect(page.getByRole('list', { name: 'Subscribed topics' })).toContainText('/lamp');
     await expectAccessible(page, TOOLTIP);
     await page.getByRole('button', { name: 'Rename Robot' }).click();
     await page.getByRole('textbox', { name: /^Name/ }).fill(' ');
@@ -159,11 +159,11 @@ for (const screen of SCREENS) {
     await expectAccessible(page, TOOLTIP);
     await page.keyboard.press('Escape');
     await page.goto('/clients?view=load');
-    await page.getByRole('button', { name: 'Lift throttle' }).click();
+    await page.getByRole('button', { name: 'Remove throttle' }).click();
     await page.getByRole('button', { name: 'Throttle', exact: true }).first().waitFor();
     await expectAccessible(page, TOOLTIP);
     await page.goto('/clients/nobody');
-    await expect(page.getByText('No client with this id is here.')).toBeVisible();
+    await expect(page.getByText('No client has this id now.')).toBeVisible();
     await expectAccessible(page, TOOLTIP);
     const id = await page.evaluate(() => /[0-9a-f-]{36}/.exec(JSON.stringify(sessionStorage))?.[0]);
     robot.publish(`/${id}/identify`, 'string', 'Mara', { immediate: true });

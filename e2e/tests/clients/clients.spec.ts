@@ -52,7 +52,7 @@ test('what a client listens to is listed, topics and patterns', async ({ room })
   await robot.subscribe({ regex: '^/pads/.*$' }).ready;
   const clients = new ClientsPage(anna);
   await clients.open(`/${robot.id}`);
-  const list = clients.detail('Robot').getByRole('list', { name: 'What it listens to' });
+  const list = clients.detail('Robot').getByRole('list', { name: 'Subscribed topics' });
   await expect(list).toContainText('/lamp/level');
   await expect(list).toContainText('at most 5.0 Hz');
   await expect(list).toContainText('^/pads/.*$');
@@ -110,7 +110,7 @@ test('the list is used with the keyboard alone', async ({ room }) => {
 
   await clients.row('Robot').focus();
   await anna.page.keyboard.press('F2');
-  const name = anna.page.getByRole('textbox', { name: 'Name, as everybody sees it' });
+  const name = anna.page.getByRole('textbox', { name: 'Name shown to others' });
   await expect(name).toBeFocused();
   await expect(name).toHaveValue('Robot');
   await anna.page.keyboard.press('Escape');
@@ -132,10 +132,10 @@ test('a browser that is to be identified shows itself and says who asks', async 
   const clients = new ClientsPage(anna);
   await clients.open();
   await clients.choose('Ben', 'Identify');
-  const note = ben.page.getByRole('alert').filter({ hasText: 'which device this is' });
-  await expect(note).toContainText('Anna wants to know which device this is.');
-  await expect(anna.page.getByText('Ben was asked to show itself.')).toBeVisible();
-  await note.getByRole('button', { name: 'Understood' }).click();
+  const note = ben.page.getByRole('alert').filter({ hasText: 'asked this device' });
+  await expect(note).toContainText('Anna asked this device to identify itself.');
+  await expect(anna.page.getByText('Asked Ben to identify itself.')).toBeVisible();
+  await note.getByRole('button', { name: 'Dismiss' }).click();
   await expect(note).toHaveCount(0);
 });
 
@@ -155,9 +155,9 @@ test('a client gets another name, and calls itself by it', async ({ room }) => {
   const clients = new ClientsPage(anna);
   await clients.open();
   await clients.choose('Ben', 'Rename');
-  const name = anna.page.getByRole('textbox', { name: 'Name, as everybody sees it' });
+  const name = anna.page.getByRole('textbox', { name: 'Name shown to others' });
   await name.fill(' ');
-  await expect(anna.page.getByText('A client needs a name')).toBeVisible();
+  await expect(anna.page.getByText('Enter a name of at least one character')).toBeVisible();
   await name.fill('Stage left');
   await name.press('Enter');
   await expect(clients.row('Stage left')).toBeVisible();
@@ -179,7 +179,7 @@ test('who takes most is ranked with the cause, and throttled with a reason', asy
   await row.getByRole('button', { name: 'Throttle' }).click();
   const dialog = clients.dialog(/^Throttle Drum/);
   await dialog.getByRole('textbox', { name: 'Records per second' }).fill('ten');
-  await expect(dialog.getByText('Write how many records per second')).toBeVisible();
+  await expect(dialog.getByText('Enter a number of records per second')).toBeVisible();
   await dialog.getByRole('textbox', { name: 'Records per second' }).fill('20');
   await dialog.getByRole('textbox', { name: /^Why/ }).fill('too loud');
   await dialog.getByRole('button', { name: 'Throttle' }).click();
@@ -187,7 +187,7 @@ test('who takes most is ranked with the cause, and throttled with a reason', asy
   await expect(row).toContainText('throttled to 20 records per second by Anna: too loud', {
     ignoreCase: true,
   });
-  await row.getByRole('button', { name: 'Lift throttle' }).click();
+  await row.getByRole('button', { name: 'Remove throttle' }).click();
   await expect(row.getByRole('button', { name: 'Throttle', exact: true })).toBeVisible();
   stop();
 });
@@ -206,7 +206,7 @@ test('a throttled page is told so, with the cause', async ({ room }) => {
   await expect(ben.page.getByRole('status', { name: 'Warning' })).toContainText(
     'This page is throttled to 5 records per second by Anna: we are measuring',
   );
-  await clients.choose('Ben', 'Lift throttle');
+  await clients.choose('Ben', 'Remove throttle');
   await expect(ben.page.getByRole('status', { name: 'Warning' })).toHaveCount(0);
 });
 
@@ -228,7 +228,7 @@ test('a client is disconnected with a reason, is told so, and joins again', asyn
   await expect(strip).toContainText('disconnected by Anna: the session is over');
   await strip.getByRole('button', { name: 'Connect' }).click();
   await expect(clients.row('Ben')).toBeVisible();
-  await expect(clients.note).toContainText(/Ben is (back|here again)/);
+  await expect(clients.note).toContainText(/Ben reconnected/);
 });
 
 test('a client that left keeps its address, and shows there when it is back', async ({ room }) => {
@@ -247,7 +247,7 @@ test('a client that left keeps its address, and shows there when it is back', as
   await new Shell(ben.page).disconnectedStrip.getByRole('button', { name: 'Connect' }).click();
   await expect(clients.detail('Ben')).toBeVisible();
   await clients.open('/nobody-at-all');
-  await expect(anna.page.getByText('No client with this id is here.')).toBeVisible();
+  await expect(anna.page.getByText('No client has this id now.')).toBeVisible();
 });
 
 test('only what is broken shows what needs a look, with the words for it', async ({ room }) => {

@@ -88,7 +88,7 @@ test('what guests made is told, ended or handed over with their code, and who di
     const grant = grantOf('Lab');
     await grant.getByRole('button', { name: 'Revoke' }).click();
     await grant.getByRole('radio', { name: 'Hand over to you' }).click();
-    await expect(grant).toContainText('go on and are yours');
+    await expect(grant).toContainText('keep running and belong to you');
     await grant.getByRole('button', { name: 'Revoke invitation' }).click();
     await expect(grant).toHaveCount(0);
   });

@@ -23,7 +23,7 @@ test('a scanned code is one tap away from the page it is for [AC-11]', async ({ 
   const phone = await stranger(room);
   const join = new JoinPage(phone);
   await phone.page.goto(`/join#${token}`);
-  await expect(join.heading).toHaveText('You’re reachable. One tap to join.');
+  await expect(join.heading).toHaveText('Ready to join. Tap Join to continue.');
   await join.name.fill('Mara at the window');
   await expect(join.fact('master')).toHaveAttribute('data-state', 'good');
   await expect(join.fact('channel')).toHaveAttribute('data-state', 'good');
@@ -69,16 +69,16 @@ test('what is wrong with a code is said in words, with the way out [AC-12]', asy
   const join = new JoinPage(phone);
   await phone.page.goto('/join');
   await join.type('0000-0000');
-  await expect(join.heading).toHaveText('That code is not known here.');
+  await expect(join.heading).toHaveText('This code is not valid.');
 
   const revoked = await makeGrant(master);
   await revokeGrant(master, revoked.id);
   await join.type(revoked.code);
-  await expect(join.heading).toHaveText('The host has closed this code.');
+  await expect(join.heading).toHaveText('The host revoked this code.');
 
   const short = await makeGrant(master, { lifetimeMs: 1 });
   await join.type(short.code);
-  await expect(join.heading).toHaveText('That code is no longer valid.');
+  await expect(join.heading).toHaveText('This code has expired.');
 
   const good = await makeGrant(master);
   await join.code.fill(`https://some.where/join#${good.token}`);
@@ -136,9 +136,9 @@ test('whose code is revoked while they are here comes back to joining, and hears
   await join.join.click();
   await expect(phone.page).toHaveURL(/\/topics/);
   await revokeGrant(master, id);
-  await expect(phone.page.getByText(/the story wants it|closed this code/).first()).toBeVisible();
+  await expect(phone.page.getByText(/the story wants it|revoked this code/).first()).toBeVisible();
   await phone.page.reload();
-  await expect(join.heading).toHaveText('The host has closed this code.');
+  await expect(join.heading).toHaveText('The host revoked this code.');
 });
 
 test('a player who joined is a smart device and a controller, and changes to another code of players', async ({
@@ -158,7 +158,7 @@ test('a player who joined is a smart device and a controller, and changes to ano
   const { page } = phone;
   const join = new JoinPage(phone);
   await page.goto(`/join#${red.token}`);
-  await expect(page.getByText('You join as player')).toBeVisible();
+  await expect(page.getByText('Role: player')).toBeVisible();
   await join.join.click();
   await page.getByRole('application', { name: 'Touch pad' }).tap();
   const find = async () =>

@@ -68,10 +68,10 @@ test('the host sees what went wrong on each phone, a viewer’s too [AC-30]', as
     await expect(phones.filter({ hasText: 'Mara' })).toContainText('Clock: 5 min ahead');
 
     // As a viewer it is no device, and is told so, with the way to become one
-    await expect(late.page.getByText('Nothing is sent')).toBeVisible();
-    await late.page.getByRole('link', { name: 'Use a code for players' }).click();
+    await expect(late.page.getByText('Nothing is published')).toBeVisible();
+    await late.page.getByRole('link', { name: 'Join with a player code' }).click();
     await expect(join.heading).toHaveText('Join with the code.');
-    await late.page.getByRole('button', { name: 'Go on as before' }).click();
+    await late.page.getByRole('button', { name: 'Continue' }).click();
     await expect(late.page).toHaveURL(/smart-device$/);
   });
 
@@ -89,14 +89,14 @@ test('the host sees what went wrong on each phone, a viewer’s too [AC-30]', as
     });
     const join = new JoinPage(refused);
     await refused.page.goto(`/join#${token}`);
-    await expect(join.fact('sensors')).toContainText('The phone asks once');
+    await expect(join.fact('sensors')).toContainText('Tap Allow in the browser');
     await refused.page.getByRole('button', { name: 'Allow motion and join' }).click();
-    await expect(join.fact('sensors')).toContainText('closed completely');
+    await expect(join.fact('sensors')).toContainText('close it completely');
     await join.join.click();
-    await expect(phones.filter({ hasText: 'Ida' })).toContainText('Motion was refused');
+    await expect(phones.filter({ hasText: 'Ida' })).toContainText('Motion access was denied');
     const { page } = refused;
     await page.getByRole('button', { name: 'Allow motion' }).click();
-    await expect(page.getByText('asks again after you close and open it').first()).toBeVisible();
+    await expect(page.getByText('Restart the browser to be asked again').first()).toBeVisible();
   });
 });
 
@@ -142,7 +142,7 @@ test('a blocked live channel is told from a master that is away', async ({ maste
   await master.stop();
   await phone.page.getByRole('button', { name: 'Use another code' }).click();
   await expect(join.heading).toContainText(/out of reach/);
-  await phone.page.getByRole('button', { name: 'Try again now' }).click();
+  await phone.page.getByRole('button', { name: 'Retry' }).click();
   await expect(join.fact('master')).toContainText('Master not reached');
   await expect(join.fact('master')).toContainText('client isolation');
   await master.startAgain();

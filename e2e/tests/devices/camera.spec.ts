@@ -45,12 +45,12 @@ test('a phone sends pictures once it is told to, and shows what is found in them
       { topic: `${prefix}/camera_image`, messageFormat: 'ubii.dataStructure.Image2D', ioType: 0 },
       { topic: `${prefix}/objects`, messageFormat: 'ubii.dataStructure.Object2DList', ioType: 1 },
     ]);
-    await expect(page.getByText('Nothing is sent until you start it')).toBeVisible();
+    await expect(page.getByText('Start it to publish pictures')).toBeVisible();
     expect(count).toBe(0);
   });
 
   await test.step('raw pictures of the chosen size come', async () => {
-    await page.getByRole('button', { name: 'Start and send pictures' }).tap();
+    await page.getByRole('button', { name: 'Start the camera' }).tap();
     await expect.poll(() => newest?.image.width).toBe(320);
     const { image } = newest!;
     expect(image.dataFormat).toBe(Image2DDataFormat.RGB8);
@@ -83,7 +83,7 @@ test('a phone sends pictures once it is told to, and shows what is found in them
       ],
     });
     await expect(page.locator('[data-shape="person"] rect').first()).toBeVisible();
-    await expect(page.getByText('1 thing was found.')).toBeVisible();
+    await expect(page.getByText('1 object found.')).toBeVisible();
   });
 
   await test.step('the camera rests while the page is hidden, and comes back with it', async () => {
@@ -93,7 +93,7 @@ test('a phone sends pictures once it is told to, and shows what is found in them
         document.dispatchEvent(new Event('visibilitychange'));
       }, state);
     await show('hidden');
-    await expect(page.getByText('The camera rests while the page is hidden.')).toBeVisible();
+    await expect(page.getByText('The camera pauses while the page is hidden.')).toBeVisible();
     const before = count;
     await show('visible');
     await expect.poll(() => count).toBeGreaterThan(before + 1);
@@ -101,7 +101,7 @@ test('a phone sends pictures once it is told to, and shows what is found in them
 
   await test.step('stopped, it sends nothing', async () => {
     await page.getByRole('button', { name: 'Stop the camera' }).tap();
-    await expect(page.getByText('Nothing is sent until you start it')).toBeVisible();
+    await expect(page.getByText('Start it to publish pictures')).toBeVisible();
   });
 
   await test.step('it is remembered how this camera sends, also when it is gone and another is there', async () => {
@@ -116,7 +116,7 @@ test('a phone sends pictures once it is told to, and shows what is found in them
       await page.reload();
       const before = count;
       await expect(page.getByRole('radio', { name: '160' })).toBeChecked();
-      await page.getByRole('button', { name: 'Start and send pictures' }).tap();
+      await page.getByRole('button', { name: 'Start the camera' }).tap();
       await expect.poll(() => count).toBeGreaterThan(before);
       expect([newest?.image.width, newest?.image.data[0]]).toEqual([160, 0xff]);
     }
@@ -124,9 +124,9 @@ test('a phone sends pictures once it is told to, and shows what is found in them
 });
 
 for (const [name, words] of [
-  ['NotAllowedError', 'The camera was refused.'],
+  ['NotAllowedError', 'Camera access was denied.'],
   ['NotFoundError', 'This device has no camera.'],
-  ['NotReadableError', 'another program or tab has it'],
+  ['NotReadableError', 'in use by another program or tab'],
 ] as const) {
   test(`a camera that answers with ${name} is told in words, and may be tried again`, async ({
     room,
@@ -134,12 +134,12 @@ for (const [name, words] of [
     const phone = await room.withPhone('Mara');
     await failWith(phone, name);
     await phone.page.goto('/devices/camera');
-    await phone.page.getByRole('button', { name: 'Start and send pictures' }).tap();
+    await phone.page.getByRole('button', { name: 'Start the camera' }).tap();
     await expect(phone.page.getByRole('alert').filter({ hasText: words })).toBeVisible();
     await phone.page.evaluate(() => {
       navigator.mediaDevices.getUserMedia = MediaDevices.prototype.getUserMedia;
     });
-    await phone.page.getByRole('button', { name: 'Start and send pictures' }).tap();
+    await phone.page.getByRole('button', { name: 'Start the camera' }).tap();
     await expect(phone.page.getByRole('button', { name: 'Stop the camera' })).toBeVisible();
   });
 }

@@ -127,7 +127,7 @@ test('a phone is the controller that existing games know, and a camera when a se
 
   await test.step('a session makes it a camera, and the game hears that the player is gone', async () => {
     game.publish(`/${id}/${SHELL}/set_controllerMode`, 'string', 'camera');
-    await expect(page.getByRole('button', { name: 'Start and send pictures' })).toBeVisible();
+    await expect(page.getByRole('button', { name: 'Start the camera' })).toBeVisible();
     await expect.poll(() => gone).toEqual([id]);
     await expect.poll(async () => (await find('CameraWebInterface')).length).toBe(1);
     await expect.poll(async () => (await find(GAMEPAD)).length).toBe(0);

@@ -212,7 +212,7 @@ test('a phone does what it is sent: words, colour, a picture, a tone, and a flas
   await test.step('it is silent until it is touched, and says so', async () => {
     const tone = { x: 440, y: 40, z: 0.1 };
     program.publish(`/${id}/${DEVICE}/play_tone`, 'vector3', tone);
-    await expect(row('Sound')).toContainText('tap once to hear the next');
+    await expect(row('Sound')).toContainText('Tap once to hear the next');
     await page.getByRole('application', { name: 'Touch pad' }).tap();
     await expect(async () => {
       program.publish(`/${id}/${DEVICE}/play_tone`, 'vector3', tone);
@@ -226,11 +226,11 @@ test('a phone does what it is sent: words, colour, a picture, a tone, and a flas
   await expect(row('Vibrate')).toContainText(/Listening, last/);
 
   await test.step('it stays awake, and again after it was hidden, which ends that', async () => {
-    await expect(row('Stays awake')).toContainText('on');
+    await expect(row('Screen stays on')).toContainText('on');
     await show(page, 'hidden');
-    await expect(row('Stays awake')).toContainText('off');
+    await expect(row('Screen stays on')).toContainText('off');
     await show(page, 'visible');
-    await expect(row('Stays awake')).toContainText('on');
+    await expect(row('Screen stays on')).toContainText('on');
   });
 });
 

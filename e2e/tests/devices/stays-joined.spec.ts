@@ -157,7 +157,7 @@ test('who leaves is told from who is lost, and two tabs of a phone are one devic
     const [first] = await devices(program);
     const second = await mara.context.newPage();
     await second.goto('/devices/smart-device');
-    const note = second.getByRole('status').filter({ hasText: 'open in another tab, too' });
+    const note = second.getByRole('status').filter({ hasText: 'also open in another tab' });
     await expect(note).toBeVisible();
     await expect
       .poll(async () =>
@@ -171,10 +171,10 @@ test('who leaves is told from who is lost, and two tabs of a phone are one devic
     await show(mara, true);
   });
 
-  const gone = desk.page.getByRole('list', { name: 'Gone lately' });
+  const gone = desk.page.getByRole('list', { name: 'Recently disconnected' });
   await test.step('a button: it has left, at once, and can come back', async () => {
     await mara.page.getByRole('button', { name: 'Change your name' }).tap();
-    await mara.page.getByRole('button', { name: 'Leave', exact: true }).tap();
+    await mara.page.getByRole('button', { name: 'Disconnect', exact: true }).tap();
     await expect(clients.row('Mara')).toHaveCount(0);
     await expect(gone).toContainText(/Mara left/);
     await expect(desk.page.getByRole('article', { name: 'No such client' })).toContainText(
@@ -182,14 +182,14 @@ test('who leaves is told from who is lost, and two tabs of a phone are one devic
     );
     await mara.page.getByRole('button', { name: 'Connect', exact: true }).tap();
     await expect(clients.row('Mara')).toBeVisible();
-    await expect(clients.note).toContainText('Mara is back.');
+    await expect(clients.note).toContainText('Mara reconnected.');
   });
 
   await test.step('the network breaks: it is silent, then lost', async () => {
     network.lose();
     await expect(clients.row('Mara')).toContainText('silent');
     await expect(clients.row('Mara')).toContainText('lost');
-    await expect(clients.note).toContainText('Mara was lost: its connection broke.');
+    await expect(clients.note).toContainText('Mara lost its connection.');
     await desk.page.goto('/');
     const row = desk.page.getByRole('row').filter({ hasText: 'Mara' });
     await expect(row).toContainText(/lost, \d/);

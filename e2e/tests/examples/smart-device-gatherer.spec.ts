@@ -41,7 +41,7 @@ test('four phones come and go while it runs, and exactly those who touch near fe
     await expect(stage.pairs).toHaveCount(1);
     await expect(anna.flash).toBeVisible();
     await expect(ben.flash).toBeVisible();
-    await expect(anna.page.getByText('Somebody is near')).toBeVisible();
+    await expect(anna.page.getByText('Another finger is near')).toBeVisible();
     await expect(stage.phone('Anna')).toContainText('Near');
     // Longer than a touch counts that is not said again: resting fingers go on feeling each other
     await expect.poll(() => told.get(annaId) ?? 0, { timeout: 20_000 }).toBeGreaterThan(30);
@@ -64,7 +64,7 @@ test('four phones come and go while it runs, and exactly those who touch near fe
     await ben.page.close();
     await stage.expectPhones('Anna', 'Cleo', 'Dora');
     await expect(stage.pairs).toHaveCount(0);
-    await expect(anna.page.getByText('Somebody is near')).toHaveCount(0);
+    await expect(anna.page.getByText('Another finger is near')).toHaveCount(0);
     await expect(anna.flash).toHaveCount(0);
   });
 
@@ -81,13 +81,13 @@ test('four phones come and go while it runs, and exactly those who touch near fe
   await test.step('stopped, nobody feels anything', async () => {
     await stage.stop();
     await expect(stage.pairs).toHaveCount(0);
-    await expect(dora.page.getByText('Somebody is near')).toHaveCount(0);
+    await expect(dora.page.getByText('Another finger is near')).toHaveCount(0);
     await expect(dora.flash).toHaveCount(0);
     await stage.start();
     await expect(stage.pairs).toHaveCount(1);
     await dora.lift();
     await expect(stage.pairs).toHaveCount(0);
-    await expect(anna.page.getByText('Somebody is near')).toHaveCount(0);
+    await expect(anna.page.getByText('Another finger is near')).toHaveCount(0);
   });
 
   await test.step('the session and the code are shown', async () => {

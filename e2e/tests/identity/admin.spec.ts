@@ -24,7 +24,7 @@ function printedAddress(master: MasterProcess): string {
 async function expectRole({ page }: Pick<Person, 'page'>, role: string): Promise<void> {
   await page.getByRole('button', { name: /^This browser/ }).click();
   const dialog = page.getByRole('dialog', { name: 'This browser' });
-  await expect(dialog).toContainText(`Here as ${role}`);
+  await expect(dialog).toContainText(`Role: ${role}`);
   await page.keyboard.press('Escape');
   await expect(dialog).toBeHidden();
 }
@@ -74,20 +74,20 @@ test('the bare address is for participants, who enter the code where an admin is
   await expectRole(desk, 'participant');
 
   await page.goto('/settings/master');
-  await expect(page.getByText('is shown to admins')).toBeVisible();
+  await expect(page.getByText('Only admins can see the start options')).toBeVisible();
   await page.goto('/connect');
-  await expect(page.getByText('Only this machine can reach the master')).toBeVisible();
+  await expect(page.getByText('Phones cannot reach this master')).toBeVisible();
   await page.goto('/settings/audit');
-  await expect(page.getByText('only admins read it')).toBeVisible();
+  await expect(page.getByText('only admins can read it')).toBeVisible();
   await expect(page.getByRole('alert')).toHaveCount(0);
   await page.goto('/settings/log');
-  await expect(page.getByText('only admins read it')).toBeVisible();
+  await expect(page.getByText('only admins can read it')).toBeVisible();
   await expect(page.getByRole('alert')).toHaveCount(0);
   await button.click();
   await expect(join.heading).toHaveText('Enter the code.');
 
   await join.type('0000-0000');
-  await expect(join.heading).toHaveText('That code is not known here.');
+  await expect(join.heading).toHaveText('This code is not valid.');
   await join.type(master.addresses.adminCode.toLowerCase());
   await expect(page).toHaveURL(/\/settings\/log$/);
   await expect(page.getByText(/^\d+ lines?\./)).toBeVisible();
@@ -99,7 +99,7 @@ test('who does not want to become admin goes on as before', async ({ room }) => 
   const desk = await room.atDesk('Cleo');
   await desk.page.goto('/settings/log');
   await desk.page.getByRole('link', { name: 'Enter the code shown in the terminal' }).click();
-  await desk.page.getByRole('button', { name: 'Go on as before' }).click();
+  await desk.page.getByRole('button', { name: 'Continue' }).click();
   await expect(desk.page).toHaveURL(/\/settings\/log$/);
   await expectRole(desk, 'participant');
 });

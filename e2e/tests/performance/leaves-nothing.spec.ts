@@ -49,7 +49,9 @@ test('what was measured until a run was stopped is kept, and says so', async ({ 
   await page.begin();
   await expect.poll(() => page.figure('immediate.returned').isVisible()).toBe(true);
   await page.stop.click();
-  await expect(page.page.getByText('Stopped early: what was measured until then')).toBeVisible();
+  await expect(
+    page.page.getByText('Stopped early: the result covers the time until then'),
+  ).toBeVisible();
 });
 
 test('a session of a test ends with its page, however the page is left', async ({
@@ -107,7 +109,9 @@ test('a run ends when the master goes, and what it measured is kept', async ({ m
   await expect.poll(() => page.figure('immediate.returned').isVisible()).toBe(true);
   anna.watch.expect(/net::ERR_/, /WebSocket connection to .* failed/, /Failed to load resource/);
   await master.stop();
-  await expect(page.page.getByText('Connection lost: what was measured until then')).toBeVisible();
+  await expect(
+    page.page.getByText('Connection lost: the result covers the time until then'),
+  ).toBeVisible();
   await expect(page.start).toHaveAttribute('aria-disabled', 'true');
   await master.startAgain();
   await expect(page.start).not.toHaveAttribute('aria-disabled', 'true', { timeout: 60_000 });

@@ -43,9 +43,9 @@ test('results are kept over a reload, named, compared, exported and imported', a
       'Round trip: immediate, 60 Hz',
     ]);
     await expect(figures.getByRole('row', { name: /p95/ })).toContainText('%');
-    const facts = page.page.getByRole('region', { name: 'Circumstances side by side' });
+    const facts = page.page.getByRole('region', { name: 'Test conditions side by side' });
     await expect(facts.getByRole('row', { name: /Rate differs/ })).toContainText('30 Hz');
-    await expect(page.chart('Immediate: how long records took')).toContainText('At home');
+    await expect(page.chart('Immediate: round trips')).toContainText('At home');
     await page.page.reload();
     await expect(figures).toBeVisible();
   });

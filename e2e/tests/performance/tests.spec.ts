@@ -4,7 +4,7 @@ import { PerformancePage } from '../../pages/performance-page.ts';
 test('the round trip is measured, immediate and aggregated', async ({ room }) => {
   const page = new PerformancePage(await room.atDesk('Anna'));
   await page.open();
-  await expect(page.page.getByText('Nothing was measured yet.')).toBeVisible();
+  await expect(page.page.getByText('No results yet.')).toBeVisible();
   await page.fill({ Rate: '40', 'Length of each': '2' });
   await page.measure();
   for (const way of ['immediate', 'aggregated']) {
@@ -14,7 +14,7 @@ test('the round trip is measured, immediate and aggregated', async ({ room }) =>
     await expect(page.figure(`${way}.p95`)).toContainText('ms');
     await expect(page.figure(`${way}.jitter`)).toContainText('ms');
   }
-  const chart = page.chart('Immediate: how long records took');
+  const chart = page.chart('Immediate: round trips');
   await expect(chart.locator('canvas')).toBeVisible();
   await expect(chart).toContainText(/Most often between .* ms/);
 
@@ -35,14 +35,14 @@ test('the load is raised, and the page says who was the limit', async ({ room })
     Clients: '2',
     'Lowest rate': '50',
     'Highest rate': '200',
-    'Each step times': '2',
+    'Factor per step': '2',
     'Length of a step': '1',
   });
   await page.measure();
   expect(await page.figureValue('peak')).toBeGreaterThan(0);
-  await expect(page.page.getByRole('list', { name: 'Notes' })).toContainText(/records a second/);
+  await expect(page.page.getByRole('list', { name: 'Notes' })).toContainText(/records per second/);
   await expect(page.chart('Latency by rate').locator('canvas')).toBeVisible();
-  await expect(page.chart('Who is busy').locator('canvas')).toBeVisible();
+  await expect(page.chart('CPU load').locator('canvas')).toBeVisible();
 });
 
 for (const mode of ['Frequency', 'Trigger on input', 'Lockstep', 'Free']) {
@@ -50,7 +50,7 @@ for (const mode of ['Frequency', 'Trigger on input', 'Lockstep', 'Free']) {
     const page = new PerformancePage(await room.atDesk('Anna'));
     await page.open('session-speed');
     await page.page.getByRole('radio', { name: mode, exact: true }).click();
-    await page.fill({ Modules: '2', 'Additions in each run': '1000', Length: '2' });
+    await page.fill({ Modules: '2', 'Additions per run': '1000', Length: '2' });
     await page.measure();
     expect(await page.figureValue('runs')).toBeGreaterThan(0);
     expect(await page.figureValue('errors')).toBe(0);
@@ -63,7 +63,7 @@ test('modules run in this tab and on a node', async ({ room }) => {
   await room.node('Lab');
   const page = new PerformancePage(await room.atDesk('Anna'));
   await page.open('session-speed');
-  await page.fill({ Modules: '2', 'Additions in each run': '1000', Length: '2' });
+  await page.fill({ Modules: '2', 'Additions per run': '1000', Length: '2' });
   for (const place of ['This tab', 'Lab']) {
     await test.step(place, async () => {
       await page.page.getByRole('combobox', { name: 'Runs on' }).click();

@@ -61,7 +61,7 @@ test('what goes wrong in a module is told with its line, and an endless loop sto
   await test.step('Home and the list say so', async () => {
     await new Shell(anna.page).go('Home');
     await expect(anna.page.getByRole('heading', { level: 1 })).toContainText(
-      'One module needs you',
+      'One module needs attention',
     );
     await expect(anna.page.getByRole('list', { name: 'Problems' })).toContainText('loops');
     await new Shell(anna.page).go('Sessions');

@@ -14,12 +14,12 @@ test('limits are listed with their reason and use; what is near and what was met
   const robot = await room.program('Robot');
   await page.goto('/settings/limits');
   await expect(page.getByRole('table', { name: 'Messages' })).toContainText('3840 x 2160 RGBA');
-  const loud = page.getByRole('table', { name: 'Met, or nearly' });
+  const loud = page.getByRole('table', { name: 'Reached or almost reached' });
   await expect(loud).toHaveCount(0);
 
   for (let i = 0; i < 9; i++) robot.publish(`/robot/${i}`, 'double', i);
   const row = loud.getByRole('row', { name: /Topics per client/ });
-  await expect(row).toContainText('nearly met');
+  await expect(row).toContainText('almost reached');
   await expect(row).toContainText('90 %');
   await expect(row.getByRole('link', { name: 'Robot' })).toBeVisible();
 
@@ -47,7 +47,7 @@ test('the log arrives line by line, is filtered, paused and downloaded [EX-37]',
   await page.getByRole('searchbox', { name: 'Search the log' }).fill('robot');
   await expect(log).not.toContainText('Anna joined');
   const downloading = page.waitForEvent('download');
-  await page.getByRole('button', { name: 'Download what is shown' }).click();
+  await page.getByRole('button', { name: 'Download the shown lines' }).click();
   const text = await textOf(await downloading);
   expect(text).toMatch(/^\d{4}-\d\d-\d\dT.*Z INFO {2}Robot joined/m);
   expect(text).not.toContain('Anna');
@@ -56,7 +56,7 @@ test('the log arrives line by line, is filtered, paused and downloaded [EX-37]',
   await test.step('the level filter', async () => {
     await page.getByRole('combobox', { name: 'Level' }).click();
     await page.getByRole('option', { name: 'errors only' }).click();
-    await expect(page.getByText('No line fits this search and level.')).toBeVisible();
+    await expect(page.getByText('No matches for this search and level.')).toBeVisible();
     await page.getByRole('combobox', { name: 'Level' }).click();
     await page.getByRole('option', { name: 'everything' }).click();
   });
@@ -77,7 +77,7 @@ test('the master tells what it was started with, and a report of a fault has no 
 }) => {
   const { page } = await room.atDesk('Anna');
   await page.goto('/settings/master');
-  const flags = page.getByRole('region', { name: 'Started with' });
+  const flags = page.getByRole('region', { name: 'Start options' });
   await expect(flags).toContainText('noisy publishers are throttled');
   const limits = flags.getByRole('listitem').filter({ hasText: '--limits' });
   await expect(limits).toContainText('topicsPerClient=10');
@@ -100,7 +100,7 @@ test('the master tells what it was started with, and a report of a fault has no 
 plain('every package that is shipped is listed with its licence', async ({ room }) => {
   const { page } = await room.atDesk();
   await page.goto('/settings/licences');
-  const list = page.getByRole('list', { name: 'Packages of others' });
+  const list = page.getByRole('list', { name: 'Third-party packages' });
   for (const name of ['vue', 'fastify', '@fontsource-variable/inter', 'monaco-editor', 'ws']) {
     await expect(list.getByText(name, { exact: true })).toBeVisible();
   }

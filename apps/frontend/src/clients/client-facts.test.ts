@@ -47,10 +47,10 @@ describe('client facts', () => {
 
   it.each([
     [ClientState.ACTIVE, true, 0, 'this browser'],
-    [ClientState.ACTIVE, false, 0, 'listens'],
+    [ClientState.ACTIVE, false, 0, 'publishes nothing'],
     [ClientState.ACTIVE, false, 1, '1 topic'],
-    [ClientState.INACTIVE, false, 3, 'silent, 6 s'],
-    [ClientState.UNAVAILABLE, false, 3, 'lost, 6 s'],
+    [ClientState.INACTIVE, false, 3, 'no response, 6 s'],
+    [ClientState.UNAVAILABLE, false, 3, 'connection lost, 6 s'],
   ])('state %d, self %s, %d topics: %s', (state, isSelf, topics, text) => {
     expect(clientNote(state, isSelf, topics, '6 s').text).toBe(text);
   });

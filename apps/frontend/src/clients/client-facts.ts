@@ -72,9 +72,9 @@ export function clientNote(
   silence: string | undefined,
 ): ClientNote {
   const since = silence === undefined ? '' : `, ${silence}`;
-  if (state === ClientState.INACTIVE) return { text: `silent${since}`, tone: 'warn' };
-  if (state === ClientState.UNAVAILABLE) return { text: `lost${since}`, tone: 'plain' };
+  if (state === ClientState.INACTIVE) return { text: `no response${since}`, tone: 'warn' };
+  if (state === ClientState.UNAVAILABLE) return { text: `connection lost${since}`, tone: 'plain' };
   if (isSelf) return { text: 'this browser', tone: 'plain' };
-  if (topics === 0) return { text: 'listens', tone: 'plain' };
+  if (topics === 0) return { text: 'publishes nothing', tone: 'plain' };
   return { text: `${topics} ${topics === 1 ? 'topic' : 'topics'}`, tone: 'plain' };
 }

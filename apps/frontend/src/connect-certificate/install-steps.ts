@@ -17,10 +17,10 @@ export const INSTALL_GUIDES: readonly InstallGuide[] = [
     name: 'iPhone, iPad',
     file: { href: '/ca.mobileconfig', text: 'Load the profile' },
     steps: [
-      'Open this page in Safari, load the profile and say Allow.',
+      'Open this page in Safari, load the profile and tap Allow.',
       'Open Settings. Tap “Profile Downloaded” at the top, then Install, and compare the fingerprint under “More Details”.',
-      'Go to Settings, General, About, Certificate Trust Settings. Switch on full trust for this certificate. Without this step iOS goes on refusing.',
-      'Come back and open the secure page.',
+      'Go to Settings, General, About, Certificate Trust Settings. Turn on full trust for this certificate. Without this step, iOS still rejects it.',
+      'Return to this page and open the secure page.',
     ],
     removal: 'Settings, General, VPN & Device Management: choose the profile, Remove Profile.',
   },
@@ -32,7 +32,7 @@ export const INSTALL_GUIDES: readonly InstallGuide[] = [
       'Load the certificate. If the browser asks, keep the file.',
       'Open Settings and search for “CA certificate” (Security, More security settings, Install from storage).',
       'Choose “Install anyway”, confirm with the lock of the phone and pick ubi-interact.crt.',
-      'Come back and open the secure page. Firefox on Android also needs Settings, Secret settings, “Use third party CA certificates”.',
+      'Return to this page and open the secure page. Firefox on Android also needs Settings, Secret settings, “Use third party CA certificates”.',
     ],
     removal:
       'Settings, search for “User credentials” or “Trusted credentials”, User: choose it, Remove.',
@@ -44,7 +44,7 @@ export const INSTALL_GUIDES: readonly InstallGuide[] = [
     steps: [
       'Load the certificate and open the file. Choose Install Certificate, Current User.',
       'Choose “Place all certificates in the following store”, Browse, “Trusted Root Certification Authorities”.',
-      'Compare the fingerprint and confirm. Start the browser again.',
+      'Compare the fingerprint and confirm. Restart the browser.',
     ],
     removal:
       'Run certmgr.msc, Trusted Root Certification Authorities, Certificates: delete the one of Ubi-Interact.',
@@ -56,7 +56,7 @@ export const INSTALL_GUIDES: readonly InstallGuide[] = [
     steps: [
       'Load the certificate and open the file: Keychain Access takes it into the login keychain.',
       'Open it there by a double click and compare the fingerprint.',
-      'Under Trust, choose “Always Trust” for “When using this certificate”, close and confirm. Start the browser again.',
+      'Under Trust, choose “Always Trust” for “When using this certificate”, close and confirm. Restart the browser.',
     ],
     removal: 'Keychain Access, login, Certificates: delete the one of Ubi-Interact.',
   },

@@ -25,7 +25,7 @@ export async function checkToken(token: string): Promise<JoinCheck> {
   const reply = fromJson('ubii.services.ServiceReply', json);
   if (reply.error !== undefined) throw ServiceError.fromWire(reply.error);
   if (reply.joinCheck === undefined) {
-    throw new ConnectionError('protocol', 'This master does not know how to join');
+    throw new ConnectionError('protocol', 'This master does not support joining');
   }
   return reply.joinCheck;
 }

@@ -1,6 +1,6 @@
 import type { ClientRole, JoinProblem } from '@ubii/client-web';
 
-/** Why somebody is not let in: what happened, and the way out. */
+/** Why a client cannot join: what happened, and what to do. */
 export interface ProblemWords {
   readonly title: string;
   readonly text: string;
@@ -9,31 +9,31 @@ export interface ProblemWords {
 const PROBLEMS: Record<JoinProblem, ProblemWords> = {
   missing: {
     title: 'Join with the code.',
-    text: 'Scan the QR code on the host’s screen with the camera of this phone, or type the code that stands beside it.',
+    text: 'Scan the QR code on the host’s screen with the camera of this phone, or type the code beside it.',
   },
   wrong: {
-    title: 'That code is not known here.',
-    text: 'Look at the host’s screen again: a letter may be different, or a new code was made since.',
+    title: 'This code is not valid.',
+    text: 'Compare it with the host’s screen: a letter may differ, or the host has a new code.',
   },
   expired: {
-    title: 'That code is no longer valid.',
-    text: 'Its time is over. Ask the host for a new one and scan or type that.',
+    title: 'This code has expired.',
+    text: 'Ask the host for a new code and scan or type it.',
   },
   revoked: {
-    title: 'The host has closed this code.',
-    text: 'Nobody can join with it any more. Ask the host for a new one.',
+    title: 'The host revoked this code.',
+    text: 'Ask the host for a new code.',
   },
   used: {
-    title: 'Everybody has joined who may.',
-    text: 'This code was for a limited number of devices. Ask the host for another.',
+    title: 'This code is used up.',
+    text: 'It was valid for a limited number of devices. Ask the host for a new code.',
   },
   guessing: {
     title: 'Too many wrong codes from this network.',
-    text: 'This page asks again every second; scanning the QR code works at once.',
+    text: 'This page retries every second. Scanning the QR code works at once.',
   },
   role: {
-    title: 'This device may not open that page.',
-    text: 'It joined with a code that allows less. A code with another role lets it in.',
+    title: 'This device has no access to that page.',
+    text: 'Its role has no right to open it. Join with a code of another role.',
   },
 };
 
@@ -41,22 +41,22 @@ const PROBLEMS: Record<JoinProblem, ProblemWords> = {
 const PROBLEMS_HERE: Partial<Record<JoinProblem, ProblemWords>> = {
   missing: {
     title: 'Enter the code.',
-    text: 'The terminal that the master was started in shows it as the code for admins. It makes this browser an admin.',
+    text: 'Type the admin code shown in the terminal of the master. This browser becomes an admin.',
   },
   wrong: {
-    title: 'That code is not known here.',
-    text: 'Look at the terminal again: a letter may be different, or the master was started anew and shows another code.',
+    title: 'This code is not valid.',
+    text: 'Compare it with the terminal: a letter may differ, or the master was restarted and shows a new code.',
   },
 };
 
-/** @param isHere somebody wants to become admin, on the master's own machine */
+/** @param isHere the page is open on the computer of the master, to become admin */
 export function problemWords(problem: JoinProblem, isHere = false): ProblemWords {
   return (isHere ? PROBLEMS_HERE[problem] : undefined) ?? PROBLEMS[problem];
 }
 
-/** What a button says that leads to where an admin's code is entered. */
+/** Label of the button that opens the entry of an admin code. */
 export function becomeAdminWords(isHere: boolean): string {
-  return isHere ? 'Enter the code shown in the terminal' : 'Enter a code for admins';
+  return isHere ? 'Enter the code shown in the terminal' : 'Enter an admin code';
 }
 
 const ROLES: Record<ClientRole, string> = {
@@ -66,13 +66,13 @@ const ROLES: Record<ClientRole, string> = {
   viewer: 'viewer',
 };
 
-/** What joining gives, in a few words. */
+/** Describes a role in one or two sentences. */
 export function roleSentence(role: ClientRole): string {
   return {
-    admin: 'You join as admin: you may do everything.',
-    participant: 'You join as participant: you may use and change sessions and modules.',
-    player: 'You join as player: this device takes part with its own sensors and topics.',
-    viewer: 'You join as viewer: you see everything and change nothing.',
+    admin: 'Role: admin. You can do everything.',
+    participant: 'Role: participant. You can use and change sessions and modules.',
+    player: 'Role: player. This device publishes its own sensors and topics.',
+    viewer: 'Role: viewer. You can see everything and change nothing.',
   }[role];
 }
 
@@ -81,7 +81,7 @@ export function roleWord(role: ClientRole): string {
   return ROLES[role];
 }
 
-/** Names of pages that people are sent to. */
+/** Returns the name of the page that a code opens. */
 export function targetWord(path: string): string {
   const known: Record<string, string> = {
     '/': 'home',

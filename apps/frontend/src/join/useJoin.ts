@@ -33,7 +33,7 @@ const GUESSING_AGAIN_MS = 1000;
 /** A live channel that takes longer is a trouble to be told, milliseconds. */
 const PATIENCE_MS = 10_000;
 
-const GUESSING = 'Too many wrong codes come from this network; this page goes on asking.';
+const GUESSING = 'Too many wrong codes from this network. This page keeps retrying.';
 
 /** The way of one device from a token or code to the page it came for. */
 export function useJoin(beforeLeaving: () => void) {
@@ -163,7 +163,7 @@ export function useJoin(beforeLeaving: () => void) {
         if (isConnected.value) return;
         const { value } = state;
         const cause = value.status === 'reconnecting' ? `: ${value.error.message}` : '';
-        reject(new ConnectionError('timeout', `The live channel does not open${cause}`));
+        reject(new ConnectionError('timeout', `The live connection does not open${cause}`));
       }, PATIENCE_MS);
     });
   }

@@ -21,13 +21,13 @@ export const SETTINGS_PAGES: readonly {
     icon: Server,
     words: 'version, uptime, addresses, flags, checks, diagnostics',
   },
-  { title: 'Limits', to: '/settings/limits', icon: Gauge, words: 'what is allowed, and used' },
+  { title: 'Limits', to: '/settings/limits', icon: Gauge, words: 'limits and current use' },
   { title: 'Log', to: '/settings/log', icon: FileText, words: 'what the master says' },
   { title: 'Audit log', to: '/settings/audit', icon: ClipboardList, words: 'who did what' },
   {
     title: 'Licences',
     to: '/settings/licences',
     icon: Info,
-    words: 'about, versions, packages of others',
+    words: 'about, versions, third-party packages',
   },
 ];

@@ -53,5 +53,7 @@ export function useServiceReply<R>(
 /** Why a master did not answer, in words: an original one does not know our services. */
 export function problemSentence({ code, message }: ServiceError): string {
   const isUnknown = code === 'unimplemented' || code === 'not_found';
-  return isUnknown ? 'This master does not tell. It may be an older or an original one.' : message;
+  return isUnknown
+    ? 'This master does not provide this. It may be an older version or an original master.'
+    : message;
 }

@@ -44,7 +44,7 @@ afterEach(() => {
 
 it('says what stopped and why, and the next page works', async () => {
   const { router, wrapper } = await open('/broken');
-  expect(wrapper.get('[role=alert]').text()).toContain('“Broken” has stopped');
+  expect(wrapper.get('[role=alert]').text()).toContain('“Broken” stopped');
   expect(wrapper.text()).toContain('matrix is not square');
   expect(reportError).toHaveBeenCalledOnce();
   await router.push('/');

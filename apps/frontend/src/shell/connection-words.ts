@@ -13,7 +13,7 @@ export function connectionWord(state: ConnectionState): { mark: MarkedState; tex
       return { mark: 'warning', text: 'Reconnecting' };
     case 'closed':
       return state.error?.reason === 'superseded'
-        ? { mark: 'stopped', text: 'Taken over' }
+        ? { mark: 'stopped', text: 'In use elsewhere' }
         : state.error?.reason === 'disconnected'
           ? { mark: 'stopped', text: 'Disconnected' }
           : state.error?.reason === 'join'
@@ -36,10 +36,10 @@ const CAUSES: Record<ConnectionErrorReason, string> = {
   closed: 'The master closed the connection',
   refused: 'The master cannot be reached',
   timeout: 'The master does not answer',
-  protocol: 'The master sent something this page does not understand',
-  superseded: 'Another tab has taken this page’s place',
+  protocol: 'The master sent data that this page cannot read',
+  superseded: 'Another tab uses this identity',
   disconnected: 'This page was disconnected',
-  join: 'This device has to join first',
+  join: 'This device has not joined',
 };
 
 /**
@@ -62,8 +62,8 @@ export function connectionNotice(
       const tries = `try ${state.attempt}`;
       return {
         tone: 'warning',
-        text: `${CAUSES[state.error.reason]}.${hadData ? ' What you see stands still.' : ''}`,
-        next: seconds > 0 ? `Trying again in ${seconds} s, ${tries}` : `Trying now, ${tries}`,
+        text: `${CAUSES[state.error.reason]}.${hadData ? ' The page shows the last values.' : ''}`,
+        next: seconds > 0 ? `Retry in ${seconds} s, ${tries}` : `Retrying, ${tries}`,
         action: 'Retry now',
       };
     }
@@ -71,7 +71,7 @@ export function connectionNotice(
       if (state.error === undefined) {
         return {
           tone: 'stopped',
-          text: 'This page has left the master.',
+          text: 'This page is disconnected from the master.',
           next: undefined,
           action: 'Connect',
         };
@@ -79,7 +79,7 @@ export function connectionNotice(
       if (state.error.reason === 'superseded') {
         return {
           tone: 'stopped',
-          text: `${CAUSES.superseded}. It goes on there.`,
+          text: `${CAUSES.superseded}. This tab is disconnected.`,
           next: undefined,
           action: 'Use this tab',
         };
@@ -96,7 +96,7 @@ export function connectionNotice(
       if (state.error.reason === 'join') return undefined;
       return {
         tone: 'error',
-        text: `${CAUSES[state.error.reason]}. Nothing is retried by itself.`,
+        text: `${CAUSES[state.error.reason]}. It does not reconnect automatically.`,
         next: state.error.message,
         action: 'Connect',
       };

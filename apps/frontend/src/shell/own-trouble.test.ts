@@ -21,7 +21,7 @@ describe('ownTroubles', () => {
     expect(mine([problem({})])).toMatchObject([
       {
         text: 'This page publishes 900 records per second.',
-        remedy: expect.stringMatching(/^Publish less often/),
+        remedy: expect.stringMatching(/^Publish fewer/),
       },
     ]);
   });

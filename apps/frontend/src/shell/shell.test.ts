@@ -34,13 +34,13 @@ describe('connectionNotice', () => {
     };
     expect(connectionNotice(state, NOW, true)).toEqual({
       tone: 'warning',
-      text: 'The master cannot be reached. What you see stands still.',
-      next: 'Trying again in 3 s, try 4',
+      text: 'The master cannot be reached. The page shows the last values.',
+      next: 'Retry in 3 s, try 4',
       action: 'Retry now',
     });
     expect(connectionNotice(state, NOW + 2400, false)).toMatchObject({
       text: 'The master cannot be reached.',
-      next: 'Trying now, try 4',
+      next: 'Retrying, try 4',
     });
   });
 
@@ -73,7 +73,7 @@ describe('connectionNotice', () => {
 
 it('every state has a mark and a word', () => {
   expect(connectionWord(connected)).toEqual({ mark: 'live', text: 'Connected' });
-  expect(connectionWord(closed('superseded')).text).toBe('Taken over');
+  expect(connectionWord(closed('superseded')).text).toBe('In use elsewhere');
   expect(connectionWord(closed('timeout')).mark).toBe('error');
 });
 

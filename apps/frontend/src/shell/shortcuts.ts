@@ -24,8 +24,8 @@ export const SHORTCUTS: readonly Shortcut[] = [
 
 /** What keys do on the row of a list that has the focus; told here, done there. */
 export const ROW_KEYS: readonly { readonly keys: string; readonly text: string }[] = [
-  { keys: '↑ ↓', text: 'Go from row to row' },
-  { keys: 'Enter', text: 'Open it' },
+  { keys: '↑ ↓', text: 'Move between rows' },
+  { keys: 'Enter', text: 'Open the row' },
   { keys: 'Space', text: 'Start, pause or resume a session' },
   { keys: 'F2', text: 'Rename a session or a client' },
   { keys: 'Del', text: 'Delete a session or a stored module, disconnect a client' },
@@ -34,28 +34,28 @@ export const ROW_KEYS: readonly { readonly keys: string; readonly text: string }
 /** What keys do on the canvas of a graph; told here, done there. */
 export const GRAPH_KEYS: readonly { readonly keys: string; readonly text: string }[] = [
   { keys: 'A', text: 'Add a module or topic' },
-  { keys: 'F', text: 'Show all' },
+  { keys: 'F', text: 'Fit the graph' },
   { keys: 'B', text: 'Bypass a module' },
   { keys: 'M', text: 'Mute a module' },
-  { keys: 'C', text: 'Fold a node' },
-  { keys: 'Del', text: 'Remove what is selected' },
-  { keys: 'Shift Del', text: 'Remove, and connect what is left' },
+  { keys: 'C', text: 'Collapse a node' },
+  { keys: 'Del', text: 'Delete the selection' },
+  { keys: 'Shift Del', text: 'Delete and reconnect the neighbours' },
   { keys: 'Ctrl Z', text: 'Undo' },
   { keys: 'Ctrl Y', text: 'Redo' },
   { keys: 'Ctrl A', text: 'Select all' },
-  { keys: 'Ctrl C', text: 'Copy, to here or to another session' },
+  { keys: 'Ctrl C', text: 'Copy (paste here or in another session)' },
   { keys: 'Ctrl D', text: 'Duplicate' },
   { keys: 'Ctrl F', text: 'Find' },
-  { keys: 'X', text: 'Take a node off its wires' },
-  { keys: 'I', text: 'Put a node onto the wire it lies on' },
-  { keys: 'W', text: 'Go along the wires of a node' },
-  { keys: 'P', text: 'Add a point to a wire' },
-  { keys: 'Ctrl G', text: 'Put a frame around' },
-  { keys: 'Alt A D W S', text: 'Line up left, right, top, bottom' },
+  { keys: 'X', text: 'Detach a node from its wires' },
+  { keys: 'I', text: 'Insert a node into the wire under it' },
+  { keys: 'W', text: 'Follow the wires of a node' },
+  { keys: 'P', text: 'Add a bend point to a wire' },
+  { keys: 'Ctrl G', text: 'Add a frame' },
+  { keys: 'Alt A D W S', text: 'Align left, right, top, bottom' },
   { keys: 'Space', text: 'and drag: move the canvas' },
-  { keys: 'Alt', text: 'and drag: take off its wires' },
+  { keys: 'Alt', text: 'and drag: detach from its wires' },
   { keys: 'Shift', text: 'and drag: select with a box' },
-  { keys: 'Esc', text: 'Let go' },
+  { keys: 'Esc', text: 'Cancel or deselect' },
 ];
 
 /** How long the second key of a pair may take, milliseconds. */

@@ -34,4 +34,4 @@ export const TAB_NODE: InjectionKey<TabNode> = Symbol('tab node');
 
 /** What it means, in one sentence. */
 export const TAB_NODE_SENTENCE =
-  'Sessions may run processing modules in this tab, in workers that cannot reach the page or the network; they end when the tab is closed.';
+  'Sessions can run processing modules in this tab. The modules run in workers without access to the page or the network, until the tab is closed.';

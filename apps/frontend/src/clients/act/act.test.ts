@@ -5,8 +5,8 @@ import { readThrottleRate, suggestThrottleRate } from './throttle-rate.ts';
 describe('nameProblem', () => {
   it('refuses what the master refuses, with the reason [EX-29]', () => {
     expect(nameProblem(' Anna ')).toBeUndefined();
-    expect(nameProblem('  ')).toContain('one character at least');
-    expect(nameProblem('x'.repeat(61))).toContain('60 are the most');
+    expect(nameProblem('  ')).toContain('at least one character');
+    expect(nameProblem('x'.repeat(61))).toContain('maximum is 60');
     expect(nameProblem('a\nb')).toContain('one line');
   });
 });

@@ -16,11 +16,11 @@ export function clientMenu(
   return [
     { text: 'Identify', icon: Zap, disabled: view.isSelf, run: does('identify') },
     { text: 'Rename', icon: Pencil, shortcut: 'F2', run: does('rename') },
-    { text: 'Its topics', icon: ListTree, run: does('topics') },
-    { text: 'Copy its id', icon: Copy, run: does('copy-id') },
+    { text: 'Show topics', icon: ListTree, run: does('topics') },
+    { text: 'Copy client id', icon: Copy, run: does('copy-id') },
     { kind: 'separator' },
     { text: isThrottled ? 'Change throttle' : 'Throttle', icon: Gauge, run: does('throttle') },
-    ...(isThrottled ? [{ text: 'Lift throttle', icon: Gauge, run: does('unthrottle') }] : []),
+    ...(isThrottled ? [{ text: 'Remove throttle', icon: Gauge, run: does('unthrottle') }] : []),
     {
       text: 'Disconnect',
       icon: Unplug,

@@ -8,11 +8,11 @@ export function readThrottleRate(
   const written = text.trim().replace(',', '.');
   const rate = Number(written);
   if (written === '' || !Number.isFinite(rate)) {
-    return { problem: 'Write how many records per second, such as 30.' };
+    return { problem: 'Enter a number of records per second, such as 30.' };
   }
   if (rate < SLOWEST) {
     return {
-      problem: `The slowest is ${SLOWEST}: a record in ten seconds. To stop it, disconnect it.`,
+      problem: `The minimum is ${SLOWEST}, one record in ten seconds. To stop the client, disconnect it.`,
     };
   }
   return { rate };

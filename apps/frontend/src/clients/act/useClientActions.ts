@@ -7,7 +7,7 @@ import { useToasts } from '../../ui/toasts/toasts.ts';
 import { usePatterns, type Patterns } from '../../patterns/usePatterns.ts';
 import type { ClientView } from '../model/client-view.ts';
 
-/** What people do to clients. Each resolves with whether it was done; if not, `failure` says why. */
+/** Actions on clients. Each resolves to whether it succeeded; otherwise `failure` has the reason. */
 export interface ClientActions {
   /** Why the last intent failed; stays until the next one. */
   readonly failure: ShallowRef<string | undefined>;
@@ -19,7 +19,7 @@ export interface ClientActions {
   disconnect(view: ClientView, reason: string): Promise<boolean>;
 }
 
-const ADMIN_HOW = 'The dialog This browser says how to become one.';
+const ADMIN_HOW = 'The dialog “This browser” explains how to become an admin.';
 
 export function useClientActions(): ClientActions {
   const { client, name, reports } = useConnection();
@@ -52,30 +52,30 @@ export function useClientActions(): ClientActions {
         const report = await client.call('clientReport', { clientIds: [id], subscriptions: true });
         // The value stays on the topic: without a connection it would be shown much later.
         const [activity] = report.clients;
-        if (activity?.connected !== true) return `${label} has no connection now.`;
+        if (activity?.connected !== true) return `${label} is not connected.`;
         client.publish(topic, 'string', name.value, { immediate: true });
         const listens = await isHeard(topic, activity.subscriptions, patterns);
         return listens
-          ? `${label} was asked to show itself.`
-          : `${label} does not listen for this, so nothing may be seen.`;
+          ? `Asked ${label} to identify itself.`
+          : `${label} does not support identification.`;
       }),
     rename: ({ client: { id }, label, isSelf }, next) =>
       attempt(async () => {
         if (isSelf) name.value = next.trim();
         else await client.call('clientRename', { targetId: id, name: next.trim() });
-        return `${label} is called ${next.trim()} now.`;
+        return `Renamed ${label} to ${next.trim()}.`;
       }),
     throttle: ({ client: { id }, label }, recordsPerSecond, reason) =>
       attempt(async () => {
         await client.call('clientThrottle', { targetId: id, recordsPerSecond, reason });
         return recordsPerSecond === 0
-          ? `${label} is throttled no longer.`
-          : `${label} is throttled to ${recordsPerSecond} records per second.`;
+          ? `Throttle removed from ${label}.`
+          : `Throttled ${label} to ${recordsPerSecond} records per second.`;
       }),
     disconnect: ({ client: { id }, label }, reason) =>
       attempt(async () => {
         await client.call('clientDisconnect', { targetId: id, reason });
-        return `${label} is disconnected.`;
+        return `Disconnected ${label}.`;
       }),
   };
 }

@@ -27,14 +27,14 @@ describe('rankLoads', () => {
     const [drum, tablet, log] = rankLoads(all, 'work', 80);
     expect(drum).toMatchObject({
       cause: 'Publishes 900 records per second, 45 kB/s.',
-      remedy: 'Let it publish less often or smaller records, or throttle it.',
+      remedy: 'Publish fewer or smaller records, or throttle the client.',
       isTrouble: true,
       isThrottleUseful: true,
     });
-    expect(tablet?.cause).toContain('Takes data more slowly than it comes');
+    expect(tablet?.cause).toContain('Receives more slowly than data arrives');
     expect(tablet?.isThrottleUseful).toBe(false);
     expect(log).toMatchObject({ remedy: '', isTrouble: false });
-    expect(log?.cause).toContain('watches every topic');
+    expect(log?.cause).toContain('subscribes to every topic');
   });
 
   it('is no trouble to take much of a master that has little to do', () => {

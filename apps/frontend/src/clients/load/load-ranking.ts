@@ -78,20 +78,20 @@ function ownWords(activity: ClientActivity, isHeavy: boolean): { cause: string; 
   const { recordsInPerSecond, recordsOutPerSecond, bytesInPerSecond, bytesOutPerSecond } = activity;
   if (activity.queuedRecords > 0) {
     return {
-      cause: `Takes data more slowly than it comes: ${formatNumber(activity.queuedRecords)} records wait.`,
-      remedy: 'Let it subscribe to less or at a lower rate, or give it a better network.',
+      cause: `Receives more slowly than data arrives: ${formatNumber(activity.queuedRecords)} records are queued.`,
+      remedy: 'Subscribe to fewer topics or at a lower rate, or use a faster network.',
     };
   }
   if (recordsInPerSecond >= recordsOutPerSecond) {
     return {
       cause: `Publishes ${flow(recordsInPerSecond, bytesInPerSecond)}.`,
-      remedy: isHeavy ? 'Let it publish less often or smaller records, or throttle it.' : '',
+      remedy: isHeavy ? 'Publish fewer or smaller records, or throttle the client.' : '',
     };
   }
-  const why = activity.watchesEverything ? ', for one of its devices watches every topic' : '';
+  const why = activity.watchesEverything ? '. A device of it subscribes to every topic' : '';
   return {
     cause: `Receives ${flow(recordsOutPerSecond, bytesOutPerSecond)}${why}.`,
-    remedy: isHeavy ? 'Let it subscribe to less, or at a lower rate.' : '',
+    remedy: isHeavy ? 'Subscribe to fewer topics, or at a lower rate.' : '',
   };
 }
 

@@ -159,7 +159,7 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
     {
       key: 'in',
       head: 'Sends /s',
-      title: 'Records it publishes per second',
+      title: 'Published records per second',
       width: 68,
       priority: 1,
     },
@@ -170,7 +170,7 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
     {
       key: 'bytesIn',
       head: 'Sends B/s',
-      title: 'Bytes it publishes per second',
+      title: 'Published bytes per second',
       width: 74,
       priority: 6,
     },
@@ -181,7 +181,7 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
     {
       key: 'out',
       head: 'Gets /s',
-      title: 'Records it receives per second',
+      title: 'Received records per second',
       width: 68,
       priority: 1,
     },
@@ -191,8 +191,8 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
   measured(
     {
       key: 'bytesOut',
-      head: 'Gets B/s',
-      title: 'Bytes it receives per second',
+      head: 'Receives B/s',
+      title: 'Received bytes per second',
       width: 74,
       priority: 6,
     },
@@ -201,7 +201,7 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
   ),
   {
     ...measured(
-      { key: 'queue', head: 'Queue', title: 'Bytes that wait for it', width: 64, priority: 4 },
+      { key: 'queue', head: 'Queue', title: 'Queued bytes', width: 64, priority: 4 },
       ({ queuedBytes }) => queuedBytes,
       bytes,
     ),
@@ -209,7 +209,13 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
   },
   {
     ...measured(
-      { key: 'dropped', head: 'Dropped', title: 'Records it did not get', width: 64, priority: 5 },
+      {
+        key: 'dropped',
+        head: 'Dropped',
+        title: 'Records dropped before delivery',
+        width: 64,
+        priority: 5,
+      },
       ({ dropped }) => dropped,
       count,
     ),
@@ -220,7 +226,7 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
       {
         key: 'refused',
         head: 'Refused',
-        title: 'Records of its own that were refused',
+        title: 'Published records that the master rejected',
         width: 64,
         priority: 7,
       },
@@ -238,7 +244,7 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
     {
       key: 'topics',
       head: 'Topics',
-      title: 'Topics with a value of its own',
+      title: 'Topics with a retained value of this client',
       width: 56,
       priority: 9,
     },
@@ -246,14 +252,14 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
     count,
   ),
   measured(
-    { key: 'work', head: 'Work', title: 'Share of the master’s work', width: 56, priority: 5 },
+    { key: 'work', head: 'Work', title: 'Share of forwarding work', width: 56, priority: 5 },
     ({ workShare }) => workShare,
     percent,
   ),
   {
     key: 'modules',
     head: 'Modules',
-    title: 'Modules it offers',
+    title: 'Own modules',
     width: 62,
     priority: 10,
     first: 'descending',
@@ -270,7 +276,7 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
   ),
   {
     ...measured(
-      { key: 'throttle', head: 'Throttle', title: 'Throttle in force', width: 0, priority: 0 },
+      { key: 'throttle', head: 'Throttle', title: 'Active throttle', width: 0, priority: 0 },
       ({ throttle }) => throttle?.recordsPerSecond,
       (value) => ({ digits: formatRate(value), unit: '/s' }),
     ),
@@ -290,7 +296,7 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
   {
     key: 'clock',
     head: 'Clock',
-    title: 'How far its clock is ahead of the one of the master',
+    title: 'Clock offset, ahead of the master',
     width: 76,
     priority: 9,
     first: 'descending',
@@ -306,7 +312,7 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
   {
     key: 'address',
     head: 'Address',
-    title: 'How near it is',
+    title: 'Kind of address',
     width: 92,
     priority: 11,
     first: 'ascending',

@@ -54,13 +54,13 @@ describe('comingWords', () => {
 
   it('says that a connection broke', () => {
     expect(comingWords({ kind: 'lost', clientId: 'r', name: 'Robot' }, [])).toBe(
-      'Robot was lost: its connection broke.',
+      'Robot lost its connection.',
     );
   });
 
   it('says that it is back', () => {
     const back = { kind: 'back', clientId: 'r', name: 'Robot' } as const;
-    expect(comingWords(back, [])).toBe('Robot is back.');
+    expect(comingWords(back, [])).toBe('Robot reconnected.');
     expect(comingWords({ ...back, isNew: true }, [])).toContain('as a new client');
   });
 });

@@ -53,9 +53,9 @@ export class Comings {
 export function comingWords(coming: Coming, events: readonly StatusEvent[]): string {
   const { kind, name, clientId } = coming;
   if (kind === 'back') {
-    return coming.isNew ? `${name} is here again, as a new client.` : `${name} is back.`;
+    return coming.isNew ? `${name} reconnected as a new client.` : `${name} reconnected.`;
   }
-  if (kind === 'lost') return `${name} was lost: its connection broke.`;
+  if (kind === 'lost') return `${name} lost its connection.`;
   const last = events.findLast((event) => event.clientId === clientId);
   if (last?.kind === StatusEventKind.CLIENT_DISCONNECTED) return `${last.text}.`;
   return `${name} has left.`;

@@ -9,14 +9,14 @@ export interface CameraProblem {
 
 const INSECURE: CameraProblem = {
   kind: 'insecure',
-  text: 'This page came over plain HTTP, and browsers give no camera to it.',
+  text: 'This page uses plain HTTP. Browsers allow cameras over HTTPS only.',
   wayOut: 'Open the same page over HTTPS.',
   canRetry: false,
 };
 
 const UNSUPPORTED: CameraProblem = {
   kind: 'unsupported',
-  text: 'This browser gives no camera to pages.',
+  text: 'This browser does not let pages use cameras.',
   wayOut: 'Open the page in Safari, Chrome, Edge or Firefox rather than inside another app.',
   canRetry: false,
 };
@@ -24,8 +24,8 @@ const UNSUPPORTED: CameraProblem = {
 /** It worked, and then the camera went. */
 export const CAMERA_ENDED: CameraProblem = {
   kind: 'ended',
-  text: 'The camera went away: it was unplugged, or its permission was taken back.',
-  wayOut: 'Plug it in or allow it, then start it again.',
+  text: 'The camera stopped: it was unplugged, or its permission was revoked.',
+  wayOut: 'Plug the camera in or allow it, then start it again.',
   canRetry: true,
 };
 
@@ -45,7 +45,7 @@ export function cameraProblemOf(errorName: string): CameraProblem {
     case 'SecurityError':
       return {
         kind: 'refused',
-        text: 'The camera was refused.',
+        text: 'Camera access was denied.',
         wayOut:
           'Allow it in the browser’s settings of this page, beside the address, and in the system’s settings of the browser. Then start it again.',
         canRetry: true,
@@ -63,14 +63,14 @@ export function cameraProblemOf(errorName: string): CameraProblem {
     case 'TrackStartError':
       return {
         kind: 'in-use',
-        text: 'The camera gives no picture: another program or tab has it.',
-        wayOut: 'Close what uses it, then start it again.',
+        text: 'The camera is in use by another program or tab.',
+        wayOut: 'Close that program or tab, then start the camera again.',
         canRetry: true,
       };
     default:
       return {
         kind: 'failed',
-        text: `The browser did not open the camera (${errorName}).`,
+        text: `The browser could not open the camera (${errorName}).`,
         wayOut: 'Choose another camera, or start it again.',
         canRetry: true,
       };

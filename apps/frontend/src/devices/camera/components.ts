@@ -16,6 +16,6 @@ export const CAMERA_COMPONENTS = [
     format: 'object2DList',
     ioType: 'subscriber',
     tags: ['camera', 'objects'],
-    description: 'What was found in the picture, drawn over it; 0 to 1 from the top left.',
+    description: 'Objects found in the picture, drawn over it; 0 to 1 from the top left.',
   },
 ] as const satisfies readonly ComponentInit[];

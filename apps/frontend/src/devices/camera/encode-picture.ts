@@ -82,7 +82,7 @@ export class PictureEncoder {
     const blob = await new Promise<Blob | null>((resolve) =>
       canvas.toBlob(resolve, 'image/jpeg', quality),
     );
-    if (!blob) throw new Error('The browser made no picture.');
+    if (!blob) throw new Error('The browser could not encode the picture.');
     const data = new Uint8Array(await blob.arrayBuffer());
     return { width, height, dataFormat: Image2DDataFormat.RGB8, data };
   }

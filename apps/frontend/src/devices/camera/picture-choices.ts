@@ -9,7 +9,7 @@ export const ENCODINGS: readonly {
   readonly text: string;
   readonly hint: string;
 }[] = [
-  { value: 'RGB8', text: 'RGB8', hint: 'raw, for every program' },
+  { value: 'RGB8', text: 'RGB8', hint: 'raw, readable by every program' },
   { value: 'RGBA8', text: 'RGBA8', hint: 'raw, with opacity' },
   { value: 'GRAY8', text: 'GRAY8', hint: 'raw, brightness' },
   { value: 'JPEG', text: 'JPEG', hint: 'a file, a tenth as large' },

@@ -43,7 +43,7 @@ export const CONTROLLER_GAMEPAD_COMPONENTS = [
     format: 'color',
     ioType: 'subscriber',
     tags: ['color'],
-    description: 'Fills the screen of the controller; an alpha of 0 takes the colour away.',
+    description: 'Fills the screen of the controller; an alpha of 0 removes the colour.',
   },
   {
     name: 'set_image',
@@ -57,14 +57,14 @@ export const CONTROLLER_GAMEPAD_COMPONENTS = [
     format: 'bool',
     ioType: 'subscriber',
     tags: ['image'],
-    description: 'Takes the picture away, whatever the value.',
+    description: 'Removes the picture, whatever the value.',
   },
   {
     name: 'vibration_pattern',
     format: 'double',
     ioType: 'subscriber',
     tags: ['vibration'],
-    description: 'Vibrates for so many milliseconds; only there when the device can.',
+    description: 'Vibration time, milliseconds; only on devices that can vibrate.',
   },
 ] as const satisfies readonly ComponentInit[];
 

@@ -61,6 +61,6 @@ export const GAMEPAD_COMPONENTS = [
     format: 'double',
     ioType: 'subscriber',
     tags: ['vibration'],
-    description: 'Rumbles for so many milliseconds.',
+    description: 'Rumble time, milliseconds.',
   },
 ] as const satisfies readonly ComponentInit[];

@@ -8,7 +8,7 @@ export const KEYBOARD_MOUSE_COMPONENTS = [
     name: 'button',
     format: 'keyEvent',
     tags: ['button', 'keyboard'],
-    description: 'Keys, pressed and released, by what they write: "a", "Enter", "ArrowUp".',
+    description: 'Keys, pressed and released, by the text they type: "a", "Enter", "ArrowUp".',
   },
   {
     name: 'analog_stick_left',
@@ -32,12 +32,13 @@ export const KEYBOARD_MOUSE_COMPONENTS = [
     name: 'mouse_wheel',
     format: 'vector2',
     tags: ['mouse'],
-    description: 'How far the wheel was turned, pixels to the right and down.',
+    description: 'Wheel movement, pixels to the right and down.',
   },
   {
     name: 'mouse_movement',
     format: 'vector2',
     tags: ['mouse'],
-    description: 'How far the mouse moved, pixels to the right and down, while the pad has it.',
+    description:
+      'Mouse movement, pixels to the right and down, while the pad has captured the mouse.',
   },
 ] as const satisfies readonly ComponentInit[];

@@ -40,7 +40,7 @@ export const SMART_DEVICE_COMPONENTS = [
     ioType: 'subscriber',
     topic: (clientId: string) => `/${clientId}/vibration_pattern`,
     tags: ['vibration'],
-    description: 'Vibrates for so many milliseconds; where a device cannot, the page flashes.',
+    description: 'Vibration time, milliseconds; without vibration the page flashes.',
   },
   {
     name: 'touch_position',
@@ -54,7 +54,8 @@ export const SMART_DEVICE_COMPONENTS = [
     format: 'bool',
     topic: own('is_touched'),
     tags: ['touch'],
-    description: 'Whether a finger is on the pad; said at once when the last one is lifted.',
+    description:
+      'Whether a finger is on the pad; published at once when the last finger is lifted.',
   },
   {
     name: 'acceleration',
@@ -75,7 +76,7 @@ export const SMART_DEVICE_COMPONENTS = [
     format: 'quaternion',
     topic: own('orientation_quaternion'),
     tags: ['imu', 'orientation'],
-    description: 'The turn since the calibration, as a unit quaternion.',
+    description: 'Rotation since the calibration, unit quaternion.',
   },
   {
     name: 'compass',
@@ -96,7 +97,7 @@ export const SMART_DEVICE_COMPONENTS = [
     format: 'double',
     topic: own('microphone_level'),
     tags: ['microphone', 'level'],
-    description: 'How loud it is, 0 to 1; no sound leaves the phone.',
+    description: 'Loudness, 0 to 1; no sound leaves the phone.',
   },
   {
     name: 'button',
@@ -110,14 +111,14 @@ export const SMART_DEVICE_COMPONENTS = [
     format: 'string',
     topic: own('text'),
     tags: ['text'],
-    description: 'What the person typed and sent.',
+    description: 'The text that the user sent.',
   },
   {
     name: 'battery',
     format: 'double',
     topic: own('battery'),
     tags: ['status'],
-    description: 'Charge, 0 to 1, where the browser tells it.',
+    description: 'Charge, 0 to 1, where the browser provides it.',
   },
   {
     name: 'visible',
@@ -132,7 +133,8 @@ export const SMART_DEVICE_COMPONENTS = [
     ioType: 'subscriber',
     topic: own('is_near'),
     tags: ['near'],
-    description: 'Whether somebody touches near this finger, as the example of the gatherer finds.',
+    description:
+      'Whether another finger is near this one, as found by the smart-device gatherer example.',
   },
   {
     name: 'set_color',
@@ -140,7 +142,7 @@ export const SMART_DEVICE_COMPONENTS = [
     ioType: 'subscriber',
     topic: own('set_color'),
     tags: ['color'],
-    description: 'Fills the pad; an alpha of 0 takes the colour away.',
+    description: 'Fills the pad; an alpha of 0 removes the colour.',
   },
   {
     name: 'play_tone',
@@ -156,7 +158,7 @@ export const SMART_DEVICE_COMPONENTS = [
     ioType: 'subscriber',
     topic: own('show_text'),
     tags: ['text'],
-    description: 'Words shown over the pad; empty ones take them away.',
+    description: 'Text shown over the pad; an empty text removes it.',
   },
   {
     name: 'show_image',

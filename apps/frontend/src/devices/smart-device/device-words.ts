@@ -4,7 +4,7 @@ import type { LocationState } from '../sensors/useLocation.ts';
 import type { MicrophoneState } from '../sensors/useMicrophoneLevel.ts';
 import type { MotionAccess } from '../sensors/motion-access.ts';
 
-const INSECURE = 'Needs HTTPS: this page came over plain HTTP';
+const INSECURE = 'Needs HTTPS: this page uses plain HTTP';
 
 /** Numbers of a fixed width, so that nothing moves when digits change. */
 export function vectorText({ x, y, z }: Vector3, decimals = 2, width = 5): string {
@@ -30,9 +30,9 @@ export function motionWords(access: MotionAccess, isSilent: boolean): string {
     case 'ask':
       return 'Off until you allow it';
     case 'refused':
-      return 'Refused. The browser asks again after you close and open it';
+      return 'Denied. Restart the browser to be asked again';
     case 'granted':
-      return isSilent ? 'This device sends nothing' : 'Waiting for the first value';
+      return isSilent ? 'This device provides no values' : 'Waiting for the first value';
   }
 }
 
@@ -43,7 +43,7 @@ export function microphoneWords(state: MicrophoneState): string {
     case 'missing':
       return 'This device has no microphone';
     case 'refused':
-      return 'Refused. Allow it in the browser’s settings of this page';
+      return 'Denied. Allow it in the browser’s settings for this page';
     case 'asking':
       return 'Say Allow in the question of the browser';
     case 'on':
@@ -58,13 +58,13 @@ export function locationWords(state: LocationState): string {
     case 'insecure':
       return INSECURE;
     case 'missing':
-      return 'This browser tells no location';
+      return 'Location is not available';
     case 'refused':
-      return 'Refused. Allow it in the browser’s settings of this page';
+      return 'Denied. Allow it in the browser’s settings for this page';
     case 'asking':
-      return 'Say Allow; the first place takes a moment';
+      return 'Tap Allow; the first position takes a moment';
     case 'on':
-      return 'Waiting for the first place';
+      return 'Waiting for the first position';
     case 'off':
       return 'Off until you allow it';
   }

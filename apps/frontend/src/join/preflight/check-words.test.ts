@@ -28,7 +28,7 @@ describe('what a preflight found, in words [AC-30]', () => {
     }
     expect(away.text).not.toContain('.local');
     const byName = masterCheck(undefined, new URL('https://studio.local:8080/join#t'));
-    expect(byName.text).toContain('open the address in numbers');
+    expect(byName.text).toContain('open the numeric address');
   });
 
   it('leads from plain HTTP to the secure page, with the token', () => {
@@ -50,7 +50,7 @@ describe('what a preflight found, in words [AC-30]', () => {
     expect(channelCheck({ isOpen: false, reason: 'silent' }, 'android', http).text).toContain(
       'VPN',
     );
-    expect(channelCheck(undefined, 'android', http).text).toContain('before the master is reached');
+    expect(channelCheck(undefined, 'android', http).text).toContain('a connection to the master');
   });
 
   it('tells a clock that is off, and says nothing of one it could not compare', () => {
@@ -62,7 +62,7 @@ describe('what a preflight found, in words [AC-30]', () => {
 
   it('asks for motion where the platform does, and misses it on phones only', () => {
     expect(sensorsCheck('ask', undefined, true).state).toBe('asks');
-    expect(sensorsCheck('refused', undefined, true).text).toContain('closed completely');
+    expect(sensorsCheck('refused', undefined, true).text).toContain('close it completely');
     expect(sensorsCheck('insecure', undefined, true).state).toBe('warning');
     expect(sensorsCheck('granted', true, true).state).toBe('good');
     expect(sensorsCheck('granted', false, true).state).toBe('warning');

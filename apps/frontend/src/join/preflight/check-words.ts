@@ -26,13 +26,13 @@ export function masterCheck(tripMs: number | undefined, page: URL): Check {
     };
   }
   const name = hostname.endsWith('.local')
-    ? ' Many Android phones, and all behind a VPN, do not find names that end in .local: open the address in numbers on the host’s screen.'
+    ? ' Many Android phones, and all phones behind a VPN, cannot find names that end in .local: open the numeric address on the host’s screen.'
     : '';
   return {
     id,
     state: 'failed',
     title: 'Master not reached',
-    text: `${hostname} does not answer.${name} Is this device in the same Wi-Fi as the host, with mobile data and VPN off? Guest networks often keep devices apart (client isolation): use another network or a hotspot. On the host, a firewall may close port ${port || '443'}, or the master has stopped.`,
+    text: `${hostname} does not answer.${name} Use the same Wi-Fi as the host, and turn mobile data and VPN off. Guest networks often separate devices (client isolation): use another network or a hotspot. On the host, a firewall may block port ${port || '443'}, or the master has stopped.`,
   };
 }
 
@@ -52,7 +52,7 @@ export function secureCheck(isSecure: boolean, page: URL): Check {
       id,
       state: 'good',
       title: 'Secure page',
-      text: 'The master runs on this machine',
+      text: 'The master runs on this computer',
       value: 'local',
     };
   }
@@ -60,7 +60,7 @@ export function secureCheck(isSecure: boolean, page: URL): Check {
     id,
     state: 'warning',
     title: 'Plain HTTP',
-    text: 'Browsers give motion sensors, camera and microphone to secure pages only. The secure page shows a warning about its certificate first: choose to go on, or install the certificate.',
+    text: 'Browsers allow motion sensors, camera and microphone on secure pages only. The secure page first shows a certificate warning: continue past it, or install the certificate.',
     value: 'HTTP',
     remedy: { text: 'Open the secure page', href: securePage(page) },
   };
@@ -84,26 +84,26 @@ export function channelCheck(
     return {
       id,
       state: 'failed',
-      title: 'Live channel',
-      text: 'Cannot be tried before the master is reached.',
+      title: 'Live connection',
+      text: 'Needs a connection to the master.',
     };
   }
   if (probe.isOpen) {
     return {
       id,
       state: 'good',
-      title: 'Live channel',
-      text: 'Open both ways',
+      title: 'Live connection',
+      text: 'Works in both directions',
       value: formatMs(probe.roundTripMs),
     };
   }
-  const title = 'Live channel blocked';
+  const title = 'Live connection blocked';
   if (platform === 'ios' && page.protocol === 'https:') {
     return {
       id,
       state: 'failed',
       title,
-      text: 'The page came through, its WebSocket did not. iOS often refuses it while the certificate was only accepted, not installed. Install the certificate and switch on full trust for it.',
+      text: 'The page loaded, but its WebSocket is blocked. iOS often blocks it until the certificate is installed. Install the certificate and turn on full trust for it.',
       remedy: { text: 'Install the certificate', href: CERTIFICATE_PATH },
     };
   }
@@ -113,8 +113,8 @@ export function channelCheck(
     title,
     text:
       probe.reason === 'silent'
-        ? 'The WebSocket opened too slowly or carries nothing. A proxy or VPN holds it back: switch it off for this network, or use another.'
-        : 'The page came through, its WebSocket did not. A proxy, VPN, content blocker or security app lets only pages pass: switch it off for this address, or use another browser or network.',
+        ? 'The WebSocket opened too slowly or carries no data. A proxy or VPN delays it: turn it off for this network, or use another network.'
+        : 'The page loaded, but its WebSocket is blocked by a proxy, VPN, content blocker or security app. Turn it off for this address, or use another browser or network.',
     ...(page.protocol === 'https:'
       ? { remedy: { text: 'Install the certificate', href: CERTIFICATE_PATH } }
       : {}),
@@ -125,12 +125,12 @@ export function clockCheck(probe: ChannelProbe | undefined): Check {
   const id = 'clock';
   const title = 'Clock';
   if (probe === undefined || !probe.isOpen) {
-    return { id, state: 'none', title, text: 'Compared over the live channel' };
+    return { id, state: 'none', title, text: 'Compared over the live connection' };
   }
   const { offsetMs, errorMs } = probe;
   const value = `±${formatMs(errorMs)}`;
   if (Math.abs(offsetMs) <= CLOCK_OFF_MS) {
-    return { id, state: 'good', title, text: 'Matched to the master', value };
+    return { id, state: 'good', title, text: 'Synchronized with the master', value };
   }
   const seconds = Math.round(Math.abs(offsetMs) / 1000);
   const off = seconds < 120 ? `${seconds} s` : `${Math.round(seconds / 60)} min`;
@@ -138,7 +138,7 @@ export function clockCheck(probe: ChannelProbe | undefined): Check {
     id,
     state: 'warning',
     title,
-    text: `${off} ${offsetMs > 0 ? 'behind' : 'ahead of'} the master. Times on this device look wrong until its clock is set; nothing else changes.`,
+    text: `${off} ${offsetMs > 0 ? 'behind' : 'ahead of'} the master. This device shows wrong times until its clock is set. Nothing else is affected.`,
     value,
   };
 }
@@ -153,28 +153,28 @@ export function sensorsCheck(
   const title = 'Motion sensors';
   switch (access) {
     case 'ask':
-      return { id, state: 'asks', title, text: 'The phone asks once. Say Allow.' };
+      return { id, state: 'asks', title, text: 'Tap Allow in the browser’s prompt.' };
     case 'refused':
       return {
         id,
         state: 'warning',
-        title: 'Motion was refused',
-        text: 'The browser asks again only after it was closed completely: swipe it away, open it and scan again. Everything else works without.',
+        title: 'Motion access was denied',
+        text: 'The browser asks again only after a restart: close it completely, open it and scan again. Everything else works without motion.',
       };
     case 'insecure':
       return isTouch
-        ? { id, state: 'warning', title, text: 'Off, because this page is plain HTTP.' }
-        : { id, state: 'none', title, text: 'Not on this page' };
+        ? { id, state: 'warning', title, text: 'Off: this page uses plain HTTP.' }
+        : { id, state: 'none', title, text: 'Not available on this page' };
     case 'unsupported':
     case 'granted':
-      if (arrives === true) return { id, state: 'good', title, text: 'Motion arrives' };
+      if (arrives === true) return { id, state: 'good', title, text: 'Motion works' };
       return isTouch
         ? {
             id,
             state: 'warning',
             title,
-            text: 'No motion arrives. The browser may block it in its site settings. Touch, buttons and text work.',
+            text: 'No motion data received. The browser may block it in its site settings. Touch, buttons and text work.',
           }
-        : { id, state: 'none', title, text: 'This device has none' };
+        : { id, state: 'none', title, text: 'This device has no motion sensors' };
   }
 }

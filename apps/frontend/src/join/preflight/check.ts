@@ -23,10 +23,10 @@ export interface Check {
 /** What is known before anything was measured. */
 export function openChecks(): readonly Check[] {
   return [
-    { id: 'master', state: 'checking', title: 'Master', text: 'Asking it' },
-    { id: 'secure', state: 'checking', title: 'Secure page', text: 'Looking' },
-    { id: 'channel', state: 'checking', title: 'Live channel', text: 'Opening it' },
+    { id: 'master', state: 'checking', title: 'Master', text: 'Checking' },
+    { id: 'secure', state: 'checking', title: 'Secure page', text: 'Checking' },
+    { id: 'channel', state: 'checking', title: 'Live connection', text: 'Opening' },
     { id: 'clock', state: 'checking', title: 'Clock', text: 'Comparing' },
-    { id: 'sensors', state: 'checking', title: 'Motion sensors', text: 'Looking' },
+    { id: 'sensors', state: 'checking', title: 'Motion sensors', text: 'Checking' },
   ];
 }

@@ -37,7 +37,7 @@ export function useNumber(
     const isFine = number.value >= min && number.value <= max;
     if (isFine && (!isWhole || Number.isInteger(number.value))) return undefined;
     const kind = isWhole ? 'a whole number' : 'a number';
-    return `It must be ${kind} from ${formatNumber(min)} to ${formatNumber(max)}.`;
+    return `Enter ${kind} from ${formatNumber(min)} to ${formatNumber(max)}.`;
   });
   return reactive({
     text,

@@ -11,7 +11,7 @@ export function loadFindings({ sizeBytes }: LoadParameters, steps: readonly Load
   const knee = findKnee(steps);
   const good = steps[knee.lastGood];
   const x = {
-    label: 'Records a second',
+    label: 'Records per second',
     unit: '',
     values: steps.map(({ wantedHz }) => wantedHz),
   };
@@ -40,11 +40,11 @@ export function loadFindings({ sizeBytes }: LoadParameters, steps: readonly Load
       },
       {
         key: 'busy',
-        title: 'Who is busy',
+        title: 'CPU load',
         x,
-        y: { label: 'Busy', unit: '%' },
+        y: { label: 'Load', unit: '%' },
         lines: [
-          line('master', 'Master, of one core', ({ masterCpuPercent }) => masterCpuPercent),
+          line('master', 'Master, one core', ({ masterCpuPercent }) => masterCpuPercent),
           line('lost', 'Lost records', ({ lostShare }) => lostShare * 100),
         ],
         isLogarithmic: true,
@@ -77,7 +77,7 @@ function kneeFigures(
   };
   const lag: Figure = {
     key: 'lag.p95',
-    label: 'Browser late by, p95',
+    label: 'Browser delay, p95',
     value: Math.max(...steps.map(({ lagP95Ms }) => lagP95Ms)),
     unit: 'ms',
     decimals: 1,
@@ -122,7 +122,7 @@ function kneeFigures(
 function kneeNote({ firstBad, lastGood, trouble, isBrowser }: Knee, steps: readonly LoadStep[]) {
   const last = steps.at(-1)!;
   if (firstBad === undefined) {
-    return `No knee up to ${last.wantedHz} records a second: the limit lies above. Go on with a higher rate to find it.`;
+    return `No knee up to ${last.wantedHz} records per second. Raise the highest rate to find the limit.`;
   }
   const bad = steps[firstBad]!;
   const what = {
@@ -130,12 +130,12 @@ function kneeNote({ firstBad, lastGood, trouble, isBrowser }: Knee, steps: reado
     losses: 'records were lost',
     browser: 'this browser could not publish as fast as asked for',
   }[trouble ?? 'latency'];
-  const where = `At ${bad.wantedHz} records a second ${what}${lastGood === -1 ? ', in the first step already' : ''}.`;
+  const where = `At ${bad.wantedHz} records per second ${what}${lastGood === -1 ? ', in the first step already' : ''}.`;
   if (isBrowser) {
-    return `${where} The limit was this browser, not the system: its load generator was late by ${bad.lagP95Ms.toFixed(0)} ms. The master may take more; test from several browsers, or on a faster machine.`;
+    return `${where} The limit was this browser, not the system: its load generator was ${bad.lagP95Ms.toFixed(0)} ms late. The master may handle more; test from several browsers, or on a faster computer.`;
   }
   if ((bad.masterCpuPercent ?? 0) >= MASTER_BUSY_PERCENT) {
     return `${where} The master was the limit: it used ${bad.masterCpuPercent!.toFixed(0)} % of a core.`;
   }
-  return `${where} Neither this browser nor the master's processor was fully busy: look at the network, and at what else runs on the machines.`;
+  return `${where} Neither this browser nor the CPU of the master was fully loaded: check the network and other programs on the computers.`;
 }

@@ -48,7 +48,7 @@ export async function measureLoad(
     const report = (part: number): void =>
       run.report({
         share: (index + part) / rates.length,
-        words: `${wantedHz} records a second, step ${index + 1} of up to ${rates.length}`,
+        words: `${wantedHz} records per second, step ${index + 1} of up to ${rates.length}`,
         findings,
       });
     report(0);

@@ -31,7 +31,7 @@ export function createKeptResults(open: () => Promise<ResultStore>): KeptResults
 
   function complain(cause: unknown): void {
     const reason = cause instanceof Error ? cause.message : String(cause);
-    trouble.value = `This browser does not keep results (${reason}). Export what you want to keep.`;
+    trouble.value = `This browser cannot store results (${reason}). Export the results you need.`;
   }
   const store = open();
   const ready = store

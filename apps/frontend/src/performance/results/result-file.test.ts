@@ -9,9 +9,9 @@ describe('results as JSON', () => {
   });
 
   it.each([
-    ['nothing JSON', '{', 'The file should be JSON, as it is exported here.'],
-    ['another file', '{"a":1}', 'The file should be an export of this page, as JSON.'],
-    ['null', 'null', 'The file should be an export of this page, as JSON.'],
+    ['nothing JSON', '{', 'The file should be JSON, as exported by this page.'],
+    ['another file', '{"a":1}', 'The file should be a JSON export of this page.'],
+    ['null', 'null', 'The file should be a JSON export of this page.'],
     [
       'a later version',
       '{"format":"ubi-interact-performance","formatVersion":2,"results":[]}',

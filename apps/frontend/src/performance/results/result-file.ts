@@ -21,11 +21,11 @@ export function resultsFromJson(text: string): TestResult[] {
   try {
     file = JSON.parse(text);
   } catch {
-    throw new ResultFormatError('The file', 'JSON, as it is exported here');
+    throw new ResultFormatError('The file', 'JSON, as exported by this page');
   }
   const { format, formatVersion, results } = (file ?? {}) as Record<string, unknown>;
   if (format !== FORMAT) {
-    throw new ResultFormatError('The file', 'an export of this page, as JSON');
+    throw new ResultFormatError('The file', 'a JSON export of this page');
   }
   if (formatVersion !== FORMAT_VERSION) {
     throw new ResultFormatError('The version of the file', `${FORMAT_VERSION}`);

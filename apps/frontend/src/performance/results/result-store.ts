@@ -20,7 +20,8 @@ export async function openResultStore(): Promise<ResultStore> {
     new Promise((resolve, reject) => {
       const transaction = database.transaction(STORE, 'readwrite');
       transaction.oncomplete = () => resolve();
-      transaction.onabort = () => reject(transaction.error ?? new Error('It was not kept.'));
+      transaction.onabort = () =>
+        reject(transaction.error ?? new Error('The result was not stored.'));
       work(transaction.objectStore(STORE));
     });
   return {
@@ -50,6 +51,7 @@ function opened(): Promise<IDBDatabase> {
 function answer<T>(request: IDBRequest<T>): Promise<T> {
   return new Promise((resolve, reject) => {
     request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error ?? new Error('The browser keeps nothing.'));
+    request.onerror = () =>
+      reject(request.error ?? new Error('This browser has no storage for pages.'));
   });
 }

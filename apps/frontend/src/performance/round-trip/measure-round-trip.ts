@@ -61,7 +61,7 @@ export async function measureRoundTrip(
   const done: Findings[] = [];
   for (const [index, way] of ways.entries()) {
     if (run.signal.aborted) break;
-    const words = `${WAY_WORDS[way]}, ${rateHz} records a second`;
+    const words = `${WAY_WORDS[way]}, ${rateHz} records per second`;
     const publish = (): void => {
       sentMs.set(sequence, run.clock.monotonicMs());
       topic.publish(sequence++, way);
@@ -132,7 +132,7 @@ function wayFindings(way: PublishWay, counts: WayCounts): Findings {
   const { durations, startedMs, sent, returned, lost, skipped } = counts;
   const word = WAY_WORDS[way];
   const summary = durations.summary();
-  const histogram = histogramOf(way, `${word}: how long records took`, durations.values);
+  const histogram = histogramOf(way, `${word}: round trips`, durations.values);
   const curve = overTime(way, `${word}, over time`, durations, startedMs);
   const count = (key: string, label: string, value: number) =>
     ({ key: `${way}.${key}`, label: `${word} ${label}`, value, unit: '' }) as const;
@@ -149,7 +149,7 @@ function wayFindings(way: PublishWay, counts: WayCounts): Findings {
     notes:
       skipped > 0
         ? [
-            `${word}: the page was too busy to publish ${skipped} of ${skipped + sent} records in time; they were left out, and the rate was lower than asked for.`,
+            `${word}: the page was too busy to publish ${skipped} of ${skipped + sent} records in time; they were skipped, so the rate was lower than set.`,
           ]
         : [],
   };

@@ -21,14 +21,18 @@ export function circumstances(
   const rate = recordsPerSecond(view);
   const all: readonly (readonly [key: string, label: string, value: string | undefined])[] = [
     ['browser', 'Browser', describeBrowser(page.navigator.userAgent)],
-    ['cores', 'Cores of this machine', String(page.navigator.hardwareConcurrency)],
+    ['cores', 'Cores of this computer', String(page.navigator.hardwareConcurrency)],
     ['client', 'This browser’s name', name.value],
     ['master', 'Master', latest?.name],
     ['master.address', 'Address of the master', page.location.origin],
     ['master.version', 'Version of the master', version],
     ['master.up', 'Master up for', latest && formatUptime(latest.nowMs - latest.startedMs)],
-    ['load.cpu', 'Master’s processor before', latest && `${formatNumber(latest.cpuPercent)} %`],
-    ['load.records', 'Records before', rate === undefined ? undefined : `${formatNumber(rate)} /s`],
+    ['load.cpu', 'CPU load of the master before', latest && `${formatNumber(latest.cpuPercent)} %`],
+    [
+      'load.records',
+      'Records per second before',
+      rate === undefined ? undefined : `${formatNumber(rate)} /s`,
+    ],
     ['load.clients', 'Clients', String(clients.list.value?.length ?? 1)],
     ['load.sessions', 'Sessions running', String(running)],
     [

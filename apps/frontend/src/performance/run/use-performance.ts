@@ -42,7 +42,7 @@ export function usePerformance(): Performance {
 type EndCause = Exclude<TestEnd, 'complete'> | 'left';
 
 const HIDDEN_NOTE =
-  'The page was hidden for a part of the test. Browsers slow hidden pages down: the numbers say little.';
+  'The page was hidden for a part of the test. Browsers slow hidden pages down, so the figures may be wrong.';
 
 /** Sets up what the page needs; a test that runs when the page is left ends with it. */
 export function providePerformance(): Performance {
@@ -94,7 +94,7 @@ export function providePerformance(): Performance {
             ? {
                 status: 'failed',
                 kind,
-                reason: 'The connection broke before anything was measured.',
+                reason: 'The page lost its connection before the first measurement.',
               }
             : { status: 'idle' };
         return;

@@ -95,7 +95,7 @@ export async function runSpeed(
 async function loadGenerator(): Promise<ProcessingModule> {
   const { moduleLibrary } = await import('@ubii/modules');
   const module = moduleLibrary().find(({ name }) => name === MODULE);
-  if (module === undefined) throw new Error(`There is no module ${MODULE} in the library.`);
+  if (module === undefined) throw new Error(`The library has no module ${MODULE}.`);
   return module;
 }
 

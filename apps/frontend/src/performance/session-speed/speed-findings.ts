@@ -139,7 +139,7 @@ function curvesOf(reports: readonly SessionStatistics[]): Curve[] {
       key: 'runs',
       title: 'Runs over time',
       x,
-      y: { label: 'Runs a second', unit: '/s' },
+      y: { label: 'Runs per second', unit: '/s' },
       lines: [line('runs', 'All modules', runsOf)],
     },
     {
@@ -160,15 +160,15 @@ function notesOf(
   reports: readonly SessionStatistics[],
 ): string[] {
   const rate = runRate(reports);
-  if (rate === undefined) return ['The session has not reported how it does.'];
+  if (rate === undefined) return ['The session has reported no statistics.'];
   const notes: string[] = [];
   const wanted = hertz * instances;
   if (mode === 'frequency' && rate < (1 - MISSED_SHARE) * wanted) {
     notes.push(
-      `The modules should run ${wanted} times a second together and ran ${rate.toFixed(0)} times: the node cannot keep this frequency with this work.`,
+      `The modules should run ${wanted} times per second together and ran ${rate.toFixed(0)} times: the node cannot keep this frequency with this work.`,
     );
   }
   const failed = reports.at(-1)!.modules.some(({ errors, restarts }) => errors + restarts > 0);
-  if (failed) notes.push('Runs failed or modules were killed: the figures do not count.');
+  if (failed) notes.push('Runs failed or modules were stopped: the figures are not valid.');
   return notes;
 }

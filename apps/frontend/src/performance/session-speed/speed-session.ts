@@ -39,7 +39,7 @@ export function speedSession(
   const name = module.name ?? '';
   return {
     name: 'Session speed test',
-    description: 'A test of the performance page. It ends with the test.',
+    description: 'A temporary session of the performance page. It is removed after the test.',
     tags: [TAG, ownerId],
     processingModules: ids.map((id) => ({
       ...module,

@@ -1,58 +1,60 @@
 /** What a figure means and what is good, by the end of its key. */
 const MEANINGS: Readonly<Record<string, string>> = {
-  p50: 'Half of them were at least this fast: what is usual.',
-  p95: '95 of 100 were at least this fast. This is what people feel; up to 20 ms nobody notices, up to 100 ms it still feels direct.',
-  p99: '99 of 100 were at least this fast. Far above p95 means hiccups: other programs, wireless networks, collection of garbage.',
-  max: 'The one slowest. One alone says little.',
+  p50: 'Median: half of the values were at least this fast.',
+  p95: '95 of 100 values were at least this fast. Up to 20 ms is not noticeable, up to 100 ms still feels direct.',
+  p99: '99 of 100 values were at least this fast. Far above p95 points to interruptions: other programs, wireless networks, garbage collection.',
+  max: 'The slowest value. May be an outlier.',
   jitter:
-    'How much one differs from the next, on average. Small beside p50 is good: motion looks smooth.',
-  sent: 'How many were published.',
-  returned: 'How many came back.',
-  drawn: 'How many reached the screen.',
-  lost: 'How many never came. 0 is what it should be.',
+    'Average difference between consecutive values. Small compared with p50 is good: motion looks smooth.',
+  sent: 'Number of published records.',
+  returned: 'Number of received records.',
+  drawn: 'Number of records that were drawn.',
+  lost: 'Number of records that were not received. Should be 0.',
 };
 
 /** Where the whole key says more than its end. */
 const OWN: Readonly<Record<string, string>> = {
-  knee: 'Records a second, all clients together, that got through before latency rose or records were lost. More is better; plan with half of it.',
-  'knee.bytes': 'What that is in bytes of values delivered.',
-  'knee.p50': 'What is usual at that rate.',
-  'knee.p95': 'What people feel at that rate.',
-  'first.p50': 'What is usual when little is going on.',
-  'first.p95': 'What is felt when little is going on: the knee is where it triples.',
-  peak: 'Deliveries a second in the fastest step, late or not.',
-  lag: 'How late timers of the load generator were.',
+  knee: 'Records per second of all clients that arrived before latency rose or records were lost. More is better; plan with half of it.',
+  'knee.bytes': 'The same in bytes of delivered values.',
+  'knee.p50': 'Median at that rate.',
+  'knee.p95': '95 of 100 values were at least this fast at that rate.',
+  'first.p50': 'Median at low load.',
+  'first.p95':
+    '95 of 100 values were at least this fast at low load. The knee is where it triples.',
+  peak: 'Deliveries per second in the fastest step, including late ones.',
+  lag: 'Delay of the timers of the load generator.',
   'lag.p95':
-    'How late this browser itself was. When it is near the latency, the browser is the limit, not the system.',
-  runs: 'Runs a second of all modules together. With frequency it should be modules × frequency.',
-  'runs.each': 'Runs a second of one module.',
-  additions: 'Work done a second. It compares places and modes with each other.',
-  'run.p50': 'What a run usually takes, as the node measures it, of the slowest module.',
+    'Delay of this browser itself. When it is close to the latency, the browser is the limit, not the system.',
+  runs: 'Runs per second of all modules. In frequency mode it should be modules × frequency.',
+  'runs.each': 'Runs per second of one module.',
+  additions: 'Additions per second. Use it to compare nodes and modes.',
+  'run.p50': 'Median run time of the slowest module, measured by the node.',
   'run.p95':
-    'Most runs take no longer. It must be well below the pause between two runs: 33 ms at 30 Hz, 16 ms at 60 Hz.',
-  'pass.p50': 'What one pass over all modules usually takes.',
-  'pass.p95': 'Most passes take no longer.',
-  overruns: 'Runs that were not over when the next was due. 0 is what it should be.',
-  errors: 'Runs that failed. 0 is what it should be.',
-  'work.p50': 'The additions alone, without the wall around the module.',
-  'work.p95': 'The same for most runs.',
-  'echo.p50':
-    'From publishing an input until the output that uses it is here: there, through the module, and back.',
-  'echo.p95': 'The same for most. With frequency, half a period of waiting is part of it.',
-  'echo.p99': 'The same for nearly all.',
-  start: 'From the request until all modules ran.',
-  'total.p50': 'From publishing until the frame that draws it: what is usual.',
-  'received.p50': 'The way to the master and back to this page.',
-  'received.p95': 'The same for most.',
-  'waited.p50': 'How long a value waits in the page for the next frame: half a frame is normal.',
-  'waited.p95': 'The same for most: one frame is normal, more means the page is busy.',
-  'frame.p50': 'From one frame to the next: 16.7 ms is 60 frames a second.',
-  'frame.p95': 'Far above p50 means that frames were left out.',
+    '95 of 100 runs took no longer. Must be well below the period: 33 ms at 30 Hz, 16 ms at 60 Hz.',
+  'pass.p50': 'Median time of one pass over all modules.',
+  'pass.p95': '95 of 100 passes took no longer.',
+  overruns: 'Runs that had not ended when the next one was due. Should be 0.',
+  errors: 'Runs that failed. Should be 0.',
+  'work.p50': 'The additions alone, without the sandbox of the module.',
+  'work.p95': 'The same, for 95 of 100 runs.',
+  'echo.p50': 'From publishing an input to receiving the output that uses it.',
+  'echo.p95':
+    'The same, for 95 of 100 values. In frequency mode it includes half a period of waiting.',
+  'echo.p99': 'The same, for 99 of 100 values.',
+  start: 'From the request until all modules run.',
+  'total.p50': 'From publishing to the frame that draws the value, median.',
+  'received.p50': 'From this page to the master and back.',
+  'received.p95': 'The same, for 95 of 100 values.',
+  'waited.p50': 'Waiting time for the next frame. Half a frame is normal.',
+  'waited.p95':
+    'The same, for 95 of 100 values. One frame is normal; more means that the page is busy.',
+  'frame.p50': 'From one frame to the next. 16.7 ms is 60 frames per second.',
+  'frame.p95': 'Far above p50 means that frames were skipped.',
 };
 
 /** `load` counts lost records in percent. */
 const OWN_UNITS: Readonly<Record<string, string>> = {
-  '%': 'The worst step of the ramp. Up to the knee it is 0.',
+  '%': 'The worst step of the ramp. Should be 0 up to the knee.',
 };
 
 export function figureMeaning({

@@ -10,20 +10,20 @@ export const TEST_TITLES: Readonly<Record<TestKind, string>> = {
 /** What a test answers, and how, in plain words. */
 export const TEST_ABOUT: Readonly<Record<TestKind, { question: string; how: string }>> = {
   'round-trip': {
-    question: 'How long does a value take to the master and back to this browser?',
-    how: 'This page publishes numbered values at a steady rate, subscribes to them, and times each until it is back.',
+    question: 'How long does a value take from this browser to the master and back?',
+    how: 'This page publishes numbered values at a fixed rate, subscribes to them, and measures the time until each is received.',
   },
   load: {
-    question: 'How many records a second get through before they begin to be late?',
+    question: 'How many records per second arrive in time?',
     how: 'Several clients publish faster and faster in a worker of this page, until latency rises or records are lost. The last rate before that is the knee.',
   },
   'session-speed': {
     question: 'How fast do processing modules run, and where?',
-    how: 'A temporary session runs the load generator, which adds up Fibonacci numbers. It is removed when the test ends.',
+    how: 'A temporary session runs the load generator, which adds Fibonacci numbers. It is removed after the test.',
   },
   screen: {
-    question: 'How long until a published value is on this screen?',
-    how: 'Values are published at odd moments and drawn in the next frame of the page. What the display itself takes comes on top.',
+    question: 'How long does a published value take to this screen?',
+    how: 'Values are published at irregular times and drawn in the next frame of the page. The delay of the display itself is not included.',
   },
 };
 

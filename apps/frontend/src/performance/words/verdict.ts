@@ -32,12 +32,12 @@ export function verdictOf(kind: TestKind, { figures }: Findings): Verdict | unde
       if (knee !== undefined) {
         return {
           tone: 'good',
-          text: `About ${Math.round(knee)} records a second get through in time.`,
+          text: `About ${Math.round(knee)} records per second arrive in time.`,
         };
       }
       return peak === undefined
         ? undefined
-        : { tone: 'poor', text: 'The lowest rate was too much already. Begin with a lower one.' };
+        : { tone: 'poor', text: 'The lowest rate was already too high. Start with a lower rate.' };
     }
     case 'session-speed':
       return bySpeed(value);
@@ -46,21 +46,21 @@ export function verdictOf(kind: TestKind, { figures }: Findings): Verdict | unde
 
 function byLatency(p95: number, goodMs: number, where: string): Verdict {
   const fact = `95 of 100 values are ${where} within ${round(p95)} ms`;
-  if (p95 <= goodMs) return { tone: 'good', text: `${fact}: nobody notices.` };
+  if (p95 <= goodMs) return { tone: 'good', text: `${fact}: not noticeable.` };
   if (p95 <= DIRECT_MS) {
     return {
       tone: 'fair',
-      text: `${fact}: fine for buttons, noticeable when something follows a hand.`,
+      text: `${fact}: good for buttons, noticeable when an object follows a hand.`,
     };
   }
-  return { tone: 'poor', text: `${fact}: people feel that they wait.` };
+  return { tone: 'poor', text: `${fact}: a noticeable delay.` };
 }
 
 function bySpeed(value: (key: string) => number | undefined): Verdict | undefined {
   const runs = value('runs');
   if (runs === undefined) return undefined;
   const late = (value('overruns') ?? 0) + (value('errors') ?? 0);
-  const fact = `${runs.toFixed(0)} runs a second, p95 ${round(value('run.p95') ?? 0)} ms`;
+  const fact = `${runs.toFixed(0)} runs per second, p95 ${round(value('run.p95') ?? 0)} ms`;
   return late === 0
     ? { tone: 'good', text: `${fact}, none late or failed.` }
     : { tone: 'poor', text: `${fact}, but ${late.toFixed(0)} were late or failed.` };

@@ -34,7 +34,7 @@ it('counts licences, most first', () => {
 
 it('says why there is no list', async () => {
   vi.stubGlobal('fetch', async () => new Response('<html>', { status: 200 }));
-  await expect(fetchLicences()).rejects.toThrow(/was not built/);
+  await expect(fetchLicences()).rejects.toThrow(/is not built/);
   vi.stubGlobal('fetch', async () => Promise.reject(new TypeError('offline')));
-  await expect(fetchLicences()).rejects.toThrow(/cannot be reached/);
+  await expect(fetchLicences()).rejects.toThrow(/does not answer/);
 });

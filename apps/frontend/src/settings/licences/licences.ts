@@ -23,10 +23,10 @@ const FILE = '/licences.json';
 /** @throws Error in words when there is no list */
 export async function fetchLicences(): Promise<Licences> {
   const response = await fetch(FILE).catch(() => {
-    throw new Error('The master cannot be reached, and the list is with it.');
+    throw new Error('The master does not answer, so the list is not available.');
   });
   if (!response.ok || !(response.headers.get('content-type') ?? '').includes('json')) {
-    throw new Error('This frontend was not built: the list of licences is made with a build.');
+    throw new Error('This frontend is not built. The build creates the list of licences.');
   }
   return (await response.json()) as Licences;
 }

@@ -18,7 +18,7 @@ export interface LimitRow {
   readonly used: Readout | undefined;
   /** Of what is allowed, 0 to 1; `undefined` likewise. */
   readonly share: number | undefined;
-  /** Met, or nearly: `near` and `met` want to be seen. */
+  /** Reached or almost reached: `near` and `met` want to be seen. */
   readonly state: 'fine' | 'near' | 'met';
   /** What would change it, to be copied. */
   readonly flag: string;
@@ -83,5 +83,5 @@ export function groupLimits(limits: readonly Limit[], search: string): LimitGrou
     groups.set(row.limit.group, [...(groups.get(row.limit.group) ?? []), row]);
   }
   const quiet = [...groups].map(([group, of]) => ({ title: capital(group), rows: of }));
-  return loud.length === 0 ? quiet : [{ title: 'Met, or nearly', rows: loud }, ...quiet];
+  return loud.length === 0 ? quiet : [{ title: 'Reached or almost reached', rows: loud }, ...quiet];
 }

@@ -63,7 +63,7 @@ describe('groupLimits', () => {
       rows.map((row) => row.limit.name),
     ]);
     expect(titles).toEqual([
-      ['Met, or nearly', ['topics']],
+      ['Reached or almost reached', ['topics']],
       ['Storage', ['clients']],
       ['Time', ['serviceTimeoutMs']],
     ]);

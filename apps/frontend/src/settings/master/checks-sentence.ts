@@ -5,10 +5,10 @@ export function checksSentence(settings: readonly Setting[]): string | undefined
   const valueOf = (flag: string): string | undefined =>
     settings.find((setting) => setting.flag === flag)?.value;
   const checks = valueOf('--checks');
-  const bounds = `when it is busy for more than ${valueOf('--busy-percent')} % of the time, or one client takes more than ${valueOf('--publisher-percent')} %`;
+  const bounds = `when its main-thread load is above ${valueOf('--busy-percent')} %, or one client causes more than ${valueOf('--publisher-percent')} %`;
   switch (checks) {
     case 'off':
-      return 'Checks are off: nobody is warned when the master has too much to do.';
+      return 'Checks are off: no warning appears when the master is overloaded.';
     case 'warn':
       return `Checks warn ${bounds}.`;
     case 'throttle':

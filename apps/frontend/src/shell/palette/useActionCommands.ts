@@ -25,7 +25,7 @@ import { useToasts } from '../../ui/toasts/toasts.ts';
 import { useShell } from '../shell.ts';
 import type { Command } from './command.ts';
 
-/** What can be done from anywhere. */
+/** The actions that are available on every page. */
 export function useActionCommands(): ComputedRef<Command[]> {
   const router = useRouter();
   const shell = useShell();
@@ -68,7 +68,7 @@ export function useActionCommands(): ComputedRef<Command[]> {
       [
         ['dark', 'Dark theme', Moon],
         ['light', 'Light theme', Sun],
-        ['system', 'Theme of the system', Monitor],
+        ['system', 'System theme', Monitor],
       ] as const
     ).map(([choice, title, icon]) =>
       action(`theme-${choice}`, title, { icon, run: () => (theme.value = choice) }),
@@ -78,12 +78,12 @@ export function useActionCommands(): ComputedRef<Command[]> {
       shortcut: '?',
       run: () => shell.open('shortcuts'),
     }),
-    action('diagnostics', 'Save diagnostics for the report of a fault', {
+    action('diagnostics', 'Save diagnostics for a bug report', {
       icon: Bug,
       run: () => void saveDiagnostics(),
     }),
   ];
-  const reconnect = action('reconnect', 'Connect to the master now', {
+  const reconnect = action('reconnect', 'Reconnect to the master', {
     icon: RotateCw,
     run: connect,
   });
@@ -92,7 +92,7 @@ export function useActionCommands(): ComputedRef<Command[]> {
     const isOn = tab.isChosen.value;
     const runsModules = action(
       'tab-node',
-      isOn ? 'Run no more modules in this tab' : 'Run modules in this tab',
+      isOn ? 'Stop running modules in this tab' : 'Run modules in this tab',
       { icon: Cpu, run: () => (tab.isChosen.value = !isOn) },
     );
     return [...(isConnected.value ? [] : [reconnect]), ...always, runsModules];

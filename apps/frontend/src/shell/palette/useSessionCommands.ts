@@ -33,7 +33,7 @@ export function useSessionCommands(): ComputedRef<Command[]> {
     (sessions.list.value ?? []).flatMap((session): Command[] => {
       const { id, name } = session;
       const { word, actions } = stateLook(sessionState(session));
-      const title = name || 'Session without a name';
+      const title = name || 'Unnamed session';
       const open: Command = {
         id: `session ${id}`,
         kind: 'session',
