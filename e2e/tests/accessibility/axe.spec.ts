@@ -167,7 +167,7 @@ for (const screen of SCREENS) {
     await expectAccessible(page, TOOLTIP);
     const id = await page.evaluate(() => /[0-9a-f-]{36}/.exec(JSON.stringify(sessionStorage))?.[0]);
     robot.publish(`/${id}/identify`, 'string', 'Mara', { immediate: true });
-    await expect(page.getByRole('alert')).toContainText('Mara wants to know');
+    await expect(page.getByRole('alert')).toContainText('Mara asked this device');
     await expectAccessible(page, TOOLTIP);
   });
 

@@ -74,7 +74,7 @@ test('one looks for clients, and the address says what is looked for', async ({ 
   await expect(anna.page).toHaveURL(/kind=phone/);
 
   await clients.search.fill('nobody');
-  await expect(anna.page.getByText('No client fits.')).toBeVisible();
+  await expect(anna.page.getByText('No matches.')).toBeVisible();
   await anna.page.getByRole('button', { name: /^Show all/ }).click();
   await expect(clients.row('Robot')).toBeVisible();
 
@@ -145,7 +145,7 @@ test('a program that does not listen for it is named', async ({ room }) => {
   const clients = new ClientsPage(anna);
   await clients.open();
   await clients.choose('Robot', 'Identify');
-  await expect(anna.page.getByText('Robot does not listen for this')).toBeVisible();
+  await expect(anna.page.getByText('Robot does not support identification')).toBeVisible();
 });
 
 test('a client gets another name, and calls itself by it', async ({ room }) => {
@@ -181,7 +181,7 @@ test('who takes most is ranked with the cause, and throttled with a reason', asy
   await dialog.getByRole('textbox', { name: 'Records per second' }).fill('ten');
   await expect(dialog.getByText('Enter a number of records per second')).toBeVisible();
   await dialog.getByRole('textbox', { name: 'Records per second' }).fill('20');
-  await dialog.getByRole('textbox', { name: /^Why/ }).fill('too loud');
+  await dialog.getByRole('textbox', { name: /^Reason/ }).fill('too loud');
   await dialog.getByRole('button', { name: 'Throttle' }).click();
   await expect(dialog).toHaveCount(0);
   await expect(row).toContainText('throttled to 20 records per second by Anna: too loud', {
@@ -201,7 +201,7 @@ test('a throttled page is told so, with the cause', async ({ room }) => {
   await clients.choose('Ben', 'Throttle');
   const dialog = clients.dialog(/^Throttle Ben/);
   await dialog.getByRole('textbox', { name: 'Records per second' }).fill('5');
-  await dialog.getByRole('textbox', { name: /^Why/ }).fill('we are measuring');
+  await dialog.getByRole('textbox', { name: /^Reason/ }).fill('we are measuring');
   await dialog.getByRole('button', { name: 'Throttle' }).click();
   await expect(ben.page.getByRole('status', { name: 'Warning' })).toContainText(
     'This page is throttled to 5 records per second by Anna: we are measuring',
@@ -219,7 +219,7 @@ test('a client is disconnected with a reason, is told so, and joins again', asyn
   await clients.choose('Ben', 'Disconnect');
   const dialog = clients.dialog(/^Disconnect Ben/);
   await expect(dialog).toContainText('This cannot be undone.');
-  await dialog.getByRole('textbox', { name: /^Why/ }).fill('the session is over');
+  await dialog.getByRole('textbox', { name: /^Reason/ }).fill('the session is over');
   await dialog.getByRole('button', { name: 'Disconnect' }).click();
   await expect(clients.row('Ben')).toHaveCount(0);
   await expect(clients.note).toContainText('Ben was disconnected by Anna: the session is over');

@@ -205,7 +205,7 @@ for (const colorScheme of ['dark', 'light'] as const) {
     const join = new JoinPage(phone);
     for (const path of ['/join', `/join#${token}`, '/connect/certificate']) {
       await phone.page.goto(path);
-      await expect(join.heading).not.toHaveText(/One moment/);
+      await expect(join.heading).not.toHaveText(/Connecting/);
       if (path.startsWith('/join')) {
         await expect(join.fact('sensors')).not.toHaveAttribute('data-state', 'checking');
         await expect(join.fact('channel')).not.toHaveAttribute('data-state', 'checking');

@@ -141,12 +141,12 @@ test('a blocked live channel is told from a master that is away', async ({ maste
 
   await master.stop();
   await phone.page.getByRole('button', { name: 'Use another code' }).click();
-  await expect(join.heading).toContainText(/out of reach/);
+  await expect(join.heading).toContainText(/does not answer/);
   await phone.page.getByRole('button', { name: 'Retry' }).click();
   await expect(join.fact('master')).toContainText('Master not reached');
   await expect(join.fact('master')).toContainText('client isolation');
   await master.startAgain();
-  await expect(join.heading).not.toContainText(/out of reach/);
+  await expect(join.heading).not.toContainText(/does not answer/);
 });
 
 test('iOS is told that it wants the certificate installed', async ({ master, room }) => {

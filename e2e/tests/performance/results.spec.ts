@@ -59,7 +59,7 @@ test('results are kept over a reload, named, compared, exported and imported', a
     const ben = await room.atDesk('Ben');
     const there = new PerformancePage(ben);
     await there.open('results');
-    await expect(ben.page.getByText('No results are kept.')).toBeVisible();
+    await expect(ben.page.getByText('No results yet.')).toBeVisible();
     const file = ben.page.locator('input[type=file]');
     await file.setInputFiles({
       name: 'wrong.json',
