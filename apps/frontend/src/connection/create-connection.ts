@@ -1,5 +1,5 @@
 import { createClient, createTabIdentity } from '@ubii/client-web';
-import { useDocumentVisibility, useLocalStorage } from '@vueuse/core';
+import { useDocumentVisibility, useLocalStorage, useSessionStorage } from '@vueuse/core';
 import { computed, shallowRef, watch } from 'vue';
 import { adoptName } from './adopt-name.ts';
 import { describeAgent } from './agent-description.ts';
@@ -16,12 +16,23 @@ import { createTopicStatisticsStore } from './topic-statistics-store.ts';
 const DEFAULT_PUBLISH_INTERVAL_MS = 15;
 const IDENTITY_KEY = 'ubii.identity';
 
+/** The name of the frame that this page is in; undefined for a page that is not in a frame. */
+function frameName(): string | undefined {
+  return window.parent === window ? undefined : window.name || 'frame';
+}
+
 /** Sets up the one client of this page and the stores fed by it. Call once, at the root. */
 export function createConnection(): Connection {
   // The name belongs to the browser, the identity to the tab: each tab is a client of its own.
-  const name = useLocalStorage('ubii.name', friendlyName(Math.random), { flush: 'sync' });
+  // A frame shares the storage of the page around it, and is a client with a name of its own.
+  const frame = frameName();
+  const name =
+    frame === undefined
+      ? useLocalStorage('ubii.name', friendlyName(Math.random), { flush: 'sync' })
+      : useSessionStorage(`ubii.name.${frame}`, frame, { flush: 'sync' });
   const publishIntervalMs = useLocalStorage('ubii.publishIntervalMs', DEFAULT_PUBLISH_INTERVAL_MS);
-  const identity = createTabIdentity(IDENTITY_KEY);
+  const identityKey = frame === undefined ? IDENTITY_KEY : `${IDENTITY_KEY}.${frame}`;
+  const identity = createTabIdentity(identityKey, IDENTITY_KEY);
   const client = createClient({
     name: name.value,
     description: describeAgent(navigator.userAgent),
@@ -60,7 +71,7 @@ export function createConnection(): Connection {
 
   async function forgetIdentity(): Promise<void> {
     await client.close();
-    sessionStorage.removeItem(IDENTITY_KEY);
+    sessionStorage.removeItem(identityKey);
     location.reload();
   }
 

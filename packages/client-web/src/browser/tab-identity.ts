@@ -11,9 +11,10 @@ const DEFAULT_KEY = 'ubii.identity';
  * Where there is no session storage the identity lasts as long as the page.
  * The credential is kept for the whole browser as well: a further tab joins with it. [AC-23]
  * @param key name of the entry; one for each client of a page
+ * @param browserKey name of the entry of the whole browser; pages that share it join with one credential
  */
-export function createTabIdentity(key = DEFAULT_KEY): IdentityStorage {
-  const credentialKey = `${key}.credential`;
+export function createTabIdentity(key = DEFAULT_KEY, browserKey = key): IdentityStorage {
+  const credentialKey = `${browserKey}.credential`;
   let claimedId: string | undefined;
   let release: Release = () => undefined;
   const claim = async (clientId: string): Promise<boolean> => {
