@@ -17,10 +17,11 @@ export interface Room {
   closeInspector(): void;
 }
 
-export function useRoom(editor: GraphEditor): Room {
+/** @param isEmbedded the editor has only a part of the page */
+export function useRoom(editor: GraphEditor, isEmbedded = false): Room {
   const isNarrow = useMediaQuery('(max-width: 759px)');
-  const isCompact = useMediaQuery('(max-width: 1199px)');
-  const isRoomy = useMediaQuery('(min-width: 1000px)');
+  const isCompact = isEmbedded ? ref(true) : useMediaQuery('(max-width: 1199px)');
+  const isRoomy = isEmbedded ? ref(false) : useMediaQuery('(min-width: 1000px)');
   const view = ref<'graph' | 'list'>(isNarrow.value ? 'list' : 'graph');
   const isPaletteOpen = ref(isRoomy.value);
   const isInspectorOpen = ref(false);
