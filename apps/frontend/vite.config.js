@@ -3,6 +3,7 @@ import vue from '@vitejs/plugin-vue';
 import { defineConfig } from 'vite';
 import { licencesPlugins } from '../../scripts/lib/licences.mjs';
 import { firstLoadPlugin } from './first-load-plugin.js';
+import { learnReferencePlugin } from './learn-reference-plugin.js';
 import { serviceWorkerPlugin } from './service-worker-plugin.js';
 
 /** Where `npm run dev` finds a master; the built frontend is served by the master itself. */
@@ -37,6 +38,7 @@ export default defineConfig({
   plugins: [
     vue(),
     sandboxWorkersPlugin(),
+    learnReferencePlugin(),
     serviceWorkerPlugin(),
     licences.plugin,
     firstLoadPlugin(),

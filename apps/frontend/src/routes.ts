@@ -8,6 +8,7 @@ import { examplesRoutes } from './examples/routes.ts';
 import { graphRoutes } from './graph/routes.ts';
 import { installRoutes } from './install/routes.ts';
 import { joinRoutes } from './join/routes.ts';
+import { learnRoutes } from './learn/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
 import { performanceRoutes } from './performance/routes.ts';
 import { publishRoutes } from './publish/routes.ts';
@@ -45,6 +46,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...performanceRoutes,
   ...devicesRoutes,
   ...examplesRoutes,
+  ...learnRoutes,
   ...settingsRoutes,
   ...installRoutes,
   ...joinRoutes,

@@ -1,6 +1,7 @@
 import {
   Activity,
   Blocks,
+  BookOpen,
   ConciergeBell,
   House,
   LayoutDashboard,
@@ -54,6 +55,7 @@ export const PAGES: readonly NavigationPage[] = [
   },
   { title: 'Devices', to: '/devices', icon: Smartphone, shortcut: 'G D' },
   { title: 'Examples', to: '/examples', icon: Shapes, shortcut: 'G E', isBehindMore: true },
+  { title: 'Learn', to: '/learn', icon: BookOpen, shortcut: 'G R', isBehindMore: true },
 ];
 
 export const SETTINGS_PAGE: NavigationPage = {

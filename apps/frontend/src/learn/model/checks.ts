@@ -1,0 +1,257 @@
+import type { ServiceName } from '@ubii/proto';
+import type { CallFact, LessonFacts, TopicFact } from './facts.ts';
+import type { Check, Measurement } from './lesson.ts';
+
+type Named = Pick<Check, 'id' | 'text' | 'todo'>;
+type TopicOf = (facts: LessonFacts) => TopicFact | undefined;
+
+const NOTHING: Measurement = { passed: false, value: '' };
+const perSecond = (value: number): string => (value < 10 ? value.toFixed(1) : value.toFixed(0));
+const hertz = (hz: number): string => `${perSecond(hz)} Hz`;
+const part = (value: number): string => value.toFixed(2);
+
+/** Topics whose name ends so, the liveliest first. */
+export function topicsThatEnd(facts: LessonFacts, end: string): readonly TopicFact[] {
+  return [...facts.topics.values()]
+    .filter(({ topic }) => topic.endsWith(end))
+    .sort((a, b) => b.hz - a.hz || a.topic.localeCompare(b.topic));
+}
+
+/** At least so many phones are connected. */
+export function phonesConnected(count: number, named: Named): Check {
+  return {
+    ...named,
+    measure({ phones }) {
+      if (phones.length === 0) return NOTHING;
+      const value = count === 1 ? (phones[0]?.name ?? '') : `${phones.length} phones`;
+      return { passed: phones.length >= count, value };
+    },
+  };
+}
+
+/** Records arrive at least this often. */
+export function topicArrives(topicOf: TopicOf, minHz: number, named: Named): Check {
+  return {
+    ...named,
+    measure(facts) {
+      const topic = topicOf(facts);
+      if (topic === undefined) return NOTHING;
+      return { passed: topic.hz >= minHz, value: hertz(topic.hz) };
+    },
+  };
+}
+
+/** Each of the first two numbers has changed by at least so much since the step began. */
+export function valueCovers(topicOf: TopicOf, span: number, named: Named): Check {
+  return {
+    ...named,
+    measure(facts) {
+      const topic = topicOf(facts);
+      if (topic === undefined || topic.numbers.length < 2) return NOTHING;
+      const spans = [0, 1].map((index) => (topic.high[index] ?? 0) - (topic.low[index] ?? 0));
+      return {
+        passed: spans.every((found) => found >= span),
+        value: spans.map(part).join(' × '),
+      };
+    },
+  };
+}
+
+/** No records arrive any more, and the newest value is still there. */
+export function valueStays(topicOf: TopicOf, named: Named): Check {
+  return {
+    ...named,
+    measure(facts) {
+      const topic = topicOf(facts);
+      if (topic === undefined || topic.numbers.length === 0) return NOTHING;
+      const value = `${hertz(topic.hz)}, value ${topic.numbers.map(part).join(' ')}`;
+      return { passed: topic.hz === 0, value };
+    },
+  };
+}
+
+/** So many topics hold a value. */
+export function topicsHoldValues(end: string, count: number, named: Named): Check {
+  return {
+    ...named,
+    measure(facts) {
+      const found = topicsThatEnd(facts, end).filter(({ numbers }) => numbers.length > 0);
+      if (found.length === 0) return NOTHING;
+      return { passed: found.length >= count, value: `${found.length} of ${count}` };
+    },
+  };
+}
+
+/** The newest value is this number. */
+export function valueIs(topicOf: TopicOf, wanted: number, named: Named): Check {
+  return {
+    ...named,
+    measure(facts) {
+      const [number] = topicOf(facts)?.numbers ?? [];
+      if (number === undefined) return NOTHING;
+      return { passed: number === wanted, value: String(number) };
+    },
+  };
+}
+
+/** A value has arrived, and its first number is at least this. */
+export function valueAtLeast(topicOf: TopicOf, least: number, named: Named): Check {
+  return {
+    ...named,
+    measure(facts) {
+      const [number] = topicOf(facts)?.numbers ?? [];
+      if (number === undefined) return NOTHING;
+      return { passed: number >= least, value: String(number) };
+    },
+  };
+}
+
+/** The first numbers of two topics add up to 1. */
+export function valuesMirror(first: TopicOf, second: TopicOf, named: Named): Check {
+  return {
+    ...named,
+    measure(facts) {
+      const [a] = first(facts)?.numbers ?? [];
+      const [b] = second(facts)?.numbers ?? [];
+      if (a === undefined || b === undefined) return NOTHING;
+      // In the middle of the surface a mirrored value is the same as a plain one
+      const isTelling = Math.abs(a - 0.5) > 0.05;
+      return {
+        passed: isTelling && Math.abs(a + b - 1) < 0.01,
+        value: `${part(a)} + ${part(b)} = ${part(a + b)}`,
+      };
+    },
+  };
+}
+
+export function sessionRuns(named: Named): Check {
+  return {
+    ...named,
+    measure({ session }) {
+      if (session === undefined) return NOTHING;
+      return { passed: session.isRunning, value: session.state };
+    },
+  };
+}
+
+/** A module of the session runs at least this often. */
+export function moduleRuns(module: string, minPerSecond: number, named: Named): Check {
+  return {
+    ...named,
+    measure({ session }) {
+      const runs = session?.runsPerSecond.get(module);
+      if (runs === undefined) return NOTHING;
+      return { passed: runs >= minPerSecond, value: `${perSecond(runs)} runs/s` };
+    },
+  };
+}
+
+/** The try-out runs by itself. */
+export function tryRuns(minRuns: number, named: Named): Check {
+  return {
+    ...named,
+    measure({ tried }) {
+      if (tried === undefined || tried.runs === 0) return NOTHING;
+      return {
+        passed: tried.isRunning && tried.runs >= minRuns,
+        value: `${perSecond(tried.runsPerSecond)} runs/s`,
+      };
+    },
+  };
+}
+
+/** The try-out takes its first input from a topic that moves. */
+export function tryIsFed(minHz: number, named: Named): Check {
+  return {
+    ...named,
+    measure({ tried, topics }) {
+      if (tried?.inputTopic === undefined) return NOTHING;
+      const { hz } = topics.get(tried.inputTopic) ?? { hz: 0 };
+      return { passed: tried.isRunning && hz >= minHz, value: hertz(hz) };
+    },
+  };
+}
+
+/** The newest output of the try-out is within these bounds. */
+export function outputWithin(min: number, max: number, named: Named): Check {
+  return {
+    ...named,
+    measure({ tried }) {
+      const newest = tried?.series.at(-1);
+      if (tried === undefined || newest === undefined) return NOTHING;
+      return {
+        passed: tried.isRunning && newest >= min && newest <= max,
+        value: newest.toFixed(3),
+      };
+    },
+  };
+}
+
+/** Values in a row that each keep about this share of the one before: an exponential decay. */
+export function longestDecay(series: readonly number[], least = 0.3, most = 0.97): number {
+  let longest = 0;
+  let now = 0;
+  for (let index = 1; index < series.length; index += 1) {
+    const share = (series[index] ?? 0) / (series[index - 1] ?? 0);
+    now = share >= least && share <= most ? now + 1 : 0;
+    longest = Math.max(longest, now);
+  }
+  return longest;
+}
+
+/** The output dies away over several runs. */
+export function outputDecays(minRuns: number, named: Named): Check {
+  return {
+    ...named,
+    measure({ tried }) {
+      if (tried === undefined || tried.series.length === 0) return NOTHING;
+      const runs = longestDecay(tried.series);
+      return { passed: tried.isRunning && runs >= minRuns, value: `over ${runs} runs` };
+    },
+  };
+}
+
+/** A service was called and replied so. */
+export function serviceReplied(
+  service: ServiceName,
+  read: (call: CallFact, facts: LessonFacts) => string | undefined,
+  named: Named,
+): Check {
+  return {
+    ...named,
+    measure(facts) {
+      const call = facts.calls.find((one) => one.service === service);
+      if (call === undefined) return NOTHING;
+      if (call.reply === undefined) return { passed: false, value: call.errorCode ?? 'no reply' };
+      const value = read(call, facts);
+      return { passed: value !== undefined, value: value ?? 'another reply' };
+    },
+  };
+}
+
+/** A service refused with this code. */
+export function serviceRefused(service: ServiceName, code: string, named: Named): Check {
+  return {
+    ...named,
+    measure({ calls }) {
+      const call = calls.find((one) => one.service === service);
+      if (call === undefined) return NOTHING;
+      return { passed: call.errorCode === code, value: call.errorCode ?? 'replied' };
+    },
+  };
+}
+
+/** A client of this name is connected, or is not any more. */
+export function clientIs(name: string, isHere: boolean, named: Named): Check {
+  return {
+    ...named,
+    measure({ clientNames }) {
+      const count = clientNames.filter((other) => other === name).length;
+      if (isHere && count === 0) return NOTHING;
+      return {
+        passed: isHere ? count > 0 : count === 0,
+        value: count === 0 ? 'not connected' : count === 1 ? 'connected' : `${count} connected`,
+      };
+    },
+  };
+}

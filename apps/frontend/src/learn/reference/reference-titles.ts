@@ -1,0 +1,8 @@
+/** The reference pages as the contents list them: their text is loaded when one is opened. */
+export const REFERENCE_TITLES: readonly { readonly id: string; readonly title: string }[] = [
+  { id: 'data-formats', title: 'Data formats' },
+  { id: 'services', title: 'Services' },
+  { id: 'modules', title: 'Modules' },
+  { id: 'wire-protocol', title: 'Wire protocol' },
+  { id: 'glossary', title: 'Glossary' },
+];

@@ -1,0 +1,42 @@
+import { fuzzyScore } from '../../shell/palette/fuzzy.ts';
+
+/** Something the search finds. */
+export interface SearchEntry {
+  readonly title: string;
+  /** Searched too. */
+  readonly detail: string;
+  /** `Lesson`, `How to`, or the title of the reference page. */
+  readonly kind: string;
+  readonly to: string;
+}
+
+const MAX_RESULTS = 12;
+/** A match in the title counts this much more than one in the detail. */
+const TITLE_BONUS = 60;
+
+/** The entries for a question, best first. */
+export function searchEntries(query: string, entries: readonly SearchEntry[]): SearchEntry[] {
+  const words = query
+    .toLowerCase()
+    .split(/[^\p{L}\p{N}_-]+/u)
+    .filter((word) => word !== '' && !FILLERS.has(word));
+  if (words.length === 0) return [];
+  const text = words.join(' ');
+  return entries
+    .flatMap((entry) => {
+      const title = fuzzyScore(text, entry.title);
+      if (title !== undefined) return [{ entry, score: title + TITLE_BONUS }];
+      // Details are long: only what stands there as it is typed counts, not letters in order
+      const all = `${entry.title} ${entry.detail}`.toLowerCase();
+      if (!words.every((word) => all.includes(word))) return [];
+      return [{ entry, score: fuzzyScore(text, all) ?? 0 }];
+    })
+    .sort((a, b) => b.score - a.score || a.entry.title.length - b.entry.title.length)
+    .slice(0, MAX_RESULTS)
+    .map(({ entry }) => entry);
+}
+
+/** Words of questions. */
+const FILLERS: ReadonlySet<string> = new Set(
+  'a an the how do does can i to what is are my of in on with for it'.split(' '),
+);
