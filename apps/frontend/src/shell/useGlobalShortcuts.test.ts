@@ -1,5 +1,5 @@
 import { mount } from '@vue/test-utils';
-import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick } from 'vue';
 import { createMemoryHistory, createRouter } from 'vue-router';
 import { createShell } from './shell.ts';
@@ -14,6 +14,7 @@ async function setup() {
     routes: [{ path: '/:path(.*)*', component: Page }],
   });
   await router.push('/');
+  const push = vi.spyOn(router, 'push');
   const wrapper = mount(
     defineComponent({
       setup() {
@@ -31,7 +32,7 @@ async function setup() {
     await router.isReady();
     await Promise.resolve();
   };
-  return { shell, router, wrapper, press };
+  return { shell, push, wrapper, press };
 }
 
 describe('shortcuts', () => {
@@ -52,12 +53,44 @@ describe('shortcuts', () => {
     expect(world.shell.dialog.value).toBeUndefined();
   });
 
-  it('do nothing while a person types or a dialog is open', async () => {
+  it('do nothing while the user types or a dialog of the shell is open', async () => {
     await world.press('?', {}, world.wrapper.element);
     expect(world.shell.dialog.value).toBeUndefined();
     world.shell.open('connect-phone');
     await world.press('?');
     expect(world.shell.dialog.value).toBe('connect-phone');
+  });
+
+  it.each([
+    ['a list that is open', '<div role="listbox"><div role="option" tabindex="0"></div></div>'],
+    ['a menu', '<div role="menu"><div role="menuitem" tabindex="0"></div></div>'],
+    ['a dialog', '<div role="dialog"><button></button></div>'],
+    ['a closed list with type-ahead', '<button role="combobox"></button>'],
+    ['a text editor', '<div contenteditable="true"><span></span></div>'],
+  ])('do nothing while %s has the focus', async (_, html) => {
+    const host = document.createElement('div');
+    host.innerHTML = html;
+    document.body.append(host);
+    const inner = host.querySelectorAll('*');
+    for (const key of ['c', '?', 'g', 'h']) await world.press(key, {}, inner[inner.length - 1]);
+    expect(world.shell.dialog.value).toBeUndefined();
+    expect(world.push).not.toHaveBeenCalled();
+    // The first key of a pair does not wait for the field to be left either
+    await world.press('h');
+    expect(world.push).not.toHaveBeenCalled();
+    host.remove();
+  });
+
+  it('do nothing while a list or menu is open that has lost the focus', async () => {
+    const list = document.createElement('div');
+    list.setAttribute('role', 'listbox');
+    list.dataset['state'] = 'open';
+    document.body.append(list);
+    await world.press('?');
+    expect(world.shell.dialog.value).toBeUndefined();
+    list.remove();
+    await world.press('?');
+    expect(world.shell.dialog.value).toBe('shortcuts');
   });
 
   it('single keys can be switched off, Ctrl K cannot', async () => {

@@ -1,6 +1,7 @@
 import { useEventListener, useLocalStorage } from '@vueuse/core';
 import type { Ref } from 'vue';
 import { useRouter } from 'vue-router';
+import { isSingleKeyShortcut } from '../ui/keys/single-key.ts';
 import type { Shell } from './shell.ts';
 import { matchShortcut, PAIR_MS } from './shortcuts.ts';
 
@@ -9,11 +10,7 @@ export function useSingleKeyShortcuts(): Ref<boolean> {
   return useLocalStorage('ubii.singleKeyShortcuts', true);
 }
 
-const isTyping = (target: EventTarget | null): boolean =>
-  target instanceof HTMLElement &&
-  (target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName));
-
-/** Listens to the keyboard for the whole program. */
+/** Handles the keyboard shortcuts that work on every page. */
 export function useGlobalShortcuts(shell: Shell): void {
   const router = useRouter();
   const isEnabled = useSingleKeyShortcuts();
@@ -27,10 +24,12 @@ export function useGlobalShortcuts(shell: Shell): void {
       else shell.open('palette');
       return;
     }
-    if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return;
-    if (!isEnabled.value || shell.dialog.value !== undefined || isTyping(event.target)) return;
-    // A page with keys of its own has taken it
-    if (event.defaultPrevented) return;
+    const mayFire =
+      isEnabled.value && shell.dialog.value === undefined && isSingleKeyShortcut(event);
+    if (!mayFire) {
+      pending = undefined;
+      return;
+    }
 
     if (event.timeStamp - pendingSinceMs > PAIR_MS) pending = undefined;
     const match = matchShortcut(pending, event.key);
