@@ -133,7 +133,7 @@ test('a value of the wrong kind is refused beside its field, for every data form
       await expect(publish.form.getByRole('alert').first()).toBeVisible();
       await expect(publish.page.getByRole('button', { name: /^Line 1 / }).first()).toBeVisible();
       await publish.publish();
-      await expect(publish.page.getByText(`Nothing was sent: ${format}`)).toBeVisible();
+      await expect(publish.page.getByText(`Not published: ${format}`)).toBeVisible();
     });
   }
   await expect(publish.sent).toContainText('0');

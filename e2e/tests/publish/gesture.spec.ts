@@ -37,7 +37,7 @@ test('a gesture on the pad is recorded and looped, and nothing is sent before it
 }) => {
   const { got, publish, gesture } = await enter(room);
   await gesture.getByRole('button', { name: 'Record' }).click();
-  await expect(gesture.getByText('Change the form')).toBeVisible();
+  await expect(gesture.getByText('Recording starts with the next change')).toBeVisible();
   await drag(publish);
   await gesture.getByRole('button', { name: 'Stop recording' }).click();
   await expect(gesture.getByText(/of up to 1800 values/)).toBeVisible();

@@ -56,7 +56,7 @@ test('form and JSON are one record, and what is wrong stands beside the field an
   ).toBeVisible();
   await publish.publish();
   await expect(
-    publish.page.getByText(/Nothing was sent: vector3\.y must be a number/),
+    publish.page.getByText(/Not published: vector3\.y must be a number/),
   ).toBeVisible();
   await expect(publish.sent).toContainText('0');
   await publish.json.fill('{"topic": ');
@@ -126,6 +126,27 @@ test('a topic that is there is continued: by pointing, turning and picking', asy
   await publish.choose('color');
   await publish.page.getByLabel('Colour', { exact: true }).fill('#ff0000');
   await expect.poll(() => got.at(-1)?.value).toMatchObject({ r: 1, g: 0, b: 0, a: 1 });
+});
+
+test('"Send while changing" publishes changed values, but no topic that is being typed', async ({
+  room,
+}) => {
+  const robot = await room.program('Robot');
+  const got: TopicRecord[] = [];
+  await robot.subscribe({ glob: '/**' }).onRecord((record) => got.push(record)).ready;
+  const publish = new PublishPage(await room.atDesk());
+  await publish.open();
+  await new Shell(publish.page).expectConnected();
+  await publish.page.getByRole('switch', { name: /Send while changing/ }).click();
+  await publish.topic.pressSequentially('lab/light');
+  await expect(publish.page.getByText('"lab/light" and "/lab/light" are two')).toBeVisible();
+  await publish.topic.fill('');
+  await publish.topic.pressSequentially('/lab/light');
+  await publish.topic.press('Enter');
+  await publish.field('double').fill('7');
+  await expect.poll(() => got.find(({ topic }) => topic === '/lab/light')?.value).toBe(7);
+  const typed = got.filter(({ topic }) => '/lab/light'.startsWith(topic) || topic.startsWith('lab'));
+  expect(new Set(typed.map(({ topic }) => topic))).toEqual(new Set(['/lab/light']));
 });
 
 test('a picture is published from a file', async ({ room }) => {

@@ -14,7 +14,7 @@ import { defaultJson } from '../message-form/default-json.ts';
 import { fillIn, type VariableSource } from './variables.ts';
 
 const RECORD = 'ubii.topicData.TopicDataRecord';
-/** The rest of a record is the client's to say. */
+/** Members that the client library fills in. */
 const NOT_TYPED = new Set(['timestamp', 'clientId', 'client_id']);
 
 /** A record as the client publishes it. */
@@ -38,33 +38,33 @@ export function topicOfJson({ topic }: JsonObject): string {
   return typeof topic === 'string' ? topic : '';
 }
 
-/** A record to begin with. */
+/** A record with the default value of its data format. */
 export function newRecord(topic: string, format: DataFormat): JsonObject {
   return { topic, [format]: defaultJson(recordField(format).type) };
 }
 
-/** What keeps a record from being published. */
+/** Returns the problems because of which a record cannot be published. */
 export function checkRecord(json: JsonObject, source: VariableSource): JsonProblem[] {
   const filled = fillIn(json, source) as JsonObject;
   const problems = findJsonProblems(RECORD, filled);
   const topic = topicOfJson(filled);
   if (topic === '')
-    problems.push({ path: 'topic', sentence: 'must be given, such as /lab/light.' });
+    problems.push({ path: 'topic', sentence: 'must not be empty. Example: /lab/light.' });
   for (const key of Object.keys(json)) {
-    if (NOT_TYPED.has(key)) problems.push({ path: key, sentence: 'is filled in when it is sent.' });
+    if (NOT_TYPED.has(key)) problems.push({ path: key, sentence: 'is set automatically. Remove it.' });
   }
   const format = formatOfJson(json);
   if (format === undefined) {
-    problems.push({ path: '', sentence: 'needs a value, such as "double": 0.5.' });
+    problems.push({ path: '', sentence: 'has no value. Add one, for example "double": 0.5.' });
   } else if (problems.length === 0) {
-    // What only the whole value can tell: the bytes of a picture.
+    // Checks that need the whole value: the bytes of an image.
     const sentence = DATA_FORMATS[format].validate(valueOf(filled, format));
     if (sentence !== undefined) problems.push(placed(sentence));
   }
   return problems;
 }
 
-/** A record that has no problems, ready to be published. */
+/** Returns a record without problems, ready to be published. */
 export function readRecord(json: JsonObject, source: VariableSource): OutgoingRecord {
   const filled = fillIn(json, source) as JsonObject;
   const format = formatOfJson(filled)!;
@@ -75,7 +75,7 @@ function valueOf(json: JsonObject, format: DataFormat): DataFormatValues[DataFor
   return fromJson(RECORD, json)[format] as DataFormatValues[DataFormat];
 }
 
-/** `image2D.data must be …` is the path and what is wrong there. */
+/** Splits `image2D.data must be …` into path and sentence. */
 function placed(sentence: string): JsonProblem {
   const [path = '', ...rest] = sentence.split(' ');
   return { path, sentence: rest.join(' ') };

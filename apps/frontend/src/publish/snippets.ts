@@ -1,15 +1,15 @@
 import { readGesture, type Gesture } from './gesture/gesture.ts';
 import { randomUuid } from '../connection/random-uuid.ts';
 
-/** A record with a name, kept in this browser. */
+/** A named record, stored in this browser. */
 export interface Snippet {
   readonly id: string;
   readonly name: string;
   /** The record as JSON text, with its variables. */
   readonly text: string;
-  /** Records per second when it was kept. */
+  /** Records per second when it was saved. */
   readonly rateHz: number;
-  /** What was recorded with it. */
+  /** The recorded gesture. */
   readonly gesture?: Gesture;
 }
 
@@ -17,7 +17,7 @@ export const MAX_SNIPPETS = 200;
 const KIND = 'ubii-publish-snippets';
 const MAX_NAME = 120;
 
-/** The list with one more, or with the one of that name replaced. */
+/** Adds a snippet, or replaces the one of the same name. */
 export function withSnippet(
   snippets: readonly Snippet[],
   name: string,
@@ -44,20 +44,20 @@ export function snippetsFile(snippets: readonly Snippet[]): { name: string; text
   };
 }
 
-/** The snippets in a file. @throws Error that says what the file is not */
+/** Returns the snippets in a file. @throws Error if it is not a snippet file */
 export function readSnippets(text: string): Snippet[] {
   let file: unknown;
   try {
     file = JSON.parse(text);
   } catch {
-    throw new Error('This file is no JSON.');
+    throw new Error('The file is not valid JSON.');
   }
   const { kind, snippets } = (file ?? {}) as { kind?: unknown; snippets?: unknown };
-  if (kind !== KIND || !Array.isArray(snippets)) throw new Error('This file holds no snippets.');
+  if (kind !== KIND || !Array.isArray(snippets)) throw new Error('The file contains no snippets.');
   return snippets.slice(0, MAX_SNIPPETS).flatMap((one) => readSnippet(one) ?? []);
 }
 
-/** Undefined when it is none: of another version, or edited by hand. */
+/** Returns undefined for an entry that is not a snippet, such as one of another version. */
 export function readSnippet(value: unknown): Snippet | undefined {
   const { name, text, rateHz, ...rest } = (value ?? {}) as Record<string, unknown>;
   if (typeof name !== 'string' || name === '' || typeof text !== 'string') return undefined;

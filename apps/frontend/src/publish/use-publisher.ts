@@ -4,20 +4,20 @@ import { useConnection } from '../connection/useConnection.ts';
 import { checkRecord, readRecord, topicOfJson } from './record-json.ts';
 import { variableSource } from './variables.ts';
 
-/** How often a record can be repeated, records per second. */
+/** Limits of the repeat rate, records per second. */
 export const RATE_HZ = { least: 0.1, most: 100 } as const;
 
-/** Sends records from this page, once or again and again. */
+/** Publishes records from this page, once or repeatedly. */
 export interface Publisher {
-  /** Records that were sent since the page was opened. */
+  /** Records published since the page was opened. */
   readonly sent: Readonly<Ref<number>>;
-  /** Why the last one was not sent, one sentence. */
+  /** Why the last record was not published, one sentence. */
   readonly error: Readonly<ShallowRef<string | undefined>>;
   readonly isRepeating: Readonly<Ref<boolean>>;
   send(): boolean;
-  /** Sends another record than the page's own. */
+  /** Publishes this record instead of the one on the page. */
   sendRecord(record: JsonObject): boolean;
-  /** Sends now and at a rate until `stop`, which also leaving the page does. */
+  /** Publishes now and then at this rate, until `stop` or until the page is left. */
   repeat(rateHz: number): void;
   stop(): void;
   check(json: JsonObject): ReturnType<typeof checkRecord>;
@@ -41,12 +41,12 @@ export function usePublisher(json: () => JsonObject): Publisher {
 
   function sendRecord(record: JsonObject): boolean {
     if (!isConnected.value) {
-      error.value = 'Nothing was sent: this page is not connected to the master.';
+      error.value = 'Not published: this page has no connection to the master.';
       return false;
     }
     const [problem] = checkRecord(record, source);
     if (problem) {
-      error.value = `Nothing was sent: ${problem.path || 'it'} ${problem.sentence}`;
+      error.value = `Not published: ${problem.path || 'the record'} ${problem.sentence}`;
       return false;
     }
     try {
@@ -57,7 +57,7 @@ export function usePublisher(json: () => JsonObject): Publisher {
       return true;
     } catch (cause) {
       const reason = cause instanceof Error ? cause.message : String(cause);
-      error.value = `Nothing was sent on ${topicOfJson(record)}: ${reason}`;
+      error.value = `Not published on ${topicOfJson(record)}: ${reason}`;
       return false;
     }
   }

@@ -1,17 +1,17 @@
 import type { JsonValue } from '@ubii/proto';
 import { randomUuid } from '../connection/random-uuid.ts';
 
-/** What stands for something new in each record that is sent. */
+/** Placeholders that get a new value in each published record. */
 export const VARIABLES = [
-  { name: 'uuid', sentence: 'a new id' },
-  { name: 'timestamp', sentence: 'now, milliseconds since 1970' },
-  { name: 'counter', sentence: 'records sent before this one' },
-  { name: 'random', sentence: 'a number from 0 to 1' },
+  { name: 'uuid', sentence: 'a random UUID' },
+  { name: 'timestamp', sentence: 'current time, milliseconds since 1970' },
+  { name: 'counter', sentence: 'number of records published before' },
+  { name: 'random', sentence: 'random number from 0 to 1' },
 ] as const;
 
 export type VariableName = (typeof VARIABLES)[number]['name'];
 
-/** Where the values come from. */
+/** Returns the value of each variable. */
 export type VariableSource = Readonly<Record<VariableName, () => string>>;
 
 const VARIABLE = /\{\{\s*(uuid|timestamp|counter|random)\s*\}\}/g;
@@ -25,7 +25,7 @@ export function variableSource(counter: () => number): VariableSource {
   };
 }
 
-/** The value with every `{{variable}}` in its texts filled in. */
+/** Replaces every `{{variable}}` in the texts of a value. */
 export function fillIn(json: JsonValue, source: VariableSource): JsonValue {
   if (typeof json === 'string') {
     if (!json.includes('{{')) return json;

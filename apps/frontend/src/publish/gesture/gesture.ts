@@ -7,22 +7,22 @@ export interface GestureFrame {
   readonly value: JsonValue;
 }
 
-/** How a value changed: every change with its time, the first at 0. */
+/** Recorded changes of a value with their times; the first is at 0. */
 export interface Gesture {
   readonly format: DataFormat;
   readonly frames: readonly GestureFrame[];
 }
 
-/** Bounds of what is recorded, */
+/** Limits of a recording: length, number of values, */
 export const MAX_LENGTH_MS = 30_000;
 export const MAX_FRAMES = 1800;
-/** and of the values of one, as JSON: pictures are no gestures. */
+/** and characters of one value as JSON, which excludes images. */
 export const MAX_VALUE_LENGTH = 4000;
 
 export type PlayMode = 'once' | 'loop' | 'ping-pong';
 export const SPEEDS = ['0.25', '0.5', '1', '2', '4'] as const;
 
-/** How a gesture is played: which part of it, how fast, how often. */
+/** Part, speed and repetition with which a gesture is played. */
 export interface Playing {
   readonly fromMs: number;
   readonly toMs: number;
@@ -34,16 +34,16 @@ export function lengthMs({ frames }: Gesture): number {
   return frames.at(-1)?.atMs ?? 0;
 }
 
-/** The gesture with one more value; `undefined` when it is full. */
+/** Adds a value; returns `undefined` when the gesture is full. */
 export function withFrame(gesture: Gesture, atMs: number, value: JsonValue): Gesture | undefined {
   if (atMs > MAX_LENGTH_MS || gesture.frames.length >= MAX_FRAMES) return undefined;
   return { ...gesture, frames: [...gesture.frames, { atMs, value }] };
 }
 
 /**
- * Where in the gesture it is after so long.
+ * Returns the position in the gesture after the elapsed time.
  *
- * @returns the place in milliseconds of the gesture, which pass it is, and whether that was the last one
+ * @returns position in milliseconds, number of the pass, and whether the last pass is over
  */
 export function placeAt(
   { fromMs, toMs, speed, mode }: Playing,
@@ -58,18 +58,18 @@ export function placeAt(
   return { atMs: isBack ? toMs - into : fromMs + into, pass, isOver: false };
 }
 
-/** Values sent at once at most, when a busy page comes late: the newest. */
+/** At most this many values are sent at once when the page is late; older ones are skipped. */
 const MAX_LATE = 50;
 
-/** Where a gesture is while it is played. */
+/** Position of a gesture that is played. */
 export interface Place {
   readonly atMs: number;
   readonly pass: number;
 }
 
 /**
- * The values that are due from one place to another, in the order they are sent; nothing before means that
- * it begins, with the value that holds there. What is left of a pass that ended is not lost.
+ * Returns the values due between two positions, in sending order, including the rest of a pass that ended.
+ * Without `before` playing starts, with the value that is valid at its first position.
  */
 export function framesDue(
   { frames }: Gesture,
@@ -95,7 +95,7 @@ export function framesDue(
   return [...rest, ...next].slice(-MAX_LATE);
 }
 
-/** A gesture from a file or from this browser's memory; `undefined` when it is none. */
+/** Reads a gesture from a file or local storage; returns `undefined` if it is not a gesture. */
 export function readGesture(value: unknown): Gesture | undefined {
   const { format, frames } = (value ?? {}) as { format?: unknown; frames?: unknown };
   if (typeof format !== 'string' || !isDataFormat(format) || !Array.isArray(frames))
@@ -113,7 +113,7 @@ export function readGesture(value: unknown): Gesture | undefined {
   return read.length > 0 ? { format, frames: read } : undefined;
 }
 
-/** The first number of each value, to draw the gesture with. */
+/** Returns the first number of each value, for the sparkline. */
 export function gestureLine({ frames }: Gesture): number[] {
   return frames.flatMap(({ value }) => firstNumber(value) ?? []);
 }

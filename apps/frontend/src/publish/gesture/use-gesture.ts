@@ -11,15 +11,15 @@ import {
   type PlayMode,
 } from './gesture.ts';
 
-/** How often it is looked what is due, milliseconds. */
+/** Interval at which due values are sent, milliseconds. */
 const LOOK_MS = 10;
 
-/** Records how a value changes, and plays it. */
+/** Records how a value changes over time, and plays the recording. */
 export interface GestureDeck {
-  /** `waiting`: it is recorded from the next change on. */
+  /** `waiting`: recording starts with the next change. */
   readonly state: Readonly<Ref<'idle' | 'waiting' | 'recording' | 'playing'>>;
   readonly gesture: Readonly<ShallowRef<Gesture | undefined>>;
-  /** Of the gesture, milliseconds: where it is being recorded or played. */
+  /** Position within the gesture while recording or playing, milliseconds. */
   readonly atMs: Readonly<Ref<number>>;
   readonly problem: Readonly<ShallowRef<string | undefined>>;
   readonly fromMs: Ref<number>;
@@ -33,8 +33,8 @@ export interface GestureDeck {
 }
 
 /**
- * @param value what is recorded when it changes
- * @param send publishes a value of the gesture; false when it could not, which ends the playing
+ * @param value recorded whenever it changes
+ * @param send publishes a value of the gesture; playing stops when it returns false
  */
 export function useGesture(
   format: () => DataFormat,
@@ -51,7 +51,7 @@ export function useGesture(
   const mode = ref<PlayMode>('loop');
   let timer: ReturnType<typeof setInterval> | undefined;
   let startMs = 0;
-  /** Where it was when it was looked last; `undefined` when it begins. */
+  /** Position at the last check; `undefined` at the start. */
   let before: Place | undefined;
 
   function stop(): void {
@@ -81,7 +81,7 @@ export function useGesture(
     if (json === undefined || (state.value !== 'waiting' && state.value !== 'recording')) return;
     if (JSON.stringify(json).length > MAX_VALUE_LENGTH) {
       stop();
-      problem.value = 'This value is too large to be recorded again and again.';
+      problem.value = 'This value is too large for a gesture.';
     } else add(json);
   });
   watch(format, () => {
@@ -105,7 +105,7 @@ export function useGesture(
     if (place.isOver) stop();
   }
 
-  // A change of speed or trim begins anew: the place would jump otherwise.
+  // A change of speed or trim restarts the gesture: the position would jump otherwise.
   watch([speed, mode, fromMs, toMs], () => state.value === 'playing' && play());
   function play(): void {
     stop();
