@@ -55,9 +55,7 @@ test('form and JSON are one record, and what is wrong stands beside the field an
     publish.page.getByRole('button', { name: /Line 1 vector3\.y must be/ }),
   ).toBeVisible();
   await publish.publish();
-  await expect(
-    publish.page.getByText(/Not published: vector3\.y must be a number/),
-  ).toBeVisible();
+  await expect(publish.page.getByText(/Not published: vector3\.y must be a number/)).toBeVisible();
   await expect(publish.sent).toContainText('0');
   await publish.json.fill('{"topic": ');
   await expect(publish.page.getByRole('button', { name: /Line 1 Expected a value/ })).toBeVisible();
@@ -145,8 +143,28 @@ test('"Send while changing" publishes changed values, but no topic that is being
   await publish.topic.press('Enter');
   await publish.field('double').fill('7');
   await expect.poll(() => got.find(({ topic }) => topic === '/lab/light')?.value).toBe(7);
-  const typed = got.filter(({ topic }) => '/lab/light'.startsWith(topic) || topic.startsWith('lab'));
+  const typed = got.filter(
+    ({ topic }) => '/lab/light'.startsWith(topic) || topic.startsWith('lab'),
+  );
   expect(new Set(typed.map(({ topic }) => topic))).toEqual(new Set(['/lab/light']));
+});
+
+test('a published value stays when its tab is reloaded and when it is closed', async ({ room }) => {
+  const publish = new PublishPage(await room.atDesk());
+  await publish.open();
+  await new Shell(publish.page).expectConnected();
+  await publish.topic.fill('/lab/kept');
+  await publish.field('double').fill('0.25');
+  await publish.publish();
+  await expect(publish.sent).toContainText('1');
+  await publish.page.reload();
+  await new Shell(publish.page).expectConnected();
+  await expect(publish.page.getByText('Values stay for up to 60 min')).toBeVisible();
+  await publish.page.close();
+  const robot = await room.program('Robot');
+  const got: unknown[] = [];
+  await robot.subscribe('/lab/kept').onRecord(({ value }) => got.push(value)).ready;
+  await expect.poll(() => got).toEqual([0.25]);
 });
 
 test('a picture is published from a file', async ({ room }) => {

@@ -13,6 +13,9 @@ client.publish('/garden/temperature', 'double', 21.5);
 client.publish('/garden/wind', 'vector2', { x: 3.2, y: -0.4 });
 client.publish('/garden/raining', 'bool', false);
 
+// The master keeps this value for 10 minutes after the client left: a later start finds it. An hour at most.
+client.publish('/garden/target', 'double', 22, { keepSeconds: 600 });
+
 // Sent at once, with what waits before it.
 client.publish('/garden/door', 'string', 'open', { immediate: true });
 

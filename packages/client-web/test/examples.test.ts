@@ -73,7 +73,7 @@ function run(name: string, ...args: string[]): Run {
 
 describe('the examples', { timeout: TIMEOUT_MS }, () => {
   it.each([
-    ['publish.ts', ['4 records sent as weather station']],
+    ['publish.ts', ['5 records sent as weather station']],
     ['subscribe.ts', ['wind from the west: 3.2 m/s', '21.5 °C, measured just now']],
     [
       'glob.ts',

@@ -163,7 +163,13 @@ describe('decode, by the rules of the wire format', () => {
 
   it('takes the last member of a oneof, merging it when it is the same', () => {
     const different = decode(RECORD, fromHex('2001 190000000000000000'));
-    expect(different).toStrictEqual({ topic: '', timestamp: undefined, clientId: '', double: 0 });
+    expect(different).toStrictEqual({
+      topic: '',
+      timestamp: undefined,
+      clientId: '',
+      extension: undefined,
+      double: 0,
+    });
     const same = decode(RECORD, fromHex('3209 09000000000000f03f 3209 11000000000000f03f'));
     expect(same.vector2).toEqual({ x: 1, y: 1 });
   });

@@ -28,6 +28,7 @@ export {
   decodeRecord,
   decodeTopicData,
   encodeRecord,
+  isRecordMember,
   recordOf,
   type DecodedTopicData,
   type EmptyRecord,

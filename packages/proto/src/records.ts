@@ -18,6 +18,8 @@ import type { Init } from './init.ts';
 import { timestampFromMs, timestampToMs } from './timestamp.ts';
 import {
   CLIENT_ID_TAG,
+  KEEP_SECONDS_TAG,
+  RECORD_EXTENSION_TAG,
   ERROR_TAG,
   LIST_ELEMENT_TAG,
   LIST_TAG,
@@ -58,6 +60,8 @@ export type RecordInit<F extends DataFormat = DataFormat> =
           readonly value: Init<DataFormatValues[F]>;
           readonly timestampMs?: number | undefined;
           readonly clientId?: string | undefined;
+          /** How long the value outlives its publisher, seconds. [TD-43] @default 0 */
+          readonly keepSeconds?: number | undefined;
         }
       : never)
   | {
@@ -66,6 +70,7 @@ export type RecordInit<F extends DataFormat = DataFormat> =
       readonly value?: undefined;
       readonly timestampMs?: number | undefined;
       readonly clientId?: string | undefined;
+      readonly keepSeconds?: undefined;
     };
 
 /** What a frame of the topic-data channel held. */
@@ -101,6 +106,11 @@ function writeRecord(record: RecordInit, writer: Writer): void {
   }
   if (record.format !== undefined) writeValue(writer, record.format, record.value, record.topic);
   if (record.clientId) writer.string(CLIENT_ID_TAG, record.clientId);
+  if (record.keepSeconds) {
+    const opened = writer.open(RECORD_EXTENSION_TAG);
+    writer.int32(KEEP_SECONDS_TAG, record.keepSeconds);
+    writer.close(opened);
+  }
 }
 
 function writeValue(writer: Writer, format: DataFormat, value: unknown, topic: string): void {
@@ -143,11 +153,18 @@ export function decodeRecord(bytes: Uint8Array): TopicRecord | EmptyRecord {
   }
 }
 
+/** Whether a member of `TopicDataRecord` describes the record, and is not its value. */
+export function isRecordMember(member: string): boolean {
+  return (
+    member === 'topic' || member === 'timestamp' || member === 'clientId' || member === 'extension'
+  );
+}
+
 /** The record of a decoded `TopicDataRecord` message. */
 export function recordOf(message: TopicDataRecord): TopicRecord | EmptyRecord {
   let format: DataFormat | undefined;
   for (const member in message) {
-    if (member !== 'topic' && member !== 'timestamp' && member !== 'clientId') {
+    if (!isRecordMember(member)) {
       format = member as DataFormat;
     }
   }

@@ -15,7 +15,7 @@ import { fillIn, type VariableSource } from './variables.ts';
 
 const RECORD = 'ubii.topicData.TopicDataRecord';
 /** Members that the client library fills in. */
-const NOT_TYPED = new Set(['timestamp', 'clientId', 'client_id']);
+const NOT_TYPED = new Set(['timestamp', 'clientId', 'client_id', 'extension']);
 
 /** A record as the client publishes it. */
 export interface OutgoingRecord {
@@ -51,7 +51,8 @@ export function checkRecord(json: JsonObject, source: VariableSource): JsonProbl
   if (topic === '')
     problems.push({ path: 'topic', sentence: 'must not be empty. Example: /lab/light.' });
   for (const key of Object.keys(json)) {
-    if (NOT_TYPED.has(key)) problems.push({ path: key, sentence: 'is set automatically. Remove it.' });
+    if (NOT_TYPED.has(key))
+      problems.push({ path: key, sentence: 'is set automatically. Remove it.' });
   }
   const format = formatOfJson(json);
   if (format === undefined) {

@@ -6,6 +6,8 @@ import { variableSource } from './variables.ts';
 
 /** Limits of the repeat rate, records per second. */
 export const RATE_HZ = { least: 0.1, most: 100 } as const;
+/** How long values published here stay after this tab was closed, minutes. Longer than a reload or a break. */
+export const KEPT_MINUTES = 60;
 
 /** Publishes records from this page, once or repeatedly. */
 export interface Publisher {
@@ -51,7 +53,7 @@ export function usePublisher(json: () => JsonObject): Publisher {
     }
     try {
       const { topic, format, value } = readRecord(record, source);
-      client.publish(topic, format, value);
+      client.publish(topic, format, value, { keepSeconds: KEPT_MINUTES * 60 });
       sent.value++;
       error.value = undefined;
       return true;

@@ -17,6 +17,7 @@ import type { EventLog } from './status/event-log.ts';
 import type { LimitWatch } from './status/limit-watch.ts';
 import type { Load } from './status/load.ts';
 import type { Samples } from './status/samples.ts';
+import type { KeptValues } from './topics/kept-values.ts';
 import type { PatternTable } from './topics/pattern-table.ts';
 import type { SelectionTable } from './topics/selection-table.ts';
 import type { SubscriptionTable } from './topics/subscription-table.ts';
@@ -34,6 +35,7 @@ export interface Core extends Omit<MasterPorts, 'audit'> {
   /** Service requests in flight. */
   readonly bodies: BodyAccounts;
   readonly topics: TopicTable;
+  readonly kept: KeptValues;
   readonly patternTable: PatternTable;
   readonly selectionTable: SelectionTable;
   readonly subscriptions: SubscriptionTable;

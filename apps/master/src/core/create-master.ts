@@ -47,6 +47,7 @@ import { readMetrics } from './status/metrics.ts';
 import { Load } from './status/load.ts';
 import { Samples } from './status/samples.ts';
 import { EndOfTurn } from './topics/end-of-turn.ts';
+import { KeptValues } from './topics/kept-values.ts';
 import { PatternTable } from './topics/pattern-table.ts';
 import { SelectionTable } from './topics/selection-table.ts';
 import { subscriberFactory } from './topics/subscriber-factory.ts';
@@ -56,7 +57,7 @@ import { TopicTable } from './topics/topic-table.ts';
 /** Puts a master together. It does nothing but measure time until somebody calls it. */
 export function createMaster(ports: MasterPorts, settings: MasterSettings): Master {
   const core = createCore(ports, { ...DEFAULT_LIMITS, ...settings.limits }, settings);
-  const liveness = new Liveness(core.clock, core.clients, core.limits);
+  const liveness = new Liveness(core.clock, core.clients, core.limits, core.kept);
   core.processing.sessions.restore((grantId) => core.access.grants.isGood(grantId)); // [SE-24]
   const stopWatchingGrants = watchGrants(core);
   return {
@@ -158,7 +159,8 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     accounts,
     components: () => devices.components(),
   });
-  const publishing = { topics, subscriptions, limits, accounts, counters };
+  const kept = new KeptValues({ clock, limits, topics, accounts });
+  const publishing = { topics, subscriptions, limits, accounts, counters, kept };
   const endOfTurn = new EndOfTurn(clock);
   const publisher = new MasterPublisher(publishing, clock);
   const info = new InfoTopics(publisher, clock, limits);
@@ -185,6 +187,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
   };
   const clients: ClientRegistry = new ClientRegistry({
     ...shared,
+    kept,
     devices,
     dismissals,
     createSubscriber: subscriberFactory({ ...publishing, clock, endOfTurn }),
@@ -243,6 +246,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     bodies: new BodyAccounts(limits, limitWatch),
     connections: new Connections(clock, limitWatch),
     topics,
+    kept,
     patternTable: patterns,
     selectionTable: selections,
     subscriptions,

@@ -693,6 +693,14 @@ export const LIMITS = {
     'How long an unavailable client is remembered. A phone may sleep through a break and come back as itself.',
   ),
 
+  // MAX_KEEP_MS
+  keepMs: limit(
+    60 * 60_000,
+    'ms',
+    'time',
+    'How long a value may outlive its publisher. A person can reload the page, or go and come back, and finds the value that was set.',
+  ),
+
   // --- Audit log ---
 
   auditEntries: limit(

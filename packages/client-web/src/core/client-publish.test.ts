@@ -81,6 +81,7 @@ describe('client.publish()', () => {
   it('refuses at once what cannot be right', async () => {
     const { client } = await setup();
     expect(() => client.publish('', 'double', 1)).toThrow(TypeError);
+    expect(() => client.publish('/a', 'double', 1, { keepSeconds: -1 })).toThrow(RangeError);
     // @ts-expect-error a format that does not exist
     expect(() => client.publish('/a', 'vector9', { x: 1 })).toThrow(TypeError);
     // @ts-expect-error a member of another type

@@ -380,7 +380,14 @@ class Client implements UbiiClient {
     const clock = inMasterTime ? this.#masterClock : this.#clock; // [TS-9]
     const timestampMs = options.timestampMs ?? clock.nowMs();
     this.#publishes.add(
-      toWaitingRecord({ topic, format, value, timestampMs, clientId: this.id }),
+      toWaitingRecord({
+        topic,
+        format,
+        value,
+        timestampMs,
+        clientId: this.id,
+        keepSeconds: options.keepSeconds,
+      }),
       options.immediate === true,
     );
   }

@@ -11,11 +11,14 @@ export interface Publication {
   readonly timestampMs: number;
   /** Empty before the first connection. */
   readonly clientId: string;
+  /** How long the value outlives this client, seconds. [TD-43] */
+  readonly keepSeconds?: number | undefined;
 }
 
 /**
  * Checks and encodes a publication, at once, so that the program may go on changing its value.
  * @throws {TypeError} if the topic is empty, or the value does not fit the format
+ * @throws {RangeError} if `keepSeconds` is not a whole number from 0 to 2^31 - 1
  */
 export function toWaitingRecord(publication: Publication): WaitingRecord {
   const { topic, format, value } = publication;
@@ -24,6 +27,12 @@ export function toWaitingRecord(publication: Publication): WaitingRecord {
   }
   const info = Object.hasOwn(DATA_FORMATS, format) ? DATA_FORMATS[format] : undefined;
   if (info === undefined) throw new TypeError(`Expected a data format, received "${format}"`);
+  const { keepSeconds = 0 } = publication;
+  if (!(Number.isInteger(keepSeconds) && keepSeconds >= 0 && keepSeconds < 2 ** 31)) {
+    throw new RangeError(
+      `Expected keepSeconds to be a whole number, 0 or more, received ${keepSeconds}`,
+    );
+  }
   const problem = info.validate(value);
   if (problem !== undefined) throw new TypeError(`${topic}: ${problem}`);
   return { topic, bytes: encodeRecord(publication as RecordInit), isEvent: info.isEvent };

@@ -9,6 +9,11 @@ export interface PublishOptions {
   readonly timestampMs?: number;
   /** What "now" means: the master's time, or this machine's. [TS-9] @default as `ClientOptions` say */
   readonly stampInMasterTime?: boolean;
+  /**
+   * How long the master keeps the value after this client left or was lost, whole seconds; an hour at most, and
+   * shorter when its share of the memory is needed. [TD-43] @default 0, not at all
+   */
+  readonly keepSeconds?: number;
 }
 
 /** Where frames go. */

@@ -1,4 +1,4 @@
-import { decode, DecodeError, type TopicDataRecord } from '@ubii/proto';
+import { decode, DecodeError, isRecordMember, type TopicDataRecord } from '@ubii/proto';
 import type { SandboxInput, SandboxRecord } from '../ports/sandbox.ts';
 import { ModuleError, moduleFault } from './module-error.ts';
 
@@ -49,7 +49,7 @@ function decodeOne(input: string, bytes: Uint8Array): TopicDataRecord {
 function valueMember(record: TopicDataRecord): string {
   let type = '';
   for (const member in record) {
-    if (member !== 'topic' && member !== 'timestamp' && member !== 'clientId') type = member;
+    if (!isRecordMember(member)) type = member;
   }
   return type;
 }

@@ -15,7 +15,7 @@ describe('the data formats', () => {
     expect(INFOS.map(({ format, fieldNumber }) => [format, fieldNumber])).toEqual(
       members.map(({ jsonName, number }) => [jsonName, number]),
     );
-    type Members = Omit<TopicDataRecord, 'topic' | 'timestamp' | 'clientId'>;
+    type Members = Omit<TopicDataRecord, 'topic' | 'timestamp' | 'clientId' | 'extension'>;
     expectTypeOf<DataFormatValues>().toEqualTypeOf<{
       [M in keyof Members]-?: NonNullable<Members[M]>;
     }>();

@@ -2019,6 +2019,22 @@ export function decodeNodeMessage(r: Reader, into?: T.NodeMessage): T.NodeMessag
   return m;
 }
 
+export function encodeRecordExtension(m: Init<T.RecordExtension>, w: Writer): void {
+  if (m.keepSeconds != null) w.int32(8, m.keepSeconds);
+}
+
+export function decodeRecordExtension(r: Reader, into?: T.RecordExtension): T.RecordExtension {
+  const m: T.RecordExtension = into ?? { keepSeconds: 0 };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.keepSeconds = r.int32(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
 export function encodeSessionExtension(m: Init<T.SessionExtension>, w: Writer): void {
   if (m.state != null) w.int32(8, m.state);
   if (m.problems != null) for (const e of m.problems) { const at = w.open(18); encodeSessionProblem(e, w); w.close(at); }
@@ -3131,11 +3147,12 @@ export function encodeTopicDataRecord(m: Init<T.TopicDataRecord>, w: Writer): vo
   if (m.client != null) { const at = w.open(8002); encodeClient(m.client, w); w.close(at); }
   if (m.sessionStatistics != null) { const at = w.open(8010); encodeSessionStatistics(m.sessionStatistics, w); w.close(at); }
   if (m.moduleEvent != null) { const at = w.open(8018); encodeModuleEvent(m.moduleEvent, w); w.close(at); }
+  if (m.extension != null) { const at = w.open(8026); encodeRecordExtension(m.extension, w); w.close(at); }
 }
 
 const TopicDataRecord_type = ['double', 'bool', 'string', 'vector2', 'vector3', 'vector4', 'quaternion', 'matrix3x2', 'matrix4x4', 'color', 'touchEvent', 'keyEvent', 'mouseEvent', 'myoEvent', 'pose2D', 'pose3D', 'object2D', 'object3D', 'object2DList', 'object3DList', 'int32', 'float', 'int32List', 'floatList', 'doubleList', 'stringList', 'boolList', 'image2D', 'image2DList', 'session', 'touchEventList', 'vector2List', 'vector3List', 'vector4List', 'quaternionList', 'error', 'device', 'deviceList', 'component', 'componentList', 'sessionList', 'client', 'sessionStatistics', 'moduleEvent'] as const;
 export function decodeTopicDataRecord(r: Reader, into?: T.TopicDataRecord): T.TopicDataRecord {
-  const m: T.TopicDataRecord = into ?? { topic: '', timestamp: undefined, clientId: '' };
+  const m: T.TopicDataRecord = into ?? { topic: '', timestamp: undefined, clientId: '', extension: undefined };
   let type = into && setMember(into, TopicDataRecord_type);
   while (r.pos < r.end) {
     const tag = r.tag();
@@ -3187,6 +3204,7 @@ export function decodeTopicDataRecord(r: Reader, into?: T.TopicDataRecord): T.To
       case 8002: type = only(m, type, 'client'); { const end = r.enter(); m.client = decodeClient(r, m.client); r.end = end; break; }
       case 8010: type = only(m, type, 'sessionStatistics'); { const end = r.enter(); m.sessionStatistics = decodeSessionStatistics(r, m.sessionStatistics); r.end = end; break; }
       case 8018: type = only(m, type, 'moduleEvent'); { const end = r.enter(); m.moduleEvent = decodeModuleEvent(r, m.moduleEvent); r.end = end; break; }
+      case 8026: { const end = r.enter(); m.extension = decodeRecordExtension(r, m.extension); r.end = end; break; }
       default: skipField(r, tag);
     }
   }
@@ -3341,6 +3359,7 @@ export const CODECS: {
   'ubii.extension.NodeInfo': { encode: encodeNodeInfo, decode: decodeNodeInfo },
   'ubii.extension.NodeList': { encode: encodeNodeList, decode: decodeNodeList },
   'ubii.extension.NodeMessage': { encode: encodeNodeMessage, decode: decodeNodeMessage },
+  'ubii.extension.RecordExtension': { encode: encodeRecordExtension, decode: decodeRecordExtension },
   'ubii.extension.SessionExtension': { encode: encodeSessionExtension, decode: decodeSessionExtension },
   'ubii.extension.SessionProblem': { encode: encodeSessionProblem, decode: decodeSessionProblem },
   'ubii.extension.SessionStatistics': { encode: encodeSessionStatistics, decode: decodeSessionStatistics },

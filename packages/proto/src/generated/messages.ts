@@ -1976,6 +1976,16 @@ export interface NodeMessage {
 }
 
 /**
+ * What existing clients do not know of a record. Rule EX-10.
+ *
+ * `ubii.extension.RecordExtension`
+ */
+export interface RecordExtension {
+  /** How long the value outlives the client that owns the topic, seconds; 0: not at all. Rule TD-43. */
+  keepSeconds: number;
+}
+
+/**
  * What existing clients do not know of a session. Rule EX-22.
  *
  * `ubii.extension.SessionExtension`
@@ -2894,6 +2904,8 @@ export interface TopicDataRecord {
   sessionStatistics?: SessionStatistics | undefined;
   /** Something a running module did. An event: every record counts. Rules EX-23 and SE-51. */
   moduleEvent?: ModuleEvent | undefined;
+  /** Our extensions: how long the value outlives its publisher. Rule TD-43. */
+  extension: RecordExtension | undefined;
 }
 
 /**
@@ -3019,6 +3031,7 @@ export interface MessageTypes {
   'ubii.extension.NodeInfo': NodeInfo;
   'ubii.extension.NodeList': NodeList;
   'ubii.extension.NodeMessage': NodeMessage;
+  'ubii.extension.RecordExtension': RecordExtension;
   'ubii.extension.SessionExtension': SessionExtension;
   'ubii.extension.SessionProblem': SessionProblem;
   'ubii.extension.SessionStatistics': SessionStatistics;

@@ -632,6 +632,8 @@ message ubii.extension.NodeMessage
 2 lockstep_reply ubii.processing.LockstepProcessingReply type
 3 module_reports ubii.extension.ModuleReports type
 4 ended_topics ubii.extension.EndedTopics type
+message ubii.extension.RecordExtension
+1 keep_seconds int32
 message ubii.extension.SessionExtension
 1 state ubii.extension.SessionState
 2 problems ubii.extension.SessionProblem *
@@ -960,6 +962,7 @@ message ubii.topicData.TopicDataRecord
 1000 client ubii.clients.Client type
 1001 session_statistics ubii.extension.SessionStatistics type
 1002 module_event ubii.extension.ModuleEvent type
+1003 extension ubii.extension.RecordExtension
 message ubii.topicData.TopicDataRecordList
 1 elements ubii.topicData.TopicDataRecord *
 message ubii.topicData.TopicDataSource

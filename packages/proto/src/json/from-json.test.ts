@@ -112,6 +112,7 @@ describe('fromJson [SV-3]', () => {
       topic: '/t',
       timestamp: undefined,
       clientId: '',
+      extension: undefined,
       vector2: { x: 1, y: 0 },
     });
   });

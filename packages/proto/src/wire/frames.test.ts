@@ -105,5 +105,7 @@ describe('the frames', () => {
     expect(tag('ubii.topicData.TopicDataRecord', 'topic')).toBe(tags.TOPIC_TAG);
     expect(tag('ubii.topicData.TopicDataRecord', 'timestamp')).toBe(tags.TIMESTAMP_TAG);
     expect(tag('ubii.topicData.TopicDataRecord', 'clientId')).toBe(tags.CLIENT_ID_TAG);
+    expect(tag('ubii.topicData.TopicDataRecord', 'extension')).toBe(tags.RECORD_EXTENSION_TAG);
+    expect(tag('ubii.extension.RecordExtension', 'keepSeconds')).toBe(tags.KEEP_SECONDS_TAG | 2);
   });
 });

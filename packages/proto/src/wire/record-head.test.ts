@@ -14,13 +14,20 @@ it('reads topic, value field and publisher of an encoded record', () => {
       topic: '/ä',
       valueField: DATA_FORMATS.image2D.fieldNumber,
       clientId: 'ada',
+      keepSeconds: 0,
     });
   }
   expect(readRecordHead(encodeRecord({ topic: '/gone' }))).toEqual({
     topic: '/gone',
     valueField: 0,
     clientId: '',
+    keepSeconds: 0,
   });
+});
+
+it('reads how long a value outlives its publisher [TD-43]', () => {
+  const record = encodeRecord({ topic: '/t', format: 'double', value: 1, keepSeconds: 600 });
+  expect(readRecordHead(record).keepSeconds).toBe(600);
 });
 
 it('fails as a DecodeError when the record is cut off', () => {

@@ -4,7 +4,7 @@ import type { TextCache } from '../binary/text-cache.ts';
 import { DecodeError } from '../decode-error.ts';
 import { messageCheck } from './check-table.ts';
 import { fieldOf } from './check-message.ts';
-import { CLIENT_ID_TAG, TOPIC_TAG } from './tags.ts';
+import { CLIENT_ID_TAG, KEEP_SECONDS_TAG, RECORD_EXTENSION_TAG, TOPIC_TAG } from './tags.ts';
 
 /** What an encoded record says beside its value. */
 export interface RecordHead {
@@ -14,6 +14,8 @@ export interface RecordHead {
   readonly valueField: number;
   /** Who published it, as far as the publisher said; empty when it did not. */
   readonly clientId: string;
+  /** How long the value outlives its publisher, seconds. [TD-43] */
+  readonly keepSeconds: number;
 }
 
 const RECORD = messageCheck('ubii.topicData.TopicDataRecord');
@@ -30,11 +32,13 @@ export function readRecordHead(record: Uint8Array, texts?: TextCache): RecordHea
   let topic = '';
   let valueField = 0;
   let clientId = '';
+  let keepSeconds = 0;
   try {
     while (reader.pos < reader.end) {
       const tag = reader.tag();
       if (tag === TOPIC_TAG) topic = readText(reader, texts);
       else if (tag === CLIENT_ID_TAG) clientId = readText(reader, texts);
+      else if (tag === RECORD_EXTENSION_TAG) keepSeconds = readKeepSeconds(reader, keepSeconds);
       else {
         const field = fieldOf(RECORD, tag);
         if (field?.isOneofMember === true) valueField = field.number;
@@ -44,7 +48,20 @@ export function readRecordHead(record: Uint8Array, texts?: TextCache): RecordHea
   } catch (cause) {
     throw DecodeError.wrap(RECORD.name, record.length, cause);
   }
-  return { topic, valueField, clientId };
+  return { topic, valueField, clientId, keepSeconds };
+}
+
+/** @param before what an earlier occurrence of the member said, which this one is merged into */
+function readKeepSeconds(reader: Reader, before: number): number {
+  let keepSeconds = before;
+  const outerEnd = reader.enter();
+  while (reader.pos < reader.end) {
+    const tag = reader.tag();
+    if (tag === KEEP_SECONDS_TAG) keepSeconds = reader.int32();
+    else skipField(reader, tag);
+  }
+  reader.end = outerEnd;
+  return keepSeconds;
 }
 
 function readText(reader: Reader, texts: TextCache | undefined): string {

@@ -16,6 +16,10 @@ export const TOPIC_TAG = 10;
 export const TIMESTAMP_TAG = 18;
 /** `TopicDataRecord.client_id` */
 export const CLIENT_ID_TAG = 266;
+/** `TopicDataRecord.extension` */
+export const RECORD_EXTENSION_TAG = 8026;
+/** `RecordExtension.keep_seconds` */
+export const KEEP_SECONDS_TAG = 8;
 /** `NodeMessage.lockstep_request` */
 export const LOCKSTEP_REQUEST_TAG = 10;
 /** `NodeMessage.lockstep_reply` */

@@ -53,6 +53,7 @@ export async function endGrant(
   for (const id of clientIdsOf(core, grant)) {
     core.clients.dismiss(core.clients.get(id)!, reason, code);
   }
+  core.kept.deleteOfInvitation(grant.id); // [TD-46]
   if (isHandedOver) {
     for (const session of sessions.madeWith(grant.id)) sessions.handOver(session, grant.id);
     await sessionLibrary.handOver(grant.id);

@@ -14,6 +14,7 @@ import { RESOURCE } from '../shares/resources.ts';
 import { fillMaxOf, type Shortage } from '../shares/shortage.ts';
 import type { EventLog } from '../status/event-log.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
+import type { KeptValues } from '../topics/kept-values.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { ClientSubscriber } from '../topics/subscriber.ts';
 import { TokenBucket } from '../topics/token-bucket.ts';
@@ -33,6 +34,7 @@ export interface ClientContext {
   readonly limits: LimitWatch;
   readonly events: EventLog;
   readonly topics: TopicTable;
+  readonly kept: KeptValues;
   readonly subscriptions: SubscriptionTable;
   readonly devices: DeviceRegistry;
   readonly info: InfoTopics;
@@ -111,6 +113,7 @@ export class ClientRegistry {
     else {
       this.#clients.set(client.id, client);
       client.account.add(RESOURCE.clients, 1);
+      this.#context.kept.handleReturn(client); // [TD-45]
       this.#context.dismissals.forget(client.id); // [EX-30]
       const isBack = earlierId !== undefined;
       this.#context.events.add(
@@ -149,6 +152,7 @@ export class ClientRegistry {
       this.#endTopics(client); // [CL-13]
       events.add(StatusEventKind.CLIENT_LOST, `${client.label} is gone without a word`, client.id);
     } else if (before === 'unavailable') {
+      this.#context.kept.handleReturn(client); // [TD-45]
       events.add(StatusEventKind.CLIENT_RETURNED, `${client.label} is back`, client.id);
     }
     info.announceClient(client); // [CL-31]
@@ -175,10 +179,13 @@ export class ClientRegistry {
   }
 
   /**
-   * Removes clients that are away, until there is room [AC-84]: those first that never had a socket, then the
-   * one that is away longest. Never those of a class that may use more than the one that asks.
+   * Deletes kept values [TD-44], then removes clients that are away, until there is room [AC-84]: those first
+   * that never had a socket, then the one that is away longest. Never those of a class that may use more than
+   * the one that asks.
    */
   makeRoom({ account, resource, level }: Shortage, hasRoom: () => boolean): void {
+    this.#context.kept.makeRoom({ account, resource, level }, hasRoom);
+    if (hasRoom()) return;
     const fillMax = fillMaxOf(account, resource);
     const away = [...this.#clients.values()].filter(
       (client) =>
@@ -276,7 +283,13 @@ export class ClientRegistry {
   }
 
   #endTopics(client: Client): void {
-    for (const entry of [...client.ownedTopics]) this.#context.topics.deleteValue(entry);
+    const { kept, topics, dismissals } = this.#context;
+    if (dismissals.of(client.id) === undefined) {
+      kept.handleAbsent(client, shareOf(client.access)); // [TD-43]
+      return;
+    }
+    for (const entry of [...client.ownedTopics]) topics.deleteValue(entry);
+    kept.deleteOf(client.id); // [TD-46]
   }
 }
 

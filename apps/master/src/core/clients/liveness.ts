@@ -1,5 +1,6 @@
 import type { Cancel, Clock } from '../ports/clock.ts';
 import type { Limits } from '../limits.ts';
+import type { KeptValues } from '../topics/kept-values.ts';
 import type { Client } from './client.ts';
 import type { ClientRegistry } from './client-registry.ts';
 
@@ -19,12 +20,14 @@ export class Liveness {
   readonly #clock: Clock;
   readonly #clients: ClientRegistry;
   readonly #limits: Limits;
+  readonly #kept: KeptValues;
   readonly #cancel: Cancel;
 
-  constructor(clock: Clock, clients: ClientRegistry, limits: Limits) {
+  constructor(clock: Clock, clients: ClientRegistry, limits: Limits, kept: KeptValues) {
     this.#clock = clock;
     this.#clients = clients;
     this.#limits = limits;
+    this.#kept = kept;
     this.#cancel = clock.every(SWEEP_INTERVAL_MS, () => this.#sweep());
   }
 
@@ -36,6 +39,7 @@ export class Liveness {
     const nowMs = this.#clock.monotonicMs();
     // A client may be removed on the way, which a Map takes well.
     for (const client of this.#clients.values()) this.#look(client, nowMs);
+    this.#kept.sweep(); // [TD-43]
   }
 
   #look(client: Client, nowMs: number): void {

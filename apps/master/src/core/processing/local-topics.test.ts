@@ -13,6 +13,7 @@ import { Counters } from '../status/counters.ts';
 import { EventLog } from '../status/event-log.ts';
 import { LimitWatch } from '../status/limit-watch.ts';
 import { EndOfTurn } from '../topics/end-of-turn.ts';
+import { KeptValues } from '../topics/kept-values.ts';
 import { PatternTable } from '../topics/pattern-table.ts';
 import { SelectionTable } from '../topics/selection-table.ts';
 import { subscriberFactory } from '../topics/subscriber-factory.ts';
@@ -51,7 +52,8 @@ function setup() {
     accounts,
     components: () => devices.components(),
   });
-  const publishing = { topics, subscriptions, limits, accounts, counters };
+  const kept = new KeptValues({ clock, limits, topics, accounts });
+  const publishing = { topics, subscriptions, limits, accounts, counters, kept };
   const devices: DeviceRegistry = new DeviceRegistry({
     ids,
     limits: limitWatch,

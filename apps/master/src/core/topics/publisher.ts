@@ -4,6 +4,7 @@ import { RESOURCE } from '../shares/resources.ts';
 import type { Limits } from '../limits.ts';
 import type { Counters } from '../status/counters.ts';
 import { isOwnFarewell } from './farewell.ts';
+import type { KeptValues } from './kept-values.ts';
 import type { Publication, PublishingClient } from './publication.ts';
 import { REFUSALS, type Refusal } from './refusals.ts';
 import type { SubscriptionTable } from './subscription-table.ts';
@@ -18,6 +19,7 @@ export interface PublishContext {
   readonly limits: Limits;
   readonly accounts: Accounts;
   readonly counters: Counters;
+  readonly kept: KeptValues;
 }
 
 /**
@@ -45,7 +47,7 @@ function checkClients(context: PublishContext, publication: Publication): Refusa
     checkTopic(context, publication) ??
     checkRights(publication) ??
     checkTopicCount(context, publication) ??
-    checkRetainedBytes(publication)
+    checkRetainedBytes(context, publication)
   );
 }
 
@@ -94,24 +96,40 @@ function checkRights(publication: Publication): Refusal | undefined {
 }
 
 /** [AC-80] */
-function checkRetainedBytes(publication: Publication): Refusal | undefined {
+function checkRetainedBytes(
+  context: PublishContext,
+  publication: Publication,
+): Refusal | undefined {
   const { entry, client } = publication;
+  if (entry?.isKept === true) return checkAdoption(context, publication);
   const growth = publication.byteLength - (entry?.record?.byteLength ?? 0);
   if (growth <= 0) return undefined;
   // What is on the topic of somebody else counts for that one.
   const account = entry?.owner?.account ?? client!.account;
   const resource = RESOURCE.retainedBytes;
-  // Clients that are away retain nothing that they could give back [CL-13].
-  const level = account.shortage(resource, growth);
-  if (level === undefined) return undefined;
-  publication.shortage = { account, resource, level };
-  return REFUSALS.noRoom;
+  if (account.shortage(resource, growth) === undefined) return undefined;
+  // Kept values give their room back [TD-44].
+  publication.shortage = context.accounts.shortage(account, resource, growth);
+  if (publication.shortage !== undefined) return REFUSALS.noRoom;
+  findTopic(context, publication);
+  return undefined;
+}
+
+/** The client becomes the owner of a topic whose value was kept, and pays for all of its record. */
+function checkAdoption(context: PublishContext, publication: Publication): Refusal | undefined {
+  const { client, byteLength } = publication;
+  const resource = RESOURCE.retainedBytes;
+  publication.shortage = context.accounts.shortage(client!.account, resource, byteLength);
+  if (publication.shortage !== undefined) return REFUSALS.noRoom;
+  // The value itself may have made room.
+  findTopic(context, publication);
+  return undefined;
 }
 
 /** A topic without value gets one, and with it an owner, who pays for it: there may be too many [AC-80]. */
 function checkTopicCount(context: PublishContext, publication: Publication): Refusal | undefined {
   const { entry, client } = publication;
-  if (entry?.record !== undefined) return undefined;
+  if (entry?.record !== undefined && !entry.isKept) return undefined;
   const { account } = client!;
   const resource = RESOURCE.topics;
   if (account.shortage(resource, 1, entry?.payer) === undefined) return undefined;
@@ -126,8 +144,10 @@ function createTopic({ topics }: PublishContext, publication: Publication): void
   publication.entry ??= topics.getOrCreate(publication.topic);
 }
 
-function takeOwnership({ topics }: PublishContext, { entry, client }: Publication): void {
-  if (entry!.record === undefined) topics.own(entry!, client!); // [TD-19]
+function takeOwnership({ topics, kept }: PublishContext, { entry, client }: Publication): void {
+  if (entry!.record === undefined)
+    topics.own(entry!, client!); // [TD-19]
+  else if (entry!.isKept) kept.handleAdopted(entry!, client!);
 }
 
 function countIn({ counters }: PublishContext, publication: Publication): void {

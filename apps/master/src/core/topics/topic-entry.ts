@@ -32,6 +32,8 @@ export class TopicEntry {
   /** When the retained record came, epoch milliseconds. */
   publishedMs = 0;
   publisherId = '';
+  /** The value outlives its publisher, and ends when its time is over [TD-43]. */
+  isKept = false;
   owner: TopicOwner | undefined = undefined;
   /** The account that this topic and its retained record count for [AC-80]. */
   payer: Account | undefined = undefined;

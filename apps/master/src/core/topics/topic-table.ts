@@ -106,10 +106,20 @@ export class TopicTable {
     charge(entry, RESOURCE.topics, payer);
   }
 
-  /** To be called before the first value is stored. */
+  /** Makes `owner` the owner of a topic that has no owner yet. Call it before the first value is stored. */
   own(entry: TopicEntry, owner: TopicOwner): void {
     entry.owner = owner;
     owner.ownedTopics.add(entry);
+  }
+
+  /** Gives a topic with a value another owner, who pays for both from now on [TD-43]. */
+  transfer(entry: TopicEntry, owner: TopicOwner): void {
+    const bytes = entry.record?.byteLength ?? 0;
+    entry.payer?.add(RESOURCE.retainedBytes, -bytes);
+    entry.owner?.ownedTopics.delete(entry);
+    this.own(entry, owner);
+    this.settlePayer(entry);
+    entry.payer?.add(RESOURCE.retainedBytes, bytes);
   }
 
   /** Deletes the value; subscriptions stand [TD-25]. */
