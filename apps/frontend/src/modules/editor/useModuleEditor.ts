@@ -38,13 +38,13 @@ export interface ModuleEditor {
 }
 
 export function useModuleEditor(
-  /** The name in the address: the module's own until it is saved under another one. */
-  address: string,
+  /** The name in the address: that of the module, or of the draft of a new one. */
+  address: () => string,
   taken: () => readonly string[],
   onOverwritten: () => void,
 ): ModuleEditor {
   const { client, isConnected } = useConnection();
-  const kept = readDraft(address);
+  const kept = readDraft(address());
   const draft = shallowRef(kept?.draft);
   const base = shallowRef(kept?.base);
   const theirs = shallowRef<ModuleDraft>();
@@ -96,7 +96,7 @@ export function useModuleEditor(
   }
 
   async function refresh(): Promise<void> {
-    const name = base.value?.name ?? address;
+    const name = base.value?.name ?? address();
     try {
       const { elements } = await client.call('processingModuleDatabaseGet', { name });
       const found = elements[0];
@@ -118,8 +118,8 @@ export function useModuleEditor(
 
   watch([draft, base], () => {
     if (!draft.value) return;
-    if (!isChanged.value) dropDraft(address);
-    else if (!keepDraft(address, { draft: draft.value, base: base.value })) {
+    if (!isChanged.value) dropDraft(address());
+    else if (!keepDraft(address(), { draft: draft.value, base: base.value })) {
       failure.value =
         'This browser has no room to keep unsaved work: save before the page is closed.';
     }
@@ -171,7 +171,7 @@ export function useModuleEditor(
         // What was typed while it travelled stays
         if (draft.value && isSameDraft(draft.value, mine))
           draft.value = { ...stored, code: mine.code };
-        dropDraft(address);
+        dropDraft(address());
         return saved;
       } catch (cause) {
         if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
