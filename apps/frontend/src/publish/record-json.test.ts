@@ -25,7 +25,7 @@ describe('a record as JSON', () => {
   it('says what is missing and what is wrong', () => {
     expect(checkRecord({ topic: '', double: 'abc' }, source)).toEqual([
       { path: 'double', sentence: 'must be a number, got "abc"' },
-      { path: 'topic', sentence: 'must be given, such as /lab/light.' },
+      { path: 'topic', sentence: 'must not be empty. Example: /lab/light.' },
     ]);
     expect(checkRecord({ topic: '/a' }, source)[0]!.path).toBe('');
     expect(checkRecord({ topic: '/a', double: 1, timestamp: {} }, source)[0]!.path).toBe(

@@ -14,7 +14,7 @@ it('a name stands for one snippet, and files carry them', () => {
 });
 
 it('files that are something else are refused in words, and damaged snippets left out', () => {
-  expect(() => readSnippets('{')).toThrow('no JSON');
+  expect(() => readSnippets('{')).toThrow('not valid JSON');
   expect(() => readSnippets('{"kind":"session"}')).toThrow('no snippets');
   const file = {
     kind: 'ubii-publish-snippets',
