@@ -44,7 +44,7 @@ describe('an example session', () => {
     }
     expect(on('speed').at(-1)).toBeCloseTo(1, 0);
     await clock.advance(2_000);
-    expect(on('speed').at(-1)).toBeCloseTo(0, 6);
+    expect(on('speed').at(-1)).toBeCloseTo(0, 3);
     expect(events).toEqual([]);
   });
 

@@ -5,11 +5,14 @@ export const pointerSpeedSession = {
   name: 'pointer-speed',
   description: 'Velocity and speed of the position on one topic.',
   tags: ['example'],
-  processingModules: [{ name: 'speed-vector2', processingMode: { frequency: { hertz: 60 } } }],
+  processingModules: [{ name: 'speed-vector2', processingMode: { frequency: { hertz: 30 } } }],
   ioMappings: [
     {
       processingModuleName: 'speed-vector2',
-      inputMappings: [{ inputName: 'position', topic: '/examples/pointer-speed/pointer' }],
+      inputMappings: [
+        { inputName: 'position', topic: '/examples/pointer-speed/pointer' },
+        { inputName: 'smoothingMs', constantJson: '{"double":150}' },
+      ],
       outputMappings: [
         { outputName: 'speed', topic: '/examples/pointer-speed/speed' },
         { outputName: 'velocity', topic: '/examples/pointer-speed/velocity' },

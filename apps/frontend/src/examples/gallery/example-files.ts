@@ -1,0 +1,31 @@
+import { sessionText } from '../../sessions/text/session-text.ts';
+import type { GalleryEntry } from './gallery.ts';
+import type { PreviewKit } from './preview/preview-kit.ts';
+
+const SOURCES = import.meta.glob<string>(
+  ['../../../../../packages/modules/src/*/*.ts', '!**/*.test.ts', '!**/{examples,generated}/*.ts'],
+  { query: '?raw', import: 'default' },
+);
+
+/** Source file of a module: one file has all modules of a family, such as `low-pass-vector2`. */
+function sourceOf(module: string): (() => Promise<string>) | undefined {
+  const found = Object.entries(SOURCES)
+    .filter(([path]) => module.startsWith(path.split('/').at(-2) ?? ''))
+    .sort(([a], [b]) => b.length - a.length)[0];
+  return found?.[1];
+}
+
+/** The files of an example: its session as JSON, and the source of each of its modules. */
+export function exampleFiles(
+  entry: GalleryEntry,
+  modules: readonly string[],
+  loadKit: () => Promise<PreviewKit>,
+): { readonly name: string; readonly load: () => Promise<string> }[] {
+  return [
+    { name: 'Session', load: async () => sessionText((await loadKit()).spec(entry)) },
+    ...[...new Set(modules)].flatMap((name) => {
+      const load = sourceOf(name);
+      return load ? [{ name, load }] : [];
+    }),
+  ];
+}

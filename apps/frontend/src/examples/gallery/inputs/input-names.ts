@@ -1,0 +1,2 @@
+/** What a session can take from a page: its pointer, its clicks, its keys. */
+export type InputName = 'pointer' | 'pressed' | 'escape' | 'key';

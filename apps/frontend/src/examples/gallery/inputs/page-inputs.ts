@@ -1,0 +1,59 @@
+import { useSessionStorage } from '@vueuse/core';
+import { computed, inject, provide, watch, type InjectionKey } from 'vue';
+import { useRoute } from 'vue-router';
+import { useConnection } from '../../../connection/useConnection.ts';
+import { useOwnPointer } from '../../../graph/editor/templates/own-pointer.ts';
+import { isAlive } from '../../../sessions/state/session-state.ts';
+import type { InputName } from './input-names.ts';
+import { usePageDevice } from './use-page-device.ts';
+
+/** What this page gives to the sessions that were started in it. */
+export interface PageInputs {
+  /** The session was started here and takes these: they are published while it runs. */
+  give(sessionId: string, inputs: readonly InputName[]): void;
+}
+
+const PAGE_INPUTS: InjectionKey<PageInputs> = Symbol('page inputs');
+/** This page publishes the same device itself. */
+const POINTER_PAGE = '/examples/mouse-pointer';
+
+/**
+ * Publishes pointer, clicks and keys of this page while a session runs that was started in it, whatever
+ * page is open, also after a reload. Sessions of others never switch it on.
+ */
+export function providePageInputs(): void {
+  const { sessions } = useConnection();
+  const route = useRoute();
+  const given = useSessionStorage<Readonly<Record<string, readonly InputName[]>>>(
+    'ubii.examples.inputs',
+    {},
+  );
+  const needed = computed(
+    () =>
+      new Set(
+        (sessions.list.value ?? [])
+          .filter(isAlive)
+          .flatMap(({ id }) => (Object.hasOwn(given.value, id) ? (given.value[id] ?? []) : [])),
+      ),
+  );
+
+  const own = useOwnPointer();
+  const needsPointer = computed(() => needed.value.has('pointer') && route.path !== POINTER_PAGE);
+  watch(needsPointer, (needs) => (own.isOn.value = needs));
+  usePageDevice(
+    computed(() =>
+      ['pressed', 'escape', 'key'].some((name) => needed.value.has(name as InputName)),
+    ),
+    computed(() => needed.value.has('key')),
+  );
+
+  provide(PAGE_INPUTS, {
+    give: (id, inputs) => (given.value = { ...given.value, [id]: [...inputs] }),
+  });
+}
+
+export function usePageInputs(): PageInputs {
+  const inputs = inject(PAGE_INPUTS);
+  if (inputs === undefined) throw new Error('Page inputs are provided by the shell.');
+  return inputs;
+}

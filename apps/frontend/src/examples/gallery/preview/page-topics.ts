@@ -1,0 +1,32 @@
+import type { PatternCompiler } from '@ubii/patterns';
+import type { Cancel, TopicListener, TopicPort, TopicSelector } from '@ubii/pm-sandbox';
+import { decodeRecord, encodeRecord, type RecordInit, type TopicRecord } from '@ubii/proto';
+import { TryTopics } from '../../../modules/editor/tryout/try-topics.ts';
+
+const PAGE = 'this-page';
+
+/** The topics of one preview: what its modules put out reaches its other modules, and nothing else. */
+export class PageTopics implements TopicPort {
+  readonly #topics: TryTopics;
+  readonly #onRecord: (record: TopicRecord) => void;
+
+  constructor(patterns: PatternCompiler, onRecord: (record: TopicRecord) => void) {
+    this.#topics = new TryTopics(patterns);
+    this.#onRecord = onRecord;
+  }
+
+  subscribe(selector: TopicSelector, listener: TopicListener): Cancel {
+    return this.#topics.subscribe(selector, listener);
+  }
+
+  publish(topic: string, bytes: Uint8Array): undefined {
+    const record = decodeRecord(bytes);
+    if (record.format !== undefined) this.#onRecord(record);
+    this.#topics.put(topic, bytes, PAGE);
+  }
+
+  /** What comes from outside of the session. */
+  put(record: RecordInit): void {
+    this.publish(record.topic, encodeRecord(record));
+  }
+}
