@@ -141,18 +141,18 @@ describe('a wrong value is explained in one sentence', () => {
     // [AC-46]
     [
       ['--allowed-origins', 'null'],
-      'pages opened from files send it, and so can a page of every website',
+      'pages opened from files send it, and any website can',
     ],
-    [['--allowed-origins', 'https://a.b,NULL'], 'calls with a token of its own'],
-    [['--trust-loopback', '--loopback', 'none'], 'leave one of the two out'],
+    [['--allowed-origins', 'https://a.b,NULL'], 'uses a token of its own'],
+    [['--trust-loopback', '--loopback', 'none'], 'Leave one of the two out'],
     [['--loopback', 'admin'], '--loopback must be participant or none'],
     [['--trusted-proxy', 'lab.local'], 'networks separated by commas'],
     [['--name', ' '], '1 to 100 characters'],
     [['--port'], 'needs a value after it, --port <number>'],
     [['--port', '--lan'], 'needs a value after it'],
-    [['--prot', '1'], 'There is no flag --prot: --help shows all flags.'],
-    [['-p', '1'], 'There is no flag -p'],
-    [['8080'], 'The argument "8080" belongs to no flag'],
+    [['--prot', '1'], 'The flag --prot does not exist. --help shows all flags.'],
+    [['-p', '1'], 'The flag -p does not exist'],
+    [['8080'], 'The argument "8080" does not belong to a flag'],
     [['--lan', '--host', '0.0.0.0'], 'leave one of the two out'],
     [['--allow-legacy', '10.0.0.0/33'], 'networks separated by commas'],
     [['--allow-legacy', 'lab.local'], 'networks separated by commas'],
@@ -178,7 +178,7 @@ describe('a wrong value is explained in one sentence', () => {
     expect(messageOf(['--config', configFile({ port: {} })])).toContain('but is an object');
     expect(messageOf(['--config', configFile('{')])).toContain('hold JSON');
     expect(messageOf(['--config', configFile('[]')])).toContain('one JSON object');
-    expect(messageOf(['--config', configFile({ config: 'x' })])).toContain('is no option');
+    expect(messageOf(['--config', configFile({ config: 'x' })])).toContain('is not an option');
   });
 });
 

@@ -67,7 +67,7 @@ export const OPTIONS = {
     fallback: 'localhost',
     fallbackText: 'localhost with --lan off',
     description:
-      'Name or address to listen on, in place of all networks: localhost lets in programs of this machine only.',
+      'Name or address to listen on instead of all networks: localhost accepts programs of this machine only.',
     parse: parseHost,
   }),
   lan: option({
@@ -75,7 +75,7 @@ export const OPTIONS = {
     fallback: true,
     fallbackText: 'on',
     description:
-      'Listen on all networks of this machine, so that phones can join with the code that the terminal shows. Who has not joined is let in to nothing. With --host it is off.',
+      'Listen on all networks of this machine, so that phones can join with the code that the terminal shows. Clients that have not joined have no access. Off with --host.',
     parse: parseSwitch,
   }),
   allowLegacy: option<readonly string[]>({
@@ -83,14 +83,14 @@ export const OPTIONS = {
     fallback: [],
     fallbackText: 'none',
     description:
-      'Networks whose existing clients are let in without joining, as participants, because they know no codes: 192.168.1.0/24,10.0.0.7. For this machine, see --loopback.',
+      'Networks whose existing clients are participants without joining, because they do not support codes: 192.168.1.0/24,10.0.0.7. For this machine, see --loopback.',
     parse: parseNetworks,
   }),
   loopback: option<'participant' | 'none'>({
     placeholder: 'participant|none',
     fallback: 'participant',
     description:
-      'What programs and pages of this machine are that show no token: participants, so that existing clients work, or nobody. Who starts the master becomes admin with the address or code in its terminal.',
+      'Role of programs and pages of this machine that send no token: participant, so that existing clients work, or none. The address or code in the terminal makes an admin.',
     parse: parseChoice('participant', 'none'),
   }),
   trustLoopback: option({
@@ -98,7 +98,7 @@ export const OPTIONS = {
     fallback: false,
     fallbackText: 'off',
     description:
-      'Programs and pages of this machine are admins without a token, as in earlier versions: for machines that nobody else uses and that pass nothing on from others.',
+      'Programs and pages of this machine are admins without a token, as in earlier versions. Use it only on a machine with one user and without a proxy.',
     parse: parseSwitch,
   }),
   trustedProxy: option<readonly string[]>({
@@ -106,21 +106,21 @@ export const OPTIONS = {
     fallback: [],
     fallbackText: 'none',
     description:
-      'Networks of proxies that say for whom they ask, in X-Forwarded-For or Forwarded: 10.0.0.7,192.168.2.0/24. Whoever is behind any other proxy has to join.',
+      'Networks of proxies that name their clients in X-Forwarded-For or Forwarded: 10.0.0.7,192.168.2.0/24. Clients behind any other proxy have to join.',
     parse: parseNetworks,
   }),
   https: option<'on' | 'off'>({
     placeholder: 'on|off',
     fallback: 'on',
     description:
-      'HTTPS on the same port as HTTP, where others than this machine can reach it; browsers give sensors and cameras to no other pages. The master makes its certificates itself.',
+      'HTTPS on the same port as HTTP, when other machines can reach the master. Browsers give sensors and cameras to HTTPS pages only. The master creates its certificates itself.',
     parse: parseChoice('on', 'off'),
   }),
   tlsCertificate: option<string | undefined>({
     placeholder: '<file>',
     fallback: undefined,
     fallbackText: 'its own',
-    description: 'Certificate for HTTPS that somebody else issued, with its chain, as PEM.',
+    description: 'Certificate for HTTPS from another authority, with its chain, as PEM.',
     parse: parseFilePath,
   }),
   tlsKey: option<string | undefined>({
@@ -134,13 +134,14 @@ export const OPTIONS = {
     placeholder: 'on|off',
     fallback: 'on',
     description:
-      'Announce this master in the local network (_ubii._tcp, multicast DNS), where others than this machine can reach it, so that programs find it without its address.',
+      'Announce this master in the local network (_ubii._tcp, multicast DNS), when other machines can reach it, so that programs find it without its address.',
     parse: parseChoice('on', 'off'),
   }),
   dataDir: option({
     placeholder: '<folder>',
     fallback: defaultDataDir(),
-    description: 'Folder for what the master keeps between runs. Made when it is missing.',
+    description:
+      'Folder for the data that the master keeps between runs. Created when it is missing.',
     parse: parseFilePath,
   }),
   modules: option<string | undefined>({
@@ -148,7 +149,7 @@ export const OPTIONS = {
     fallback: undefined,
     fallbackText: 'none',
     description:
-      'Folder of processing modules (.pm, .js) you vouch for: they run at full speed, with libraries.',
+      'Folder of trusted processing modules (.pm, .js): they run at full speed, with libraries.',
     parse: parseFilePath,
   }),
   allowFetch: option<readonly string[]>({
@@ -170,7 +171,7 @@ export const OPTIONS = {
     placeholder: 'on|off|<services>,<topic data>',
     fallback: ORIGINAL_PORTS,
     fallbackText: 'on: 8102,8104',
-    description: 'Ports where existing clients look. By default, one that is taken is left out.',
+    description: 'Ports that existing clients use. By default, a port that is in use is left out.',
     parse: parseLegacyPorts,
   }),
   allowedOrigins: option<readonly string[]>({
@@ -184,7 +185,7 @@ export const OPTIONS = {
   name: option({
     placeholder: '<text>',
     fallback: hostname().split('.')[0] || 'master-node',
-    description: 'Name of this master, as people see it.',
+    description: 'Name of this master, shown to users.',
     parse: parseName,
   }),
   printEndpoints: option<'json' | undefined>({
@@ -199,7 +200,7 @@ export const OPTIONS = {
     placeholder: 'off|warn|throttle',
     fallback: DEFAULT_CHECKS.checks,
     description:
-      'What follows when a publisher, a module or the master takes more than the machine can give: nothing, a warning, or that noisy publishers are throttled as well.',
+      'Reaction to overload by a publisher, a module or the master: nothing, a warning, or a warning and a throttle for noisy publishers.',
     parse: parseChoice('off', 'warn', 'throttle'),
   }),
   busyPercent: option({
@@ -218,9 +219,9 @@ export const OPTIONS = {
   limits: option<Partial<Limits>>({
     placeholder: '<name>=<number>,...',
     fallback: {},
-    fallbackText: 'as built in',
+    fallbackText: 'defaults',
     description:
-      'Limits other than those built in: clients=20000,topics=500000. Settings, Limits in the frontend names them all, with their units and reasons.',
+      'Limits that differ from the defaults: clients=20000,topics=500000. Settings, Limits in the frontend lists all limits with units and reasons.',
     parse: parseLimits,
   }),
   logLevel: option<'error' | 'warn' | 'info' | 'debug'>({
@@ -232,19 +233,20 @@ export const OPTIONS = {
   logFormat: option<'auto' | 'text' | 'json'>({
     placeholder: 'auto|text|json',
     fallback: 'auto',
-    description: 'Form of the log on standard error; auto is text for a terminal, JSON lines else.',
+    description:
+      'Format of the log on standard error; auto is text on a terminal and JSON lines otherwise.',
     parse: parseChoice('auto', 'text', 'json'),
   }),
   help: option({
     placeholder: undefined,
     fallback: false,
-    description: 'Show this and end.',
+    description: 'Show this help and exit.',
     parse: parseSwitch,
   }),
   version: option({
     placeholder: undefined,
     fallback: false,
-    description: 'Show the version and end.',
+    description: 'Show the version and exit.',
     parse: parseSwitch,
   }),
 } as const;

@@ -189,7 +189,7 @@ export async function startMaster({
   const loopbackFacts = { role: loopback, tellsOwners: owners.canTell };
   if (loopback === 'admin' && !owners.canTell) {
     log.warn(
-      'this system does not tell whose program calls: with --trust-loopback every user of this machine, and every proxy on it that says nothing of whom it serves, is an admin',
+      'this system does not report which user a program belongs to: with --trust-loopback every user of this machine, and every proxy that does not name its clients, is an admin',
     );
   }
   /** A master that cannot keep anything goes on as it is. */
@@ -199,7 +199,7 @@ export async function startMaster({
       tokenFile = new AdminTokenFile(config.dataDir, terminal.admin.token);
       return terminal;
     } catch (error) {
-      log.warn('there is no token for the terminal of this run', { reason: String(error) });
+      log.warn('the admin token of this run could not be created', { reason: String(error) });
       return undefined;
     }
   };

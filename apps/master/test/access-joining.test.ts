@@ -386,7 +386,7 @@ describe('the leave of the terminal [AC-19]', () => {
 });
 
 describe('many who join', () => {
-  it('do not hold up who makes and revokes leave to join [AC-15] [AC-19]', async () => {
+  it('do not delay creating and revoking invitations [AC-15] [AC-19]', async () => {
     const master = new TestMaster();
     const { grants } = master;
     const { token, grant } = await createGrant(master, AccessRole.ACCESS_ROLE_PLAYER);

@@ -172,7 +172,7 @@ describe('announcements', () => {
       await stop();
     }
     expect(error).toMatchObject({ code: 'resource_exhausted' });
-    expect(error!.message).toMatch(/limit sessionStartBytesPerSecond\); try again in \d+ s\.$/);
+    expect(error!.message).toMatch(/limit sessionStartBytesPerSecond\)\. Try again in \d+ s\.$/);
     expect(starts).toBeLessThan(15);
     expect(sentBytes(watcher)).toBeLessThan(3 * (32 + 4 + 4) * 1024 * 1024);
     expect((await start(other)).error).toBeUndefined();

@@ -36,7 +36,7 @@ describe('renaming a client', () => {
     });
     expect(masterStatus!.events.at(-1)).toMatchObject({
       kind: StatusEventKind.CLIENT_RENAMED,
-      text: 'Ben is called Phone 2 now by Mara',
+      text: 'Ben was renamed to Phone 2 by Mara',
       clientId: ben.id,
     });
   });
@@ -178,7 +178,10 @@ describe('throttling a client', () => {
     await throttle(master, ben, 1, { clientId: mara.id, reason: 'too\nloud' });
     const text = 'throttled to 1 records per second by Mara: too loud';
     expect(ben.takeErrors()).toMatchObject([
-      { code: 'resource_exhausted', message: `This client is ${text}; what is beyond is dropped.` },
+      {
+        code: 'resource_exhausted',
+        message: `This client is ${text}. Records above this rate are dropped.`,
+      },
     ]);
     ben.publish('/a', 'double', 1);
     ben.publish('/a', 'double', 2);
@@ -194,7 +197,7 @@ describe('throttling a client', () => {
         code: 'client_throttled',
         clientId: ben.id,
         text: `Ben is ${text}; 1 of its records were dropped so far.`,
-        remedy: 'Let it publish less, or lift the throttle.',
+        remedy: 'Publish less, or remove the throttle.',
       },
     ]);
   });
@@ -239,7 +242,7 @@ describe('throttling a client', () => {
     });
     await world.pass(100);
     expect(problems.map(({ message }) => message)).toEqual([
-      'This client is throttled to 2 records per second; what is beyond is dropped.',
+      'This client is throttled to 2 records per second. Records above this rate are dropped.',
     ]);
   });
 });

@@ -198,7 +198,7 @@ describe('delivery', () => {
     const { dropped, problems } = await status();
     expect(dropped).toBe(10);
     expect(problems).toMatchObject([{ code: 'client_slow', clientId: ben.id }]);
-    expect(problems[0]?.text).toMatch(/^ben .* 10 records/);
+    expect(problems[0]?.text).toMatch(/^ben .* 10 queued records/);
     const { topicStatistics } = await master.call({
       topic: '/services/ubii/topic_statistics',
       topicStatisticsRequest: {},

@@ -48,9 +48,9 @@ describe('a busy master', () => {
     });
     expect(problems.find(({ code }) => code === 'master_busy')).toMatchObject({
       severity: StatusProblemSeverity.WARNING,
-      text: 'The master is busy for 90 % of the time and comes 34 ms late to what is to be done, so that values arrive later; 100 % of the work with records is that of Ben.',
+      text: 'The main thread of the master is busy for 90 % of the time. Its event-loop delay is 34 ms, so values arrive later; 100 % of the forwarding work is caused by Ben.',
       clientId: ben.id,
-      remedy: 'Let that client publish or subscribe at a lower rate, or throttle it.',
+      remedy: 'Publish or subscribe at a lower rate in that client, or throttle it.',
       sinceMs: master.clock.nowMs(),
     });
     expect(events.filter(({ kind }) => kind === StatusEventKind.OVERLOAD)).toHaveLength(2);
@@ -105,8 +105,8 @@ describe('a noisy publisher', () => {
       {
         code: 'publisher_noisy',
         clientId: ben.id,
-        text: 'Ben publishes 50 records per second, which take 60 % of the time of the master; everybody else shares the rest.',
-        remedy: 'Let it publish less often or smaller records, or throttle it.',
+        text: 'Ben publishes 50 records per second, which take 60 % of the time of the master. All other clients share the rest.',
+        remedy: 'Publish less often or smaller records, or throttle the client.',
       },
     ]);
   });
@@ -141,7 +141,7 @@ describe('a noisy publisher', () => {
     expect(ben.takeErrors()).toMatchObject([
       {
         message:
-          'This client is throttled to 40 records per second by the policy of the master: its records took more than 40 % of the time of the master; what is beyond is dropped.',
+          'This client is throttled to 40 records per second by the policy of the master: its records took more than 40 % of the time of the master. Records above this rate are dropped.',
       },
     ]);
     expect(await codes()).toContain('client_throttled');

@@ -200,7 +200,7 @@ describe('the time of a grant [AC-91]', () => {
     await master.pass(4_000);
     expect(guest.client.closed).toEqual({
       code: 4012,
-      reason: 'the time of its leave to join is over',
+      reason: 'the invitation expired',
     });
     expect(await problemOf(master, guest.client.caller)).toBe(JoinProblem.JOIN_PROBLEM_EXPIRED);
     expect(await stateOf(master, session)).toBe(SESSION_STOPPED);

@@ -106,8 +106,8 @@ describe('the status of the master', () => {
     const { events } = await status();
     expect(events.slice(-3).map(({ text }) => text)).toEqual([
       'ben left',
-      expect.stringContaining('is gone without a word'),
-      expect.stringContaining('is gone without a word'),
+      expect.stringContaining('lost its connection'),
+      expect.stringContaining('lost its connection'),
     ]);
     const topics = await ada.call({ topic: '/services/topic_list' });
     expect(topics.stringList?.elements).not.toContain('/ben');

@@ -22,7 +22,7 @@ export async function discoverMaster(
   let end: () => Promise<void> = async () => undefined;
   await new Promise<void>((resolve) => {
     const patience = setTimeout(() => {
-      log('info', 'No master announces itself in the local network; still looking for one');
+      log('info', 'No master found in the local network yet. Still looking for one');
     }, PATIENCE_MS);
     timers.push(patience);
     end = findMasters({
@@ -45,7 +45,7 @@ export async function discoverMaster(
   }
   throw new ConfigError(
     [
-      `There are ${found.length} masters in the local network: say which one with --master.`,
+      `Found ${found.length} masters in the local network. Choose one with --master.`,
       ...found.map((master) => `  --master ${master.url}   ${describeMaster(master)}`),
     ].join('\n'),
   );

@@ -18,7 +18,7 @@ export function formatHelp(): string {
     '',
     '  npm run node -- [flags]',
     '',
-    'Each option is a flag and an environment variable; the flag counts when both are set.',
+    'Each option is a flag and an environment variable. When both are set, the flag applies.',
     '',
     ...entries,
     '',

@@ -44,7 +44,7 @@ export const OPTIONS = {
     fallback: undefined,
     fallbackText: 'none',
     description:
-      'Token or code to join with, when the master is another machine. Needed once: the node keeps who it is.',
+      'Token or code to join with, when the master runs on another machine. Needed once: the node stores its identity.',
     parse: parseJoin,
   }),
   tokenFile: option<string | undefined>({
@@ -52,7 +52,7 @@ export const OPTIONS = {
     fallback: undefined,
     fallbackText: 'none',
     description:
-      'File with the token to join with, so that it stands in no list of processes: admin-token in the data directory of a master of this machine makes this node an admin.',
+      'File with the token to join with, which keeps it out of the list of processes. The file admin-token in the data directory of a master of this machine makes this node an admin.',
     parse: (text, baseDir) => resolve(baseDir, text),
   }),
   modules: option<string | undefined>({
@@ -60,13 +60,13 @@ export const OPTIONS = {
     fallback: undefined,
     fallbackText: 'none',
     description:
-      'Folder with modules of your own, .pm and .js files. Their code is trusted. Changes count at once.',
+      'Folder with modules of your own, .pm and .js files. Their code is trusted. Changes apply at once.',
     parse: (text, baseDir) => resolve(baseDir, text),
   }),
   name: option({
     placeholder: '<text>',
     fallback: `${hostname().split('.')[0] || 'some'} node`,
-    description: 'Name of this node, as people see it.',
+    description: 'Name of this node, shown to users.',
     parse: parseName,
   }),
   allowFetch: option<readonly string[]>({
@@ -81,14 +81,15 @@ export const OPTIONS = {
     placeholder: undefined,
     fallback: false,
     description:
-      'Run only what somebody puts on this node: the master does not choose it by itself.',
+      'Run only modules that are assigned to this node by name: the master does not choose it by itself.',
     parse: parseSwitch,
   }),
   capacity: option({
     placeholder: '<number>',
     fallback: 0,
     fallbackText: 'not said',
-    description: 'How many modules this node likes to run at once; the master chooses by it.',
+    description:
+      'Number of modules this node should run at once. The master uses it to choose a node.',
     parse: parseCount,
   }),
   memory: option({
@@ -96,15 +97,15 @@ export const OPTIONS = {
     fallback: 0,
     fallbackText: "a quarter of the machine's, at least 256",
     description:
-      'Memory that sandboxed modules may have together on this node; those of one session half of it, and 1024 at most.',
+      'Memory of all sandboxed modules on this node; modules of one session get half of it, at most 1024.',
     parse: parseMegabytes,
   }),
   identity: option<string | undefined>({
     placeholder: '<file>|off',
     fallback: undefined,
-    fallbackText: 'a file of the user, by name and master',
+    fallbackText: 'a file of the user for this name and master',
     description:
-      'Where this node keeps who it is, so that a new run of it gets the modules of the run before.',
+      'File with the identity of this node, so that its next run gets the modules of the previous one.',
     parse: (text, baseDir) => (text === 'off' ? 'off' : resolve(baseDir, text)),
   }),
   printEndpoints: option<'json' | undefined>({
@@ -124,13 +125,13 @@ export const OPTIONS = {
   help: option({
     placeholder: undefined,
     fallback: false,
-    description: 'Show this and end.',
+    description: 'Show this help and exit.',
     parse: parseSwitch,
   }),
   version: option({
     placeholder: undefined,
     fallback: false,
-    description: 'Show the version and end.',
+    description: 'Show the version and exit.',
     parse: parseSwitch,
   }),
 } as const;

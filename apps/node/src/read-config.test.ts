@@ -37,7 +37,7 @@ describe('the configuration', () => {
   it.each([
     [['--master', 'localhost:8080'], '--master must be a http or https URL'],
     [['--master', 'http://x/services'], 'without a path'],
-    [['--master', 'http://x', '--discover'], 'leave one of the two out'],
+    [['--master', 'http://x', '--discover'], 'Leave one of the two out'],
     [['--capacity', '-1'], '--capacity must be a whole number'],
     [['--log-level', 'loud'], 'error, warn, info or debug'],
     [['--name', ''], '1 to 100 characters'],

@@ -41,12 +41,12 @@ export function readConfig(
   const config = Object.fromEntries(values) as unknown as Config;
   if (config.discover && given.has('master')) {
     throw new ConfigError(
-      'The options --master and --discover both say which master: leave one of the two out.',
+      'The options --master and --discover both choose the master. Leave one of the two out.',
     );
   }
   if (config.join !== undefined && config.tokenFile !== undefined) {
     throw new ConfigError(
-      'The options --join and --token-file both say what to join with: leave one of the two out.',
+      'The options --join and --token-file both set the token. Leave one of the two out.',
     );
   }
   return config;
@@ -71,8 +71,8 @@ function readFlags(args: readonly string[]): Map<OptionName, Given> {
     if (name === undefined) {
       throw new ConfigError(
         argument.startsWith('-')
-          ? `There is no flag ${flag}: --help shows all flags.`
-          : `The argument "${argument}" belongs to no flag: --help shows all flags.`,
+          ? `The flag ${flag} does not exist. --help shows all flags.`
+          : `The argument "${argument}" does not belong to a flag. --help shows all flags.`,
       );
     }
     let text: string | undefined;

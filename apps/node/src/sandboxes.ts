@@ -37,6 +37,7 @@ function findWorker(): URL {
     (path) => new URL(path, import.meta.url),
   );
   const found = places.find((place) => existsSync(fileURLToPath(place)));
-  if (found === undefined) throw new Error('The worker of modules is not built: run npm run build');
+  if (found === undefined)
+    throw new Error('The worker for modules is not built. Run npm run build');
   return found;
 }

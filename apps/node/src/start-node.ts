@@ -112,7 +112,7 @@ async function watchFolder(
 ): Promise<FolderWatch> {
   try {
     return await watchModuleFolder(folder, onChange, (error) =>
-      log('error', `${folder} is not watched any more: ${error.message}`),
+      log('error', `${folder} is no longer watched: ${error.message}`),
     );
   } catch (error) {
     throw new ConfigError(
@@ -124,7 +124,7 @@ async function watchFolder(
 /** The client connects by itself; only when somebody else uses its identity it stops. */
 function keepConnecting(client: UbiiClient, log: Log): void {
   client.connect().catch((error: unknown) => {
-    log('error', `The connection was given up: ${messageOf(error)}`);
+    log('error', `The node stopped trying to connect: ${messageOf(error)}`);
   });
 }
 
@@ -146,14 +146,14 @@ function createStateLog(log: Log, master: string): (state: ConnectionState) => v
         isTold = true;
         return log(
           'warn',
-          `No connection to ${master}: ${state.error.message}. Trying again until it is back`,
+          `No connection to ${master}: ${state.error.message}. Trying again until it succeeds`,
         );
       case 'closed':
         return state.error === undefined
           ? log('info', `Left ${master}`)
           : log(
               'error',
-              `${master} does not let this node in: ${state.error.message}${hintFor(state.error)}`,
+              `${master} refused this node: ${state.error.message}${hintFor(state.error)}`,
             );
       case 'connecting':
         return log('info', `Connecting to ${master}`);

@@ -19,7 +19,7 @@ it('reads the token, without what ends the line [AC-44]', () => {
 });
 
 it('says what is wrong with the file', () => {
-  expect(() => readTokenFile('/nowhere/admin-token')).toThrow('it is not there');
+  expect(() => readTokenFile('/nowhere/admin-token')).toThrow('it does not exist');
   expect(() => readTokenFile(fileWith(''))).toThrow('must hold a token or code');
   expect(() => readTokenFile(fileWith('a\nb'))).toThrow('must hold a token or code');
 });
@@ -29,6 +29,6 @@ it('takes the place of a token on the command line', () => {
   expect(read('--token-file', 'a')).toBe('/folder/a');
   expect(readConfig([], { UBII_NODE_TOKEN_FILE: '/b' }, '/').tokenFile).toBe('/b');
   expect(() => read('--token-file', 'a', '--join', 'K7QF-2MXR')).toThrow(
-    'leave one of the two out',
+    'Leave one of the two out',
   );
 });

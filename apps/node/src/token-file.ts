@@ -14,9 +14,9 @@ export function readTokenFile(file: string): string {
     const { code, message } = error as NodeJS.ErrnoException;
     const reason =
       code === 'ENOENT'
-        ? 'it is not there, as while no master runs with that data directory'
+        ? 'it does not exist. It exists only while a master runs with that data directory'
         : code === 'EACCES'
-          ? "it is another user's"
+          ? 'it belongs to another user'
           : message;
     throw new ConfigError(`The file ${file} (--token-file) cannot be read: ${reason}.`);
   }

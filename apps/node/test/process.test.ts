@@ -167,7 +167,7 @@ describe('the node as a process', () => {
     const first = await startMaster();
     await first.program.kill();
     const node = startNode(['--master', first.url, '--name', 'patient', ...printing]);
-    await node.says('Trying again until it is back');
+    await node.says('Trying again until it succeeds');
     const second = await startMaster(first.port, first.dataDir);
     const { id } = await node.ready<Printed>();
     await second.program.kill();
@@ -284,7 +284,7 @@ describe('the node as a process', () => {
 
 describe('a node that cannot start says why in one sentence', () => {
   it.each([
-    [['--mastre', 'x'], 'There is no flag --mastre'],
+    [['--mastre', 'x'], 'The flag --mastre does not exist'],
     [['--master', 'ftp://x'], '--master must be a http or https URL'],
     [['--master'], '--master needs a value'],
     [['--allow-fetch', 'example.org'], '--allow-fetch must be origins'],

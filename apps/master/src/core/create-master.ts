@@ -138,7 +138,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     onOverdrawn(subscriber) {
       limitWatch.count('patternMatchMs', subscriber.clientId);
       subscriptions.unsubscribePatterns(subscriber);
-      const text = `Matching the regular expressions of this client took more than ${limits.patternMatchMs} ms (limit patternMatchMs), so they are ended; subscribe with simpler ones.`;
+      const text = `Matching the regular expressions of this client took more than ${limits.patternMatchMs} ms (limit patternMatchMs), so they were ended. Subscribe with simpler expressions.`;
       clients.get(subscriber.clientId)?.socket?.sendError('resource_exhausted', text);
     },
   });

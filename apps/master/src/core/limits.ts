@@ -120,7 +120,7 @@ export const LIMITS = {
     256,
     'characters',
     'texts',
-    'Id of a client, device, component, session, module or grant. Ids of the master have 36; existing programs make their own.',
+    'Id of a client, device, component, session, module or invitation. Ids of the master have 36 characters; existing programs make their own.',
   ),
   identifierCharacters: limit(
     256,
@@ -151,7 +151,7 @@ export const LIMITS = {
     200,
     'characters',
     'texts',
-    'Reason for what was done to somebody, one sentence. Cut when longer.',
+    'Reason for an action on a client, one sentence. Cut when longer.',
   ),
   pathCharacters: limit(301, 'characters', 'texts', 'Path of a page that opens after joining.'),
   libraryCharacters: limit(
@@ -170,7 +170,7 @@ export const LIMITS = {
     1_024,
     'characters',
     'texts',
-    'Token or code that somebody shows. Ours have some 100; what is longer is wrong.',
+    'Token or code of a caller. Tokens have about 100 characters; longer ones are refused.',
   ),
   jsonCharacters: limit(
     65_536,
@@ -305,7 +305,7 @@ export const LIMITS = {
     256,
     'grants',
     'storage',
-    'Leaves to join that are kept. One for each group of an event, and for each start of the master.',
+    'Invitations. One for each group of an event, and one for each start of the master.',
   ),
   devices: limit(
     20_000,

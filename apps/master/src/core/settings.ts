@@ -20,7 +20,7 @@ export interface MasterPorts {
   readonly ids: IdSource;
   readonly tokens: ResumeTokens;
   readonly accessSecrets: AccessSecrets;
-  /** Leave to join that was given, for nobody but the master to read [AC-19]. */
+  /** Store of the invitations, readable by the master alone [AC-19]. */
   readonly grants: DocumentStore;
   /** Where the audit log is kept [EX-92]. */
   readonly audit: AuditStore;

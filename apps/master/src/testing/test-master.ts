@@ -43,7 +43,7 @@ export interface TestMasterOptions {
   readonly storage?: MemoryStorage;
   /** Ids that earlier runs gave. */
   readonly idsGiven?: number;
-  /** Leave to join that was there before: for a second run of the master. */
+  /** Stored invitations of an earlier run: for a second run of the master. */
   readonly grants?: MemoryDocuments;
   /** The audit log that was there before: for a second run of the master. */
   readonly audit?: MemoryAudit;

@@ -141,25 +141,25 @@ describe('a master that cannot start says why in one sentence', () => {
   }
 
   it('when a flag is unknown or wrong', async () => {
-    expect(await refusal(['--prot', '1'])).toContain('There is no flag --prot');
+    expect(await refusal(['--prot', '1'])).toContain('The flag --prot does not exist');
     expect(await refusal(['--port', 'x'])).toContain('--port must be a whole number');
   });
 
   it('when its port is taken', async () => {
     const port = await takePort();
     const message = await refusal(['--lan', 'off', '--port', String(port)]);
-    expect(message).toContain(`Port ${port} (--port) is taken by another program`);
+    expect(message).toContain(`Port ${port} (--port) is used by another program`);
   });
 
   it('when a legacy port that was asked for is taken', async () => {
     const port = await takePort();
     const message = await refusal(['--lan', 'off', '--port', '0', '--legacy-ports', `0,${port}`]);
-    expect(message).toContain(`Port ${port} (--legacy-ports) is taken`);
+    expect(message).toContain(`Port ${port} (--legacy-ports) is used`);
   });
 
   it('when the data directory cannot be written', async () => {
     const file = join(newFolder(), 'file');
     writeFileSync(file, '');
-    expect(await refusal([...quiet, '--data-dir', file])).toContain('there is a file in its place');
+    expect(await refusal([...quiet, '--data-dir', file])).toContain('a file has that name');
   });
 });

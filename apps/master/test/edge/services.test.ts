@@ -251,8 +251,8 @@ describe('other paths', () => {
     ['GET', '/services/json', 404, 'called by POST'],
     ['PUT', '/services/json', 404, 'called by POST'],
     ['GET', '/topicdata', 404, 'is a WebSocket'],
-    ['GET', '/missing.js', 404, 'nothing at /missing.js'],
-    ['POST', '/', 404, 'nothing at /'],
+    ['GET', '/missing.js', 404, 'No page or service exists at /missing.js'],
+    ['POST', '/', 404, 'No page or service exists at /'],
   ])('%s %s: %i', async (method, path, status, text) => {
     const response = await send((await startEdgeMaster()).port, path, { method });
     expect(response.status).toBe(status);

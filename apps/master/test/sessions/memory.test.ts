@@ -125,7 +125,7 @@ describe('memory of modules', () => {
     expect(extension!.problems[0]).toMatchObject({ code: 'module_failed', moduleName: 'one 0' });
     const { masterStatus } = await world.master.call(MASTER_STATUS);
     expect(masterStatus!.events.map(({ text }) => text)).toContain(
-      `The module "one 0" of the session "one" was ended: the memory of ${whose} is used up`,
+      `The module "one 0" of the session "one" was ended: the memory for ${whose} is used up`,
     );
     expect(masterStatus!.problems.map(({ text }) => text).join()).toContain(limit);
   });

@@ -127,7 +127,7 @@ describe('stored sessions', () => {
     expect(problems[0]?.text).toContain('broken');
     expect(events.filter(({ kind }) => kind === StatusEventKind.FILE_BROKEN)).toHaveLength(2);
     expect(world.master.log.lines).toContainEqual(
-      expect.objectContaining({ level: 'warn', message: expect.stringContaining('left alone') }),
+      expect.objectContaining({ level: 'warn', message: expect.stringContaining('is ignored') }),
     );
     // Somebody repairs it by hand: it counts at once.
     storage.sessions.edit('broken', JSON.stringify({ name: 'repaired' }));

@@ -51,7 +51,7 @@ export function sendableToken(typed: string): string | undefined {
 
 /** The error for a token that no master can have given. */
 export function wrongToken(): ServiceError {
-  return new ServiceError('unauthenticated', 'Nobody was given this code.', {
+  return new ServiceError('unauthenticated', 'No invitation has this code.', {
     details: { joinProblem: WireProblem.JOIN_PROBLEM_WRONG },
   });
 }

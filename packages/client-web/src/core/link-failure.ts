@@ -34,10 +34,10 @@ const REMEDIES: ReadonlyMap<number, Remedy> = new Map([
 /** Somebody removed this client [EX-30]. */
 const DISCONNECTED = 4010;
 
-/** Somebody took back its leave to join [AC-15]. */
+/** Its invitation was revoked [AC-15]. */
 const REVOKED = 4011;
 
-/** The time of its leave to join is over [AC-91]. */
+/** Its invitation expired [AC-91]. */
 const EXPIRED = 4012;
 
 /** Close codes that have a reason of their own. */
@@ -97,9 +97,9 @@ export function failureOfClose(code: number, reason: string, wasUp: boolean): Li
     code === DISCONNECTED
       ? `This client was disconnected ${reason}`.trim()
       : code === REVOKED
-        ? `The leave to join was taken back ${reason}`.trim()
+        ? `The invitation was revoked ${reason}`.trim()
         : code === EXPIRED
-          ? 'The time of the leave to join is over'
+          ? 'The invitation expired'
           : code === BROKEN
             ? `The link to the master broke${why}`
             : `The master closed the link with code ${code}${why}`;

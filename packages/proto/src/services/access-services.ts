@@ -12,18 +12,18 @@ export const ACCESS_SERVICES = {
     '/services/ubii/access_grant_create',
     'accessGrantCreateRequest',
     'accessGrantCreated',
-    'Makes leave to join, and shows its token and its code once.',
+    'Creates an invitation and returns its token and its code, once.',
   ),
   accessGrantList: withoutPayload(
     '/services/ubii/access_grant_list',
     'accessGrantList',
-    'Lists the leaves to join, with how many have joined.',
+    'Lists the invitations, with the number of joins of each.',
   ),
   accessGrantRevoke: withPayload(
     '/services/ubii/access_grant_revoke',
     'accessGrantRevokeRequest',
     'accessGrant',
-    'Takes leave to join back, and disconnects all who have joined with it.',
+    'Revokes an invitation, and disconnects all clients that joined with it.',
   ),
   auditLog: withPayload(
     '/services/ubii/audit_log',

@@ -22,7 +22,7 @@ it('[EX-50] tells every option as people write it', () => {
     '--checks': 'throttle',
     '--busy-percent': '80',
   });
-  expect(told['--limits']).toBe('as built in');
+  expect(told['--limits']).toBe('defaults');
   expect(told).not.toHaveProperty('--help');
 });
 

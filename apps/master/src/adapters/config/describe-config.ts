@@ -42,7 +42,7 @@ function portsText(ports: LegacyPorts | undefined): string {
 
 function limitsText(limits: Config['limits']): string {
   const pairs = Object.entries(limits).map(([name, value]) => `${name}=${value}`);
-  return pairs.length === 0 ? 'as built in' : pairs.join(', ');
+  return pairs.length === 0 ? 'defaults' : pairs.join(', ');
 }
 
 function withoutHome(text: string, home: string): string {

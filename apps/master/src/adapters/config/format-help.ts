@@ -19,7 +19,7 @@ export function formatHelp(): string {
     '  npm start -- [flags]',
     '',
     'Each option is a flag, an environment variable and a key of the config file; the first of',
-    'them that is set counts.',
+    'them that is set applies.',
     '',
     ...entries,
     '',

@@ -63,7 +63,7 @@ export function parseOrigins(text: string): readonly string[] {
     .filter((origin) => origin !== '');
   if (origins.includes('null')) {
     throw new Error(
-      'origins that name somebody, as "null" does not: pages opened from files send it, and so can a page of every website. A page opened from a file calls with a token of its own',
+      'origins of pages, not "null": pages opened from files send it, and any website can. A page opened from a file uses a token of its own',
     );
   }
   const isOrigin = /^(\*|https?:\/\/(\*\.)?[a-z0-9._[\]:-]*?[a-z0-9\]](:(\d{1,5}|\*))?)$/;

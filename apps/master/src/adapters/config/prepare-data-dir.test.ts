@@ -17,7 +17,7 @@ describe('the data directory', () => {
     const file = join(mkdtempSync(join(tmpdir(), 'ubii-data-')), 'file');
     writeFileSync(file, '');
     expect(() => prepareDataDir(file)).toThrow(
-      /\(--data-dir\) must be a folder .* there is a file in its place: choose another/,
+      /\(--data-dir\) must be a folder .* a file has that name: choose another/,
     );
     expect(() => prepareDataDir(join(file, 'below'))).toThrow(/--data-dir/);
   });

@@ -15,7 +15,7 @@ export function prepareDataDir(folder: string): void {
     const { code, message } = error as NodeJS.ErrnoException;
     const reason =
       code === 'EEXIST' || code === 'ENOTDIR'
-        ? 'there is a file in its place'
+        ? 'a file has that name'
         : code === 'EACCES' || code === 'EPERM' || code === 'EROFS'
           ? 'this user may not write there'
           : message;

@@ -67,8 +67,8 @@ function readFlags(args: readonly string[], cwd: string): GivenOptions {
     if (name === undefined) {
       throw new ConfigError(
         argument.startsWith('-')
-          ? `There is no flag ${flag}: --help shows all flags.`
-          : `The argument "${argument}" belongs to no flag: --help shows all flags.`,
+          ? `The flag ${flag} does not exist. --help shows all flags.`
+          : `The argument "${argument}" does not belong to a flag. --help shows all flags.`,
       );
     }
     let text: string | undefined;
@@ -124,7 +124,7 @@ function readFile(path: string | undefined, place: string): GivenOptions {
     const name = names.find((candidate) => candidate === key && candidate !== 'config');
     if (name === undefined) {
       throw new ConfigError(
-        `The config file ${file} has the key "${key}", which is no option: --help shows all keys.`,
+        `The config file ${file} has the key "${key}", which is not an option. --help shows all keys.`,
       );
     }
     if (value === null) continue;
@@ -163,7 +163,7 @@ function checkTogether(config: Config, options: GivenOptions): void {
   }
   if (config.trustLoopback && config.loopback === 'none') {
     throw new ConfigError(
-      '--trust-loopback makes callers of this machine admins, and --loopback none lets them in to nothing: leave one of the two out.',
+      '--trust-loopback makes callers of this machine admins, and --loopback none gives them no access. Leave one of the two out.',
     );
   }
   if ((config.tlsCertificate === undefined) !== (config.tlsKey === undefined)) {

@@ -36,7 +36,9 @@ export function announce(parts: AnnounceParts): AnnouncedMaster {
     addresses: () => announcedAddresses(reachability()),
     onName: (instance) => log.info('announced in the local network', { name: instance }),
     onProblem: (reason) =>
-      log.warn('cannot be announced in the local network: clients need the address', { reason }),
+      log.warn('cannot announce the master in the local network: clients need its address', {
+        reason,
+      }),
   });
 }
 

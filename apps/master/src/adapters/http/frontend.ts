@@ -71,7 +71,7 @@ function explainMissing({ method, url }: FastifyRequest): ServiceError {
       'Topic data is a WebSocket: open it as ws://, with ?clientID=<id>.',
     );
   }
-  return new ServiceError('not_found', `There is nothing at ${path}.`);
+  return new ServiceError('not_found', `No page or service exists at ${path}.`);
 }
 
 function sendNotBuilt(reply: FastifyReply): FastifyReply {

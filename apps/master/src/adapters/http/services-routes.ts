@@ -124,7 +124,7 @@ async function readRequest(
   const request = await decoder.decode(body, format.name, incoming.account);
   if (request.topic !== body.topic) {
     // The limits that were kept were those of another service.
-    throw new ServiceError('invalid_argument', 'The request has no topic that can be read.');
+    throw new ServiceError('invalid_argument', 'The topic of the request cannot be decoded.');
   }
   return request;
 }

@@ -18,7 +18,7 @@ export function explainListenError(
   switch (code) {
     case 'EADDRINUSE':
       return new ConfigError(
-        `Port ${port} (${option}) is taken by another program: end that one, or ${another}.`,
+        `Port ${port} (${option}) is used by another program: end that program, or ${another}.`,
       );
     case 'EACCES':
       return new ConfigError(
@@ -28,7 +28,7 @@ export function explainListenError(
     case 'ENOTFOUND':
     case 'EAI_AGAIN':
       return new ConfigError(
-        `The host "${host}" (--host) is no address of this machine: leave --host out, or use --lan to listen on all its networks.`,
+        `The host "${host}" (--host) is not an address of this machine: leave --host out, or use --lan to listen on all its networks.`,
       );
     default:
       return new ConfigError(`Port ${port} (${option}) cannot be opened: ${message}; ${another}.`);

@@ -54,7 +54,9 @@ describe('opening ports', () => {
     const port = await takenPort();
     await expect(
       listeners().open({ main: port, legacy: undefined, legacyWished: false }),
-    ).rejects.toThrow(`Port ${port} (--port) is taken by another program: end that one, or choose`);
+    ).rejects.toThrow(
+      `Port ${port} (--port) is used by another program: end that program, or choose`,
+    );
   });
 
   it('answers the same on the legacy ports', async () => {
@@ -71,7 +73,7 @@ describe('opening ports', () => {
     const master = listeners();
     await master.open({ main: 0, legacy: { services: port, topicData: 0 }, legacyWished: false });
     expect(master.ports.services).toBe(master.ports.main);
-    expect(logged.join()).toContain(`Port ${port} (--legacy-ports) is taken`);
+    expect(logged.join()).toContain(`Port ${port} (--legacy-ports) is used`);
   });
 
   it('fails when a legacy port is taken that was asked for', async () => {
@@ -122,7 +124,7 @@ describe('opening ports', () => {
     await master.open({ main: 0, legacy: { services: 0, topicData: 0 }, legacyWished: true });
     const { main, services } = master.ports;
     await expect(master.move({ host: '192.0.2.1', onePort: undefined })).rejects.toThrow(
-      'The host "192.0.2.1" (--host) is no address of this machine',
+      'The host "192.0.2.1" (--host) is not an address of this machine',
     );
     for (const port of [main, services]) {
       expect(await (await fetch(`http://127.0.0.1:${port}`)).text()).toBe('hello');
@@ -139,7 +141,7 @@ describe('opening ports', () => {
     await master.move({ host: '127.0.0.2', onePort: undefined });
     expect(await (await fetch(`http://127.0.0.2:${main}`)).text()).toBe('hello');
     expect(await (await fetch(`http://127.0.0.1:${services}`)).text()).toBe('hello');
-    expect(logged.join()).toContain(`Port ${services} (--legacy-ports) is taken`);
+    expect(logged.join()).toContain(`Port ${services} (--legacy-ports) is used`);
   });
 
   it('explains a host that is none of this machine', async () => {
@@ -152,6 +154,6 @@ describe('opening ports', () => {
     });
     await expect(
       elsewhere.open({ main: 0, legacy: undefined, legacyWished: false }),
-    ).rejects.toThrow('The host "192.0.2.1" (--host) is no address of this machine');
+    ).rejects.toThrow('The host "192.0.2.1" (--host) is not an address of this machine');
   });
 });

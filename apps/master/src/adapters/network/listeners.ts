@@ -92,7 +92,9 @@ export class Listeners {
         return await this.#open(port, '--legacy-ports');
       } catch (error) {
         if (legacyWished || !(error instanceof Error)) throw error;
-        this.#options.log.warn(`${error.message} Existing clients must be told port ${mainPort}.`);
+        this.#options.log.warn(
+          `${error.message} Configure existing clients to use port ${mainPort}.`,
+        );
         return mainPort;
       }
     };

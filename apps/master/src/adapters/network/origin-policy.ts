@@ -26,7 +26,7 @@ export type OriginVerdict =
 export type PageKind = 'own' | 'named' | 'foreign';
 
 const NAMELESS =
-  'A page that was opened from a file, or is shut off in a frame, may use this master with a token of its own only: make an invitation for it, and send its token as Authorization: Bearer.';
+  'A page that was opened from a file, or is shut off in a frame, may use this master only with a token of its own. Create an invitation for it, and send its token as Authorization: Bearer.';
 
 /**
  * Decides which web pages may talk to this master. [SV-8]
@@ -69,7 +69,7 @@ export class OriginPolicy {
     if (this.#isAllowed(origin)) return { kind: 'allowed', origin: headers.origin ?? origin };
     return {
       kind: 'refused',
-      reason: `Pages of ${origin.slice(0, 200)} may not use this master: start it with --allowed-origins ${origin.slice(0, 200)} to let them.`,
+      reason: `Pages of ${origin.slice(0, 200)} may not use this master. Start it with --allowed-origins ${origin.slice(0, 200)} to allow them.`,
     };
   }
 

@@ -27,7 +27,7 @@ export class FaultGuard {
     this.#times = [...this.#times.filter((time) => nowMs - time < WINDOW_MS), nowMs];
     if (this.#times.length <= MAX_FAULTS) return;
     this.#log.error(
-      `more than ${MAX_FAULTS} such errors within ${WINDOW_MS / 1000} s: the master ends`,
+      `more than ${MAX_FAULTS} such errors within ${WINDOW_MS / 1000} s: the master exits`,
     );
     this.#giveUp();
   }

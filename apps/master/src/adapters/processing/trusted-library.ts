@@ -35,7 +35,7 @@ export class TrustedLibrary {
         folder,
         (loaded) => library.#take(loaded),
         (error) =>
-          log.warn('the folder of modules is not watched any more', {
+          log.warn('the folder of modules is no longer watched', {
             folder,
             reason: error.message,
           }),
@@ -59,12 +59,12 @@ export class TrustedLibrary {
 
   #take({ modules, problems }: LoadedFolder): void {
     for (const { file, message } of problems) {
-      this.#log.warn('a file of the folder of modules is left out', { file, reason: message });
+      this.#log.warn('a file in the folder of modules is ignored', { file, reason: message });
     }
     const own = modules.map((module) => from(module, ModuleOrigin.MODULE_ORIGIN_FOLDER));
     const names = new Set(own.map(({ name }) => name));
     this.#modules = [...own, ...this.#builtIn.filter(({ name }) => !names.has(name))];
-    this.#log.info('modules were read', { count: own.length });
+    this.#log.info('modules loaded', { count: own.length });
   }
 }
 

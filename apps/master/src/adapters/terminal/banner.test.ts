@@ -56,7 +56,7 @@ describe('what the terminal shows', () => {
       'of your user on this machine are participants',
     );
     expect(textOf({ role: 'participant', tellsOwners: false })).toContain('of all its users');
-    expect(textOf({ role: 'none', tellsOwners: true })).toContain('are strangers');
+    expect(textOf({ role: 'none', tellsOwners: true })).toContain('have no access');
     const trusted = textOf({ role: 'admin', tellsOwners: true });
     expect(trusted).toContain('are admins');
     expect(trusted).not.toContain('admin-token');
@@ -68,7 +68,7 @@ describe('what the terminal shows', () => {
     const reachability = describeReachability('::', ports, networks, true);
     const text = formatBanner({ ...facts, reachability });
     expect(text).toContain('https://10.0.0.2:8080   Wi-Fi, wlan0');
-    expect(text).toContain('open http://localhost:8080 in two browsers');
+    expect(text).toContain('open http://localhost:8080 and start an example');
     expect(text).toContain('accept the certificate once');
   });
 

@@ -60,7 +60,7 @@ export function formatBanner(facts: BannerFacts): string {
       : [
           [
             'Code for admins',
-            `${admin.code}   good on this machine, until this master ends`,
+            `${admin.code}   valid on this machine until this master exits`,
           ] as const,
         ]),
     ...networkAddresses.map(
@@ -72,7 +72,9 @@ export function formatBanner(facts: BannerFacts): string {
     ),
     ...(join === undefined || networkAddresses.length === 0
       ? []
-      : [['Code to join', `${join.code}   good for 12 hours, until this master ends`] as const]),
+      : [
+          ['Code to join', `${join.code}   valid for 12 hours or until this master exits`] as const,
+        ]),
     ...(ports.services === ports.main && ports.topicData === ports.main
       ? []
       : [
@@ -86,14 +88,14 @@ export function formatBanner(facts: BannerFacts): string {
   const next = [
     ...decided(loopback),
     admin === undefined
-      ? `Next: open ${devUrl ?? localUrl} in two browsers and choose the mouse-pointer example.`
-      : 'Next: open the address for this machine, which makes you admin, and choose the mouse-pointer example.',
+      ? `Next: open ${devUrl ?? localUrl} and start an example.`
+      : 'Next: open the address for this machine, which makes you admin, and start an example.',
     networkAddresses.length > 0
       ? networkAddresses[0]?.url.startsWith('https:')
         ? 'Phones in the same network open the address and type the code, or scan the QR code; they accept the certificate once.'
         : 'Phones in the same network open the address and type the code, or scan the QR code.'
-      : 'Phones cannot reach this master: to let them in, end it and start it without --lan off and --host.',
-    'Ctrl-C ends the master. All flags:  npm start -- --help',
+      : 'Phones cannot reach this master. To connect phones, stop it and start it without --lan off and --host.',
+    'Ctrl-C stops the master. All flags:  npm start -- --help',
   ];
   return [
     '',
@@ -117,6 +119,6 @@ function decided({ role, tellsOwners }: LoopbackFacts): readonly string[] {
     case 'participant':
       return [`${who} are participants; the address and code above make an admin.`];
     case 'none':
-      return [`${who} are strangers without a token (--loopback none).`];
+      return [`${who} have no access without a token (--loopback none).`];
   }
 }

@@ -109,7 +109,7 @@ async function openAuthority(options: CertificatesOptions): Promise<Issued> {
   if (kept !== undefined) {
     checkPair(
       kept,
-      `Delete both ${files.certificate} and ${files.key}: another authority is made, and devices that trusted this one are to install that.`,
+      `Delete both ${files.certificate} and ${files.key}. The master then creates another authority, which devices that trusted this one must install.`,
     );
     return kept;
   }
@@ -117,7 +117,7 @@ async function openAuthority(options: CertificatesOptions): Promise<Issued> {
   const name = `Ubi-Interact ${options.masterName}`;
   const authority = await issueAuthority(name, options.names(), options.nowMs());
   writeCertificate(files, authority);
-  options.log.info('made a certificate authority for this master', { file: files.certificate });
+  options.log.info('created a certificate authority for this master', { file: files.certificate });
   return authority;
 }
 
@@ -132,7 +132,7 @@ async function renewLeaf(
   const beyond = names.filter((name) => !isFor(leaf, name));
   if (beyond.length > 0) {
     log.warn(
-      `HTTPS will not be trusted at ${beyond.join(', ')}: the authority of this master vouches for private networks and for the addresses it was made with. Use --tls-certificate there.`,
+      `Browsers will not trust HTTPS at ${beyond.join(', ')}: the authority of this master certifies private networks and the addresses it was created with. Use --tls-certificate there.`,
     );
   }
   return leaf;

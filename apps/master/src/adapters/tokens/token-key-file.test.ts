@@ -31,6 +31,6 @@ describe('[EX-3] the key of the resume tokens', () => {
   it('is never guessed from a damaged file', () => {
     const dataDir = folder();
     writeFileSync(join(dataDir, 'resume-token.key'), 'short');
-    expect(() => readOrCreateTokenKey(dataDir)).toThrow(/must hold 32 bytes .* delete it/);
+    expect(() => readOrCreateTokenKey(dataDir)).toThrow(/must hold 32 bytes .* Delete it/);
   });
 });

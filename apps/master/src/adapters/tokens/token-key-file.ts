@@ -28,7 +28,8 @@ export function readOrCreateTokenKey(dataDir: string): Uint8Array {
     rmSync(draft, { force: true });
   }
   const key = readKey(file);
-  if (key === undefined) throw new ConfigError(`The key file ${file} vanished while it was made.`);
+  if (key === undefined)
+    throw new ConfigError(`The key file ${file} was removed while it was created.`);
   return key;
 }
 
@@ -42,7 +43,7 @@ function readKey(file: string): Uint8Array | undefined {
   }
   if (!/^[0-9a-f]{64}$/.test(text)) {
     throw new ConfigError(
-      `The key file ${file} must hold ${KEY_BYTES} bytes in hexadecimal, but does not: delete it, and every client comes back as a new one.`,
+      `The key file ${file} must hold ${KEY_BYTES} bytes in hexadecimal, but does not. Delete it; every client then joins as a new one.`,
     );
   }
   return Buffer.from(text, 'hex');

@@ -46,7 +46,7 @@ export class PreflightSockets {
     const address = request.socket.remoteAddress ?? '';
     const open = this.#openByAddress.get(address) ?? 0;
     if (this.#server.clients.size >= MAX_OPEN || open >= MAX_OPEN_OF_ONE_ADDRESS) {
-      const reason = 'Too many pages try their connection now. Try again in a moment.';
+      const reason = 'Too many pages are testing their connection. Try again in a moment.';
       refuseUpgrade(socket, 503, reason, this.#clock);
       return true;
     }
@@ -72,7 +72,7 @@ export class PreflightSockets {
     webSocket.on('message', (data: Buffer, isBinary) => {
       questions += 1;
       if (isBinary || questions > MAX_QUESTIONS) {
-        webSocket.close(POLICY_VIOLATION, 'a preflight asks a few short questions');
+        webSocket.close(POLICY_VIOLATION, 'a preflight sends only a few short messages');
         return;
       }
       webSocket.send(`${data.toString()} ${this.#clock.preciseMs()}`);

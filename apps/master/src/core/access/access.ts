@@ -77,9 +77,7 @@ export class Access {
       );
     }
     if (actsForClient && actsFor !== '' && !this.mayActFor(caller, actsFor)) {
-      throw roleRefusal(
-        `The request names the client ${quote(actsFor)} as the one that asks, which it does not come from.`,
-      );
+      throw roleRefusal(`The request was sent for the client ${quote(actsFor)}, but not by it.`);
     }
   }
 

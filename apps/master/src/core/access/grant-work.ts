@@ -65,7 +65,7 @@ export async function endGrant(
     sessions.stop(session);
     core.events.add(
       StatusEventKind.SESSION_DEGRADED,
-      `The session ${quote(session.label)} was stopped: the leave to join of who made it has ended`,
+      `The session ${quote(session.label)} was stopped: the invitation of the client that started it has ended`,
     );
   }
 }
@@ -75,7 +75,7 @@ export function watchGrants(core: Core): Cancel {
   const look = (): void => {
     for (const grant of core.access.grants.takeOver()) {
       void endGrant(core, grant, CLOSE.expired, false);
-      core.log.info('the time of a leave to join is over', { grantId: grant.id });
+      core.log.info('an invitation expired', { grantId: grant.id });
     }
   };
   look();

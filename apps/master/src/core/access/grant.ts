@@ -22,7 +22,7 @@ export interface GrantSpec {
   readonly madeWith: string;
 }
 
-/** Leave to join [AC-10]. */
+/** An invitation: lets clients join [AC-10]. */
 export interface Grant extends GrantSpec {
   readonly id: string;
   readonly createdMs: number;

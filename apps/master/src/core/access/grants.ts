@@ -43,8 +43,11 @@ export class Grants {
       const grant = grantFromJson(json);
       if (grant !== undefined) this.#index(grant);
       else {
-        const reason = fault ?? 'it is no grant';
-        context.log.warn('a grant cannot be read', { where: context.store.describe(key), reason });
+        const reason = fault ?? 'the file does not contain an invitation';
+        context.log.warn('an invitation cannot be read', {
+          where: context.store.describe(key),
+          reason,
+        });
       }
     }
   }
@@ -82,7 +85,7 @@ export class Grants {
     const { clock, ids, limits } = this.#context;
     const max = limits.limits.grants;
     if (this.#grants.size >= max && !(await this.#makeRoom())) {
-      throw limits.refusal('grants', `more than ${max} leaves to join`);
+      throw limits.refusal('grants', `more than ${max} invitations`);
     }
     const { token, code, hashes } = this.#newSecrets();
     const grant: Grant = {
@@ -136,7 +139,7 @@ export class Grants {
     for (const grant of over) {
       grant.isOver = true;
       this.#keep(grant).catch((error: unknown) =>
-        this.#context.log.warn('a grant could not be kept', { reason: String(error) }),
+        this.#context.log.warn('an invitation could not be saved', { reason: String(error) }),
       );
     }
     return over;
@@ -199,7 +202,7 @@ export class Grants {
         await this.#keep(grant);
       }
     } catch (error) {
-      this.#context.log.warn('a grant could not be kept', { reason: String(error) });
+      this.#context.log.warn('an invitation could not be saved', { reason: String(error) });
     } finally {
       this.#changed.delete(grant);
     }

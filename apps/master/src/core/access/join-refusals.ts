@@ -18,24 +18,25 @@ const SENTENCES: { readonly [P in JoinProblem]?: Sentence } = {
   },
   [JoinProblem.JOIN_PROBLEM_WRONG]: {
     code: 'unauthenticated',
-    message: `Nobody was given this code. ${HOW}`,
+    message: `No invitation has this code. ${HOW}`,
   },
   [JoinProblem.JOIN_PROBLEM_EXPIRED]: {
     code: 'unauthenticated',
-    message: 'The time of this code is over. Ask for a new one, and scan or type it.',
+    message: 'This code expired. Ask for a new one, then scan or type it.',
   },
   [JoinProblem.JOIN_PROBLEM_REVOKED]: {
     code: 'unauthenticated',
-    message: 'The leave to join was taken back. Ask for a new code, and scan or type it.',
+    message: 'The invitation was revoked. Ask for a new code, then scan or type it.',
   },
   [JoinProblem.JOIN_PROBLEM_USED]: {
     code: 'unauthenticated',
-    message: 'As many have joined with this code as may. Ask for a new one, and scan or type it.',
+    message:
+      'This code has been used as often as its invitation allows. Ask for a new one, then scan or type it.',
   },
   [JoinProblem.JOIN_PROBLEM_GUESSING]: {
     code: 'resource_exhausted',
     message:
-      'Too many wrong codes come from this network. Try again in a moment, or scan the QR code, which works at once.',
+      'Too many wrong codes were received from this network. Try again in a moment, or scan the QR code, which works at once.',
   },
 };
 

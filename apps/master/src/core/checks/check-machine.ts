@@ -31,20 +31,20 @@ function masterBusy({ usage, clients }: MachineState): FoundProblem {
   const first = busiest(clients);
   const cause =
     first === undefined
-      ? 'no client stands out'
-      : `${percent(first.traffic.workShare * 100)} of the work with records is that of ${first.label}`;
+      ? 'no single client causes it'
+      : `${percent(first.traffic.workShare * 100)} of the forwarding work is caused by ${first.label}`;
   return {
     code: 'master_busy',
     severity:
       usage.busyPercent >= FULL_PERCENT
         ? StatusProblemSeverity.ERROR
         : StatusProblemSeverity.WARNING,
-    text: `The master is busy for ${percent(usage.busyPercent)} of the time and comes ${Math.round(usage.delayMs)} ms late to what is to be done, so that values arrive later; ${cause}.`,
+    text: `The main thread of the master is busy for ${percent(usage.busyPercent)} of the time. Its event-loop delay is ${Math.round(usage.delayMs)} ms, so values arrive later; ${cause}.`,
     clientId: first?.id ?? '',
     remedy:
       first === undefined
         ? 'Publish less often, subscribe to less or at a lower rate, or run the master on a faster machine.'
-        : 'Let that client publish or subscribe at a lower rate, or throttle it.',
+        : 'Publish or subscribe at a lower rate in that client, or throttle it.',
   };
 }
 
@@ -58,7 +58,7 @@ function machineBusy({ usage, processors, modules }: MachineState): FoundProblem
     code: 'machine_busy',
     severity: StatusProblemSeverity.WARNING,
     text: `The master and its modules take ${percent(usage.cpuPercent / processors)} of the ${processors} cores of their machine; ${cause}.`,
-    remedy: 'Lower the frequency of modules, stop sessions, or let another node run some of them.',
+    remedy: 'Lower the frequency of modules, stop sessions, or run some of them on another node.',
     sessionId: first?.sessionId ?? '',
     moduleId: first?.moduleId ?? '',
   };

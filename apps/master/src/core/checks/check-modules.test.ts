@@ -34,7 +34,7 @@ describe('checkModules() [EX-47]', () => {
       [
         'module_slow m',
         expect.objectContaining({
-          text: 'The runs of the module "blur" of the session "party" take 45.0 ms on "lab pc", 20 times a second, and come later than its mode asks for.',
+          text: 'The runs of the module "blur" of the session "party" take 45.0 ms on "lab pc", 20 times a second, and start later than its mode requires.',
           clientId: 'n',
           sessionId: 's',
           moduleId: 'm',

@@ -64,7 +64,7 @@ export function* checkModules(
     const isLate = hasOverrun && (runsPerSecond * runP95Ms) / 1000 >= OWN_LATENESS;
     if (!isLate && coreShare <= FULL_CORE) continue;
     const fact = isLate
-      ? 'and come later than its mode asks for'
+      ? 'and start later than its mode requires'
       : `so that it takes ${Math.round(coreShare * 100)} % of a core`;
     yield [
       `module_slow ${moduleId}`,
@@ -73,7 +73,7 @@ export function* checkModules(
         severity: StatusProblemSeverity.WARNING,
         text: `The runs of the module ${quote(name)} of the session ${quote(sessionLabel)} take ${runP95Ms.toFixed(1)} ms on ${quote(nodeLabel(nodeId))}, ${Math.round(runsPerSecond)} times a second, ${fact}.`,
         clientId: nodeId === masterId ? '' : nodeId,
-        remedy: 'Lower its frequency, make its code faster, or let a faster node run it.',
+        remedy: 'Lower its frequency, make its code faster, or run it on a faster node.',
         sessionId,
         moduleId,
       },

@@ -31,9 +31,9 @@ export function* checkPublishers(
       {
         code: 'publisher_noisy',
         severity: StatusProblemSeverity.WARNING,
-        text: `${client.label} publishes ${Math.round(recordsInPerSecond)} records per second, which take ${Math.round(percent)} % of the time of the master; everybody else shares the rest.`,
+        text: `${client.label} publishes ${Math.round(recordsInPerSecond)} records per second, which take ${Math.round(percent)} % of the time of the master. All other clients share the rest.`,
         clientId: client.id,
-        remedy: 'Let it publish less often or smaller records, or throttle it.',
+        remedy: 'Publish less often or smaller records, or throttle the client.',
       },
     ];
   }

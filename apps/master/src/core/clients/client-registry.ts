@@ -79,12 +79,12 @@ export class ClientRegistry {
     if (id === '') {
       throw new ServiceError(
         'invalid_argument',
-        `The request has no ${member}; put there the id that the registration returned.`,
+        `The request has no ${member}. Set it to the id that the registration returned.`,
       );
     }
     throw new ServiceError(
       'not_found',
-      `The ${member} ${quote(id)} is the id of no registered client; register first.`,
+      `The ${member} ${quote(id)} is not the id of a registered client. Register first.`,
     );
   }
 
@@ -150,7 +150,7 @@ export class ClientRegistry {
     if (status === 'removed') return this.#remove(client, event);
     if (status === 'unavailable') {
       this.#endTopics(client); // [CL-13]
-      events.add(StatusEventKind.CLIENT_LOST, `${client.label} is gone without a word`, client.id);
+      events.add(StatusEventKind.CLIENT_LOST, `${client.label} lost its connection`, client.id);
     } else if (before === 'unavailable') {
       this.#context.kept.handleReturn(client); // [TD-45]
       events.add(StatusEventKind.CLIENT_RETURNED, `${client.label} is back`, client.id);

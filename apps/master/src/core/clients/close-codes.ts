@@ -10,6 +10,6 @@ export const CLOSE = {
   tooSlow: { code: 4009, reason: 'too slow' },
   disconnected: { code: 4010, reason: 'disconnected' },
   revoked: { code: 4011, reason: 'revoked' },
-  expired: { code: 4012, reason: 'the time of its leave to join is over' },
+  expired: { code: 4012, reason: 'the invitation expired' },
   tooMany: { code: 4013, reason: 'too many' },
 } as const;

@@ -30,7 +30,7 @@ export function throttleClient(
   events.add(StatusEventKind.CLIENT_THROTTLED, `${client.label} is ${text}`, client.id);
   client.socket?.sendError(
     'resource_exhausted',
-    `This client is ${text}; what is beyond is dropped.`,
+    `This client is ${text}. Records above this rate are dropped.`,
   ); // [EX-33]
 }
 
@@ -44,6 +44,6 @@ export function unthrottleClient(
   client.throttle = undefined;
   client.recordBudget = new TokenBucket(limits.recordsPerSecond, clock.monotonicMs());
   const who = byName === '' ? '' : `, says ${byName}`;
-  const text = `${client.label} is throttled no longer${who}`;
+  const text = `${client.label} is no longer throttled${who}`;
   events.add(StatusEventKind.CLIENT_THROTTLED, text, client.id);
 }

@@ -32,7 +32,8 @@ export interface SocketContext extends PublishContext {
   readonly onClosed: (socket: TopicDataSocket, hasLeft: boolean) => void;
 }
 
-const UNKNOWN_TEXT = 'A text message is PING or PONG, but another was received.';
+const UNKNOWN_TEXT =
+  'The text message is neither PING nor PONG. Send topic data as binary messages.';
 const NO_BYTES = new Uint8Array(0);
 
 /** The live socket of one client: what comes in on it, and how it ends. */
@@ -214,7 +215,7 @@ export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
     if (!isStuck) this.#tookSomethingMs = nowMs;
     else if (nowMs - this.#tookSomethingMs >= limits.slowSocketTimeoutMs) {
       limitWatch.count('slowSocketTimeoutMs', this.client.id);
-      log.warn('a socket that took nothing was closed', { clientId: this.client.id });
+      log.warn('a socket that received nothing was closed', { clientId: this.client.id });
       this.close(CLOSE.tooSlow.code, CLOSE.tooSlow.reason);
     }
   }

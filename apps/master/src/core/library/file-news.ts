@@ -42,13 +42,13 @@ export class FileNews {
     const broken = new Map(this.broken().map(({ where, reason }) => [where, reason]));
     for (const [where, reason] of broken) {
       if (this.#told.get(where) === reason) continue;
-      log.warn('a file cannot be read, and is left alone', { file: where, reason });
+      log.warn('a file cannot be read and is ignored', { file: where, reason });
       events.add(StatusEventKind.FILE_BROKEN, `${where} cannot be read: ${reason}`);
     }
     for (const where of this.#told.keys()) {
       if (broken.has(where)) continue;
       log.info('a file can be read again', { file: where });
-      events.add(StatusEventKind.FILE_CHANGED, `${where} can be read again, or is gone`);
+      events.add(StatusEventKind.FILE_CHANGED, `${where} can be read again, or was removed`);
     }
     this.#told = broken;
   }

@@ -80,7 +80,7 @@ export class ModuleHistory {
     const done = this.#queue.then(() => this.#record(key, before, module, origin));
     this.#queue = done.catch((error: unknown) => {
       const reason = error instanceof Error ? error.message : String(error);
-      this.#context.log.error('a version of a module could not be kept', {
+      this.#context.log.error('a version of a module could not be saved', {
         module: module.name,
         reason,
       });

@@ -97,7 +97,7 @@ export class ModuleLibrary {
     if (!this.#trusted().some((module) => module.name === name)) return;
     throw new ServiceError(
       'failed_precondition', // [SE-22]
-      `The module ${quote(name)} came with the program or from the folder of its operator, so that it cannot be changed here; save a copy under another name.`,
+      `The module ${quote(name)} belongs to the program or to the folder of its operator and cannot be changed here. Save a copy under another name.`,
     );
   }
 }

@@ -45,7 +45,7 @@ export class SessionLibrary {
     if (id === '' && name === '') {
       throw new ServiceError(
         'invalid_argument',
-        'The request names no session; give its id or its name.',
+        'The request names no session. Set its id or its name.',
       );
     }
     throw new ServiceError(
@@ -90,7 +90,7 @@ export class SessionLibrary {
     this.#remembering.set(session.id, done);
     done
       .catch((error: unknown) => {
-        this.#log.error('what runs could not be written down', {
+        this.#log.error('the list of running sessions could not be saved', {
           session: session.label,
           reason: String(error),
         });
@@ -107,7 +107,7 @@ export class SessionLibrary {
     } catch (error) {
       throw new ServiceError(
         'unavailable',
-        `It is done, but could not be written down: whether the session starts with the next master is as it was before. ${String(error)}`,
+        `The change applies now, but could not be saved: the next start of the master uses the previous setting. ${String(error)}`,
       );
     }
   }

@@ -55,7 +55,7 @@ export const createGrant: ServiceHandler = async (core, request, { caller }) => 
   const spec = specOf(core, wanted, caller);
   const staysUntilMs = core.clock.nowMs() + wanted.stayMs;
   const { grant, token, code } = await core.access.grants.create(spec, staysUntilMs);
-  core.log.info('leave to join was made', { grantId: grant.id, role: grant.role });
+  core.log.info('invitation created', { grantId: grant.id, role: grant.role });
   return { accessGrantCreated: { grant: messageOf(core, grant), token, code } };
 };
 
@@ -71,7 +71,7 @@ export const revokeGrant: ServiceHandler = async (core, request) => {
   const { clientId, grantId, reason, work } = request.accessGrantRevokeRequest!;
   const grant = core.access.grants.get(grantId);
   if (grant === undefined) {
-    throw new ServiceError('not_found', `No leave to join has the id ${quote(grantId)}.`);
+    throw new ServiceError('not_found', `No invitation has the id ${quote(grantId)}.`);
   }
   // It counts at once, written or not; nobody comes in between.
   const told = { code: CLOSE.revoked.code, reason: byCaller(core, clientId, reason) };
@@ -80,7 +80,7 @@ export const revokeGrant: ServiceHandler = async (core, request) => {
     withDescendants(core, grant).map(async (one) => {
       const revoked = core.access.grants.revoke(one);
       await endGrant(core, one, told, isHandedOver);
-      core.log.info('leave to join was revoked', { grantId: one.id, joins: one.joins });
+      core.log.info('invitation revoked', { grantId: one.id, joins: one.joins });
       await revoked;
     }),
   );
@@ -175,7 +175,7 @@ function requireGlobs(
   globs: readonly string[],
 ): void {
   if (globs.length === 0) return;
-  if (role !== 'player') throw invalid(member, 'is for players; other roles have none');
+  if (role !== 'player') throw invalid(member, 'applies to players only');
   if (globs.length > MAX_TOPICS) throw invalid(member, `has at most ${MAX_TOPICS} elements`);
   for (const glob of globs) {
     if (glob === '' || isLongerThan(glob, limits.topicBytes)) {

@@ -32,7 +32,7 @@ export const renameClient: ServiceHandler = (core, request, call) => {
     );
   }
   if (name !== client.spec.name) {
-    const text = `${client.label} is called ${name} now${by(core, clientId)}`;
+    const text = `${client.label} was renamed to ${name}${by(core, clientId)}`;
     core.clients.rename(client, name);
     core.events.add(StatusEventKind.CLIENT_RENAMED, text, client.id);
   }
@@ -62,7 +62,7 @@ export const controlThrottle: ServiceHandler = (core, request) => {
   const byName = nameOfCaller(core, clientId);
   if (recordsPerSecond === 0) {
     unthrottleClient(core, client, byName);
-    return { success: { title: 'Success', message: `${client.label} is throttled no longer.` } };
+    return { success: { title: 'Success', message: `${client.label} is no longer throttled.` } };
   }
   if (!(recordsPerSecond >= MIN_RECORDS_PER_SECOND && Number.isFinite(recordsPerSecond))) {
     throw new ServiceError(
@@ -85,7 +85,7 @@ function requireTarget({ caller }: ServiceCall, client: Client, what: string): v
   if (caller.role === 'admin') return;
   if (caller.kind === 'client' && caller.clientId === client.id) return;
   throw roleRefusal(
-    `To ${what} another client takes an admin; this device joined as ${caller.role}.`,
+    `Only an admin may ${what} another client. This device joined as ${caller.role}.`,
   );
 }
 

@@ -29,7 +29,10 @@ export const getDevice: ServiceHandler = (core, request) => {
   const device = core.devices.get(id);
   if (device !== undefined) return { device };
   throw id === ''
-    ? new ServiceError('invalid_argument', 'The request has no device.id; name the device.')
+    ? new ServiceError(
+        'invalid_argument',
+        'The request has no device.id. Set it to the id of the device.',
+      )
     : new ServiceError('not_found', `No registered device has the id ${quote(id)}.`);
 };
 

@@ -19,7 +19,7 @@ export const listModuleVersions: ServiceHandler = ({ processing }, request) => {
   if (versions === undefined) {
     throw new ServiceError(
       'not_found',
-      `No versions are kept of a module ${what}: it was not changed since versions are kept, or there is none.`,
+      `The master keeps no versions of a module ${what}: it was not changed, or does not exist.`,
     );
   }
   const current = presentModule(processing, name, moduleId);
@@ -35,7 +35,7 @@ export const listModuleVersions: ServiceHandler = ({ processing }, request) => {
   if (found === undefined) {
     throw new ServiceError(
       'not_found',
-      `The version ${number} of the module ${what} is not kept; the list has those that are.`,
+      `The version ${number} of the module ${what} is not kept. The list shows the versions that are.`,
     );
   }
   const element = { ...found, current: isCurrent && number === versions[0]?.number };

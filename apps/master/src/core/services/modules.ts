@@ -118,11 +118,11 @@ function report(
     const ids = unknown.slice(0, 10).map(quote).join(', ');
     throw new ServiceError(
       'not_found',
-      `No session has these modules on this node: ${ids}${unknown.length > 10 ? ', …' : ''}; the others were taken note of.`,
+      `No session has these modules on this node: ${ids}${unknown.length > 10 ? ', …' : ''}. The reports of the others were received.`,
       { details: { unknown } },
     );
   }
-  return { success: { title: 'Success', message: 'The modules were taken note of.' } };
+  return { success: { title: 'Success', message: 'The reports of the modules were received.' } };
 }
 
 function selected(
@@ -147,5 +147,5 @@ function offeredModules({ clients }: Core): ProcessingModule[] {
 
 function requireName({ name }: ProcessingModule): string {
   if (name !== '') return name;
-  throw new ServiceError('invalid_argument', 'The request names no module; give its name.');
+  throw new ServiceError('invalid_argument', 'The request names no module. Set its name.');
 }

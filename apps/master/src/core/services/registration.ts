@@ -75,7 +75,10 @@ function give(
 }
 
 function removedMeanwhile(): ServiceError {
-  return new ServiceError('unavailable', 'The client was removed while it registered; ask again.');
+  return new ServiceError(
+    'unavailable',
+    'The client was removed while it registered. Send the request again.',
+  );
 }
 
 /** What a client is told about itself; those who did not ask for it see nothing of ours [EX-1]. */

@@ -30,7 +30,7 @@ export function answerRequest(
   const { serviceTimeoutMs } = core.limits;
   return new Promise((resolve) => {
     const cancel = core.clock.after(serviceTimeoutMs, () => {
-      const text = `The service ${quote(request.topic)} gave no answer within ${serviceTimeoutMs} ms; ask again.`;
+      const text = `The service ${quote(request.topic)} did not answer within ${serviceTimeoutMs} ms. Send the request again.`;
       resolve(refuse(core, new ServiceError('deadline_exceeded', text), call));
     });
     const answer = (answered: ServiceAnswer): void => {
@@ -129,7 +129,7 @@ function unknownService(topic: string): ServiceError {
   if (topic === '') {
     return new ServiceError(
       'invalid_argument', // [SV-6]
-      'The request has no topic; put there the topic of a service, such as /services/service_list.',
+      'The request has no topic. Set `topic` to a service, such as /services/service_list.',
     );
   }
   return new ServiceError(

@@ -34,7 +34,7 @@ export const deleteStoredSession: ServiceHandler = async ({ processing }, reques
   if (running !== undefined) {
     throw new ServiceError(
       'failed_precondition',
-      `The session ${quote(running.label)} is ${running.life}, and one that runs is not deleted; stop it first.`,
+      `The session ${quote(running.label)} is ${running.life}, and a running session cannot be deleted. Stop it first.`,
     );
   }
   await sessionLibrary.delete(stored.name);
@@ -62,7 +62,7 @@ async function saveSession(core: Core, message: SessionMessage, maker: string): 
   if (message.name === '') {
     throw new ServiceError(
       'invalid_argument',
-      'The session has no name; give it one, by which it is stored and found.',
+      'The session has no name. Give it a name: sessions are stored by name.',
     );
   }
   requireRoom(core.limitWatch, sessionLibrary.stored, 'ubii.sessions.Session', message);

@@ -30,7 +30,7 @@ export const startSession: ServiceHandler = async ({ processing }, request, { ca
 export const stopSession: ServiceHandler = (core, request) => {
   const session = known(core, request);
   core.processing.sessions.stop(session);
-  return { success: { title: 'Success', message: 'The session is being stopped.' } };
+  return { success: { title: 'Success', message: 'The session is stopping.' } };
 };
 
 /** `/services/session/runtime/update` [SE-15] */

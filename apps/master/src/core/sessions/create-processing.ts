@@ -237,7 +237,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     const whose = shortage === 'all' ? 'all modules on the master' : 'the modules of its session';
     events.add(
       StatusEventKind.LIMIT_REACHED,
-      `The module ${quote(module.name)} of the session ${quote(session.label)} was ended: the memory of ${whose} is used up`,
+      `The module ${quote(module.name)} of the session ${quote(session.label)} was ended: the memory for ${whose} is used up`,
       masterId,
     );
   }

@@ -54,8 +54,8 @@ function nodeGone(module: SessionModule, node: Node | undefined): ReturnType<typ
   const nodeName = node === undefined ? 'its node' : `its node ${quote(node.label)}`;
   const message =
     module.wishedNodeId === ''
-      ? `The module ${quote(module.name)} does not run: no node that is there can run it; it starts when one comes.`
-      : `The module ${quote(module.name)} does not run: ${nodeName} is not there; it starts when the node is back.`;
+      ? `The module ${quote(module.name)} does not run: no connected node can run it. It starts when such a node connects.`
+      : `The module ${quote(module.name)} does not run: ${nodeName} is not connected. It starts when the node reconnects.`;
   return errorProblem({
     code: 'node_gone',
     message,

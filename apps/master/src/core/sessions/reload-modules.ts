@@ -84,7 +84,7 @@ export class ModuleReload {
       for (const { module, was } of users) this.#behind.set(module.id, was);
       const problem = warningProblem({
         code: 'module_not_reloaded',
-        message: `The module ${quote(now.name)} was saved, but the session goes on with it as it was: ${error.message}`,
+        message: `The module ${quote(now.name)} was saved, but the session still runs the previous version: ${error.message}`,
         moduleName: now.name,
         moduleId: users[0]!.module.id,
       });

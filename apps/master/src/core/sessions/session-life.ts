@@ -12,13 +12,13 @@ export function startSession(context: LifeContext, session: Session): void {
   if (!canHappen(session.life, 'start')) {
     throw new ServiceError(
       'failed_precondition',
-      `The session ${quote(session.label)} is ${session.life}, but only one that is created or stopped can be started.`,
+      `The session ${quote(session.label)} is ${session.life}, but only a created or stopped session can be started.`,
     );
   }
   if (session.modules.length === 0) {
     throw new ServiceError(
       'failed_precondition',
-      `The session ${quote(session.label)} has no modules, so there is nothing to start; add some by an update.`,
+      `The session ${quote(session.label)} has no modules to start. Add modules with an update.`,
     );
   }
   session.troubles.clear();
@@ -63,7 +63,7 @@ function isThere({ nodes, local }: LifeContext, module: SessionModule): boolean 
 
 /** Holds a session: its modules keep their state [SE-14]. @throws ServiceError */
 export function pauseSession(context: LifeContext, session: Session): void {
-  requireLife(session, 'pause', 'only one that runs can be paused');
+  requireLife(session, 'pause', 'only a running session can be paused');
   move(context, session, 'pause');
   for (const module of session.modules) {
     const node = context.nodes.get(module.nodeId);
@@ -72,7 +72,7 @@ export function pauseSession(context: LifeContext, session: Session): void {
       `pause ${node.id}`,
       warningProblem({
         code: 'node_cannot_pause',
-        message: `The node ${quote(node.label)} cannot hold its modules; they run on while the session is paused.`,
+        message: `The node ${quote(node.label)} cannot pause modules. They continue to run while the session is paused.`,
         nodeId: node.id,
       }),
     );
@@ -83,7 +83,7 @@ export function pauseSession(context: LifeContext, session: Session): void {
 
 /** Lets a session that is held run on [SE-14]. @throws ServiceError */
 export function resumeSession(context: LifeContext, session: Session): void {
-  requireLife(session, 'resume', 'only one that is paused can be resumed');
+  requireLife(session, 'resume', 'only a paused session can be resumed');
   for (const key of [...session.troubles.keys()]) {
     if (key.startsWith('pause ')) session.troubles.delete(key);
   }

@@ -59,7 +59,10 @@ export class Sessions {
     const session = this.#context.table.get(id);
     if (session !== undefined) return session;
     throw id === ''
-      ? new ServiceError('invalid_argument', 'The request has no session.id; name the session.')
+      ? new ServiceError(
+          'invalid_argument',
+          'The request has no session.id. Set it to the id of the session.',
+        )
       : new ServiceError('not_found', `No session has the id ${quote(id)}.`);
   }
 
@@ -313,7 +316,7 @@ export class Sessions {
     if (revision === 0 || revision === session.revision) return;
     throw new ServiceError(
       'failed_precondition',
-      `The update is made from revision ${revision} of the session ${quote(session.label)}, but somebody changed it since: it is at revision ${session.revision}; get it, and make the change again.`,
+      `The update is made from revision ${revision} of the session ${quote(session.label)}, but the session changed since then: it is at revision ${session.revision}. Get it and make the change again.`,
     );
   }
 }

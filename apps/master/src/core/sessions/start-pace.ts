@@ -38,7 +38,7 @@ export class StartPace {
     const { sessionStartBytesPerSecond: max } = this.#limits.limits;
     throw new ServiceError(
       'resource_exhausted',
-      `Sessions are sent to everybody who listens when they start, and those that were started of late are too large to start ${quote(session.label)} now (limit sessionStartBytesPerSecond); try again in ${Math.ceil(waitMs / 1000)} s.`,
+      `A starting session is sent to all subscribers, and the sessions started recently were too large to start ${quote(session.label)} now (limit sessionStartBytesPerSecond). Try again in ${Math.ceil(waitMs / 1000)} s.`,
       { details: { limit: 'sessionStartBytesPerSecond', max } },
     );
   }

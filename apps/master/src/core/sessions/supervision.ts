@@ -113,7 +113,7 @@ export class Supervision {
         `stop ${module.nodeId}`,
         warningProblem({
           code: 'module_not_stopped',
-          message: `The node ${quote(node?.label ?? module.nodeId)} has not reported within ${limits.stopTimeoutMs / 1000} s that its modules have ended; nobody waits for it any more.`,
+          message: `The node ${quote(node?.label ?? module.nodeId)} has not reported within ${limits.stopTimeoutMs / 1000} s that its modules ended. The session stopped without that report.`,
           nodeId: module.nodeId,
         }),
       );

@@ -71,7 +71,7 @@ export class TopicTroubles {
       keyOf(module),
       warningProblem({
         code: 'too_many_topics',
-        message: `${text}; topics that are there go on. Use parameters that come again, such as identities.`,
+        message: `${text}. Existing topics continue. Use parameters that repeat, such as identities.`,
         moduleId: module.id,
         moduleName: module.name,
         nodeId: module.nodeId,

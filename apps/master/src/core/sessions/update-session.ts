@@ -16,7 +16,7 @@ export function updateSession(context: LifeContext, session: Session, draft: Ses
   if (session.isLive && drafts.length === 0) {
     throw new ServiceError(
       'failed_precondition',
-      `The session ${quote(session.label)} is ${session.life}, and one that runs needs a module; stop it first.`,
+      `The session ${quote(session.label)} is ${session.life}, and a running session needs at least one module. Stop it first.`,
     );
   }
   const before = session.modules;
@@ -112,7 +112,7 @@ function isForeign({ nodes }: LifeContext, nodeId: string): boolean {
 function cannotUpdate({ nodes }: LifeContext, nodeId: string): ReturnType<typeof warningProblem> {
   return warningProblem({
     code: 'node_cannot_update',
-    message: `The node ${quote(nodes.get(nodeId)?.label ?? nodeId)} cannot take changes while a session runs; they count there after a stop and a start.`,
+    message: `The node ${quote(nodes.get(nodeId)?.label ?? nodeId)} cannot apply changes while a session runs. They apply there after a stop and a start.`,
     nodeId,
   });
 }

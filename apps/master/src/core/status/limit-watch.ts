@@ -5,7 +5,7 @@ import type { Log } from '../ports/log.ts';
 import type { EventLog } from './event-log.ts';
 import { Streak } from './streak.ts';
 
-/** How often a limit was met. */
+/** How often a limit was reached. */
 export interface LimitHits {
   readonly limit: LimitName;
   readonly streak: Streak;

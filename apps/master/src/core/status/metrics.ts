@@ -20,7 +20,11 @@ export function readMetrics(core: Core): MasterMetrics {
       'Encoded bytes of records handed to subscribers.',
       counters.bytesOut,
     ),
-    counter('ubii_records_dropped_total', 'Records slow subscribers missed.', counters.dropped),
+    counter(
+      'ubii_records_dropped_total',
+      'Records dropped from the queues of slow subscribers.',
+      counters.dropped,
+    ),
     family(
       'ubii_refused_total',
       'Records and requests refused, by reason.',
@@ -30,12 +34,12 @@ export function readMetrics(core: Core): MasterMetrics {
     ),
     counter(
       'ubii_protocol_errors_total',
-      'Messages on topic-data sockets that cannot be read.',
+      'Messages on topic-data sockets that cannot be decoded.',
       counters.protocolErrors,
     ),
     family(
       'ubii_limit_hits_total',
-      'How often a limit was met.',
+      'How often a limit was reached.',
       'counter',
       'limit',
       Object.keys(limits).map((limit) => [limit, hits.get(limit as keyof typeof limits) ?? 0]),
@@ -56,7 +60,7 @@ export function readMetrics(core: Core): MasterMetrics {
     gauge('ubii_connections', 'Open connections to all ports.', core.connections.size),
     gauge(
       'ubii_connections_of_strangers',
-      'Open connections of which nobody knows whose they are.',
+      'Open connections of callers that have not joined.',
       core.connections.strangers,
     ),
     counter('ubii_sockets_opened_total', 'Topic-data sockets opened.', counters.connectionsOpened),
@@ -85,7 +89,7 @@ export function readMetrics(core: Core): MasterMetrics {
     gauge('ubii_retained_bytes', 'Encoded bytes of all retained records.', topics.retainedBytes),
     gauge(
       'ubii_records_waiting',
-      'Records that wait for slow sockets.',
+      'Records queued for slow sockets.',
       waiting.reduce((sum, count) => sum + count, 0),
     ),
   ];
@@ -107,14 +111,14 @@ function moduleTotals({ processing }: Core): MetricFamily[] {
   const sum = (key: 'runs' | 'errors' | 'overruns' | 'restarts' | 'outputs' | 'outputsRefused') =>
     statistics.reduce((total, one) => total + one[key], 0);
   return [
-    gauge('ubii_module_runs', 'Runs of the modules that live.', sum('runs')),
-    gauge('ubii_module_errors', 'Failed runs of the modules that live.', sum('errors')),
-    gauge('ubii_module_overruns', 'Overruns of the modules that live.', sum('overruns')),
-    gauge('ubii_module_restarts', 'Restarts of the modules that live.', sum('restarts')),
-    gauge('ubii_module_outputs', 'Records put out by the modules that live.', sum('outputs')),
+    gauge('ubii_module_runs', 'Runs of the modules that exist now.', sum('runs')),
+    gauge('ubii_module_errors', 'Failed runs of the modules that exist now.', sum('errors')),
+    gauge('ubii_module_overruns', 'Overruns of the modules that exist now.', sum('overruns')),
+    gauge('ubii_module_restarts', 'Restarts of the modules that exist now.', sum('restarts')),
+    gauge('ubii_module_outputs', 'Records put out by the modules that exist now.', sum('outputs')),
     gauge(
       'ubii_module_outputs_refused',
-      'Outputs refused of the modules that live.',
+      'Refused outputs of the modules that exist now.',
       sum('outputsRefused'),
     ),
   ];

@@ -45,10 +45,10 @@ function* limitProblems({ limitWatch, clock, limits }: Core): Iterable<Problem> 
     yield {
       code: 'limit_reached',
       severity: isCommon ? StatusProblemSeverity.ERROR : StatusProblemSeverity.WARNING,
-      text: `The limit ${limit} (${limits[limit]}) was met, ${streak.count} times so far; what goes beyond is refused.`,
+      text: `The limit ${limit} (${limits[limit]}) was reached ${streak.count} times so far. Requests and records beyond it are refused.`,
       remedy: isCommon
         ? `Remove what is not needed, or raise the limit with --limits ${limit}=<number>.`
-        : `Look whether the program means to do that; else split what it does, or raise the limit with --limits ${limit}=<number>.`,
+        : `Check whether the program does this on purpose. Otherwise reduce its load, or raise the limit with --limits ${limit}=<number>.`,
       clientId,
       sinceMs: epochMs(clock, streak.sinceMs),
     };
@@ -61,8 +61,8 @@ function* fileProblems({ processing, startedMs }: Core): Iterable<Problem> {
     yield {
       code: 'file_broken',
       severity: StatusProblemSeverity.WARNING,
-      text: `${where} cannot be read, and is left alone: ${reason}`,
-      remedy: 'Mend the file by hand, or remove it; what it says then counts at once.',
+      text: `${where} cannot be read and is ignored: ${reason}`,
+      remedy: 'Repair the file by hand, or remove it. The change applies at once.',
       sinceMs: startedMs,
     };
   }
@@ -77,7 +77,7 @@ function* sessionProblems({ processing, clock }: Core): Iterable<Problem> {
       code: 'session_degraded',
       severity: StatusProblemSeverity.WARNING,
       text: `The session ${quote(session.label)} runs without some of its modules. ${first?.message ?? ''}`.trim(),
-      remedy: 'Open the session to see which modules do not run, and why.',
+      remedy: 'Open the session to see which modules do not run and why.',
       sessionId: session.id,
       moduleId: first?.moduleId ?? '',
       sinceMs: epochMs(clock, session.lifeSinceMs),
@@ -96,8 +96,8 @@ function* clientProblems({ clock }: Core, client: Client): Iterable<Problem> {
     yield {
       ...warning,
       code: 'client_silent',
-      text: `${label} has not been heard of for ${silentSeconds} s; after 10 s its values end.`,
-      remedy: 'See whether the device sleeps or has lost its network; it comes back by itself.',
+      text: `${label} has sent nothing for ${silentSeconds} s. After 10 s its retained values are deleted.`,
+      remedy: 'Check whether the device sleeps or lost its network. It reconnects by itself.',
       sinceMs: epochMs(clock, client.statusSinceMs),
     };
   }
@@ -105,8 +105,8 @@ function* clientProblems({ clock }: Core, client: Client): Iterable<Problem> {
     yield {
       ...warning,
       code: 'client_slow',
-      text: `${label} takes data more slowly than it comes: ${outbox.drops.count} records were dropped so far, the newest values win.`,
-      remedy: 'Let it subscribe to less or at a lower rate, or give it a better network.',
+      text: `${label} receives data more slowly than it is published: ${outbox.drops.count} queued records were dropped so far. The newest value of each topic is kept.`,
+      remedy: 'Subscribe to fewer topics or at a lower rate, or use a better network.',
       sinceMs: epochMs(clock, outbox.drops.isOn(nowMs) ? outbox.drops.sinceMs : nowMs),
     };
   }
@@ -116,8 +116,8 @@ function* clientProblems({ clock }: Core, client: Client): Iterable<Problem> {
       code: 'client_throttled', // [EX-33]
       text: `${label} is ${describeThrottle(throttle)}; ${throttle.dropped} of its records were dropped so far.`,
       remedy: throttle.byPolicy
-        ? 'Let it publish less, or at a lower rate; the throttle ends by itself then.'
-        : 'Let it publish less, or lift the throttle.',
+        ? 'Publish less or at a lower rate. The throttle then ends by itself.'
+        : 'Publish less, or remove the throttle.',
       sinceMs: throttle.sinceMs,
     };
   }
@@ -125,8 +125,8 @@ function* clientProblems({ clock }: Core, client: Client): Iterable<Problem> {
     yield {
       ...warning,
       code: 'protocol_errors',
-      text: `${label} sent ${protocolErrors.count} messages so far that cannot be read; they are refused.`,
-      remedy: 'The program does not speak this protocol, or has a fault; update it.',
+      text: `${label} sent ${protocolErrors.count} messages so far that cannot be decoded. They were refused.`,
+      remedy: 'The program uses another protocol or has a bug. Update it.',
       sinceMs: epochMs(clock, protocolErrors.sinceMs),
     };
   }

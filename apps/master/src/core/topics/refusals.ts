@@ -19,7 +19,7 @@ export const REFUSALS = {
   noTopic: {
     code: 'invalid_argument',
     describe: ({ byteLength }) =>
-      `A record needs a topic, but the one received, of ${byteLength} bytes, has none.`,
+      `The record of ${byteLength} bytes has no topic. Set \`topic\` to a non-empty string.`,
   },
   longTopic: {
     code: 'resource_exhausted',
@@ -47,7 +47,7 @@ export const REFUSALS = {
     code: 'resource_exhausted',
     limit: 'recordsPerSecond',
     describe: ({ topic }, { recordsPerSecond }) =>
-      `The record on ${quote(topic)} came too soon: a client publishes at most ${recordsPerSecond} records per second (limit recordsPerSecond).`,
+      `The record on ${quote(topic)} exceeds the rate limit: a client publishes at most ${recordsPerSecond} records per second (limit recordsPerSecond).`,
   },
   /** [EX-32] */
   throttled: {
@@ -59,7 +59,7 @@ export const REFUSALS = {
     code: 'resource_exhausted',
     limit: 'publishedBytesPerSecond',
     describe: ({ topic, byteLength }, { publishedBytesPerSecond }) =>
-      `The record of ${byteLength} bytes on ${quote(topic)} came too soon: a client publishes at most ${publishedBytesPerSecond} bytes per second (limit publishedBytesPerSecond).`,
+      `The record of ${byteLength} bytes on ${quote(topic)} exceeds the rate limit: a client publishes at most ${publishedBytesPerSecond} bytes per second (limit publishedBytesPerSecond).`,
   },
   /** [AC-83] */
   noRoom: {

@@ -178,5 +178,5 @@ function declaredLength({ headers }: IncomingMessage): number | undefined {
 }
 
 function brokenOff(): ServiceError {
-  return new ServiceError('invalid_argument', 'The request broke off before its end.');
+  return new ServiceError('invalid_argument', 'The request ended before its body was complete.');
 }

@@ -35,13 +35,13 @@ function describe(cycle: readonly Node[], isEndless: boolean): SessionProblem {
     ? errorProblem({
         ...about(draft),
         code: 'endless_cycle',
-        message: `${who} and run without any delay on each input, which never ends; give one of them a minimal delay or a frequency.`,
+        message: `${who} and run on each input without a delay, so they never stop. Give one of them a minimum delay or a frequency.`,
         path: draft.mappingPath,
       })
     : warningProblem({
         ...about(draft),
         code: 'cycle',
-        message: `${who}; see to it that the values do not grow without end.`,
+        message: `${who}. Make sure that the values do not grow without limit.`,
         path: draft.mappingPath,
       });
 }

@@ -54,7 +54,7 @@ function* checkTopic(
     yield warningProblem({
       ...found,
       code: 'topic_without_record',
-      message: `Nobody has published on ${quote(topic)} yet, so the input ${quote(inputName)} is empty until somebody does.`,
+      message: `Topic ${quote(topic)} has no publisher yet, so the input ${quote(inputName)} is empty until a value is published.`,
     });
   } else if (writers.length === 0 && components.length === 0) {
     const format = context.retainedFormat(topic);
@@ -62,7 +62,7 @@ function* checkTopic(
     yield warningProblem({
       ...found,
       code: 'topic_of_other_format',
-      message: `The value on ${quote(topic)} is ${format}, but ${input}; it is left out.`,
+      message: `The value on ${quote(topic)} is ${format}, but ${input}. The value is ignored.`,
     });
   }
 }

@@ -22,7 +22,7 @@ function* checkName(draft: DraftModule): Iterable<SessionProblem> {
   yield errorProblem({
     ...about(draft),
     code: 'module_without_name',
-    message: 'The module has no name; give it one, by which nodes and mappings find it.',
+    message: 'The module has no name. Give it a name, so that nodes and mappings can refer to it.',
     path: `${draft.path}.name`,
   });
 }
@@ -49,7 +49,7 @@ function* checkCode(draft: DraftModule, context: CheckContext): Iterable<Session
       yield errorProblem({
         ...about(draft),
         code: 'module_unknown',
-        message: `The module ${quote(spec.name)} comes without code, and neither the library nor any node has a module of that name; send its code, or start a node that has it.`,
+        message: `The module ${quote(spec.name)} has no code, and neither the library nor a node has a module of that name. Send its code, or start a node that has it.`,
         path,
       });
     }

@@ -82,7 +82,7 @@ function notChecked(draft: DraftModule): SessionProblem {
   return warningProblem({
     ...about(draft),
     code: 'not_checked',
-    message: `The code of the module ${quote(draft.spec.name)} could not be looked at in time; its node will tell whether it can be used.`,
+    message: `The code of the module ${quote(draft.spec.name)} could not be checked in time. Its node reports whether it can be used.`,
     path: `${draft.path}.onProcessingStringified`,
   });
 }

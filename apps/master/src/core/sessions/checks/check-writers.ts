@@ -13,7 +13,7 @@ export const checkWriters: Check = function* (modules) {
         yield warningProblem({
           ...about(draft),
           code: 'topic_written_twice',
-          message: `Both ${quote(other)} and ${quote(draft.spec.name)} write ${quote(topic)}; whoever writes last wins.`,
+          message: `Both ${quote(other)} and ${quote(draft.spec.name)} write ${quote(topic)}. The last value written counts.`,
           path: `${draft.mappingPath}.outputMappings[${index}].topic`,
         });
       }

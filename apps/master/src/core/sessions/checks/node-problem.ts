@@ -18,7 +18,7 @@ export function nodeProblem(nodes: NodeTable, draft: DraftModule): SessionProble
     return errorProblem({
       ...found,
       code: 'unknown_node',
-      message: `The module ${quote(spec.name)} is to run on ${quote(wishedNodeId)}, which is the id of no registered client; /services/ubii/node_list lists the nodes.`,
+      message: `The module ${quote(spec.name)} is assigned to ${quote(wishedNodeId)}, but no registered client has this id. /services/ubii/node_list lists the nodes.`,
     });
   }
   const reason = isMaster(node) ? masterCannot(node, draft) : cannotRun(node, spec);
@@ -27,7 +27,7 @@ export function nodeProblem(nodes: NodeTable, draft: DraftModule): SessionProble
   return warningProblem({
     ...found,
     code: 'node_unavailable',
-    message: `The node ${quote(node.label)} is not there now; the module ${quote(spec.name)} starts when it is back.`,
+    message: `The node ${quote(node.label)} is not connected. The module ${quote(spec.name)} starts when it reconnects.`,
   });
 }
 
@@ -38,12 +38,12 @@ function chosenProblem(nodes: NodeTable, draft: DraftModule): SessionProblem | u
   if (!hasCode(draft)) return undefined;
   const reasons = nodes
     .list()
-    .map((node) => cannotRun(node, spec) ?? 'is not to be chosen')
+    .map((node) => cannotRun(node, spec) ?? 'accepts no modules by itself')
     .slice(0, 1);
   return errorProblem({
     ...about(draft),
     code: 'node_cannot_run',
-    message: `No node that is there can run the module ${quote(spec.name)}: the master ${reasons.join('')}; start a node that can, or name one.`,
+    message: `No connected node can run the module ${quote(spec.name)}: the master ${reasons.join('')}. Start a node that can run it, or choose one.`,
   });
 }
 

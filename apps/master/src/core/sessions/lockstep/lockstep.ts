@@ -79,7 +79,7 @@ export class Lockstep {
         `lockstep ${nodeId}`,
         warningProblem({
           code: 'node_without_lockstep',
-          message: `The node ${quote(node.label)} knows nothing of lockstep; it runs such modules in its own way.`,
+          message: `The node ${quote(node.label)} does not support lockstep. It runs lockstep modules in a mode of its own.`,
           nodeId,
         }),
       );

@@ -199,7 +199,7 @@ export class PassLoop {
         `late ${nodeId}`,
         warningProblem({
           code: 'node_late',
-          message: `The node ${name} has not answered a lockstep pass within ${limits.lockstepTimeoutMs} ms; it is left out until it answers.`,
+          message: `The node ${name} has not answered a lockstep pass within ${limits.lockstepTimeoutMs} ms. It is left out until it answers.`,
           nodeId,
         }),
       );
