@@ -28,7 +28,7 @@ export class GraphPage {
     this.inspector = page.getByRole('complementary', { name: 'What is selected' });
     this.refusal = page.getByRole('alertdialog', { name: 'This wire does not fit' });
     this.menu = page.getByRole('menu', { name: /^What to do/ });
-    this.life = page.getByRole('toolbar', { name: 'Life of the session' });
+    this.life = page.getByRole('toolbar', { name: 'Session controls' });
     this.title = page.getByRole('button', { name: /, rename$/ });
     this.others = page.getByRole('group', { name: 'Who else is here' });
     this.importDialog = page.getByRole('dialog', { name: /Import|no session/ });

@@ -102,7 +102,7 @@ test('on a phone the graph is a list, with its life', async ({ room, master }) =
   const list = page.getByRole('list', { name: 'Nodes of the graph' });
   await expect(list).toContainText('low-pass');
   await page.getByRole('button', { name: 'Start' }).tap();
-  await expect(page.getByRole('toolbar', { name: 'Life of the session' })).toContainText('Running');
+  await expect(page.getByRole('toolbar', { name: 'Session controls' })).toContainText('Running');
   await page.getByRole('button', { name: 'Show as a graph' }).tap();
   await expect(page.getByRole('group', { name: 'Module low-pass' })).toBeVisible();
 });

@@ -150,9 +150,7 @@ test('on a phone, modules are added, bound and started in the list', async ({ ro
     await page.getByRole('option', { name: 'New topic /wave/smooth' }).tap();
     await expect(output).toContainText('/wave/smooth');
     await page.getByRole('button', { name: /^(Save and start|Start)$/ }).tap();
-    await expect(page.getByRole('toolbar', { name: 'Life of the session' })).toContainText(
-      'Running',
-    );
+    await expect(page.getByRole('toolbar', { name: 'Session controls' })).toContainText('Running');
     wave.publish('/wave/height', 'double', 5);
     await expect(output).toContainText(/\d\.\d\d/);
   });

@@ -100,7 +100,7 @@ const NODES: readonly Deed[] = [
   {
     does: 'moves a node by keys',
     undo: /^Move loose$/,
-    act: press(LOOSE, 'ArrowRight', 'Shift+ArrowDown'),
+    act: press(LOOSE, 'Shift+ArrowRight', 'Control+Shift+ArrowDown'),
   },
   {
     does: 'lines nodes up by keys',

@@ -1,4 +1,5 @@
 import type { RouteLocationRaw, RouteRecordRaw } from 'vue-router';
+import { GRAPH_CANVAS_ID } from './graph-canvas-id.ts';
 
 /** Where the graph of a session is edited. */
 export function graphLocation(id: string): RouteLocationRaw {
@@ -9,6 +10,10 @@ export const graphRoutes: readonly RouteRecordRaw[] = [
   {
     path: '/sessions/:id/graph',
     component: () => import('./editor/GraphPage.vue'),
-    meta: { title: 'Graph', parent: { title: 'Sessions', to: '/sessions' } },
+    meta: {
+      title: 'Graph',
+      parent: { title: 'Sessions', to: '/sessions' },
+      skip: { title: 'Skip to the graph', id: GRAPH_CANVAS_ID },
+    },
   },
 ];

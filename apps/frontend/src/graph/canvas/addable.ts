@@ -13,14 +13,15 @@ export interface AddableSources {
   readonly topics: readonly KnownTopic[];
 }
 
-/** Something that can be added: by itself, or at the end of a wire. */
+/** Something that can be added, by itself or at the end of a wire; or a socket to connect to. */
 export type Addable = {
   readonly key: string;
   readonly text: string;
   readonly hint: string;
 } & (
-  | { readonly item: NewNode; readonly offer?: undefined }
-  | { readonly item?: undefined; readonly offer: NodeOffer }
+  | { readonly item: NewNode; readonly offer?: undefined; readonly port?: undefined }
+  | { readonly item?: undefined; readonly offer: NodeOffer; readonly port?: undefined }
+  | { readonly item?: undefined; readonly offer?: undefined; readonly port: PortRef }
 );
 
 const MAX_SHOWN = 60;
@@ -135,7 +136,7 @@ function looseItems(
   ];
 }
 
-/** A topic that nobody publishes yet, by the name typed. */
+/** A topic that has no publisher yet, by the name typed. */
 function newTopic(
   graph: Graph,
   typed: string,

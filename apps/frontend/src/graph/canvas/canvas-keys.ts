@@ -1,10 +1,11 @@
 import { randomUuid } from '../../connection/random-uuid.ts';
 import type { GraphEditor } from '../editor/graph-editor.ts';
 import type { CanvasContext } from '../editor/use-graph-editor.ts';
-import type { Point } from '../model/graph.ts';
+import type { Point, PortRef } from '../model/graph.ts';
 import type { Alignment, Axis } from '../model/selection/arrange.ts';
 import { duplicate } from '../model/selection/clipboard.ts';
 import { collapseCommand } from './collapse.ts';
+import type { KeyWalk } from './keys/key-walk.ts';
 import { viewKey } from './view-keys.ts';
 import { goToEnd, walkWires } from './wire-walk.ts';
 
@@ -13,14 +14,20 @@ export interface CanvasActions {
   fit(): void;
   add(): void;
   find(): void;
-  cancel(): void;
+  /** @returns whether there was something to cancel */
+  cancel(): boolean;
   open(node: string): void;
+  /** Starts a wire at a socket: what fits is chosen in a list. */
+  connect(port: PortRef): void;
+  /** Tells what a key could not do. */
+  tell(sentence: string): void;
 }
 
 /** What keys work on. */
 export interface CanvasKeys extends Pick<CanvasContext, 'stage' | 'commands' | 'points'> {
   readonly editor: GraphEditor;
   readonly actions: CanvasActions;
+  readonly walk: KeyWalk;
 }
 
 const STEP = 10;
@@ -42,34 +49,38 @@ const ALIGN: Readonly<Record<string, Alignment>> = {
 };
 const SPREAD: Readonly<Record<string, Axis>> = { KeyH: 'x', KeyV: 'y' };
 
-/** Does what a key asks for. @returns true when it was one of ours */
+/** Runs the command of a key. @returns whether it has one */
 export function canvasKey(keys: CanvasKeys, event: KeyboardEvent): boolean {
   const arrow = ARROWS[event.key];
   if (event.ctrlKey || event.metaKey) {
     if (arrow === undefined) return commandKey(keys, event);
+    if (event.shiftKey) return keys.commands.move(scaled(arrow, BIG_STEP));
     return keys.commands.resize(scaled(arrow, STEP));
   }
   if (event.altKey) return alignKey(keys, event);
-  if (arrow !== undefined) return arrowKey(keys, arrow, event.shiftKey);
+  if (arrow !== undefined) return arrowKey(keys, arrow, event);
   return plainKey(keys, event) || viewKey(keys.stage, keys.editor, keys.actions, event);
 }
 
 const scaled = ({ x, y }: Point, by: number): Point => ({ x: x * by, y: y * by });
 
-/** Moves what is selected; from a wire, goes to its ends and to the wires beside it. */
-function arrowKey({ editor, commands, points, stage }: CanvasKeys, arrow: Point, isBig: boolean) {
-  const { nodes, wire } = editor.selection.value;
-  const way = scaled(arrow, isBig ? BIG_STEP : STEP);
-  if (nodes.size > 0 || points.selected !== undefined) return commands.move(way);
+/** Goes from node to node, to sockets and along wires; with Shift, moves what is selected. */
+function arrowKey(keys: CanvasKeys, arrow: Point, { shiftKey, target }: KeyboardEvent): boolean {
+  const { editor, commands, points, stage, walk } = keys;
+  const { wire } = editor.selection.value;
+  if (points.selected !== undefined)
+    return commands.move(scaled(arrow, shiftKey ? BIG_STEP : STEP));
+  if (shiftKey) return commands.move(scaled(arrow, STEP));
   if (wire !== undefined) {
-    if (arrow.x !== 0) return goToEnd(editor, stage, wire, arrow.x > 0 ? 'to' : 'from');
+    if (arrow.x !== 0) return goToEnd(editor, walk, wire, arrow.x > 0 ? 'to' : 'from');
     return walkWires(editor, stage, arrow.y > 0 ? 1 : -1);
   }
-  void stage.pan(scaled(way, -4));
-  return true;
+  return walk.arrow(target as HTMLElement, arrow);
 }
 
-function plainKey({ editor, commands, points, actions, stage }: CanvasKeys, event: KeyboardEvent) {
+function plainKey(keys: CanvasKeys, event: KeyboardEvent): boolean {
+  const { editor, commands, points, actions, stage, walk } = keys;
+  const target = event.target as HTMLElement;
   const { nodes, wire } = editor.selection.value;
   switch (event.key) {
     case 'Delete':
@@ -77,9 +88,15 @@ function plainKey({ editor, commands, points, actions, stage }: CanvasKeys, even
       // With Shift, what fed the nodes feeds what they fed.
       return commands.remove(event.shiftKey);
     case 'Escape':
-      if (points.selected === undefined) actions.cancel();
-      else points.select(undefined);
+      if (points.selected !== undefined) points.select(undefined);
+      else if (!actions.cancel() && !walk.leaveSocket(target)) editor.select([]);
       return true;
+    case 'l': {
+      const port = walk.socketFor(target);
+      if (port === undefined) actions.tell('Focus a node or a socket first, then press L.');
+      else actions.connect(port);
+      return true;
+    }
     case 'Enter': {
       const [only] = nodes;
       if (only === undefined) return false;
@@ -95,7 +112,8 @@ function plainKey({ editor, commands, points, actions, stage }: CanvasKeys, even
     case 'x':
       return commands.detach();
     case 'i':
-      return commands.insert();
+      if (!commands.insert()) actions.tell('The node lies on no wire that fits it.');
+      return true;
     case 'w':
     case 'W':
       return walkWires(editor, stage, event.shiftKey ? -1 : 1);
@@ -108,7 +126,7 @@ function plainKey({ editor, commands, points, actions, stage }: CanvasKeys, even
     case '[':
       return points.walk(-1);
     case 'Tab':
-      // Only on the canvas itself: from node to node it goes as everywhere.
+      // With a mouse, on the canvas itself. See keys/tab-stops.ts for the keyboard.
       if (event.shiftKey || nodes.size > 0) return false;
       actions.add();
       return true;
@@ -137,7 +155,7 @@ function collapse(editor: GraphEditor): boolean {
   return command !== undefined;
 }
 
-/** Lets the selected modules rest, or work again when all of them rest in that way. */
+/** Bypasses or mutes the selected modules, or enables them when all are in that state. */
 function toggleStanding(editor: GraphEditor, standing: 'bypassed' | 'muted'): boolean {
   const modules = [...editor.selection.value.nodes].flatMap((id) => {
     const node = editor.graph.value.nodes.get(id);

@@ -16,6 +16,7 @@ import { drawnSize } from './drawn-size.ts';
 import { freeSpot, NODE_HALF, onGrid } from './free-spot.ts';
 import { inHost } from './in-host.ts';
 import { insertedText, misfitOnWire } from './insert-words.ts';
+import type { KeyWalk } from './keys/key-walk.ts';
 import { newNode, type NewNode } from './new-nodes.ts';
 import type { Box } from './stage-view.ts';
 import { viewShowing } from './view-showing.ts';
@@ -35,6 +36,8 @@ export interface AddingSpot {
   readonly isInto?: boolean;
   /** No place was pointed at: a free one in view is looked for. */
   readonly isAnywhere?: boolean;
+  /** Sockets in the graph that fit are offered, too. */
+  readonly hasSockets?: boolean;
 }
 
 /** What a menu asks to add, at a place of the canvas: at a socket, into a wire, or by itself. */
@@ -50,6 +53,8 @@ export interface Adding {
   askAt(clientX: number, clientY: number, end?: AddingSpot['end']): void;
   askInMiddle(): void;
   askFor(wish: AddingWish): void;
+  /** Asks what a wire from a socket goes to: what is in the graph and fits, or something new. */
+  askToConnect(from: PortRef): void;
   choose(chosen: Addable): void;
   close(): void;
   /** Puts something new on the canvas. */
@@ -73,6 +78,7 @@ export function useAdding(
   editor: GraphEditor,
   stage: CanvasStage,
   gesture: ConnectGesture,
+  walk: KeyWalk,
   showAll: () => Promise<void>,
   tell: (sentence: string) => void,
 ): Adding {
@@ -174,37 +180,69 @@ export function useAdding(
       const place = inHost(stage.container, clientX, clientY, MENU);
       spot.value = { at: { x: x + gap, y }, ...place, end, wire, isInto: wire !== undefined };
     },
+    askToConnect(from) {
+      const side = portOf(editor.graph.value, from)?.direction;
+      const at = side && stage.socketAt(from, side);
+      if (side === undefined || at === undefined) return;
+      const { x, y, k } = stage.view.value;
+      const { left, top } = stage.container.getBoundingClientRect();
+      const [clientX, clientY] = [at.x * k + x + left + 16, at.y * k + y + top + 12];
+      const place = inHost(stage.container, clientX, clientY, MENU);
+      const gap = side === 'out' ? FROM_SOCKET : -FROM_SOCKET;
+      const spotAt = { x: at.x + gap, y: at.y };
+      spot.value = { at: spotAt, ...place, end: { from, side }, wire: undefined, hasSockets: true };
+    },
     askAt,
     askInMiddle() {
       const { left, top, width, height } = stage.container.getBoundingClientRect();
       askAt(left + width / 2 - MENU.width / 2, top + height / 3);
       spot.value = { ...spot.value!, isAnywhere: true };
     },
-    choose({ item, offer }) {
+    choose({ item, offer, port }) {
       const chosen = spot.value;
       spot.value = undefined;
       host.value?.focus();
       if (chosen === undefined) return;
       const { at, end, wire, isAnywhere } = chosen;
+      if (port !== undefined && end !== undefined) {
+        const { left, top } = stage.container.getBoundingClientRect();
+        gesture.connect(end.from, port, {
+          clientX: left + chosen.left,
+          clientY: top + chosen.top,
+        });
+        void walk.focusSocket(end.from);
+        return;
+      }
       if (item !== undefined && !placeOnWire(item, wire)) {
         if (isAnywhere === true) placeInMiddle(item);
         else place(item, at);
       }
+      if (item !== undefined) {
+        // Keys go on from what was added, or from what was there already.
+        const [selected] = editor.selection.value.nodes;
+        if (selected !== undefined) void walk.focusNode(selected);
+      }
       if (offer === undefined || end === undefined) return;
       const left = end.side === 'out' ? at.x : at.x - 2 * NODE_HALF.x;
-      const position = onGrid({ x: left, y: at.y - NODE_HALF.y });
+      const wish = { x: left, y: at.y - NODE_HALF.y };
+      const position = freeSpot(stage, editor.graph.value, wish);
       const options = { uuid: randomUuid, position };
       const before = editor.graph.value.nodes;
       editor.apply(offerCommand(editor.graph.value, end.from, offer, options));
       const added = [...editor.graph.value.nodes.values()].find(({ id }) => !before.has(id));
       if (added === undefined) return;
+      if (chosen.hasSockets === true) void walk.focusSocket(end.from);
       const box = { ...position, ...drawnSize(added) };
       const view = viewShowing(stage.view.value, stage.viewport.value, box);
       if (view === undefined) return;
       if (editor.graph.value.nodes.size <= FEW) void showAll();
       else void stage.look(view);
     },
-    close: () => (spot.value = undefined),
+    close() {
+      const end = spot.value?.hasSockets === true ? spot.value.end : undefined;
+      spot.value = undefined;
+      if (end !== undefined) void walk.focusSocket(end.from);
+    },
     place,
     placeInMiddle,
     takeOffer(adapter) {

@@ -2,6 +2,7 @@ import type { GraphEditor } from '../editor/graph-editor.ts';
 import type { Wire } from '../model/graph.ts';
 import { wiresOf } from '../model/wires-of.ts';
 import type { CanvasStage } from './canvas-stage.ts';
+import type { KeyWalk } from './keys/key-walk.ts';
 
 /**
  * Goes on to the next wire of a node, or to the one before: of the selected node, else of the node
@@ -41,13 +42,13 @@ const walked = new WeakMap<GraphEditor, string>();
 /** From a wire to the node at one of its ends. */
 export function goToEnd(
   editor: GraphEditor,
-  stage: CanvasStage,
+  walk: KeyWalk,
   id: string,
   end: 'from' | 'to',
 ): boolean {
   const node = editor.graph.value.wires.get(id)?.[end].node;
   if (node === undefined) return false;
   editor.select([node]);
-  stage.elements.get(node)?.querySelector<HTMLElement>('[data-graph-node]')?.focus();
+  void walk.focusNode(node);
   return true;
 }

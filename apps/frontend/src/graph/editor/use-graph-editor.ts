@@ -5,6 +5,7 @@ import type { ConnectGesture } from '../canvas/connect-gesture.ts';
 import type { InsertTarget } from '../canvas/drag/insert-target.ts';
 import type { NodeDrag } from '../canvas/drag/node-drag.ts';
 import type { NodeResize } from '../canvas/frames/node-resize.ts';
+import type { KeyWalk } from '../canvas/keys/key-walk.ts';
 import type { WirePoints } from '../canvas/points/wire-points.ts';
 import type { LiveGraph } from '../live/live-graph.ts';
 import type { GraphEditor } from './graph-editor.ts';
@@ -23,8 +24,10 @@ export interface CanvasContext {
   readonly target: InsertTarget;
   readonly points: WirePoints;
   readonly resize: NodeResize;
-  /** What menus and keys do to what is selected. */
+  /** Commands of menus and keys on the selection. */
   readonly commands: CanvasCommands;
+  /** Where the focus of the keyboard is, and where arrow keys lead. */
+  readonly walk: KeyWalk;
   /** It was started just now. */
   readonly isFresh: Readonly<Ref<boolean>>;
 }

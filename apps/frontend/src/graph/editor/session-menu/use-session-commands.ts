@@ -5,8 +5,10 @@ import {
   FolderOpen,
   Import,
   Pencil,
+  Play,
   Save,
   SaveAll,
+  Square,
   Trash2,
 } from '@lucide/vue';
 import type { Init, Session } from '@ubii/proto';
@@ -24,6 +26,7 @@ import { graphLocation } from '../../routes.ts';
 import type { GraphEditor } from '../graph-editor.ts';
 import { moveDraft } from '../../model/changes/draft.ts';
 import type { Drafts } from '../use-draft.ts';
+import { useLife } from '../use-life.ts';
 import type { Saving } from '../use-save.ts';
 import { chooseFiles } from './choose-files.ts';
 import type { SessionCommand } from './session-command.ts';
@@ -49,12 +52,14 @@ interface Parts {
   readonly importFiles: (files: readonly File[]) => void;
 }
 
-/** What people do with the session as a whole. */
+/** Commands on the session as a whole. */
 export function useSessionCommands(parts: Parts): SessionCommands {
   const { editor, saving, drafts, actions, importFiles } = parts;
   const { client, sessions } = useConnection();
   const router = useRouter();
   const question = ref<SessionQuestion>();
+  const life = useLife(editor, saving);
+  const startAction = computed(() => (life.can('resume') ? 'resume' : 'start'));
   const name = computed(() => editor.graph.value.details.name || 'Session');
   const taken = computed(() => {
     const others = (sessions.list.value ?? []).filter(({ id }) => id !== editor.session.value.id);
@@ -76,7 +81,7 @@ export function useSessionCommands(parts: Parts): SessionCommands {
   async function saveAs(as: string): Promise<void> {
     const { id } = editor.session.value;
     const made = await make(ownCopy(as));
-    // The changes went along: nothing of them is left behind in the other
+    // The changes are in the copy: they are no draft of the original
     if (made) drafts.forget(id);
   }
 
@@ -121,7 +126,26 @@ export function useSessionCommands(parts: Parts): SessionCommands {
       shortcut: 'Ctrl S',
       isFirst: true,
       isDisabled: editor.changes.value === 0,
-      run: () => void saving.save(),
+      run: () => void life.save(),
+    },
+    {
+      id: 'start',
+      text: startAction.value === 'resume' ? 'Resume' : 'Start',
+      title: 'Save and start this session',
+      icon: Play,
+      shortcut: 'Ctrl Enter',
+      isDisabled: !life.can(startAction.value) && editor.changes.value === 0,
+      // While it runs, its changes are applied.
+      run: () => void (life.can(startAction.value) ? life.act(startAction.value) : life.save()),
+    },
+    {
+      id: 'stop',
+      text: 'Stop',
+      title: 'Stop this session',
+      icon: Square,
+      shortcut: 'Ctrl Shift Enter',
+      isDisabled: !life.can('stop'),
+      run: () => void life.act('stop'),
     },
     {
       id: 'save-as',

@@ -5,6 +5,8 @@ const KEYS: Readonly<Record<string, string>> = {
   s: 'save',
   'shift s': 'save-as',
   o: 'open',
+  enter: 'start',
+  'shift enter': 'stop',
 };
 
 /** Ctrl S and its kind, wherever the focus is: browsers would save the page. */
@@ -13,7 +15,7 @@ export function useSessionKeys(commands: () => readonly SessionCommand[]): void 
     if (!(event.ctrlKey || event.metaKey) || event.altKey || event.defaultPrevented) return;
     const id = KEYS[`${event.shiftKey ? 'shift ' : ''}${event.key.toLowerCase()}`];
     if (id === undefined) return;
-    // Behind a question nothing happens.
+    // An open dialog blocks the commands of the page.
     event.preventDefault();
     if (document.querySelector('[role="dialog"][data-state="open"]')) return;
     const command = commands().find((one) => one.id === id);

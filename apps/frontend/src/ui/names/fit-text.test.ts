@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { fitText } from './fitted-text.ts';
+import { fitText } from './fit-text.ts';
 
 const ofTenPixels = (text: string): number => 10 * [...text].length;
 
@@ -20,5 +20,17 @@ describe('fitText', () => {
 
   it('takes no character apart', () => {
     expect(fitText('👋👋👋👋👋👋', 30, ofTenPixels)).toBe('👋…👋');
+  });
+
+  it('keeps the part that differs in the middle', () => {
+    const at = 'tracker_hand_'.length;
+    const fit = (name: string): string => fitText(name, 120, ofTenPixels, at);
+    expect(fit('tracker_hand_left_position')).toBe('tra…left_po…');
+    expect(fit('tracker_hand_right_position')).toBe('tra…right_p…');
+  });
+
+  it('keeps beginning and end where they hold the difference', () => {
+    expect(fitText('mouse_client_position', 100, ofTenPixels, 19)).toBe('mouse…tion');
+    expect(fitText('mouse_client_position', 100, ofTenPixels, 2)).toBe('mouse…tion');
   });
 });

@@ -1,0 +1,54 @@
+import { portName } from '../model/commands/command-label.ts';
+import { fittingPorts } from '../model/fit/fitting.ts';
+import type { Graph, Point, PortRef } from '../model/graph.ts';
+import { portFormat, portOf } from '../model/port-format.ts';
+import { wiresAt } from '../model/wires-of.ts';
+import type { Addable } from './addable.ts';
+
+/**
+ * The sockets in the graph that a wire from this one fits, nearest first; those that take no other
+ * wire off come before those that do.
+ * @param typed words that the names have
+ * @param placeOf where a socket is on the canvas
+ */
+export function connectables(
+  graph: Graph,
+  from: PortRef,
+  typed: string,
+  placeOf: (ref: PortRef) => Point | undefined,
+): Addable[] {
+  const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
+  const start = placeOf(from);
+  const far = (ref: PortRef): number => {
+    const place = placeOf(ref);
+    return start && place ? Math.hypot(place.x - start.x, place.y - start.y) : Infinity;
+  };
+  const isJoined = (ref: PortRef): boolean =>
+    wiresAt(graph, ref).some(({ from: a, to: b }) =>
+      [a, b].some(({ node, port }) => node === from.node && port === from.port),
+    );
+  return fittingPorts(graph, from)
+    .filter((port) => !isJoined(port))
+    .map((port) => ({ port, isTaken: isTaken(graph, port), far: far(port) }))
+    .sort((a, b) => Number(a.isTaken) - Number(b.isTaken) || a.far - b.far)
+    .map(({ port, isTaken: taken }) => {
+      const format = portFormat(graph, port) ?? portOf(graph, port)?.formatText ?? '';
+      const hint = [format, taken ? 'replaces a wire' : ''].filter(Boolean).join(', ');
+      return {
+        key: `socket ${port.node} ${port.port}`,
+        text: portName(graph, port),
+        hint,
+        port,
+      };
+    })
+    .filter(({ text, hint }) =>
+      words.every((word) => `${text} ${hint}`.toLowerCase().includes(word)),
+    );
+}
+
+/** An input of a module takes one wire: a new one takes the place of the old one. */
+function isTaken(graph: Graph, ref: PortRef): boolean {
+  const isInput = portOf(graph, ref)?.direction === 'in';
+  const isModule = graph.nodes.get(ref.node)?.kind === 'module';
+  return isInput && isModule && wiresAt(graph, ref).length > 0;
+}

@@ -1,0 +1,34 @@
+import { describe, expect, it } from 'vitest';
+import type { Box } from '../../model/selection/arrange.ts';
+import { nearestTo, neighbour } from './neighbour.ts';
+
+const at = (id: string, x: number, y: number): Box => ({ id, x, y, width: 180, height: 80 });
+const boxes = [at('a', 0, 0), at('b', 300, 0), at('c', 300, 200), at('d', 700, 20)];
+const go = (from: string, x: number, y: number): string | undefined =>
+  neighbour(
+    boxes,
+    boxes.find(({ id }) => id === from)!,
+    { x, y },
+  )?.id;
+
+describe('neighbour', () => {
+  it('is the next node in the direction', () => {
+    expect(go('a', 1, 0)).toBe('b');
+    expect(go('b', 1, 0)).toBe('d');
+    expect(go('b', 0, 1)).toBe('c');
+    expect(go('c', 0, -1)).toBe('b');
+    expect(go('d', -1, 0)).toBe('b');
+  });
+
+  it('is undefined at the edge', () => {
+    expect(go('a', -1, 0)).toBeUndefined();
+    expect(go('c', 0, 1)).toBeUndefined();
+  });
+});
+
+describe('nearestTo', () => {
+  it('is the node around the middle of the view', () => {
+    expect(nearestTo(boxes, { x: 380, y: 230 })?.id).toBe('c');
+    expect(nearestTo([], { x: 0, y: 0 })).toBeUndefined();
+  });
+});

@@ -1,0 +1,20 @@
+import { computed, inject, provide, type ComputedRef, type InjectionKey } from 'vue';
+import { sortedNames, type SortedNames } from '../../../ui/names/distinct-part.ts';
+import type { Graph } from '../../model/graph.ts';
+import { nodeTitle } from '../node-label.ts';
+
+const NAMES: InjectionKey<ComputedRef<SortedNames>> = Symbol('names of nodes');
+const NONE = computed((): SortedNames => []);
+
+/** Gives the titles of all nodes to the views below, so that shortened ones can be told apart. */
+export function provideNodeNames(graph: () => Graph): void {
+  const titles = computed<SortedNames>((before) => {
+    const next = sortedNames([...graph().nodes.values()].map(nodeTitle));
+    // Moving a node changes the graph, and no name.
+    const isSame = before?.length === next.length && next.every((name, at) => name === before[at]);
+    return isSame && before !== undefined ? before : next;
+  });
+  provide(NAMES, titles);
+}
+
+export const useNodeNames = (): ComputedRef<SortedNames> => inject(NAMES, NONE);

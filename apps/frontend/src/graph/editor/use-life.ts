@@ -1,0 +1,38 @@
+import { sessionState, stateLook, type LifeAction } from '../../sessions/state/session-state.ts';
+import { useToasts } from '../../ui/toasts/toasts.ts';
+import type { GraphEditor } from './graph-editor.ts';
+import type { Saving } from './use-save.ts';
+
+/** Starts, pauses and stops the session; the bar, the session menu and keys do the same. */
+export interface Life {
+  can(action: LifeAction): boolean;
+  /** Saves first what is not saved, and tells that it did. */
+  act(action: LifeAction): Promise<void>;
+  /** Saves, and tells that it did. */
+  save(): Promise<void>;
+}
+
+export function useLife(editor: GraphEditor, saving: Saving): Life {
+  const { show } = useToasts();
+  return {
+    can: (action) => stateLook(sessionState(editor.session.value)).actions.includes(action),
+    async act(action) {
+      const isUnsaved = editor.changes.value > 0;
+      await saving.act(action);
+      if (!isUnsaved || editor.changes.value > 0 || saving.failure.value !== undefined) return;
+      show(`Saved and ${DONE[action]}.`);
+    },
+    async save() {
+      const isUnsaved = editor.changes.value > 0;
+      if ((await saving.save()) && isUnsaved) show('Saved.');
+    },
+  };
+}
+
+const DONE: Readonly<Record<LifeAction, string>> = {
+  start: 'started',
+  resume: 'resumed',
+  restart: 'restarted',
+  pause: 'paused',
+  stop: 'stopped',
+};
