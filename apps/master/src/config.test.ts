@@ -139,10 +139,7 @@ describe('a wrong value is explained in one sentence', () => {
     [['--log-level', 'loud'], 'error, warn, info or debug'],
     [['--allowed-origins', 'example.org'], 'such as https://example.org'],
     // [AC-46]
-    [
-      ['--allowed-origins', 'null'],
-      'pages opened from files send it, and any website can',
-    ],
+    [['--allowed-origins', 'null'], 'pages opened from files send it, and any website can'],
     [['--allowed-origins', 'https://a.b,NULL'], 'uses a token of its own'],
     [['--trust-loopback', '--loopback', 'none'], 'Leave one of the two out'],
     [['--loopback', 'admin'], '--loopback must be participant or none'],
