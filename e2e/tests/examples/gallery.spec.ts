@@ -20,7 +20,7 @@ for (const screen of ['desktop', 'phone'] as const) {
     await test.step('one click creates, starts and opens it', async () => {
       await sine.getByRole('button', { name: 'Start Sine wave' }).click();
       await expect(page).toHaveURL(/\/sessions\/[^/]+\/graph$/);
-      await expect(page.getByText('Running').first()).toBeVisible();
+      await expect(page.getByText('Running').filter({ visible: true }).first()).toBeVisible();
       if (screen === 'desktop') {
         await expect(new GraphPage({ page }).node('Topic /examples/sine-wave/wave')).toContainText(
           /\d\.\d/,
