@@ -23,7 +23,7 @@ test('home names who takes too much, with cause and remedy; one press throttles,
   const stop = makeNoise(robot);
   const rows = page.getByRole('list', { name: 'Problems' }).getByRole('listitem');
   const noisy = rows.filter({ hasText: /Robot publishes .* records per second/ });
-  await expect(noisy).toContainText('Let it publish less often');
+  await expect(noisy).toContainText('Publish less often');
   await expect(noisy.getByRole('link', { name: 'Open client' })).toHaveAttribute(
     'href',
     `/clients/${robot.id}`,
@@ -55,7 +55,7 @@ test('home stops a session whose module takes too much, and starts it again [EX-
   });
   await robot.call('sessionRuntimeStart', { id });
   const rows = page.getByRole('list', { name: 'Problems' }).getByRole('listitem');
-  const slow = rows.filter({ hasText: 'come later than its mode asks for' });
+  const slow = rows.filter({ hasText: 'later than its mode requires' });
   await expect(slow).toContainText('Lower its frequency');
   await slow.getByRole('button', { name: 'Stop session' }).click();
   const sessions = page.getByRole('list', { name: 'Sessions' });
