@@ -72,7 +72,7 @@ test('at a desk, a pointer is smoothed onto a second topic from an empty editor'
     await expect(graph.passing).toBeHidden();
     // Over the map, which lets a wire through.
     await graph.drag(graph.socket(module, 'Output smoothed'), await graph.spot(0.94, 0.9));
-    const search = page.getByRole('combobox', { name: 'Connect to something new' });
+    const search = page.getByRole('combobox', { name: 'Connect to a new node' });
     await expect(search).toBeVisible();
     await search.press('Enter');
     await expect(graph.socket(module, 'Output smoothed')).toHaveAccessibleName(/1 connected/);

@@ -56,7 +56,7 @@ test('somebody drags a topic onto an input, is told what does not fit, starts it
       graph.socket('Module low-pass', 'Output smoothed'),
       await graph.spot(0.75, 0.3),
     );
-    const search = anna.page.getByRole('combobox', { name: 'Connect to something new' });
+    const search = anna.page.getByRole('combobox', { name: 'Connect to a new node' });
     await search.fill('/wave/smooth');
     await search.press('Enter');
     await expect(graph.node('Topic /wave/smooth')).toBeVisible();

@@ -200,7 +200,7 @@ test('the work goes on while the master is away, and is saved when it is back', 
   await anna.drag(anna.paletteModule('statistics'), await anna.spot(0.6, 0.2));
   await expect(anna.life).toContainText('kept in this browser');
   await anna.page.keyboard.press('Control+s');
-  await expect(anna.life).toContainText('saved when the master is back');
+  await expect(anna.life).toContainText('saved after the reconnect');
   await master.startAgain();
   await expect(anna.life).not.toContainText('Not connected');
   await expect(anna.node('Module statistics')).toBeVisible();

@@ -152,7 +152,7 @@ const WIRES: readonly Deed[] = [
     undo: /^Connect sink · result to \/Placed\/result$/,
     async act(graph) {
       await graph.drag(output(graph, SINK), await graph.spot(0.85, 0.75));
-      await graph.page.getByRole('combobox', { name: 'Connect to something new' }).press('Enter');
+      await graph.page.getByRole('combobox', { name: 'Connect to a new node' }).press('Enter');
     },
   },
   {
