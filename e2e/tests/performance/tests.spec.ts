@@ -93,9 +93,7 @@ test('what is not filled in as it should be is said beside the field, and nothin
   const page = new PerformancePage(await room.atDesk('Anna'));
   await page.open();
   await page.fill({ Rate: '9999' });
-  await expect(page.page.getByRole('alert')).toContainText(
-    'It must be a whole number from 1 to 200.',
-  );
+  await expect(page.page.getByRole('alert')).toContainText('Enter a whole number from 1 to 200.');
   await expect(page.start).toHaveAttribute('aria-disabled', 'true');
   await page.fill({ Rate: '50' });
   await expect(page.start).not.toHaveAttribute('aria-disabled', 'true');
