@@ -211,7 +211,9 @@ test('a node that is dropped on a module runs it', async ({ room, master }) => {
 
   await test.step('dropped beside modules it says what it is for', async () => {
     await graph.drag(graph.paletteHost('Lab PC'), await graph.spot(0.1, 0.2));
-    await expect(graph.page.getByText('Drop it on a module, which then runs there.')).toBeVisible();
+    await expect(
+      graph.page.getByText('Drop this node on a module to run the module there.'),
+    ).toBeVisible();
   });
 });
 

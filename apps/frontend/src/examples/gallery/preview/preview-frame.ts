@@ -65,10 +65,10 @@ export function previewFrame(
       return surfaceFrame(view, memory);
     case 'color': {
       const color = memory.color(view.color);
-      const parts = color && [color.r, color.g, color.b].map((part) => Math.round(part * 255));
+      const parts = color && [color.r, color.g, color.b];
       return {
         ...EMPTY,
-        fill: parts && `rgb(${parts.join(' ')})`,
+        fill: parts && `color(srgb ${parts.join(' ')})`,
         dots: dotOf(memory, view.pointer, 'ring'),
         readout: readoutOf(memory.text(view.hex), ''),
       };

@@ -57,7 +57,7 @@ describe.each(GALLERY.map((entry) => [entry.id, entry] as const))(
           expect(frame.dots).toHaveLength((view.points?.length ?? 0) + 1);
           break;
         case 'color':
-          expect(frame.fill).toMatch(/^rgb\(\d+ \d+ \d+\)$/);
+          expect(frame.fill).toMatch(/^color\(srgb [\d.]+ [\d.]+ [\d.]+\)$/);
           expect(frame.readout?.text).toMatch(/^#[0-9a-f]{6}$/);
           break;
         case 'count':

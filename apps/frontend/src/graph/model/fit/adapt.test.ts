@@ -80,11 +80,13 @@ describe('a wire in the hand', () => {
     const offers = fittingNodes(graph, ref(graph, 'all.one'), library, topics);
     expect(offers.map(({ kind, label }) => `${kind} ${label}`)).toEqual([
       'constant Constant',
+      'module average-positions',
       'module low-pass-vector2',
       'module merge-vector2',
       'module mirror-pointer',
       'module one-euro-filter-vector2',
       'module pick-field',
+      'module speed-vector2',
       'topic /point',
       'topic /unknown',
     ]);
