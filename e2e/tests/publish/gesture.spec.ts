@@ -40,7 +40,7 @@ test('a gesture on the pad is recorded and looped, and nothing is sent before it
   await expect(gesture.getByText('Recording starts with the next change')).toBeVisible();
   await drag(publish);
   await gesture.getByRole('button', { name: 'Stop recording' }).click();
-  await expect(gesture.getByText(/of up to 1800 values/)).toBeVisible();
+  await expect(gesture.getByText(/of at most 1800 values/)).toBeVisible();
   expect(got).toHaveLength(0);
 
   await gesture.getByRole('button', { name: 'Play', exact: true }).click();
@@ -85,7 +85,7 @@ test('a gesture is kept with a snippet, exported, and there again after a reload
   await publish.page.getByRole('button', { name: 'Save', exact: true }).click();
   await publish.page.reload();
   await publish.page.getByRole('button', { name: 'swipe', exact: true }).click();
-  await expect(gesture.getByText(/of up to 1800 values/)).toBeVisible();
+  await expect(gesture.getByText(/of at most 1800 values/)).toBeVisible();
   await new Shell(publish.page).expectConnected();
   await gesture.getByRole('button', { name: 'Play', exact: true }).click();
   await expect.poll(() => xs(got)).toContain(1);
