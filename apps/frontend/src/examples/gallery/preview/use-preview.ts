@@ -20,6 +20,8 @@ const FRAME_MS = 1000 / 31;
 /** With reduced motion, one picture after this long. */
 const STILL_AFTER_MS = 2_000;
 
+const ignore = (): void => undefined;
+
 /**
  * The preview of an example: its session runs in this page while `element` is in view, and nothing runs
  * before and after. A pointer over the element, clicks and keys take the place of the demonstration.
@@ -62,8 +64,13 @@ export function usePreview(
       const run = new PreviewRun(session, kit.library, world, (record) =>
         memory.take(record, performance.now()),
       );
-      ends.push(() => void run.close());
-      await run.start();
+      ends.push(() => void run.close().catch(ignore));
+      try {
+        await run.start();
+      } catch (error) {
+        // Its sandboxes close with the page while modules start.
+        if (!isOver) throw error;
+      }
       if (isOver) return;
       put = (record) => run.put(record);
 
