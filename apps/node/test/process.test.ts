@@ -171,7 +171,7 @@ describe('the node as a process', () => {
     const second = await startMaster(first.port, first.dataDir);
     const { id } = await node.ready<Printed>();
     await second.program.kill();
-    await node.says(/until it is back[^]*until it is back/);
+    await node.says(/until it succeeds[^]*until it succeeds/);
     await startMaster(first.port, first.dataDir);
     const client = await joinAs(first.url);
     await expect.poll(() => nodeNames(client), POLL).toEqual(['patient']);
@@ -289,7 +289,7 @@ describe('a node that cannot start says why in one sentence', () => {
     [['--master'], '--master needs a value'],
     [['--allow-fetch', 'example.org'], '--allow-fetch must be origins'],
     [['--modules', '/not/there'], 'The folder given by --modules, /not/there'],
-    [['stray'], 'belongs to no flag'],
+    [['stray'], 'does not belong to a flag'],
   ])('%j', async (flags, reason) => {
     const node = startNode(flags);
     expect(await node.ended()).toBe(1);
