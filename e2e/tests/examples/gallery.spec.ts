@@ -31,7 +31,7 @@ for (const screen of ['desktop', 'phone'] as const) {
     await test.step('it is stopped and deleted where it was started, and there is one of it', async () => {
       await page.goto('/examples');
       await expect(sine).toContainText('Running');
-      await sine.getByRole('button', { name: 'Open the graph of Sine wave' }).click();
+      await sine.getByRole('button', { name: 'Open graph of Sine wave' }).click();
       await expect(page).toHaveURL(/\/graph$/);
       await page.goto('/examples');
       await sine.getByRole('button', { name: 'Stop Sine wave' }).click();
