@@ -65,5 +65,6 @@ export {
   moduleEventTopic,
   sessionStatisticsTopic,
   UUID_PATTERN,
+  isUuid,
 } from './topics.ts';
 export { LEGACY_CONSTANTS } from './legacy-constants.ts';

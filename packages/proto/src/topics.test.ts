@@ -10,6 +10,7 @@ import {
   moduleEventTopic,
   sessionStatisticsTopic,
   UUID_PATTERN,
+  isUuid,
 } from './topics.ts';
 
 describe('topics', () => {
@@ -73,6 +74,14 @@ describe('globToRegExpSource', () => {
     ['/a(b)[c]{d}+$^|\\', '/a(b)[c]{d}+$^|\\', true],
   ])('%j on %j: %j', (glob, topic, expected) => {
     expect(new RegExp(globToRegExpSource(glob)).test(topic)).toBe(expected);
+  });
+});
+
+describe('isUuid', () => {
+  it('is true for a whole UUID only', () => {
+    expect(isUuid('0a1b2c3d-0000-5000-8000-0123456789AB')).toBe(true);
+    expect(isUuid('../0a1b2c3d-0000-5000-8000-0123456789ab')).toBe(false);
+    expect(isUuid('')).toBe(false);
   });
 });
 

@@ -1,3 +1,4 @@
+import { randomIds } from '../adapters/ids/random-ids.ts';
 import type { IdSource } from '../core/ports/id-source.ts';
 
 /** Gives 00000000-0000-4000-8000-000000000001, then ...002, and so on. */
@@ -12,5 +13,9 @@ export class SequentialIds implements IdSource {
   uuid(): string {
     this.#count++;
     return `00000000-0000-4000-8000-${String(this.#count).padStart(12, '0')}`;
+  }
+
+  named(name: string): string {
+    return randomIds.named(name);
   }
 }

@@ -137,6 +137,119 @@ describe('stored sessions', () => {
   });
 });
 
+describe('the id of a stored session [SE-27]', () => {
+  /** A master that stored a session, and the next one with the same disk. */
+  async function restarted() {
+    const storage = new MemoryStorage();
+    const world = await SessionWorld.create({ storage });
+    const { id } = await save(world, doubling('/in', '/out'));
+    await world.master.master.close();
+    return { id, storage, next: await SessionWorld.create({ storage }) };
+  }
+
+  it('is the same with the next master, and starts, changes and stops it', async () => {
+    const { id, next } = await restarted();
+    expect((await next.ask(TOPICS.start, { id })).id).toBe(id);
+    next.ada.publish('/in', 'double', 2);
+    await next.master.pass(10);
+    expect(await next.value('/out')).toBe(4);
+    const changed = await next.ask(TOPICS.update, { ...doubling('/in', '/two'), id });
+    expect(changed.id).toBe(id);
+    expect((await next.ask(TOPICS.pause, { id })).id).toBe(id);
+    expect((await next.ask(TOPICS.resume, { id })).id).toBe(id);
+    expect((await next.master.call({ topic: TOPICS.stop, session: { id } })).error).toBeUndefined();
+  });
+
+  it('is answered without opening the session, and opened once by those who ask for it', async () => {
+    const { id, next } = await restarted();
+    const listed = async () =>
+      (await next.master.call({ topic: TOPICS.list })).sessionList!.elements.map((one) => one.id);
+    expect(await next.get({ id })).toMatchObject({ id, extension: { stored: true } });
+    expect(await listed()).toEqual([]);
+    const opened = await Promise.all(
+      [{ id }, { name: 'doubling' }, { id }].map((session) => next.ask(TOPICS.add, session)),
+    );
+    expect(opened.map((session) => session.id)).toEqual([id, id, id]);
+    expect(await listed()).toEqual([id]);
+  });
+
+  it('stays when the session is saved by its name, or by a client with an id of its own', async () => {
+    const { id, next } = await restarted();
+    expect((await save(next, doubling('/in', '/two'))).id).toBe(id);
+    const foreign = '99999999-0000-4000-8000-000000000000';
+    expect((await save(next, { ...doubling('/in', '/three'), id: foreign })).id).toBe(id);
+    const { session } = await next.master.call({
+      topic: '/services/session/database/get',
+      session: { id },
+    });
+    expect(session?.ioMappings[0]?.outputMappings[0]?.topic).toBe('/three');
+  });
+
+  it('that no session has opens and makes nothing', async () => {
+    const world = await SessionWorld.create();
+    const id = '99999999-0000-4000-8000-000000000000';
+    for (const topic of [TOPICS.get, TOPICS.add, TOPICS.start, TOPICS.stop, TOPICS.update]) {
+      expect(await world.refusal(topic, { id })).toMatchObject({ code: 'not_found' });
+    }
+    expect(await storedNames(world)).toEqual([]);
+  });
+
+  it('may be chosen by who saves a new session: a UUID that no session has', async () => {
+    const world = await SessionWorld.create();
+    const id = '99999999-0000-4000-8000-000000000000';
+    expect((await save(world, { ...doubling('/in', '/out'), id })).id).toBe(id);
+    const other = { ...doubling('/in', '/out'), name: 'other', id: '../../etc' };
+    expect((await save(world, other)).id).not.toBe('../../etc');
+  });
+
+  it('is made of the name where a file has none, or that of another file', async () => {
+    const storage = new MemoryStorage();
+    const id = '99999999-0000-4000-8000-000000000000';
+    for (const [name, own] of [
+      ['a', id],
+      ['a copy', id],
+      ['by hand', ''],
+      ['broken', 'no uuid'],
+    ] as const) {
+      storage.sessions.edit(name, JSON.stringify({ ...doubling('/in', '/out'), name, id: own }));
+    }
+    const ids = async () => {
+      const world = await SessionWorld.create({ storage });
+      const { sessionList } = await world.master.call({ topic: TOPICS.stored });
+      return sessionList!.elements.map((one) => one.id);
+    };
+    const first = await ids();
+    expect(first[0]).toBe(id);
+    expect(new Set(first).size).toBe(4);
+    expect(await ids()).toEqual(first);
+  });
+
+  it('keeps counting revisions: a change made from before the restart is noticed', async () => {
+    const storage = new MemoryStorage();
+    const world = await SessionWorld.create({ storage });
+    await save(world, doubling('/in', '/out'));
+    const { id, extension } = await save(world, doubling('/in', '/two'));
+    expect(extension?.revision).toBe(2);
+    const next = await SessionWorld.create({ storage });
+    const old = { ...doubling('/in', '/three'), id, extension: { revision: 2 } };
+    expect(await next.refusal(TOPICS.update, old)).toMatchObject({ code: 'failed_precondition' });
+    const { revision } = (await next.get({ id })).extension!;
+    expect(revision).toBe(3);
+    const changed = await next.ask(TOPICS.update, { ...old, extension: { revision } });
+    expect(changed.extension?.revision).toBe(4);
+  });
+
+  it('of a session that runs already leads to it, and a start by its name makes a second one', async () => {
+    const storage = new MemoryStorage();
+    const world = await SessionWorld.create({ storage });
+    const { id } = await save(world, doubling('/in', '/out'));
+    const next = await SessionWorld.create({ storage, idsGiven: 1000 });
+    expect((await next.ask(TOPICS.start, { id })).id).toBe(id);
+    const second = await next.ask(TOPICS.start, { name: 'doubling' });
+    expect(second.id).not.toBe(id);
+  });
+});
+
 describe('stored modules', () => {
   it('are listed with those of the program and of nodes, once each [SE-22]', async () => {
     const library = [await moduleOf({ ...doubler, name: 'built-in' })];

@@ -1,4 +1,5 @@
-import { ServiceError, toJson, type Session as SessionMessage } from '@ubii/proto';
+import { isUuid, ServiceError, toJson, type Session as SessionMessage } from '@ubii/proto';
+import type { IdSource } from '../ports/id-source.ts';
 import type { Log } from '../ports/log.ts';
 import type { Session } from '../sessions/session.ts';
 import { quote } from '../topics/topic-names.ts';
@@ -13,6 +14,12 @@ export class SessionLibrary {
   readonly #running: StoredMessages<'ubii.sessions.Session'>;
   readonly #masterId: string;
   readonly #log: Log;
+  readonly #ids: Pick<IdSource, 'named'>;
+  /** What `list` made of the documents, as long as they are the same. */
+  #listed: { readonly documents: unknown; readonly byId: ReadonlyMap<string, SessionMessage> } = {
+    documents: undefined,
+    byId: new Map(),
+  };
   /** The newest write of each session that is under way, by id. */
   readonly #remembering = new Map<string, Promise<void>>();
 
@@ -21,26 +28,52 @@ export class SessionLibrary {
     readonly running: StoredMessages<'ubii.sessions.Session'>;
     readonly masterId: string;
     readonly log: Log;
+    readonly ids: Pick<IdSource, 'named'>;
   }) {
     this.stored = parts.stored;
     this.#running = parts.running;
     this.#masterId = parts.masterId;
     this.#log = parts.log;
+    this.#ids = parts.ids;
   }
 
   list(): SessionMessage[] {
-    return [...this.stored.list().values()].map(({ message }) => withStored(message));
+    return [...this.#byId().values()].map((message) => withRevision(message, 0));
   }
 
   get(name: string): SessionMessage | undefined {
-    const message = name === '' ? undefined : this.stored.get(name);
-    return message === undefined ? undefined : withStored(message);
+    return name === '' ? undefined : this.list().find((message) => message.name === name);
+  }
+
+  /** The stored session of this id, else of this name. */
+  find({ id, name }: Pick<SessionMessage, 'id' | 'name'>): SessionMessage | undefined {
+    const byId = this.#byId().get(id);
+    return byId === undefined ? this.get(name) : withRevision(byId, 0);
+  }
+
+  /** A stored session, by its id, as it is opened: opening counts as a change [SE-27]. */
+  toOpen(id: string): SessionMessage | undefined {
+    const message = this.#byId().get(id);
+    return message && withRevision(message, (message.extension?.revision ?? 0) + 1);
+  }
+
+  /** Stored sessions by the ids under which they are opened [SE-27]. */
+  #byId(): ReadonlyMap<string, SessionMessage> {
+    const documents = this.stored.store.documents();
+    if (documents === this.#listed.documents) return this.#listed.byId;
+    const byId = new Map<string, SessionMessage>();
+    for (const { message } of this.stored.list().values()) {
+      const isOwn = isUuid(message.id) && !byId.has(message.id);
+      const id = isOwn ? message.id : this.#ids.named(message.name);
+      byId.set(id, withStored({ ...message, id }));
+    }
+    this.#listed = { documents, byId };
+    return byId;
   }
 
   /** The stored session of this id, else of this name. @throws ServiceError when there is none. */
   require(id: string, name: string): SessionMessage {
-    const found =
-      (id === '' ? undefined : this.list().find((message) => message.id === id)) ?? this.get(name);
+    const found = this.find({ id, name });
     if (found !== undefined) return found;
     if (id === '' && name === '') {
       throw new ServiceError(
@@ -129,6 +162,7 @@ export class SessionLibrary {
         startWithMaster,
         lockstepHertz,
         editorJson,
+        revision: session.revision,
         grantIds: [...session.grantIds],
       },
     });
@@ -140,11 +174,16 @@ function withStored(message: SessionMessage): SessionMessage {
     startWithMaster: false,
     lockstepHertz: 0,
     editorJson: '',
+    revision: 0,
     grantIds: [],
   };
   return {
     ...message,
     status: 0,
-    extension: { ...extension, state: 0, problems: [], revision: 0, stored: true },
+    extension: { ...extension, state: 0, problems: [], stored: true },
   };
+}
+
+function withRevision(message: SessionMessage, revision: number): SessionMessage {
+  return { ...message, extension: { ...message.extension!, revision } };
 }

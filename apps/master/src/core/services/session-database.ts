@@ -66,28 +66,10 @@ async function saveSession(core: Core, message: SessionMessage, maker: string): 
     );
   }
   requireRoom(core.limitWatch, sessionLibrary.stored, 'ubii.sessions.Session', message);
-  const session = await toSave(core, message, maker);
+  const session = await sessions.toStore(message, maker);
   await sessionLibrary.save(session);
   for (const other of sessions.list()) {
     if (other.description.name === message.name) sessions.setStored(other, other === session);
   }
   return session;
-}
-
-/** The session of the id, or of the stored name, with this specification; a new one when there is none. */
-async function toSave(
-  { processing }: Core,
-  message: SessionMessage,
-  maker: string,
-): Promise<Session> {
-  const { sessions } = processing;
-  const known = sessions
-    .list()
-    .find(({ id, isStored, description }) =>
-      message.id === '' ? isStored && description.name === message.name : id === message.id,
-    );
-  if (known === undefined) return sessions.add(message, maker);
-  // A name and an id alone mean the session as it is.
-  if (message.processingModules.length > 0) await sessions.update(known, message, maker);
-  return known;
 }

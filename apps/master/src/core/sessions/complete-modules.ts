@@ -1,5 +1,5 @@
 import {
-  UUID_PATTERN,
+  isUuid,
   type IOMapping,
   type ProcessingModule,
   type Session,
@@ -8,9 +8,6 @@ import {
 import type { DraftModule } from './draft.ts';
 import { errorProblem } from './problems.ts';
 import { quote } from '../topics/topic-names.ts';
-
-// eslint-disable-next-line no-restricted-syntax -- our own pattern, linear
-const UUID = new RegExp(`^${UUID_PATTERN}$`);
 
 /** A module as somebody has it, for what a request leaves out. */
 export interface ModuleOffer {
@@ -44,7 +41,7 @@ export function completeModules(
   const byGivenId = new Map<string, DraftModule>();
   message.processingModules.forEach((given, index) => {
     const draft = completeModule(given, index, context);
-    const isFree = UUID.test(given.id) && !taken.has(given.id) && !context.isTaken(given.id);
+    const isFree = isUuid(given.id) && !taken.has(given.id) && !context.isTaken(given.id);
     draft.spec.id = isFree ? given.id : context.uuid();
     taken.add(draft.spec.id);
     if (given.id !== '' && !byGivenId.has(given.id)) byGivenId.set(given.id, draft);

@@ -84,6 +84,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     running,
     masterId,
     log,
+    ids,
   });
 
   const history = new ModuleHistory({ store: storage.history, clock, log });

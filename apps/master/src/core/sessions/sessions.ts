@@ -1,5 +1,6 @@
 import {
   encode,
+  isUuid,
   ModuleVersionOrigin,
   ServiceError,
   type NodeInfo,
@@ -44,6 +45,8 @@ export interface SessionsContext {
 export class Sessions {
   readonly #context: SessionsContext;
   readonly #startPace: StartPace;
+  /** Stored sessions that are being opened, by id. */
+  readonly #opening = new Map<string, Promise<Session>>();
 
   constructor(context: SessionsContext) {
     this.#context = context;
@@ -52,6 +55,10 @@ export class Sessions {
 
   list(): Session[] {
     return [...this.#context.table.values()];
+  }
+
+  isOpen(id: string): boolean {
+    return this.#context.table.get(id) !== undefined;
   }
 
   /** @throws ServiceError when there is none of this id. */
@@ -64,6 +71,11 @@ export class Sessions {
           'The request has no session.id. Set it to the id of the session.',
         )
       : new ServiceError('not_found', `No session has the id ${quote(id)}.`);
+  }
+
+  /** The session of this id; a stored one is opened [SE-27]. @throws ServiceError when there is none of this id. */
+  async find(id: string): Promise<Session> {
+    return this.#context.table.get(id) ?? (await this.#open(id)) ?? this.require(id);
   }
 
   /** The module of this id in any session. */
@@ -103,13 +115,37 @@ export class Sessions {
   }
 
   /**
-   * Creates a session, from a request or from the stored one of its name [SE-1].
+   * Creates a session, or opens the stored one of its id or name when it has no modules [SE-1] [SE-27].
    * @param maker Grant of who asks for it; empty for who needs none [AC-90].
    */
   async add(message: SessionMessage, maker: string): Promise<Session> {
-    const { library } = this.#context;
-    const stored = message.processingModules.length === 0 ? library.get(message.name) : undefined;
-    return this.#create(stored ?? message, stored !== undefined, maker);
+    if (message.processingModules.length === 0) {
+      const stored = this.#context.library.find(message);
+      if (stored !== undefined) return this.find(stored.id);
+      // An id alone is to open what is stored, and nothing else.
+      if (message.id !== '' && message.name === '') return this.require(message.id);
+    }
+    return this.#create(message, maker);
+  }
+
+  /**
+   * The session that a stored one is made of: that of the id, else that of the name, else a new one, which
+   * keeps the id when it is a UUID that no session has [SE-21].
+   * @param maker as for `add`
+   */
+  async toStore(message: SessionMessage, maker: string): Promise<Session> {
+    const { table, library } = this.#context;
+    const stored = library.find(message);
+    const known =
+      table.get(message.id) ??
+      this.list().find(
+        ({ isStored, description }) => isStored && description.name === message.name,
+      ) ??
+      (stored && (await this.find(stored.id)));
+    if (known === undefined) return this.#create(message, maker, message.id);
+    // A name and an id alone mean the session as it is.
+    if (message.processingModules.length > 0) await this.update(known, message, maker);
+    return known;
   }
 
   /** Starts a session that is there, a stored one, or one that is created for it [SE-11]. */
@@ -194,6 +230,7 @@ export class Sessions {
       const grantIds = message.extension?.grantIds ?? [];
       const isStored = library.get(message.name) !== undefined;
       const session = new Session(message.id, draft, isStored, grantIds);
+      session.revision = (message.extension?.revision ?? 0) + 1;
       session.byteLength = encode('ubii.sessions.Session', message).byteLength;
       table.add(session);
       life.news.announceNew(session);
@@ -240,33 +277,64 @@ export class Sessions {
 
   async #toStart(message: SessionMessage, maker: string): Promise<Session> {
     const { table, library } = this.#context;
-    if (message.id !== '') {
-      const known = table.get(message.id);
-      if (known !== undefined) return known;
-      // Clients of the original send an id of their own with a new session.
-      if (message.processingModules.length === 0 && library.get(message.name) === undefined) {
-        return this.require(message.id);
-      }
+    const known = table.get(message.id);
+    if (known !== undefined) return known;
+    // Clients of the original send an id of their own with a new session.
+    if (message.processingModules.length > 0) return this.#create(message, maker);
+    const stored = library.find(message);
+    if (stored === undefined) {
+      return message.id === '' ? this.#create(message, maker) : this.require(message.id);
     }
-    if (message.processingModules.length > 0) return this.#create(message, false, maker);
-    const stored = library.get(message.name);
-    if (stored === undefined) return this.#create(message, false, maker);
-    const known = this.list().find(
+    const open = table.get(stored.id);
+    if (open === undefined) return this.find(stored.id);
+    const idle = this.list().find(
       ({ isStored, isLive, life, description }) =>
-        isStored && !isLive && life !== 'stopping' && description.name === message.name,
+        isStored && !isLive && life !== 'stopping' && description.name === stored.name,
     );
-    return known ?? this.#create(stored, true, '');
+    // It runs already: a second one beside it.
+    return idle ?? this.#addStored(stored, '');
   }
 
-  async #create(message: SessionMessage, isStored: boolean, maker: string): Promise<Session> {
+  /** Opens a stored session once, however many ask for it at a time. */
+  #open(id: string): Promise<Session> | undefined {
+    const stored = this.#context.library.toOpen(id);
+    if (stored === undefined) return undefined;
+    const under = this.#opening.get(id);
+    if (under !== undefined) return under;
+    const opening = this.#addStored(stored, id).finally(() => this.#opening.delete(id));
+    this.#opening.set(id, opening);
+    return opening;
+  }
+
+  /** What is stored belongs to who stored it. */
+  async #addStored(stored: SessionMessage, id: string): Promise<Session> {
+    const { grantIds = [], revision = 0 } = stored.extension ?? {};
+    return this.#make(stored, { id, isStored: true, grantIds, revision });
+  }
+
+  /** @param id kept when it is a UUID that no session has */
+  async #create(message: SessionMessage, maker: string, id = ''): Promise<Session> {
+    const grantIds = maker === '' ? [] : [maker];
+    return this.#make(message, { id, isStored: false, grantIds, revision: 0 });
+  }
+
+  async #make(
+    message: SessionMessage,
+    as: {
+      readonly id: string;
+      readonly isStored: boolean;
+      readonly grantIds: readonly string[];
+      readonly revision: number;
+    },
+  ): Promise<Session> {
     const { ids, table, life, drafts } = this.#context;
     this.#requireRoom();
     const { draft, warnings } = await makeDraft(drafts, message);
     this.#requireRoom();
     const byteLength = this.#requireSpace(message);
-    // What is stored belongs to who stored it.
-    const grantIds = isStored ? (message.extension?.grantIds ?? []) : maker === '' ? [] : [maker];
-    const session = new Session(ids.uuid(), draft, isStored, grantIds);
+    const isFree = isUuid(as.id) && table.get(as.id) === undefined;
+    const session = new Session(isFree ? as.id : ids.uuid(), draft, as.isStored, as.grantIds);
+    session.revision = Math.max(1, as.revision);
     this.#noteMakers(session, draft, '');
     session.byteLength = byteLength;
     session.warnings = this.#warningsOf(draft, warnings);
