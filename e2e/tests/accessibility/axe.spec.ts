@@ -10,6 +10,7 @@ const PAGES = [
   { name: 'home', path: '/' },
   { name: 'sessions', path: '/sessions' },
   { name: 'new session', path: '/sessions/new' },
+  { name: 'new session as JSON', path: '/sessions/new/text' },
   { name: 'modules', path: '/modules' },
   { name: 'a module', path: '/modules/clock' },
   { name: 'topics', path: '/topics' },

@@ -17,7 +17,6 @@ async function aPhone(room: Room): Promise<Locator> {
 
 async function anEmptyEditor(page: Page): Promise<GraphPage> {
   await page.goto('/sessions/new');
-  await page.getByRole('button', { name: 'Draw it as a graph' }).click();
   const graph = new GraphPage({ page });
   await expect(page.getByRole('region', { name: 'How to begin' })).toBeVisible();
   return graph;
@@ -146,7 +145,7 @@ test('an example that is started from the list of sessions takes the pointer of 
   room,
 }) => {
   const { page } = await room.atDesk('Anna');
-  await page.goto('/sessions/new');
+  await page.goto('/sessions/new/text');
   await page.getByRole('button', { name: 'Start smooth-pointer' }).click();
   await expect(page.getByText('This browser’s pointer is a topic')).toBeVisible();
   await page.getByRole('link', { name: 'Open graph' }).click();

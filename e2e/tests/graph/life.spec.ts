@@ -219,7 +219,6 @@ test('an example runs with the finger of a phone, one click after it was chosen'
 
   const anna = new GraphPage(await room.atDesk('Anna'));
   await anna.page.goto('/sessions/new');
-  await anna.page.getByRole('button', { name: 'Draw it as a graph' }).click();
   const begin = anna.page.getByRole('region', { name: 'How to begin' });
   await expect(begin).toContainText('Takes the pointer of Ines.');
   await begin.getByRole('button', { name: /^Smooth a pointer/ }).click();

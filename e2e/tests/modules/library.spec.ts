@@ -71,7 +71,7 @@ test('a module is imported, used, duplicated, exported, deleted and brought back
 
   await test.step('a session uses it by its name alone [SE-1], and the library says so', async () => {
     const session = new SessionPage(anna);
-    await anna.page.goto('/sessions/new');
+    await anna.page.goto('/sessions/new/text');
     const text = { name: 'Doubles', processingModules: [{ name: 'doubler' }] };
     await session.write(JSON.stringify(text), 'Create');
     await expect(session.module('doubler')).toContainText('twice');

@@ -152,7 +152,7 @@ test('a session that was made here is there after a restart of the master, and o
   await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
   await master.startAgain();
   await expect(sessions.row('smoothing-chain')).toContainText('Stopped');
-  await sessions.list.getByRole('button', { name: 'smoothing-chain', exact: true }).click();
+  await sessions.link('smoothing-chain').click();
   await expect(session.heading).toHaveText('smoothing-chain');
   await session.act('Start');
   await session.expectState('Running');

@@ -32,6 +32,7 @@ test('a session is written as JSON; all that is wrong stands beside its line [SE
   const session = new SessionPage({ page });
   await page.goto('/sessions');
   await new SessionsPage({ page }).newSession.click();
+  await page.getByRole('link', { name: 'JSON', exact: true }).click();
 
   await test.step('no JSON', async () => {
     await session.text.fill('{\n  "name": "x"\n  "tags": []\n}');
@@ -60,7 +61,7 @@ test('a running session is edited as JSON; what others changed meanwhile is not 
   const anna = await room.atDesk('Anna');
   const ben = await room.atDesk('Ben');
   const session = new SessionPage(anna);
-  await anna.page.goto('/sessions/new');
+  await anna.page.goto('/sessions/new/text');
   await session.write(WHOLE, 'Create');
   await session.act('Start');
   await session.expectState('Running');
@@ -79,10 +80,10 @@ test('a running session is edited as JSON; what others changed meanwhile is not 
     await theirs.text.fill((await theirs.text.inputValue()).replace('"/b"', '"/c"'));
     await session.choose('Edit as JSON');
     await session.write((await session.text.inputValue()).replace('"/b"', '"/d"'), 'Save');
-    await expect(ben.page.getByRole('alert')).toContainText('Somebody else has changed');
+    await expect(ben.page.getByRole('alert')).toContainText('Another client has changed');
     await ben.page.getByRole('button', { name: 'Save', exact: true }).click();
     await expect(theirs.textProblems).toBeVisible();
-    await ben.page.getByRole('button', { name: 'Take theirs' }).click();
+    await ben.page.getByRole('button', { name: 'Load their version' }).click();
     await expect(theirs.text).toHaveValue(/"\/d"/);
   });
 });
@@ -91,7 +92,7 @@ test('a session travels as one file, with the source of its modules', async ({ r
   const anna = await room.atDesk('Anna');
   const sessions = new SessionsPage(anna);
   const session = new SessionPage(anna);
-  await anna.page.goto('/sessions/new');
+  await anna.page.goto('/sessions/new/text');
   await session.write(WHOLE, 'Create');
   await expect(session.heading).toHaveText('Mirror');
   const [download] = await Promise.all([
@@ -122,7 +123,7 @@ test('a session travels as one file, with the source of its modules', async ({ r
     const dialog = anna.page.getByRole('dialog', { name: 'Import a session' });
     await expect(dialog).toContainText('The module no-such-module is not known here');
     await dialog.getByRole('button', { name: 'New session' }).click();
-    await expect(anna.page).toHaveURL(/\/sessions\/new/);
+    await expect(anna.page).toHaveURL(/\/sessions\/new\/text/);
     await expect(session.textProblems).toContainText('pointr');
   });
 });

@@ -33,7 +33,7 @@ test('what goes wrong in a module is told with its line, and an endless loop sto
 }) => {
   const anna = await room.atDesk('Anna');
   const session = new SessionPage(anna);
-  await anna.page.goto('/sessions/new');
+  await anna.page.goto('/sessions/new/text');
   await session.write(JSON.stringify(NOISY, undefined, 2), 'Create');
   await session.act('Start');
 

@@ -5,6 +5,7 @@ const PATHS = [
   '/',
   '/sessions',
   '/sessions/new',
+  '/sessions/new/text',
   '/modules',
   '/modules/clock',
   '/topics',

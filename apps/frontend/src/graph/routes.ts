@@ -1,12 +1,28 @@
 import type { RouteLocationRaw, RouteRecordRaw } from 'vue-router';
+import { randomUuid } from '../connection/random-uuid.ts';
 import { GRAPH_CANVAS_ID } from './graph-canvas-id.ts';
 
-/** Where the graph of a session is edited. */
-export function graphLocation(id: string): RouteLocationRaw {
-  return { path: `/sessions/${encodeURIComponent(id)}/graph` };
+/**
+ * Where the graph of a session is edited.
+ * @param isNew the master does not have it yet: the page starts with an empty graph
+ */
+export function graphLocation(id: string, isNew = false): RouteLocationRaw {
+  const path = `/sessions/${encodeURIComponent(id)}/graph`;
+  return isNew ? { path, state: { [NEW]: true } } : { path };
+}
+
+/** History state of the page of a session that the master does not have yet. */
+const NEW = 'newSession';
+
+/** Returns whether the page was opened for a new session, also after a reload. */
+export function isNewSession(): boolean {
+  const { state } = history as { readonly state: Readonly<Record<string, unknown>> | null };
+  return state?.[NEW] === true;
 }
 
 export const graphRoutes: readonly RouteRecordRaw[] = [
+  // A new session has its id and its address from the start; nothing is stored before it is saved.
+  { path: '/sessions/new', redirect: () => graphLocation(randomUuid(), true) },
   {
     path: '/sessions/:id/graph',
     component: () => import('./editor/GraphPage.vue'),

@@ -1,5 +1,8 @@
 import type { RouteLocationRaw, RouteRecordRaw } from 'vue-router';
 
+/** A new session as text. */
+export const NEW_TEXT_PATH = '/sessions/new/text';
+
 const PARENT = { title: 'Sessions', to: '/sessions' };
 
 /** Where a session is shown. */
@@ -13,6 +16,14 @@ export function sessionTextLocation(id: string, line?: number): RouteLocationRaw
   return { path: `/sessions/${encodeURIComponent(id)}/text`, hash };
 }
 
+/**
+ * Where a new session is written as text.
+ * @param id of the new session on the graph page, if it was there before
+ */
+export function newTextLocation(id?: string): RouteLocationRaw {
+  return { path: NEW_TEXT_PATH, query: id === undefined ? {} : { id } };
+}
+
 export const sessionsRoutes: readonly RouteRecordRaw[] = [
   {
     path: '/sessions',
@@ -20,7 +31,7 @@ export const sessionsRoutes: readonly RouteRecordRaw[] = [
     meta: { title: 'Sessions' },
   },
   {
-    path: '/sessions/new',
+    path: NEW_TEXT_PATH,
     component: () => import('./NewSessionPage.vue'),
     meta: { title: 'New session', parent: PARENT },
   },

@@ -64,8 +64,11 @@ export interface GraphEditor {
   redo(): void;
   select(nodes: Iterable<string>): void;
   selectWire(wire: string): void;
-  /** Takes the session as the master announces it. */
-  handleSession(session: Session): void;
+  /**
+   * Takes the session as the master announces it.
+   * @param isReopened the master was restarted: its revision may be lower than before
+   */
+  handleSession(session: Session, isReopened?: boolean): void;
   /**
    * Delays announcements while a save is under way: its announcement may arrive before its reply.
    * @param sent what is being saved; recognised when only its announcement arrives
@@ -169,10 +172,10 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
   }
 
   let holds = 0;
-  let held: Session | undefined;
+  let held: { readonly session: Session; readonly isReopened: boolean } | undefined;
 
-  function hear(next: Session): void {
-    if (revisionOf(next) <= revisionOf(base)) {
+  function hear(next: Session, isReopened = false): void {
+    if (!isReopened && revisionOf(next) <= revisionOf(base)) {
       session.value = next;
       return;
     }
@@ -215,9 +218,9 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     selectWire(wire) {
       selection.value = { nodes: new Set(), wire };
     },
-    handleSession(next) {
-      if (holds > 0) held = next;
-      else hear(next);
+    handleSession(next, isReopened = false) {
+      if (holds > 0) held = { session: next, isReopened: isReopened || held?.isReopened === true };
+      else hear(next, isReopened);
     },
     expect: (earlier) => (sent = { session: earlier }),
     hold(next) {
@@ -228,7 +231,7 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
         const waiting = held;
         if (holds > 0 || waiting === undefined) return;
         held = undefined;
-        hear(waiting);
+        hear(waiting.session, waiting.isReopened);
       };
     },
     toSession() {

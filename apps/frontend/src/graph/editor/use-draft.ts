@@ -32,19 +32,6 @@ const KEEP_MS = 400;
 const isSaved = ({ edited }: Draft, graph: Graph): boolean =>
   graphNews(graphOf(withIds(edited, randomUuid)), graph).length === 0;
 
-/** History state of a navigation that continues unsaved work. */
-export interface GoOn {
-  readonly goOn: true;
-  /** A save was requested and is still to be done. */
-  readonly save: boolean;
-}
-
-/** Returns that state, if the page was opened with it. */
-export function goOnHere(): GoOn | undefined {
-  const { state } = history as { readonly state: Partial<GoOn> | null };
-  return state?.goOn === true ? { goOn: true, save: state.save === true } : undefined;
-}
-
 export function useDraft(editor: GraphEditor): Drafts {
   const { id: sessionId } = editor.session.value;
   const found = shallowRef(findDraft(localStorage, sessionId));
@@ -91,7 +78,6 @@ export function useDraft(editor: GraphEditor): Drafts {
     found.value = undefined;
     if (draft !== undefined) editor.resume(draft.base, draft.edited);
   }
-  if (goOnHere()) take();
 
   return {
     found,

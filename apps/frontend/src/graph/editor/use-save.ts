@@ -29,7 +29,12 @@ export interface Saving {
 const isProblems = (value: unknown): value is readonly SessionProblem[] =>
   Array.isArray(value) && value.length > 0;
 
-export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
+/** @param isGone the master does not have the session: saving creates it */
+export function useSave(
+  editor: GraphEditor,
+  actions: SessionActions,
+  isGone: () => boolean,
+): Saving {
   const { client, sessions, isConnected } = useConnection();
   const isSaving = shallowRef(false);
   const isWaiting = shallowRef(false);
@@ -59,6 +64,7 @@ export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
 
   /** Stored sessions go by their names: a renamed one leaves no other behind. [SE-21] */
   function send(next: Session): Promise<Session> {
+    if (isGone()) return actions.calls.store(next);
     const { name } = editor.session.value;
     return next.name === name
       ? actions.calls.update(next, {})
@@ -77,10 +83,8 @@ export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
 
   async function saveNow(): Promise<boolean> {
     const { name } = editor.graph.value.details;
-    const isTaken = (sessions.list.value ?? []).some(
-      (other) => other.name === name && other.id !== editor.session.value.id,
-    );
-    if (isTaken && name !== editor.session.value.name) {
+    const isNewName = name !== editor.session.value.name || isGone();
+    if (isNewName && (await actions.calls.takenNames()).has(name)) {
       failure.value = `Another session has the name "${name}". Choose a different name.`;
       return false;
     }
@@ -118,7 +122,7 @@ export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
   async function saveOnce(): Promise<boolean> {
     failure.value = undefined;
     problems.value = [];
-    if (editor.changes.value === 0) return true;
+    if (editor.changes.value === 0 && !isGone()) return true;
     if (!isConnected.value) {
       isWaiting.value = true;
       return false;
@@ -140,10 +144,11 @@ export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
   watch(isConnected, async (connected) => {
     if (!connected || !isWaiting.value) return;
     try {
-      await catchUp();
+      // A new session is known here alone.
+      if ((editor.session.value.extension?.revision ?? 0) > 0) await catchUp();
     } catch (cause) {
       if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
-      // The connection was lost again, or the session is gone: see use-session-gone.ts.
+      // The connection was lost again, or the session is gone, which the page says.
       return;
     }
     isWaiting.value = false;
@@ -162,6 +167,10 @@ export function useSave(editor: GraphEditor, actions: SessionActions): Saving {
     attempt,
     async act(action) {
       const needsSaving = action === 'start' || action === 'restart' || action === 'resume';
+      if (needsSaving && editor.toSession().processingModules.length === 0) {
+        failure.value = 'The session has no module. Add one to start it.';
+        return;
+      }
       if (needsSaving && !(await save())) return;
       await actions.act(editor.session.value, action);
     },

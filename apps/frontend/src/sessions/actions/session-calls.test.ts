@@ -12,6 +12,7 @@ const whole = (spec: Init<Session>): Session =>
 function setup(...known: Session[]) {
   const asked: [string, Init<Session>][] = [];
   const call = vi.fn(async (service: string, request: Init<Session>) => {
+    if (service === 'sessionDatabaseGetList') return { elements: [whole({ name: 'On disk' })] };
     asked.push([service, request]);
     const answer = whole({ ...request, id: request.id || 'new' });
     return service === 'sessionDatabaseSave' ? { elements: [answer] } : answer;
@@ -36,14 +37,10 @@ function setup(...known: Session[]) {
 }
 
 describe('what people do with sessions', () => {
-  it('starts by id; one that is only stored by its name [SE-11]', async () => {
+  it('starts by id, also one that is only stored [SE-27]', async () => {
     const { calls, asked } = setup();
     await calls.act(aSession(), 'start');
-    await calls.act(aSession({ id: '' }), 'start');
-    expect(asked).toEqual([
-      ['sessionRuntimeStart', { id: 'session' }],
-      ['sessionRuntimeStart', { name: 'Two hands' }],
-    ]);
+    expect(asked).toEqual([['sessionRuntimeStart', { id: 'session' }]]);
   });
 
   it('restarts when it has stopped [SE-10]', async () => {
@@ -58,7 +55,8 @@ describe('what people do with sessions', () => {
     await calls.create({ name: 'A' });
     await calls.create({ name: 'B' });
     await calls.create({});
-    expect(asked.map(([, { name }]) => name)).toEqual(['A 3', 'B', 'Session']);
+    await calls.create({ name: 'On disk' });
+    expect(asked.map(([, { name }]) => name)).toEqual(['A 3', 'B', 'Session', 'On disk 2']);
   });
 
   it('duplicates with modules of its own, and mappings that follow them [SE-1]', async () => {
@@ -101,10 +99,10 @@ describe('what people do with sessions', () => {
     expect(places).toEqual(['node', '']);
   });
 
-  it('opens one that is only stored by its name [SE-1]', async () => {
+  it('opens one that is only stored by its id [SE-27]', async () => {
     const { calls, asked } = setup();
-    await calls.open(aSession({ id: '' }));
-    expect(asked).toEqual([['sessionRuntimeAdd', { name: 'Two hands' }]]);
+    await calls.open('session');
+    expect(asked).toEqual([['sessionRuntimeAdd', { id: 'session' }]]);
   });
 
   it('forgets a stored one on the disk, too, after it was stopped [SE-16, SE-21]', async () => {
@@ -114,18 +112,23 @@ describe('what people do with sessions', () => {
       json: { extension: { state: 2, stored: true } },
     });
     const removed = await calls.remove(session);
-    expect(services()).toEqual(['sessionRuntimeRemove', 'sessionDatabaseDelete']);
+    // Pages that show it would open the file again.
+    expect(services()).toEqual([
+      'sessionRuntimeStop',
+      'sessionDatabaseDelete',
+      'sessionRuntimeRemove',
+    ]);
     expect(dropped).toEqual(['session']);
-    expect(removed).toMatchObject({ wasAlive: true, wasStored: true });
+    expect(removed).toMatchObject({ id: 'session', wasAlive: true, wasStored: true });
   });
 
   it('brings back what was there: stored, and running if it ran', async () => {
     const { calls, services } = setup();
     const spec = { name: 'Two hands' };
-    await calls.restore({ spec, wasAlive: true, wasStored: true });
+    await calls.restore({ id: 'session', spec, wasAlive: true, wasStored: true });
     expect(services()).toEqual(['sessionDatabaseSave', 'sessionRuntimeStart']);
     const other = setup();
-    await other.calls.restore({ spec, wasAlive: false, wasStored: false });
+    await other.calls.restore({ id: 'session', spec, wasAlive: false, wasStored: false });
     expect(other.services()).toEqual(['sessionRuntimeAdd']);
   });
 

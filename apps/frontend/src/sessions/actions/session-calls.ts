@@ -6,6 +6,7 @@ import { isAlive, type LifeAction } from '../state/session-state.ts';
 
 /** What is needed to bring a removed session back. */
 export interface RemovedSession {
+  readonly id: string;
   readonly spec: Init<Session>;
   readonly wasAlive: boolean;
   readonly wasStored: boolean;
@@ -14,15 +15,19 @@ export interface RemovedSession {
 /** What people do with sessions, as calls of the master. Every promise rejects with what the call rejects with. */
 export interface SessionCalls {
   act(session: Session, action: LifeAction): Promise<void>;
-  /** Creates a session and keeps it on the master's disk. [SE-1, SE-21] */
+  /** Names of all sessions, open or stored. */
+  takenNames(): Promise<ReadonlySet<string>>;
+  /** Creates a session under a free name and stores it, under the given id if it has one. [SE-1, SE-21] */
   create(spec: Init<Session>): Promise<Session>;
-  /** Makes a session of one that is only stored, without starting it. [SE-1] */
-  open(session: Session): Promise<Session>;
+  /** Stores a session under the id and the name it has. [SE-21] */
+  store(spec: Init<Session>): Promise<Session>;
+  /** Opens a stored session by its id, without starting it. [SE-27] */
+  open(id: string): Promise<Session>;
   /** Replaces the specification, on the disk too when it is stored. [SE-15, SE-21] */
   update(session: Session, changes: Init<Session>): Promise<Session>;
   duplicate(session: Session): Promise<Session>;
   rename(session: Session, name: string): Promise<Session>;
-  /** Stops it if need be, and forgets it, on the disk too. [SE-16] */
+  /** Stops it if need be, and deletes it, on the disk too. [SE-16] */
   remove(session: Session): Promise<RemovedSession>;
   restore(removed: RemovedSession): Promise<Session>;
 }
@@ -30,6 +35,15 @@ export interface SessionCalls {
 /** Where the master had a choice, it keeps it: the place it chose is not people's wish. [SE-30] */
 function asWished(module: Init<ProcessingModule>): Init<ProcessingModule> {
   return module.extension?.replaceable === true ? { ...module, nodeId: '' } : module;
+}
+
+/** What is gone already need not be removed. */
+async function unlessGone(removal: Promise<unknown>): Promise<void> {
+  try {
+    await removal;
+  } catch (cause) {
+    if (!(cause instanceof ServiceError && cause.code === 'not_found')) throw cause;
+  }
 }
 
 type Services = Pick<UbiiClient, 'call'>;
@@ -50,12 +64,10 @@ export function createSessionCalls(
     return session;
   };
 
-  async function act({ id, ...session }: Session, action: LifeAction): Promise<void> {
+  async function act({ id }: Session, action: LifeAction): Promise<void> {
     switch (action) {
       case 'start':
-        await taken(
-          client.call('sessionRuntimeStart', id === '' ? { name: session.name } : { id }),
-        );
+        await taken(client.call('sessionRuntimeStart', { id }));
         return;
       case 'pause':
         await taken(client.call('sessionPause', { id }));
@@ -81,10 +93,14 @@ export function createSessionCalls(
     return saved;
   };
 
+  async function takenNames(): Promise<ReadonlySet<string>> {
+    const { elements } = await client.call('sessionDatabaseGetList');
+    return new Set([...(store.list.value ?? []), ...elements].map(({ name }) => name));
+  }
+
   /** Sessions are stored by name, and the newer replaces the older: a taken name gets a number. */
-  function create(spec: Init<Session>): Promise<Session> {
-    const taken = new Set((store.list.value ?? []).map(({ name }) => name));
-    return keep({ ...spec, id: '', name: freeName(spec.name || 'Session', taken) });
+  async function create(spec: Init<Session>): Promise<Session> {
+    return keep({ ...spec, name: freeName(spec.name || 'Session', await takenNames()) });
   }
 
   function update(session: Session, changes: Init<Session>): Promise<Session> {
@@ -103,22 +119,26 @@ export function createSessionCalls(
   }
 
   async function remove(session: Session): Promise<RemovedSession> {
+    const { id } = session;
     const removed = {
+      id,
       spec: sessionSpec(session),
       wasAlive: isAlive(session),
       wasStored: session.extension?.stored === true,
     };
-    if (session.id !== '') await client.call('sessionRuntimeRemove', { id: session.id });
     if (removed.wasStored) {
-      await client.call('sessionDatabaseDelete', { id: session.id, name: session.name });
+      // The file goes first: pages that show the session would open it again.
+      if (removed.wasAlive) await client.call('sessionRuntimeStop', { id });
+      await client.call('sessionDatabaseDelete', { id, name: session.name });
     }
-    store.drop(session.id);
+    await unlessGone(client.call('sessionRuntimeRemove', { id }));
+    store.drop(id);
     return removed;
   }
 
-  async function restore({ spec, wasAlive, wasStored }: RemovedSession): Promise<Session> {
+  async function restore({ id, spec, wasAlive, wasStored }: RemovedSession): Promise<Session> {
     const session = wasStored
-      ? await create(spec)
+      ? await create({ ...spec, id })
       : await taken(client.call('sessionRuntimeAdd', spec));
     if (wasAlive) await act(session, 'start');
     return session;
@@ -126,23 +146,22 @@ export function createSessionCalls(
 
   return {
     act,
+    takenNames,
     create,
+    store: keep,
     update,
     remove,
     restore,
-    open: ({ name }) => taken(client.call('sessionRuntimeAdd', { name })),
-    duplicate(session) {
-      const names = new Set((store.list.value ?? []).map(({ name }) => name));
-      const name = copyName(session.name, names);
+    open: (id) => taken(client.call('sessionRuntimeAdd', { id })),
+    async duplicate(session) {
+      const name = copyName(session.name, await takenNames());
       return create({ ...sessionCopy(sessionSpec(session), uuid), name });
     },
     async rename(session, name) {
       const renamed = await update(session, { name });
       if (session.extension?.stored !== true) return renamed;
       // Its file goes by the name: the old one would come back as another session
-      await client.call('sessionDatabaseDelete', { name: session.name }).catch((cause: unknown) => {
-        if (!(cause instanceof ServiceError && cause.code === 'not_found')) throw cause;
-      });
+      await unlessGone(client.call('sessionDatabaseDelete', { name: session.name }));
       return renamed;
     },
   };

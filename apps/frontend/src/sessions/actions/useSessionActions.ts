@@ -22,8 +22,6 @@ export interface SessionActions {
   /** Ids of sessions an intent for which is under way. */
   readonly busy: Readonly<ShallowRef<ReadonlySet<string>>>;
   act(session: Session, action: LifeAction): Promise<void>;
-  /** Makes a session of one that is only stored. @returns it, `undefined` when that failed */
-  open(session: Session): Promise<Session | undefined>;
   /** @returns the new session, `undefined` when it failed */
   duplicate(session: Session): Promise<Session | undefined>;
   rename(session: Session, name: string): Promise<void>;
@@ -94,7 +92,6 @@ export function useSessionActions(): SessionActions {
     failures,
     busy,
     act: (session, action) => attempt(session.id, () => calls.act(session, action)),
-    open: (session) => attempt(session.id, () => calls.open(session)),
     duplicate: (session) => attempt(session.id, () => calls.duplicate(session)),
     rename: async (session, name) =>
       void (await attempt(session.id, () => calls.rename(session, name))),

@@ -24,7 +24,7 @@ import type { SessionActions } from './useSessionActions.ts';
 export interface SessionMenu {
   itemsFor(session: Session): readonly MenuItem[];
   /** Opens the dialog for another name. */
-  rename(session: Session): Promise<void>;
+  rename(session: Session): void;
   /** The session that is being renamed, for the dialog. */
   readonly renaming: ShallowRef<Session | undefined>;
 }
@@ -37,21 +37,9 @@ export function useSessionMenu(actions: SessionActions, removed: () => void): Se
     const copy = await actions.duplicate(session);
     if (copy) await router.push(sessionLocation(copy.id));
   }
-  /** One that is only stored is made first. */
-  async function made(session: Session): Promise<Session | undefined> {
-    return session.id === '' ? actions.open(session) : session;
-  }
-  async function rename(session: Session): Promise<void> {
-    renaming.value = await made(session);
-  }
-  async function edit(session: Session): Promise<void> {
-    const known = await made(session);
-    if (known) await router.push(sessionTextLocation(known.id));
-  }
-  async function draw(session: Session): Promise<void> {
-    const known = await made(session);
-    if (known) await router.push(graphLocation(known.id));
-  }
+  const rename = (session: Session): void => {
+    renaming.value = session;
+  };
   async function remove(session: Session): Promise<void> {
     await actions.remove(session);
     if (!actions.failures.value.has(session.id)) removed();
@@ -73,13 +61,17 @@ export function useSessionMenu(actions: SessionActions, removed: () => void): Se
     if (life.length > 0) life.push({ kind: 'separator' });
     return [
       ...life,
-      { text: 'Open graph', icon: Workflow, run: () => void draw(session) },
-      { text: 'Rename', icon: Pencil, shortcut: 'F2', run: () => void rename(session) },
+      {
+        text: 'Open graph',
+        icon: Workflow,
+        run: () => void router.push(graphLocation(session.id)),
+      },
+      { text: 'Rename', icon: Pencil, shortcut: 'F2', run: () => rename(session) },
       { text: 'Duplicate', icon: Copy, run: () => void duplicate(session) },
       {
         text: 'Edit as JSON',
         icon: FileBraces,
-        run: () => void edit(session),
+        run: () => void router.push(sessionTextLocation(session.id)),
       },
       {
         text: 'Export',

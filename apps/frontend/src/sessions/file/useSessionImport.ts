@@ -6,6 +6,7 @@ import { randomUuid } from '../../connection/random-uuid.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import type { SessionCalls } from '../actions/session-calls.ts';
+import { NEW_TEXT_PATH } from '../routes.ts';
 import { sessionCopy, sessionSpec } from '../text/session-spec.ts';
 import { sessionText } from '../text/session-text.ts';
 import { useSessionDraft } from '../text/useSessionDraft.ts';
@@ -47,7 +48,7 @@ export function useSessionImport({ calls, isAsking, locationOf }: ImportOptions)
   async function edit(text: string): Promise<void> {
     asked.value = undefined;
     draft.value = text;
-    await router.push({ path: '/sessions/new', query: { try: '1' } });
+    await router.push({ path: NEW_TEXT_PATH, query: { try: '1' } });
   }
 
   /** @returns undefined when the master refused it, and its text is open with the reasons */

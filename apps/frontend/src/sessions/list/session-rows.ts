@@ -58,10 +58,7 @@ export function sessionRow(
   };
 }
 
-/**
- * Those that are stored but that nobody has made yet stand behind the others, without an id: it is
- * made when it is opened or started, by its name. [SE-11, SE-21]
- */
+/** Stored sessions that are not open stand behind the others; their ids open them. [SE-27] */
 export function withStored(
   sessions: readonly Session[],
   stored: readonly Session[],
@@ -78,7 +75,6 @@ function asStored(session: Session): Session {
   const { extension } = fromJson('ubii.sessions.Session', { extension: { stored: true } });
   return {
     ...session,
-    id: '',
     status: SessionStatus.STOPPED,
     extension: {
       ...extension!,

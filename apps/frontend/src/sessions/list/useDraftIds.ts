@@ -1,15 +1,26 @@
 import { useEventListener } from '@vueuse/core';
 import { shallowRef, type ShallowRef } from 'vue';
-import { draftIds } from '../../graph/model/changes/draft.ts';
+import { draftIds, removeDraft } from '../../graph/model/changes/draft.ts';
 
-/** Sessions with changes that somebody made in this browser and has not saved, by their ids. */
-export function useDraftIds(): Readonly<ShallowRef<ReadonlySet<string>>> {
+/** Sessions with unsaved changes in this browser, by their ids. */
+export interface DraftIds {
+  readonly ids: Readonly<ShallowRef<ReadonlySet<string>>>;
+  discard(id: string): void;
+}
+
+export function useDraftIds(): DraftIds {
   const ids = shallowRef(draftIds(localStorage));
   const look = (): void => {
     ids.value = draftIds(localStorage);
   };
-  // Of other tabs, and of the time in which nobody looked.
+  // Other tabs may have changed them, also while this one was in the background.
   useEventListener(window, 'storage', look);
   useEventListener(window, 'focus', look);
-  return ids;
+  return {
+    ids,
+    discard(id) {
+      removeDraft(localStorage, id);
+      look();
+    },
+  };
 }

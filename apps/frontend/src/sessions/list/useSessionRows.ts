@@ -1,11 +1,10 @@
 import type { Session } from '@ubii/proto';
 import { computed, toValue, type ComputedRef, type MaybeRefOrGetter } from 'vue';
-import { useRouter } from 'vue-router';
+import { findDraft, type Draft } from '../../graph/model/changes/draft.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useSessionActions, type SessionActions } from '../actions/useSessionActions.ts';
 import { useSessionMenu, type SessionMenu } from '../actions/useSessionMenu.ts';
 import { useSessionStatistics } from '../live/useSessionStatistics.ts';
-import { sessionLocation } from '../routes.ts';
 import { useStoredSessions } from '../useStoredSessions.ts';
 import { nodeName } from '../words/node-words.ts';
 import { sharedTopics } from '../words/shared-topics.ts';
@@ -20,16 +19,17 @@ import { useDraftIds } from './useDraftIds.ts';
 
 /** All sessions as rows, and what can be done with them. */
 export interface SessionRows {
-  /** Those the master has, and those that are only stored. */
+  /** All sessions, stored ones that are not open included. */
   readonly all: ComputedRef<readonly Session[]>;
   readonly rows: ComputedRef<readonly SessionRow[]>;
+  /** Work in this browser on sessions that the master does not have: never saved, or deleted since. */
+  readonly unsaved: ComputedRef<readonly Draft[]>;
+  discard(draft: Draft): void;
   readonly actions: SessionActions;
   readonly menu: SessionMenu;
   readonly takenNames: ComputedRef<ReadonlySet<string>>;
   /** Names of nodes, as people know them. */
   nodeNames(ids: readonly string[]): string[];
-  /** Makes one that is only stored, and goes there. */
-  open(session: Session): Promise<void>;
   remove(session: Session): Promise<void>;
 }
 
@@ -39,7 +39,6 @@ export function useSessionRows(
   search: MaybeRefOrGetter<string> = '',
   filter: MaybeRefOrGetter<SessionFilter> = 'all',
 ): SessionRows {
-  const router = useRouter();
   const { client, sessions, nodes } = useConnection();
   nodes.watch(NODES_INTERVAL_MS);
   const statistics = useSessionStatistics();
@@ -51,24 +50,28 @@ export function useSessionRows(
     const each = all.value.map((one) =>
       sessionRow(one, statistics.value.get(one.id), {
         shared: sharedTopics(one, all.value),
-        hasDraft: drafts.value.has(one.id),
+        hasDraft: drafts.ids.value.has(one.id),
       }),
     );
     return filterRows(each, toValue(search), toValue(filter));
   });
+  const unsaved = computed(() => {
+    if (sessions.list.value === undefined || !stored.isKnown.value) return [];
+    const known = new Set(all.value.map(({ id }) => id));
+    const ids = [...drafts.ids.value].filter((id) => !known.has(id));
+    return ids.flatMap((id) => findDraft(localStorage, id) ?? []);
+  });
   return {
     all,
     rows,
+    unsaved,
+    discard: ({ sessionId }) => drafts.discard(sessionId),
     actions,
     menu: useSessionMenu(actions, () => void stored.refresh()),
     takenNames: computed(() => new Set(all.value.map(({ name }) => name))),
     nodeNames(ids) {
       void nodes.list.value;
       return ids.map((id) => nodeName(id, (other) => nodes.find(other), client.id));
-    },
-    async open(session) {
-      const made = await actions.open(session);
-      if (made) await router.push(sessionLocation(made.id));
     },
     async remove(session) {
       await actions.remove(session);

@@ -1,6 +1,7 @@
 import {
   Copy,
   Download,
+  FileBraces,
   FilePlus,
   FolderOpen,
   Import,
@@ -21,10 +22,11 @@ import { completeSession } from '../../../sessions/file/complete-session.ts';
 import { knownModules } from '../../../sessions/file/known-modules.ts';
 import { saveFile } from '../../../sessions/file/save-file.ts';
 import { exportSession } from '../../../sessions/file/session-file.ts';
+import { newTextLocation, sessionTextLocation } from '../../../sessions/routes.ts';
 import { copyName, sessionCopy, sessionSpec } from '../../../sessions/text/session-spec.ts';
 import { graphLocation } from '../../routes.ts';
 import type { GraphEditor } from '../graph-editor.ts';
-import { moveDraft } from '../../model/changes/draft.ts';
+import { findDraft, saveDraft } from '../../model/changes/draft.ts';
 import type { Drafts } from '../use-draft.ts';
 import { useLife } from '../use-life.ts';
 import type { Saving } from '../use-save.ts';
@@ -49,12 +51,14 @@ interface Parts {
   readonly saving: Saving;
   readonly drafts: Drafts;
   readonly actions: SessionActions;
+  /** The master does not have the session. */
+  readonly isGone: () => boolean;
   readonly importFiles: (files: readonly File[]) => void;
 }
 
 /** Commands on the session as a whole. */
 export function useSessionCommands(parts: Parts): SessionCommands {
-  const { editor, saving, drafts, actions, importFiles } = parts;
+  const { editor, saving, drafts, actions, isGone, importFiles } = parts;
   const { client, sessions } = useConnection();
   const router = useRouter();
   const question = ref<SessionQuestion>();
@@ -94,21 +98,33 @@ export function useSessionCommands(parts: Parts): SessionCommands {
     const session = editor.session.value;
     drafts.keep();
     drafts.pause();
-    const isGone = await actions.remove(session, (restored) => {
-      moveDraft(localStorage, session.id, restored.id);
+    const draft = findDraft(localStorage, session.id);
+    if (isGone()) {
+      drafts.forget(session.id);
+      await router.push('/sessions');
+      return;
+    }
+    const isRemoved = await actions.remove(session, (restored) => {
+      if (draft !== undefined) saveDraft(localStorage, draft);
       void router.push(graphLocation(restored.id));
     });
-    if (isGone) await router.push('/sessions');
-    else drafts.resume();
+    if (!isRemoved) {
+      drafts.resume();
+      return;
+    }
+    drafts.forget(session.id);
+    await router.push('/sessions');
   }
 
+  const id = (): string => editor.session.value.id;
+  const isNew = (): boolean => isGone() && (editor.session.value.extension?.revision ?? 0) === 0;
   const list = computed((): readonly SessionCommand[] => [
     {
       id: 'new',
       text: 'New',
       title: 'New empty session',
       icon: FilePlus,
-      run: () => void make({ name: 'Session' }),
+      run: () => void router.push('/sessions/new'),
     },
     {
       id: 'open',
@@ -170,6 +186,13 @@ export function useSessionCommands(parts: Parts): SessionCommands {
       run: () => void make(ownCopy(copy.value)),
     },
     {
+      id: 'text',
+      text: 'Edit as JSON',
+      title: 'Edit this session as JSON',
+      icon: FileBraces,
+      run: () => void router.push(isNew() ? newTextLocation(id()) : sessionTextLocation(id())),
+    },
+    {
       id: 'import',
       text: 'Import…',
       title: 'Import a session file',
@@ -195,12 +218,12 @@ export function useSessionCommands(parts: Parts): SessionCommands {
     },
   ]);
 
-  /** One that is only stored is made first. */
-  async function open(session: Session): Promise<void> {
-    const known =
-      session.id === '' ? await saving.attempt(() => actions.calls.open(session)) : session;
-    if (known) await router.push(graphLocation(known.id));
-  }
-
-  return { list, question, taken, copyName: copy, saveAs, open };
+  return {
+    list,
+    question,
+    taken,
+    copyName: copy,
+    saveAs,
+    open: async ({ id }) => void (await router.push(graphLocation(id))),
+  };
 }

@@ -85,10 +85,3 @@ export function draftIds(storage: DraftStorage): ReadonlySet<string> {
     return new Set();
   }
 }
-
-/** A session came back under another id: its draft goes with it. */
-export function moveDraft(storage: DraftStorage, from: string, to: string): void {
-  const draft = findDraft(storage, from);
-  if (draft === undefined || from === to) return;
-  if (saveDraft(storage, { ...draft, sessionId: to })) removeDraft(storage, from);
-}
