@@ -153,6 +153,29 @@ describe('the graph editor', () => {
     expect(editor.merged.value).toEqual([]);
   });
 
+  it('puts changes on top of what a restarted master has, whatever its revision [SE-27]', () => {
+    const editor = editorOf(withRevision(7, 'Not stored'));
+    addTopic(editor, '/b');
+    const reopened = withRevision(6, 'As stored');
+    editor.handleSession(reopened);
+    expect(editor.graph.value.details.name).toBe('Not stored');
+    editor.handleSession(reopened, true);
+    expect(editor.graph.value.details.name).toBe('As stored');
+    expect(editor.graph.value.nodes.has('topic:/b')).toBe(true);
+    expect(editor.baseSession().extension?.revision).toBe(6);
+    expect(editor.changes.value).toBe(1);
+  });
+
+  it('keeps changes and their undo when a restarted master has what it had', () => {
+    const editor = editorOf(withRevision(7));
+    addTopic(editor, '/b');
+    editor.handleSession(withRevision(6), true);
+    expect(editor.news.value).toBeUndefined();
+    expect(editor.baseSession().extension?.revision).toBe(6);
+    editor.undo();
+    expect(editor.changes.value).toBe(0);
+  });
+
   it('hears how the session lives without losing changes', () => {
     const editor = editorOf(withRevision(3));
     addTopic(editor, '/b');

@@ -46,7 +46,7 @@ describe('the list of sessions', () => {
     expect(sessionRow(stopped, statistics).totals).toBeUndefined();
   });
 
-  it('holds stored ones that nobody has made yet, each once [SE-21]', () => {
+  it('holds stored ones that are not open, each once [SE-27]', () => {
     const stored = [
       aSession({ id: 'x', name: 'Other' }),
       aSession({ id: 's', name: 'Ant' }),
