@@ -56,7 +56,7 @@ describe('the list of sessions', () => {
     expect(withStored([stopped, kept], stored).map(({ id, name }) => [id, name])).toEqual([
       ['s', 'Ant'],
       ['k', 'Kept'],
-      ['', 'Other'],
+      ['x', 'Other'],
     ]);
   });
 });
