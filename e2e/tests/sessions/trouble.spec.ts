@@ -53,7 +53,7 @@ test('what goes wrong in a module is told with its line, and an endless loop sto
   await test.step('the log is filtered', async () => {
     await anna.page.getByRole('radio', { name: 'Problems' }).click();
     await expect(session.events).not.toContainText('run 2');
-    await anna.page.getByRole('combobox', { name: 'Of which module' }).click();
+    await anna.page.getByRole('combobox', { name: 'Module', exact: true }).click();
     await anna.page.getByRole('option', { name: 'loops' }).click();
     await expect(session.events).not.toContainText('every third run');
   });

@@ -68,6 +68,7 @@ export {
   SessionPatterns,
   type PatternTimes,
 } from './runtime/binding/session-patterns.ts';
+export { eventKey } from './runtime/reports/event-key.ts';
 export { TokenBucket } from './runtime/reports/token-bucket.ts';
 export { createModuleRuntime, type ModuleRuntimeOptions } from './runtime/create-module-runtime.ts';
 export type {

@@ -70,7 +70,7 @@ describe('memory of all instances of a node [PM-58]', () => {
     for (const fault of faults) {
       expect(fault).toMatchObject({ kind: 'memory', shortage: 'all' });
       expect((fault as Error).message).toMatch(
-        /^onProcessing needs more memory than is left of the 64 MB that all modules of this node may have together/,
+        /^onProcessing needs more memory than is left of the 64 MB that all modules of this node share/,
       );
     }
     expect(memory.usedBytes()).toBeLessThanOrEqual(64 * MIB);
@@ -87,7 +87,7 @@ describe('memory of all instances of a node [PM-58]', () => {
       kind: 'memory',
       shortage: 'owner',
       message:
-        'onProcessing needs more memory than is left of the 48 MB that the modules of its session may have together on this node.',
+        'onProcessing needs more memory than is left of the 48 MB that the modules of one session share on this node.',
     });
     expect(memory.usedBytes('session')).toBeGreaterThan(30 * MIB);
     const foreign = await create({ owner: 'another session', onProcessing: KEEPS(30) });

@@ -40,7 +40,7 @@ describe('workers of trusted code in Node', () => {
     expect(await faultFrom(culprit.run({ deltaTimeMs: 1 }))).toMatchObject({ kind: 'timeout' });
     const fault = await neighbour.killed;
     expect(fault.kind).toBe('crashed');
-    expect(fault.message).toContain('Its state is lost');
+    expect(fault.message).toContain('lost its state');
   });
 
   it('give a culprit a worker of its own the next time', async () => {
@@ -70,7 +70,7 @@ describe('workers of trusted code in Node', () => {
         '() => new Promise((resolve) => { setTimeout(() => { setImmediate(resolve); throw new Error("late") }) })',
     });
     await run();
-    expect(lines).toEqual(['error: Outside of any call: late']);
+    expect(lines).toEqual(['error: Outside of a callback: late']);
   });
 
   it('know no variable of the environment', async () => {

@@ -47,7 +47,7 @@ function checkNames(
     const first = seen.get(internalName);
     if (first === undefined) seen.set(internalName, i);
     else {
-      const message = `The ${kind} "${internalName}" is there twice: ${path}[${first}] has that name already.`;
+      const message = `Two ${kind}s are named "${internalName}". The first is ${path}[${first}].`;
       problems.push({ path: at, message });
     }
   });
@@ -61,12 +61,12 @@ function checkSource(module: ProcessingModule, problems: ModuleProblem[]): void 
     module.language === ProcessingModuleLanguage.JS ||
     module.language === ProcessingModuleLanguage.CPP;
   if (isJavaScript && !given.includes('onProcessingStringified')) {
-    const message = `A module with ${given[0]} needs onProcessingStringified, too.`;
+    const message = `A module with ${given[0]} also needs onProcessingStringified.`;
     problems.push({ path: 'onProcessingStringified', message });
   }
   const sizeBytes = given.reduce((sum, member) => sum + utf8Length(module[member]), 0);
   if (sizeBytes > MAX_SOURCE_BYTES) {
-    const message = `The source of a module may have ${MAX_SOURCE_BYTES} bytes, this one has ${sizeBytes}.`;
+    const message = `The source of the module has ${sizeBytes} bytes; the limit is ${MAX_SOURCE_BYTES} bytes.`;
     problems.push({ path: '', message });
   }
 }

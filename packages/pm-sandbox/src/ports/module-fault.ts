@@ -29,6 +29,8 @@ export interface ModuleFault {
   readonly line?: number | undefined;
   /** Column in that line, from 1. */
   readonly column?: number | undefined;
+  /** With `output` and `flood`: the values it stands for, 1 unless given. */
+  readonly count?: number | undefined;
   /** With `memory`: the memory of all modules of the node is used up, or that of its session. [PM-58] */
   readonly shortage?: 'all' | 'owner' | undefined;
 }

@@ -28,6 +28,8 @@ export interface SandboxRequest {
   readonly isTrusted: boolean;
   /** Names of the libraries it gets in `state.modules`. [PM-4] */
   readonly libraries: readonly string[];
+  /** Names of its declared inputs, for messages. */
+  readonly inputs: readonly string[];
   /** Its outputs; a format that is not known takes the one member the module set. */
   readonly outputs: readonly { readonly name: string; readonly format: DataFormat | undefined }[];
   readonly limits: SandboxLimits;

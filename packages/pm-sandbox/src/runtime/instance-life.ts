@@ -25,7 +25,7 @@ export interface LifeEvents {
 const ENDED_MEANWHILE: ModuleFault = {
   kind: 'crashed',
   phase: 'onCreated',
-  message: 'The module was ended while it was created.',
+  message: 'The module was stopped while it was starting.',
 };
 
 /** Life of one instance: its sandbox, the moves between its states, its restarts. [PM-10] */
@@ -180,7 +180,7 @@ export class InstanceLife {
   }
 
   #handleLate(phase: ModulePhase): void {
-    const message = `It did not end within ${this.#context.limits.haltTimeoutMs} ms of halting.`;
+    const message = `${phase} did not end within ${this.#context.limits.haltTimeoutMs} ms after the module was halted.`;
     this.#handleKilled({ kind: 'timeout', phase, message });
   }
 

@@ -56,7 +56,7 @@ export class InstanceOutputs {
 
   /** The complete records of a run. Refused ones are reported. */
   collect(result: SandboxResult): OutputRecord[] {
-    for (const fault of result.faults) this.#reports.countRefused(fault.message, 1);
+    for (const fault of result.faults) this.#reports.countRefused(fault.message, fault.count ?? 1);
     if (result.outputs.length === 0) return [];
     const records: OutputRecord[] = [];
     const nowMs = this.#context.clock.monotonicMs();
@@ -77,7 +77,7 @@ export class InstanceOutputs {
     for (const { topic, bytes, valueField } of records) {
       const refusal = this.#context.topics.publish(topic, bytes, valueField, this.#sessionId);
       if (refusal === undefined) this.#reports.countOutputs(1);
-      else this.#reports.countRefused(`Publishing on ${topic} was refused: ${refusal}`, 1);
+      else this.#reports.countRefused(`Cannot publish on ${topic}: ${refusal}`, 1);
     }
   }
 
@@ -85,10 +85,10 @@ export class InstanceOutputs {
     const { clock, limits } = this.#context;
     const nowMs = clock.monotonicMs();
     if (!this.#byteBudget.has(sizeBytes, nowMs)) {
-      return `more than ${limits.maxOutputBytesPerSecond} bytes a second`;
+      return `more than ${limits.maxOutputBytesPerSecond} bytes per second. Further records are dropped`;
     }
     if (!this.#recordBudget.take(1, nowMs)) {
-      return `more than ${limits.maxOutputsPerSecond} records a second`;
+      return `more than ${limits.maxOutputsPerSecond} records per second. Further records are dropped`;
     }
     this.#byteBudget.take(sizeBytes, nowMs);
     return undefined;

@@ -15,13 +15,13 @@ export function sandboxRequest(
   limits: RuntimeLimits,
   offered: readonly string[],
 ): SandboxRequest | { readonly fault: ModuleFault } {
-  const { name, source, libraries, outputs } = parseModule(spec.module);
+  const { name, source, libraries, inputs, outputs } = parseModule(spec.module);
   if (source === undefined) {
     return { fault: { kind: 'missing', phase: '', message: 'The module has no onProcessing.' } };
   }
   const lacking = libraries.filter((library) => !offered.includes(library));
   if (lacking.length > 0) {
-    const message = `This node does not offer ${lacking.join(', ')}.`;
+    const message = `This node does not offer ${lacking.length === 1 ? 'the library' : 'the libraries'} ${lacking.join(', ')}.`;
     return { fault: { kind: 'library', phase: '', message } };
   }
   const { callTimeoutMs, memoryBytes, outputBytes } = limits;
@@ -31,6 +31,7 @@ export function sandboxRequest(
     source,
     isTrusted: spec.isTrusted,
     libraries,
+    inputs: inputs.map((input) => input.name),
     outputs: outputs.map(({ name: outputName, format }) => ({ name: outputName, format })),
     owner: spec.module.sessionId,
     limits: { callTimeoutMs, memoryBytes, outputBytes },

@@ -73,6 +73,7 @@ function fakeWorker() {
           source: { onProcessing: '() => {}' },
           isTrusted: false,
           libraries: [],
+          inputs: [],
           owner: '',
           outputs: [],
           limits: { callTimeoutMs: 400, memoryBytes: 1, outputBytes: 1 },

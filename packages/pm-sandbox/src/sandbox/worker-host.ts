@@ -322,8 +322,8 @@ export class WorkerHost {
     const because =
       name === undefined
         ? fault.message
-        : `Its worker had to be ended because of "${name.moduleName}".`;
-    const crashed = moduleFault('crashed', '', `${because} Its state is lost.`);
+        : `The worker that it shares with "${name.moduleName}" was ended because of that module.`;
+    const crashed = moduleFault('crashed', '', `${because} The module lost its state.`);
     const instances = [...this.#instances];
     this.#forgetAll();
     this.#onEnd(name);
@@ -352,13 +352,13 @@ export class WorkerHost {
       case 'loop': {
         const { instance } = verdict;
         const phase = this.#phaseOf(instance);
-        const text = `${phase || 'The source'} took longer than the ${this.#limitMs(instance)} ms a call may take.`;
+        const text = `${phase || 'The source'} took longer than ${this.#limitMs(instance)} ms, the limit of one call.`;
         return this.#endAll(instance, () => moduleFault('timeout', phase, text));
       }
       case 'wait': {
         const { instance, phase, waitLimitMs } = verdict.call;
         if (!this.#instances.has(instance)) return;
-        const text = `${phase} waited longer than the ${waitLimitMs} ms a call may wait for promises.`;
+        const text = `${phase} waited longer than ${waitLimitMs} ms for a promise, the limit of one call.`;
         this.#send({ kind: 'free', instance });
         return this.#kill(instance, moduleFault('timeout', phase, text));
       }

@@ -17,6 +17,8 @@ export interface SandboxInit {
   readonly onCreated?: string;
   readonly onHalted?: string;
   readonly onDestroyed?: string;
+  /** Names of the declared inputs. */
+  readonly inputs?: readonly string[];
   readonly outputs?: Readonly<Record<string, DataFormat | undefined>>;
   readonly libraries?: readonly string[];
   readonly limits?: Partial<SandboxRequest['limits']>;
@@ -62,6 +64,7 @@ export function openSandbox(
       source: { onProcessing, onCreated, onHalted, onDestroyed },
       isTrusted: init.isTrusted ?? isTrusted,
       libraries: init.libraries ?? [],
+      inputs: init.inputs ?? [],
       owner: init.owner ?? 'owner',
       outputs: Object.entries<DataFormat | undefined>(init.outputs ?? { out: 'string' }).map(
         ([name, format]) => ({

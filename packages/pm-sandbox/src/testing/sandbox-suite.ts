@@ -2,6 +2,7 @@ import { decode, decodeRecord, type Image2D } from '@ubii/proto';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { SandboxFactory } from '../ports/sandbox.ts';
 import { describeSandboxLimits } from './sandbox-limits-suite.ts';
+import { describeMistakes } from './sandbox-words-suite.ts';
 import {
   elementsInput,
   faultFrom,
@@ -474,6 +475,7 @@ export function describeSandboxes(name: string, suite: SandboxSuite): void {
       await Promise.all(instances.map(({ sandbox }) => sandbox.destroy()));
     });
 
+    describeMistakes(create);
     if (suite.hasLimits) describeSandboxLimits(create, open);
   });
 }

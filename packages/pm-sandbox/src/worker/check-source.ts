@@ -41,6 +41,6 @@ export function sourceTooLong(source: ModuleSource): ModuleFault | undefined {
     0,
   );
   if (length <= MAX_SOURCE_BYTES) return undefined;
-  const message = `The source of a module may have ${MAX_SOURCE_BYTES} bytes, this one has ${length} characters.`;
+  const message = `The source of the module has ${length} characters; the limit is ${MAX_SOURCE_BYTES} bytes.`;
   return moduleFault('syntax', '', message);
 }

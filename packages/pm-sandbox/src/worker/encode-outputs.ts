@@ -12,6 +12,7 @@ import {
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxOutput, SandboxRequest, SandboxValue } from '../ports/sandbox.ts';
 import { describeThrown, moduleFault } from './module-error.ts';
+import { AWAIT_ADVICE, exampleOf, kindOf, shownMembers, unsendableKind } from './value-words.ts';
 
 /** What a module gave for one of its outputs; undefined when nothing. */
 export type RawOutput =
@@ -31,13 +32,28 @@ export interface EncodedOutputs {
 /** Refusals of one run that are told one by one. */
 const MAX_FAULTS = 20;
 
+/** Members beside the value that a module may write. */
+const SIDE_MEMBERS: ReadonlySet<string> = new Set([
+  'topic',
+  'type',
+  'clientId',
+  'timestamp',
+  'identity',
+  'outputTopicParams',
+  'output_params',
+]);
+
 type Element = Extract<SandboxOutput, { elements: unknown }>['elements'][number];
 
 /** A part of an output that is refused; the others go on. */
 class Refused extends Error {}
 
+/** The bytes of one run are used up. */
+class Flood extends Error {}
+
 /**
- * Checks and encodes what a module put out. A bad output or element does not lose the others.
+ * Checks and encodes what a module put out. A bad output or element does not lose the others. Equal
+ * mistakes of the elements of an output are told once.
  * [PM-32] [PM-33] [PM-45] [PM-56]
  *
  * @param limitBytes of all values of the run
@@ -51,58 +67,90 @@ export function encodeOutputs(
   const faults: ModuleFault[] = [];
   let leftBytes = limitBytes;
 
-  /** Undefined when the value is refused, which is reported. */
-  const take = (name: string, make: () => SandboxValue): SandboxValue | undefined => {
-    try {
-      const value = make();
-      if (value.bytes.byteLength <= leftBytes) {
-        leftBytes -= value.bytes.byteLength;
-        return value;
-      }
-      const message = `${name} is refused: the outputs of one run may have ${limitBytes} bytes.`;
-      faults.push(moduleFault('flood', 'onProcessing', message));
-    } catch (thrown) {
-      const why = thrown instanceof Refused ? thrown.message : describeThrown(thrown);
-      faults.push(moduleFault('output', 'onProcessing', `${name} is refused: ${why}`));
+  /** @throws Flood when the run has no bytes left for it */
+  const fit = (value: SandboxValue): SandboxValue => {
+    if (value.bytes.byteLength > leftBytes) {
+      throw new Flood(`the outputs of one run exceed the limit of ${limitBytes} bytes.`);
     }
-    return undefined;
+    leftBytes -= value.bytes.byteLength;
+    return value;
   };
 
   for (const entry of raw) {
     const output = declared.find(({ name }) => name === entry.name);
     if (output === undefined) continue;
-    const title = `Output "${output.name}"`;
+    const { name, format } = output;
+    const title = `Output "${name}"`;
     if ('problem' in entry) {
-      faults.push(moduleFault('output', 'onProcessing', `${title} is refused: ${entry.problem}`));
+      faults.push(moduleFault('output', 'onProcessing', `${title}: ${entry.problem}`));
       continue;
     }
     if (entry.value === undefined || entry.value === null) continue;
-    const list = elementsOf(entry.value, output.format);
-    if (list === undefined) {
-      const value = take(title, () => encodeValue(entry.value, output.format));
-      if (value !== undefined) outputs.push({ name: output.name, value });
+    const list = elementsOf(entry.value, format);
+    if (list !== undefined) {
+      const encoded = encodeElements(list, format, title, fit);
+      outputs.push({ name, elements: encoded.elements });
+      faults.push(...encoded.faults);
       continue;
     }
-    const elements: Element[] = [];
-    for (let index = 0; index < list.length; index++) {
-      const element: unknown = list[index];
-      let target: Pick<Element, 'params' | 'identity'> | undefined;
-      const value = take(`${title}, element ${index},`, () => {
-        target = targetOf(element);
-        return encodeValue(element, output.format);
-      });
-      if (value !== undefined) elements.push({ value, ...target!, index });
+    try {
+      outputs.push({ name, value: fit(encodeValue(entry.value, format)) });
+    } catch (thrown) {
+      faults.push(faultFor(title, thrown));
     }
-    outputs.push({ name: output.name, elements });
   }
   return { outputs, faults: shorten(faults) };
 }
 
+function encodeElements(
+  list: readonly unknown[],
+  format: DataFormat | undefined,
+  title: string,
+  fit: (value: SandboxValue) => SandboxValue,
+): { readonly elements: Element[]; readonly faults: ModuleFault[] } {
+  const elements: Element[] = [];
+  const mistakes = new Map<string, { readonly fault: ModuleFault; count: number }>();
+  for (let index = 0; index < list.length; index++) {
+    const element: unknown = list[index];
+    try {
+      const target = targetOf(element);
+      elements.push({ value: fit(encodeValue(element, format)), ...target, index });
+    } catch (thrown) {
+      const known = mistakes.get(reasonOf(thrown));
+      if (known !== undefined) known.count++;
+      else {
+        const fault = faultFor(`${title}, element ${index}`, thrown);
+        mistakes.set(reasonOf(thrown), { fault, count: 1 });
+      }
+    }
+  }
+  const faults = [...mistakes.values()].map(({ fault, count }) => withCount(fault, count));
+  return { elements, faults };
+}
+
+function withCount(fault: ModuleFault, count: number): ModuleFault {
+  if (count === 1) return fault;
+  const more = count === 2 ? '1 more element' : `${count - 1} more elements`;
+  return { ...fault, count, message: `${fault.message} The same applies to ${more}.` };
+}
+
+function faultFor(title: string, thrown: unknown): ModuleFault {
+  const kind = thrown instanceof Flood ? 'flood' : 'output';
+  return moduleFault(kind, 'onProcessing', `${title}: ${reasonOf(thrown)}`);
+}
+
+function reasonOf(thrown: unknown): string {
+  return thrown instanceof Refused || thrown instanceof Flood
+    ? thrown.message
+    : describeThrown(thrown);
+}
+
 function shorten(faults: ModuleFault[]): ModuleFault[] {
   if (faults.length <= MAX_FAULTS) return faults;
-  const left = faults.length - MAX_FAULTS;
-  const message = `${left} more values of this run are refused.`;
-  return [...faults.slice(0, MAX_FAULTS), moduleFault('output', 'onProcessing', message)];
+  const left = faults.slice(MAX_FAULTS).reduce((sum, { count = 1 }) => sum + count, 0);
+  const message = `${left} more values of this run do not fit their outputs.`;
+  const rest = { ...moduleFault('output', 'onProcessing', message), count: left };
+  return [...faults.slice(0, MAX_FAULTS), rest];
 }
 
 /** The list in `{ elements: […] }`, unless the value has the member of its format beside it. */
@@ -121,7 +169,7 @@ function targetOf(element: unknown): Pick<Element, 'params' | 'identity'> {
   const { outputTopicParams, output_params, identity } = element as Record<string, unknown>;
   const params = outputTopicParams ?? output_params ?? undefined;
   if (params !== undefined && !Array.isArray(params)) {
-    throw new Refused('its outputTopicParams must be an array.');
+    throw new Refused(`outputTopicParams must be an array, not ${kindOf(params)}.`);
   }
   return {
     params: params?.map(parameterText),
@@ -132,25 +180,28 @@ function targetOf(element: unknown): Pick<Element, 'params' | 'identity'> {
 function parameterText(value: unknown): string {
   if (typeof value === 'string') return value;
   if (typeof value === 'number' || typeof value === 'boolean') return String(value);
-  throw new Refused(`its parameters must be texts, got ${kindOf(value)}.`);
+  throw new Refused(`outputTopicParams and identity must contain strings, not ${kindOf(value)}.`);
 }
 
 function encodeValue(source: unknown, format: DataFormat | undefined): SandboxValue {
-  const wanted = format ?? 'a data format';
-  if (typeof source !== 'object' || source === null) {
-    throw new Refused(`expected an object with the member ${wanted}, got ${kindOf(source)}.`);
+  if (unsendableKind(source) === 'a promise') throw promised();
+  const isObject = typeof source === 'object' && source !== null;
+  const member = format ?? (isObject ? memberOf(source) : undefined);
+  if (!isObject || member === undefined || !Object.hasOwn(source, member)) {
+    throw new Refused(`${adviceFor(format)}, not ${writtenKind(source)}.`);
   }
-  const member = format ?? memberOf(source);
-  const value = member && (source as Record<string, unknown>)[member];
-  if (member === undefined || value === undefined || value === null) {
-    const members = Object.keys(source).slice(0, 5).join(', ');
-    throw new Refused(
-      `expected an object with the member ${wanted}, got ${members === '' ? 'an empty object' : `one with ${members}`}.`,
-    );
+  const value = (source as Record<string, unknown>)[member];
+  if (value === undefined || value === null) {
+    throw new Refused(`${member} is ${String(value)}. Write ${exampleOf(member)}.`);
+  }
+  const unsendable = unsendableKind(value);
+  if (unsendable === 'a promise') throw promised();
+  if (unsendable !== undefined) {
+    throw new Refused(`${member} is ${unsendable}. Write ${exampleOf(member)}.`);
   }
   const info: DataFormatInfo = DATA_FORMATS[member];
   const problem = info.validate(value);
-  if (problem !== undefined) throw new Refused(problem);
+  if (problem !== undefined) throw new Refused(problem.replace(/got Symbol\((\w+)\)/, 'got a $1'));
   const timestamp = timestampOf((source as { timestamp?: unknown }).timestamp);
   const record: Record<string, unknown> = { timestamp, [member]: value };
   return {
@@ -158,6 +209,22 @@ function encodeValue(source: unknown, format: DataFormat | undefined): SandboxVa
     valueField: info.fieldNumber,
     hasTimestamp: timestamp !== undefined,
   };
+}
+
+function promised(): Refused {
+  return new Refused(`the value is a promise. ${AWAIT_ADVICE}`);
+}
+
+function adviceFor(format: DataFormat | undefined): string {
+  if (format !== undefined) return `write ${exampleOf(format)}`;
+  return `write the value under the name of its data format, such as ${exampleOf('double')}`;
+}
+
+/** What was written in place of a value, without what may stand beside one. */
+function writtenKind(source: unknown): string {
+  if (typeof source !== 'object' || source === null || Array.isArray(source)) return kindOf(source);
+  const names = Object.keys(source).filter((name) => !SIDE_MEMBERS.has(name));
+  return names.length === 0 ? 'an empty object' : shownMembers(names);
 }
 
 /** The one member that is a data format, for outputs of an unknown format. [PM-3] */
@@ -169,21 +236,16 @@ function memberOf(source: object): DataFormat | undefined {
 function timestampOf(given: unknown): Init<Timestamp> | undefined {
   if (given === undefined || given === null) return undefined;
   if (typeof given === 'number' && Number.isFinite(given)) return timestampFromMs(given);
-  if (typeof given !== 'object') throw new Refused('its timestamp must be an object with millis.');
+  if (typeof given !== 'object')
+    throw new Refused('timestamp must be an object with millis, or milliseconds since 1970.');
   const stamp: Record<string, number> = {};
   for (const part of ['seconds', 'nanos', 'millis'] as const) {
     const number = (given as Record<string, unknown>)[part];
     if (number === undefined || number === null) continue;
     if (typeof number !== 'number' || !Number.isSafeInteger(Math.floor(number))) {
-      throw new Refused(`the ${part} of its timestamp must be a number.`);
+      throw new Refused(`timestamp.${part} must be a number.`);
     }
     stamp[part] = Math.floor(number);
   }
   return stamp;
-}
-
-function kindOf(value: unknown): string {
-  if (value === null) return 'null';
-  if (Array.isArray(value)) return 'an array';
-  return typeof value === 'object' ? 'an object' : `a ${typeof value}`;
 }

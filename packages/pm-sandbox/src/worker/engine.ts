@@ -36,6 +36,8 @@ export interface RawResult {
   readonly outputs: readonly RawOutput[];
   /** What was wrong with the result as a whole: a sentence. */
   readonly problem: string | undefined;
+  /** Outputs that it has and the module does not declare; only some of many. */
+  readonly undeclared?: readonly string[] | undefined;
 }
 
 /** The code of one instance in its engine. What it throws and rejects with are `ModuleError`s. */

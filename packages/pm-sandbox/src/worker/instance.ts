@@ -3,8 +3,10 @@ import type { SandboxCall, SandboxRequest, SandboxResult } from '../ports/sandbo
 import { MAX_LOG_LINES_PER_CALL } from '../sandbox-limits.ts';
 import { encodeOutputs } from './encode-outputs.ts';
 import type { Engine, EngineHooks, EngineInstance, EngineRequest, MaybePromise } from './engine.ts';
+import { explainThrow } from './explain-throw.ts';
 import { cutText, faultOf, ModuleError, moduleFault } from './module-error.ts';
 import { decodeInputs } from './module-records.ts';
+import { undeclaredName } from './nearest-name.ts';
 
 /** What surrounds an instance: its worker, or the thread of a test. */
 export interface InstanceHost {
@@ -56,13 +58,18 @@ export class Instance {
   /** Calls onProcessing. */
   run(call: SandboxCall): MaybePromise<SandboxResult> {
     const startMs = this.#host.nowMs();
-    return this.#guard('onProcessing', () => {
-      const inputs = decodeInputs(call.inputs);
-      const raw = this.#loaded().process(call.deltaTimeMs, inputs, call.triggers);
-      return raw instanceof Promise
-        ? raw.then((result) => this.#result(result, startMs))
-        : this.#result(raw, startMs);
-    });
+    return this.#guard(
+      'onProcessing',
+      () => {
+        const inputs = decodeInputs(call.inputs);
+        const raw = this.#loaded().process(call.deltaTimeMs, inputs, call.triggers);
+        return raw instanceof Promise
+          ? raw.then((result) => this.#result(result, startMs))
+          : this.#result(raw, startMs);
+      },
+      (fault) =>
+        explainThrow(fault, this.#request.source.onProcessing, this.#request.inputs, call.inputs),
+    );
   }
 
   /** Calls onHalted. */
@@ -101,7 +108,7 @@ export class Instance {
   #open(libraries: Pick<EngineRequest, 'modules' | 'hostLibraries'>): MaybePromise<void> {
     const { source, limits, outputs } = this.#request;
     if (source.onProcessing.trim() === '') {
-      const message = 'The module has no onProcessing, and no code that could run.';
+      const message = 'The module has no onProcessing, which every module needs.';
       throw new ModuleError(moduleFault('missing', 'onProcessing', message));
     }
     const outputNames = outputs.map(({ name }) => name);
@@ -132,9 +139,13 @@ export class Instance {
     const durationMs = this.#host.nowMs() - startMs;
     const { outputs, limits } = this.#request;
     const { outputs: encoded, faults } = encodeOutputs(outputs, raw.outputs, limits.outputBytes);
+    for (const name of raw.undeclared ?? []) {
+      const declared = outputs.map((output) => output.name);
+      const message = undeclaredName('Output', name, declared);
+      faults.push(moduleFault('output', 'onProcessing', message));
+    }
     if (raw.problem !== undefined) {
-      const message = `The result of onProcessing is refused: ${raw.problem}`;
-      faults.unshift(moduleFault('output', 'onProcessing', message));
+      faults.unshift(moduleFault('output', 'onProcessing', raw.problem));
     }
     return { outputs: encoded, faults, durationMs };
   }
@@ -145,10 +156,14 @@ export class Instance {
     if (this.#logLines <= MAX_LOG_LINES_PER_CALL) this.#hooks.onLog(level, cutText(text));
   }
 
-  #guard<T>(phase: ModulePhase, call: () => MaybePromise<T>): MaybePromise<T> {
+  #guard<T>(
+    phase: ModulePhase,
+    call: () => MaybePromise<T>,
+    explain = (fault: ModuleFault): ModuleFault => fault,
+  ): MaybePromise<T> {
     const fail = (thrown: unknown): never => {
       // The port says that plain faults reject.
-      throw faultOf(thrown, phase);
+      throw explain(faultOf(thrown, phase));
     };
     this.#endLog();
     try {
@@ -162,6 +177,6 @@ export class Instance {
   #endLog(): void {
     const left = this.#logLines - MAX_LOG_LINES_PER_CALL;
     this.#logLines = 0;
-    if (left > 0) this.#hooks.onLog('warn', `${left} more log lines of this call are left out.`);
+    if (left > 0) this.#hooks.onLog('warn', `${left} more log lines of this call are omitted.`);
   }
 }

@@ -45,7 +45,7 @@ export function describeThrown(thrown: unknown): string {
     }
     return String(thrown);
   } catch {
-    return 'something that cannot be shown';
+    return 'a value that cannot be shown';
   }
 }
 
@@ -64,7 +64,7 @@ export class EngineBrokenError extends Error {
   constructor(phase: ModulePhase, cause: unknown) {
     super('the engine failed', { cause });
     this.name = 'EngineBrokenError';
-    const message = `${phase} broke the engine: ${describeThrown(cause)}`;
+    const message = `The engine failed in ${phase}: ${describeThrown(cause)}`;
     this.fault = moduleFault('crashed', phase, message);
   }
 }

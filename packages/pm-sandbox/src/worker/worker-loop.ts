@@ -72,7 +72,7 @@ export class WorkerLoop {
 
   /** Something failed that belongs to no call: timers of trusted code do. */
   handleStray(thrown: unknown): void {
-    const text = cutText(`Outside of any call: ${describeThrown(thrown)}`);
+    const text = cutText(`Outside of a callback: ${describeThrown(thrown)}`);
     for (const instance of this.#instances.keys()) {
       this.#send({ kind: 'log', instance, level: 'error', text });
     }
@@ -144,7 +144,7 @@ export class WorkerLoop {
   ): boolean {
     const instance = this.#instances.get(message.instance);
     if (instance === undefined) {
-      const fault = moduleFault('crashed', '', 'The instance is gone.');
+      const fault = moduleFault('crashed', '', 'The instance has ended.');
       this.#send({ kind: 'failed', call: message.call, fault });
       return false;
     }
@@ -244,14 +244,14 @@ export class WorkerLoop {
   }
 
   async #importLibrary(name: string): Promise<unknown> {
-    let why = 'it does not offer it';
+    let why = 'the node does not offer this library';
     try {
       const library = await this.#platform.importLibrary(name);
       if (library !== undefined) return library;
     } catch (thrown) {
-      why = `loading it failed: ${describeThrown(thrown)}`;
+      why = `${describeThrown(thrown)}`;
     }
-    const message = `The node cannot give the library ${name}: ${why}.`;
+    const message = `The node cannot load the library ${name}: ${why}.`;
     throw new ModuleError(moduleFault('library', 'onCreated', message));
   }
 

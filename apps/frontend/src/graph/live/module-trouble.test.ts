@@ -20,6 +20,15 @@ describe('moduleTrouble', () => {
     });
   });
 
+  it('is the first cause, also when an output is refused', () => {
+    const first = { ...event(1000, ModuleEventKind.REFUSED), message: 'Output "a": first' };
+    const next = { ...event(1500, ModuleEventKind.ERROR), message: 'and then' };
+    expect(moduleTrouble(aSession(), [first, next], 'module', 2000)).toMatchObject({
+      count: 1,
+      failure: { message: 'Output "a": first' },
+    });
+  });
+
   it('is an error of the last seconds, and what the session says', () => {
     const failed = event(1000, ModuleEventKind.ERROR);
     expect(moduleTrouble(aSession(), [failed], 'module', 2000)).toMatchObject({

@@ -1,26 +1,18 @@
-import { ModuleEventKind, type ModuleEvent, type Session, type SessionProblem } from '@ubii/proto';
+import type { ModuleEvent, Session, SessionProblem } from '@ubii/proto';
+import { firstCause } from '../../sessions/live/event-log.ts';
 
 /** What is wrong with a module. */
 export interface ModuleTrouble {
   readonly count: number;
-  /** The first error that the session names now, else what went wrong in the last seconds. */
+  /** The first error that the session names now, else the first cause of the last seconds. */
   readonly failure: Pick<SessionProblem, 'message'> | undefined;
-  /** The newest event of something that went wrong; it may say where in the code. */
+  /** The event of that cause; it may say where in the code. */
   readonly event: ModuleEvent | undefined;
 }
 
-const BAD: ReadonlySet<ModuleEventKind> = new Set([
-  ModuleEventKind.ERROR,
-  ModuleEventKind.KILLED,
-  ModuleEventKind.FAILED,
-]);
-
-/** An error of a run counts for so long. */
-const RECENT_MS = 10_000;
-
 /**
  * @param events oldest first
- * @param nowMs epoch milliseconds, of the master's clock
+ * @param nowMs milliseconds since the epoch, of the master's clock
  */
 export function moduleTrouble(
   session: Pick<Session, 'extension'>,
@@ -29,11 +21,11 @@ export function moduleTrouble(
   nowMs: number,
 ): ModuleTrouble {
   const problems = (session.extension?.problems ?? []).filter((one) => one.moduleId === moduleId);
-  const event = events.findLast((one) => one.moduleId === moduleId && BAD.has(one.kind));
-  const isRecent = event !== undefined && nowMs - event.timeMs < RECENT_MS;
   const error = problems.find(({ isError }) => isError);
-  const count = problems.length + (isRecent && error === undefined ? 1 : 0);
-  return { count, failure: error ?? (isRecent ? event : undefined), event };
+  const recent = error === undefined ? firstCause(events, moduleId, nowMs) : undefined;
+  const cause = recent ?? (error === undefined ? undefined : firstCause(events, moduleId));
+  const count = problems.length + (recent === undefined ? 0 : 1);
+  return { count, failure: error ?? recent?.event, event: cause?.event };
 }
 
 export const isSameTrouble = (a: ModuleTrouble, b: ModuleTrouble): boolean =>

@@ -1,3 +1,4 @@
+import { eventKey } from '@ubii/pm-sandbox';
 import { ModuleEventKind, type ModuleEvent } from '@ubii/proto';
 import type { MarkedState } from '../../ui/UiStateMark.vue';
 
@@ -62,6 +63,71 @@ export function filterEvents(
     .reverse();
 }
 
+/** Events that say the same, as one. */
+export interface EventGroup {
+  readonly key: string;
+  readonly event: ModuleEvent;
+  /** Milliseconds since the epoch. */
+  readonly firstMs: number;
+  readonly count: number;
+}
+
+/**
+ * Puts together what says the same: a problem once, at its newest time; equal log lines where they
+ * follow each other.
+ *
+ * @param events newest first
+ */
+export function groupEvents(events: readonly ModuleEvent[]): EventGroup[] {
+  const groups: Mutable<EventGroup>[] = [];
+  const problems = new Map<string, Mutable<EventGroup>>();
+  for (const event of events) {
+    const isLog = event.kind === ModuleEventKind.LOG;
+    const key = `${event.moduleId} ${eventKey(event)}`;
+    const last = groups.at(-1);
+    const same = isLog ? (last?.key === key ? last : undefined) : problems.get(key);
+    if (same !== undefined) {
+      same.count += 1 + event.suppressed;
+      same.firstMs = event.timeMs;
+      continue;
+    }
+    const group = { key, event, firstMs: event.timeMs, count: 1 + event.suppressed };
+    groups.push(group);
+    if (!isLog) problems.set(key, group);
+  }
+  return groups;
+}
+
+type Mutable<T> = { -readonly [K in keyof T]: T[K] };
+
+const CAUSES: ReadonlySet<ModuleEventKind> = new Set([
+  ModuleEventKind.ERROR,
+  ModuleEventKind.KILLED,
+  ModuleEventKind.REFUSED,
+]);
+
+/** An error of a run counts for so long, milliseconds. */
+const RECENT_MS = 10_000;
+
+/**
+ * What goes wrong in a module, the first cause first: of the problems that still happen the one that
+ * began first.
+ *
+ * @param events oldest first
+ * @param nowMs milliseconds since the epoch, of the master's clock; without it all of them count
+ */
+export function firstCause(
+  events: readonly ModuleEvent[],
+  moduleId: string,
+  nowMs?: number,
+): EventGroup | undefined {
+  const causes = events.filter((one) => one.moduleId === moduleId && CAUSES.has(one.kind));
+  return groupEvents(causes.reverse())
+    .filter(({ event }) => nowMs === undefined || nowMs - event.timeMs < RECENT_MS)
+    .reverse()
+    .sort((a, b) => a.firstMs - b.firstMs)[0];
+}
+
 /** `12:41:07.218`, of this machine's time zone. */
 export function clockTime(timeMs: number): string {
   const time = new Date(timeMs);
@@ -70,7 +136,7 @@ export function clockTime(timeMs: number): string {
   return `${two(time.getHours())}:${two(time.getMinutes())}:${two(time.getSeconds())}.${ms}`;
 }
 
-/** Where in the code it happened: `onProcessing:7:12`; empty when nobody knows. */
+/** Where in the code it happened: `onProcessing:7:12`; empty when it is not known. */
 export function eventPlace({ phase, line, column }: ModuleEvent): string {
   if (phase === '') return '';
   if (line === 0) return phase;

@@ -1,6 +1,14 @@
 import { fromJson, ModuleEventKind, type ModuleEvent } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { eventLook, eventPlace, filterEvents, MAX_EVENTS, withEvent } from './event-log.ts';
+import {
+  eventLook,
+  eventPlace,
+  filterEvents,
+  firstCause,
+  groupEvents,
+  MAX_EVENTS,
+  withEvent,
+} from './event-log.ts';
 import { sessionTotals } from './session-totals.ts';
 
 const event = (json: object): ModuleEvent => fromJson('ubii.extension.ModuleEvent', json);
@@ -21,6 +29,37 @@ describe('events', () => {
     const many = Array.from({ length: MAX_EVENTS + 5 }, (_, line) => event({ line }));
     expect(withEvent([], many)).toHaveLength(MAX_EVENTS);
     expect(withEvent(many, [log]).at(-1)).toBe(log);
+  });
+
+  it('of the same problem are one with their number, also when numbers in it differ', () => {
+    const refused = (timeMs: number, message: string, suppressed = 0): ModuleEvent => ({
+      ...event({ kind: 'REFUSED', moduleId: 'a', message, suppressed }),
+      timeMs,
+    });
+    const events = [
+      refused(1, 'Output "x": 3 is too far'),
+      refused(2, 'Output "y": write { double: value }'),
+      refused(3, 'Output "x": 4.5 is too far', 28),
+    ];
+    expect(groupEvents([...events].reverse())).toMatchObject([
+      { event: { message: 'Output "x": 4.5 is too far' }, firstMs: 1, count: 30 },
+      { event: { message: 'Output "y": write { double: value }' }, count: 1 },
+    ]);
+    expect(firstCause(events, 'a')).toMatchObject({ firstMs: 1, count: 30 });
+    expect(firstCause(events, 'a', 10_002)).toMatchObject({ firstMs: 1 });
+    expect(firstCause(events, 'a', 20_000)).toBeUndefined();
+    expect(firstCause(events, 'other')).toBeUndefined();
+  });
+
+  it('of the log are one only where they follow each other', () => {
+    const lines = ['tick', 'tick', 'tock', 'tick'].map((message) =>
+      event({ kind: 'LOG', message }),
+    );
+    expect(groupEvents(lines).map(({ count, event: { message } }) => [message, count])).toEqual([
+      ['tick', 2],
+      ['tock', 1],
+      ['tick', 1],
+    ]);
   });
 
   it('say where in the code they happened [PM-13]', () => {

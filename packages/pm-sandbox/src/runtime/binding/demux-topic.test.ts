@@ -31,12 +31,22 @@ describe('[PM-45] the topic of an element', () => {
   );
 
   it.each<[string, string[] | undefined, string | undefined, RegExp]>([
-    ['/{{#0}}/{{#2}}', ['a', 'b'], undefined, /^it has no parameter 2 \(2 given\)$/],
-    ['/%s/%s', ['a'], undefined, /^it has no parameter 1 \(1 given\)$/],
-    ['/{{#0}}', undefined, undefined, /^it has no parameter 0 \(none was given\)$/],
-    ['/{{#0}}', [], 'me', /no parameter 0/],
-    ['/{{#1}}', undefined, 'me', /no parameter 1/],
-    ['/{{identity}}', ['a'], undefined, /no identity/],
+    [
+      '/{{#0}}/{{#2}}',
+      ['a', 'b'],
+      undefined,
+      /^the topic needs the parameter 2, outputTopicParams has 2$/,
+    ],
+    ['/%s/%s', ['a'], undefined, /^the topic needs the parameter 1, outputTopicParams has 1$/],
+    [
+      '/{{#0}}',
+      undefined,
+      undefined,
+      /^the topic needs the parameter 0, outputTopicParams has none$/,
+    ],
+    ['/{{#0}}', [], 'me', /needs the parameter 0/],
+    ['/{{#1}}', undefined, 'me', /needs the parameter 1/],
+    ['/{{identity}}', ['a'], undefined, /needs an identity/],
   ])('[PM-47] of %s with %j and identity %s lacks something', (format, params, identity, lacks) => {
     expect(topicOf(format, params, identity)).toEqual({ lacks: expect.stringMatching(lacks) });
   });

@@ -8,7 +8,7 @@ type DemuxPart =
   | { readonly kind: 'param'; readonly index: number }
   | { readonly kind: 'identity' };
 
-/** The topic of an element, or what it lacks, as a sentence without a subject. */
+/** The topic of an element, or what it lacks, as a sentence without its end. */
 export type DemuxTopic = { readonly topic: string } | { readonly lacks: string };
 
 const NUMBERED = /\{\{#(\d+)\}\}|\{\{identity\}\}/g;
@@ -62,6 +62,7 @@ export function demuxTopic(
 }
 
 function lack(part: Exclude<DemuxPart, { kind: 'text' }>, count: number): string {
-  if (part.kind === 'identity') return 'it has no identity';
-  return `it has no parameter ${part.index} (${count === 0 ? 'none was given' : `${count} given`})`;
+  if (part.kind === 'identity') return 'the topic needs an identity. Set identity';
+  const given = count === 0 ? 'outputTopicParams has none' : `outputTopicParams has ${count}`;
+  return `the topic needs the parameter ${part.index}, ${given}`;
 }

@@ -92,12 +92,12 @@ export class OutputBinding {
       if ('value' in output) {
         return this.#put(output.value, route.topic, route.origin, nowMs, sink, output.name);
       }
-      const reason = `it is a list, but is mapped to the topic ${route.topic}`;
-      return sink.onRefused(refusal(output.name, reason), output.elements.length);
+      const reason = 'is a single value: write it without { elements: [ … ] }';
+      return sink.onRefused(`Output "${output.name}" ${reason}.`, output.elements.length);
     }
     if ('value' in output) {
-      const reason = 'it is mapped to a demuxer, but is no { elements: [...] }';
-      return sink.onRefused(refusal(output.name, reason), 1);
+      const reason = 'is a list: write { elements: [ … ] }, not a single value';
+      return sink.onRefused(`Output "${output.name}" ${reason}.`, 1);
     }
     this.#spread(output, route.format, nowMs, sink);
   }
@@ -124,13 +124,13 @@ export class OutputBinding {
         }
         this.#put(value, topic, this.#originOf(topic), nowMs, sink, output.name);
       } else if (++refused <= MAX_REPORTED_ELEMENTS) {
-        sink.onRefused(`Output "${output.name}", element ${index}, is refused: ${fault}.`, 1);
+        sink.onRefused(`Output "${output.name}", element ${index}: ${fault}.`, 1);
       }
     }
     if (tooMany > 0) sink.onTopicsRefused(output.name, tooManyReason, tooMany);
     const more = refused - MAX_REPORTED_ELEMENTS;
     if (more > 0)
-      sink.onRefused(`Output "${output.name}": ${more} more elements are refused.`, more);
+      sink.onRefused(`Output "${output.name}": ${more} more elements have no valid topic.`, more);
   }
 
   #put(
@@ -172,12 +172,12 @@ export class OutputBinding {
 }
 
 function refusal(outputName: string, reason: string): string {
-  return `Output "${outputName}" is refused: ${reason}.`;
+  return `Output "${outputName}": ${reason}.`;
 }
 
 /** Why a module cannot publish on a topic; undefined when it can. [PM-47] */
 export function topicFault(topic: string): string | undefined {
-  if (topic === '') return 'its topic is empty';
-  if (isMasterTopic(topic)) return `only the master publishes on ${topic}`;
+  if (topic === '') return 'the topic is empty';
+  if (isMasterTopic(topic)) return `only the master can publish on ${topic}`;
   return undefined;
 }

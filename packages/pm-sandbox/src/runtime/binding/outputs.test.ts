@@ -134,9 +134,7 @@ describe('an output mapped to a topic', () => {
     const world = await createWorld({ ...OUT, to: { out: '/info/x' } });
     await world.putOut(sandboxOutput('out', 'double', 1));
     expect(world.publishedOn()).toEqual([]);
-    expect(world.messages()).toEqual([
-      'Output "out" is refused: only the master publishes on /info/x.',
-    ]);
+    expect(world.messages()).toEqual(['Output "out": only the master can publish on /info/x.']);
   });
 
   it('is refused when it is a list, or when the port refuses it', async () => {
@@ -146,8 +144,8 @@ describe('an output mapped to a topic', () => {
     await world.putOut(sandboxOutput('out', 'double', 1));
     expect(world.publishedOn()).toEqual([]);
     expect(world.messages()).toEqual([
-      'Output "out" is refused: it is a list, but is mapped to the topic /out.',
-      'Publishing on /out was refused: no room',
+      'Output "out" is a single value: write it without { elements: [ … ] }.',
+      'Cannot publish on /out: no room',
     ]);
     expect(world.runtime.statistics()[0]).toMatchObject({ outputs: 0, outputsRefused: 3 });
   });
@@ -162,7 +160,7 @@ describe('an output mapped to a topic', () => {
     expect(world.runtime.statistics()[0]).toMatchObject({ outputs: 20, outputsRefused: 40 });
     expect(world.events[0]).toMatchObject({
       kind: ModuleEventKind.REFUSED,
-      message: 'Output "out" is refused: more than 10 records a second.',
+      message: 'Output "out": more than 10 records per second. Further records are dropped.',
     });
   });
 
@@ -174,7 +172,9 @@ describe('an output mapped to a topic', () => {
     for (let i = 0; i < 3; i++) await world.putOut(sandboxOutput('out', 'string', 'x'.repeat(400)));
     await world.putOut(sandboxOutput('out', 'string', 'small'));
     expect(world.publishedOn()).toHaveLength(3);
-    expect(world.messages()).toEqual(['Output "out" is refused: more than 1000 bytes a second.']);
+    expect(world.messages()).toEqual([
+      'Output "out": more than 1000 bytes per second. Further records are dropped.',
+    ]);
   });
 });
 
@@ -201,17 +201,17 @@ describe('an output mapped to a demuxer', () => {
     );
     expect(world.publishedOn()).toEqual(['/ok']);
     expect(world.messages()).toEqual([
-      'Output "out", element 0, is refused: it has no parameter 0 (none was given).',
-      'Output "out", element 2, is refused: its topic is empty.',
-      'Output "out", element 3, is refused: only the master publishes on /info/x.',
+      'Output "out", element 0: the topic needs the parameter 0, outputTopicParams has none.',
+      'Output "out", element 2: the topic is empty.',
+      'Output "out", element 3: only the master can publish on /info/x.',
     ]);
   });
 
   it('reports only some of many refused elements, and counts all', async () => {
     const world = await createWorld(demuxed('/{{#0}}'));
     await world.putOut(list('out', ...Array.from({ length: 1000 }, () => ({}))));
-    expect(world.events).toHaveLength(4);
-    expect(world.messages().at(-1)).toBe('Output "out": 997 more elements are refused.');
+    expect(world.events).toHaveLength(2);
+    expect(world.messages().at(-1)).toBe('Output "out": 997 more elements have no valid topic.');
     expect(world.runtime.statistics()[0]?.outputsRefused).toBe(1000);
   });
 
@@ -219,7 +219,7 @@ describe('an output mapped to a demuxer', () => {
     const world = await createWorld(demuxed('/{{#0}}'));
     await world.putOut(sandboxOutput('out', 'double', 1));
     expect(world.messages()).toEqual([
-      'Output "out" is refused: it is mapped to a demuxer, but is no { elements: [...] }.',
+      'Output "out" is a list: write { elements: [ … ] }, not a single value.',
     ]);
   });
 });

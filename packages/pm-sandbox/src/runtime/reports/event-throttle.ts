@@ -1,5 +1,6 @@
 import type { ModuleEvent } from '@ubii/proto';
 import type { Cancel, Clock } from '../../ports/clock.ts';
+import { eventKey } from './event-key.ts';
 
 /** Equal events are told once in this time. [PM-81] */
 const WINDOW_MS = 1000;
@@ -33,7 +34,7 @@ export class EventThrottle {
 
   push(event: ModuleEvent): void {
     if (this.#isClosed) return this.#emit(event);
-    const key = keyOf(event);
+    const key = eventKey(event);
     const open = this.#windows.get(key);
     if (open !== undefined) {
       // The one that is told at the end of the window stands for itself.
@@ -85,8 +86,4 @@ export class EventThrottle {
     this.#overflow = 0;
     this.#emit({ ...event, suppressed: suppressed + overflow });
   }
-}
-
-function keyOf({ kind, phase, message, line, column, level }: ModuleEvent): string {
-  return `${kind} ${phase} ${line}:${column} ${level} ${message}`;
 }

@@ -76,7 +76,7 @@ export class InstanceReports {
 
   countOverrun(): void {
     this.#overruns++;
-    const message = 'A run was still under way when the next one was due; that one is left out.';
+    const message = 'A run was skipped because the previous run had not finished.';
     this.#tell({ kind: ModuleEventKind.OVERRUN, phase: 'onProcessing', message });
   }
 
@@ -90,8 +90,8 @@ export class InstanceReports {
   countTopicsRefused(output: string, reason: string, count: number): void {
     this.#topicsRefused += count;
     this.#refusedOutput = output;
-    const what = `Elements of the output "${output}" on new topics are refused`;
-    this.countRefused(`${what}: ${reason}. Topics that are there go on.`, count);
+    const message = `Output "${output}": elements on new topics are dropped, ${reason}. Existing topics continue.`;
+    this.countRefused(message, count);
   }
 
   /** It has so much memory now. */
@@ -101,14 +101,14 @@ export class InstanceReports {
 
   countRestart(): void {
     this.#restarts++;
-    const message = 'The module was started again, with an empty state.';
+    const message = 'The module restarted with an empty state.';
     this.#tell({ kind: ModuleEventKind.RESTARTED, message });
   }
 
-  /** The last word: after what is still to be told. [PM-54] */
+  /** The module stays ended: the cause first. Flushes what is held back. [PM-54] */
   tellFailed(fault: ModuleFault): void {
     this.#throttle.flush();
-    const message = `Given up after too many restarts. The last reason: ${fault.message}`;
+    const message = `${fault.message} The module stopped after too many restarts.`;
     this.fault(ModuleEventKind.FAILED, { ...fault, message });
   }
 
@@ -126,7 +126,7 @@ export class InstanceReports {
     if (this.#logLines.take(1, this.#clock.monotonicMs())) {
       return this.#tell({ kind: ModuleEventKind.LOG, level, message: text });
     }
-    const message = `More than ${this.#maxLogLines} log lines a second: the others are left out.`;
+    const message = `More than ${this.#maxLogLines} log lines per second. Further lines are dropped.`;
     this.#tell({ kind: ModuleEventKind.REFUSED, message });
   }
 

@@ -33,6 +33,22 @@ describe('[PM-81] events', () => {
     expect(events).toHaveLength(3);
   });
 
+  it('that differ in their numbers are the same mistake', async () => {
+    const { clock, sandboxes, events, begin } = createModuleWorld();
+    await begin(TEN_HERTZ);
+    for (let i = 0; i < 15; i++) {
+      sandboxes.last.fail({ message: `"a1": ${i * 0.5} is beyond 10`, line: 1 });
+      await clock.advance(100);
+    }
+    sandboxes.last.fail({ message: '"a2": 1 is beyond 10', line: 1 });
+    await clock.endTurn();
+    expect(events.map(({ message, suppressed }) => [message, suppressed])).toEqual([
+      ['"a1": 0 is beyond 10', 0],
+      ['"a1": 4.5 is beyond 10', 8],
+      ['"a2": 1 is beyond 10', 0],
+    ]);
+  });
+
   it('are told again at once after a quiet second', async () => {
     const { clock, sandboxes, events, begin } = createModuleWorld();
     await begin(TEN_HERTZ);
@@ -53,7 +69,7 @@ describe('[PM-81] events', () => {
     const world = createModuleWorld({ maxEventsPerSecond: 5 });
     await world.begin(TEN_HERTZ);
     for (let i = 0; i < 9; i++) {
-      world.sandboxes.last.fail({ message: `number ${i}` });
+      world.sandboxes.last.fail({ message: `mistake ${'abcdefghi'[i]}` });
       await world.clock.advance(100);
     }
     expect(world.events).toHaveLength(5);

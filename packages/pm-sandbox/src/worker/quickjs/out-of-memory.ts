@@ -12,13 +12,13 @@ export function outOfMemory(
 ): ModuleFault {
   if (shortage === 'own' || memory === undefined) {
     const megabytes = Math.round(limits.memoryBytes / 1024 / 1024);
-    const message = `${phase} needs more memory than the ${megabytes} MB it may have.`;
+    const message = `${phase} needs more than ${megabytes} MB of memory, the limit of one module.`;
     return moduleFault('memory', phase, message);
   }
   const whose =
     shortage === 'all'
-      ? 'all modules of this node may have together'
-      : 'the modules of its session may have together on this node';
+      ? 'all modules of this node share'
+      : 'the modules of one session share on this node';
   const message = `${phase} needs more memory than is left of the ${memory.limitMegabytes(shortage)} MB that ${whose}.`;
   return { ...moduleFault('memory', phase, message), shortage };
 }

@@ -38,6 +38,6 @@ function revive(value: unknown, blobOf: (index: number) => Uint8Array | undefine
 /** What cannot cross is a symbol here: no member takes one. [PM-56] */
 function unmark(mark: unknown, blobOf: (index: number) => Uint8Array | undefined): unknown {
   if (typeof mark === 'number') return blobOf(mark);
-  if (typeof mark !== 'string') return undefined;
+  if (typeof mark !== 'string' || mark === 'undefined') return undefined;
   return Object.hasOwn(NUMBERS, mark) ? NUMBERS[mark] : Symbol.for(mark);
 }

@@ -29,6 +29,7 @@ export interface PreludeApi {
  *
  * @param outputNames in order
  * @param libraries methods of the host's libraries, by name
+ * @param awaitAdvice what to do about a promise in a result, a sentence
  */
 export function prelude(
   outputNames: readonly string[],
@@ -37,6 +38,7 @@ export function prelude(
   silent: readonly string[],
   log: (level: string, text: string) => void,
   callHost: (id: number, library: string, method: string, args: string) => void,
+  awaitAdvice: string,
 ): PreludeApi {
   const { parse, stringify } = JSON;
   const { apply, defineProperty, ownKeys } = Reflect;
@@ -55,6 +57,8 @@ export function prelude(
   const AnyError = Error;
   const Later = Promise;
   const MAX_TEXT_LENGTH = 4000;
+  const MAX_UNDECLARED = 5;
+  const MAX_SHOWN = 4;
 
   const callbacks = new Map<string, (...args: unknown[]) => unknown>();
   const getCallback = callbacks.get.bind(callbacks);
@@ -84,7 +88,7 @@ export function prelude(
       try {
         return apply(sliceText, toText(thrown), [0, MAX_TEXT_LENGTH]) as string;
       } catch {
-        return 'something that cannot be shown';
+        return 'a value that cannot be shown';
       }
     };
     const isObject = typeof thrown === 'object' && thrown !== null;
@@ -97,12 +101,13 @@ export function prelude(
   };
   const failure = (thrown: unknown): string => `{"error":${describe(thrown)}}`;
 
-  /** JSON knows no bytes and no NaN: marks stand for them, objects with the one member `$`. */
+  /** JSON knows no bytes, no NaN and no undefined: marks stand for them, objects with the one member `$`. */
   const replace = (_key: string, value: unknown): unknown => {
     switch (typeof value) {
       case 'number':
         if (isFinite(value)) return value === 0 && 1 / value < 0 ? { $: '-0' } : value;
         return { $: toText(value) };
+      case 'undefined':
       case 'function':
       case 'symbol':
       case 'bigint':
@@ -110,7 +115,7 @@ export function prelude(
       case 'object': {
         if (value === null || isArray(value)) return value;
         if (value instanceof Buffer) return addBlob(value, 0, value.byteLength);
-        if (!isView(value)) return value;
+        if (!isView(value)) return value instanceof Later ? { $: 'promise' } : value;
         if (value instanceof Bytes || value instanceof ClampedBytes) {
           return addBlob(value.buffer as ArrayBuffer, value.byteOffset, value.byteLength);
         }
@@ -183,19 +188,36 @@ export function prelude(
   state = withModules(state);
 
   const takeNothing = (): string => '{}';
+  const problem = (sentence: string): string => `{"problem":${stringify(sentence)}}`;
+  const misfit = (returned: unknown): string => {
+    let what = isArray(returned) ? 'an array' : `a ${typeof returned}`;
+    if (typeof returned === 'object' && !isArray(returned)) {
+      const names = keys(returned!);
+      what = '{ ';
+      for (let i = 0; i < names.length && i < MAX_SHOWN; i++) {
+        what += (i === 0 ? '' : ', ') + (apply(sliceText, names[i]!, [0, 40]) as string);
+      }
+      what += names.length > MAX_SHOWN ? ', … }' : ' }';
+    }
+    return problem(`onProcessing must return { outputs: { … } }, not ${what}.`);
+  };
   const takeResult = (returned: unknown): string => {
     blobs = [];
     if (returned === undefined || returned === null) return '{}';
-    if (typeof returned !== 'object') {
-      return `{"problem":${stringify(`expected { outputs, state }, got a ${typeof returned}.`)}}`;
-    }
+    if (typeof returned !== 'object' || isArray(returned)) return misfit(returned);
     const { outputs, state: next } = returned as { outputs?: unknown; state?: unknown };
+    const isOther = returned !== state && !('outputs' in returned || 'state' in returned);
+    if (isOther && keys(returned).length > 0) return misfit(returned);
     if (typeof next === 'object' && next !== null && next !== state) {
       state = withModules(next as Record<string, unknown>);
     }
     if (outputs === undefined || outputs === null) return '{}';
+    if (outputs instanceof Later)
+      return problem(`The value of outputs is a promise. ${awaitAdvice}`);
     if (typeof outputs !== 'object') {
-      return `{"problem":${stringify(`expected an object of outputs, got a ${typeof outputs}.`)}}`;
+      return problem(
+        `outputs must be an object with a member for each output, not a ${typeof outputs}.`,
+      );
     }
     let text = '';
     for (let i = 0; i < outputNames.length; i++) {
@@ -209,6 +231,15 @@ export function prelude(
       }
       if (part !== undefined) text += text === '' ? part : `,${part}`;
     }
+    const undeclared: string[] = [];
+    for (const name of keys(outputs)) {
+      let isDeclared = false;
+      for (let i = 0; i < outputNames.length; i++) if (outputNames[i] === name) isDeclared = true;
+      if (!isDeclared && undeclared.length < MAX_UNDECLARED) {
+        undeclared[undeclared.length] = apply(sliceText, name, [0, MAX_TEXT_LENGTH]) as string;
+      }
+    }
+    if (undeclared.length > 0) return `{"outputs":[${text}],"undeclared":${stringify(undeclared)}}`;
     return `{"outputs":[${text}]}`;
   };
 
@@ -248,7 +279,7 @@ export function prelude(
       }
       return (typeof value === 'object' ? stringify(value) : undefined) ?? toText(value);
     } catch {
-      return '[something that cannot be shown]';
+      return '[a value that cannot be shown]';
     }
   };
   const console: Record<string, unknown> = {};

@@ -13,6 +13,7 @@ import { CONSOLE_LEVELS, SILENT_CONSOLE_METHODS } from '../format-log.ts';
 import type { MemoryAccount } from '../memory-account.ts';
 import { describeThrown, EngineBrokenError, ModuleError, moduleFault } from '../module-error.ts';
 import type { InputValues } from '../module-records.ts';
+import { AWAIT_ADVICE } from '../value-words.ts';
 import type { EngineCopy } from './load-quickjs.ts';
 import { loopPosition } from './loop-position.ts';
 import { outOfMemory } from './out-of-memory.ts';
@@ -40,7 +41,7 @@ const MIN_LOAD_MS = 400;
 const REPORT_MS = 50;
 /** Jobs between two looks at the clock: chains of promises do not come by the interrupt handler. */
 const JOBS_AT_ONCE = 100;
-const UNKNOWN: ThrownText = { name: '', message: 'something that cannot be shown', stack: '' };
+const UNKNOWN: ThrownText = { name: '', message: 'a value that cannot be shown', stack: '' };
 const OUT_OF_MEMORY: ThrownText = { name: 'InternalError', message: 'out of memory', stack: '' };
 const NO_OUTPUTS: RawResult = { outputs: [], problem: undefined };
 
@@ -127,11 +128,12 @@ export class QuickJsInstance implements EngineInstance {
     const texts = [outputNames, hostLibraries, CONSOLE_LEVELS, SILENT_CONSOLE_METHODS];
     const literals = texts.map((value) => this.#evaluate(`(${JSON.stringify(value)})`, 'prelude'));
     const functions = [this.#logFunction(), this.#hostFunction()];
+    const advice = context.newString(AWAIT_ADVICE);
     const make = this.#evaluate(PRELUDE_SOURCE, 'prelude');
     const api = this.#enter(() =>
-      context.callFunction(make, context.undefined, ...literals, ...functions),
+      context.callFunction(make, context.undefined, ...literals, ...functions, advice),
     );
-    for (const handle of [make, ...literals, ...functions]) handle.dispose();
+    for (const handle of [make, ...literals, ...functions, advice]) handle.dispose();
     for (const name of ['load', 'call', 'process', 'poll', 'settle', 'blob', 'describe'] as const) {
       this.#api.set(name, context.getProp(api, name));
     }
@@ -149,7 +151,7 @@ export class QuickJsInstance implements EngineInstance {
     const type = context.typeof(callback);
     if (type !== 'function') {
       callback.dispose();
-      const message = `The source of ${phase} must be a function, got ${type}.`;
+      const message = `The source of ${phase} must be a function, not ${type}.`;
       throw new ModuleError(moduleFault('missing', phase, message));
     }
     const name = context.newString(phase);
@@ -187,7 +189,9 @@ export class QuickJsInstance implements EngineInstance {
   #callHost(id: number, library: string, method: string, args: readonly unknown[]): void {
     const answer =
       this.#hostCalls >= MAX_LIBRARY_CALLS
-        ? Promise.reject(new Error(`At most ${MAX_LIBRARY_CALLS} calls of libraries at once.`))
+        ? Promise.reject(
+            new Error(`A module can have at most ${MAX_LIBRARY_CALLS} library calls at once.`),
+          )
         : this.#hooks.callHost(library, method, args);
     this.#hostCalls++;
     const settle = (isGood: boolean, value: unknown): void => {
@@ -249,7 +253,7 @@ export class QuickJsInstance implements EngineInstance {
     if (result !== undefined || this.#hostCalls > 0) return result;
     // Without memory, what would settle it cannot be made.
     if (this.#wasRefusedMemory) throw this.#outOfMemory();
-    const message = `The promise of ${this.#phase} can never settle: nothing is left that could do it.`;
+    const message = `The promise that ${this.#phase} returned never settles: nothing is left that could resolve it.`;
     throw this.#tookTooLong(message);
   }
 
@@ -290,8 +294,7 @@ export class QuickJsInstance implements EngineInstance {
   }
 
   #resultOf(result: CallResult): RawResult {
-    if (result.kind === 'done')
-      return result.outputs.length === 0 && result.problem === undefined ? NO_OUTPUTS : result;
+    if (result.kind === 'done') return isEmpty(result) ? NO_OUTPUTS : result;
     throw this.#errorOf(result.thrown, 'threw');
   }
 
@@ -376,7 +379,7 @@ export class QuickJsInstance implements EngineInstance {
 
   #endIfSpent(thrown?: ThrownText): void {
     if (!this.#budget.isSpent) return;
-    const message = `${this.#phase} took longer than the ${this.#request.limits.callTimeoutMs} ms a call may take.`;
+    const message = `${this.#phase} took longer than ${this.#request.limits.callTimeoutMs} ms, the limit of one call.`;
     throw this.#tookTooLong(message, thrown);
   }
 
@@ -386,4 +389,8 @@ export class QuickJsInstance implements EngineInstance {
     const position = at && source ? loopPosition(source, at) : at;
     return new ModuleError(moduleFault('timeout', this.#phase, message, position));
   }
+}
+
+function isEmpty({ outputs, problem, undeclared }: RawResult): boolean {
+  return outputs.length === 0 && problem === undefined && undeclared === undefined;
 }

@@ -8,6 +8,7 @@ export type CallResult =
       readonly kind: 'done';
       readonly outputs: readonly RawOutput[];
       readonly problem: string | undefined;
+      readonly undeclared?: readonly string[] | undefined;
     }
   | { readonly kind: 'threw'; readonly thrown: ThrownText };
 
@@ -34,7 +35,7 @@ export function readResult(
   } catch (thrown) {
     return { kind: 'done', outputs: [], problem: describeThrown(thrown) };
   }
-  const { error, problem, outputs } = asObject(root);
+  const { error, problem, outputs, undeclared } = asObject(root);
   if (error !== undefined) return { kind: 'threw', thrown: readThrown(error) };
   return {
     kind: 'done',
@@ -42,6 +43,9 @@ export function readResult(
     outputs: Array.isArray(outputs)
       ? outputs.flatMap((entry) => readOutput(entry, outputNames))
       : [],
+    ...(Array.isArray(undeclared) && {
+      undeclared: undeclared.filter((name) => typeof name === 'string'),
+    }),
   };
 }
 
@@ -58,7 +62,7 @@ function readOutput(entry: unknown, outputNames: readonly string[]): RawOutput[]
   const name = outputNames[Number(entry[0])];
   if (name === undefined) return [];
   return entry.length > 2
-    ? [{ name, problem: readThrown(entry[2]).message || 'it cannot be put out.' }]
+    ? [{ name, problem: readThrown(entry[2]).message || 'the value cannot be sent.' }]
     : [{ name, value: entry[1] as unknown }];
 }
 

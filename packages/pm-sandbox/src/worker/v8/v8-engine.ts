@@ -11,6 +11,7 @@ import type {
 import { createModuleConsole } from '../module-console.ts';
 import { describeThrown, ModuleError, moduleFault } from '../module-error.ts';
 import type { InputValues } from '../module-records.ts';
+import { AWAIT_ADVICE, isThenable, shownMembers } from '../value-words.ts';
 import { evaluateCallback, FIRST_LINE_OFFSET } from './evaluate-callback.ts';
 import { createHostModules } from './host-modules.ts';
 
@@ -30,6 +31,8 @@ export interface V8EngineOptions {
   readonly locateSyntaxError?: (text: string) => SourcePosition | undefined;
 }
 
+/** Undeclared outputs of one run that are told. */
+const MAX_UNDECLARED = 5;
 const PHASES: readonly Phase[] = ['onCreated', 'onProcessing', 'onHalted', 'onDestroyed'];
 
 /** Runs trusted code in the engine that runs this program: full speed, and no wall around it. [PM-51] */
@@ -102,7 +105,7 @@ class V8Instance implements EngineInstance {
       throw new ModuleError(moduleFault(kind, phase, describeThrown(thrown), position));
     }
     if (typeof callback === 'function') return callback as Callback;
-    const message = `The source of ${phase} must be a function, got ${callback === null ? 'null' : typeof callback}.`;
+    const message = `The source of ${phase} must be a function, not ${callback === null ? 'null' : typeof callback}.`;
     throw new ModuleError(moduleFault('missing', phase, message));
   }
 
@@ -124,20 +127,27 @@ class V8Instance implements EngineInstance {
   /** [PM-11] [PM-12] */
   #take(returned: unknown): RawResult {
     if (returned === undefined || returned === null) return { outputs: [], problem: undefined };
-    if (typeof returned !== 'object') {
-      return { outputs: [], problem: `expected { outputs, state }, got a ${typeof returned}.` };
-    }
+    if (typeof returned !== 'object' || Array.isArray(returned)) return misfit(returned);
     const { outputs, state } = returned as { outputs?: unknown; state?: unknown };
+    const isOther = returned !== this.#state && !('outputs' in returned || 'state' in returned);
+    if (isOther && Object.keys(returned).length > 0) return misfit(returned);
     if (typeof state === 'object' && state !== null && state !== this.#state) {
       this.#state = this.#withModules(state as State);
     }
     if (outputs === undefined || outputs === null) return { outputs: [], problem: undefined };
+    if (isThenable(outputs)) {
+      return { outputs: [], problem: `The value of outputs is a promise. ${AWAIT_ADVICE}` };
+    }
     if (typeof outputs !== 'object') {
-      return { outputs: [], problem: `expected an object of outputs, got a ${typeof outputs}.` };
+      const problem = `outputs must be an object with a member for each output, not a ${typeof outputs}.`;
+      return { outputs: [], problem };
     }
     return {
       outputs: this.#outputNames.flatMap((name) => readOutput(outputs, name)),
       problem: undefined,
+      undeclared: Object.keys(outputs)
+        .filter((name) => !this.#outputNames.includes(name))
+        .slice(0, MAX_UNDECLARED),
     };
   }
 
@@ -164,6 +174,16 @@ class V8Instance implements EngineInstance {
   }
 }
 
+function misfit(returned: object | string | number | boolean | symbol | bigint): RawResult {
+  const isPlain = typeof returned === 'object' && !Array.isArray(returned);
+  const what = isPlain
+    ? shownMembers(Object.keys(returned))
+    : Array.isArray(returned)
+      ? 'an array'
+      : `a ${typeof returned}`;
+  return { outputs: [], problem: `onProcessing must return { outputs: { … } }, not ${what}.` };
+}
+
 function readOutput(outputs: object, name: string): RawOutput[] {
   try {
     const value = (outputs as Record<string, unknown>)[name];
@@ -180,13 +200,4 @@ function stackOf(thrown: unknown): string {
   } catch {
     return '';
   }
-}
-
-function isThenable(value: unknown): value is PromiseLike<unknown> {
-  return (
-    typeof value === 'object' &&
-    value !== null &&
-    'then' in value &&
-    typeof value.then === 'function'
-  );
 }

@@ -124,9 +124,12 @@ export function recordsOf(io: IoDraft, input: TryInput): TryRecords {
   return { records };
 }
 
-/** What is mapped to what; outputs are taken from the sandbox. */
+/**
+ * Maps inputs to the topics of the try-out. Outputs are mapped as a session would, a single value or a
+ * list, so that mistakes are the same; their records go nowhere.
+ */
 export function tryMapping(
-  { inputs }: Pick<ModuleDraft, 'inputs'>,
+  { inputs, outputs }: Pick<ModuleDraft, 'inputs' | 'outputs'>,
   inputOf: (name: string) => TryInput | undefined,
 ): IOMapping {
   return fromJson('ubii.sessions.IOMapping', {
@@ -140,5 +143,10 @@ export function tryMapping(
         : { id: io.name, topicGlob, identityMatchPattern: '[^/]+$' };
       return { inputName: io.name, topicMux };
     }),
+    outputMappings: outputs.map(({ name, isList }) =>
+      isList
+        ? { outputName: name, topicDemux: { outputTopicFormat: topicOf(`out/${name}`) } }
+        : { outputName: name, topic: topicOf(`out/${name}`) },
+    ),
   });
 }

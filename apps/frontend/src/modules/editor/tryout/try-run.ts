@@ -30,7 +30,8 @@ export interface TryRunEvents {
 
 /** Time that seems to have passed between two steps, milliseconds: one frame of most modules. */
 const STEP_MS = 1000 / 30;
-const ID = 'try';
+/** Id of the module and of its session while it is tried. */
+export const TRY_ID = 'try';
 const LOCKSTEP = fromJson('ubii.processing.ProcessingMode', { lockstep: {} });
 
 function isFault(thrown: unknown): thrown is ModuleFault {
@@ -84,16 +85,16 @@ export class TryRun {
   /** Makes a new instance; what was there is destroyed. @returns whether it could be made */
   async open(module: ProcessingModule, mapping: IOMapping): Promise<boolean> {
     this.#move('starting');
-    await this.#runtime.destroy(ID);
+    await this.#runtime.destroy(TRY_ID);
     this.#wasTold = false;
     this.#mode = module.processingMode;
-    const spec = { ...module, id: ID, sessionId: ID, processingMode: LOCKSTEP };
+    const spec = { ...module, id: TRY_ID, sessionId: TRY_ID, processingMode: LOCKSTEP };
     try {
       // Libraries are the node's: here is none, and code that does without one can be tried
       const extension = spec.extension && { ...spec.extension, libraries: [] };
       await this.#runtime.create({
         module: { ...spec, extension },
-        mapping: { ...mapping, processingModuleId: ID },
+        mapping: { ...mapping, processingModuleId: TRY_ID },
         isTrusted: false,
       });
     } catch (thrown) {
@@ -104,26 +105,26 @@ export class TryRun {
       if (!isTold) this.#events.onFault(thrown);
       return false;
     }
-    this.#runtime.start(ID);
+    this.#runtime.start(TRY_ID);
     this.#move('ready');
     return true;
   }
 
   remap(mapping: IOMapping): void {
-    this.#runtime.remap(ID, mapping);
+    this.#runtime.remap(TRY_ID, mapping);
   }
 
   /** One run with the inputs as they are. */
   async step(): Promise<void> {
     this.pause();
-    const records = this.#runtime.lockstepInputs([ID]);
-    await this.#runtime.runPass({ instanceIds: [ID], deltaTimeMs: STEP_MS, records });
+    const records = this.#runtime.lockstepInputs([TRY_ID]);
+    await this.#runtime.runPass({ instanceIds: [TRY_ID], deltaTimeMs: STEP_MS, records });
   }
 
   /** As its mode says. In lockstep, this page gives the passes. */
   run(): void {
     if (this.#status !== 'ready') return;
-    this.#runtime.setMode(ID, this.#mode);
+    this.#runtime.setMode(TRY_ID, this.#mode);
     this.#move('running');
   }
 
@@ -133,14 +134,14 @@ export class TryRun {
 
   /** One pass of a module that runs in lockstep. */
   async pass(deltaTimeMs: number): Promise<void> {
-    const records = this.#runtime.lockstepInputs([ID]);
-    await this.#runtime.runPass({ instanceIds: [ID], deltaTimeMs, records });
+    const records = this.#runtime.lockstepInputs([TRY_ID]);
+    await this.#runtime.runPass({ instanceIds: [TRY_ID], deltaTimeMs, records });
   }
 
   /** Keeps its state. */
   pause(): void {
     if (this.#status !== 'running') return;
-    this.#runtime.setMode(ID, LOCKSTEP);
+    this.#runtime.setMode(TRY_ID, LOCKSTEP);
     this.#move('ready');
   }
 

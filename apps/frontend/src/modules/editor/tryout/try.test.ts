@@ -94,6 +94,22 @@ describe('trying a module', () => {
     ]);
   });
 
+  it('says what does not fit an output as a session would, whatever engine runs it [PM-33]', async () => {
+    const { run, events, put, open } = setup();
+    const draft = template('Many devices');
+    put(draft);
+    const [output] = draft.outputs;
+    await open({
+      ...draft,
+      code: `onProcessing = () => ({ outputs: { ${output!.name}: { ${output!.format}: 1 } } });\n`,
+    });
+    await run.step();
+    await settle();
+    expect(events.map(({ message }) => message)).toEqual([
+      `Output "${output!.name}" is a list: write { elements: [ … ] }, not a single value.`,
+    ]);
+  });
+
   it('says why an instance cannot be made', async () => {
     const { faults, statuses, open } = setup();
     const draft = template('Remember');

@@ -1,0 +1,66 @@
+import { expect, test } from '../../fixtures/test.ts';
+import { ModuleEditor } from '../../pages/module-editor.ts';
+import { SessionPage } from '../../pages/session-page.ts';
+
+const NEARBY = {
+  name: 'Nearby',
+  processingModules: [
+    {
+      name: 'measure',
+      language: 'JS',
+      processingMode: { frequency: { hertz: 20 } },
+      outputs: [{ internalName: 'distance', messageFormat: 'double' }],
+      onProcessingStringified: '() => ({ outputs: { distance: 3 * Math.random() } })',
+    },
+  ],
+  ioMappings: [
+    {
+      processingModuleName: 'measure',
+      outputMappings: [{ outputName: 'distance', topic: '/nearby/distance' }],
+    },
+  ],
+};
+const SENTENCE = 'Output "distance": write { double: value }, not a bare number.';
+
+test('a mistake in an output is told in the words of the author, once, in all places [PM-33]', async ({
+  room,
+}) => {
+  const anna = await room.atDesk('Anna');
+  const session = new SessionPage(anna);
+  await anna.page.goto('/sessions/new');
+  await session.write(JSON.stringify(NEARBY, undefined, 2), 'Create');
+  await session.act('Start');
+
+  await test.step('in the problems and the log of the session, with its number', async () => {
+    await expect(session.problems).toContainText(SENTENCE);
+    await expect(session.problems).toContainText(/× [2-9]\d/);
+    await expect(session.problems.getByRole('listitem')).toHaveCount(1);
+    await expect(session.events.getByRole('listitem')).toHaveCount(1);
+    await expect(session.events).toContainText(SENTENCE);
+    await expect(session.events).toContainText(/× [2-9]\d/);
+  });
+
+  await test.step('on the node in the graph', async () => {
+    await anna.page.getByRole('link', { name: 'Open graph' }).first().click();
+    const node = anna.page.getByRole('group', { name: /measure/ }).first();
+    await expect(node).toContainText('Output "distance"');
+  });
+
+  await test.step('in the try-out of the editor', async () => {
+    const editor = new ModuleEditor(anna);
+    await editor.create('Blank');
+    await editor.typeAfter('return { outputs', '');
+    await anna.page.keyboard.press('Home');
+    await anna.page.keyboard.type('return { outputs: { reslt: 3, result: 3 } };');
+    await editor.step();
+    await editor.step();
+    const cause = editor.tryIt.getByRole('status').filter({ hasText: 'Output' });
+    await expect(cause).toContainText(
+      'Output "result": write { double: value }, not a bare number.',
+    );
+    await expect(cause).toContainText('× 2');
+    await expect(editor.tryIt.getByRole('region', { name: 'Log' })).toContainText(
+      'Output "reslt" is not declared. Did you mean "result"?',
+    );
+  });
+});
