@@ -1,7 +1,15 @@
 import AxeBuilder from '@axe-core/playwright';
-import { ButtonEventType, DATA_FORMATS, TouchEventType, type DataFormat } from '@ubii/proto';
+import {
+  ButtonEventType,
+  DATA_FORMATS,
+  SERVICES,
+  TouchEventType,
+  type DataFormat,
+} from '@ubii/proto';
+import { callService } from '../../fixtures/call-service.ts';
 import { HostileClient } from '../../fixtures/hostile-client.ts';
 import { expect, test } from '../../fixtures/test.ts';
+import { GraphPage } from '../../pages/graph-page.ts';
 import { Shell } from '../../pages/shell.ts';
 import { TopicsPage } from '../../pages/topics-page.ts';
 
@@ -141,6 +149,46 @@ test('fingers are on a pad where they touch, hollow once they left', async ({ ro
   });
   await expect(page.getByRole('img', { name: '1 finger down' })).toBeVisible();
   await expect.poll(async () => (await placeOf('1'))[1]).toBeGreaterThan(0.85);
+});
+
+test('in a narrow panel, the parts of the events stand one below the other', async ({
+  room,
+  master,
+}) => {
+  const reply = await callService(master.addresses, {
+    topic: SERVICES.sessionRuntimeAdd.topic,
+    session: {
+      name: 'Touches',
+      processingModules: [{ id: 'gate', name: 'threshold' }],
+      ioMappings: [
+        {
+          processingModuleId: 'gate',
+          inputMappings: [{ inputName: 'value', topic: '/pad/touch' }],
+        },
+      ],
+    },
+  });
+  const robot = await room.program('Robot');
+  const graph = new GraphPage(await room.atDesk());
+  await graph.open(reply.session!.id);
+  await graph.node('Topic /pad/touch').click();
+  for (let i = 0; i < 12; i++) {
+    for (const type of [TouchEventType.TOUCH_START, TouchEventType.TOUCH_END]) {
+      const position = { x: i / 12, y: 0.5 };
+      robot.publish('/pad/touch', 'touchEvent', { id: `finger-${i}`, type, position, force: 1 });
+    }
+  }
+  const events = graph.inspector.getByRole('group', { name: 'Events' });
+  const list = events.getByRole('list', { name: 'Last events' });
+  await expect(list.getByRole('listitem')).not.toHaveCount(0);
+  const boxes = await Promise.all(
+    [events.getByRole('table'), list, events.getByRole('img')].map((part) => part.boundingBox()),
+  );
+  const edges = boxes
+    .map((box) => ({ top: box!.y, bottom: box!.y + box!.height }))
+    .sort((a, b) => a.top - b.top);
+  expect(edges[1]!.top).toBeGreaterThanOrEqual(edges[0]!.bottom);
+  expect(edges[2]!.top).toBeGreaterThanOrEqual(edges[1]!.bottom);
 });
 
 test('lists and matrices are tables', async ({ room }) => {
