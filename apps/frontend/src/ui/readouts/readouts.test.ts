@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { ageFill } from './age-fill.ts';
 import { formatBytes } from './format-bytes.ts';
 import { formatNumber } from './format-number.ts';
 import { formatRate } from './format-rate.ts';
@@ -82,13 +81,6 @@ describe('formatUptime', () => {
   ])('%d ms is %s', (durationMs, expected) => {
     expect(formatUptime(durationMs)).toBe(expected);
   });
-});
-
-it('an age bar is full when fresh, empty when stale, and drains in between', () => {
-  expect(ageFill(0)).toBe(1);
-  expect(ageFill(5000)).toBe(0);
-  expect(ageFill(100)).toBeGreaterThan(ageFill(1000));
-  expect(ageFill(100)).toBeCloseTo(0.63, 2);
 });
 
 it('short run times keep two decimals', () => {
