@@ -208,6 +208,19 @@ export default ts.config(
   },
   { files: ['apps/frontend/**', 'robustness/**'], rules: restrict(noApps) },
   {
+    files: ['apps/frontend/**/*.{ts,vue}'],
+    rules: {
+      'no-restricted-properties': [
+        'error',
+        ...['toLocaleString', 'toLocaleTimeString', 'toLocaleDateString'].map((property) => ({
+          property,
+          message: 'Use ui/readouts: format-clock.ts, format-number.ts.',
+        })),
+        { object: 'Intl', property: 'DateTimeFormat', message: 'Use ui/readouts/format-clock.ts.' },
+      ],
+    },
+  },
+  {
     files: ['**/*.{js,mjs}'],
     languageOptions: { globals: { ...globals.node } },
   },

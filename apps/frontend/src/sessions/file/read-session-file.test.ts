@@ -74,7 +74,7 @@ describe('a file that is too much', () => {
     );
     const inputMappings = Array.from({ length: 5_000 }, () => ({ inputName: 'a', topic: '/a' }));
     expect(refusal(JSON.stringify({ ioMappings: [{ inputMappings }] }))).toContain(
-      '5,000 mapped inputs and outputs; a session has at most 4,096',
+      '5\u00a0000 mapped inputs and outputs; a session has at most 4\u00a0096',
     );
   });
 });

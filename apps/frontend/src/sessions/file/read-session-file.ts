@@ -3,6 +3,7 @@ import { readSessionText, type TextProblem } from '../text/session-text.ts';
 import { FILE_LIMITS } from './file-limits.ts';
 import { isSessionLike, recogniseForeign } from './foreign-file.ts';
 import type { TextFile } from './session-file.ts';
+import { formatNumber } from '../../ui/readouts/format-number.ts';
 
 /** A file as a session, or one sentence why it is none. */
 export type ReadFile =
@@ -78,15 +79,14 @@ const isObject = (value: unknown): value is Readonly<Record<string, unknown>> =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
 function overLimit({ processingModules, ioMappings }: Session): string | undefined {
-  const count = (of: number): string => of.toLocaleString('en');
   if (processingModules.length > FILE_LIMITS.modules) {
-    return `${count(processingModules.length)} modules; a session has at most ${FILE_LIMITS.modules}`;
+    return `${formatNumber(processingModules.length)} modules; a session has at most ${FILE_LIMITS.modules}`;
   }
   const mapped = ioMappings.reduce(
     (sum, { inputMappings, outputMappings }) => sum + inputMappings.length + outputMappings.length,
     0,
   );
   return mapped > FILE_LIMITS.mappings
-    ? `${count(mapped)} mapped inputs and outputs; a session has at most ${count(FILE_LIMITS.mappings)}`
+    ? `${formatNumber(mapped)} mapped inputs and outputs; a session has at most ${formatNumber(FILE_LIMITS.mappings)}`
     : undefined;
 }

@@ -128,14 +128,6 @@ export function firstCause(
     .sort((a, b) => a.firstMs - b.firstMs)[0];
 }
 
-/** `12:41:07.218`, of this machine's time zone. */
-export function clockTime(timeMs: number): string {
-  const time = new Date(timeMs);
-  const two = (value: number): string => String(value).padStart(2, '0');
-  const ms = String(time.getMilliseconds()).padStart(3, '0');
-  return `${two(time.getHours())}:${two(time.getMinutes())}:${two(time.getSeconds())}.${ms}`;
-}
-
 /** Where in the code it happened: `onProcessing:7:12`; empty when it is not known. */
 export function eventPlace({ phase, line, column }: ModuleEvent): string {
   if (phase === '') return '';

@@ -59,10 +59,3 @@ export function standingOf({ role, grantId, grantLabel }: AuditEntry): string {
   const invitation = grantId === '' ? undefined : `invitation ${grantLabel || grantId.slice(0, 8)}`;
   return [ROLES[role], invitation].filter(Boolean).join(', ');
 }
-
-/** Day and time here: `22 Nov 22:41:07`. */
-export function momentOf({ timeMs }: AuditEntry): string {
-  const time = new Date(timeMs);
-  const day = time.toLocaleDateString('en-GB', { day: 'numeric', month: 'short' });
-  return `${day} ${time.toLocaleTimeString('en-GB')}`;
-}

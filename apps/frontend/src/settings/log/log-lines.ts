@@ -64,11 +64,3 @@ const quoted = (value: string): string =>
 /** Several of them, one a line. */
 export const linesText = (lines: readonly LogLine[]): string =>
   lines.map((line) => `${lineText(line)}\n`).join('');
-
-/** The time of day here, to the millisecond. */
-export function timeOfDay(timeMs: number): string {
-  const time = new Date(timeMs);
-  const two = (value: number): string => String(value).padStart(2, '0');
-  const whole = [time.getHours(), time.getMinutes(), time.getSeconds()].map(two).join(':');
-  return `${whole}.${String(time.getMilliseconds()).padStart(3, '0')}`;
-}

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { RecordLine } from '../history/topic-history.ts';
-import { formatMinute, formatSecond, lateAfterMs } from './record-table.ts';
+import { lateAfterMs } from './record-table.ts';
 
 const linesOf = (deltas: readonly (number | undefined)[]) =>
   deltas.map((deltaMs, number): RecordLine => ({
@@ -25,13 +25,5 @@ describe('lateAfterMs', () => {
 
   it('does not judge a few records', () => {
     expect(lateAfterMs(linesOf([undefined, 10, 99]))).toBeUndefined();
-  });
-});
-
-describe('the time of a record', () => {
-  it('is split into minute and second', () => {
-    const time = new Date(2026, 0, 2, 9, 4, 7, 18).getTime();
-    expect(formatMinute(time)).toBe('09:04');
-    expect(formatSecond(time)).toBe('07.018');
   });
 });

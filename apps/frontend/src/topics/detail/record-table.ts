@@ -12,17 +12,3 @@ export function lateAfterMs(lines: readonly RecordLine[]): number | undefined {
   const median = deltas.sort((a, b) => a - b)[deltas.length >> 1]!;
   return Math.max(OUTLIER * median, median + NOISE_MS);
 }
-
-const two = (value: number): string => String(value).padStart(2, '0');
-
-/** Hours and minutes, this machine's time zone: `12:41`. */
-export function formatMinute(timeMs: number): string {
-  const time = new Date(timeMs);
-  return `${two(time.getHours())}:${two(time.getMinutes())}`;
-}
-
-/** Seconds within the minute: `07.218`. */
-export function formatSecond(timeMs: number): string {
-  const time = new Date(timeMs);
-  return `${two(time.getSeconds())}.${String(time.getMilliseconds()).padStart(3, '0')}`;
-}

@@ -1,3 +1,5 @@
+import { formatClock } from '../../ui/readouts/format-clock.ts';
+
 /** Distances between lines of the time grid, milliseconds. */
 const STEPS_MS = [
   1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 15_000, 30_000, 60_000, 120_000,
@@ -38,17 +40,9 @@ export function clockTicks(startMs: number, endMs: number, count: number): TimeT
   const stepMs = stepOf(endMs - startMs, count);
   const ticks: TimeTick[] = [];
   for (let timeMs = Math.ceil(startMs / stepMs) * stepMs; timeMs <= endMs; timeMs += stepMs) {
-    ticks.push({ timeMs, text: clockText(timeMs, stepMs < 1000) });
+    ticks.push({ timeMs, text: formatClock(timeMs, stepMs < 1000 ? 'millisecond' : 'second') });
   }
   return ticks;
-}
-
-/** `12:41:03`, with milliseconds `12:41:03.117`. */
-export function clockText(timeMs: number, withMilliseconds: boolean): string {
-  const time = new Date(timeMs);
-  const two = (value: number): string => String(value).padStart(2, '0');
-  const text = `${two(time.getHours())}:${two(time.getMinutes())}:${two(time.getSeconds())}`;
-  return withMilliseconds ? `${text}.${String(time.getMilliseconds()).padStart(3, '0')}` : text;
 }
 
 function stepOf(spanMs: number, count: number): number {
