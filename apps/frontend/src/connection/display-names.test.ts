@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { displayNames, type NamedClient } from './display-names.ts';
+import { displayNames, isClientId, type NamedClient } from './display-names.ts';
 
 const client = (id: string, name: string, isPresent = true): NamedClient => ({
   id,
@@ -53,4 +53,10 @@ describe('displayNames()', () => {
       ['9b2f9c1e-3f0a-4d6e', 'Client 9b2f9c1e'],
     ]);
   });
+});
+
+it('an id of a client is a UUID', () => {
+  expect(isClientId('9b2f9c1e-3f0a-4d6e-8a11-0c1d2e3f4a5b')).toBe(true);
+  expect(isClientId('9b2f9c1e')).toBe(false);
+  expect(isClientId('robot')).toBe(false);
 });

@@ -6,6 +6,13 @@ export interface NamedClient {
   readonly isPresent: boolean;
 }
 
+const UUID = /^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$/i;
+
+/** Whether a text has the form of the ids that the master gives to clients. */
+export function isClientId(text: string): boolean {
+  return UUID.test(text);
+}
+
 /** What a client without a name is called: `Client 9b2f9c1e`. */
 export function unnamedClient(id: string): string {
   return `Client ${id.slice(0, 8)}`;

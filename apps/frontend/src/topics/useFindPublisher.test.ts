@@ -9,7 +9,7 @@ const clientOf = (id: string, state: ClientState): Client =>
   ({ id, name: `Name of ${id}`, state }) as Client;
 
 /** Shows what is found for `id`, and lets the list change. */
-function setUp() {
+function setUp(id = 'id') {
   const list = shallowRef<readonly Client[]>();
   const known = new Map<string, Client>();
   const connection = {
@@ -18,7 +18,7 @@ function setUp() {
   const wrapper = mount(
     defineComponent(() => {
       const find = useFindPublisher();
-      const found = computed(() => find('id'));
+      const found = computed(() => find(id));
       return () =>
         found.value ? `${found.value.name}, ${found.value.isAway ? 'away' : 'here'}` : 'nobody';
     }),
@@ -48,5 +48,12 @@ describe('useFindPublisher', () => {
     expect(wrapper.text()).toBe('Name of id, here');
     await announce([]);
     expect(wrapper.text()).toBe('Name of id, away');
+  });
+
+  it('names a client that left before the page was opened by the beginning of its id', async () => {
+    const { wrapper, announce } = setUp('9b2f9c1e-3f0a-4d6e-8a11-0c1d2e3f4a5b');
+    expect(wrapper.text()).toBe('nobody');
+    await announce([]);
+    expect(wrapper.text()).toBe('Client 9b2f9c1e, away');
   });
 });

@@ -1,5 +1,6 @@
 import { ClientState } from '@ubii/proto';
 import { computed } from 'vue';
+import { isClientId, unnamedClient } from '../connection/display-names.ts';
 import { useConnection } from '../connection/useConnection.ts';
 import type { FindPublisher } from './tree/publisher.ts';
 
@@ -11,7 +12,11 @@ export function useFindPublisher(): FindPublisher {
     // Read in any case: whoever asks for a client that is not known yet asks again when it comes.
     const isPresent = present.value.has(clientId);
     const client = clients.find(clientId);
-    if (client === undefined) return undefined;
+    if (client === undefined) {
+      // It left before this page was opened, and took its name along.
+      if (clients.list.value === undefined || !isClientId(clientId)) return undefined;
+      return { name: unnamedClient(clientId), isAway: true };
+    }
     const isAway = client.state !== ClientState.ACTIVE || !isPresent;
     return { name: client.name, isAway };
   };

@@ -1,4 +1,5 @@
 import { AccessRole, AuditEntryWay, type AuditEntry } from '@ubii/proto';
+import { unnamedClient } from '../../connection/display-names.ts';
 
 /** What was done, by the end of the topic of the service: as it was done, and as it was tried. */
 const DEEDS: Readonly<Record<string, readonly [done: string, tried: string]>> = {
@@ -39,10 +40,17 @@ export const AREAS = [
 
 export type Area = (typeof AREAS)[number]['value'];
 
-/** Who did it: a name, or how it came in. */
-export function whoOf({ clientName, clientId, way }: AuditEntry): string {
+/**
+ * Who did it: a name, or how it came in.
+ * @param client the client as this page knows it: its display name counts while its own name is as it was
+ */
+export function whoOf(
+  { clientName, clientId, way }: AuditEntry,
+  client?: { readonly ownName: string | undefined; readonly displayName: string | undefined },
+): string {
+  if (client?.displayName !== undefined && client.ownName === clientName) return client.displayName;
   if (clientName !== '') return clientName;
-  if (clientId !== '') return clientId;
+  if (clientId !== '') return unnamedClient(clientId);
   if (way === AuditEntryWay.LOCAL) return 'A program of the master’s machine';
   return way === AuditEntryWay.NETWORK ? 'A program of a network that is let in' : 'A client';
 }

@@ -33,6 +33,7 @@ describe('topicFacts', () => {
       isDropping: false,
       subscribers: { digits: '3' },
       publisherId: 'id',
+      isPublished: true,
     });
   });
 

@@ -15,6 +15,8 @@ export interface TopicFacts {
   readonly isDropping: boolean;
   readonly subscribers: Readout;
   readonly publisherId: string;
+  /** There was a record. */
+  readonly isPublished: boolean;
 }
 
 const NOTHING: TopicFacts = {
@@ -25,6 +27,7 @@ const NOTHING: TopicFacts = {
   isDropping: false,
   subscribers: NO_VALUE,
   publisherId: '',
+  isPublished: false,
 };
 
 /** @param nowMs milliseconds since the Unix epoch, master's clock */
@@ -39,6 +42,7 @@ export function topicFacts(rate: TopicRate | undefined, nowMs: number): TopicFac
     isDropping: (droppedPerSecond ?? 0) > 0,
     subscribers: { digits: formatNumber(statistic.subscribers) },
     publisherId: statistic.publisherId,
+    isPublished: statistic.publishedMs > 0,
   };
 }
 
