@@ -29,7 +29,7 @@ export class PanelsPage {
 
   async choose(topic: string, action: string): Promise<void> {
     await this.page
-      .getByRole('button', { name: `What to do with the panel ${topic}`, exact: true })
+      .getByRole('button', { name: `Actions for the panel ${topic}`, exact: true })
       .click();
     await this.page
       .getByRole('menuitem', { name: action, exact: true })

@@ -24,7 +24,7 @@ export class PlotPage {
   }
 
   async chooseFor(line: string, action: string): Promise<void> {
-    await this.legend.getByRole('button', { name: `What to do with ${line}`, exact: true }).click();
+    await this.legend.getByRole('button', { name: `Actions for ${line}`, exact: true }).click();
     await this.page.getByRole('menuitem', { name: action }).or(this.menuChoice(action)).click();
   }
 

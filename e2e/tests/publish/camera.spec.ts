@@ -30,9 +30,9 @@ test('a camera that is not allowed is explained, and one that is gives a picture
   await publish.choose('image2D');
   const camera = publish.page.getByRole('button', { name: 'From the camera' });
   await camera.click();
-  await expect(publish.form.getByRole('alert')).toContainText('The camera was not allowed.');
+  await expect(publish.form.getByRole('alert')).toContainText('Camera access was denied.');
   await camera.click();
-  const take = publish.page.getByRole('button', { name: 'Take the picture' });
+  const take = publish.page.getByRole('button', { name: 'Take picture' });
   const shown = publish.page.getByAltText('The picture that is published');
   await expect(async () => {
     if (await take.isVisible()) await take.click();
