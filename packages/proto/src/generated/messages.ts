@@ -106,18 +106,18 @@ export const DeviceType = {
 export type DeviceType = (typeof DeviceType)[keyof typeof DeviceType];
 
 /**
- * What somebody may do. Rules AC-20 to AC-25.
+ * Role of a caller: its rights. Rules AC-20 to AC-25.
  *
  * `ubii.extension.AccessRole`
  */
 export const AccessRole = {
-  /** Nothing: a stranger, who has to join first. */
+  /** No rights: a caller that has not joined. */
   ACCESS_ROLE_NONE: 0,
   /** Everything. */
   ACCESS_ROLE_ADMIN: 1,
   /** Everything but administration, and publishing in the name of others. */
   ACCESS_ROLE_PARTICIPANT: 2,
-  /** Its own devices and topics, and those topics that its grant names. */
+  /** Its own devices and topics, and those topics that its invitation names. */
   ACCESS_ROLE_PLAYER: 3,
   /** See everything, change nothing. */
   ACCESS_ROLE_VIEWER: 4,
@@ -157,7 +157,7 @@ export const ClientActivityAddressKind = {
 export type ClientActivityAddressKind = (typeof ClientActivityAddressKind)[keyof typeof ClientActivityAddressKind];
 
 /**
- * Why somebody is not let in. Rule AC-12.
+ * Why a caller cannot join. Rule AC-12.
  *
  * `ubii.extension.JoinProblem`
  */
@@ -166,11 +166,11 @@ export const JoinProblem = {
   JOIN_PROBLEM_NONE: 0,
   /** No token was shown. */
   JOIN_PROBLEM_MISSING: 1,
-  /** Nobody was given this token or code. */
+  /** The token or code is unknown. */
   JOIN_PROBLEM_WRONG: 2,
   /** Its time is over. */
   JOIN_PROBLEM_EXPIRED: 3,
-  /** Somebody revoked it. */
+  /** The invitation was revoked. */
   JOIN_PROBLEM_REVOKED: 4,
   /** As many have joined with it as may. */
   JOIN_PROBLEM_USED: 5,
@@ -191,7 +191,7 @@ export const LogLevel = {
   LOG_ERROR: 0,
   /** Something was refused or is going wrong; the master goes on. */
   LOG_WARN: 1,
-  /** Something a person who runs the master wants to know. */
+  /** Information for the operator. */
   LOG_INFO: 2,
   /** Something that helps to find a fault. */
   LOG_DEBUG: 3,
@@ -265,7 +265,7 @@ export type ModuleOrigin = (typeof ModuleOrigin)[keyof typeof ModuleOrigin];
 export const ModuleVersionOrigin = {
   /** A service call saved it. */
   SAVED: 0,
-  /** Somebody changed the file. */
+  /** The file was changed on disk. */
   FILE: 1,
   /** It was there when the history began. */
   FOUND: 2,
@@ -295,7 +295,7 @@ export type MuxIdentity = (typeof MuxIdentity)[keyof typeof MuxIdentity];
  * `ubii.extension.NodeExtension.Kind`
  */
 export const NodeExtensionKind = {
-  /** Not said: a client that knows nothing of this, or none that runs modules. */
+  /** Unspecified: a client of an older protocol, or one that runs no modules. */
   EXTERNAL: 0,
   /** The master itself. */
   MASTER: 1,
@@ -307,12 +307,12 @@ export const NodeExtensionKind = {
 export type NodeExtensionKind = (typeof NodeExtensionKind)[keyof typeof NodeExtensionKind];
 
 /**
- * What becomes of what was made with a grant that is revoked. Rule AC-92.
+ * What becomes of what was made with an invitation that is revoked. Rule AC-92.
  *
  * `ubii.extension.RevokedWork`
  */
 export const RevokedWork = {
-  /** Sessions stop, and are kept as they are: somebody else may start them. */
+  /** Sessions stop, and are kept as they are: other clients may start them. */
   REVOKED_WORK_STOP: 0,
   /** It becomes the operator's: sessions go on. */
   REVOKED_WORK_HAND_OVER: 1,
@@ -366,9 +366,9 @@ export const StatusEventKind = {
   FILE_BROKEN: 7,
   /** A session runs without some of its modules. */
   SESSION_DEGRADED: 8,
-  /** Somebody gave a client another name. */
+  /** A client was renamed. */
   CLIENT_RENAMED: 9,
-  /** Somebody removed a client. */
+  /** A client was disconnected by another client. */
   CLIENT_DISCONNECTED: 10,
   /** A client was throttled, or its throttle was changed or lifted. */
   CLIENT_THROTTLED: 11,
@@ -454,13 +454,13 @@ export type SessionStatus = (typeof SessionStatus)[keyof typeof SessionStatus];
 export interface Client {
   /** UUID, assigned by the master at registration. */
   id: string;
-  /** For people; need not be unique. */
+  /** Display name; need not be unique. */
   name: string;
   /** Its devices. */
   devices: Device[];
   /** Words to find it by. */
   tags: string[];
-  /** For people. */
+  /** Text for display. */
   description: string;
   /** Modules this client can run. */
   processingModules: ProcessingModule[];
@@ -496,7 +496,7 @@ export interface ClientList {
 export interface NotifyCondition {
   /** UUID, assigned by the master. */
   id: string;
-  /** For people. */
+  /** Text for display. */
   name: string;
   /** JavaScript function of publisher, subscriber and a way to read topics; true lets a record through. */
   evaluationFunctionStringified: string;
@@ -960,11 +960,11 @@ export interface Component {
   deviceId: string;
   /** Words to find it by. */
   tags: string[];
-  /** For people. */
+  /** Text for display. */
   description: string;
   /** UUID; assigned by the master unless given. */
   id: string;
-  /** For people; unique within the device. */
+  /** Display name; unique within the device. */
   name: string;
   /** Ids of conditions under which its records are passed on; not evaluated. */
   notifyConditionIds: string[];
@@ -989,7 +989,7 @@ export interface ComponentList {
 export interface Device {
   /** UUID; assigned by the master unless given. */
   id: string;
-  /** For people, and by convention the second part of its topics. */
+  /** Display name, and by convention the second part of its topics. */
   name: string;
   /** What it is for. */
   deviceType: DeviceType;
@@ -999,7 +999,7 @@ export interface Device {
   clientId: string;
   /** Words to find it by. */
   tags: string[];
-  /** For people. */
+  /** Text for display. */
   description: string;
 }
 
@@ -1021,7 +1021,7 @@ export interface DeviceList {
 export interface TopicDemux {
   /** UUID; existing nodes need it to be set. */
   id: string;
-  /** For people. */
+  /** Text for display. */
   name: string;
   /** Short name of the data format of the elements. */
   dataType: string;
@@ -1047,7 +1047,7 @@ export interface TopicDemuxList {
 export interface TopicMux {
   /** UUID; existing nodes need it to be set. */
   id: string;
-  /** For people. */
+  /** Text for display. */
   name: string;
   /** Short name of the data format it takes; empty takes all. */
   dataType: string;
@@ -1083,15 +1083,15 @@ export interface TopicMuxList {
 export interface AccessGrant {
   /** UUID, assigned by the master. */
   id: string;
-  /** For people: what or whom it is for. */
+  /** Label, for display. */
   label: string;
-  /** What those who join with it may do. */
+  /** Role of clients that join with it. */
   role: AccessRole;
   /** Path of the page that opens after joining, such as /devices/smart-device; empty for the start page. */
   target: string;
   /** When it was made: milliseconds since the Unix epoch, master's clock. */
   createdMs: number;
-  /** From when on nobody joins with it any more, the same clock. Who has joined stays until stays_until_ms. */
+  /** When the invitation expires, the same clock. Clients that joined may stay until stays_until_ms. */
   expiresMs: number;
   /** How many may join with it; 0 for any number. */
   maxJoins: number;
@@ -1109,7 +1109,7 @@ export interface AccessGrant {
   isTerminal: boolean;
   /** When the short code ends, the same clock. */
   codeExpiresMs: number;
-  /** Until when those who joined may stay, the same clock. Rule AC-91. */
+  /** Until when clients that joined may stay, the same clock. Rule AC-91. */
   staysUntilMs: number;
   /** Ids of sessions that its clients made or changed, and that are known now. Rule AC-90. */
   sessionIds: string[];
@@ -1129,7 +1129,7 @@ export interface AccessGrant {
 export interface AccessGrantCreateRequest {
   /** Id of the client that asks; empty when none does. */
   clientId: string;
-  /** For people, at most 100 characters on one line; may be empty. */
+  /** Label for display, at most 100 characters on one line; may be empty. */
   label: string;
   /** Not ACCESS_ROLE_NONE. */
   role: AccessRole;
@@ -1144,7 +1144,7 @@ export interface AccessGrantCreateRequest {
   /** Players only: globs of topics they may publish on, at most 16. */
   writeTopics: string[];
   /**
-   * How long those who join may stay, milliseconds from now: at most 30 days; as long as it can be joined
+   * How long clients that join may stay, milliseconds from now: at most 30 days; as long as it can be joined
    * with when it is 0 or less than that. Rule AC-91.
    */
   stayMs: number;
@@ -1156,7 +1156,7 @@ export interface AccessGrantCreateRequest {
  * `ubii.extension.AccessGrantCreated`
  */
 export interface AccessGrantCreated {
-  /** The grant. */
+  /** The invitation. */
   grant: AccessGrant | undefined;
   /** The token: what stands in the QR code, as <origin>/join#<token>. */
   token: string;
@@ -1165,7 +1165,7 @@ export interface AccessGrantCreated {
 }
 
 /**
- * Grants, without secrets.
+ * Invitations, without secrets.
  *
  * `ubii.extension.AccessGrantList`
  */
@@ -1175,14 +1175,14 @@ export interface AccessGrantList {
 }
 
 /**
- * Takes leave to join back, with all who have joined. Rule AC-15.
+ * Revokes an invitation and disconnects all clients that joined with it. Rule AC-15.
  *
  * `ubii.extension.AccessGrantRevokeRequest`
  */
 export interface AccessGrantRevokeRequest {
   /** Id of the client that asks; empty when none does. */
   clientId: string;
-  /** Id of the grant. */
+  /** Id of the invitation. */
   grantId: string;
   /** Why, for the persons it affects, a few words; may be empty. */
   reason: string;
@@ -1191,7 +1191,7 @@ export interface AccessGrantRevokeRequest {
 }
 
 /**
- * What somebody did, or was refused.
+ * An action of a caller, done or refused.
  *
  * `ubii.extension.AuditEntry`
  */
@@ -1214,9 +1214,9 @@ export interface AuditEntry {
   role: AccessRole;
   /** How it was let in. */
   way: AuditEntryWay;
-  /** Id of the grant it joined with; empty when it needed none. */
+  /** Id of the invitation it joined with; empty when it needed none. */
   grantId: string;
-  /** Label of that grant. */
+  /** Label of that invitation. */
   grantLabel: string;
   /** How near it was; the address itself is not kept. */
   addressKind: ClientActivityAddressKind;
@@ -1250,7 +1250,7 @@ export interface AuditLogRequest {
   count: number;
   /** Of this client. */
   clientId: string;
-  /** Of those who joined with this grant. */
+  /** Of clients that joined with this invitation. */
   grantId: string;
   /** Of services whose name contains this, such as session or access_grant_create. */
   service: string;
@@ -1320,7 +1320,7 @@ export interface ClientActivity {
   userAgent: string;
   /** What the client says of its library, at most 64 characters; empty when it says nothing. */
   library: string;
-  /** How near it is. The address itself is not told. */
+  /** Kind of its network address. The address itself is not sent. */
   addressKind: ClientActivityAddressKind;
   /** The throttle in force; absent when there is none. */
   throttle: ClientThrottle | undefined;
@@ -1328,7 +1328,7 @@ export interface ClientActivity {
   workShare: number;
   /** What it may do. Rule AC-20. */
   role: AccessRole;
-  /** Id of the grant it joined with; empty when it needed none. */
+  /** Id of the invitation it joined with; empty when it needed none. */
   grantId: string;
   /** What the client says of its clock; absent when it says nothing. Rule TS-10. */
   clock: ClientClock | undefined;
@@ -1397,7 +1397,7 @@ export interface ClientExtension {
   credentialExpiresMs: number;
   /** Master to client: what the client may do. Rule AC-20. */
   role: AccessRole;
-  /** Master to client: it tells its time to who asks with a numbered PING. Rule TS-1. */
+  /** Master to client: it answers a numbered PING with its time. Rule TS-1. */
   tellsTime: boolean;
   /** Master to all, in an announcement: what is large was left out; client_get_list has it. Rule EX-74. */
   abridged: boolean;
@@ -1415,7 +1415,7 @@ export interface ClientRenameRequest {
   clientId: string;
   /** Id of the client to rename. */
   targetId: string;
-  /** The new name, for people. */
+  /** The new display name. */
   name: string;
 }
 
@@ -1471,9 +1471,9 @@ export interface ClientThrottle {
   recordsPerSecond: number;
   /** True: the master's own policy made it, and lifts it. Rule EX-48. */
   byPolicy: boolean;
-  /** Name of who asked for it; empty when nobody said so. */
+  /** Name of the client that asked for it; empty when unknown. */
   byName: string;
-  /** Why; empty when nobody said so. */
+  /** Reason; empty when none was given. */
   reason: string;
   /** Since when: milliseconds since the Unix epoch, master's clock. */
   sinceMs: number;
@@ -1513,37 +1513,37 @@ export interface EndedTopics {
  * `ubii.extension.JoinCheck`
  */
 export interface JoinCheck {
-  /** What whoever joins with it may do; ACCESS_ROLE_NONE when it is good for nothing. */
+  /** Role of clients that join with it; ACCESS_ROLE_NONE when it is not valid. */
   role: AccessRole;
   /** Why it is good for nothing. */
   problem: JoinProblem;
-  /** One sentence for people: what is wrong and what to do; empty when nothing is wrong. */
+  /** One sentence for display: what is wrong and what to do; empty when nothing is wrong. */
   message: string;
   /** Path of the page that opens after joining; empty for the start page. */
   target: string;
   /**
-   * Until when somebody can join with it, or until when the credential of the caller is good:
+   * Until when clients can join with it, or until when the credential of the caller is good:
    * milliseconds since the Unix epoch, master's clock; 0 when there is no end.
    */
   expiresMs: number;
-  /** Name of the master, as people see it. */
+  /** Name of the master, as it is displayed. */
   masterName: string;
   /** The caller has joined with it: joining once more changes nothing. */
   isJoined: boolean;
 }
 
 /**
- * Asks what a token is good for, before anybody joins with it. Rule AC-16.
+ * Checks a token or code before a client joins with it. Rule AC-16.
  *
  * `ubii.extension.JoinCheckRequest`
  */
 export interface JoinCheckRequest {
-  /** A token, or a code as somebody typed it. Empty: asks about the caller as it is. */
+  /** A token, or a code as it was typed. Empty: asks about the caller as it is. */
   token: string;
 }
 
 /**
- * Why somebody is not let in, as part of an error. Rule AC-12.
+ * Why a caller cannot join, as part of an error. Rule AC-12.
  *
  * `ubii.extension.JoinRefusal`
  */
@@ -1592,7 +1592,7 @@ export interface LimitList {
 export interface LimitUse {
   /** Of a limit of the whole master, what is used; of one of each client or session, the largest use of any. */
   value: number;
-  /** The client with that use; empty when the limit is not one of each client, or nobody uses anything. */
+  /** The client with that use; empty when the limit is not one of each client, or there is no use. */
   clientId: string;
   /** The session with that use; empty likewise. */
   sessionId: string;
@@ -1683,7 +1683,7 @@ export interface MasterAddress {
 export interface MasterStatus {
   /** UUID of this run of the master, the same as Server.id. */
   masterId: string;
-  /** For people. */
+  /** Text for display. */
   name: string;
   /** Semantic versioning. */
   version: string;
@@ -1751,7 +1751,7 @@ export interface MasterStatusRequest {
 }
 
 /**
- * Something a running module did that people want to know. Rule PM-81.
+ * An event of a running module. Rule PM-81.
  *
  * `ubii.extension.ModuleEvent`
  */
@@ -1799,7 +1799,7 @@ export interface ModuleExtension {
   replaceable: boolean;
   /** Where the master has it from. Set by the master when it lists modules. Rule SE-22. */
   origin: ModuleOrigin;
-  /** Of stored ones: ids of the grants whose clients made or changed it. Set by the master. Rule AC-90. */
+  /** Of stored ones: ids of the invitations whose clients made or changed it. Set by the master. Rule AC-90. */
   grantIds: string[];
 }
 
@@ -1933,7 +1933,7 @@ export interface NodeExtension {
 export interface NodeInfo {
   /** Id of the client, or of the master. */
   clientId: string;
-  /** For people. */
+  /** Text for display. */
   name: string;
   /** What it said of itself. */
   node: NodeExtension | undefined;
@@ -2008,7 +2008,7 @@ export interface SessionExtension {
   revision: number;
   /** True when it is also stored. Rule SE-21. */
   stored: boolean;
-  /** Ids of the grants whose clients made or changed it. Set by the master. Rule AC-90. */
+  /** Ids of the invitations whose clients made or changed it. Set by the master. Rule AC-90. */
   grantIds: string[];
 }
 
@@ -2018,7 +2018,7 @@ export interface SessionExtension {
  * `ubii.extension.SessionProblem`
  */
 export interface SessionProblem {
-  /** True: it cannot run like this; false: it can, but people should know. */
+  /** True: it cannot run like this; false: a warning. */
   isError: boolean;
   /** Stable reason from a closed list. */
   code: string;
@@ -2072,11 +2072,11 @@ export interface SessionStatistics {
 export interface Setting {
   /** Its flag, such as --data-dir. */
   flag: string;
-  /** The value in force as people write it; paths below the home folder begin with ~. */
+  /** The value in force as it is written in the configuration; paths below the home folder begin with ~. */
   value: string;
   /** What it does. */
   description: string;
-  /** True when somebody set it, false when this is what it is by itself. */
+  /** True when it was configured, false when it is the default. */
   given: boolean;
 }
 
@@ -2093,7 +2093,7 @@ export interface SettingList {
 }
 
 /**
- * Something that happened and that people may want to know.
+ * An event for the status page.
  *
  * `ubii.extension.StatusEvent`
  */
@@ -2102,7 +2102,7 @@ export interface StatusEvent {
   timeMs: number;
   /** What happened. */
   kind: StatusEventKind;
-  /** A few words for people. */
+  /** Short text for display. */
   text: string;
   /** The client it is about; empty when it is about none. */
   clientId: string;
@@ -2128,7 +2128,7 @@ export interface StatusProblem {
   clientId: string;
   /** Since when: milliseconds since the Unix epoch, master's clock. */
   sinceMs: number;
-  /** What to do about it, one sentence; empty when nobody can do anything. */
+  /** What to do about it, one sentence; empty when there is no remedy. */
   remedy: string;
   /** The session it is about; empty when it is about none. */
   sessionId: string;
@@ -2217,7 +2217,7 @@ export interface TopicStatisticsRequest {
  * `ubii.general.Error`
  */
 export interface ErrorMessage {
-  /** A few words for people. */
+  /** Short text for display. */
   title: string;
   /** One sentence: what was wrong and what to do. */
   message: string;
@@ -2227,7 +2227,7 @@ export interface ErrorMessage {
   code: string;
   /** Of a session that was refused: all that is wrong with it. Rules SE-3 and EX-24. */
   problems: SessionProblem[];
-  /** Why somebody is not let in, when that is what the error is about. Rule AC-12. */
+  /** Why a caller cannot join, when that is what the error is about. Rule AC-12. */
   join: JoinRefusal | undefined;
 }
 
@@ -2247,7 +2247,7 @@ export interface ErrorList {
  * `ubii.general.Success`
  */
 export interface Success {
-  /** A few words for people. */
+  /** Short text for display. */
   title: string;
   /** One sentence on what was done. */
   message: string;
@@ -2271,7 +2271,7 @@ export interface SuccessList {
 export interface LockstepProcessingReply {
   /** Modules that ran. */
   processingModuleIds: string[];
-  /** Outputs of all of them, told apart by topic. */
+  /** Outputs of all of them, identified by topic. */
   records: TopicDataRecord[];
   /** Number of the pass this answers. Rule SE-41. */
   pass: number;
@@ -2287,7 +2287,7 @@ export interface LockstepProcessingReply {
 export interface LockstepProcessingRequest {
   /** Modules to run. */
   processingModuleIds: string[];
-  /** Inputs of all of them, told apart by topic. */
+  /** Inputs of all of them, identified by topic. */
   records: TopicDataRecord[];
   /** Since the pass before, milliseconds. */
   deltaTimeMs: number;
@@ -2383,7 +2383,7 @@ export interface ProcessingModule {
   authors: string[];
   /** Words to find it by. */
   tags: string[];
-  /** For people. */
+  /** Text for display. */
   description: string;
   /** Id of the client, or of the master, that runs it. */
   nodeId: string;
@@ -2422,14 +2422,14 @@ export interface ProcessingModuleList {
 }
 
 /**
- * A master: who it is and where it is reached.
+ * A master: its name and addresses.
  *
  * `ubii.servers.Server`
  */
 export interface Server {
   /** UUID, new at every start; the node id of modules the master runs itself. */
   id: string;
-  /** For people. */
+  /** Text for display. */
   name: string;
   /** IPv4 address in the wired network; empty when there is none or the master listens on loopback only. */
   ipEthernet: string;
@@ -2690,7 +2690,7 @@ export interface IOMappingList {
 export interface Session {
   /** UUID, assigned by the master. */
   id: string;
-  /** For people; stored sessions are found by it. */
+  /** Display name; stored sessions are found by it. */
   name: string;
   /** Its modules. */
   processingModules: ProcessingModule[];
@@ -2698,13 +2698,13 @@ export interface Session {
   ioMappings: IOMapping[];
   /** Words to find it by. */
   tags: string[];
-  /** For people. */
+  /** Text for display. */
   description: string;
   /** Who made it. */
   authors: string[];
   /** Where it is in its life. */
   status: SessionStatus;
-  /** False when people should not change it. */
+  /** False when editors should not offer to change it. */
   editable: boolean;
   /** What existing clients do not know of it. Rule EX-22. */
   extension: SessionExtension | undefined;
