@@ -55,7 +55,7 @@ export const LIMITS = {
     256 * KIB,
     'bytes',
     'messages',
-    'Body of an ordinary service request. Sessions, modules and registrations may have half as much again as `sessionBytes` and `registrationBytesPerClient`, because JSON is longer than what is counted there.',
+    'Body of an ordinary service request. For sessions, modules and registrations: 1.5 times `sessionBytes` or `registrationBytesPerClient`, because JSON is longer than the encoded form.',
   ),
   subscriptionBodyBytes: limit(
     4 * MIB,
@@ -67,7 +67,7 @@ export const LIMITS = {
     8_192,
     'values',
     'messages',
-    'Values (texts, numbers, objects, lists) in an ordinary service request. Decoding costs by value.',
+    'Values (texts, numbers, objects, lists) in an ordinary service request. Decoding time grows with their number.',
   ),
   largeServiceValues: limit(
     65_536,
@@ -79,7 +79,7 @@ export const LIMITS = {
     64,
     'levels',
     'messages',
-    'Objects and lists within each other in a JSON request. The deepest request of the protocol has 16.',
+    'Nesting depth of objects and lists in a JSON request. The deepest request of the protocol has 16 levels.',
   ),
   // MAX_TOPIC_BYTES
   topicBytes: limit(
@@ -98,20 +98,20 @@ export const LIMITS = {
     DEFAULT_PATTERN_LIMITS.instructions,
     'instructions',
     'messages',
-    'Instructions of a compiled regular expression: what one character of a topic may cost at worst. A UUID takes some 60.',
+    'Instructions of a compiled regular expression, the worst-case cost of one character of a topic. A UUID pattern takes about 60.',
   ),
   listElements: limit(
     20_000,
     'elements',
     'messages',
-    'Elements of one list in a service request. Existing clients list every topic they ever saw when they leave.',
+    'Elements of one list in a service request. Existing clients list all topics they have used when they disconnect.',
   ),
 
   listProfiles: limit(
     64,
     'profiles',
     'messages',
-    'Profiles in one request for a list. Each is compared with everything that is listed.',
+    'Profiles in one list request. Each is compared with every listed item.',
   ),
 
   // --- What one text of a client may be ---
@@ -126,20 +126,20 @@ export const LIMITS = {
     256,
     'characters',
     'texts',
-    'Name that something is found by: a session, module, component, input, output, muxer, data format. Refused when longer.',
+    'Name of a session, module, component, input, output, muxer or data format. Longer names are refused.',
   ),
   nameCharacters: limit(
     100,
     'characters',
     'texts',
-    'Name of a client or device, label of an invitation, author. It stands in events, in the log and on pages. Names of clients and devices are cut.',
+    'Name of a client or device, label of an invitation, author. It appears in events, in the log and on pages. Longer names of clients and devices are cut.',
   ),
   tagCharacters: limit(100, 'characters', 'texts', 'One tag.'),
   textsPerList: limit(
     256,
     'texts',
     'texts',
-    'Tags, authors or libraries of one thing. People give a handful.',
+    'Tags, authors or libraries of one session, module, device or client. A handful is usual.',
   ),
   descriptionCharacters: limit(
     4_096,
@@ -158,13 +158,13 @@ export const LIMITS = {
     64,
     'characters',
     'texts',
-    'What a client says of its library, its address and the libraries of its node. Cut when longer.',
+    'Library version, address and node libraries that a client reports. Cut when longer.',
   ),
   userAgentCharacters: limit(
     256,
     'characters',
     'texts',
-    'What a browser says of itself. Cut when longer.',
+    'User agent of a browser. Cut when longer.',
   ),
   secretCharacters: limit(
     1_024,
@@ -200,7 +200,7 @@ export const LIMITS = {
     32 * KIB,
     'bytes/s',
     'texts',
-    'Lines of the log in the long run. At the start and after a quiet time as much as half a minute of it at once. What is more is left out and counted.',
+    'Average rate of log lines. After a start or a quiet period, bursts of up to 30 s of this rate are logged. Further lines are dropped and counted.',
   ),
 
   // --- What the master holds ---
@@ -215,19 +215,19 @@ export const LIMITS = {
     131_072,
     'topics',
     'storage',
-    'Topics of one client: those it publishes on, and those it subscribes to before anybody publishes. Leaves half of all topics to the others.',
+    'Topics of one client: those it publishes on, and those it subscribes to that have no publisher. Half of all topics remain for the others.',
   ),
   topicsPerParticipant: limit(
     32_768,
     'topics',
     'storage',
-    'The same of a participant that was invited. Three programs with 10 000 topics in one.',
+    'The same limit for a participant with an invitation. Three programs with 10 000 topics in one.',
   ),
   topicsPerPlayer: limit(
     256,
     'topics',
     'storage',
-    'The same of a player or viewer. A phone with all its sensors has some twenty.',
+    'The same limit for a player or viewer. A phone with all its sensors has some twenty.',
   ),
   topicsPerSession: limit(
     16_384,
@@ -245,7 +245,7 @@ export const LIMITS = {
     512 * MIB,
     'bytes',
     'storage',
-    'Bytes of all retained records. Sixteen raw 4K images, and a machine with 2 GiB still has room.',
+    'Bytes of all retained records. Sixteen raw 4K images; fits a machine with 2 GiB.',
   ),
   retainedBytesPerClient: limit(
     256 * MIB,
@@ -257,19 +257,19 @@ export const LIMITS = {
     128 * MIB,
     'bytes',
     'storage',
-    'The same of a participant that was invited. Four raw 4K images.',
+    'The same limit for a participant with an invitation. Four raw 4K images.',
   ),
   retainedBytesPerPlayer: limit(
     32 * MIB,
     'bytes',
     'storage',
-    'The same of a player or viewer. The camera of a phone at full resolution, once.',
+    'The same limit for a player or viewer. The camera of a phone at full resolution, once.',
   ),
   clients: limit(
     10_000,
     'clients',
     'storage',
-    'Registered clients. Ten times the largest room; one costs some KiB.',
+    'Registered clients. Ten times the largest expected room; a client takes some KiB.',
   ),
   sockets: limit(
     10_000,
@@ -281,25 +281,25 @@ export const LIMITS = {
     12_288,
     'connections',
     'storage',
-    'Open connections to all ports. An eighth is kept for this machine. Lowered at the start to half of what the process may have open.',
+    'Open connections to all ports. An eighth is kept for this machine. Lowered at startup to half of the open files the process is allowed.',
   ),
   connectionsOfStrangers: limit(
     2_048,
     'connections',
     'storage',
-    'The same of callers of whom nothing is known yet: all phones of a large room that load their page at once. At most half of all.',
+    'The same limit for callers without a token: all phones of a large room that load their page at once. At most half of all.',
   ),
   connectionsPerAddress: limit(
     512,
     'connections',
     'storage',
-    'Connections from one address of another machine that are no sockets. A class of 60 phones behind one router loads its pages at once.',
+    'HTTP connections from one remote address. A class of 60 phones behind one router loads its pages at once.',
   ),
   connectionsPerNetwork: limit(
     1_024,
     'connections',
     'storage',
-    'The same of one IPv6 network of 64 bits, all of whose addresses one person may have.',
+    'The same limit for one IPv6 /64 network: one machine can use all its addresses.',
   ),
   grants: limit(
     256,
@@ -311,7 +311,7 @@ export const LIMITS = {
     20_000,
     'devices',
     'storage',
-    'Devices of all clients. Two for each of as many clients as there may be.',
+    'Devices of all clients. Two for each client at the limit.',
   ),
   devicesPerClient: limit(
     1_024,
@@ -330,19 +330,19 @@ export const LIMITS = {
     4 * MIB,
     'bytes',
     'storage',
-    'Encoded bytes of what one client registered: itself, its modules with their code, its devices.',
+    'Encoded bytes of the registration of one client, with its modules and devices.',
   ),
   registrationBytesPerPlayer: limit(
     256 * KIB,
     'bytes',
     'storage',
-    'The same of a player or viewer. A phone with ten components registers some 3 KiB.',
+    'The same limit for a player or viewer. A phone with ten components registers some 3 KiB.',
   ),
   registrationBytes: limit(
     256 * MIB,
     'bytes',
     'storage',
-    'Encoded bytes of what all clients registered.',
+    'Encoded bytes of the registrations of all clients.',
   ),
 
   // --- Subscriptions ---
@@ -363,51 +363,51 @@ export const LIMITS = {
     1_024,
     'expressions',
     'subscriptions',
-    'Regular expressions of one client. A new topic is tried against each.',
+    'Regular expressions of one client. Each new topic is matched against all of them.',
   ),
   patternsPerParticipant: limit(
     256,
     'expressions',
     'subscriptions',
-    'The same of a participant that was invited. A program of ours has a handful.',
+    'The same limit for a participant with an invitation. A program of ours has a handful.',
   ),
   patternsPerPlayer: limit(
     32,
     'expressions',
     'subscriptions',
-    'The same of a player or viewer. Thirty phones of one invitation fit into its share of all.',
+    'The same limit for a player or viewer. Thirty phones of one invitation fit into its share of all.',
   ),
   patterns: limit(
     4_096,
     'expressions',
     'subscriptions',
-    'Different regular expressions of all clients together: bounds what a new topic costs everybody.',
+    'Different regular expressions of all clients together: bounds the matching cost of a new topic.',
   ),
   // PATTERN_MATCH_MS
   patternMatchMs: limit(
     500,
     'ms',
     'subscriptions',
-    'Time that matching the regular expressions of one client may take at once. Ordinary ones take a thousandth for a topic; what is built to be slow may take thirty.',
+    'Time that matching the regular expressions of one client may take at once. An ordinary pattern takes 0.001 ms per topic, one that is built to be slow up to 30 ms.',
   ),
   // PATTERN_MATCH_MS_PER_SECOND
   patternMatchMsPerSecond: limit(
     50,
     'ms/s',
     'subscriptions',
-    'The same per second in the long run: a twentieth of the master.',
+    'The same limit as an average per second: 5 % of the event loop.',
   ),
   profilesPerClient: limit(
     256,
     'profiles',
     'subscriptions',
-    'Component profiles of one client. A registered component is tried against each.',
+    'Component profiles of one client. Each registered component is matched against all of them.',
   ),
   profilesPerPlayer: limit(
     16,
     'profiles',
     'subscriptions',
-    'The same of a player or viewer. Thirty phones of one invitation fit into its share of all.',
+    'The same limit for a player or viewer. Thirty phones of one invitation fit into its share of all.',
   ),
   profiles: limit(
     2_048,
@@ -435,58 +435,58 @@ export const LIMITS = {
     10,
     'errors/s',
     'rates',
-    'TopicData errors sent to a client per second. More teach nobody and cost more than the record.',
+    'TopicData errors sent to a client per second. Sending more would cost more than the refused records.',
   ),
   // MAX_PROTOCOL_ERRORS
   protocolErrors: limit(
     20,
     'messages',
     'rates',
-    'Frames within `protocolErrorWindowMs` that cannot be decoded before the socket is closed. A client with a bug has a few; a stranger has only these.',
+    'Frames within `protocolErrorWindowMs` that cannot be decoded before the socket is closed. A faulty client sends a few; a client of another protocol sends only such frames.',
   ),
   protocolErrorWindowMs: limit(10_000, 'ms', 'rates', 'The window of `protocolErrors`.'),
   announcementBytes: limit(
     8 * KIB,
     'bytes',
     'rates',
-    'Registration that is announced as a whole whenever its client changes; of larger ones the name, the state and a number that says whether the rest has changed. A phone with twenty components registers some 6 KiB.',
+    'Size up to which a registration is announced as a whole when its client changes. Larger registrations are announced by name, state and revision. A phone with twenty components registers some 6 KiB.',
   ),
   clientNewsBytesPerSecond: limit(
     8 * KIB,
     'bytes/s',
     'rates',
-    'What is announced of one client in the long run, to each who listens; four times as much at once. What is more waits, and the last state is told.',
+    'Average rate of announcements about one client to each subscriber, with bursts of four times as much. Further announcements wait, and the last state is sent.',
   ),
   sessionNewsBytesPerSecond: limit(
     1 * MIB,
     'bytes/s',
     'rates',
-    'The same of changes of one session. A session of 50 KiB may change twenty times a second.',
+    'The same limit for changes of one session. A session of 50 KiB may change twenty times a second.',
   ),
   sessionStartBytesPerSecond: limit(
     1 * MIB,
     'bytes/s',
     'rates',
-    'Sessions that callers of one invitation start in the long run; 32 times as much at once. Everybody who listens is sent a session when it starts, when it runs and when it stops.',
+    'Average rate of session starts by callers of one invitation, with bursts of 32 times as much. Each start, run and stop sends the session to all subscribers.',
   ),
 
   wrongCodesPerAddress: limit(
     10,
     'codes/s',
     'rates',
-    'Wrong join codes from one address. Somebody who shares it with an attacker gets in with a try or a few; one address guesses a code of 12 hours with a chance of 4 in 10 million.',
+    'Wrong join codes from one address. A caller that shares its address with an attacker can still join within a few tries. At this rate, one address guesses a code that is valid for 12 hours with a probability of 4 in 10 million.',
   ),
   wrongCodesPerNetwork: limit(
     20,
     'codes/s',
     'rates',
-    'The same of one IPv6 network of 64 bits: one address in it leaves half to the others.',
+    'The same limit for one IPv6 /64 network: one of its addresses uses at most half.',
   ),
   wrongCodes: limit(
     200,
     'codes/s',
     'rates',
-    'The same of all addresses together. A code stands for 12 hours at most: 9 million tries at 10^12 codes.',
+    'The same limit for all addresses together. A code is valid for at most 12 hours: 9 million tries at 10^12 codes.',
   ),
 
   // --- What waits for one client ---
@@ -496,39 +496,34 @@ export const LIMITS = {
     1 * MIB,
     'bytes',
     'queues',
-    'Bytes of one write to one client; what is more leaves in the next. Keeps a list frame easy to take for a phone.',
+    'Bytes of one write to one client. The rest follows in the next write. Keeps a list frame easy to take for a phone.',
   ),
   connectionQueuedBytes: limit(
     2 * MIB,
     'bytes',
     'queues',
-    "Bytes handed to a socket and not taken, beyond which records wait in the client's queue. Some milliseconds of a fast network.",
+    "Unsent bytes in a socket above which records wait in the client's queue. Some milliseconds of a fast network.",
   ),
-  queueBytes: limit(
-    64 * MIB,
-    'bytes',
-    'queues',
-    "Bytes that wait in a client's queue. Two raw 4K images.",
-  ),
+  queueBytes: limit(64 * MIB, 'bytes', 'queues', 'Queued bytes of one client. Two raw 4K images.'),
   queuesBytes: limit(
     512 * MIB,
     'bytes',
     'queues',
-    'The same of all queues together. A client that would add to more drops its own oldest records.',
+    'Queued bytes of all clients. A client beyond this limit drops its own oldest records.',
   ),
   // MAX_QUEUED_EVENTS
   queuedEventsPerTopic: limit(
     1_024,
     'events',
     'queues',
-    "Events of one topic that wait in a client's queue. Some seconds of a fast typist or of a finger at 120 Hz.",
+    "Queued events of one topic in a client's queue. Some seconds of a fast typist or of a finger at 120 Hz.",
   ),
   // SLOW_SOCKET_TIMEOUT_MS
   slowSocketTimeoutMs: limit(
     30_000,
     'ms',
     'queues',
-    'A socket that takes nothing for this long is closed. A raw 4K image in one piece passes at 10 Mbit/s.',
+    'A socket that accepts no data for this long is closed. A raw 4K image in one piece passes at 10 Mbit/s.',
   ),
 
   // --- Bodies of service requests that are being received or decoded ---
@@ -537,49 +532,49 @@ export const LIMITS = {
     128 * MIB,
     'bytes',
     'queues',
-    'Bytes of all service requests in flight. This machine may have three quarters of it, and so may all others.',
+    'Bytes of all service requests in flight. Local callers and remote callers can each use three quarters.',
   ),
   bodyBytesOfStrangers: limit(
     4 * MIB,
     'bytes',
     'queues',
-    'The same of all callers that have not joined: 256 of the largest requests.',
+    'The same limit for all callers that have not joined: 256 of the largest requests.',
   ),
   bodyBytesOfJoining: limit(
     16 * MIB,
     'bytes',
     'queues',
-    'The same of all callers with a token or code that are not registered yet.',
+    'The same limit for all callers with a token or code that are not registered yet.',
   ),
   bodyBytesPerAddress: limit(
     2 * MIB,
     'bytes',
     'queues',
-    'The same of those two kinds of callers, from one address. A class of 60 phones behind one router registers at once.',
+    'The same limit for these two kinds of callers from one address. A class of 60 phones behind one router registers at once.',
   ),
   bodyBytesPerClient: limit(
     24 * MIB,
     'bytes',
     'queues',
-    'The same of one client, or of one address that is let in without a token. Two of the largest sessions.',
+    'The same limit for one client, or for one address that needs no token. Two of the largest sessions.',
   ),
   bodyBytesPerConnection: limit(
     16 * MIB,
     'bytes',
     'queues',
-    'The same of one connection. Existing clients send one request after another.',
+    'The same limit for one connection. Existing clients send one request after another.',
   ),
   bodyGraceMs: limit(
     10_000,
     'ms',
     'time',
-    'Time after which a body has to have come at `bodyBytesPerSecond`. A small one has to be there by then.',
+    'Time after which a body must arrive at `bodyBytesPerSecond` or faster. Small bodies must be complete by then.',
   ),
   bodyBytesPerSecond: limit(
     32 * KIB,
     'bytes/s',
     'rates',
-    'Slowest body of a service request. A mobile network with one bar has several times as much.',
+    'Lowest rate of the body of a service request. A mobile network with one bar has several times as much.',
   ),
 
   // --- Sessions ---
@@ -589,7 +584,7 @@ export const LIMITS = {
     1_024,
     'sessions',
     'sessions',
-    'Sessions the master knows, stopped ones included. A workshop has some hundred; one takes tens of KiB.',
+    'Sessions of the master, including stopped ones. A workshop has some hundred; one takes tens of KiB.',
   ),
   // MAX_MODULES_PER_SESSION
   modulesPerSession: limit(
@@ -617,7 +612,7 @@ export const LIMITS = {
     8 * MIB,
     'bytes',
     'sessions',
-    "Encoded bytes of one session as it was sent, or of one stored module. Code of a large model's glue is some hundred KiB.",
+    "Encoded bytes of one session or of one stored module. Code of a large model's glue is some hundred KiB.",
   ),
   // MAX_SESSIONS_BYTES
   sessionsBytes: limit(256 * MIB, 'bytes', 'sessions', 'The same of all sessions.'),
@@ -632,7 +627,7 @@ export const LIMITS = {
     2_048 * MIB,
     'bytes',
     'sessions',
-    "Memory of all sandboxed modules on the master. Unless set, the program takes a quarter of the machine's, or of its container's, at least 256 MiB. A module that keeps nothing takes less than one.",
+    "Memory of all sandboxed modules on the master. Unless set, the program takes a quarter of the machine's, or of its container's, at least 256 MiB. A module without state takes less than 1 MiB.",
   ),
   moduleBytesPerSession: limit(
     1_024 * MIB,
@@ -644,14 +639,14 @@ export const LIMITS = {
     3_000,
     'ms',
     'sessions',
-    'Looking at the code of a session. A worker that has to be started first takes a fifth.',
+    'Time to check the code of a session. Starting a worker takes a fifth of it.',
   ),
   // START_TIMEOUT_MS
   startTimeoutMs: limit(
     10_000,
     'ms',
     'sessions',
-    'Time nodes have to say that modules run. Loading a detector from disk takes some seconds.',
+    'Time within which nodes must report that modules run. Loading a detector from disk takes some seconds.',
   ),
   // STOP_TIMEOUT_MS
   stopTimeoutMs: limit(10_000, 'ms', 'sessions', 'Time nodes have to say that modules ended.'),
@@ -660,7 +655,7 @@ export const LIMITS = {
     500,
     'ms',
     'sessions',
-    'What a node may take for its share of a lockstep pass. Slower than two a second is no lockstep any more.',
+    'Time within which a node must answer a lockstep pass.',
   ),
 
   // --- Time ---
@@ -670,27 +665,27 @@ export const LIMITS = {
     8_000,
     'ms',
     'time',
-    'The answer to a service request. Shorter than the 10 s after which clients of ours give up.',
+    'Time to answer a service request. Shorter than the 10 s after which clients of ours give up.',
   ),
   headersTimeoutMs: limit(
     10_000,
     'ms',
     'time',
-    'The first request of a connection, its TLS handshake included, and the headers of each further one. A phone at the edge of its Wi-Fi takes some seconds.',
+    'Time for the first request of a connection, including the TLS handshake, and for the headers of each further one. A phone at the edge of its Wi-Fi takes some seconds.',
   ),
   // REPLAY_DELAY_MS
   replayDelayMs: limit(
     25,
     'ms',
     'time',
-    'Retained records reach an existing client this long after the reply. Browser and Node nodes take up the callback some turns after they read the reply; without it every third record was lost to them.',
+    'Retained records reach an existing client this long after the reply. Existing browser and Node clients attach their callback some event-loop turns after they read the reply; without the delay they lost every third record.',
   ),
   // UNAVAILABLE_RETENTION_MS
   unavailableRetentionMs: limit(
     20 * 60_000,
     'ms',
     'time',
-    'How long an unavailable client is remembered. A phone may sleep through a break and come back as itself.',
+    'How long an unavailable client is remembered. A phone that sleeps during a break resumes as the same client.',
   ),
 
   // MAX_KEEP_MS
@@ -698,7 +693,7 @@ export const LIMITS = {
     60 * 60_000,
     'ms',
     'time',
-    'How long a value may outlive its publisher. A person can reload the page, or go and come back, and finds the value that was set.',
+    'How long a value may outlive its publisher. The values of a page survive its reload.',
   ),
 
   // --- Audit log ---
@@ -713,7 +708,7 @@ export const LIMITS = {
     2,
     'entries/s',
     'rates',
-    'Entries of one caller in the long run, and a minute of them at once. What is more is counted, and the next entry says how many.',
+    'Average rate of audit entries of one caller, with bursts of one minute of it. Further entries are counted, and the next entry names the number.',
   ),
 
   // --- Statistics ---
@@ -722,7 +717,7 @@ export const LIMITS = {
     10_000,
     'topics',
     'statistics',
-    'Deleted topics remembered for readers of the statistics; who asks less often gets a full list.',
+    'Deleted topics remembered for readers of the statistics. Readers that ask less often get the full list.',
   ),
 } as const satisfies Record<string, LimitInfo>;
 

@@ -75,7 +75,7 @@ export function watchGrants(core: Core): Cancel {
   const look = (): void => {
     for (const grant of core.access.grants.takeOver()) {
       void endGrant(core, grant, CLOSE.expired, false);
-      core.log.info('an invitation expired', { grantId: grant.id });
+      core.log.info('an invitation expired', { invitation: grant.label || grant.id });
     }
   };
   look();

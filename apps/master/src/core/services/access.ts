@@ -55,7 +55,7 @@ export const createGrant: ServiceHandler = async (core, request, { caller }) => 
   const spec = specOf(core, wanted, caller);
   const staysUntilMs = core.clock.nowMs() + wanted.stayMs;
   const { grant, token, code } = await core.access.grants.create(spec, staysUntilMs);
-  core.log.info('invitation created', { grantId: grant.id, role: grant.role });
+  core.log.info('invitation created', { invitation: grant.label || grant.id, role: grant.role });
   return { accessGrantCreated: { grant: messageOf(core, grant), token, code } };
 };
 
@@ -80,7 +80,7 @@ export const revokeGrant: ServiceHandler = async (core, request) => {
     withDescendants(core, grant).map(async (one) => {
       const revoked = core.access.grants.revoke(one);
       await endGrant(core, one, told, isHandedOver);
-      core.log.info('invitation revoked', { grantId: one.id, joins: one.joins });
+      core.log.info('invitation revoked', { invitation: one.label || one.id, joins: one.joins });
       await revoked;
     }),
   );

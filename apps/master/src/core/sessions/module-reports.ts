@@ -78,7 +78,7 @@ function fail(
   context.log.warn('a module does not run', {
     session: session.label,
     module: module.name,
-    nodeId: module.nodeId,
+    node: node?.label ?? module.nodeId,
     reason,
   });
   evaluate(context, session);
