@@ -31,7 +31,7 @@ export class GraphPage {
     this.life = page.getByRole('toolbar', { name: 'Session controls' });
     this.title = page.getByRole('button', { name: /, rename$/ });
     this.others = page.getByRole('group', { name: 'Who else is here' });
-    this.importDialog = page.getByRole('dialog', { name: /Import|no session/ });
+    this.importDialog = page.getByRole('dialog', { name: /Import|No session/ });
   }
 
   async open(sessionId: string): Promise<void> {

@@ -34,12 +34,12 @@ test('a file with modules nobody has comes in whole, says what is missing, and g
   const anna = new GraphPage(await room.atDesk('Anna'));
   await anna.open(id);
   await anna.dropFile('dance.session', FOREIGN);
-  await expect(anna.importDialog).toContainText('The module body-pose is not known here');
+  await expect(anna.importDialog).toContainText('The module body-pose is unknown');
   await anna.importDialog.getByRole('button', { name: 'Add to this graph' }).click();
   await expect(anna.node('Module body-pose')).toBeVisible();
   await expect(anna.node('Topic /cam/image')).toBeVisible();
   await expect(anna.socket('Module body-pose', 'Input image')).toHaveAccessibleName(/1 connected/);
-  await expect(anna.page.getByText('body-pose is not known here')).toBeVisible();
+  await expect(anna.page.getByText('body-pose is unknown')).toBeVisible();
 
   await test.step('it is saved and exported with all it has', async () => {
     await anna.page.keyboard.press('Control+s');

@@ -250,10 +250,10 @@ test('problems stand where they are: at nodes, at topics and on wires', async ({
   await graph.open(id);
   await expect(graph.problems('Module low-pass')).toHaveAccessibleName(/feed each other/);
   await expect(graph.problems('Module map-range')).toHaveAccessibleName(/feed each other/);
-  await expect(graph.problems('Topic /loop/b')).toHaveAccessibleName(/whoever writes last wins/);
+  await expect(graph.problems('Topic /loop/b')).toHaveAccessibleName(/the last record wins/);
   await graph.problems('Topic /loop/b').click();
   await expect(graph.page.getByRole('dialog', { name: /1 problem/ })).toContainText(
-    'whoever writes last wins',
+    'the last record wins',
   );
 });
 

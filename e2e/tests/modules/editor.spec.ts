@@ -183,8 +183,8 @@ test('what is changed on the disk of the master appears, and asks when both chan
   await change('7 * inputs', '9 * inputs');
   const question = anna.page.getByRole('alert', { name: 'Changed on both sides' });
   await expect(question).toBeVisible();
-  await expect(editor.save).toHaveAttribute('aria-description', /^Somebody else/);
-  await question.getByRole('button', { name: 'Both side by side' }).click();
+  await expect(editor.save).toHaveAttribute('aria-description', /^Another client/);
+  await question.getByRole('button', { name: 'Compare' }).click();
   await expect(question.locator('.view-line').filter({ hasText: '9' }).first()).toBeVisible();
   await question.getByRole('button', { name: 'Keep mine' }).click();
   await expect(question).toHaveCount(0);
@@ -209,7 +209,7 @@ test('a module is renamed, tried with a live topic and a pasted record, and wron
 
   const name = editor.about.getByLabel('Name', { exact: true });
   await name.fill('clock');
-  await expect(editor.about.getByRole('alert')).toContainText('a module clock already');
+  await expect(editor.about.getByRole('alert')).toContainText('A module named clock exists');
   await name.fill('twice');
   await editor.saveIt();
   await expect(anna.page).toHaveURL(/\/modules\/twice\/edit$/);

@@ -27,7 +27,7 @@ test('a mistake in an output is told in the words of the author, once, in all pl
 }) => {
   const anna = await room.atDesk('Anna');
   const session = new SessionPage(anna);
-  await anna.page.goto('/sessions/new');
+  await anna.page.goto('/sessions/new/text');
   await session.write(JSON.stringify(NEARBY, undefined, 2), 'Create');
   await session.act('Start');
 

@@ -36,7 +36,7 @@ test('a session is written as JSON; all that is wrong stands beside its line [SE
 
   await test.step('no JSON', async () => {
     await session.text.fill('{\n  "name": "x"\n  "tags": []\n}');
-    await expect(session.textProblems).toContainText('A comma or } is expected');
+    await expect(session.textProblems).toContainText('Expected a comma or }');
     await expect(page.getByRole('button', { name: 'Show line 3' })).toBeVisible();
   });
   await test.step('what the master finds', async () => {
@@ -121,7 +121,7 @@ test('a session travels as one file, with the source of its modules', async ({ r
     await new Shell(anna.page).go('Sessions');
     await sessions.importFiles([{ name: 'broken.session', text: BROKEN }]);
     const dialog = anna.page.getByRole('dialog', { name: 'Import a session' });
-    await expect(dialog).toContainText('The module no-such-module is not known here');
+    await expect(dialog).toContainText('The module no-such-module is unknown');
     await dialog.getByRole('button', { name: 'New session' }).click();
     await expect(anna.page).toHaveURL(/\/sessions\/new\/text/);
     await expect(session.textProblems).toContainText('pointr');

@@ -19,6 +19,8 @@ export type {
   ModuleRecord,
   ModuleValue,
 } from './definition/io-types.ts';
+export { undeclaredName } from './worker/nearest-name.ts';
+export { exampleOf } from './worker/value-words.ts';
 export { LEAST_MODULE_BYTES } from './worker/quickjs/engine-pages.ts';
 export { moduleProblems, type ModuleProblem } from './definition/module-problems.ts';
 export { moduleToWire } from './definition/module-to-wire.ts';

@@ -120,8 +120,7 @@ export function useModuleEditor(
     if (!draft.value) return;
     if (!isChanged.value) dropDraft(address());
     else if (!keepDraft(address(), { draft: draft.value, base: base.value })) {
-      failure.value =
-        'This browser has no room to keep unsaved work: save before the page is closed.';
+      failure.value = 'The storage of this browser is full. Save before you close the page.';
     }
   });
 

@@ -31,8 +31,6 @@ it('lets the master refuse what was imported alone', () => {
 it('says what came of it', () => {
   expect(importedWords(1, 1)).toBeUndefined();
   expect(importedWords(3, 3)).toBe('Imported 3 modules');
-  expect(importedWords(1, 23)).toBe(
-    'Imported 1 of 23 modules: 22 came with the program and are there already.',
-  );
+  expect(importedWords(1, 23)).toBe('Imported 1 of 23 modules: 22 are built-in modules.');
   expect(importedWords(0, 22)).toMatch(/^Nothing to import: 22/);
 });

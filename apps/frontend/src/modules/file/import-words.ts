@@ -20,5 +20,5 @@ export function importedWords(imported: number, inFile: number): string | undefi
   const left = inFile - imported;
   const all = imported === 0 ? 'Nothing to import' : `Imported ${imported} of ${inFile} modules`;
   if (left === 0) return `Imported ${imported} modules`;
-  return `${all}: ${left === 1 ? 'one' : left} came with the program and ${left === 1 ? 'is' : 'are'} there already.`;
+  return `${all}: ${left === 1 ? 'one' : left} ${left === 1 ? 'is a built-in module' : 'are built-in modules'}.`;
 }

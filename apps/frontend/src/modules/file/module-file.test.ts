@@ -31,7 +31,7 @@ describe('a module as a file', () => {
   });
 
   it.each([
-    ['{ "name": ', 'x.pm, line 1: A value is expected, but here is the end of the text.'],
+    ['{ "name": ', 'x.pm, line 1: Expected a value, found the end of the text.'],
     ['{}', 'x.pm holds no module: it has no name.'],
     ['{ "name": [] }', 'x.pm: name must be'],
   ])('says why %j is none', (text, message) => {

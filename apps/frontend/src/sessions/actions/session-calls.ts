@@ -88,7 +88,8 @@ export function createSessionCalls(
   const keep = async (session: Init<Session>): Promise<Session> => {
     const { elements } = await client.call('sessionDatabaseSave', session);
     const [saved] = elements;
-    if (saved === undefined) throw new ServiceError('internal', 'The master stored no session.');
+    if (saved === undefined)
+      throw new ServiceError('internal', 'The master did not store the session.');
     store.take(saved);
     return saved;
   };

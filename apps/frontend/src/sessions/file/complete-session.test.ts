@@ -47,7 +47,7 @@ describe('withPlaceholders', () => {
 
   it('says it in one sentence', () => {
     expect(missingWords([])).toBe('');
-    expect(missingWords(['pose'])).toContain('The module pose is not known here.');
-    expect(missingWords(['pose', 'hand'])).toContain('2 modules are not known here: pose, hand.');
+    expect(missingWords(['pose'])).toContain('The module pose is unknown.');
+    expect(missingWords(['pose', 'hand'])).toContain('2 modules are unknown: pose, hand.');
   });
 });

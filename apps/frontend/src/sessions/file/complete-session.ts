@@ -79,7 +79,7 @@ export function missingWords(missing: readonly string[]): string {
   if (missing.length === 0) return '';
   const what =
     missing.length === 1
-      ? `The module ${missing[0]!} is not known here. It is kept as a placeholder, muted,`
-      : `${missing.length} modules are not known here: ${missing.join(', ')}. They are kept as placeholders, muted,`;
+      ? `The module ${missing[0]!} is unknown. The import keeps it as a muted placeholder`
+      : `${missing.length} modules are unknown: ${missing.join(', ')}. The import keeps them as muted placeholders`;
   return `${what} with all wires.`;
 }

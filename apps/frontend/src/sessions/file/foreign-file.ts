@@ -17,7 +17,7 @@ export function recogniseForeign(value: unknown): Foreign | undefined {
   return found && { what: found.what, advice: found.advice ?? NO_WAY };
 }
 
-const NO_WAY = 'Its nodes have no counterpart here.';
+const NO_WAY = 'Its nodes have no equivalent in Ubi-Interact.';
 
 const isMembers = (value: unknown): value is Members =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
@@ -41,7 +41,7 @@ function recogniseList(list: readonly unknown[]): Foreign | undefined {
   if (nodes.every(isSessionLike)) {
     return {
       what: 'a list of sessions',
-      advice: 'Put each of them into a file of its own.',
+      advice: 'Save each session as a separate file.',
     };
   }
   return undefined;
@@ -59,7 +59,7 @@ const KNOWN: readonly {
   },
   {
     what: 'the file of a module',
-    advice: 'Import it on the page Modules.',
+    advice: 'Import it on the Modules page.',
     test: (value) =>
       has(value, 'onProcessingStringified') ||
       has(value, 'on_processing_stringified') ||
@@ -80,12 +80,12 @@ const KNOWN: readonly {
   { what: 'a Node-RED flow', test: (value) => Array.isArray(value.flows) },
   {
     what: 'a recording',
-    advice: 'It holds values, and no session.',
+    advice: 'The file contains values, not a session.',
     test: (value) => has(value, 'topicDataRecordList') || has(value, 'records'),
   },
   {
     what: 'a package.json',
-    advice: 'It belongs to a program.',
+    advice: 'The file belongs to another program.',
     test: (value) => has(value, 'name', 'version') && has(value, 'dependencies'),
   },
 ];

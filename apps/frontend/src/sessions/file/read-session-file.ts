@@ -44,7 +44,7 @@ export function readSessionFile({ name, text }: TextFile): ReadFile {
   if (read.kind === 'broken') {
     const [first] = read.problems;
     const place = first?.line === undefined ? '' : `, line ${first.line}`;
-    const reason = first?.message ?? 'It cannot be read.';
+    const reason = first?.message ?? 'The file cannot be read.';
     return broken(`${name}${place}: ${reason}`, true);
   }
   if (value === undefined || !isSessionLike(value)) {

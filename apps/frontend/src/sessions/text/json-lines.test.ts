@@ -37,14 +37,14 @@ describe('jsonLines', () => {
 
   it.each([
     ['', 1, 'The text is empty.'],
-    ['{\n  "a": 1\n  "b": 2\n}', 3, 'A comma or } is expected, but here is """.'],
-    ['{\n  a: 1 }', 2, 'A name in quotes is expected, but here is "a".'],
-    ['{ "a": 1, }', 1, 'A name in quotes is expected, but here is "}".'],
-    ['{ "a" 1 }', 1, 'A colon is expected after "a", but here is "1".'],
-    ['[1,\n2', 2, 'A comma or ] is expected, but here is the end of the text.'],
-    ['{ "a": undefined }', 1, 'A value is expected, but here is "undefined".'],
-    ['{} {}', 1, 'Nothing may follow the end, but here is "{".'],
-    ['["a\nb"]', 1, 'This text in quotes does not end on its line, or has a wrong \\ in it.'],
+    ['{\n  "a": 1\n  "b": 2\n}', 3, 'Expected a comma or }, found """.'],
+    ['{\n  a: 1 }', 2, 'Expected a name in quotes, found "a".'],
+    ['{ "a": 1, }', 1, 'Expected a name in quotes, found "}".'],
+    ['{ "a" 1 }', 1, 'Expected a colon after "a", found "1".'],
+    ['[1,\n2', 2, 'Expected a comma or ], found the end of the text.'],
+    ['{ "a": undefined }', 1, 'Expected a value, found "undefined".'],
+    ['{} {}', 1, 'Expected the end of the text, found "{".'],
+    ['["a\nb"]', 1, 'The string does not end on its line, or contains an invalid escape.'],
   ])('says where and why %j is no JSON', (text, line, message) => {
     expect(jsonLines(text)).toMatchObject({ kind: 'broken', line, message });
     expect(() => JSON.parse(text) as unknown).toThrow();

@@ -41,7 +41,7 @@ class Reader {
     this.#value('');
     this.#space();
     if (this.#at < this.#text.length) {
-      throw new Broken(this.#at, `Nothing may follow the end, but here is ${this.#here()}.`);
+      throw new Broken(this.#at, `Expected the end of the text, found ${this.#here()}.`);
     }
   }
 
@@ -62,22 +62,19 @@ class Reader {
       this.#space();
       const at = this.#at;
       if (this.#text[at] !== '"') {
-        throw new Broken(at, `A name in quotes is expected, but here is ${this.#here()}.`);
+        throw new Broken(at, `Expected a name in quotes, found ${this.#here()}.`);
       }
       const name = this.#string();
       const inner = path === '' ? name : `${path}.${name}`;
       if (!this.#skip(':')) {
-        throw new Broken(
-          this.#at,
-          `A colon is expected after "${name}", but here is ${this.#here()}.`,
-        );
+        throw new Broken(this.#at, `Expected a colon after "${name}", found ${this.#here()}.`);
       }
       this.#value(inner);
       // The line of a member is that of its name
       this.places.set(inner, at);
     } while (this.#skip(','));
     if (!this.#skip('}')) {
-      throw new Broken(this.#at, `A comma or } is expected, but here is ${this.#here()}.`);
+      throw new Broken(this.#at, `Expected a comma or }, found ${this.#here()}.`);
     }
   }
 
@@ -90,7 +87,7 @@ class Reader {
       index += 1;
     } while (this.#skip(','));
     if (!this.#skip(']')) {
-      throw new Broken(this.#at, `A comma or ] is expected, but here is ${this.#here()}.`);
+      throw new Broken(this.#at, `Expected a comma or ], found ${this.#here()}.`);
     }
   }
 
@@ -99,7 +96,7 @@ class Reader {
     if (quoted === undefined) {
       throw new Broken(
         this.#at,
-        'This text in quotes does not end on its line, or has a wrong \\ in it.',
+        'The string does not end on its line, or contains an invalid escape.',
       );
     }
     return JSON.parse(quoted) as string;
@@ -108,7 +105,7 @@ class Reader {
   #word(): void {
     const word = WORDS.find((one) => this.#text.startsWith(one, this.#at));
     if (word === undefined) {
-      throw new Broken(this.#at, `A value is expected, but here is ${this.#here()}.`);
+      throw new Broken(this.#at, `Expected a value, found ${this.#here()}.`);
     }
     this.#at += word.length;
   }

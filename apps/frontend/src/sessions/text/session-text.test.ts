@@ -36,7 +36,7 @@ describe('a session as text', () => {
 
   it.each([
     ['{\n  "name": \n}', { line: 3 }],
-    ['[]', { line: 1, message: 'A session is an object: { … }.' }],
+    ['[]', { line: 1, message: 'Expected a session as an object: { … }.' }],
     ['{\n"processingModules": [\n7]\n}', { line: 3 }],
     ['{\n"name": {}\n}', { line: 2 }],
   ])('says on which line %j is wrong', (text, problem) => {

@@ -44,7 +44,12 @@ export function readSessionText(text: string): ReadSession {
   }
   const value: unknown = JSON.parse(text);
   if (!isObject(value)) {
-    return broken({ isError: true, line: 1, path: '', message: 'A session is an object: { … }.' });
+    return broken({
+      isError: true,
+      line: 1,
+      path: '',
+      message: 'Expected a session as an object: { … }.',
+    });
   }
   try {
     const session = fromJson(SESSION, value);
@@ -52,7 +57,7 @@ export function readSessionText(text: string): ReadSession {
       isError: false,
       path,
       line: lines.lineOf(path),
-      message: `${path} is not known here and is left out.`,
+      message: `${path} is unknown and ignored.`,
     }));
     return { kind: 'read', session, problems };
   } catch (cause) {

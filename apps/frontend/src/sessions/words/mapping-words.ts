@@ -30,10 +30,10 @@ export interface MappedIO {
 }
 
 const IDENTITIES: Readonly<Record<MuxIdentity, string>> = {
-  [MuxIdentity.MUX_IDENTITY_PATTERN]: 'told apart by who publishes',
-  [MuxIdentity.MUX_IDENTITY_CLIENT_ID]: 'told apart by client',
-  [MuxIdentity.MUX_IDENTITY_DEVICE_ID]: 'told apart by device',
-  [MuxIdentity.MUX_IDENTITY_TOPIC]: 'told apart by topic',
+  [MuxIdentity.MUX_IDENTITY_PATTERN]: 'identified by publisher',
+  [MuxIdentity.MUX_IDENTITY_CLIENT_ID]: 'identified by client',
+  [MuxIdentity.MUX_IDENTITY_DEVICE_ID]: 'identified by device',
+  [MuxIdentity.MUX_IDENTITY_TOPIC]: 'identified by topic',
 };
 
 function muxPattern({ component, topicGlob, topicSelector }: TopicMux): string {
@@ -53,7 +53,7 @@ function muxWords(mux: TopicMux): string {
   const { identitySource, identityMatchPattern } = mux;
   if (identitySource === MuxIdentity.MUX_IDENTITY_PATTERN && identityMatchPattern !== '') {
     const isId = identityMatchPattern === UUID_PATTERN;
-    return `told apart by ${isId ? 'the id in the topic' : identityMatchPattern}`;
+    return `identified by ${isId ? 'the id in the topic' : identityMatchPattern}`;
   }
   return IDENTITIES[identitySource] ?? '';
 }

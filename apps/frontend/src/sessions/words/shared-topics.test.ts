@@ -27,7 +27,7 @@ describe('topics that several sessions write', () => {
   it('are told with the names of the others, and found among the problems', () => {
     const [shared] = sharedTopics(one, [one, two]);
     expect(sharedWords(shared!)).toBe(
-      `The session "Two" runs and writes ${topic}, too; whoever writes last wins.`,
+      `The session "Two" runs and writes ${topic}, too; the last record wins.`,
     );
     const row = sessionRow(one, undefined, { shared: [shared!], hasDraft: false });
     expect(filterRows([row], '', 'problems')).toHaveLength(1);

@@ -64,5 +64,5 @@ export function sharedWords({ topic, others }: SharedTopic): string {
     others.length === 1
       ? `The session ${names} runs and writes`
       : `The sessions ${names} run and write`;
-  return `${who} ${topic}, too; whoever writes last wins.`;
+  return `${who} ${topic}, too; the last record wins.`;
 }

@@ -52,11 +52,11 @@ describe('mappedModule', () => {
     expect(muxer({ topicGlob: '/*/touch', identitySource: 1 })).toEqual({
       kind: 'muxer',
       pattern: '/*/touch',
-      words: 'told apart by client',
+      words: 'identified by client',
     });
     expect(muxer({ topicSelector: '.*', identityMatchPattern: '[0-9]+' })).toMatchObject({
       pattern: '.*',
-      words: 'told apart by [0-9]+',
+      words: 'identified by [0-9]+',
     });
     expect(muxer({ component: { messageFormat: 'vector2', tags: ['touch'] } })).toMatchObject({
       pattern: 'components: vector2, tagged touch',

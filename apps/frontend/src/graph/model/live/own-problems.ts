@@ -93,7 +93,7 @@ function* doubleWriters(graph: Graph): Iterable<GraphProblem> {
     const names = writers.map(({ from }) => quoted(nameOf(graph, from.node)));
     const who = names.length === 2 ? `Both ${names.join(' and ')}` : `All of ${names.join(', ')}`;
     yield {
-      ...warning('topic_written_twice', `${who} write this topic; whoever writes last wins.`),
+      ...warning('topic_written_twice', `${who} write this topic; the last record wins.`),
       node: node.id,
       wires: writers.map(({ id }) => id),
     };

@@ -1,4 +1,4 @@
-import { moduleProblems } from '@ubii/pm-sandbox';
+import { DEFAULT_RUNTIME_LIMITS, moduleProblems } from '@ubii/pm-sandbox';
 import { parseDataFormat } from '@ubii/proto';
 import { moduleOf, type ModuleDraft } from './module-draft.ts';
 
@@ -6,8 +6,8 @@ import { moduleOf, type ModuleDraft } from './module-draft.ts';
 export type DraftProblems = ReadonlyMap<string, string>;
 
 const IDENTIFIER = /^[\p{ID_Start}$_][\p{ID_Continue}$]*$/u;
-/** As the runtime limits it. [PM-20] */
-const MAX_HERTZ = 240;
+/** Runs per second that the runtime starts at most. [PM-20] */
+export const MAX_HERTZ = DEFAULT_RUNTIME_LIMITS.maxFrequencyHz;
 
 /** @param taken names of other modules */
 export function draftProblems(draft: ModuleDraft, taken: ReadonlySet<string>): DraftProblems {
@@ -19,7 +19,7 @@ export function draftProblems(draft: ModuleDraft, taken: ReadonlySet<string>): D
   }
   const name = draft.name.trim();
   if (name !== '' && taken.has(name)) {
-    problems.set('name', `There is a module ${name} already. Choose another name.`);
+    problems.set('name', `A module named ${name} exists. Choose another name.`);
   }
   for (const side of ['inputs', 'outputs'] as const) {
     draft[side].forEach((io, index) => {
@@ -27,20 +27,23 @@ export function draftProblems(draft: ModuleDraft, taken: ReadonlySet<string>): D
       if (io.name !== '' && !IDENTIFIER.test(io.name) && !problems.has(`${place}.name`)) {
         problems.set(
           `${place}.name`,
-          'Use letters, digits and _, so that the code can say it as one word.',
+          'Use letters, digits and _ only: the name is an identifier in the code.',
         );
       }
       if (io.format !== '' && parseDataFormat(io.format) === undefined) {
-        problems.set(`${place}.format`, `${io.format} is no data format; any record will pass.`);
+        problems.set(
+          `${place}.format`,
+          `${io.format} is not a data format. Records of any format pass.`,
+        );
       }
     });
   }
   const { kind, hertz, minDelayMs } = draft.mode;
   if (kind === 'frequency' && !(hertz > 0 && hertz <= MAX_HERTZ)) {
-    problems.set('mode.hertz', `Between 0 and ${MAX_HERTZ} times a second, such as 30.`);
+    problems.set('mode.hertz', `Enter a frequency above 0 and up to ${MAX_HERTZ} Hz, such as 30.`);
   }
   if (kind === 'trigger' && !(minDelayMs >= 0)) {
-    problems.set('mode.minDelayMs', 'Milliseconds, 0 or more.');
+    problems.set('mode.minDelayMs', 'Enter 0 ms or more.');
   }
   return problems;
 }

@@ -14,7 +14,7 @@ function modeText({ kind, hertz, minDelayMs, allInputsNeedUpdate }: ModeDraft): 
     case 'lockstep':
       return 'in lockstep';
     case 'free':
-      return 'as often as it can';
+      return 'as often as possible';
   }
 }
 

@@ -48,7 +48,7 @@ describe('the text of a module', () => {
   it('misses onProcessing, and finds what is there twice [PM-1]', () => {
     expect(splitText('').problems[0]?.message).toContain('onProcessing');
     const twice = splitText('onProcessing = () => 1;\nonProcessing = () => 2;');
-    expect(twice.problems).toMatchObject([{ line: 2, message: 'onProcessing is there twice.' }]);
+    expect(twice.problems).toMatchObject([{ line: 2, message: 'onProcessing is defined twice.' }]);
   });
 
   it('finds the place of a fault [PM-13]', () => {

@@ -80,7 +80,7 @@ export function splitText(text: string): ModuleText {
       report(
         from + code,
         'error',
-        'A module consists of its callbacks: put this into one of them, such as onProcessing.',
+        'Code outside the callbacks is not saved. Move it into a callback, such as onProcessing.',
       );
       return;
     }
@@ -89,7 +89,7 @@ export function splitText(text: string): ModuleText {
       report(
         from + comment,
         'warning',
-        'Only what is in the callbacks is kept: move this into one.',
+        'Code outside the callbacks is not saved. Move it into a callback.',
       );
     }
   };
@@ -104,7 +104,7 @@ export function splitText(text: string): ModuleText {
     const source = text.slice(from, end).trim();
     const at = placeOf(text, from + text.slice(from).search(/\S|$/));
     if (sections.some((one) => one.callback === callback)) {
-      report(start.index, 'error', `${callback} is there twice.`);
+      report(start.index, 'error', `${callback} is defined twice.`);
     } else if (source === '') {
       report(start.index, 'error', `${callback} needs a function after the equals sign.`);
     } else sections.push({ callback, source, at });

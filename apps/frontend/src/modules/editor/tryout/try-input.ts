@@ -108,8 +108,7 @@ export function recordsOf(io: IoDraft, input: TryInput): TryRecords {
     } catch (cause) {
       return { problem: `This is not JSON: ${cause instanceof Error ? cause.message : ''}` };
     }
-    if (!io.isList && members.length !== 1)
-      return { problem: 'One record is expected, not a list.' };
+    if (!io.isList && members.length !== 1) return { problem: 'Enter one record, not a list.' };
   }
   const records: { topic: string; bytes: Uint8Array }[] = [];
   for (const [index, member] of members.entries()) {
