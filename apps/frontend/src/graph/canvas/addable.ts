@@ -11,6 +11,8 @@ import type { NewNode } from './new-nodes.ts';
 export interface AddableSources {
   readonly modules: readonly ProcessingModule[];
   readonly topics: readonly KnownTopic[];
+  /** What a topic is called in lists; found by that, too. */
+  readonly nameTopic?: (topic: string) => string;
 }
 
 /** Something that can be added, by itself or at the end of a wire; or a socket to connect to. */
@@ -39,13 +41,13 @@ const PARTS = {
  */
 export function addables(
   graph: Graph,
-  { modules, topics }: AddableSources,
+  { modules, topics, nameTopic }: AddableSources,
   typed: string,
   end: PortRef | undefined,
 ): Addable[] {
   const known = topics.filter(({ topic }) => !isMasterTopic(topic) && !isExtensionTopic(topic));
   const all = end === undefined ? looseItems(modules, known) : offers(graph, end, modules, known);
-  return [...bestFirst(graph, all, typed), ...newTopic(graph, typed.trim(), known, end)].slice(
+  return [...bestFirst(graph, all, typed, nameTopic), ...newTopic(graph, typed.trim(), known, end)].slice(
     0,
     MAX_SHOWN,
   );
@@ -73,10 +75,15 @@ export function moduleOf({ item, offer }: Addable): ProcessingModule | undefined
 }
 
 /** What has all the words; the modules among it with the best first. */
-function bestFirst(graph: Graph, all: readonly Addable[], typed: string): Addable[] {
+function bestFirst(
+  graph: Graph,
+  all: readonly Addable[],
+  typed: string,
+  nameTopic: AddableSources['nameTopic'] = (topic) => topic,
+): Addable[] {
   const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
   const has = ({ text, hint }: Addable): boolean =>
-    words.every((word) => `${text} ${hint}`.toLowerCase().includes(word));
+    words.every((word) => `${text} ${nameTopic(text)} ${hint}`.toLowerCase().includes(word));
   const isModule = (one: Addable): boolean => moduleOf(one) !== undefined;
   const at = Math.max(0, all.findIndex(isModule));
   const others = (part: readonly Addable[]): Addable[] =>

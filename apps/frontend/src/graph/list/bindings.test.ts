@@ -59,8 +59,20 @@ describe('what an input can read', () => {
   it('is found by words, and may be a topic that is not there yet', () => {
     expect(of('sink.in', 'live num').map(({ text }) => text)).toEqual(['/live/number']);
     expect(of('sink.in', 'later')[0]).toMatchObject({ text: 'New topic /later', group: 'topics' });
+    // What exists is preferred: Enter takes the first.
+    expect(of('sink.in', 'number').map(({ text }) => text)).toEqual([
+      '/live/number',
+      'New topic /number',
+    ]);
+    expect(of('source.out', 'number').map(({ text }) => text)[0]).toBe('/live/number');
     expect(of('sink.in', '/n').map(({ text }) => text)).not.toContain('New topic /n');
   });
+});
+
+it('is found by the name of the client that publishes it', () => {
+  const named = { ...sources, nameTopic: (topic: string) => `${topic} · Ines` };
+  const texts = bindings(graph, ref(graph, 'sink.in'), named, 'ines num', uuid);
+  expect(texts[0]).toMatchObject({ text: '/live/number' });
 });
 
 describe('where an output can lead', () => {

@@ -42,7 +42,7 @@ const MAX_SHOWN = 80;
 export function bindings(
   graph: Graph,
   ref: PortRef,
-  { modules, topics }: AddableSources,
+  { modules, topics, nameTopic = (topic) => topic }: AddableSources,
   typed: string,
   uuid: () => string = randomUuid,
 ): Binding[] {
@@ -50,7 +50,7 @@ export function bindings(
   if (own === undefined) return [];
   const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
   const said = ({ text, hint }: Pick<Binding, 'text' | 'hint'>): boolean =>
-    words.every((word) => `${text} ${hint}`.toLowerCase().includes(word));
+    words.every((word) => `${text} ${nameTopic(text)} ${hint}`.toLowerCase().includes(word));
   const used = topicsOf(graph);
   const known = topics.filter(
     ({ topic }) => !isMasterTopic(topic) && !isExtensionTopic(topic) && !used.has(topic),
@@ -62,9 +62,12 @@ export function bindings(
       return toTopic(graph, ref, topic, look, modules, uuid) ?? [];
     }),
   ].filter(said);
-  const rank = (one: Binding): number => ['session', 'topics', 'misfits'].indexOf(one.group);
-  all.sort((a, b) => rank(a) - rank(b));
-  return [...newTopic(graph, ref, typed.trim(), topics, uuid), ...all].slice(0, MAX_SHOWN);
+  const of = (group: Binding['group']): Binding[] => all.filter((one) => one.group === group);
+  const made = newTopic(graph, ref, typed.trim(), topics, uuid);
+  const fitting = [...of('session'), ...of('topics')];
+  // What exists goes before what is made, unless nothing was typed: then an output gets a topic of its own.
+  const best = typed.trim() === '' ? [...made, ...fitting] : [...fitting, ...made];
+  return [...best, ...of('misfits')].slice(0, MAX_SHOWN);
 }
 
 /** Ports on the other side, of other nodes. */

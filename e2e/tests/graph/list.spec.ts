@@ -1,0 +1,53 @@
+import { placedSession } from '../../fixtures/placed-session.ts';
+import { expect, test } from '../../fixtures/test.ts';
+import { GraphPage } from '../../pages/graph-page.ts';
+
+test('on a wide screen the list has the room of the canvas, and prefers topics that exist', async ({
+  master,
+  room,
+}) => {
+  const ines = await room.withPhone('Ines');
+  await ines.page.goto('/examples/mouse-pointer');
+  await ines.page.getByRole('application', { name: 'Pointer pad' }).tap();
+
+  const { page } = await room.atDesk('Anna');
+  const graph = new GraphPage({ page });
+  const modules = { first: { x: 0, y: 0, writes: '/a' }, second: { x: 320, y: 0, reads: '/a' } };
+  await graph.open(await placedSession(master, modules));
+  await page.getByRole('button', { name: 'Show as a list' }).click();
+  const list = page.getByRole('list', { name: 'Nodes of the graph' });
+  const { innerWidth } = await page.evaluate(() => ({ innerWidth: window.innerWidth }));
+
+  await test.step('nodes are wide enough to be read, and the bar stays inside', async () => {
+    const node = await list.getByRole('listitem').first().boundingBox();
+    expect(node!.width).toBeGreaterThan(320);
+    const [bar, rows] = [await graph.life.boundingBox(), await list.boundingBox()];
+    expect(rows!.width).toBeGreaterThan(innerWidth / 3);
+    expect(bar!.x).toBeGreaterThanOrEqual(rows!.x);
+    expect(bar!.x + bar!.width).toBeLessThanOrEqual(rows!.x + rows!.width);
+  });
+
+  await test.step('a topic of a client goes by its name, and is found by it', async () => {
+    await list
+      .getByRole('button', { name: /^Input value/ })
+      .first()
+      .click();
+    const field = page.getByRole('combobox', { name: 'Find what fits' });
+    await field.fill('ines position');
+    const first = page.getByRole('option').first();
+    await expect(first).toContainText(/mouse_(client|server)_position · Ines/);
+    await expect(first).not.toContainText(/[0-9a-f]{8}-/);
+    await page.keyboard.press('Escape');
+  });
+  await test.step('a name that is typed in part finds what exists', async () => {
+    await list
+      .getByRole('button', { name: /^Input value/ })
+      .first()
+      .click();
+    await page.getByRole('combobox', { name: 'Find what fits' }).fill('second');
+    await page.keyboard.press('Enter');
+    await expect(list.getByRole('button', { name: /^Input value/ }).first()).toContainText(
+      'second · result',
+    );
+  });
+});
