@@ -9,7 +9,7 @@ import {
 } from '@ubii/pm-sandbox';
 import { fromJson, parseDataFormat, toJson, type ProcessingModule } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { formatOf, isList } from '../test/drive-module.ts';
+import { driveDirectly, formatOf, isList } from '../test/drive-module.ts';
 import { freeNames } from '../test/free-names.ts';
 import { expectKnownNames } from '../test/known-names.ts';
 import { WAYS } from '../test/ways.ts';
@@ -64,6 +64,27 @@ describe('the pages of the library', () => {
   });
 });
 
+/** Values for inputs without a default, another each time. */
+function samples(module: AnyModuleDefinition, index: number): Record<string, unknown> {
+  const number = [0.7, 0.2, 0.9, 0.4][index]!;
+  const vector = { x: number, y: 1 - number, z: number / 2, w: 1 };
+  const values: Readonly<Record<string, unknown>> = {
+    double: number,
+    int32: index,
+    bool: index % 2 === 0,
+    vector2: { x: vector.x, y: vector.y },
+    vector3: { x: vector.x, y: vector.y, z: vector.z },
+    vector4: vector,
+    quaternion: vector,
+  };
+  return Object.fromEntries(
+    Object.entries(module.inputs as Readonly<Record<string, IoInit>>).flatMap(([name, init]) => {
+      const isFree = typeof init === 'string' && values[init] !== undefined;
+      return isFree ? [[name, values[init]]] : [];
+    }),
+  );
+}
+
 describe.each(MODULES.map((module) => [module.name, module] as const))('%s', (_name, module) => {
   it('is the same after a journey as JSON [PM-1] [PM-2]', () => {
     const wire = moduleToWire(module);
@@ -87,6 +108,24 @@ describe.each(MODULES.map((module) => [module.name, module] as const))('%s', (_n
       ...parseModule(libraryModule(module.name)),
       source: undefined,
     });
+  });
+
+  it('names the defaults that its callback uses [PM-5]', async () => {
+    const defaults = Object.entries(module.inputs as Readonly<Record<string, IoInit>>).flatMap(
+      ([name, init]) =>
+        typeof init === 'object' && init.default !== undefined ? [[name, init.default]] : [],
+    );
+    const http = { get: () => new Promise(() => {}) };
+    const [bare, filled] = await Promise.all([1, 2].map(() => driveDirectly(module, { http })));
+    for (const [index, deltaMs] of [0, 16, 40, 900].entries()) {
+      const given = samples(module, index);
+      const without = await bare!.run(deltaMs, given);
+      const withDefaults = await filled!.run(deltaMs, { ...given, ...Object.fromEntries(defaults) });
+      // How long something took is never the same.
+      delete without['durationMs'];
+      delete withDefaults['durationMs'];
+      expect(withDefaults).toEqual(without);
+    }
   });
 
   it.each(WAYS)('runs before anything came, %s', async (_way, drive) => {

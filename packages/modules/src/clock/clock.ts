@@ -10,11 +10,11 @@ export const clock = defineProcessingModule({
   authors: ['Ubi-Interact'],
   version: '1.0.0',
   inputs: {
-    waveHz: 'double',
-    amplitude: 'double',
-    offset: 'double',
-    phase: 'double',
-    dutyCycle: 'double',
+    waveHz: { format: 'double', default: 1 },
+    amplitude: { format: 'double', default: 1 },
+    offset: { format: 'double', default: 0 },
+    phase: { format: 'double', default: 0 },
+    dutyCycle: { format: 'double', default: 0.5 },
   },
   outputs: {
     count: 'int32',

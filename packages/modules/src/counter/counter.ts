@@ -8,7 +8,7 @@ export const counter = defineProcessingModule({
   tags: ['event', 'number', 'counter'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { event: 'bool', reset: 'bool', step: 'int32' },
+  inputs: { event: 'bool', reset: 'bool', step: { format: 'int32', default: 1 } },
   outputs: { count: 'int32' },
   mode: { triggerOnInput: {} },
   createState: (): { count: number; told: number | undefined; wasOn: boolean } => ({

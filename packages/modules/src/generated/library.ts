@@ -65,26 +65,31 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'waveHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'amplitude',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'offset',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0}',
       },
       {
         internalName: 'phase',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0}',
       },
       {
         internalName: 'dutyCycle',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0.5}',
       },
     ],
     outputs: [
@@ -163,6 +168,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'step',
         messageFormat: 'int32',
         isRecordList: false,
+        defaultJson: '{"int32":1}',
       },
     ],
     outputs: [
@@ -210,11 +216,13 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'intervalMs',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1000}',
       },
       {
         internalName: 'timeoutMs',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":10000}',
       },
     ],
     outputs: [
@@ -311,6 +319,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'iterations',
         messageFormat: 'int32',
         isRecordList: false,
+        defaultJson: '{"int32":1000}',
       },
       {
         internalName: 'stamp',
@@ -374,6 +383,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'cutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
     ],
     outputs: [
@@ -418,6 +428,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'cutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
     ],
     outputs: [
@@ -462,6 +473,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'cutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
     ],
     outputs: [
@@ -506,6 +518,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'cutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
     ],
     outputs: [
@@ -550,6 +563,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'cutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
     ],
     outputs: [
@@ -593,36 +607,43 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'inMin',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0}',
       },
       {
         internalName: 'inMax',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'outMin',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0}',
       },
       {
         internalName: 'outMax',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'clamp',
         messageFormat: 'bool',
         isRecordList: false,
+        defaultJson: '{"bool":true}',
       },
       {
         internalName: 'invert',
         messageFormat: 'bool',
         isRecordList: false,
+        defaultJson: '{"bool":false}',
       },
       {
         internalName: 'exponent',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
     ],
     outputs: [
@@ -802,11 +823,13 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'mirrorX',
         messageFormat: 'bool',
         isRecordList: false,
+        defaultJson: '{"bool":false}',
       },
       {
         internalName: 'mirrorY',
         messageFormat: 'bool',
         isRecordList: false,
+        defaultJson: '{"bool":false}',
       },
     ],
     outputs: [
@@ -858,16 +881,19 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'gainA',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'gainB',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'gainC',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
     ],
     outputs: [
@@ -904,21 +930,25 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'amplitude',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'offset',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0}',
       },
       {
         internalName: 'walkSpeed',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'seed',
         messageFormat: 'int32',
         isRecordList: false,
+        defaultJson: '{"int32":1}',
       },
     ],
     outputs: [
@@ -973,16 +1003,19 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'minCutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'beta',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'derivativeCutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
     ],
     outputs: [
@@ -1027,16 +1060,19 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'minCutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'beta',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'derivativeCutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
     ],
     outputs: [
@@ -1081,16 +1117,19 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'minCutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'beta',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'derivativeCutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
     ],
     outputs: [
@@ -1135,16 +1174,19 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'minCutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'beta',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'derivativeCutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
     ],
     outputs: [
@@ -1189,16 +1231,19 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'minCutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'beta',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
       {
         internalName: 'derivativeCutoffHz',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1}',
       },
     ],
     outputs: [
@@ -1324,6 +1369,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'threshold',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0}',
       },
     ],
     outputs: [
@@ -1376,6 +1422,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'saturation',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0.8}',
       },
     ],
     outputs: [
@@ -1421,6 +1468,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'smoothingMs',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":60}',
       },
     ],
     outputs: [
@@ -1475,11 +1523,13 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'windowMs',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":1000}',
       },
       {
         internalName: 'windowCount',
         messageFormat: 'int32',
         isRecordList: false,
+        defaultJson: '{"int32":0}',
       },
     ],
     outputs: [
@@ -1543,16 +1593,19 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'width',
         messageFormat: 'int32',
         isRecordList: false,
+        defaultJson: '{"int32":96}',
       },
       {
         internalName: 'height',
         messageFormat: 'int32',
         isRecordList: false,
+        defaultJson: '{"int32":54}',
       },
       {
         internalName: 'turnsPerSecond',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0.2}',
       },
     ],
     outputs: [
@@ -1596,11 +1649,13 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'threshold',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0.5}',
       },
       {
         internalName: 'hysteresis',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0}',
       },
     ],
     outputs: [
@@ -1664,21 +1719,25 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'distance',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0.1}',
       },
       {
         internalName: 'hysteresis',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":0.02}',
       },
       {
         internalName: 'vibrationMs',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":100}',
       },
       {
         internalName: 'maxAgeMs',
         messageFormat: 'double',
         isRecordList: false,
+        defaultJson: '{"double":2000}',
       },
     ],
     outputs: [

@@ -32,7 +32,12 @@ export const httpPoller = defineProcessingModule({
   authors: ['Ubi-Interact'],
   version: '1.0.0',
   libraries: ['http'],
-  inputs: { url: 'string', path: 'string', intervalMs: 'double', timeoutMs: 'double' },
+  inputs: {
+    url: 'string',
+    path: 'string',
+    intervalMs: { format: 'double', default: 1000 },
+    timeoutMs: { format: 'double', default: 10000 },
+  },
   outputs: { number: 'double', text: 'string', status: 'int32', error: 'string' },
   mode: { frequency: { hertz: 10 } },
   createState: (): PollerState => ({ nowMs: 0, dueMs: 0, request: undefined, error: '' }),

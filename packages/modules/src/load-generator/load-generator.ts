@@ -11,7 +11,7 @@ export const loadGenerator = defineProcessingModule({
   tags: ['load', 'benchmark', 'performance'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { iterations: 'int32', stamp: 'double' },
+  inputs: { iterations: { format: 'int32', default: 1000 }, stamp: 'double' },
   outputs: { result: 'double', durationMs: 'double', runs: 'int32', echo: 'double' },
   mode: { frequency: { hertz: 30 } },
   createState: () => ({ runs: 0 }),

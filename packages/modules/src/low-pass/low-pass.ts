@@ -88,7 +88,7 @@ function defineLowPass<const F extends SmoothFormat>(name: string, format: F) {
     tags: ['filter', 'smoothing', 'low-pass'],
     authors: ['Ubi-Interact'],
     version: '1.0.0',
-    inputs: { value: format, cutoffHz: 'double' },
+    inputs: { value: format, cutoffHz: { format: 'double', default: 1 } },
     outputs: { smoothed: format },
     mode: { triggerOnInput: {} },
     createState: (): LowPassState => ({ smoothed: undefined, waitedMs: 0 }),

@@ -11,7 +11,11 @@ export const mirrorPointer = defineProcessingModule({
   tags: ['pointer', 'vector', 'example'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { pointer: 'vector2', mirrorX: 'bool', mirrorY: 'bool' },
+  inputs: {
+    pointer: 'vector2',
+    mirrorX: { format: 'bool', default: false },
+    mirrorY: { format: 'bool', default: false },
+  },
   outputs: { mirrored: 'vector2' },
   mode: { triggerOnInput: {} },
   onProcessing(_deltaTimeMs, inputs, state) {

@@ -15,7 +15,12 @@ export const noise = defineProcessingModule({
   tags: ['source', 'generator', 'number', 'random'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { amplitude: 'double', offset: 'double', walkSpeed: 'double', seed: 'int32' },
+  inputs: {
+    amplitude: { format: 'double', default: 1 },
+    offset: { format: 'double', default: 0 },
+    walkSpeed: { format: 'double', default: 1 },
+    seed: { format: 'int32', default: 1 },
+  },
   outputs: { uniform: 'double', normal: 'double', walk: 'double' },
   mode: { frequency: { hertz: 30 } },
   createState: (): { seed: number | undefined; random: number; walk: number } => ({

@@ -111,7 +111,12 @@ function defineOneEuro<const F extends SmoothFormat>(name: string, format: F) {
     tags: ['filter', 'smoothing', 'one-euro'],
     authors: ['Ubi-Interact'],
     version: '1.0.0',
-    inputs: { value: format, minCutoffHz: 'double', beta: 'double', derivativeCutoffHz: 'double' },
+    inputs: {
+      value: format,
+      minCutoffHz: { format: 'double', default: 1 },
+      beta: { format: 'double', default: 1 },
+      derivativeCutoffHz: { format: 'double', default: 1 },
+    },
     outputs: { smoothed: format },
     mode: { triggerOnInput: {} },
     createState: (): OneEuroState => ({ smoothed: undefined, speed: [], waitedMs: 0 }),

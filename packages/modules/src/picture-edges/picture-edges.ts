@@ -13,7 +13,7 @@ export const pictureEdges = defineProcessingModule({
   tags: ['image', 'filter', 'edge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { picture: 'image2D', threshold: 'double' },
+  inputs: { picture: 'image2D', threshold: { format: 'double', default: 0 } },
   outputs: { grey: 'image2D', edges: 'image2D', error: 'string' },
   mode: { triggerOnInput: {} },
   createState: () => ({ error: '' }),

@@ -8,7 +8,7 @@ export const positionColor = defineProcessingModule({
   tags: ['color', 'vector', 'pointer', 'convert'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { position: 'vector2', saturation: 'double' },
+  inputs: { position: 'vector2', saturation: { format: 'double', default: 0.8 } },
   outputs: { color: 'color', hex: 'string' },
   mode: { triggerOnInput: {} },
   onProcessing(_deltaTimeMs, inputs) {

@@ -19,7 +19,7 @@ export const speedVector2 = defineProcessingModule({
   tags: ['vector', 'number', 'derivative', 'pointer'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { position: 'vector2', smoothingMs: 'double' },
+  inputs: { position: 'vector2', smoothingMs: { format: 'double', default: 60 } },
   outputs: { velocity: 'vector2', speed: 'double', distance: 'double' },
   mode: { frequency: { hertz: 30 } },
   createState: (): SpeedState => ({

@@ -35,7 +35,11 @@ export const statistics = defineProcessingModule({
   tags: ['number', 'statistics', 'window'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { value: 'double', windowMs: 'double', windowCount: 'int32' },
+  inputs: {
+    value: 'double',
+    windowMs: { format: 'double', default: 1000 },
+    windowCount: { format: 'int32', default: 0 },
+  },
   outputs: {
     count: 'int32',
     mean: 'double',

@@ -9,7 +9,11 @@ export const testPicture = defineProcessingModule({
   tags: ['source', 'generator', 'image'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { width: 'int32', height: 'int32', turnsPerSecond: 'double' },
+  inputs: {
+    width: { format: 'int32', default: 96 },
+    height: { format: 'int32', default: 54 },
+    turnsPerSecond: { format: 'double', default: 0.2 },
+  },
   outputs: { picture: 'image2D' },
   mode: { frequency: { hertz: 12 } },
   createState: () => ({ turns: 0 }),

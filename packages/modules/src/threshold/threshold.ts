@@ -9,7 +9,11 @@ export const threshold = defineProcessingModule({
   tags: ['event', 'number', 'edge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { value: 'double', threshold: 'double', hysteresis: 'double' },
+  inputs: {
+    value: 'double',
+    threshold: { format: 'double', default: 0.5 },
+    hysteresis: { format: 'double', default: 0 },
+  },
   outputs: { isAbove: 'bool', rose: 'bool', fell: 'bool', riseCount: 'int32' },
   mode: { triggerOnInput: {} },
   createState: (): { isAbove: boolean | undefined; riseCount: number } => ({

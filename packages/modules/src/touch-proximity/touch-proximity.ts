@@ -34,10 +34,10 @@ export const touchProximity = defineProcessingModule({
   inputs: {
     touches: { format: 'vector2', list: true },
     touching: { format: 'bool', list: true },
-    distance: 'double',
-    hysteresis: 'double',
-    vibrationMs: 'double',
-    maxAgeMs: 'double',
+    distance: { format: 'double', default: 0.1 },
+    hysteresis: { format: 'double', default: 0.02 },
+    vibrationMs: { format: 'double', default: 100 },
+    maxAgeMs: { format: 'double', default: 2000 },
   },
   outputs: {
     vibration: { format: 'double', list: true },

@@ -1,7 +1,15 @@
 import type { DataFormat, DataFormatValues, Init, Timestamp } from '@ubii/proto';
 
-/** How an input or output is declared: its data format, or that and whether it is a list of records. */
-export type IoInit = DataFormat | { readonly format: DataFormat; readonly list?: boolean };
+/** How an input or output is declared: its data format, or that with more. */
+export type IoInit =
+  | DataFormat
+  | {
+      readonly format: DataFormat;
+      /** A list of records. */
+      readonly list?: boolean;
+      /** Of an input: the value the callbacks use while nothing is connected, for people. [PM-5] */
+      readonly default?: unknown;
+    };
 
 /** Inputs or outputs by their internal names. */
 export type IoInits = Readonly<Record<string, IoInit>>;

@@ -48,8 +48,14 @@ function createdSource({ createState, onCreated }: AnyModuleDefinition): string 
 
 function ioToWire(inits: IoInits): Init<ModuleIO>[] {
   return Object.entries(inits).map(([internalName, init]) => {
-    const { format, list = false } = typeof init === 'string' ? { format: init } : init;
-    return { internalName, messageFormat: DATA_FORMATS[format].messageType, isRecordList: list };
+    const io = typeof init === 'string' ? { format: init } : init;
+    const { format, list = false, default: value } = io;
+    return {
+      internalName,
+      messageFormat: DATA_FORMATS[format].messageType,
+      isRecordList: list,
+      ...(value !== undefined && { defaultJson: JSON.stringify({ [format]: value }) }),
+    };
   });
 }
 

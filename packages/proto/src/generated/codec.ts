@@ -2447,16 +2447,18 @@ export function encodeModuleIO(m: Init<T.ModuleIO>, w: Writer): void {
   if (m.internalName != null) w.string(10, m.internalName);
   if (m.messageFormat != null) w.string(18, m.messageFormat);
   if (m.isRecordList != null) w.bool(24, m.isRecordList);
+  if (m.defaultJson != null) w.string(8002, m.defaultJson);
 }
 
 export function decodeModuleIO(r: Reader, into?: T.ModuleIO): T.ModuleIO {
-  const m: T.ModuleIO = into ?? { internalName: '', messageFormat: '', isRecordList: false };
+  const m: T.ModuleIO = into ?? { internalName: '', messageFormat: '', isRecordList: false, defaultJson: '' };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 10: m.internalName = r.string(); break;
       case 18: m.messageFormat = r.string(); break;
       case 24: m.isRecordList = r.bool(); break;
+      case 8002: m.defaultJson = r.string(); break;
       default: skipField(r, tag);
     }
   }

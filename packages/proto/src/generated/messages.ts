@@ -2311,6 +2311,11 @@ export interface ModuleIO {
   messageFormat: string;
   /** True when it is a list of records, as multiplexers yield and demultiplexers take. */
   isRecordList: boolean;
+  /**
+   * Of an input: the value the callbacks use while nothing is connected, as JSON such as {"double":1}; empty where there
+   * is none. Rule PM-5.
+   */
+  defaultJson: string;
 }
 
 /**

@@ -740,6 +740,7 @@ message ubii.processing.ModuleIO
 1 internal_name string
 2 message_format string
 3 is_record_list bool
+1000 default_json string
 message ubii.processing.ProcessingMode
 1 frequency ubii.processing.ProcessingMode.Frequency mode
 2 lockstep ubii.processing.ProcessingMode.Lockstep mode

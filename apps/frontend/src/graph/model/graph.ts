@@ -33,6 +33,8 @@ export interface Port {
   readonly isList: boolean;
   /** False: a mapping names it, the module does not know it. [SE-4] */
   readonly isDeclared: boolean;
+  /** Of an input: what the module uses while nothing is connected, such as `{"double":1}`. [PM-5] */
+  readonly defaultJson?: string | undefined;
 }
 
 interface NodeBase {

@@ -89,7 +89,7 @@ function sidePorts(
 ): Iterable<Port> {
   const idOf = direction === 'in' ? inputPort : outputPort;
   const ports = new Map<string, Port>();
-  for (const { internalName, messageFormat, isRecordList } of declared) {
+  for (const { internalName, messageFormat, isRecordList, defaultJson } of declared) {
     if (ports.has(internalName)) continue;
     ports.set(internalName, {
       id: idOf(internalName),
@@ -99,6 +99,7 @@ function sidePorts(
       formatText: messageFormat,
       isList: isRecordList,
       isDeclared: true,
+      defaultJson: defaultJson || undefined,
     });
   }
   for (const name of mapped) {

@@ -1,4 +1,5 @@
 import {
+  fromJson,
   decode,
   encode,
   ProcessingModuleLanguage,
@@ -52,6 +53,28 @@ describe('a module of a session', () => {
     expect(new Set(ids).size).toBe(4);
     const taken = complete({ processingModules: [{ id: UUID }] }, { isTaken: () => true });
     expect(taken.modules[0]?.spec.id).not.toBe(UUID);
+  });
+
+  it('has the defaults of its inputs from the library [PM-5]', () => {
+    const offered = fromJson('ubii.processing.ProcessingModule', {
+      name: 'm',
+      inputs: [
+        { internalName: 'a', messageFormat: 'double', defaultJson: '{"double":1}' },
+        { internalName: 'b', messageFormat: 'double', defaultJson: '{"double":2}' },
+      ],
+    });
+    const stored = () => ({ module: offered, isTrusted: true });
+    const inputs = [
+      { internalName: 'a', messageFormat: 'double' },
+      { internalName: 'b', messageFormat: 'bool' },
+      { internalName: 'c', messageFormat: 'double' },
+    ];
+    const [draft] = complete({ processingModules: [{ name: 'm', inputs }] }, { stored }).modules;
+    expect(draft?.spec.inputs.map(({ defaultJson }) => defaultJson)).toEqual([
+      '{"double":1}',
+      '',
+      '',
+    ]);
   });
 
   it('is completed from the library, its callbacks together [SE-1]', () => {

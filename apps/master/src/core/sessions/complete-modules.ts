@@ -1,6 +1,7 @@
 import {
   isUuid,
   type IOMapping,
+  type ModuleIO,
   type ProcessingModule,
   type Session,
   type SessionProblem,
@@ -100,7 +101,7 @@ function mergeModules(
     tags: given.tags.length > 0 ? given.tags : base.tags,
     description: given.description || base.description,
     processingMode: hasMode(given) ? given.processingMode : base.processingMode,
-    inputs: given.inputs.length > 0 ? given.inputs : base.inputs,
+    inputs: given.inputs.length > 0 ? withDefaults(given.inputs, base.inputs) : base.inputs,
     outputs: given.outputs.length > 0 ? given.outputs : base.outputs,
     language: given.language || base.language,
     onProcessingStringified: code.onProcessingStringified,
@@ -109,6 +110,16 @@ function mergeModules(
     onDestroyedStringified: code.onDestroyedStringified,
     extension: given.extension ?? base.extension,
   };
+}
+
+/** Defaults are told by who offers the module [PM-5]. */
+function withDefaults(given: readonly ModuleIO[], base: readonly ModuleIO[]): ModuleIO[] {
+  return given.map((input) => {
+    const { internalName, messageFormat, defaultJson } = input;
+    const offered = base.find((other) => other.internalName === internalName);
+    const isToAdd = defaultJson === '' && offered?.messageFormat === messageFormat;
+    return isToAdd ? { ...input, defaultJson: offered.defaultJson } : input;
+  });
 }
 
 /** Mappings go to the module of their id, else to those of their name, in order [SE-2]. */

@@ -136,6 +136,7 @@ export const TEXT_RULES: Readonly<Record<string, TextRule>> = {
   'ubii.processing.ProcessingMode.Lockstep.process_request_endpoint': IDENTIFIER,
   'ubii.processing.ModuleIO.internal_name': IDENTIFIER,
   'ubii.processing.ModuleIO.message_format': IDENTIFIER,
+  'ubii.processing.ModuleIO.default_json': JSON_TEXT,
   'ubii.extension.ModuleExtension.version': WORD,
   'ubii.extension.ModuleExtension.libraries': IDENTIFIER,
   'ubii.extension.ModuleExtension.grant_ids': OF_MASTER,

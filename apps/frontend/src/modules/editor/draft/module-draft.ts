@@ -17,6 +17,8 @@ export interface IoDraft {
   /** Short name of a data format, what the module says when it is another one, or empty for any. */
   readonly format: string;
   readonly isList: boolean;
+  /** Of an input: what the callbacks use while nothing is connected. [PM-5] */
+  readonly defaultJson?: string;
 }
 
 export type ModeKind = 'frequency' | 'trigger' | 'lockstep' | 'free';
@@ -46,11 +48,12 @@ export interface ModuleDraft {
 
 const DEFAULT_HERTZ = 30;
 
-function ioDraft({ internalName, messageFormat, isRecordList }: ModuleIO): IoDraft {
+function ioDraft({ internalName, messageFormat, isRecordList, defaultJson }: ModuleIO): IoDraft {
   return {
     name: internalName,
     format: parseDataFormat(messageFormat) ?? messageFormat,
     isList: isRecordList,
+    ...(defaultJson !== '' && { defaultJson }),
   };
 }
 
@@ -79,12 +82,13 @@ export function draftOf(module: ProcessingModule): ModuleDraft {
   };
 }
 
-function ioOf({ name, format, isList }: IoDraft): Init<ModuleIO> {
+function ioOf({ name, format, isList, defaultJson }: IoDraft): Init<ModuleIO> {
   const known = parseDataFormat(format);
   return {
     internalName: name,
     messageFormat: known ? DATA_FORMATS[known].messageType : format,
     isRecordList: isList,
+    ...(defaultJson !== undefined && { defaultJson }),
   };
 }
 
