@@ -2,6 +2,29 @@ import { placedSession } from '../../fixtures/placed-session.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { GraphPage } from '../../pages/graph-page.ts';
 
+test('the palette is made wider with mouse or keys, which is remembered', async ({
+  master,
+  room,
+}) => {
+  const { page } = await room.atDesk('Anna');
+  const graph = new GraphPage({ page });
+  await graph.open(await placedSession(master, { only: { x: 0, y: 0 } }));
+  const edge = page.getByRole('separator', { name: 'Width of the palette' });
+  const width = async (): Promise<number> => (await graph.palette.boundingBox())!.width;
+  const before = await width();
+  const { x, y } = (await edge.boundingBox())!;
+  await page.mouse.move(x + 4, y + 200);
+  await page.mouse.down();
+  await page.mouse.move(x + 84, y + 200, { steps: 4 });
+  await page.mouse.up();
+  await expect.poll(width).toBeCloseTo(before + 80, 0);
+  await edge.focus();
+  await page.keyboard.press('ArrowRight');
+  await expect.poll(width).toBeCloseTo(before + 96, 0);
+  await page.reload();
+  await expect(edge).toHaveAttribute('aria-valuenow', String(Math.round(before + 96)));
+});
+
 test('on a wide screen the list has the room of the canvas, and prefers topics that exist', async ({
   master,
   room,

@@ -183,7 +183,7 @@ test('a module that nobody has any more is a placeholder that says what to do', 
     topic: SERVICES.clientDeregistration.topic,
     client: { id: client.id },
   });
-  await expect(pose).toContainText('Nobody has this module', LISTS);
+  await expect(pose).toContainText('No node has this module', LISTS);
   await pose.click({ position: { x: 60, y: 12 } });
   await expect(graph.inspector).toContainText('There is no module "body-pose"');
   await expect(

@@ -62,7 +62,7 @@ test('a panel is moved, shown alone, removed, and what was done is undone', asyn
   await angle.getByRole('button', { name: 'Show all panels' }).click();
   await expect(state).toBeVisible();
 
-  await anna.choose('/lab/state', 'Remove');
+  await anna.choose('/lab/state', 'Remove panel');
   await expect(anna.panels).toHaveCount(1);
   await anna.page.getByRole('button', { name: 'Undo' }).click();
   await expect(anna.panels).toHaveCount(2);

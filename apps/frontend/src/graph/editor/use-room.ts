@@ -1,4 +1,4 @@
-import { useMediaQuery } from '@vueuse/core';
+import { useLocalStorage, useMediaQuery } from '@vueuse/core';
 import { computed, ref, type ComputedRef, type Ref } from 'vue';
 import type { GraphEditor } from './graph-editor.ts';
 
@@ -13,6 +13,8 @@ export interface Room {
   readonly view: Ref<'graph' | 'list'>;
   readonly isPaletteOpen: Ref<boolean>;
   readonly isInspectorOpen: Ref<boolean>;
+  /** Pixels; remembered by this browser. */
+  readonly paletteWidth: Ref<number>;
   readonly hasInspector: ComputedRef<boolean>;
   closeInspector(): void;
 }
@@ -35,6 +37,7 @@ export function useRoom(editor: GraphEditor, isEmbedded = false): Room {
     view,
     isPaletteOpen,
     isInspectorOpen,
+    paletteWidth: useLocalStorage('ubii.paletteWidth', 240),
     hasInspector: computed(
       () =>
         !isCompact.value ||

@@ -46,7 +46,7 @@ export function usePresence(editor: GraphEditor, saving: Saving): Presence {
   const hasOthers = computed(() => present.value.length > 0);
   /** Who saved what, also after they have left. */
   const savers = shallowRef<ReadonlyMap<number, string>>(new Map());
-  const nameOf = (id: string): string => clients.find(id)?.name ?? 'Somebody';
+  const nameOf = (id: string): string => clients.find(id)?.name ?? 'Another client';
 
   function show({ arrived, left }: BoardChange, isSaid: boolean): void {
     present.value = board.list;

@@ -48,8 +48,8 @@ export const TEMPLATES: readonly Template[] = [
   ),
   template(
     'gather-pointers',
-    'Gather everybody',
-    'A muxer takes the pointers of all who are here.',
+    'Gather pointers',
+    'A muxer collects the pointers of all clients.',
     {
       needsPointer: true,
     },

@@ -155,7 +155,7 @@ describe('somebody else’s change', () => {
     );
     expect(merged.nodes.has('module:b')).toBe(true);
     expect(conflicts.map(({ what }) => what)).toEqual([
-      'b, which you removed and somebody else changed',
+      'b, which you removed and another client changed',
     ]);
     expect(after(merged, conflicts[0]!.takeTheirs)).toBe(merged);
     expect(after(merged, conflicts[0]!.takeMine!).nodes.has('module:b')).toBe(false);
@@ -167,7 +167,7 @@ describe('somebody else’s change', () => {
     for (const mine of [after(graph, hertz(60)), wired]) {
       const { graph: merged, conflicts } = mergeGraphs(graph, mine, theirs);
       expect(merged.nodes.has('module:b')).toBe(true);
-      expect(conflicts.map(({ what }) => what)).toEqual(['b, which somebody else removed']);
+      expect(conflicts.map(({ what }) => what)).toEqual(['b, which another client removed']);
       expect(after(merged, conflicts[0]!.takeTheirs).nodes.has('module:b')).toBe(false);
     }
   });

@@ -89,7 +89,7 @@ function sameNode(a: GraphNode, b: GraphNode): boolean {
 const removedByThem = (node: GraphNode): Conflict => ({
   node: node.id,
   wire: undefined,
-  what: `${nodeName(node)}, which somebody else removed`,
+  what: `${nodeName(node)}, which another client removed`,
   theirs: undefined,
   mine: node,
   takeTheirs: { kind: 'remove', nodes: [node.id] },
@@ -100,7 +100,7 @@ const removedByThem = (node: GraphNode): Conflict => ({
 const removedByMe = (node: GraphNode): Conflict => ({
   node: node.id,
   wire: undefined,
-  what: `${nodeName(node)}, which you removed and somebody else changed`,
+  what: `${nodeName(node)}, which you removed and another client changed`,
   theirs: node,
   mine: undefined,
   takeTheirs: { kind: 'all', commands: [], label: `Keep ${nodeName(node)}` },
