@@ -20,6 +20,8 @@ export interface Connection {
   /** How long published records are collected before they are sent, milliseconds, remembered. */
   readonly publishIntervalMs: Ref<number>;
   readonly master: MasterStatusStore;
+  /** Publisher of what modules on the master put out; empty until it is known. */
+  readonly masterId: Readonly<ShallowRef<string>>;
   readonly clients: ClientsStore;
   readonly reports: ClientReportsStore;
   readonly topics: TopicStatisticsStore;

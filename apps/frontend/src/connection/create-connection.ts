@@ -63,6 +63,14 @@ export function createConnection(): Connection {
   tellPageState(client);
   watch(publishIntervalMs, (next) => client.setPublishIntervalMs(next));
 
+  const masterId = shallowRef('');
+  // Another one with each start of the master.
+  async function learnMasterId(): Promise<void> {
+    const server = await client.call('serverConfiguration').catch(() => undefined);
+    if (server !== undefined) masterId.value = server.id;
+  }
+  watch(isConnected, (connected) => connected && void learnMasterId(), { immediate: true });
+
   function connect(): void {
     if (state.value.status === 'reconnecting') client.retryNow();
     // How it ends is in `state`, which every page shows.
@@ -84,6 +92,7 @@ export function createConnection(): Connection {
     name,
     publishIntervalMs,
     master: createMasterStatusStore(client, isConnected, Date.now),
+    masterId,
     clients,
     reports: createClientReportsStore(client, isConnected),
     topics: createTopicStatisticsStore(client, isConnected, Date.now),

@@ -14,6 +14,7 @@ function setUp(id = 'id') {
   const known = new Map<string, Client>();
   const connection = {
     clients: { list, find: (id: string) => known.get(id) },
+    masterId: shallowRef('6d617374-6572-4000-8000-000000000000'),
   } as unknown as Connection;
   const wrapper = mount(
     defineComponent(() => {
@@ -38,6 +39,12 @@ describe('useFindPublisher', () => {
     expect(wrapper.text()).toBe('nobody');
     await announce([clientOf('id', ClientState.ACTIVE)]);
     expect(wrapper.text()).toBe('Name of id, here');
+  });
+
+  it('knows the master, which is no client', async () => {
+    const { wrapper, announce } = setUp('6d617374-6572-4000-8000-000000000000');
+    await announce([]);
+    expect(wrapper.text()).toBe('Master, here');
   });
 
   it('says who is away, and still knows who left', async () => {

@@ -6,12 +6,15 @@ import type { FindPublisher } from './tree/publisher.ts';
 
 /** Clients by id, as the tree needs them; also those that are gone, as long as their topics are shown. */
 export function useFindPublisher(): FindPublisher {
-  const { clients } = useConnection();
+  const { clients, masterId } = useConnection();
   const present = computed(() => new Set(clients.list.value?.map(({ id }) => id)));
   return (clientId) => {
     // Read in any case: whoever asks for a client that is not known yet asks again when it comes.
     const isPresent = present.value.has(clientId);
     const client = clients.find(clientId);
+    if (client === undefined && clientId !== '' && clientId === masterId.value) {
+      return { name: 'Master', isAway: false };
+    }
     if (client === undefined) {
       // It left before this page was opened, and took its name along.
       if (clients.list.value === undefined || !isClientId(clientId)) return undefined;

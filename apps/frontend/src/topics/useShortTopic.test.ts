@@ -13,7 +13,7 @@ function shortened(client: Client | undefined, topic: string): ShortTopic {
     list: shallowRef(client ? [client] : []),
     find: (id: string) => (client?.id === id ? client : undefined),
   };
-  const connection = { clients } as unknown as Connection;
+  const connection = { clients, masterId: shallowRef('') } as unknown as Connection;
   let short!: ShortTopic;
   mount(
     defineComponent(() => {

@@ -45,6 +45,7 @@ function setUp(first: readonly TopicRate[] = []) {
     },
     isConnected,
     clients: { list: shallowRef([]), find: () => undefined },
+    masterId: shallowRef(''),
     topics: {
       rates,
       masterTimeMs: shallowRef(0),
