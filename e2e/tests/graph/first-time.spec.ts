@@ -147,7 +147,7 @@ test('an example that is started from the list of sessions takes the pointer of 
   const { page } = await room.atDesk('Anna');
   await page.goto('/sessions/new/text');
   await page.getByRole('button', { name: 'Start smooth-pointer' }).click();
-  await expect(page.getByText('This browser’s pointer is a topic')).toBeVisible();
+  await expect(page.getByText('The pointer of this browser is published')).toBeVisible();
   await page.getByRole('link', { name: 'Open graph' }).click();
   const graph = new GraphPage({ page });
   await expect(async () => {

@@ -124,7 +124,7 @@ test('a session that is to start with the master runs again after a restart [SE-
   await sessions.open();
   await sessions.startExample('smoothing-chain');
   await session.expectState('Running');
-  const again = anna.page.getByRole('switch', { name: /^Start again with the master/ });
+  const again = anna.page.getByRole('switch', { name: /^Resume when the master restarts/ });
   await again.click();
   await expect(again).toBeChecked();
   anna.watch.expect(/net::ERR_CONNECTION_REFUSED/, /WebSocket connection to .* failed/);

@@ -176,6 +176,25 @@ describe('the graph editor', () => {
     expect(editor.changes.value).toBe(0);
   });
 
+  it('finds no conflict in where each run of the master puts a module', () => {
+    const placed = (nodeId: string, revision: number): Session => {
+      const session = withRevision(revision);
+      const [module] = session.processingModules;
+      const extension = { ...module!.extension!, replaceable: true };
+      return { ...session, processingModules: [{ ...module!, nodeId, extension }] };
+    };
+    const unplaced = withRevision(7);
+    unplaced.processingModules[0]!.nodeId = '';
+    const editor = editorOf(placed('new master', 8));
+    editor.resume(placed('old master', 7), { ...unplaced, name: 'Renamed' });
+    expect(editor.merged.value).toBeUndefined();
+    expect(editor.graph.value.details.name).toBe('Renamed');
+    expect(editor.toSession().processingModules[0]).toMatchObject({
+      nodeId: 'new master',
+      extension: { replaceable: true },
+    });
+  });
+
   it('hears how the session lives without losing changes', () => {
     const editor = editorOf(withRevision(3));
     addTopic(editor, '/b');

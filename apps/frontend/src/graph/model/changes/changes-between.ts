@@ -8,6 +8,7 @@ import {
   type OutputTarget,
 } from '../read-mappings.ts';
 import { sameValue } from './same-value.ts';
+import { wishedNode } from './wished-node.ts';
 
 /**
  * What a change does to a session that runs [SE-15]: it counts at once, a module starts, restarts or
@@ -92,8 +93,6 @@ function restartReasons(old: ProcessingModule, next: ProcessingModule): string[]
 }
 
 /** Where people put it; empty: where the master did. [SE-30] */
-const wishedNode = ({ nodeId, extension }: ProcessingModule): string =>
-  extension?.replaceable === true ? '' : nodeId;
 
 const codeOf = (module: ProcessingModule): unknown => [
   module.language,

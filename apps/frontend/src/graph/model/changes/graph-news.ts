@@ -1,6 +1,7 @@
 import { nodeName, portName } from '../commands/command-label.ts';
 import type { Graph, GraphNode } from '../graph.ts';
 import { sameValue } from './same-value.ts';
+import { wishedNode } from './wished-node.ts';
 
 /** Something that became different in a graph, in words, and where. */
 export interface GraphNews {
@@ -59,10 +60,9 @@ function* nodeNews(before: Graph, after: Graph): Iterable<GraphNews> {
 function essence(node: GraphNode): unknown {
   const { position: _p, size: _s, isCollapsed: _c, frame: _f, ports: _o, ...rest } = node;
   if (rest.kind !== 'module') return rest;
-  const { status: _status, sessionId: _session, nodeId, extension, ...module } = rest.module;
-  // Where the master had the choice, its choice is nobody's change
-  const place = extension?.replaceable === true ? '' : nodeId;
-  return { ...rest, module: { ...module, nodeId: place } };
+  const { status: _status, sessionId: _session, extension: _extension, ...module } = rest.module;
+  // Where the master had the choice, its choice is no change of a person.
+  return { ...rest, module: { ...module, nodeId: wishedNode(rest.module) } };
 }
 
 function* wireNews(before: Graph, after: Graph): Iterable<GraphNews> {

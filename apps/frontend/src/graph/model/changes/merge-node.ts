@@ -5,6 +5,7 @@ import type { GraphNode, ModuleNode } from '../graph.ts';
 import { constantNode, demuxerNode, moduleNode, muxerNode, topicNode } from '../make-node.ts';
 import type { Conflict } from './conflict.ts';
 import { mergeEntries, mergeMembers, threeWay } from './three-way.ts';
+import { wishedNode } from './wished-node.ts';
 
 /** What conflicts of a node are said to. */
 type Report = (what: string, theirs: unknown, mine: unknown, takeTheirs: GraphCommand) => void;
@@ -66,9 +67,9 @@ function mergeModules(
 ): ModuleNode {
   const node = mine.id;
   const module = mergeMembers(
-    base.module,
-    mine.module,
-    theirs.module,
+    asWished(base.module),
+    asWished(mine.module),
+    asWished(theirs.module),
     (member, theirValue, myValue) => {
       // What only the master says is as it says it.
       if (MASTERS.has(member)) return;
@@ -80,6 +81,13 @@ function mergeModules(
     },
   );
   for (const member of MASTERS) Object.assign(module, { [member]: theirs.module[member] });
+  // Where the master chooses, it stays where the master has put it.
+  if (module.nodeId === wishedNode(theirs.module)) {
+    const { nodeId, extension } = theirs.module;
+    const replaceable = extension?.replaceable ?? false;
+    const merged = module.extension && { ...module.extension, replaceable };
+    Object.assign(module, { nodeId, extension: merged ?? extension });
+  }
   const constants = mergeEntries(
     base.constants,
     mine.constants,
@@ -105,6 +113,11 @@ function mergeModules(
     mappedOutputs: names('out'),
   });
 }
+
+const asWished = (module: ProcessingModule): ProcessingModule => ({
+  ...module,
+  nodeId: wishedNode(module),
+});
 
 const MASTERS: ReadonlySet<keyof ProcessingModule> = new Set(['status', 'sessionId'] as const);
 
