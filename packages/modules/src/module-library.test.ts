@@ -120,7 +120,10 @@ describe.each(MODULES.map((module) => [module.name, module] as const))('%s', (_n
     for (const [index, deltaMs] of [0, 16, 40, 900].entries()) {
       const given = samples(module, index);
       const without = await bare!.run(deltaMs, given);
-      const withDefaults = await filled!.run(deltaMs, { ...given, ...Object.fromEntries(defaults) });
+      const withDefaults = await filled!.run(deltaMs, {
+        ...given,
+        ...Object.fromEntries(defaults),
+      });
       // How long something took is never the same.
       delete without['durationMs'];
       delete withDefaults['durationMs'];

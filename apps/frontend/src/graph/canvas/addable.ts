@@ -47,10 +47,10 @@ export function addables(
 ): Addable[] {
   const known = topics.filter(({ topic }) => !isMasterTopic(topic) && !isExtensionTopic(topic));
   const all = end === undefined ? looseItems(modules, known) : offers(graph, end, modules, known);
-  return [...bestFirst(graph, all, typed, nameTopic), ...newTopic(graph, typed.trim(), known, end)].slice(
-    0,
-    MAX_SHOWN,
-  );
+  return [
+    ...bestFirst(graph, all, typed, nameTopic),
+    ...newTopic(graph, typed.trim(), known, end),
+  ].slice(0, MAX_SHOWN);
 }
 
 /** Modules that fit the words typed, and can go into a wire. */

@@ -46,14 +46,9 @@ export const TEMPLATES: readonly Template[] = [
       pointerTopic: '/examples/mirror-pointer/pointer',
     },
   ),
-  template(
-    'gather-pointers',
-    'Gather pointers',
-    'A muxer collects the pointers of all clients.',
-    {
-      needsPointer: true,
-    },
-  ),
+  template('gather-pointers', 'Gather pointers', 'A muxer collects the pointers of all clients.', {
+    needsPointer: true,
+  }),
   template(
     'smoothing-chain',
     'Smoothing chain',
