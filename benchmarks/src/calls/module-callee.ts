@@ -18,6 +18,7 @@ export async function openModule(
       isTrusted,
       libraries: [],
       owner: '',
+      inputs: ['in'],
       outputs: [{ name: 'out', format: payload.outputFormat }],
       limits: { callTimeoutMs, memoryBytes, outputBytes },
     },

@@ -13,6 +13,7 @@ describe.each([RECORD_PAYLOAD, picturePayload()])('$title', (payload) => {
         isTrusted: true,
         libraries: [],
         owner: '',
+        inputs: ['in'],
         outputs: [{ name: 'out', format: payload.outputFormat }],
         limits: DEFAULT_RUNTIME_LIMITS,
       },
