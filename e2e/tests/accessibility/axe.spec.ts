@@ -200,7 +200,7 @@ for (const screen of SCREENS) {
     const { page } = await enter(room, screen);
     await page.goto(`/sessions/${session!.id}`);
     await expect(page.getByRole('list', { name: /^Events/ })).toContainText('again');
-    await expect(page.getByText('has no publisher yet')).toBeVisible();
+    await expect(page.getByText('has no value, so the input')).toBeVisible();
     await expectAccessible(page);
     await page.goto(`/sessions/${session!.id}/text`);
     await expect(page.getByRole('textbox', { name: 'Session as JSON' })).toBeVisible();

@@ -51,7 +51,7 @@ test('a session is written as JSON; all that is wrong stands beside its line [SE
     await expect(session.heading).toHaveText('Mirror');
     await session.act('Start');
     await session.expectState('Running');
-    await expect(session.module('mirror-pointer')).toContainText('Topic "/a" has no publisher yet');
+    await expect(session.module('mirror-pointer')).toContainText('Topic "/a" has no value');
   });
 });
 

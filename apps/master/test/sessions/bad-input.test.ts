@@ -296,6 +296,14 @@ describe('a session that cannot be', () => {
     expect(world.takeNews().at(-1)).toMatchObject(['change', { extension: { problems: [] } }]);
   });
 
+  it('name the client whose topic it is, not its id [SE-5]', async () => {
+    const world = await SessionWorld.create();
+    const session = await world.ask(TOPICS.add, doubling(`/${world.ada.id}/arm/angle`, '/out'));
+    expect(session.extension?.problems[0]?.message).toBe(
+      'Topic "arm/angle" of the client "ada" has no value, so the input "in" is empty until one is published.',
+    );
+  });
+
   it('reads what old clients send with tolerance [SE-6]', async () => {
     const world = await SessionWorld.create();
     const { session, error } = await world.master.callJson({

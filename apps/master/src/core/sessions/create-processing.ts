@@ -190,7 +190,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
       stored: (name) => modules.get(name),
       offered: (name, nodeId) => nodes.offered(name, nodeId),
     },
-    checks: createChecks({ patterns, devices, nodes, topics, limits }),
+    checks: createChecks({ patterns, devices, nodes, topics, clients, limits }),
     sources: { sandboxes, clock, timeoutMs: limits.sourceCheckTimeoutMs },
   };
   const sessions = new Sessions({

@@ -12,6 +12,8 @@ export interface CheckContext {
   /** Data format of the value the topic has now; undefined when it has none, or of no known format. */
   retainedFormat(topic: string): DataFormat | undefined;
   hasRecord(topic: string): boolean;
+  /** A topic in a message: in quotes, and with the name of the client whose id it begins with instead of that. */
+  nameTopic(topic: string): string;
   /** What stands against running this module on this node; undefined when nothing does. */
   nodeProblem(draft: DraftModule): Omit<SessionProblem, 'path'> | undefined;
   /** Somebody has code for a module of this name. */

@@ -54,7 +54,7 @@ function* checkTopic(
     yield warningProblem({
       ...found,
       code: 'topic_without_record',
-      message: `Topic ${quote(topic)} has no publisher yet, so the input ${quote(inputName)} is empty until a value is published.`,
+      message: `Topic ${context.nameTopic(topic)} has no value, so the input ${quote(inputName)} is empty until one is published.`,
     });
   } else if (writers.length === 0 && components.length === 0) {
     const format = context.retainedFormat(topic);

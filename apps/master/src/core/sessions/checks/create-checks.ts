@@ -1,9 +1,11 @@
 import type { CompiledPattern, PatternCompiler } from '@ubii/patterns';
 import { dataFormatOfField } from '@ubii/proto';
+import type { ClientRegistry } from '../../clients/client-registry.ts';
 import type { DeviceRegistry } from '../../devices/device-registry.ts';
 import type { Limits } from '../../limits.ts';
 import { offerOf } from '../../processing/node.ts';
 import type { NodeTable } from '../../processing/node-table.ts';
+import { quote } from '../../topics/topic-names.ts';
 import type { TopicTable } from '../../topics/topic-table.ts';
 import type { CheckContext } from './check-context.ts';
 import { nodeProblem } from './node-problem.ts';
@@ -14,11 +16,12 @@ export interface ChecksParts {
   readonly devices: DeviceRegistry;
   readonly nodes: NodeTable;
   readonly topics: TopicTable;
+  readonly clients: Pick<ClientRegistry, 'get'>;
   readonly limits: Limits;
 }
 
 export function createChecks(parts: ChecksParts): CheckContext {
-  const { patterns, devices, nodes, topics, limits } = parts;
+  const { patterns, devices, nodes, topics, clients, limits } = parts;
   const compile = (source: string): CompiledPattern | string => {
     if (source.length > limits.patternLength) {
       return `it has more than ${limits.patternLength} characters (limit patternLength)`;
@@ -44,6 +47,13 @@ export function createChecks(parts: ChecksParts): CheckContext {
       return entry?.record === undefined ? undefined : dataFormatOfField(entry.valueField);
     },
     hasRecord: (topic) => topics.get(topic)?.record !== undefined,
+    nameTopic(topic) {
+      const [, root = '', ...rest] = topic.split('/');
+      const client = clients.get(root);
+      return client === undefined || rest.length === 0
+        ? quote(topic)
+        : `${quote(rest.join('/'))} of the client ${quote(client.label)}`;
+    },
     nodeProblem: (draft) => nodeProblem(nodes, draft),
     isOffered: (name) => nodes.list().some((node) => offerOf(node, name) !== undefined),
     topicBytes: limits.topicBytes,
