@@ -33,7 +33,7 @@ export const wireTwoTopics: Lesson = {
         moduleRuns('mirror-pointer', 1, {
           id: 'module',
           text: 'The module runs while the pointer moves',
-          todo: 'wire the pointer',
+          todo: 'wire the pointer, press Start, move the pointer',
         }),
       ],
       answer: { kind: 'graph', edit: 'wire-in' },
