@@ -52,6 +52,13 @@ export class GraphPage {
     await field.press('Enter');
   }
 
+  /** Writes the description of the session, which the inspector shows while nothing is selected. */
+  async describe(text: string): Promise<void> {
+    await this.canvas.focus();
+    await this.page.keyboard.press('Escape');
+    await this.inspector.getByLabel('Description').fill(text);
+  }
+
   /** Drops a file on the canvas, as from the desktop of the system. */
   async dropFile(name: string, text: string): Promise<void> {
     const dataTransfer = await this.page.evaluateHandle(

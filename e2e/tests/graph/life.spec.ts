@@ -97,10 +97,20 @@ test('a session is renamed, copied, saved as another one, opened, deleted and br
   const id = await aSession(master, ['threshold']);
   const anna = new GraphPage(await room.atDesk('Anna'));
   await anna.open(id);
-  await anna.rename('First');
-  await anna.page.keyboard.press('Control+s');
-  await expect(anna.title).toHaveText('First');
-  await expect(anna.life.getByRole('button', { name: /^Save(?! and)/ })).toBeHidden();
+  await test.step('a new name counts at once, and can be undone', async () => {
+    await anna.rename('First');
+    await expect(anna.title).toHaveText('First');
+    await expect(anna.life).not.toContainText('Save');
+    await new Shell(anna.page).go('Sessions');
+    await expect(anna.page.getByRole('link', { name: 'First', exact: true })).toBeVisible();
+    await anna.page.goBack();
+    await anna.rename('Second');
+    await anna.canvas.focus();
+    await anna.page.keyboard.press('Control+z');
+    await expect(anna.title).toHaveText('First');
+    await anna.page.keyboard.press('Control+s');
+    await expect(anna.life).not.toContainText('Save');
+  });
 
   await test.step('a copy takes along what is not saved', async () => {
     await anna.drag(anna.paletteModule('statistics'), await anna.spot(0.6, 0.2));
@@ -165,14 +175,14 @@ test('two people see each other, what they are at, and when one leaves [EX-49]',
   await expect(anna.page.locator('[data-peer="Ben"]')).toBeVisible();
 
   await test.step('what both changed is decided by hand', async () => {
-    await anna.rename('Of Anna');
+    await anna.describe('Of Anna');
     await expect(ben.others).toContainText('Anna is editing');
-    await ben.rename('Of Ben');
+    await ben.describe('Of Ben');
     await ben.page.keyboard.press('Control+s');
     const conflicts = anna.page.getByRole('list', { name: 'Conflicts' });
     await expect(anna.page.getByRole('alert')).toContainText('Ben saved this session');
     await conflicts.getByRole('button', { name: /Of Ben/ }).click();
-    await expect(anna.title).toHaveText('Of Ben');
+    await expect(anna.inspector.getByLabel('Description')).toHaveValue('Of Ben');
   });
 
   await test.step('on another page, Ben is not here any more', async () => {

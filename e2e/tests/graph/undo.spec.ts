@@ -304,11 +304,7 @@ const SETTINGS: readonly Deed[] = [
   {
     does: 'describes the session',
     undo: /^Change the description of the session$/,
-    async act(graph) {
-      await graph.canvas.focus();
-      await graph.page.keyboard.press('Escape');
-      await graph.inspector.getByLabel('Description').fill('What it is for');
-    },
+    act: (graph) => graph.describe('What it is for'),
   },
 ];
 

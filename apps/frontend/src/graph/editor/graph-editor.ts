@@ -16,6 +16,7 @@ import { sessionOf } from '../model/session-of.ts';
 import { keepEditorData } from '../model/changes/keep-editor-data.ts';
 import type { Conflict } from '../model/changes/conflict.ts';
 import { graphNews, type GraphNews } from '../model/changes/graph-news.ts';
+import { sameValue } from '../model/changes/same-value.ts';
 import { withIds } from '../model/with-ids.ts';
 import { placesOf } from './places.ts';
 import { rebase } from './rebase.ts';
@@ -49,6 +50,8 @@ export interface GraphEditor {
   readonly selection: ShallowRef<Selection>;
   /** Steps made since the session was saved. */
   readonly changes: ComputedRef<number>;
+  /** Whether the name of the session is all that is not saved. */
+  isOnlyRenamed(): boolean;
   /** What the next undo takes back, in words; undefined when there is nothing. */
   readonly undoLabel: ComputedRef<string | undefined>;
   readonly redoLabel: ComputedRef<string | undefined>;
@@ -204,6 +207,16 @@ export function createGraphEditor(first: Session, uuid: () => string): GraphEdit
     places: computed(() => placesOf(graph.value)),
     selection,
     changes,
+    isOnlyRenamed() {
+      const { graph: before } = saved.value;
+      const { name, ...rest } = graph.value.details;
+      const { name: nameBefore, ...restBefore } = before.details;
+      return (
+        name !== nameBefore &&
+        sameValue(rest, restBefore) &&
+        isSameGraph({ ...graph.value, details: before.details }, before)
+      );
+    },
     undoLabel: computed(() => state.value.past.at(-1)?.label),
     redoLabel: computed(() => state.value.future.at(-1)?.label),
     merged,

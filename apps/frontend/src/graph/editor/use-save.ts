@@ -141,6 +141,14 @@ export function useSave(
     }
   }
 
+  // Other pages show the name: it counts at once, also when a change of it is undone.
+  watch(
+    () => editor.graph.value.details.name,
+    () => {
+      if (!isGone() && isConnected.value && editor.isOnlyRenamed()) void save();
+    },
+  );
+
   watch(isConnected, async (connected) => {
     if (!connected || !isWaiting.value) return;
     try {

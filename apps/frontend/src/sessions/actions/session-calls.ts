@@ -17,7 +17,10 @@ export interface SessionCalls {
   act(session: Session, action: LifeAction): Promise<void>;
   /** Names of all sessions, open or stored. */
   takenNames(): Promise<ReadonlySet<string>>;
-  /** Creates a session under a free name and stores it, under the given id if it has one. [SE-1, SE-21] */
+  /**
+   * Creates a session under a free name and stores it, under the given id if it has one. When the
+   * specification does not say otherwise, it runs again after a restart of the master. [SE-1, SE-21, SE-24]
+   */
   create(spec: Init<Session>): Promise<Session>;
   /** Stores a session under the id and the name it has. [SE-21] */
   store(spec: Init<Session>): Promise<Session>;
@@ -101,7 +104,8 @@ export function createSessionCalls(
 
   /** Sessions are stored by name, and the newer replaces the older: a taken name gets a number. */
   async function create(spec: Init<Session>): Promise<Session> {
-    return keep({ ...spec, name: freeName(spec.name || 'Session', await takenNames()) });
+    const name = freeName(spec.name || 'Session', await takenNames());
+    return keep({ ...spec, name, extension: { startWithMaster: true, ...spec.extension } });
   }
 
   function update(session: Session, changes: Init<Session>): Promise<Session> {
