@@ -1,6 +1,7 @@
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../../fixtures/test.ts';
 import { GraphPage } from '../../pages/graph-page.ts';
+import { Shell } from '../../pages/shell.ts';
 
 const next = (page: Page): Locator =>
   page.getByRole('button', { name: /^(Next: |Finish the lesson)/ });
@@ -93,6 +94,14 @@ test('two topics are wired with a mouse, and the answer can be undone', async ({
   await graph.life.getByRole('button', { name: /^Apply/ }).click();
   await moveUntilPassed(page);
   await expect(page.getByText('Lesson done.')).toBeVisible();
+
+  await test.step('its session is removed with the lesson, unless it is kept', async () => {
+    await new Shell(page).go('Home');
+    await expect(page.getByText('The session of the lesson was removed')).toBeVisible();
+    await page.getByRole('button', { name: 'Keep it' }).click();
+    await expect(graph.node(module)).toBeVisible();
+    await expect(graph.life).toContainText('Running');
+  });
 });
 
 test('a module is run, fed, written and put into a session', async ({ room }) => {
@@ -110,6 +119,50 @@ test('a module is run, fed, written and put into a session', async ({ room }) =>
   }
   await page.getByRole('button', { name: 'Run in a session' }).click();
   await moveUntilPassed(page);
+  await expect(page.getByText('Lesson done.')).toBeVisible();
+});
+
+test('fingers of two phones in the page are counted by one session', async ({ room }) => {
+  const { page } = await room.atDesk('Anna');
+  const graph = new GraphPage({ page });
+  await page.goto('/learn/many-phones');
+  await expect(graph.node('Module touch-proximity')).toBeVisible();
+  for (const label of [/^Muxer/, /^Module/, /^Topic/]) {
+    await expect(graph.canvas.getByRole('group', { name: label })).toBeInViewport({ ratio: 1 });
+  }
+  const touchBoth = async (): Promise<void> => {
+    for (const phone of ['Phone 1', 'Phone 2']) {
+      await page.getByRole('radio', { name: phone }).click();
+      const frame = page.frameLocator(`iframe[title="${phone}"]`);
+      await frame.getByRole('application', { name: 'Touch pad' }).click();
+    }
+  };
+  await page.getByRole('button', { name: 'Open a phone in this page' }).click();
+  await page.getByRole('button', { name: 'Open another phone in this page' }).click();
+  await waitAndGoOn(page);
+  await touchBoth();
+  await waitAndGoOn(page);
+  await graph.life.getByRole('button', { name: 'Start', exact: true }).click();
+  await waitAndGoOn(page);
+  await touchBoth();
+  await waitAndGoOn(page);
+  await expect(page.getByText('Lesson done.')).toBeVisible();
+});
+
+test('a program of the client library is run, answers, and leaves', async ({ room }) => {
+  const { page } = await room.atDesk('Anna');
+  await page.goto('/learn/own-program');
+  await page.getByText('In this page', { exact: true }).click();
+  await page.getByRole('button', { name: 'Run in this page' }).click();
+  await expect(page.getByRole('list', { name: 'What the program wrote' })).toContainText(
+    'connected as first program',
+  );
+  await waitAndGoOn(page);
+  await waitAndGoOn(page);
+  await page.getByRole('switch', { name: /^Lamp/ }).click();
+  await waitAndGoOn(page);
+  await page.getByRole('button', { name: 'Stop', exact: true }).click();
+  await waitAndGoOn(page);
   await expect(page.getByText('Lesson done.')).toBeVisible();
 });
 

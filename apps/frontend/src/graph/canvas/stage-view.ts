@@ -11,6 +11,8 @@ export interface Box extends Point, Size {}
 export const MIN_ZOOM = 0.1;
 export const MAX_ZOOM = 2.5;
 const FIT_MARGIN = 56;
+/** Share of the width that is left free at each side, at most. */
+const NARROW_MARGIN = 0.05;
 /** Fitting does not blow up small graphs. */
 const MAX_FIT_ZOOM = 1;
 
@@ -18,14 +20,16 @@ export const limitZoom = (k: number): number => Math.min(MAX_ZOOM, Math.max(MIN_
 
 /** The view that shows all of a box. @param inset pixels at the bottom that something covers */
 export function viewOf(box: Box, viewport: Size, inset = 0): View {
-  const width = viewport.width - 2 * FIT_MARGIN;
+  // On a narrow canvas the names need the room
+  const side = Math.min(FIT_MARGIN, viewport.width * NARROW_MARGIN);
+  const width = viewport.width - 2 * side;
   const height = viewport.height - 2 * FIT_MARGIN - inset;
   const k = Math.max(
     MIN_ZOOM,
     Math.min(width / Math.max(box.width, 1), height / Math.max(box.height, 1), MAX_FIT_ZOOM),
   );
   return {
-    x: FIT_MARGIN + (width - box.width * k) / 2 - box.x * k,
+    x: side + (width - box.width * k) / 2 - box.x * k,
     y: FIT_MARGIN + (height - box.height * k) / 2 - box.y * k,
     k,
   };

@@ -86,9 +86,9 @@ function addCommand(kind: LessonGraph, { clientId, library, uuid }: GraphParts):
     { position: { x: 0, y: 0 } },
   );
   muxer.mux.identityMatchPattern = '^/([^/]+)/';
-  const moduleNode = newModuleNode(module, uuid(), { position: { x: 320, y: 0 }, constants });
+  const moduleNode = newModuleNode(module, uuid(), { position: { x: 216, y: 0 }, constants });
   const near = topicNode(lessonTopic(clientId, 'near'), {
-    position: { x: 620, y: 40 },
+    position: { x: 432, y: 40 },
     format: 'int32',
   });
   const wires: GraphCommand[] = [
