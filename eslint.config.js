@@ -175,6 +175,27 @@ export default ts.config(
     rules: restrict(noApps, noVue, noClient, noModules, noPlatform),
   },
   { files: ['packages/modules/**'], rules: restrict(noApps, noVue, noClient) },
+  {
+    files: ['packages/vision/**'],
+    rules: restrict(noApps, noVue, noClient, noRuntimes, noModules),
+  },
+  {
+    files: ['packages/vision/src/**'],
+    ignores: ['**/*.test.ts'],
+    rules: {
+      ...restrict(noApps, noVue, noClient, noRuntimes, noModules, {
+        group: ['node:*', 'esbuild'],
+        message: 'Seeing is pure computation: whoever runs it hands in its files as bytes.',
+      }),
+      'no-restricted-globals': [
+        'error',
+        ...['process', 'Buffer', 'fetch', 'document', 'window'].map((name) => ({
+          name,
+          message: 'Seeing runs in every kind of worker, without a network.',
+        })),
+      ],
+    },
+  },
   { files: ['apps/node/**'], rules: restrict(noApps) },
   { files: ['apps/master/src/adapters/**', 'apps/master/src/*.ts'], rules: restrict(noClient) },
   {

@@ -1,0 +1,101 @@
+import { describe, expect, it } from 'vitest';
+import { type BackendCandidate, chooseBackend } from './choose-backend.ts';
+
+/** A clock that candidates move, and candidates that take a told time. */
+function world() {
+  let nowMs = 0;
+  return {
+    now: () => nowMs,
+    candidate: (
+      name: BackendCandidate['name'],
+      ms: number,
+      rest: Partial<BackendCandidate> & { error?: number } = {},
+    ): BackendCandidate => ({
+      name,
+      start: () => Promise.resolve(),
+      probe: () => {
+        nowMs += ms;
+        return Promise.resolve(rest.error ?? 0);
+      },
+      ...rest,
+    }),
+  };
+}
+
+describe('chooseBackend', () => {
+  it('takes the fastest backend, with times of all', async () => {
+    const { now, candidate } = world();
+    const choice = await chooseBackend([candidate('webgl', 30), candidate('wasm', 10)], { now });
+    expect(choice).toEqual({
+      backend: 'wasm',
+      reason: 'wasm is the fastest backend with right results.',
+      trials: [
+        { name: 'webgl', outcome: 'slower', reason: 'wasm is faster.', startMs: 30, probeMs: 30 },
+        {
+          name: 'wasm',
+          outcome: 'chosen',
+          reason: 'Its results are right.',
+          startMs: 10,
+          probeMs: 10,
+        },
+      ],
+    });
+  });
+
+  it('refuses a fast backend whose numbers are wrong', async () => {
+    const { now, candidate } = world();
+    const { backend, trials } = await chooseBackend(
+      [candidate('webgpu', 1, { error: 0.25 }), candidate('wasm', 10)],
+      { now },
+    );
+    expect(backend).toBe('wasm');
+    expect(trials[0]).toMatchObject({
+      outcome: 'wrong',
+      reason: 'The results of its probe are off by 25.0 %.',
+    });
+  });
+
+  it('refuses a backend that gives no numbers', async () => {
+    const { now, candidate } = world();
+    const { trials } = await chooseBackend(
+      [candidate('webgpu', 1, { error: Infinity }), candidate('wasm', 10)],
+      { now },
+    );
+    expect(trials[0]!.reason).toBe('The results of its probe are no numbers.');
+  });
+
+  it('takes the wanted backend although another would be faster', async () => {
+    const { now, candidate } = world();
+    const candidates = [candidate('wasm', 10), candidate('cpu', 90, { isLastResort: true })];
+    const choice = await chooseBackend(candidates, { now, wanted: 'cpu' });
+    expect(choice.backend).toBe('cpu');
+    expect(choice.reason).toBe('cpu was asked for and works.');
+    expect(choice.trials[1]).toEqual({ name: 'wasm', outcome: 'not tried', reason: 'cpu works.' });
+  });
+
+  it('falls back with the reason when the wanted backend fails', async () => {
+    const { now, candidate } = world();
+    const start = () => Promise.reject(new Error('The graphics card was lost.'));
+    const candidates = [candidate('webgl', 1, { start }), candidate('wasm', 10)];
+    const { backend, reason } = await chooseBackend(candidates, { now, wanted: 'webgl' });
+    expect(backend).toBe('wasm');
+    expect(reason).toBe('wasm instead of webgl: The graphics card was lost.');
+  });
+
+  it('tries the last resort only when nothing else works', async () => {
+    const { now, candidate } = world();
+    const cpu = candidate('cpu', 90, { isLastResort: true });
+    const wasm = candidate('wasm', 10);
+    const missing = { ...wasm, absence: 'The file was not handed in.' };
+    expect((await chooseBackend([cpu, wasm], { now })).trials[1]!.outcome).toBe('not tried');
+    expect((await chooseBackend([cpu, missing], { now })).backend).toBe('cpu');
+  });
+
+  it('throws with all reasons when none works', async () => {
+    const { now, candidate } = world();
+    const probe = () => Promise.reject(new Error('out of memory'));
+    await expect(chooseBackend([candidate('wasm', 1, { probe })], { now })).rejects.toThrow(
+      'No backend of TensorFlow.js works here. wasm: out of memory.',
+    );
+  });
+});

@@ -1,0 +1,136 @@
+/** Where TensorFlow.js computes: graphics card (new and old interface), WebAssembly, plain JavaScript. */
+export type BackendName = 'webgpu' | 'webgl' | 'wasm' | 'cpu';
+
+/** A backend to try. */
+export interface BackendCandidate {
+  readonly name: BackendName;
+  /** Why it cannot be here; undefined when it can be tried. */
+  readonly absence?: string;
+  /** Only tried when no other backend works: measuring it would take longer than it can gain. */
+  readonly isLastResort?: boolean;
+  /** Starts it. Rejects when it cannot be started. */
+  start(): Promise<void>;
+  /** Runs the probe once. Resolves with the error of its numbers, a share of the largest number. */
+  probe(): Promise<number>;
+}
+
+/** What came of trying one backend. */
+export interface BackendTrial {
+  readonly name: BackendName;
+  readonly outcome: 'chosen' | 'slower' | 'wrong' | 'failed' | 'absent' | 'not tried';
+  /** One sentence. */
+  readonly reason: string;
+  /** Starting it and the first run, which compiles; undefined when it was not started. */
+  readonly startMs?: number;
+  /** Shortest run of the probe; undefined when it gave no right result. */
+  readonly probeMs?: number;
+}
+
+/** The backend to use, and why. */
+export interface BackendChoice {
+  readonly backend: BackendName;
+  /** One sentence; tells when another backend was asked for. */
+  readonly reason: string;
+  /** All candidates, in the order in which they were tried. */
+  readonly trials: readonly BackendTrial[];
+}
+
+export interface ChooseBackendOptions {
+  /** Use this one when it works; default: the fastest. */
+  readonly wanted?: BackendName;
+  /** Milliseconds of a steady clock. */
+  readonly now: () => number;
+}
+
+/**
+ * Largest accepted error of the probe, a share of the largest number. Graphics cards of phones compute
+ * with 16-bit floats (11 bits of precision, 0.05 % an operation), which detectors bear; a backend that
+ * computes something else is off by far more than 1 %.
+ */
+export const MAX_PROBE_ERROR = 0.01;
+
+/** The shortest of three: the first ones of a busy machine are no measure of a backend. */
+const PROBE_RUNS = 3;
+
+/**
+ * Tries backends and returns the fastest whose numbers are right, or the wanted one if it works.
+ *
+ * @throws Error when none works; its message tells what failed
+ */
+export async function chooseBackend(
+  candidates: readonly BackendCandidate[],
+  { wanted, now }: ChooseBackendOptions,
+): Promise<BackendChoice> {
+  const order = [
+    ...candidates.filter(({ name }) => name === wanted),
+    ...candidates.filter(({ name, isLastResort }) => name !== wanted && isLastResort !== true),
+    ...candidates.filter(({ name, isLastResort }) => name !== wanted && isLastResort === true),
+  ];
+  const trials: BackendTrial[] = [];
+  for (const candidate of order) {
+    const best = fastest(trials);
+    const isDone = best !== undefined && (wanted === best.name || candidate.isLastResort === true);
+    trials.push(
+      isDone
+        ? { name: candidate.name, outcome: 'not tried', reason: `${best.name} works.` }
+        : await tryBackend(candidate, now),
+    );
+  }
+  const best = fastest(trials);
+  if (best === undefined) {
+    const reasons = trials.map(({ name, reason }) => `${name}: ${reason}`);
+    throw new Error(`No backend of TensorFlow.js works here. ${reasons.join(' ')}`);
+  }
+  const refused = trials.find(({ name }) => name === wanted && name !== best.name);
+  return {
+    backend: best.name,
+    reason:
+      wanted === best.name
+        ? `${best.name} was asked for and works.`
+        : refused === undefined
+          ? `${best.name} is the fastest backend with right results.`
+          : `${best.name} instead of ${refused.name}: ${refused.reason}`,
+    trials: trials.map((trial) =>
+      trial.outcome !== 'slower'
+        ? trial
+        : trial === best
+          ? { ...trial, outcome: 'chosen' }
+          : { ...trial, reason: `${best.name} is faster.` },
+    ),
+  };
+}
+
+/** Backends that work are `slower` until the fastest is known. */
+async function tryBackend(candidate: BackendCandidate, now: () => number): Promise<BackendTrial> {
+  const { name, absence } = candidate;
+  if (absence !== undefined) return { name, outcome: 'absent', reason: absence };
+  try {
+    const startedAt = now();
+    await candidate.start();
+    const error = await candidate.probe();
+    const startMs = now() - startedAt;
+    if (!(error <= MAX_PROBE_ERROR)) {
+      const size = Number.isFinite(error) ? `off by ${(error * 100).toFixed(1)} %` : 'no numbers';
+      return { name, outcome: 'wrong', reason: `The results of its probe are ${size}.`, startMs };
+    }
+    let probeMs = Infinity;
+    for (let run = 0; run < PROBE_RUNS; run++) {
+      const at = now();
+      await candidate.probe();
+      probeMs = Math.min(probeMs, now() - at);
+    }
+    return { name, outcome: 'slower', reason: 'Its results are right.', startMs, probeMs };
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    return { name, outcome: 'failed', reason: reason.endsWith('.') ? reason : `${reason}.` };
+  }
+}
+
+function fastest(trials: readonly BackendTrial[]): BackendTrial | undefined {
+  return trials
+    .filter(({ outcome }) => outcome === 'slower')
+    .reduce<BackendTrial | undefined>(
+      (best, trial) => (best === undefined || trial.probeMs! < best.probeMs! ? trial : best),
+      undefined,
+    );
+}

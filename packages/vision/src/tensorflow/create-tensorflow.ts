@@ -1,0 +1,120 @@
+import '@tensorflow/tfjs-backend-cpu';
+import { setWasmPaths } from '@tensorflow/tfjs-backend-wasm';
+import { type GraphModel, loadGraphModel } from '@tensorflow/tfjs-converter';
+import * as tf from '@tensorflow/tfjs-core';
+import {
+  type BackendCandidate,
+  type BackendChoice,
+  type BackendName,
+  chooseBackend,
+} from './choose-backend.ts';
+import { type Files, useMemoryPlatform } from './memory-platform.ts';
+import { readModelFiles } from './model-files.ts';
+import { knownResults, probeError, runProbe } from './probe.ts';
+
+/** The file of the backend `wasm`: the build with SIMD, for one thread. */
+export const WASM_FILE = 'tfjs-backend-wasm-simd.wasm';
+
+export interface TensorflowOptions {
+  /** Backend to use when it works; default `auto`, the fastest. */
+  readonly backend?: BackendName | 'auto';
+  /** Milliseconds of a steady clock; default `performance.now`. */
+  readonly now?: () => number;
+}
+
+/** TensorFlow.js with a backend that was checked. All instances of a worker share its memory. */
+export interface Tensorflow extends BackendChoice {
+  /**
+   * Loads a graph model.
+   *
+   * @param files with the model's `.json` and the weights it names
+   * @param modelName name of the `.json`
+   * @throws Error that names the file that is missing or damaged
+   */
+  loadModel(files: Files, modelName: string): Promise<GraphModel>;
+  /**
+   * Runs a task on this backend. Tasks of one worker run one after the other: the backend in use is
+   * a single variable of TensorFlow.js.
+   */
+  run<Result>(task: () => Promise<Result> | Result): Promise<Result>;
+}
+
+/** End of the task that was started last, in this worker. TensorFlow.js has one backend at a time. */
+let lastTask: Promise<unknown> = Promise.resolve();
+
+function inTurn<Result>(task: () => Promise<Result> | Result): Promise<Result> {
+  const turn = lastTask.then(task);
+  lastTask = turn.catch(() => undefined);
+  return turn;
+}
+
+/**
+ * Starts TensorFlow.js: tries the backends that exist here and takes the fastest one with right results.
+ * Asks no network.
+ *
+ * @param files with `WASM_FILE`, for the backend `wasm`
+ * @throws Error when no backend works
+ */
+export function createTensorflow(
+  files: Files,
+  { backend = 'auto', now = () => performance.now() }: TensorflowOptions = {},
+): Promise<Tensorflow> {
+  return inTurn(async () => {
+    useMemoryPlatform(files);
+    // Without advice on packages to install, which goes to the console otherwise.
+    tf.env().set('PROD', true);
+    const known = knownResults();
+    const candidates = [wasmCandidate(files), cpuCandidate()].map((candidate) => ({
+      ...candidate,
+      start: async () => {
+        await candidate.start?.();
+        if (!(await tf.setBackend(candidate.name))) throw new Error('It could not be started.');
+        await tf.ready();
+      },
+      probe: async () => probeError(await runProbe(), known),
+    }));
+    const choice = await chooseBackend(candidates, {
+      wanted: backend === 'auto' ? undefined : backend,
+      now,
+    });
+    const run: Tensorflow['run'] = (task) =>
+      inTurn(async () => {
+        if (tf.getBackend() !== choice.backend) await tf.setBackend(choice.backend);
+        return task();
+      });
+    return {
+      ...choice,
+      run,
+      loadModel: async (modelFiles, modelName) => {
+        const artifacts = readModelFiles(modelFiles, modelName);
+        return run(() => loadGraphModel({ load: () => Promise.resolve(artifacts) }));
+      },
+    };
+  });
+}
+
+type Candidate = Pick<BackendCandidate, 'name' | 'absence' | 'isLastResort'> & {
+  start?: () => Promise<void>;
+};
+
+function wasmCandidate(files: Files): Candidate {
+  const bytes = files[WASM_FILE];
+  return {
+    name: 'wasm',
+    absence: bytes === undefined ? `The file "${WASM_FILE}" was not handed in.` : undefined,
+    start: async () => {
+      // Checked here, because the backend neither rejects nor resolves for a damaged file.
+      if (!WebAssembly.validate(bytes!.slice())) {
+        throw new Error(`The file "${WASM_FILE}" is damaged, or WebAssembly SIMD is missing here.`);
+      }
+      // The build for threads starts workers from text, which policies of workers forbid.
+      tf.env().set('WASM_HAS_MULTITHREAD_SUPPORT', false);
+      // Read through the platform of TensorFlow.js, which is ours; the part before the name is ignored.
+      setWasmPaths('memory/', true);
+    },
+  };
+}
+
+function cpuCandidate(): Candidate {
+  return { name: 'cpu', isLastResort: true };
+}
