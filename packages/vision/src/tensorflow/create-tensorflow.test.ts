@@ -1,12 +1,12 @@
 import * as tf from '@tensorflow/tfjs-core';
 import { describe, expect, it } from 'vitest';
-import { wasmFiles } from '../../test/package-files.ts';
+import { readAssetSet } from '../../scripts/asset-sets.mjs';
 import { createTensorflow, WASM_FILE } from './create-tensorflow.ts';
 import { knownResults, probeError, runProbe } from './probe.ts';
 
 describe('createTensorflow', () => {
   it('falls back to plain JavaScript when the wasm file is damaged, with the reason', async () => {
-    const damaged = wasmFiles()[WASM_FILE]!.slice(0, 1000);
+    const damaged = readAssetSet('tfjs-wasm')[WASM_FILE]!.slice(0, 1000);
     const { backend, trials } = await createTensorflow({ [WASM_FILE]: damaged });
     expect(backend).toBe('cpu');
     expect(trials[0]).toMatchObject({
@@ -23,7 +23,7 @@ describe('createTensorflow', () => {
   });
 
   it('starts wasm from memory, checked and measured', async () => {
-    const { backend, trials } = await createTensorflow(wasmFiles());
+    const { backend, trials } = await createTensorflow(readAssetSet('tfjs-wasm'));
     expect(backend).toBe('wasm');
     expect(trials.map(({ name, outcome }) => [name, outcome])).toEqual([
       ['wasm', 'chosen'],
@@ -33,15 +33,15 @@ describe('createTensorflow', () => {
   });
 
   it('asks no network', async () => {
-    await createTensorflow(wasmFiles());
+    await createTensorflow(readAssetSet('tfjs-wasm'));
     await expect(tf.env().platform.fetch('https://example.com/model.json')).rejects.toThrow(
       'No file "model.json" was handed in. The network is not asked.',
     );
   });
 
   it('runs tasks of instances with different backends one after the other', async () => {
-    const wasm = await createTensorflow(wasmFiles());
-    const cpu = await createTensorflow(wasmFiles(), { backend: 'cpu' });
+    const wasm = await createTensorflow(readAssetSet('tfjs-wasm'));
+    const cpu = await createTensorflow(readAssetSet('tfjs-wasm'), { backend: 'cpu' });
     const seen: string[] = [];
     const task = async () => {
       seen.push(tf.getBackend());
@@ -53,7 +53,7 @@ describe('createTensorflow', () => {
   });
 
   it('goes on after a task that fails', async () => {
-    const { run } = await createTensorflow(wasmFiles());
+    const { run } = await createTensorflow(readAssetSet('tfjs-wasm'));
     await expect(run(() => Promise.reject(new Error('no picture')))).rejects.toThrow('no picture');
     expect(await run(() => 1)).toBe(1);
   });
@@ -61,12 +61,12 @@ describe('createTensorflow', () => {
 
 describe('the probe', () => {
   it.each(['wasm', 'cpu'] as const)('gives the known results on %s', async (backend) => {
-    const { run } = await createTensorflow(wasmFiles(), { backend });
+    const { run } = await createTensorflow(readAssetSet('tfjs-wasm'), { backend });
     expect(probeError(await run(runProbe), knownResults())).toBe(0);
   });
 
   it('finds wrong and missing numbers', async () => {
-    const { run } = await createTensorflow(wasmFiles());
+    const { run } = await createTensorflow(readAssetSet('tfjs-wasm'));
     const numbers = await run(runProbe);
     const known = knownResults();
     const { index } = known.find(({ value }) => value !== 0)!;

@@ -1,0 +1,91 @@
+import { createHash } from 'node:crypto';
+import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { basename, dirname, join } from 'node:path';
+
+const { resolve } = createRequire(import.meta.url);
+
+/** Folder of the models in `@vladmandic/human`, which exports programs only. */
+const humanModels = () => join(dirname(resolve('@vladmandic/human')), '..', 'models');
+const humanLicence = () => join(humanModels(), '..', 'LICENSE');
+const wasmFolder = () => dirname(resolve('@tensorflow/tfjs-backend-wasm'));
+
+/**
+ * @typedef {object} AssetSet files that modules are handed, under one name
+ * @property {string} name
+ * @property {string} version of the package that carries the files
+ * @property {string} licence SPDX expression
+ * @property {string} source where the files come from
+ * @property {() => string} folder where they are installed
+ * @property {readonly string[]} files
+ * @property {() => string} [licenceFile] the licence that has to go with copies
+ */
+
+/** @type {readonly AssetSet[]} */
+export const ASSET_SETS = [
+  {
+    name: 'tfjs-wasm',
+    version: '4.22.0',
+    licence: 'Apache-2.0',
+    source: 'https://github.com/tensorflow/tfjs, npm @tensorflow/tfjs-backend-wasm',
+    folder: wasmFolder,
+    files: ['tfjs-backend-wasm-simd.wasm'],
+  },
+  {
+    name: 'centernet-coco',
+    version: '3.3.6',
+    licence: 'MIT',
+    source:
+      'https://github.com/610265158/mobilenetv3_centernet, converted by Vladimir Mandic, npm @vladmandic/human',
+    folder: humanModels,
+    licenceFile: humanLicence,
+    files: ['centernet.json', 'centernet.bin'],
+  },
+  {
+    name: 'movenet-lightning',
+    version: '3.3.6',
+    licence: 'Apache-2.0',
+    source:
+      'https://tfhub.dev/google/movenet/singlepose/lightning/4, converted by Vladimir Mandic, npm @vladmandic/human',
+    folder: humanModels,
+    licenceFile: humanLicence,
+    files: ['movenet-lightning.json', 'movenet-lightning.bin'],
+  },
+];
+
+/**
+ * Reads the files of an asset set out of the installed packages.
+ *
+ * @param {string} name of the set
+ * @returns {Record<string, Uint8Array>} bytes by file name
+ */
+export function readAssetSet(name) {
+  const set = ASSET_SETS.find((one) => one.name === name);
+  if (set === undefined) throw new Error(`There is no asset set "${name}".`);
+  return Object.fromEntries(
+    set.files.map((file) => [
+      basename(file),
+      new Uint8Array(readFileSync(join(set.folder(), file))),
+    ]),
+  );
+}
+
+/**
+ * Writes all asset sets, each as a folder with its files, `manifest.json` and, where it has to be, `LICENSE`.
+ *
+ * @param {string} outdir
+ */
+export function writeAssetSets(outdir) {
+  for (const { name, version, licence, source, licenceFile } of ASSET_SETS) {
+    const folder = join(outdir, name);
+    mkdirSync(folder, { recursive: true });
+    const files = Object.entries(readAssetSet(name)).map(([path, bytes]) => {
+      writeFileSync(join(folder, path), bytes);
+      const sha256 = createHash('sha256').update(bytes).digest('hex');
+      return { path, bytes: bytes.length, sha256 };
+    });
+    if (licenceFile !== undefined) copyFileSync(licenceFile(), join(folder, 'LICENSE'));
+    const manifest = { name, version, licence, source, files };
+    writeFileSync(join(folder, 'manifest.json'), `${JSON.stringify(manifest, undefined, 2)}\n`);
+  }
+}
