@@ -7,3 +7,8 @@ export * from './image-tools/histogram.ts';
 export * from './image-tools/motion-energy.ts';
 export * from './image-tools/scale-picture.ts';
 export * from './picture.ts';
+export * from './detection/boxes.ts';
+export { CENTER_NET_MODEL, createCenterNet } from './detection/center-net.ts';
+export * from './detection/coco-classes.ts';
+export * from './detection/coco-ssd.ts';
+export type * from './detection/detector.ts';
