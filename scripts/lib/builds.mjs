@@ -44,6 +44,12 @@ const builds = {
       await precompress(inRoot('apps/frontend/dist'));
     },
   },
+  vision: {
+    output: 'packages/vision/dist/vision.js',
+    inputs: ['pnpm-lock.yaml', 'tsconfig.base.json', 'packages/vision', 'scripts/lib/builds.mjs'],
+    build: async () =>
+      expectSuccess(await runNode(inRoot('packages/vision/scripts/build.mjs'), [])),
+  },
   node: {
     output: 'apps/node/dist/main.js',
     inputs: [...everywhere, 'packages/client-web', 'packages/discovery', 'apps/node'],

@@ -1,0 +1,31 @@
+import { join } from 'node:path';
+import { build } from 'esbuild';
+
+/** What the licences of the parts ask to be told; their files bring part of it as comments. */
+const NOTICE = `/*! Contains TensorFlow.js and its COCO-SSD, (c) Google LLC, Apache-2.0; seedrandom, (c) David Bau, MIT; long.js, (c) Daniel Wirtz, Apache-2.0. */`;
+
+/**
+ * Builds the library as one script without imports, which is a `var ubiiVision`, and whose value, when
+ * it is evaluated, is the library.
+ *
+ * @param {string} outfile
+ * @returns {Promise<void>}
+ */
+export async function buildLibrary(outfile) {
+  await build({
+    entryPoints: [join(import.meta.dirname, '..', 'src', 'index.ts')],
+    outfile,
+    bundle: true,
+    minify: true,
+    legalComments: 'eof',
+    logLevel: 'warning',
+    // Files that only Node would read are left out; `process` would make code look for them.
+    platform: 'browser',
+    define: { process: 'undefined' },
+    format: 'iife',
+    globalName: 'ubiiVision',
+    target: 'es2022',
+    banner: { js: NOTICE },
+    footer: { js: 'ubiiVision;' },
+  });
+}
