@@ -73,10 +73,12 @@ export function usePageDevice(isOn: Ref<boolean>, takesKeys: Ref<boolean>): void
         const key = keys.release(event.code);
         if (key !== undefined) publishKey(ButtonEventType.UP, key);
       } else if (takesKeys.value && isCaptured(event) && !isTyping(event.target)) {
+        // A letter is for the session: no single-key shortcut takes it as well.
+        if (event.key.length === 1 && event.key !== ' ') event.preventDefault();
         if (keys.press(event.code, event.key)) publishKey(ButtonEventType.DOWN, event.key);
       }
     },
-    options,
+    { capture: true },
   );
   useEventListener(window, 'blur', releaseAll);
   watch(takesKeys, (takes) => takes || releaseAll());
