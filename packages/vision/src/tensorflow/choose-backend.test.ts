@@ -91,6 +91,14 @@ describe('chooseBackend', () => {
     expect((await chooseBackend([cpu, missing], { now })).backend).toBe('cpu');
   });
 
+  it('measures a slow backend by less runs', async () => {
+    const { now, candidate } = world();
+    const { trials } = await chooseBackend([candidate('webgl', 250)], { now });
+    expect(trials[0]!.probeMs).toBe(250);
+    // The first run, and two of which the second began before the limit.
+    expect(now()).toBe(3 * 250);
+  });
+
   it('throws with all reasons when none works', async () => {
     const { now, candidate } = world();
     const probe = () => Promise.reject(new Error('out of memory'));

@@ -1,4 +1,4 @@
-/** Where TensorFlow.js computes: graphics card (new and old interface), WebAssembly, plain JavaScript. */
+/** Where TensorFlow.js computes: on the graphics card (two interfaces), in WebAssembly, in plain JavaScript. */
 export type BackendName = 'webgpu' | 'webgl' | 'wasm' | 'cpu';
 
 /** A backend to try. */
@@ -6,7 +6,7 @@ export interface BackendCandidate {
   readonly name: BackendName;
   /** Why it cannot be here; undefined when it can be tried. */
   readonly absence?: string;
-  /** Only tried when no other backend works: measuring it would take longer than it can gain. */
+  /** Only tried when it is wanted or nothing else works: measuring it takes longer than it can gain. */
   readonly isLastResort?: boolean;
   /** Starts it. Rejects when it cannot be started. */
   start(): Promise<void>;
@@ -49,8 +49,10 @@ export interface ChooseBackendOptions {
  */
 export const MAX_PROBE_ERROR = 0.01;
 
-/** The shortest of three: the first ones of a busy machine are no measure of a backend. */
+/** The shortest of three: single ones on a busy machine are no measure of a backend. */
 const PROBE_RUNS = 3;
+/** Slow backends are measured by less runs: longer than this, a start would be felt. */
+const MAX_PROBING_MS = 300;
 
 /**
  * Tries backends and returns the fastest whose numbers are right, or the wanted one if it works.
@@ -114,7 +116,8 @@ async function tryBackend(candidate: BackendCandidate, now: () => number): Promi
       return { name, outcome: 'wrong', reason: `The results of its probe are ${size}.`, startMs };
     }
     let probeMs = Infinity;
-    for (let run = 0; run < PROBE_RUNS; run++) {
+    const probingSince = now();
+    for (let run = 0; run < PROBE_RUNS && now() - probingSince < MAX_PROBING_MS; run++) {
       const at = now();
       await candidate.probe();
       probeMs = Math.min(probeMs, now() - at);

@@ -1,5 +1,7 @@
 import '@tensorflow/tfjs-backend-cpu';
 import { setWasmPaths } from '@tensorflow/tfjs-backend-wasm';
+import '@tensorflow/tfjs-backend-webgl';
+import '@tensorflow/tfjs-backend-webgpu';
 import { type GraphModel, loadGraphModel } from '@tensorflow/tfjs-converter';
 import * as tf from '@tensorflow/tfjs-core';
 import {
@@ -64,7 +66,13 @@ export function createTensorflow(
     // Without advice on packages to install, which goes to the console otherwise.
     tf.env().set('PROD', true);
     const known = knownResults();
-    const candidates = [wasmCandidate(files), cpuCandidate()].map((candidate) => ({
+    const candidates = [
+      // First of the last resorts: renderers in software are no faster, and start in seconds.
+      cpuCandidate(),
+      gpuCandidate('webgpu', 'WebGPU'),
+      gpuCandidate('webgl', 'WebGL'),
+      wasmCandidate(files),
+    ].map((candidate) => ({
       ...candidate,
       start: async () => {
         await candidate.start?.();
@@ -96,6 +104,29 @@ export function createTensorflow(
 type Candidate = Pick<BackendCandidate, 'name' | 'absence' | 'isLastResort'> & {
   start?: () => Promise<void>;
 };
+
+/** Backends for graphics cards register themselves where the browser has what they need. */
+function gpuCandidate(name: 'webgl' | 'webgpu', label: string): Candidate {
+  return {
+    name,
+    absence: tf.findBackendFactory(name) == null ? `${label} is missing here.` : undefined,
+    // In software it is a tenth as fast as wasm, and seconds pass until its shaders are compiled.
+    isLastResort: isSoftwareRenderer(),
+  };
+}
+
+/** Renderers that draw without a graphics card, by the names they give. */
+const SOFTWARE_RENDERERS = /swiftshader|llvmpipe|softpipe|basic render|software/i;
+
+function isSoftwareRenderer(): boolean {
+  if (typeof OffscreenCanvas === 'undefined') return false;
+  const context = new OffscreenCanvas(1, 1).getContext('webgl2');
+  const info = context?.getExtension('WEBGL_debug_renderer_info');
+  if (context == null || info == null) return false;
+  const name = String(context.getParameter(info.UNMASKED_RENDERER_WEBGL));
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+  return SOFTWARE_RENDERERS.test(name);
+}
 
 function wasmCandidate(files: Files): Candidate {
   const bytes = files[WASM_FILE];
