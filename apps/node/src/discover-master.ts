@@ -3,15 +3,15 @@ import type { FindOptions, FoundMaster } from '@ubii/discovery';
 import type { Log } from './log.ts';
 import { ConfigError } from './read-config.ts';
 
-/** Others have so long to answer after the first one, milliseconds. */
+/** Time for further masters to answer after the first one, milliseconds. */
 const OTHERS_MS = 1_500;
-/** Who waits wants to know what for, milliseconds. */
-const PATIENCE_MS = 3_000;
+/** Time without an answer after which a message is logged, milliseconds. */
+const NOTICE_DELAY_MS = 3_000;
 
 /**
- * Looks for the one master of the local network, for as long as it takes. [DI-5]
- * @returns its address
- * @throws ConfigError that lists them when there are several
+ * Searches the local network for a master until one answers. [DI-5]
+ * @returns the address of the master
+ * @throws ConfigError with a list of the masters when several answer
  */
 export async function discoverMaster(
   log: Log,
@@ -21,17 +21,17 @@ export async function discoverMaster(
   const timers: NodeJS.Timeout[] = [];
   let end: () => Promise<void> = async () => undefined;
   await new Promise<void>((resolve) => {
-    const patience = setTimeout(() => {
-      log('info', 'No master found in the local network yet. Still looking for one');
-    }, PATIENCE_MS);
-    timers.push(patience);
+    const notice = setTimeout(() => {
+      log('info', 'No master found in the local network yet. Searching');
+    }, NOTICE_DELAY_MS);
+    timers.push(notice);
     end = findMasters({
       ...where,
-      onProblem: (reason) => log('warn', `Looking for a master: ${reason}`),
+      onProblem: (reason) => log('warn', `Search for a master: ${reason}`),
       onFound: (masters) => {
         found = masters;
         if (masters.length > 1) return;
-        clearTimeout(patience);
+        clearTimeout(notice);
         timers.push(setTimeout(resolve, OTHERS_MS));
       },
     });
@@ -45,7 +45,7 @@ export async function discoverMaster(
   }
   throw new ConfigError(
     [
-      `Found ${found.length} masters in the local network. Choose one with --master.`,
+      `Found ${found.length} masters in the local network. Choose one with --master:`,
       ...found.map((master) => `  --master ${master.url}   ${describeMaster(master)}`),
     ].join('\n'),
   );

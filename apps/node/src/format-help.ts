@@ -5,16 +5,16 @@ import { environmentName, flagName } from './read-config.ts';
 const LINE_WIDTH = 96;
 const INDENT = '      ';
 
-/** The help: every option with its flag, environment variable, default and meaning. */
+/** Returns the help: each option with its flag, environment variable, default and meaning. */
 export function formatHelp(): string {
   const entries = (Object.keys(ALL_OPTIONS) as OptionName[]).map((name) => {
     const { placeholder, fallback, fallbackText, description } = ALL_OPTIONS[name];
     const flag = `  ${flagName(name)}${placeholder === undefined ? '' : ` ${placeholder}`}`;
-    const ways = `${environmentName(name)}; default: ${fallbackText ?? String(fallback)}`;
-    return [flag, ...wrap(description), ...wrap(ways)].join('\n');
+    const variable = `${environmentName(name)}; default: ${fallbackText ?? String(fallback)}`;
+    return [flag, ...wrap(description), ...wrap(variable)].join('\n');
   });
   return [
-    'Ubi-Interact node: runs the processing modules of sessions for a master.',
+    'Ubi-Interact node: runs processing modules of the sessions of a master.',
     '',
     '  npm run node -- [flags]',
     '',

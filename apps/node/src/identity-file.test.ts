@@ -13,7 +13,7 @@ function newFile(): string {
 const ada = { clientId: 'ada', resumeToken: 'secret' };
 
 describe('the identity of a node', () => {
-  it('[PM-63] is there in the next run, and outlives a deregistration', () => {
+  it('[PM-63] is available in the next run, also after a deregistration', () => {
     const file = newFile();
     expect(createIdentityFile(file).load()).toBeUndefined();
     const first = createIdentityFile(file);
@@ -23,7 +23,7 @@ describe('the identity of a node', () => {
     expect(statSync(file).mode & 0o077).toBe(0);
   });
 
-  it('is left to a process that uses it', () => {
+  it('is not loaded while another process uses it', () => {
     const file = newFile();
     createIdentityFile(file).save(ada);
     const text = JSON.stringify({ ...ada, pid: 1 });
@@ -34,7 +34,7 @@ describe('the identity of a node', () => {
     expect(createIdentityFile(file, () => false).load()).toEqual(ada);
   });
 
-  it('is none when the file holds nothing that can be used', () => {
+  it('is undefined when the file is invalid', () => {
     const file = newFile();
     createIdentityFile(file).save(ada);
     for (const text of ['', 'null', '{}', '[1]', '{"clientId":3,"pid":1}']) {

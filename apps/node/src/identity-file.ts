@@ -6,16 +6,16 @@ import { dirname, join } from 'node:path';
 interface Kept {
   readonly clientId: string;
   readonly resumeToken?: string;
-  /** Shows that it has joined [AC-13]. */
+  /** Secret of a joined client [AC-13]. */
   readonly credential?: string;
-  /** Whoever uses it, or used it last. */
+  /** The process that uses the identity, or used it last. */
   readonly pid: number;
 }
 
 /**
- * Keeps the identity of a node in a file, so that its next run gets back the modules that somebody put
- * on it. [PM-63] One that another running process uses is left to that one. The file is a secret: it
- * lets its owner be this client.
+ * Stores the identity of a node in a file, so that the next run gets the modules that sessions assigned
+ * to the node. [PM-63] Does not load an identity that another running process uses. The file is a
+ * secret: a program that reads it can connect as this client.
  */
 export function createIdentityFile(
   path: string,
@@ -32,7 +32,7 @@ export function createIdentityFile(
       return { clientId, resumeToken, ...(credential === undefined ? {} : { credential }) };
     },
     save(identity: Identity | undefined): void {
-      // Forgetting is for clients that leave for good. An identity that is worth nothing is replaced.
+      // Keep the identity when the node deregisters: the next run needs it. An invalid one is replaced.
       if (!isOurs || identity === undefined) return;
       const kept: Kept = {
         clientId: identity.clientId,
@@ -47,7 +47,7 @@ export function createIdentityFile(
   };
 }
 
-/** Where the identity of a node is kept unless somebody says otherwise. */
+/** Returns the default path of the identity file of a node. */
 export function defaultIdentityFile(
   master: string,
   name: string,
@@ -65,7 +65,7 @@ function read(path: string): Kept | undefined {
     if (typeof kept?.clientId !== 'string' || typeof kept.pid !== 'number') return undefined;
     return kept as Kept;
   } catch {
-    return undefined; // there is none, or nothing that can be used
+    return undefined; // missing or invalid
   }
 }
 

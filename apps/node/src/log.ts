@@ -1,10 +1,10 @@
 import { LOG_LEVELS } from './options.ts';
 import type { LogLevel } from './options.ts';
 
-/** Tells people what the program does, a line each. */
+/** Logs one line. */
 export type Log = (level: LogLevel, message: string) => void;
 
-/** @param write takes one line, without its end */
+/** @param write takes one line, without the line break */
 export function createLog(least: LogLevel, write: (line: string) => void, nowMs = Date.now): Log {
   return (level, message) => {
     if (LOG_LEVELS.indexOf(level) > LOG_LEVELS.indexOf(least)) return;
@@ -13,7 +13,7 @@ export function createLog(least: LogLevel, write: (line: string) => void, nowMs 
   };
 }
 
-/** Texts come from modules and from the master: control characters must not reach a terminal. */
+/** Removes control characters: messages contain texts of modules and of the master. */
 function printable(text: string): string {
   return text.replace(/\p{Cc}/gu, (control) => (control === '\n' ? '\n      ' : ''));
 }

@@ -9,9 +9,9 @@ import { startNode } from './start-node.ts';
 import type { RunningNode } from './start-node.ts';
 import { readTokenFile } from './token-file.ts';
 
-/** Everything is closed by then, or the process ends without it. */
+/** The process exits after this time, even if closing has not finished. */
 const SHUTDOWN_DEADLINE_MS = 1_900;
-/** Ctrl-C reaches the node from the terminal and from the start script: the second is no impatience. */
+/** Ignore the duplicate Ctrl-C that npm sends. */
 const SAME_SIGNAL_MS = 500;
 
 try {
@@ -27,25 +27,25 @@ async function run(args: readonly string[]): Promise<void> {
     process.stdout.write(formatHelp());
     return;
   }
-  const wished = readConfig(args, process.env, process.cwd());
-  if (wished.version) {
+  const options = readConfig(args, process.env, process.cwd());
+  if (options.version) {
     process.stdout.write(`${readVersion()}\n`);
     return;
   }
-  const log = createLog(wished.logLevel, (line) => process.stderr.write(`${line}\n`));
-  const join = wished.tokenFile === undefined ? wished.join : readTokenFile(wished.tokenFile);
-  const found = wished.discover ? { master: await discover(log) } : {};
-  const config = { ...wished, join, ...found };
+  const log = createLog(options.logLevel, (line) => process.stderr.write(`${line}\n`));
+  const join = options.tokenFile === undefined ? options.join : readTokenFile(options.tokenFile);
+  const found = options.discover ? { master: await discover(log) } : {};
+  const config = { ...options, join, ...found };
   const { sandboxes, libraries } = openSandboxes(config.allowFetch, config.memory || undefined);
   const running = await startNode({ config, sandboxes, libraries, log });
-  endInGoodOrder(async () => {
+  shutDownOnSignal(async () => {
     await running.close();
     await sandboxes.close();
   }, log);
   if (config.printEndpoints === 'json') printWhenConnected(running, config.master);
 }
 
-/** Nothing has to be ended in good order yet; else as in `endInGoodOrder`. */
+/** Discovers the master. When the parent process ends, exits without a shutdown. */
 async function discover(log: Log): Promise<string> {
   const end = (): never => process.exit(0);
   process.on('disconnect', end);
@@ -65,7 +65,7 @@ function printWhenConnected({ client }: RunningNode, master: string): void {
   });
 }
 
-function endInGoodOrder(close: () => Promise<void>, log: Log): void {
+function shutDownOnSignal(close: () => Promise<void>, log: Log): void {
   let endingSince: number | undefined;
   const end = (exitCode: number): void => {
     if (endingSince !== undefined) {
@@ -77,7 +77,7 @@ function endInGoodOrder(close: () => Promise<void>, log: Log): void {
     close().then(
       () => process.exit(exitCode),
       (error: unknown) => {
-        log('error', `Closing failed: ${String(error)}`);
+        log('error', `Shutdown failed: ${String(error)}`);
         process.exit(1);
       },
     );
@@ -85,16 +85,18 @@ function endInGoodOrder(close: () => Promise<void>, log: Log): void {
   process.on('SIGINT', () => end(0));
   process.on('SIGTERM', () => end(0));
   process.on('SIGHUP', () => end(0));
-  // A program that started the node with a channel to it does not leave it behind.
+  // The parent process has ended.
   process.on('disconnect', () => end(0));
   process.channel?.unref();
-  // A fault of this program must not take the modules of others with it.
-  process.on('unhandledRejection', (error) => log('error', `Unhandled: ${describe(error)}`));
+  // An error of this program must not stop the modules that it runs.
+  process.on('unhandledRejection', (error) =>
+    log('error', `Unhandled rejection: ${describe(error)}`),
+  );
   process.on('uncaughtException', (error) => {
-    log('error', `Uncaught: ${describe(error)}`);
+    log('error', `Uncaught exception: ${describe(error)}`);
     end(1);
   });
-  // A closed pipe (`npm run node | head`) is no reason to end.
+  // Continue when a pipe is closed (`npm run node | head`).
   for (const stream of [process.stdout, process.stderr]) stream.on('error', () => {});
 }
 

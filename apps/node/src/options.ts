@@ -3,14 +3,14 @@ import { resolve } from 'node:path';
 
 /** One option of the program. */
 interface Option<T> {
-  /** What follows the flag in the help; `undefined` for a switch that needs no value. */
+  /** Placeholder of the value in the help; `undefined` for a switch without a value. */
   readonly placeholder: string | undefined;
   readonly fallback: T;
-  /** What the help says about the fallback, where the value itself would say little. */
+  /** Shown in the help instead of the fallback. */
   readonly fallbackText?: string;
   /** What it does, with its unit. */
   readonly description: string;
-  /** @throws Error whose message is what was expected, to follow "must be" */
+  /** @throws Error whose message is the expected value, to follow "must be" */
   parse(text: string, baseDir: string): T;
 }
 
@@ -18,7 +18,7 @@ function option<T>(entry: Option<T>): Option<T> {
   return entry;
 }
 
-/** A few modules. */
+/** Room for a few modules. */
 const LEAST_MEGABYTES = 8;
 
 /**
@@ -36,7 +36,7 @@ export const OPTIONS = {
     placeholder: undefined,
     fallback: false,
     description:
-      'Look for the master in the local network (multicast DNS) instead. When there are several, they are listed.',
+      'Find the master in the local network (multicast DNS). With several masters, list them and exit.',
     parse: parseSwitch,
   }),
   join: option<string | undefined>({
@@ -52,7 +52,7 @@ export const OPTIONS = {
     fallback: undefined,
     fallbackText: 'none',
     description:
-      'File with the token to join with, which keeps it out of the list of processes. The file admin-token in the data directory of a master of this machine makes this node an admin.',
+      'File with the token to join with, so that the list of processes does not show it. The file admin-token in the data directory of a local master makes this node an admin.',
     parse: (text, baseDir) => resolve(baseDir, text),
   }),
   modules: option<string | undefined>({
@@ -60,12 +60,12 @@ export const OPTIONS = {
     fallback: undefined,
     fallbackText: 'none',
     description:
-      'Folder with modules of your own, .pm and .js files. Their code is trusted. Changes apply at once.',
+      'Folder with modules of your own, as .pm, .js and .mjs files. Their code is trusted. Changes apply at once.',
     parse: (text, baseDir) => resolve(baseDir, text),
   }),
   name: option({
     placeholder: '<text>',
-    fallback: `${hostname().split('.')[0] || 'some'} node`,
+    fallback: `${hostname().split('.')[0] || 'unnamed'} node`,
     description: 'Name of this node, shown to users.',
     parse: parseName,
   }),
@@ -74,20 +74,20 @@ export const OPTIONS = {
     fallback: [],
     fallbackText: 'none',
     description:
-      'Origins that modules with the library http may read from: https://example.org,http://sensor.local:8000.',
+      'Origins that modules may read from with the library http, such as https://example.org,http://sensor.local:8000.',
     parse: parseOrigins,
   }),
   noAcceptWork: option({
     placeholder: undefined,
     fallback: false,
     description:
-      'Run only modules that are assigned to this node by name: the master does not choose it by itself.',
+      'Run only modules that a session assigns to this node by name. The master does not choose this node.',
     parse: parseSwitch,
   }),
   capacity: option({
     placeholder: '<number>',
     fallback: 0,
-    fallbackText: 'not said',
+    fallbackText: 'none',
     description:
       'Number of modules this node should run at once. The master uses it to choose a node.',
     parse: parseCount,
@@ -95,17 +95,17 @@ export const OPTIONS = {
   memory: option({
     placeholder: '<MiB>',
     fallback: 0,
-    fallbackText: "a quarter of the machine's, at least 256",
+    fallbackText: "a quarter of the machine's memory, at least 256",
     description:
-      'Memory of all sandboxed modules on this node; modules of one session get half of it, at most 1024.',
+      'Memory of all sandboxed modules on this node, in MiB. Modules of one session get half of it, at most 1024.',
     parse: parseMegabytes,
   }),
   identity: option<string | undefined>({
     placeholder: '<file>|off',
     fallback: undefined,
-    fallbackText: 'a file of the user for this name and master',
+    fallbackText: 'a file in the home directory, one for each name and master',
     description:
-      'File with the identity of this node, so that its next run gets the modules of the previous one.',
+      'File with the identity of this node, so that its next run is the same client. off: each run is a new client.',
     parse: (text, baseDir) => (text === 'off' ? 'off' : resolve(baseDir, text)),
   }),
   printEndpoints: option<'json' | undefined>({
@@ -113,7 +113,7 @@ export const OPTIONS = {
     fallback: undefined,
     fallbackText: 'off',
     description:
-      'When connected for the first time, write one line of JSON with id, name and pid to standard output, for scripts.',
+      'When connected for the first time, write one line of JSON with id, name, master and pid to standard output.',
     parse: parseJson,
   }),
   logLevel: option<LogLevel>({
@@ -143,15 +143,15 @@ export const LOG_LEVELS = ['error', 'warn', 'info', 'debug'] as const;
 
 export type LogLevel = (typeof LOG_LEVELS)[number];
 
-/** The values the program runs with. */
+/** The values of all options. */
 export type Config = {
   readonly [O in OptionName]: (typeof OPTIONS)[O] extends Option<infer T> ? T : never;
 };
 
-/** The options as they are, for those who go through all of them. */
+/** The options with a common type, to iterate over them. */
 export const ALL_OPTIONS: Readonly<Record<OptionName, Option<unknown>>> = OPTIONS;
 
-/** A link as the QR code has it will do. */
+/** Returns the token or code. Also accepts the link of a QR code. */
 export function parseJoin(text: string): string {
   const token = text.slice(text.indexOf('#') + 1).trim();
   if (!/^[!-~][ -~]{0,199}$/.test(token)) {
@@ -163,7 +163,7 @@ export function parseJoin(text: string): string {
 function parseUrl(text: string): string {
   const url = URL.canParse(text) ? new URL(text) : undefined;
   if (url === undefined || !/^https?:$/.test(url.protocol) || url.pathname !== '/') {
-    throw new Error('a http or https URL without a path, such as http://192.168.1.20:8080');
+    throw new Error('an http or https URL without a path, such as http://192.168.1.20:8080');
   }
   return url.origin;
 }
@@ -172,7 +172,7 @@ function parseName(text: string): string {
   const name = text.trim();
   // eslint-disable-next-line no-control-regex -- names are lines that are drawn and logged
   if (name === '' || name.length > 100 || /[\u0000-\u001f\u007f]/.test(name)) {
-    throw new Error('1 to 100 characters');
+    throw new Error('1 to 100 characters, without control characters');
   }
   return name;
 }

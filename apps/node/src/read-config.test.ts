@@ -7,7 +7,7 @@ import type { OptionName } from './options.ts';
 const read = (args: string[], env = {}) => readConfig(args, env, '/home/ada');
 
 describe('the configuration', () => {
-  it('takes flags before the environment before what nobody said', () => {
+  it('prefers a flag to the environment, and the environment to the default', () => {
     const env = { UBII_NODE_NAME: 'hall', UBII_NODE_CAPACITY: '4', UBII_NODE_MODULES: '' };
     expect(read(['--name', 'kitchen', '--no-accept-work'], env)).toMatchObject({
       name: 'kitchen',
@@ -19,7 +19,7 @@ describe('the configuration', () => {
     });
   });
 
-  it('reads values as they are meant', () => {
+  it('parses the values', () => {
     expect(
       read([
         '--master=http://192.168.1.20:8080/',
@@ -35,20 +35,20 @@ describe('the configuration', () => {
   });
 
   it.each([
-    [['--master', 'localhost:8080'], '--master must be a http or https URL'],
+    [['--master', 'localhost:8080'], '--master must be an http or https URL'],
     [['--master', 'http://x/services'], 'without a path'],
-    [['--master', 'http://x', '--discover'], 'Leave one of the two out'],
+    [['--master', 'http://x', '--discover'], 'Remove one of them'],
     [['--capacity', '-1'], '--capacity must be a whole number'],
     [['--log-level', 'loud'], 'error, warn, info or debug'],
     [['--name', ''], '1 to 100 characters'],
     [['--print-endpoints', 'xml'], '--print-endpoints must be json'],
     [['--name', '--capacity'], '--name needs a value'],
-  ])('refuses %j and says what was expected', (args, reason) => {
+  ])('refuses %j with the expected value', (args, reason) => {
     expect(() => read(args)).toThrow(ConfigError);
     expect(() => read(args)).toThrow(reason);
   });
 
-  it('has every option in the help', () => {
+  it('lists every option in the help', () => {
     const help = formatHelp();
     for (const name of Object.keys(ALL_OPTIONS) as OptionName[]) {
       expect(help).toContain(`  ${flagName(name)}`);

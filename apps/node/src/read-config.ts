@@ -1,7 +1,7 @@
 import { ALL_OPTIONS } from './options.ts';
 import type { Config, OptionName } from './options.ts';
 
-/** The program cannot run like this: the message is one sentence for the person who started it. */
+/** Invalid configuration. The message is printed as it is, without a stack. */
 export class ConfigError extends Error {
   override readonly name = 'ConfigError';
 }
@@ -14,10 +14,10 @@ interface Given {
 const names = Object.keys(ALL_OPTIONS) as OptionName[];
 
 /**
- * Puts the configuration together: flag before environment before fallback.
+ * Reads the configuration. A flag has precedence over the environment, and the environment over the default.
  *
- * @param args command line without program and script
- * @throws ConfigError for an unknown flag and for every wrong value
+ * @param args arguments without program and script
+ * @throws ConfigError for an unknown flag and for an invalid value
  */
 export function readConfig(
   args: readonly string[],
@@ -32,21 +32,21 @@ export function readConfig(
     try {
       return [name, parse(set.text, cwd)];
     } catch (error) {
-      const hint = placeholder === undefined ? '' : `: write ${flagName(name)} ${placeholder}`;
+      const hint = placeholder === undefined ? '' : `. Use ${flagName(name)} ${placeholder}`;
       throw new ConfigError(
-        `The option ${flagName(name)} must be ${(error as Error).message}, but ${set.place} it is "${set.text}"${hint}.`,
+        `The option ${flagName(name)} must be ${(error as Error).message}, but is "${set.text}" ${set.place}${hint}.`,
       );
     }
   });
   const config = Object.fromEntries(values) as unknown as Config;
   if (config.discover && given.has('master')) {
     throw new ConfigError(
-      'The options --master and --discover both choose the master. Leave one of the two out.',
+      'The options --master and --discover both choose the master. Remove one of them.',
     );
   }
   if (config.join !== undefined && config.tokenFile !== undefined) {
     throw new ConfigError(
-      'The options --join and --token-file both set the token. Leave one of the two out.',
+      'The options --join and --token-file both set the token. Remove one of them.',
     );
   }
   return config;
@@ -71,8 +71,8 @@ function readFlags(args: readonly string[]): Map<OptionName, Given> {
     if (name === undefined) {
       throw new ConfigError(
         argument.startsWith('-')
-          ? `The flag ${flag} does not exist. --help shows all flags.`
-          : `The argument "${argument}" does not belong to a flag. --help shows all flags.`,
+          ? `Unknown flag ${flag}. Use --help to list all flags.`
+          : `Unexpected argument "${argument}". Use --help to list all flags.`,
       );
     }
     let text: string | undefined;
@@ -81,7 +81,7 @@ function readFlags(args: readonly string[]): Map<OptionName, Given> {
     else text = args[(index += 1)];
     if (text === undefined || (argument === flag && text.startsWith('--'))) {
       throw new ConfigError(
-        `The flag ${flag} needs a value after it, ${flag} ${ALL_OPTIONS[name].placeholder}: ${ALL_OPTIONS[name].description}`,
+        `The flag ${flag} needs a value: ${flag} ${ALL_OPTIONS[name].placeholder}. ${ALL_OPTIONS[name].description}`,
       );
     }
     given.set(name, { text, place: 'on the command line' });
@@ -96,7 +96,7 @@ function readEnvironment(
   for (const name of names) {
     const text = env[environmentName(name)];
     if (text === undefined || text === '') continue;
-    given.set(name, { text, place: `in the environment as ${environmentName(name)}` });
+    given.set(name, { text, place: `in the environment variable ${environmentName(name)}` });
   }
   return given;
 }

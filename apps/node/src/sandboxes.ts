@@ -4,7 +4,7 @@ import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
-/** Where code runs, and what it finds there. */
+/** The sandboxes of a node and their libraries. */
 export interface OpenSandboxes {
   readonly sandboxes: SandboxFactory;
   /** Names of the libraries modules get in `state.modules`. */
@@ -12,8 +12,10 @@ export interface OpenSandboxes {
 }
 
 /**
- * @param allowedOrigins what modules may read from; none: there is no library for it
- * @param memoryBytes of all sandboxed modules; undefined: by the machine
+ * Opens the sandboxes.
+ *
+ * @param allowedOrigins origins that modules may read from; without any, modules have no library `http`
+ * @param memoryBytes memory of all sandboxed modules; undefined: a share of the machine's memory
  */
 export function openSandboxes(
   allowedOrigins: readonly string[],
@@ -31,13 +33,13 @@ export function openSandboxes(
   };
 }
 
-/** Beside the program when it is built; from the sources the build of before is taken. */
+/** Finds the worker script beside the built program. A program that runs from its sources uses the last build. */
 function findWorker(): URL {
   const places = ['./module-worker.js', '../dist/module-worker.js'].map(
     (path) => new URL(path, import.meta.url),
   );
   const found = places.find((place) => existsSync(fileURLToPath(place)));
   if (found === undefined)
-    throw new Error('The worker for modules is not built. Run npm run build');
+    throw new Error('The worker script for modules is missing. Run "npm run build".');
   return found;
 }

@@ -13,29 +13,29 @@ import type { Log } from './log.ts';
 import type { Config, LogLevel } from './options.ts';
 import { ConfigError } from './read-config.ts';
 
-/** How long leaving the master may take, milliseconds: with what the process needs, 2 s in all. */
+/** Time for each step of the shutdown, milliseconds. With the exit of the process, it takes 2 s at most. */
 const STOP_TIMEOUT_MS = 800;
 
-/** What a node is started with. */
+/** Arguments of `startNode`. */
 export interface NodeSetup {
   readonly config: Config;
   readonly sandboxes: SandboxFactory;
-  /** Names of the libraries the sandboxes offer. */
+  /** Names of the libraries of the sandboxes. */
   readonly libraries: readonly string[];
   readonly log: Log;
 }
 
-/** A node that takes part, or tries to. */
+/** A node that is connected or connecting. */
 export interface RunningNode {
   readonly client: UbiiClient;
   readonly node: ProcessingNode;
-  /** Ends all modules and leaves the master; gives up on what takes too long. */
+  /** Stops all modules and deregisters. Resolves after at most two `STOP_TIMEOUT_MS`. */
   close(): Promise<void>;
 }
 
 /**
- * Starts a node. Resolves as soon as it has begun to connect; it never gives that up.
- * @throws ConfigError when the folder of modules cannot be read
+ * Starts a node. Resolves when it has begun to connect; it tries to connect until it succeeds.
+ * @throws ConfigError when the module folder cannot be read
  */
 export async function startNode({
   config,
@@ -100,7 +100,7 @@ export async function startNode({
   };
 }
 
-/** Modules that need what this node does not have would only be offered in vain. [PM-4] */
+/** True when the node has all libraries of the module. Other modules are not offered. [PM-4] */
 function isRunnable({ extension }: ProcessingModule, libraries: readonly string[]): boolean {
   return (extension?.libraries ?? []).every((library) => libraries.includes(library));
 }
@@ -112,45 +112,47 @@ async function watchFolder(
 ): Promise<FolderWatch> {
   try {
     return await watchModuleFolder(folder, onChange, (error) =>
-      log('error', `${folder} is no longer watched: ${error.message}`),
+      log('error', `Changes in ${folder} are no longer detected: ${error.message}`),
     );
   } catch (error) {
     throw new ConfigError(
-      `The folder given by --modules, ${folder}, must be readable, but: ${messageOf(error)}.`,
+      `The module folder ${folder} (--modules) cannot be read: ${messageOf(error)}.`,
     );
   }
 }
 
-/** The client connects by itself; only when somebody else uses its identity it stops. */
+/** Connects. The client reconnects by itself, and stops only when another client uses its identity. */
 function keepConnecting(client: UbiiClient, log: Log): void {
   client.connect().catch((error: unknown) => {
-    log('error', `The node stopped trying to connect: ${messageOf(error)}`);
+    log('error', `The node no longer tries to connect: ${messageOf(error)}`);
   });
 }
 
 function describeModules(modules: readonly ProcessingModule[]): string {
   const names = modules.map(({ name }) => name).join(', ');
-  return modules.length === 0 ? 'No modules' : `${modules.length} modules (${names})`;
+  if (modules.length === 0) return 'No modules';
+  return `${modules.length} ${modules.length === 1 ? 'module' : 'modules'} (${names})`;
 }
 
-/** Tells how the connection is; of the attempts to get it back only the first. */
+/** Logs changes of the connection. Logs only the first of several failed attempts as a warning. */
 function createStateLog(log: Log, master: string): (state: ConnectionState) => void {
-  let isTold = false;
+  let isLogged = false;
   return (state) => {
     switch (state.status) {
       case 'connected':
-        isTold = false;
+        isLogged = false;
         return log('info', `Connected to ${master} as ${state.clientId}`);
       case 'reconnecting':
-        if (isTold) return log('debug', `Attempt ${state.attempt}: ${state.error.message}`);
-        isTold = true;
+        if (isLogged)
+          return log('debug', `Connection attempt ${state.attempt} failed: ${state.error.message}`);
+        isLogged = true;
         return log(
           'warn',
-          `No connection to ${master}: ${state.error.message}. Trying again until it succeeds`,
+          `No connection to ${master}: ${state.error.message}. Retrying until it succeeds`,
         );
       case 'closed':
         return state.error === undefined
-          ? log('info', `Left ${master}`)
+          ? log('info', `Disconnected from ${master}`)
           : log(
               'error',
               `${master} refused this node: ${state.error.message}${hintFor(state.error)}`,
@@ -164,7 +166,9 @@ function createStateLog(log: Log, master: string): (state: ConnectionState) => v
 }
 
 function hintFor({ reason }: ConnectionError): string {
-  return reason === 'join' ? ' Start it with --join <code>, from the terminal of the master.' : '';
+  return reason === 'join'
+    ? ' Start it with --join <code>; the terminal of the master shows the code.'
+    : '';
 }
 
 const EVENT_LEVELS: { readonly [K in ModuleEventKind]: LogLevel } = {
@@ -183,15 +187,18 @@ function describeEvent(event: ModuleEvent): [LogLevel, string] {
   return [EVENT_LEVELS[kind], `${moduleName}${place}: ${message}`];
 }
 
-/** Tells which modules came and went. */
+/** Logs modules that start and stop. */
 function createInstanceLog(log: Log): (instances: readonly NodeInstance[]) => void {
   let known = new Map<string, string>();
   return (instances) => {
     const now = new Map(
-      instances.map(({ id, moduleName, sessionName }) => [id, `${moduleName} of ${sessionName}`]),
+      instances.map(({ id, moduleName, sessionName }) => [
+        id,
+        `module "${moduleName}" of session "${sessionName}"`,
+      ]),
     );
-    for (const [id, text] of now) if (!known.has(id)) log('info', `Runs ${text}`);
-    for (const [id, text] of known) if (!now.has(id)) log('info', `Ended ${text}`);
+    for (const [id, text] of now) if (!known.has(id)) log('info', `Started ${text}`);
+    for (const [id, text] of known) if (!now.has(id)) log('info', `Stopped ${text}`);
     known = now;
   };
 }
@@ -199,7 +206,7 @@ function createInstanceLog(log: Log): (instances: readonly NodeInstance[]) => vo
 async function within(timeoutMs: number, work: Promise<unknown>): Promise<void> {
   let timer: NodeJS.Timeout | undefined;
   await Promise.race([
-    work.catch(() => undefined), // the master is gone: left either way
+    work.catch(() => undefined), // the master is not available: nothing to deregister from
     new Promise((resolve) => (timer = setTimeout(resolve, timeoutMs))),
   ]);
   clearTimeout(timer);

@@ -13,22 +13,20 @@ function fileWith(text: string): string {
   return file;
 }
 
-it('reads the token, without what ends the line [AC-44]', () => {
+it('reads the token, without the line break [AC-44]', () => {
   expect(readTokenFile(fileWith('abc-123\n'))).toBe('abc-123');
   expect(readTokenFile(fileWith('http://localhost:8080/join#abc-123'))).toBe('abc-123');
 });
 
-it('says what is wrong with the file', () => {
+it('throws an error with the reason for an invalid file', () => {
   expect(() => readTokenFile('/nowhere/admin-token')).toThrow('it does not exist');
-  expect(() => readTokenFile(fileWith(''))).toThrow('must hold a token or code');
-  expect(() => readTokenFile(fileWith('a\nb'))).toThrow('must hold a token or code');
+  expect(() => readTokenFile(fileWith(''))).toThrow('must contain a token or code');
+  expect(() => readTokenFile(fileWith('a\nb'))).toThrow('must contain a token or code');
 });
 
-it('takes the place of a token on the command line', () => {
+it('replaces a token on the command line', () => {
   const read = (...args: string[]) => readConfig(args, {}, '/folder').tokenFile;
   expect(read('--token-file', 'a')).toBe('/folder/a');
   expect(readConfig([], { UBII_NODE_TOKEN_FILE: '/b' }, '/').tokenFile).toBe('/b');
-  expect(() => read('--token-file', 'a', '--join', 'K7QF-2MXR')).toThrow(
-    'Leave one of the two out',
-  );
+  expect(() => read('--token-file', 'a', '--join', 'K7QF-2MXR')).toThrow('Remove one of them');
 });

@@ -3,8 +3,8 @@ import { parseJoin } from './options.ts';
 import { ConfigError } from './read-config.ts';
 
 /**
- * The token that a file holds, such as `admin-token` of a master's data directory [AC-44].
- * @throws ConfigError when it cannot be read, or holds something else
+ * Reads a token from a file, such as `admin-token` in the data directory of a master [AC-44].
+ * @throws ConfigError when the file cannot be read or does not contain a token
  */
 export function readTokenFile(file: string): string {
   let text: string;
@@ -14,7 +14,7 @@ export function readTokenFile(file: string): string {
     const { code, message } = error as NodeJS.ErrnoException;
     const reason =
       code === 'ENOENT'
-        ? 'it does not exist. It exists only while a master runs with that data directory'
+        ? 'it does not exist. A master writes it when it starts, and deletes it when it stops'
         : code === 'EACCES'
           ? 'it belongs to another user'
           : message;
@@ -24,7 +24,7 @@ export function readTokenFile(file: string): string {
     return parseJoin(text.trim());
   } catch (error) {
     throw new ConfigError(
-      `The file ${file} (--token-file) must hold ${(error as Error).message}, but does not.`,
+      `The file ${file} (--token-file) must contain ${(error as Error).message}.`,
     );
   }
 }

@@ -12,7 +12,7 @@ import { buildPrograms, masterProgram, nodeProgram } from './programs.ts';
 const TIMEOUT_MS = 60_000;
 const LOOPBACK = '127.0.0.1';
 
-/** A network of the test's own, with one cable that leads nowhere. */
+/** A network namespace of this test with one interface. */
 const NETWORK = [
   'ip link set lo up',
   'ip link add eth0 type veth peer name end0',
@@ -45,7 +45,7 @@ function freePort(): Promise<number> {
 describe.skipIf(!canIsolate)('--discover [DI-5]', { timeout: TIMEOUT_MS }, () => {
   beforeAll(buildPrograms, TIMEOUT_MS);
 
-  it('finds the built master in a network, and the master ends in good order [DI-1] [DI-4]', async () => {
+  it('finds the built master in a network, and the master exits with code 0 [DI-1] [DI-4]', async () => {
     const folder = mkdtempSync(join(tmpdir(), 'ubii-discover-'));
     onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
     const script = [
@@ -81,8 +81,8 @@ describe.skipIf(!canIsolate)('--discover [DI-5]', { timeout: TIMEOUT_MS }, () =>
   });
 });
 
-describe('looking for a master [DI-5]', { timeout: TIMEOUT_MS }, () => {
-  it('takes the only one, and lists several', async () => {
+describe('search for a master [DI-5]', { timeout: TIMEOUT_MS }, () => {
+  it('uses the only master, and lists several masters', async () => {
     const port = await freePort();
     const where = { addresses: () => [LOOPBACK], port };
     const announce = (name: string, id: string) => {

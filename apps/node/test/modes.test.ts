@@ -5,13 +5,13 @@ import type { Init, ProcessingMode, ProcessingModule, Session, Vector2 } from '@
 import { beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { buildPrograms, startMaster, startNode } from './programs.ts';
 
-// Three programs: minutes on a busy machine are no fault of them.
+// Each test starts three programs, which takes long on a busy machine.
 vi.setConfig({ testTimeout: 90_000 });
 const POLL = { timeout: 45_000 };
 
 beforeAll(buildPrograms, 120_000);
 
-/** A master and two nodes, each a program of its own. */
+/** Starts a master and two nodes, each as a separate process. */
 async function startRoom() {
   const master = await startMaster();
   const nodeIds: string[] = [];
@@ -46,7 +46,7 @@ function moduleOf(
   };
 }
 
-/** What came on a topic so far. */
+/** Subscribes to a topic. The returned list grows with each record. */
 async function listen(client: UbiiClient, topic: string): Promise<Vector2[]> {
   const values: Vector2[] = [];
   const subscription = client.subscribe<'vector2'>(topic, { format: 'vector2' });
@@ -87,7 +87,7 @@ describe('one session over a master and two nodes', () => {
       })),
     });
 
-    // Frequency and free run without input, the trigger does not.
+    // In the modes frequency and free, modules run without input; in trigger mode they do not.
     await expect.poll(() => heard.get('often')!.length, POLL).toBeGreaterThan(10);
     await expect.poll(() => heard.get('freely')!.length, POLL).toBeGreaterThan(10);
     expect(heard.get('when-told')).toEqual([]);
@@ -99,7 +99,7 @@ describe('one session over a master and two nodes', () => {
         .toEqual({ x: value, y: run + 1 });
     }
 
-    // What belongs to one pass has its delta time, and saw the same input.
+    // All modules of one pass have the same delta time and the same input.
     const inputsByPass = (name: string): Map<number, number> =>
       new Map(heard.get(name)!.map(({ x, y }) => [y, x]));
     await expect
@@ -180,7 +180,7 @@ describe('one session over a master and two nodes', () => {
         }, POLL)
         .toEqual({ x: who.x, y: others });
     };
-    await hears(ann, 1); // Its value was there before the session.
+    await hears(ann, 1); // Published before the session started.
     const bob = await comeIn('bob', 0.5);
     await hears(bob, 2);
     await hears(ann, 2);

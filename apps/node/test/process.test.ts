@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { buildPrograms, newFolder, startMaster, startNode } from './programs.ts';
 
-// Two programs each: minutes on a busy machine are no fault of them.
+// Each test starts two programs, which takes long on a busy machine.
 vi.setConfig({ testTimeout: 60_000 });
 const POLL = { timeout: 30_000 };
 
@@ -57,7 +57,7 @@ async function nodeNames(client: UbiiClient): Promise<string[]> {
   return elements.slice(1).map(({ name }) => name);
 }
 
-/** Publishes again and again until this value comes out; what was there before may come out first. */
+/** Publishes until the module publishes this value; an older value may come first. */
 async function expectOut(client: UbiiClient, value: number, output: number): Promise<void> {
   let newest: unknown;
   const subscription = client.subscribe('/out').onRecord((record) => (newest = record.value));
@@ -108,15 +108,15 @@ describe('the node as a process', () => {
     const session = await client.call('sessionRuntimeStart', sessionOf({ name: 'triple' }));
     expect(session.processingModules[0]?.nodeId).toBe(printed.id);
     await expectOut(client, 4, 12);
-    await node.says('Runs triple of session of triple');
+    await node.says('Started module "triple" of session "session of triple"');
     await client.call('sessionRuntimeStop', { id: session.id });
-    await node.says('Ended triple');
+    await node.says('Stopped module "triple"');
     await expect
       .poll(async () => (await client.call('sessionRuntimeGet', session)).extension?.state, POLL)
       .toBe(SessionState.SESSION_STOPPED);
   });
 
-  it('names files that give no module, and counts changes at once', async () => {
+  it('logs files that cannot be loaded, and applies changes at once', async () => {
     const master = await startMaster();
     const folder = newFolder();
     writeFileSync(join(folder, 'broken.pm'), '{');
@@ -146,7 +146,7 @@ describe('the node as a process', () => {
     expect(await nodeNames(client)).toEqual([]);
   });
 
-  it('ends within its time though the master is gone', async () => {
+  it('exits in time when the master is not available', async () => {
     const master = await startMaster();
     const node = startNode(['--master', master.url, ...printing]);
     await node.ready<Printed>();
@@ -155,7 +155,7 @@ describe('the node as a process', () => {
     expect(await node.ended()).toBe(0);
   });
 
-  it('ends with the program that started it', async () => {
+  it('exits when its parent process ends', async () => {
     const master = await startMaster();
     const node = startNode(['--master', master.url, ...printing], { withChannel: true });
     await node.ready<Printed>();
@@ -163,11 +163,11 @@ describe('the node as a process', () => {
     expect(await node.ended()).toBe(0);
   });
 
-  it('waits for a master that is not there yet, and for one that comes back', async () => {
+  it('connects to a master that starts later, and to one that restarts', async () => {
     const first = await startMaster();
     await first.program.kill();
     const node = startNode(['--master', first.url, '--name', 'patient', ...printing]);
-    await node.says('Trying again until it succeeds');
+    await node.says('Retrying until it succeeds');
     const second = await startMaster(first.port, first.dataDir);
     const { id } = await node.ready<Printed>();
     await second.program.kill();
@@ -179,7 +179,7 @@ describe('the node as a process', () => {
     expect(elements[1]?.clientId).toBe(id);
   });
 
-  it('[PM-63] gets back the modules somebody put on it, in a new run', async () => {
+  it('[PM-63] gets the modules that sessions assigned to it, in a new run', async () => {
     const master = await startMaster();
     const identity = join(newFolder(), 'identity.json');
     const flags = ['--master', master.url, '--identity', identity, ...printing];
@@ -211,7 +211,7 @@ describe('the node as a process', () => {
     expect(JSON.parse(readFileSync(identity, 'utf8'))).toMatchObject({ clientId: id });
   });
 
-  it('leaves an identity to the run that uses it', async () => {
+  it('does not use an identity that another process uses', async () => {
     const master = await startMaster();
     const identity = join(newFolder(), 'identity.json');
     const flags = ['--master', master.url, '--identity', identity, ...printing];
@@ -223,7 +223,7 @@ describe('the node as a process', () => {
     expect(await nodeNames(client)).toHaveLength(2);
   });
 
-  it('[PM-52] lets modules read from the origins that were allowed, and from no others', async () => {
+  it('[PM-52] lets modules read from allowed origins only', async () => {
     const master = await startMaster();
     const node = startNode(['--master', master.url, '--allow-fetch', master.url, ...printing]);
     const { id } = await node.ready<Printed>();
@@ -256,7 +256,7 @@ describe('the node as a process', () => {
     await expect.poll(() => texts[0], POLL).toMatch(/^200 .*not allowed/);
   });
 
-  it('[PM-53] outlives a module that never ends', async () => {
+  it('[PM-53] continues after a module that never returns', async () => {
     const master = await startMaster();
     const node = startNode(['--master', master.url, ...printing]);
     const { id } = await node.ready<Printed>();
@@ -282,14 +282,14 @@ describe('the node as a process', () => {
   });
 });
 
-describe('a node that cannot start says why in one sentence', () => {
+describe('a node that cannot start prints the reason in one line', () => {
   it.each([
-    [['--mastre', 'x'], 'The flag --mastre does not exist'],
-    [['--master', 'ftp://x'], '--master must be a http or https URL'],
+    [['--mastre', 'x'], 'Unknown flag --mastre'],
+    [['--master', 'ftp://x'], '--master must be an http or https URL'],
     [['--master'], '--master needs a value'],
     [['--allow-fetch', 'example.org'], '--allow-fetch must be origins'],
-    [['--modules', '/not/there'], 'The folder given by --modules, /not/there'],
-    [['stray'], 'does not belong to a flag'],
+    [['--modules', '/not/there'], 'The module folder /not/there (--modules) cannot be read'],
+    [['stray'], 'Unexpected argument "stray"'],
   ])('%j', async (flags, reason) => {
     const node = startNode(flags);
     expect(await node.ended()).toBe(1);
@@ -298,7 +298,7 @@ describe('a node that cannot start says why in one sentence', () => {
     expect(node.stderr.trimEnd()).not.toContain('\n');
   });
 
-  it('shows help and version, whatever else is wrong', async () => {
+  it('shows help and version, also with invalid flags', async () => {
     const help = startNode(['--help', '--master', 'x']);
     expect(await help.ended()).toBe(0);
     expect(help.stdout).toContain('--no-accept-work');

@@ -14,10 +14,10 @@ const masterFolder = inPackage('.cache/master/');
 export const nodeProgram = join(nodeFolder, 'main.js');
 export const masterProgram = join(masterFolder, 'main.js');
 
-/** Builds both programs from their sources, away from where others build them. */
+/** Builds both programs into a folder of these tests. */
 export function buildPrograms(): void {
   mkdirSync(inPackage('.cache'), { recursive: true });
-  // Beside both, where they look for their version.
+  // The programs read their version from it.
   copyFileSync(inPackage('package.json'), inPackage('.cache/package.json'));
   for (const [builder, folder] of [
     ['build.mjs', nodeFolder],
@@ -27,14 +27,14 @@ export function buildPrograms(): void {
   }
 }
 
-/** A folder of this test's own. */
+/** Creates a temporary folder for the test. */
 export function newFolder(): string {
   const folder = mkdtempSync(join(tmpdir(), 'ubii-node-test-'));
   onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
   return folder;
 }
 
-/** A running program and what it wrote. */
+/** A running program and its output. */
 export class Program {
   readonly child: ChildProcess;
   stdout = '';
@@ -62,7 +62,7 @@ export class Program {
     onTestFinished(() => this.kill());
   }
 
-  /** Exit code, once the process ended. */
+  /** Resolves with the exit code when the process has ended. */
   async ended(): Promise<number | null> {
     await this.#until(() => (this.#isOver ? true : undefined));
     return this.child.exitCode;
@@ -72,20 +72,20 @@ export class Program {
     return this.child.exitCode !== null || this.child.signalCode !== null;
   }
 
-  /** The line of `--print-endpoints json`. */
+  /** Resolves with the line of `--print-endpoints json`. */
   async ready<T>(): Promise<T> {
     await this.#until(() => (this.stdout.includes('\n') ? true : undefined));
     return JSON.parse(this.stdout) as T;
   }
 
-  /** Resolves when it has logged a text. */
+  /** Resolves when the program has logged the text. */
   async says(text: string | RegExp): Promise<void> {
     const fits =
       typeof text === 'string' ? (all: string) => all.includes(text) : text.test.bind(text);
     await this.#until(() => (fits(this.stderr) ? true : undefined));
   }
 
-  /** Ends it as a crash would. */
+  /** Kills the process, as in a crash. */
   async kill(): Promise<void> {
     if (this.#isOver) return;
     const gone = new Promise((resolve) => this.child.once('exit', resolve));
@@ -99,7 +99,8 @@ export class Program {
         const found = read();
         if (found !== undefined) resolve(found);
         else if (!this.#isOver) return;
-        else reject(new Error(`It ended with ${this.child.exitCode}: ${this.stderr}`));
+        else
+          reject(new Error(`The program exited with code ${this.child.exitCode}: ${this.stderr}`));
         this.#watchers.delete(watch);
       };
       this.#watchers.add(watch);
