@@ -17,7 +17,7 @@ import {
 } from './adapters/config/parse-values.ts';
 
 import { DEFAULT_CHECKS, type CheckSettings } from './core/checks/check-settings.ts';
-import type { Limits } from './core/limits.ts';
+import type { Limits } from './core/limits/index.ts';
 
 /** One option of the master. */
 export interface Option<T> {

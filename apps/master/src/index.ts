@@ -1,9 +1,9 @@
 export * from './core/ports/index.ts';
 export { createMaster } from './core/create-master.ts';
 export { fitConnections } from './core/connections/fit-connections.ts';
-export { DEFAULT_LIMITS } from './core/limits.ts';
+export { DEFAULT_LIMITS } from './core/limits/index.ts';
 export { LogTail } from './core/status/log-tail.ts';
-export type { LimitName, Limits } from './core/limits.ts';
+export type { LimitName, Limits } from './core/limits/index.ts';
 export type { MasterEndpoints, MasterPorts, MasterSettings } from './core/settings.ts';
 export type {
   ConnectionQuery,

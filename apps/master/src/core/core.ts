@@ -7,7 +7,7 @@ import type { SocketAdmission } from './clients/socket-admission.ts';
 import type { Connections } from './connections/connections.ts';
 import type { DeviceRegistry } from './devices/device-registry.ts';
 import type { InfoTopics } from './info/info-topics.ts';
-import type { Limits } from './limits.ts';
+import type { Limits } from './limits/index.ts';
 import type { Processing } from './sessions/create-processing.ts';
 import type { BodyAccounts } from './services/body-accounts.ts';
 import type { MasterPorts, MasterSettings } from './settings.ts';

@@ -20,7 +20,7 @@ import type { Core } from './core.ts';
 import { DeviceRegistry } from './devices/device-registry.ts';
 import { InfoTopics } from './info/info-topics.ts';
 import { MasterPublisher } from './info/master-publisher.ts';
-import { DEFAULT_LIMITS, type Limits } from './limits.ts';
+import { DEFAULT_LIMITS, type Limits } from './limits/index.ts';
 import type {
   ConnectionPeer,
   ConnectionQuery,

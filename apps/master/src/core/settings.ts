@@ -11,7 +11,7 @@ import type { Log } from './ports/log.ts';
 import type { ResourceUsage } from './ports/resource-usage.ts';
 import type { ResumeTokens } from './ports/resume-tokens.ts';
 import type { CheckSettings } from './checks/check-settings.ts';
-import type { Limits } from './limits.ts';
+import type { Limits } from './limits/index.ts';
 import type { LogTail } from './status/log-tail.ts';
 
 /** What the core needs from outside. */

@@ -14,7 +14,7 @@ import {
   type TopicRecord,
   type TopicSubscription,
 } from '@ubii/proto';
-import { DEFAULT_LIMITS } from '../core/limits.ts';
+import { DEFAULT_LIMITS } from '../core/limits/index.ts';
 import { TRUSTED_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
 import type { ConnectionHandle } from '../core/ports/connection-handle.ts';
 import type { ConnectionPeer } from '../core/master.ts';

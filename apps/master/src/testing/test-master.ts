@@ -11,7 +11,7 @@ import {
   type ServiceRequest,
 } from '@ubii/proto';
 import { createMaster } from '../core/create-master.ts';
-import type { Limits } from '../core/limits.ts';
+import type { Limits } from '../core/limits/index.ts';
 import type { Master } from '../core/master.ts';
 import { TRUSTED_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
 import { LogTail } from '../core/status/log-tail.ts';

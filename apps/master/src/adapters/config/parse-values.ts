@@ -2,7 +2,7 @@ import { isIP } from 'node:net';
 import { resolve } from 'node:path';
 
 import type { LegacyPorts } from '../../config.ts';
-import { DEFAULT_LIMITS, type Limits } from '../../core/limits.ts';
+import { DEFAULT_LIMITS, type Limits } from '../../core/limits/index.ts';
 
 /*
  * Each function reads one option's text and throws an Error whose message is what was expected, to

@@ -3,7 +3,7 @@ import fastify from 'fastify';
 import type { FastifyInstance } from 'fastify';
 
 import type { Master } from '../../core/master.ts';
-import type { Limits } from '../../core/limits.ts';
+import type { Limits } from '../../core/limits/index.ts';
 import type { Clock, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import type { Doorkeeper } from '../network/doorkeeper.ts';

@@ -4,7 +4,7 @@ import type { FastifyInstance, FastifyReply, FastifyRequest } from 'fastify';
 import { ServiceError } from '@ubii/proto';
 import type { ServiceRequest } from '@ubii/proto';
 
-import type { Limits } from '../../core/limits.ts';
+import type { Limits } from '../../core/limits/index.ts';
 import type { Master, ServiceAnswer } from '../../core/master.ts';
 import type { Clock } from '../../core/ports/index.ts';
 import type { IncomingRequest } from '../../core/services/incoming-request.ts';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { FakeClock, RecordingLog } from '../../testing/index.ts';
-import { DEFAULT_LIMITS } from '../limits.ts';
+import { DEFAULT_LIMITS } from '../limits/index.ts';
 import { EventLog } from '../status/event-log.ts';
 import { LimitWatch } from '../status/limit-watch.ts';
 import { GuessLimit } from './guess-limit.ts';

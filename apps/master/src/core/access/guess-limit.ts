@@ -1,4 +1,4 @@
-import type { LimitName } from '../limits.ts';
+import type { LimitName } from '../limits/index.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';

@@ -1,5 +1,5 @@
 import type { AuditEntry, AuditLogRequest, AuditLog as AuditLogMessage, Init } from '@ubii/proto';
-import type { Limits } from '../limits.ts';
+import type { Limits } from '../limits/index.ts';
 import type { AuditStore } from '../ports/audit-store.ts';
 import type { Clock } from '../ports/clock.ts';
 import { TokenBucket } from '../topics/token-bucket.ts';

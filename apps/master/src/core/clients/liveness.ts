@@ -1,5 +1,5 @@
 import type { Cancel, Clock } from '../ports/clock.ts';
-import type { Limits } from '../limits.ts';
+import type { Limits } from '../limits/index.ts';
 import type { KeptValues } from '../topics/kept-values.ts';
 import type { Client } from './client.ts';
 import type { ClientRegistry } from './client-registry.ts';

@@ -1,6 +1,6 @@
 import { StatusEventKind } from '@ubii/proto';
 import type { Clock } from '../ports/clock.ts';
-import type { Limits } from '../limits.ts';
+import type { Limits } from '../limits/index.ts';
 import type { EventLog } from '../status/event-log.ts';
 import { TokenBucket } from '../topics/token-bucket.ts';
 import type { Client } from './client.ts';

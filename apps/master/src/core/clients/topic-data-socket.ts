@@ -1,6 +1,6 @@
 import { DecodeError, ServiceError, type ServiceErrorCode } from '@ubii/proto';
 import { scanTopicData, type TextCache, type TopicDataSink } from '@ubii/proto/wire';
-import type { LimitName } from '../limits.ts';
+import type { LimitName } from '../limits/index.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';

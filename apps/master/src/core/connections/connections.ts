@@ -1,5 +1,5 @@
 import type { Caller } from '../access/caller.ts';
-import type { LimitName, Limits } from '../limits.ts';
+import type { LimitName, Limits } from '../limits/index.ts';
 import type { Cancel, Clock } from '../ports/clock.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
 import { KnownAddresses } from './known-addresses.ts';

@@ -1,4 +1,4 @@
-import type { Limits } from '../limits.ts';
+import type { Limits } from '../limits/index.ts';
 
 /** Descriptors of the program itself: files, workers, ports, and room for what is opened for a moment. */
 const OWN_DESCRIPTORS = 128;

@@ -6,7 +6,7 @@ import {
   type Init,
 } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
-import type { Limits } from '../limits.ts';
+import type { Limits } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import type { MasterPublisher } from './master-publisher.ts';

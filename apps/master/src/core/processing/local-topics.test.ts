@@ -7,7 +7,7 @@ import { Client, specOf } from '../clients/client.ts';
 import { DeviceRegistry } from '../devices/device-registry.ts';
 import { InfoTopics } from '../info/info-topics.ts';
 import { MasterPublisher } from '../info/master-publisher.ts';
-import { DEFAULT_LIMITS } from '../limits.ts';
+import { DEFAULT_LIMITS } from '../limits/index.ts';
 import { Accounts } from '../shares/accounts.ts';
 import { Counters } from '../status/counters.ts';
 import { EventLog } from '../status/event-log.ts';

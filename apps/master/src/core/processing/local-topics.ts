@@ -7,7 +7,7 @@ import type {
   TopicSelector,
 } from '@ubii/pm-sandbox';
 import { globToRegExpSource } from '@ubii/proto';
-import type { LimitName, Limits } from '../limits.ts';
+import type { LimitName, Limits } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { Account } from '../shares/account.ts';
 import { RESOURCE } from '../shares/resources.ts';

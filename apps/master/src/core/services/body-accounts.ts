@@ -1,6 +1,6 @@
 import { ServiceError } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
-import type { LimitName, Limits } from '../limits.ts';
+import type { LimitName, Limits } from '../limits/index.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
 
 /** Part of `bodyBytes` that this machine may have, and that all others together may have. */

@@ -1,5 +1,5 @@
 import { SERVICES, type RequestMember, type ServiceName } from '@ubii/proto';
-import type { LimitName, Limits } from '../limits.ts';
+import type { LimitName, Limits } from '../limits/index.ts';
 
 /** How large the body of a request may be. */
 export interface BodyLimits {

@@ -6,7 +6,7 @@ import {
 } from '@ubii/proto';
 import type { Access } from '../access/access.ts';
 import type { Caller } from '../access/caller.ts';
-import type { LimitName, Limits } from '../limits.ts';
+import type { LimitName, Limits } from '../limits/index.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
 import type { BodyAccounts, BodyCharge } from './body-accounts.ts';

@@ -1,5 +1,6 @@
 import type { Init, Limit } from '@ubii/proto';
-import { LIMITS, type LimitName } from '../limits.ts';
+import { LIMITS, type LimitName } from '../limits/index.ts';
+import { LIMIT_GROUPS } from '../limits/limit.ts';
 import { LIMIT_USES } from '../status/limit-uses.ts';
 import type { ServiceHandler } from './handler.ts';
 
@@ -7,7 +8,9 @@ import type { ServiceHandler } from './handler.ts';
 export const listLimits: ServiceHandler = (core) => {
   const { limits, limitWatch } = core;
   const hits = new Map([...limitWatch.hits()].map(({ limit, streak }) => [limit, streak.count]));
-  const elements = (Object.keys(LIMITS) as LimitName[]).map((name): Init<Limit> => {
+  const groupIndex = (name: LimitName): number => LIMIT_GROUPS.indexOf(LIMITS[name].group);
+  const names = (Object.keys(LIMITS) as LimitName[]).sort((a, b) => groupIndex(a) - groupIndex(b));
+  const elements = names.map((name): Init<Limit> => {
     const { unit, reason, group } = LIMITS[name];
     const use = LIMIT_USES[name]?.(core);
     return {

@@ -1,7 +1,7 @@
 import { serviceByTopic, ServiceError, SERVICES, type ServiceRequest } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
 import type { Core } from '../core.ts';
-import { LIMITS } from '../limits.ts';
+import { LIMITS } from '../limits/index.ts';
 import type { ServiceAnswer } from '../master.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import { boundTexts } from '../texts/bound-texts.ts';

@@ -1,5 +1,5 @@
 import type { ClientRegistry } from '../clients/client-registry.ts';
-import type { Limits } from '../limits.ts';
+import type { Limits } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { Log } from '../ports/log.ts';
 import type { LocalNode } from '../processing/local-node.ts';

@@ -1,6 +1,6 @@
 import { chooseNode } from '../processing/placement.ts';
 import { isMaster, type Node } from '../processing/node.ts';
-import type { LimitName } from '../limits.ts';
+import type { LimitName } from '../limits/index.ts';
 import { quote } from '../topics/topic-names.ts';
 import type { LifeContext } from './life-context.ts';
 import type { Session } from './session.ts';

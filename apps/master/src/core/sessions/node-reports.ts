@@ -7,7 +7,7 @@ import {
 import { readNodeMessage } from '@ubii/proto/wire';
 import type { Client } from '../clients/client.ts';
 import type { Clock } from '../ports/clock.ts';
-import type { Limits } from '../limits.ts';
+import type { Limits } from '../limits/index.ts';
 import { cutTexts } from '../texts/bound-texts.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { Lockstep } from './lockstep/lockstep.ts';

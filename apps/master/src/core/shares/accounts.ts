@@ -1,5 +1,5 @@
 import { ServiceError } from '@ubii/proto';
-import type { LimitName } from '../limits.ts';
+import type { LimitName } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { LimitWatch } from '../status/limit-watch.ts';
 import { Account } from './account.ts';

@@ -1,4 +1,4 @@
-import type { LimitName } from '../limits.ts';
+import type { LimitName } from '../limits/index.ts';
 
 /** What is scarce and shared by all clients [AC-80]. The numbers are places in the tables of an account. */
 export const RESOURCE = {

@@ -1,4 +1,4 @@
-import type { LimitName, Limits } from '../limits.ts';
+import type { LimitName, Limits } from '../limits/index.ts';
 import { quote } from '../topics/topic-names.ts';
 import type { Account } from './account.ts';
 import { RESOURCE_INFO, type Resource } from './resources.ts';

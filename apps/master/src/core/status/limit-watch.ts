@@ -1,5 +1,5 @@
 import { ServiceError, StatusEventKind } from '@ubii/proto';
-import type { LimitName, Limits } from '../limits.ts';
+import type { LimitName, Limits } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { Log } from '../ports/log.ts';
 import type { EventLog } from './event-log.ts';

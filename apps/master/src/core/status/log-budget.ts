@@ -1,4 +1,4 @@
-import type { Limits } from '../limits.ts';
+import type { Limits } from '../limits/index.ts';
 import type { LogFields } from '../ports/log.ts';
 import { oneLine } from '../texts/one-line.ts';
 import { firstCharacters } from '../texts/text-length.ts';

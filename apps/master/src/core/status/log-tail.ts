@@ -1,5 +1,5 @@
 import { LogLevel, type Init, type LogTail as LogTailMessage } from '@ubii/proto';
-import { DEFAULT_LIMITS, type Limits } from '../limits.ts';
+import { DEFAULT_LIMITS, type Limits } from '../limits/index.ts';
 import type { Log, LogFields } from '../ports/log.ts';
 import { LogBudget, type BoundedLine, type LevelName } from './log-budget.ts';
 

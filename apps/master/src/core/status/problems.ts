@@ -2,7 +2,7 @@ import { StatusProblemSeverity } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
 import { describeThrottle } from '../clients/throttle.ts';
 import type { Core } from '../core.ts';
-import type { LimitName } from '../limits.ts';
+import type { LimitName } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
 import { oneLine } from '../texts/one-line.ts';
 import { quote } from '../topics/topic-names.ts';

@@ -1,5 +1,5 @@
 import { messageDescriptor, type MessageDescriptor, type MessageTypes } from '@ubii/proto';
-import { LIMITS, type LimitName, type Limits } from '../limits.ts';
+import { LIMITS, type LimitName, type Limits } from '../limits/index.ts';
 import { isOneLine, oneLine } from './one-line.ts';
 import { firstCharacters, hasMoreCharacters, isLongerThan } from './text-length.ts';
 import { LISTED_TEXTS, TEXT_RULES, type TextRule } from './text-limits.ts';

@@ -1,6 +1,6 @@
 import { messageDescriptor, type MessageDescriptor } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { LIMITS } from '../limits.ts';
+import { LIMITS } from '../limits/index.ts';
 import { LISTED_TEXTS, TEXT_RULES } from './text-limits.ts';
 
 /** Full names of all texts that may stand in these messages, and of messages that have a row as a whole. */

@@ -1,4 +1,4 @@
-import type { LimitName } from '../limits.ts';
+import type { LimitName } from '../limits/index.ts';
 
 /** What becomes of a text of a client that is too long [EX-70]. */
 export type TextRule =

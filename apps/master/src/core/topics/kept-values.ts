@@ -1,5 +1,5 @@
 import { readRecordHead } from '@ubii/proto/wire';
-import type { Limits } from '../limits.ts';
+import type { Limits } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { Accounts, Share } from '../shares/accounts.ts';
 import { fillMaxOf, type Shortage } from '../shares/shortage.ts';

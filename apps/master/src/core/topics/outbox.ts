@@ -1,5 +1,5 @@
 import { encodeRecord } from '@ubii/proto';
-import type { Limits } from '../limits.ts';
+import type { Limits } from '../limits/index.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { Account } from '../shares/account.ts';
 import type { Clock } from '../ports/clock.ts';

@@ -1,7 +1,7 @@
 import { isMasterTopic } from '@ubii/proto';
 import type { Accounts } from '../shares/accounts.ts';
 import { RESOURCE } from '../shares/resources.ts';
-import type { Limits } from '../limits.ts';
+import type { Limits } from '../limits/index.ts';
 import type { Counters } from '../status/counters.ts';
 import { isOwnFarewell } from './farewell.ts';
 import type { KeptValues } from './kept-values.ts';

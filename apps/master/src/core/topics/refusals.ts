@@ -1,6 +1,6 @@
 import type { ServiceErrorCode } from '@ubii/proto';
 import { describeThrottle } from '../clients/throttle.ts';
-import type { LimitName, Limits } from '../limits.ts';
+import type { LimitName, Limits } from '../limits/index.ts';
 import { describeShortage, limitOf } from '../shares/shortage.ts';
 import type { Publication } from './publication.ts';
 import { quote } from './topic-names.ts';

@@ -1,4 +1,4 @@
-import type { Limits } from '../limits.ts';
+import type { Limits } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { Account } from '../shares/account.ts';
 import type { Counters } from '../status/counters.ts';

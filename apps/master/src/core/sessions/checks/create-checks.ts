@@ -2,7 +2,7 @@ import type { CompiledPattern, PatternCompiler } from '@ubii/patterns';
 import { dataFormatOfField } from '@ubii/proto';
 import type { ClientRegistry } from '../../clients/client-registry.ts';
 import type { DeviceRegistry } from '../../devices/device-registry.ts';
-import type { Limits } from '../../limits.ts';
+import type { Limits } from '../../limits/index.ts';
 import { offerOf } from '../../processing/node.ts';
 import type { NodeTable } from '../../processing/node-table.ts';
 import { quote } from '../../topics/topic-names.ts';

@@ -1,7 +1,7 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import type { TopicPort } from '@ubii/pm-sandbox';
 import type { ClientRegistry } from '../../clients/client-registry.ts';
-import type { Limits } from '../../limits.ts';
+import type { Limits } from '../../limits/index.ts';
 import type { Clock } from '../../ports/clock.ts';
 import type { LocalNode } from '../../processing/local-node.ts';
 import type { NodeTable } from '../../processing/node-table.ts';
