@@ -1,12 +1,12 @@
 import { toJson, type Init, type JsonValue, type Session } from '@ubii/proto';
 
-/** Text of the file of an example session: JSON as the services take it, without what it leaves open. */
+/** Returns the file of an example session: JSON as the services use it, without default values. */
 export function sessionFile(session: Init<Session>): string {
   const json = withoutDefaults(toJson('ubii.sessions.Session', session), session);
   return `${JSON.stringify(json, null, 2)}\n`;
 }
 
-/** Drops the members that the message does not have: the JSON has the default of each. */
+/** Removes the members that the message does not have, because the JSON contains their defaults. */
 function withoutDefaults(json: JsonValue, message: unknown): JsonValue {
   if (typeof json !== 'object' || json === null) return json;
   if (Array.isArray(json)) {

@@ -1,5 +1,5 @@
 // Writes src/generated/library.ts. Run: pnpm --filter @ubii/modules generate
-// With --check it only says whether that would change anything.
+// With --check it only reports whether the file is up to date.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { librarySource } from './library-source.mjs';
 
@@ -9,7 +9,7 @@ if (!process.argv.includes('--check')) {
   writeFileSync(file, text);
 } else if (readFileSync(file, 'utf8') !== text) {
   process.stderr.write(
-    'The library is older than its modules: pnpm --filter @ubii/modules generate\n',
+    'The generated library is out of date. Run pnpm --filter @ubii/modules generate\n',
   );
   process.exitCode = 1;
 }

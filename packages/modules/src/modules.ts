@@ -33,7 +33,7 @@ import { testPicture } from './test-picture/test-picture.ts';
 import { threshold } from './threshold/threshold.ts';
 import { touchProximity } from './touch-proximity/touch-proximity.ts';
 
-/** All modules of the library, by name from a to z. */
+/** All modules of the library, sorted by name. */
 export const MODULES: readonly AnyModuleDefinition[] = [
   averagePositions,
   clock,

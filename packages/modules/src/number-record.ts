@@ -1,6 +1,6 @@
 /**
- * A record on an input for a number: number formats fit each other, so it may be any of them. [PM-31]
- * A type only: callbacks cannot reach values outside of them.
+ * A record on an input for a number. Number formats are compatible, so that it can have any of them.
+ * [PM-31] Only a type, because callbacks cannot use values outside of them.
  */
 export interface NumberRecord {
   readonly double?: number;

@@ -79,7 +79,7 @@ describe.each([
     await module.run(1000, { url: 'http://thing.local/missing' });
     expect(await firstOutputs(module)).toEqual({
       status: 404,
-      error: 'The service answered with status 404.',
+      error: 'The service responded with status 404.',
     });
   });
 

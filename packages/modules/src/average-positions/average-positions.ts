@@ -1,13 +1,12 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 
 /**
- * The middle of many positions, and for each of them how far it is from the middle. A muxer brings the
- * positions; a demuxer takes the offsets back to where they came from.
+ * Computes the mean of many positions and the offset of each position from the mean. A muxer collects
+ * the positions; a demuxer publishes the offset of each client on a topic of that client.
  */
 export const averagePositions = defineProcessingModule({
   name: 'average-positions',
-  description:
-    'Gives the middle of many positions, and the offset of each of them from the middle.',
+  description: 'Computes the mean of all positions, and each offset from it.',
   tags: ['vector', 'muxer', 'demuxer', 'pointer'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -19,7 +18,7 @@ export const averagePositions = defineProcessingModule({
   },
   mode: { frequency: { hertz: 30 } },
   onProcessing(_deltaTimeMs, inputs) {
-    // Sums of larger numbers could be infinite. The list is missing while the input is not mapped.
+    // Larger numbers are dropped, because their sum could be infinite. An unmapped input has no list.
     const usable = (inputs.positions?.elements ?? []).filter(
       ({ vector2 }) => Math.abs(vector2.x) <= 1e100 && Math.abs(vector2.y) <= 1e100,
     );

@@ -1,11 +1,10 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** A source of signals: counter, time, ticks and waves, as often as its mode says. */
+/** Generates signals in each run: a count, the elapsed time, ticks and waves. */
 export const clock = defineProcessingModule({
   name: 'clock',
-  description:
-    'Gives a counter, the time that passed, ticks, and sine, square, triangle and saw waves.',
+  description: 'Generates ticks, a run count, and sine, square, triangle and saw waves.',
   tags: ['source', 'generator', 'time', 'number'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -32,7 +31,7 @@ export const clock = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // What is no finite number counts as not there.
+      // A number that is not finite counts as missing.
       number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
         const value = this.value(record);
         return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
@@ -46,8 +45,8 @@ export const clock = defineProcessingModule({
 
     const isFirst = state.runs === 0;
     state.elapsedMs += deltaTimeMs;
-    // Turns are added up, not computed from the time, so that another frequency makes no jump; whole
-    // turns are dropped, so that precision does not wear off over days.
+    // Add up the phase instead of computing it from the time, so that the wave does not jump when the
+    // frequency changes. Keep only its fraction, so that it stays precise over days.
     const turns = state.turns + (waveHz * deltaTimeMs) / 1000;
     const tick = isFirst || turns >= 1;
     state.turns = turns % 1;

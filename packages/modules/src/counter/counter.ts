@@ -1,10 +1,10 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** Counts events and starts again when told to. */
+/** Counts events, and resets its count on request. */
 export const counter = defineProcessingModule({
   name: 'counter',
-  description: 'Counts events: each true that arrives. Another true sets the counter to zero.',
+  description: 'Counts true values on event; true on reset sets the count to 0.',
   tags: ['event', 'number', 'counter'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -25,7 +25,7 @@ export const counter = defineProcessingModule({
     state.wasOn = isOn;
     const isReset =
       inputs.reset?.bool === true && (triggers.length === 0 || triggers.includes('reset'));
-    // Kept in the range of int32.
+    // Wrap around at the ends of int32.
     if (isReset) state.count = 0;
     else if (isEvent) state.count = (state.count + step) | 0;
     if (state.told === state.count) return undefined;

@@ -1,9 +1,9 @@
 import type { Init, Session } from '@ubii/proto';
 
-/** Events instead of a stream: the module runs only when something happens, and keeps its count in between. */
+/** Shows events instead of a stream: the module runs only when an event arrives, and keeps its count as state. */
 export const clickCounterSession = {
   name: 'click-counter',
-  description: 'Counts presses of the pointer. The Escape key sets the counter to zero.',
+  description: 'Counts pointer presses; the Escape key sets the count to 0.',
   tags: ['example'],
   processingModules: [{ name: 'counter' }],
   ioMappings: [

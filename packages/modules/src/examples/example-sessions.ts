@@ -17,8 +17,8 @@ import { smoothingChainSession } from './smoothing-chain-session.ts';
 import { touchProximitySession } from './touch-proximity-session.ts';
 
 /**
- * Sessions of modules of this library, by name. They name their modules only: a master fills in the
- * rest. [SE-1] `sessions/<name>.session` is the same as JSON.
+ * Example sessions by name. They only name their modules; the master adds the definitions. [SE-1]
+ * `sessions/<name>.session` has the same session as JSON.
  */
 export const EXAMPLE_SESSIONS: {
   readonly 'sine-wave': Init<Session>;

@@ -1,12 +1,12 @@
 import { UUID_PATTERN, type Init, type Session } from '@ubii/proto';
 
 /**
- * One muxer gathers the pointers of all clients, mice and fingers alike, and a module counts those that
- * are near one another. Who comes later is in it at once.
+ * A muxer collects the pointers of all clients, of mice and fingers, and a module counts those that are
+ * near one another. The muxer includes clients that join later.
  */
 export const gatherPointersSession = {
   name: 'gather-pointers',
-  description: 'Gathers the pointers of all clients, and counts those that are near one another.',
+  description: 'Collects the pointers of all clients, and counts those that are near one another.',
   tags: ['example'],
   processingModules: [{ name: 'touch-proximity' }],
   ioMappings: [

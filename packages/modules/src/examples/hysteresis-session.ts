@@ -1,9 +1,10 @@
 import type { Init, Session } from '@ubii/proto';
 
-/** A noisy wave crosses a threshold. Hysteresis makes one event of each crossing, and not many. */
+/** A noisy wave crosses a threshold. With hysteresis, each crossing causes only one event. */
 export const hysteresisSession = {
   name: 'hysteresis',
-  description: 'A noisy wave becomes events: it rose over 0.2, it fell below −0.2.',
+  description:
+    'Converts a noisy wave to events: when it rises to 0.2, and when it falls below −0.2.',
   tags: ['example'],
   processingModules: [
     { name: 'clock', processingMode: { frequency: { hertz: 30 } } },

@@ -1,9 +1,9 @@
 import type { Init, Session } from '@ubii/proto';
 
-/** Key events become a text: a module with a memory of what is held. */
+/** Converts key events to a text, with a module that stores the keys that are held. */
 export const keyChordSession = {
   name: 'key-chord',
-  description: 'The keys that are held together, as text.',
+  description: 'Joins the keys that are held down into one text.',
   tags: ['example'],
   processingModules: [{ name: 'key-chord' }],
   ioMappings: [

@@ -1,18 +1,19 @@
 import { UUID_PATTERN, type Init, type Session } from '@ubii/proto';
 
-/** Two pointers that the master moves, so that there is a crowd from the start. */
+/** Two pointers that the session moves, so that there are several pointers from the start. */
 const MOVING = [
   { id: 'circle', hertz: 0.25, phase: 0, y: 'triangle' },
   { id: 'wave', hertz: 0.4, phase: 0.25, y: 'sine' },
 ] as const;
 
 /**
- * A muxer brings the pointers of all pages, phones, and two moving points into one module. A demuxer
- * takes an answer back to each of them.
+ * A muxer collects the pointers of all pages and phones and two moving points in one module. A demuxer
+ * publishes a result for each of them.
  */
 export const manyPointersSession = {
   name: 'many-pointers',
-  description: 'The middle of all pointers, and the offset of each of them on a topic of its own.',
+  description:
+    'Computes the mean of all pointers, and publishes the offset of each on its own topic.',
   tags: ['example'],
   processingModules: [
     ...MOVING.flatMap(() => [

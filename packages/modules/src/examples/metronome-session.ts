@@ -1,13 +1,13 @@
 import type { Init, Session } from '@ubii/proto';
 
 /**
- * The same module in two processing modes: one instance keeps its own time at a frequency, the other one
- * runs in the lockstep passes of the session. Their difference shows how far they drift apart.
+ * The same module in two processing modes: one instance runs at a frequency with a timer of its own, the
+ * other one runs in the lockstep passes of the session. The difference of their times is the drift.
  */
 export const metronomeSession = {
   name: 'metronome',
   description:
-    'A metronome of 2 Hz, and the time of a frequency module beside that of a lockstep module.',
+    'Ticks at 2 Hz, and compares the time of a frequency module with that of a lockstep module.',
   tags: ['example'],
   processingModules: [
     { name: 'clock', processingMode: { frequency: { hertz: 25 } } },

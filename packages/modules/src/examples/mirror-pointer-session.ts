@@ -1,12 +1,12 @@
 import type { Init, Session } from '@ubii/proto';
 
 /**
- * The mouse-pointer example of the paper on Ubi-Interact (section 7.1): a position goes in, and comes
- * back mirrored as two switches say.
+ * The mouse-pointer example of the paper on Ubi-Interact (section 7.1): mirrors a position, depending on
+ * two switches.
  */
 export const mirrorPointerSession = {
   name: 'mirror-pointer',
-  description: 'Mirrors the position on one topic, and puts it on another one.',
+  description: 'Mirrors the position of one topic and publishes it on another topic.',
   tags: ['example'],
   processingModules: [{ name: 'mirror-pointer' }],
   ioMappings: [

@@ -1,9 +1,9 @@
 import type { Init, Session } from '@ubii/proto';
 
-/** Two instances of one module, told apart by their constants, and a third module that adds their waves. */
+/** Two instances of one module with different constants, and a module that adds their waves. */
 export const mixedWavesSession = {
   name: 'mixed-waves',
-  description: 'Two waves of different frequencies, and their sum.',
+  description: 'Adds two waves of different frequencies.',
   tags: ['example'],
   processingModules: [
     { name: 'clock', processingMode: { frequency: { hertz: 60 } } },

@@ -1,9 +1,9 @@
 import type { Init, Session } from '@ubii/proto';
 
-/** Noise goes in, its mean over the last second comes out: a source, a filter with a window, statistics. */
+/** Computes the mean of noise over the last second: a source, a mixer, and statistics with a time window. */
 export const movingAverageSession = {
   name: 'moving-average',
-  description: 'A random walk with noise, and its mean over the last second.',
+  description: 'Computes the mean of a noisy random walk over the last second.',
   tags: ['example'],
   processingModules: [
     { name: 'noise', processingMode: { frequency: { hertz: 30 } } },

@@ -1,9 +1,9 @@
 import type { Init, Session } from '@ubii/proto';
 
-/** Images are records like any other: a module makes pictures, another one finds their edges. */
+/** Images are records as all values: one module generates images, another one detects their edges. */
 export const pictureEdgesSession = {
   name: 'picture-edges',
-  description: 'A generated picture, the same in grey, and its edges.',
+  description: 'Generates an image, converts it to greyscale, and detects its edges.',
   tags: ['example'],
   processingModules: [{ name: 'test-picture' }, { name: 'picture-edges' }],
   ioMappings: [

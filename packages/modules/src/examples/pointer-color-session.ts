@@ -1,9 +1,9 @@
 import type { Init, Session } from '@ubii/proto';
 
-/** A value of one format becomes a value of another one: a vector a colour, each time it changes. */
+/** Converts between data formats: a vector to a colour, each time it changes. */
 export const pointerColorSession = {
   name: 'pointer-color',
-  description: 'Turns the position on one topic into a colour: hue by x, lightness by y.',
+  description: 'Converts a position to a colour: hue from x, lightness from y.',
   tags: ['example'],
   processingModules: [{ name: 'position-color' }],
   ioMappings: [

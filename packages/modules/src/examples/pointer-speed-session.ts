@@ -1,9 +1,9 @@
 import type { Init, Session } from '@ubii/proto';
 
-/** A position goes in, a speed comes out. It runs at a frequency, so the speed of a resting pointer is 0. */
+/** Computes the speed of a position. Runs at a frequency, so that the speed of a resting pointer is 0. */
 export const pointerSpeedSession = {
   name: 'pointer-speed',
-  description: 'Velocity and speed of the position on one topic.',
+  description: 'Computes the velocity and the speed of a position.',
   tags: ['example'],
   processingModules: [{ name: 'speed-vector2', processingMode: { frequency: { hertz: 30 } } }],
   ioMappings: [

@@ -1,9 +1,9 @@
 import type { Init, Session } from '@ubii/proto';
 
-/** The smallest session that needs nothing: one module that runs at a frequency and makes a wave. */
+/** The smallest session without inputs: one module that runs at a frequency and generates a wave. */
 export const sineWaveSession = {
   name: 'sine-wave',
-  description: 'One module makes a sine wave, 60 times a second.',
+  description: 'Generates a sine wave of 0.5 Hz with 60 values per second.',
   tags: ['example'],
   processingModules: [{ name: 'clock', processingMode: { frequency: { hertz: 60 } } }],
   ioMappings: [

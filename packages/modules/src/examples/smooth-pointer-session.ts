@@ -1,12 +1,13 @@
 import type { Init, Session } from '@ubii/proto';
 
 /**
- * The smallest session that does something to see: a position goes in, and comes out calmer. Whoever
- * uses it puts a pointer of theirs in the place of the first topic.
+ * The smallest session with a visible result: smooths a position. To use it, replace the first topic with
+ * the topic of a pointer.
  */
 export const smoothPointerSession = {
   name: 'smooth-pointer',
-  description: 'Smooths the position on one topic with a 1€ filter, and puts it on another one.',
+  description:
+    'Smooths the position of one topic with a 1€ filter and publishes it on another topic.',
   tags: ['example'],
   processingModules: [{ name: 'one-euro-filter-vector2' }],
   ioMappings: [

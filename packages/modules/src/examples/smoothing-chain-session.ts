@@ -1,12 +1,13 @@
 import type { Init, Session } from '@ubii/proto';
 
 /**
- * Four modules in a row: a clock makes a square wave, which is mapped to another range, smoothed, and
- * summed up. It needs nothing from outside, so it can be started anywhere to see values flow.
+ * Four modules in a row: a clock generates a square wave, which is mapped to another range and smoothed;
+ * the last module computes its statistics. It has no inputs, so that it runs everywhere.
  */
 export const smoothingChainSession = {
   name: 'smoothing-chain',
-  description: 'A square wave, mapped to 0 to 100, smoothed by a 1€ filter, and its statistics.',
+  description:
+    'Maps a square wave to 0 to 100, smooths it with a 1€ filter, and computes statistics.',
   tags: ['example'],
   processingModules: [
     { name: 'clock', processingMode: { frequency: { hertz: 60 } } },

@@ -1,12 +1,12 @@
 import { UUID_PATTERN, type Init, type Session } from '@ubii/proto';
 
 /**
- * The muxer example of the paper on Ubi-Interact (section 5.6): whoever opens the touch page of a phone
- * takes part, whoever closes it does not any more, and those who touch near one another feel it.
+ * The muxer example of the paper on Ubi-Interact (section 5.6): each phone with an open touch page takes
+ * part, and phones that are touched near one another vibrate.
  */
 export const touchProximitySession = {
   name: 'touch-proximity',
-  description: 'Lets the phones of those vibrate who touch their screens at nearly the same place.',
+  description: 'Makes phones vibrate that are touched at nearly the same position.',
   tags: ['example'],
   processingModules: [{ name: 'touch-proximity' }],
   ioMappings: [
@@ -25,7 +25,7 @@ export const touchProximitySession = {
         {
           inputName: 'touching',
           topicMux: {
-            name: 'who touches',
+            name: 'touch states of all phones',
             dataType: 'bool',
             topicSelector: '^/[^/]+/web-interface-smart-device/is_touched$',
             identityMatchPattern: UUID_PATTERN,
@@ -45,7 +45,7 @@ export const touchProximitySession = {
         {
           outputName: 'isNear',
           topicDemux: {
-            name: 'news for each phone',
+            name: 'proximity of each phone',
             dataType: 'bool',
             outputTopicFormat: '/{{#0}}/web-interface-smart-device/is_near',
           },

@@ -48,7 +48,7 @@ describe.each(WAYS)('http-poller %s', (_way, drive) => {
 
   it('cannot start on a node without the library [PM-4] [PM-13]', async () => {
     await expect(drive(httpPoller)).rejects.toMatchObject({
-      message: expect.stringMatching(/does not offer the library "?http/),
+      message: expect.stringMatching(/does not (have|offer) the library "?http/),
     });
   });
 
@@ -79,10 +79,10 @@ describe.each(WAYS)('http-poller %s', (_way, drive) => {
   });
 
   it.each([
-    ['a.b', { a: { c: 1 } }, 'The answer has no "a.b": there is no "b".'],
-    ['a.b', { a: null }, 'The answer has no "a.b": there is no "b".'],
-    ['a.constructor', { a: {} }, 'The answer has no "a.constructor": there is no "constructor".'],
-    ['a', 'plain words', 'The answer is no JSON, so it has no "a".'],
+    ['a.b', { a: { c: 1 } }, 'The response has no "a.b": "b" is missing.'],
+    ['a.b', { a: null }, 'The response has no "a.b": "b" is missing.'],
+    ['a.constructor', { a: {} }, 'The response has no "a.constructor": "constructor" is missing.'],
+    ['a', 'plain words', 'The response is not JSON, so it has no "a".'],
   ])('says what is wrong with "%s" in %j', async (path, body, error) => {
     const { web, module } = await start({ path });
     await web.answer(body);
@@ -92,7 +92,7 @@ describe.each(WAYS)('http-poller %s', (_way, drive) => {
   it('says once that a service fails, and once that it is well again', async () => {
     const { web, module } = await start({ intervalMs: 100 });
     await web.answer('no', 503);
-    const error = 'The service answered with status 503.';
+    const error = 'The service responded with status 503.';
     expect(await module.run(100)).toEqual({ status: 503, error });
     await web.answer('no', 503);
     expect(await module.run(100)).toEqual({ status: 503 });
@@ -127,7 +127,7 @@ describe.each(WAYS)('http-poller %s', (_way, drive) => {
 
   it('gives up on an answer that takes too long, and does not take it for the next one', async () => {
     const { web, module } = await start({ timeoutMs: 500, path: '' });
-    expect(await module.run(500)).toEqual({ error: 'The service did not answer within 500 ms.' });
+    expect(await module.run(500)).toEqual({ error: 'The service did not respond within 500 ms.' });
     await module.run(500);
     expect(web.urls).toHaveLength(2);
     await web.answer('1');
@@ -150,13 +150,13 @@ describe.each(WAYS)('http-poller %s', (_way, drive) => {
     const { web, module } = await start({ url: undefined });
     expect(await module.run(100)).toEqual({});
     expect(await module.run(100, { url: 'ftp://sensor' })).toEqual({
-      error: '"ftp://sensor" is no address: it has to start with http:// or https://.',
+      error: '"ftp://sensor" is not a web address. It must start with http:// or https://.',
     });
     expect(await module.run(2000)).toEqual({});
     expect(web.urls).toEqual([]);
   });
 
-  it('clamps its interval and takes defaults for what is no number', async () => {
+  it('clamps its interval, and uses defaults for parameters that are not finite', async () => {
     const { web, module } = await start({ intervalMs: -1, timeoutMs: NaN });
     await web.answer('1');
     await module.run(99);
@@ -164,6 +164,6 @@ describe.each(WAYS)('http-poller %s', (_way, drive) => {
     await module.run(1);
     expect(web.urls).toHaveLength(2);
     expect(await module.run(9_999)).toEqual({});
-    expect(await module.run(1)).toEqual({ error: 'The service did not answer within 10000 ms.' });
+    expect(await module.run(1)).toEqual({ error: 'The service did not respond within 10000 ms.' });
   });
 });

@@ -1,33 +1,32 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** The library a node offers to get pages of the origins its operator allows. */
+/** Library of a node that requests URLs of the origins that its operator allows. */
 interface HttpLibrary {
-  /** Rejects when there is no answer, or when the origin is not allowed. */
+  /** Rejects when there is no response, or when the origin is not allowed. */
   get(url: string): Promise<{ status: number; text: string }>;
 }
 
 interface PollerState {
   /** Milliseconds since the first run. */
   nowMs: number;
-  /** When the next request is due, in the same time. */
+  /** Time of the next request, milliseconds since the first run. */
   dueMs: number;
-  /** The request under way, and what came of it; undefined when there is none. */
+  /** The pending request and its response; undefined when there is none. */
   request: { url: string; sinceMs: number; answer: PollerAnswer | undefined } | undefined;
-  /** The newest problem that was put out; empty when all is well. */
+  /** The newest error that was published; empty after a success. */
   error: string;
 }
 
 type PollerAnswer = { status: number; text: string } | { reason: string };
 
 /**
- * Asks a web service again and again and puts out one value of its JSON answer: a way in for things
- * that know nothing of this platform. Requests do not hold up its runs: each run starts one, or looks
- * whether the one under way is answered.
+ * Requests a URL periodically and publishes one value of the JSON response: an input for devices with a
+ * web service. A request does not block a run: each run starts a request or checks the pending one.
  */
 export const httpPoller = defineProcessingModule({
   name: 'http-poller',
-  description: 'Asks a web service at intervals and puts out one value of its JSON answer.',
+  description: 'Requests a URL periodically and publishes a value of its JSON response.',
   tags: ['source', 'http', 'json', 'rest', 'iot'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -44,7 +43,7 @@ export const httpPoller = defineProcessingModule({
   onCreated(state) {
     if (typeof (state.modules as { http?: Partial<HttpLibrary> }).http?.get !== 'function') {
       throw new Error(
-        'This node does not offer the library "http": its operator has to allow origins with --allow-fetch.',
+        'This node does not have the library "http". Start it with --allow-fetch and the origins to read from.',
       );
     }
   },
@@ -53,31 +52,31 @@ export const httpPoller = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // What is no finite number counts as not there.
+      // A number that is not finite counts as missing.
       number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
         const value = this.value(record);
         return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
       },
-      /** The value at the path in the answer, or what is wrong. */
+      /** The value at the path in the response, or the reason why there is none. */
       answer(answer: PollerAnswer, path: string): { value: unknown } | { reason: string } {
         if ('reason' in answer) return answer;
         if (answer.status < 200 || answer.status > 299) {
-          return { reason: `The service answered with status ${answer.status}.` };
+          return { reason: `The service responded with status ${answer.status}.` };
         }
         let value: unknown;
         try {
           value = JSON.parse(answer.text);
         } catch {
-          // Without a path plain text is fine.
+          // Without a path, a response may be plain text.
           if (path === '') return { value: answer.text.trim() };
-          return { reason: `The answer is no JSON, so it has no "${path}".` };
+          return { reason: `The response is not JSON, so it has no "${path}".` };
         }
-        // sensors[0].value and sensors.0.value are the same; a leading $ is the whole answer.
+        // sensors[0].value and sensors.0.value are the same; a leading $ is the whole response.
         const keys = path.replace(/\[(\d+)\]/g, '.$1').split('.');
         for (const key of keys) {
           if (key === '' || key === '$') continue;
           if (typeof value !== 'object' || value === null || !Object.hasOwn(value, key)) {
-            return { reason: `The answer has no "${path}": there is no "${key}".` };
+            return { reason: `The response has no "${path}": "${key}" is missing.` };
           }
           value = (value as { [key: string]: unknown })[key];
         }
@@ -91,7 +90,7 @@ export const httpPoller = defineProcessingModule({
 
     let result: ReturnType<typeof read.answer> | undefined;
     let status = 0;
-    // Nobody wants to know any more what the address of before has to say.
+    // Drop the pending request when the URL has changed.
     if (state.request !== undefined && state.request.url !== url) {
       state.request = undefined;
       state.dueMs = state.nowMs;
@@ -102,13 +101,13 @@ export const httpPoller = defineProcessingModule({
       if ('status' in request.answer) status = request.answer.status;
       result = read.answer(request.answer, inputs.path?.string.trim() ?? '');
     } else if (request !== undefined && state.nowMs - request.sinceMs >= timeoutMs) {
-      // A late answer goes to the old object, where nobody looks.
+      // A late response is stored in the dropped request object, which is no longer read.
       state.request = undefined;
-      result = { reason: `The service did not answer within ${timeoutMs} ms.` };
+      result = { reason: `The service did not respond within ${timeoutMs} ms.` };
     }
 
     if (state.request === undefined && url !== '' && state.nowMs >= state.dueMs) {
-      // In step with the interval, unless that fell behind.
+      // Keep to the interval, unless requests are late.
       state.dueMs = Math.max(state.dueMs + intervalMs, state.nowMs + intervalMs / 2);
       if (/^https?:\/\//i.test(url)) {
         const next: NonNullable<PollerState['request']> = {
@@ -128,7 +127,9 @@ export const httpPoller = defineProcessingModule({
           },
         );
       } else {
-        result = { reason: `"${url}" is no address: it has to start with http:// or https://.` };
+        result = {
+          reason: `"${url}" is not a web address. It must start with http:// or https://.`,
+        };
       }
     }
     if (result === undefined) return undefined;

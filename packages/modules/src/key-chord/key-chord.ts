@@ -1,9 +1,9 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 
-/** The keys that are held together, as a text such as "a + d". */
+/** Joins the keys that are held down into a text such as "a + d". */
 export const keyChord = defineProcessingModule({
   name: 'key-chord',
-  description: 'Gives the keys that are held together as one text, such as "a + d".',
+  description: 'Joins the keys that are held down into a text such as "a + d".',
   tags: ['event', 'key', 'keyboard', 'text'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -14,10 +14,10 @@ export const keyChord = defineProcessingModule({
   onProcessing(_deltaTimeMs, inputs, state) {
     const event = inputs.key?.keyEvent;
     if (event === undefined) return undefined;
-    // Longer names and more keys than a keyboard has are not kept.
+    // Bound the names and the number of keys.
     const key = event.key === ' ' ? 'Space' : event.key.slice(0, 32);
     const others = state.held.filter((held) => held !== key);
-    // 1 is down, 0 is up.
+    // 1: key down, 0: key up.
     const isDown = Number(event.type) === 1;
     if (isDown && key !== '') {
       if (others.length === state.held.length && others.length < 16) state.held.push(key);

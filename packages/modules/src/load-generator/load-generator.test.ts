@@ -17,7 +17,7 @@ describe.each(WAYS)('load-generator %s', (_way, drive) => {
     expect(await module.run(0, { iterations })).toMatchObject({ result, runs: 1 });
   });
 
-  it('takes 1000 steps unless told, and for what is no number', async () => {
+  it('computes 1000 steps by default, also for a number that is not finite', async () => {
     const module = await drive(loadGenerator);
     const { result } = await module.run(0, { iterations: 1000 });
     expect((await module.run(16, { iterations: undefined })).result).toBe(result);

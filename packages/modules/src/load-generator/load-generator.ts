@@ -2,12 +2,12 @@ import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
 /**
- * Does a chosen amount of work in each run, and tells how long it took: Fibonacci numbers, as in the
- * session speed test of the original frontend.
+ * Generates load: computes Fibonacci numbers in each run and measures the time, as the session speed
+ * test of the original frontend does.
  */
 export const loadGenerator = defineProcessingModule({
   name: 'load-generator',
-  description: 'Adds up Fibonacci numbers for a chosen number of steps and tells how long it took.',
+  description: 'Runs a given number of Fibonacci steps and measures the time.',
   tags: ['load', 'benchmark', 'performance'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -20,7 +20,7 @@ export const loadGenerator = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // Not every sandbox has a fine clock.
+      // Some sandboxes have only a coarse clock.
       nowMs() {
         return typeof performance === 'object' ? performance.now() : Date.now();
       },
@@ -32,7 +32,7 @@ export const loadGenerator = defineProcessingModule({
     let previous = 0;
     let current = 1;
     for (let step = 0; step < iterations; step++) {
-      // Modulo 2^32: the work of a step does not depend on how far it got.
+      // Modulo 2^32, so that each step takes the same time.
       const next = (previous + current) >>> 0;
       previous = current;
       current = next;

@@ -67,7 +67,7 @@ describe.each(WAYS)('low-pass %s', (_way, drive) => {
     }
   });
 
-  it('takes 1 Hz for a cut-off that is no number', async () => {
+  it('uses 1 Hz for a cut-off that is not finite', async () => {
     const wrong = await drive(lowPass);
     const right = await drive(lowPass);
     await wrong.run(0, { cutoffHz: NaN });
@@ -129,7 +129,7 @@ describe.each(WAYS)('low-pass %s', (_way, drive) => {
     for (const [name, part] of parts) expect(smoothed[name]).toBeCloseTo(share * part, 12);
   });
 
-  it('leaves a vector out when one part is no number', async () => {
+  it('ignores a vector with a component that is not finite', async () => {
     const module = await drive(lowPassVector2);
     expect(await step(module, 0, { x: 0, y: NaN })).toBeUndefined();
     expect(await step(module, 0, { x: 0, y: 1 })).toEqual({ x: 0, y: 1 });

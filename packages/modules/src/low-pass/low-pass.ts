@@ -1,13 +1,13 @@
 import { defineProcessingModule, type ModuleState } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** What the callback knows of any record on `value`. */
+/** A record on `value` in any supported format. */
 type AnyRecord = { readonly type: string } & { readonly [member: string]: unknown };
 
 interface LowPassState {
-  /** The smoothed value: one number, or the parts x, y, z, w as far as there are. */
+  /** The smoothed value: one number, or the components x, y, z, w that the format has. */
   smoothed: number[] | undefined;
-  /** Time that passed without a usable sample, milliseconds. */
+  /** Time since the last usable sample, milliseconds. */
   waitedMs: number;
 }
 
@@ -16,13 +16,13 @@ interface LowPassInputs {
   cutoffHz: NumberRecord | undefined;
 }
 
-/** The same for every format: it goes by what comes in. Self-contained, for it is sent as text. */
+/** Handles records of all formats. Self-contained, because it is sent as text. */
 function smooth(deltaTimeMs: number, inputs: LowPassInputs, state: ModuleState<LowPassState>) {
   const read = {
     value(record: NumberRecord | undefined) {
       return record?.double ?? record?.float ?? record?.int32;
     },
-    // What is no finite number counts as not there.
+    // A number that is not finite counts as missing.
     number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
       const value = this.value(record);
       return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
@@ -32,7 +32,7 @@ function smooth(deltaTimeMs: number, inputs: LowPassInputs, state: ModuleState<L
   state.waitedMs += deltaTimeMs;
   const record = inputs.value;
   const triggers = state.inputTriggerNames ?? [];
-  // A run that only a parameter caused brings no new sample.
+  // A run triggered by a parameter has no new sample.
   if (record === undefined || (triggers.length > 0 && !triggers.includes('value')))
     return undefined;
 
@@ -45,8 +45,8 @@ function smooth(deltaTimeMs: number, inputs: LowPassInputs, state: ModuleState<L
     const length = Math.hypot(...parts);
     parts = parts.map((part) => part / length);
   }
-  // The time of a sample that cannot be used belongs to the next one. No rotation has length 0, and the
-  // differences of larger numbers could be infinite.
+  // The time of an unusable sample counts for the next one. A quaternion of length 0 is not a rotation,
+  // and differences of larger numbers could be infinite.
   if (!parts.every((part) => Math.abs(part) <= 1e150)) return undefined;
 
   let smoothed = state.smoothed;
@@ -54,12 +54,12 @@ function smooth(deltaTimeMs: number, inputs: LowPassInputs, state: ModuleState<L
     smoothed = parts;
   } else {
     const before = smoothed;
-    // q and -q are the same rotation: towards the one that is closer.
+    // q and -q are the same rotation: use the closer one.
     const sign = isRotation && before.reduce((sum, b, i) => sum + b * parts[i]!, 0) < 0 ? -1 : 1;
-    // The exact answer of a first-order low-pass to a value held for this long, so two short steps are
-    // one long one.
+    // The exact step response of a first-order low-pass filter, so that two short steps give the same
+    // result as one long step.
     const share = -Math.expm1((-2 * Math.PI * cutoffHz * state.waitedMs) / 1000);
-    // From the end that is closer, so that rounding leads beyond neither.
+    // Interpolate from the closer end, so that rounding cannot exceed either end.
     smoothed = before.map((b, i) => {
       const p = sign * parts[i]!;
       return share < 0.5 ? b + share * (p - b) : p - (1 - share) * (p - b);
@@ -77,14 +77,14 @@ function smooth(deltaTimeMs: number, inputs: LowPassInputs, state: ModuleState<L
   return { outputs: { smoothed: { [record.type]: members } } };
 }
 
-/** The formats it can smooth. */
+/** The supported formats. */
 type SmoothFormat = 'double' | 'vector2' | 'vector3' | 'vector4' | 'quaternion';
 
-/** One module a format, so that its ends say what they take; the code is the same. */
+/** Defines the module for one format. All formats share the code; the formats of input and output differ. */
 function defineLowPass<const F extends SmoothFormat>(name: string, format: F) {
   return defineProcessingModule({
     name,
-    description: `Smooths a ${format} with a first-order low-pass; right for any interval between records.`,
+    description: `Smooths a ${format} with a first-order low-pass filter.`,
     tags: ['filter', 'smoothing', 'low-pass'],
     authors: ['Ubi-Interact'],
     version: '1.0.0',
@@ -92,7 +92,7 @@ function defineLowPass<const F extends SmoothFormat>(name: string, format: F) {
     outputs: { smoothed: format },
     mode: { triggerOnInput: {} },
     createState: (): LowPassState => ({ smoothed: undefined, waitedMs: 0 }),
-    // It goes by what comes in, which no type of one format can say.
+    // The callback handles all formats, so it does not have the type of one format.
     onProcessing: smooth as () => undefined,
   });
 }
@@ -105,5 +105,5 @@ export const lowPassVector2 = defineLowPass('low-pass-vector2', 'vector2');
 export const lowPassVector3 = defineLowPass('low-pass-vector3', 'vector3');
 /** Exponential smoothing of four numbers. */
 export const lowPassVector4 = defineLowPass('low-pass-vector4', 'vector4');
-/** Exponential smoothing of a rotation, on the shorter way round. */
+/** Exponential smoothing of a rotation along the shorter arc. */
 export const lowPassQuaternion = defineLowPass('low-pass-quaternion', 'quaternion');

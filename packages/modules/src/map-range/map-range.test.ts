@@ -55,7 +55,7 @@ describe.each(WAYS)('map-range %s', (_way, drive) => {
     expect(await map({ value: 5, ...empty })).toBe(2);
   });
 
-  it('takes exponents from 0.01 to 100, and defaults for what is no number', async () => {
+  it('clamps exponents to 0.01 to 100, and uses defaults for parameters that are not finite', async () => {
     expect(await map({ value: 0.5, exponent: -1 })).toBeCloseTo(0.5 ** 0.01, 12);
     expect(await map({ value: 0.5, exponent: 1e9 })).toBeCloseTo(0.5 ** 100, 40);
     expect(await map({ value: 0.5, exponent: NaN, inMax: Infinity })).toBe(0.5);

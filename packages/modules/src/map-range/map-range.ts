@@ -1,10 +1,10 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** Maps a number from one range to another: scale, offset, clamp, invert, curve. */
+/** Maps a number from one range to another: scales, offsets, clamps, inverts, and applies a curve. */
 export const mapRange = defineProcessingModule({
   name: 'map-range',
-  description: 'Maps a number from one range to another, with clamping, inversion and a curve.',
+  description: 'Maps a number from one range to another, with clamp and curve.',
   tags: ['number', 'scale', 'clamp'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -25,7 +25,7 @@ export const mapRange = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // What is no finite number counts as not there.
+      // A number that is not finite counts as missing.
       number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
         const value = this.value(record);
         return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
@@ -39,13 +39,13 @@ export const mapRange = defineProcessingModule({
     const outMax = read.number(inputs.outMax, 1, -1e150, 1e150);
     const exponent = read.number(inputs.exponent, 1, 0.01, 100);
 
-    // An empty range is a step: below it 0, from it on 1.
+    // An empty range is a step: 0 below it, otherwise 1.
     let share = inMin === inMax ? (value < inMin ? 0 : 1) : (value - inMin) / (inMax - inMin);
     if (inputs.clamp?.bool ?? true) share = Math.min(1, Math.max(0, share));
-    // The curve goes on beyond the range as its mirror image, so that it stays monotonic.
+    // Beyond the range, mirror the curve, so that it stays monotonic.
     if (exponent !== 1) share = Math.sign(share) * Math.abs(share) ** exponent;
     if (inputs.invert?.bool) share = 1 - share;
-    // From the end that is closer, so that both are met exactly and rounding leads beyond neither.
+    // Interpolate from the closer end, so that both ends are exact and rounding cannot exceed them.
     const range = outMax - outMin;
     const mapped = share < 0.5 ? outMin + range * share : outMax - range * (1 - share);
     return Number.isFinite(mapped) ? { outputs: { mapped: { double: mapped } } } : undefined;

@@ -23,7 +23,7 @@ describe.each(WAYS)('merge-vector %s', (_way, drive) => {
     expect(await module.run(10, { z: undefined })).toEqual({ vector: { x: 0, y: 0, z: 0 } });
   });
 
-  it('says nothing while a part is no finite number', async () => {
+  it('publishes nothing while a component is not finite', async () => {
     const module = await drive(mergeVector2);
     expect(await module.run(0, { x: NaN, y: 1 })).toEqual({});
     expect(await module.run(10, { x: Infinity })).toEqual({});

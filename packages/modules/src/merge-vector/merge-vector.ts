@@ -1,10 +1,10 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** Two numbers become one vector. A part without a record yet is 0. */
+/** Combines two numbers into one vector. A component without a record is 0. */
 export const mergeVector2 = defineProcessingModule({
   name: 'merge-vector2',
-  description: 'Merges two numbers into a vector.',
+  description: 'Combines the numbers x and y into a vector.',
   tags: ['vector', 'number', 'merge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -21,10 +21,10 @@ export const mergeVector2 = defineProcessingModule({
   },
 });
 
-/** Three numbers become one vector. A part without a record yet is 0. */
+/** Combines three numbers into one vector. A component without a record is 0. */
 export const mergeVector3 = defineProcessingModule({
   name: 'merge-vector3',
-  description: 'Merges three numbers into a vector.',
+  description: 'Combines the numbers x, y and z into a vector.',
   tags: ['vector', 'number', 'merge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -41,10 +41,10 @@ export const mergeVector3 = defineProcessingModule({
   },
 });
 
-/** Four numbers become one vector. A part without a record yet is 0. */
+/** Combines four numbers into one vector. A component without a record is 0. */
 export const mergeVector4 = defineProcessingModule({
   name: 'merge-vector4',
-  description: 'Merges four numbers into a vector.',
+  description: 'Combines the numbers x, y, z and w into a vector.',
   tags: ['vector', 'number', 'merge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

@@ -1,13 +1,13 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 
 /**
- * Mirrors a position on a surface around its centre, in x, in y, in both or not at all: the module of
- * the mouse-pointer example. Positions are from 0 to 1 of width and height; what is outside is mirrored
- * to the other outside.
+ * Mirrors a position at the centre of a surface, in x, in y, in both or not at all: the module of the
+ * mouse-pointer example. Positions are from 0 to 1 of width and height; positions outside are mirrored
+ * to the outside of the opposite edge.
  */
 export const mirrorPointer = defineProcessingModule({
   name: 'mirror-pointer',
-  description: 'Mirrors a position from 0 to 1 around the centre, in x, in y, or in both.',
+  description: 'Mirrors a position from 0 to 1 in x, in y or in both.',
   tags: ['pointer', 'vector', 'example'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -27,8 +27,8 @@ export const mirrorPointer = defineProcessingModule({
       x: inputs.mirrorX?.bool ? 1 - x : x,
       y: inputs.mirrorY?.bool ? 1 - y : y,
     };
-    // The mirrored position is of the moment of the original one, so that a round trip can be told.
-    // After a switch alone it is new, and the node says when.
+    // The mirrored position keeps the timestamp of the original one, so that a client can measure the
+    // round trip. When only a switch has changed, the node sets the timestamp.
     const triggers = state.inputTriggerNames ?? [];
     const isNew = triggers.length === 0 || triggers.includes('pointer');
     return {

@@ -1,10 +1,10 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** Adds up to three numbers, each multiplied by a gain: a mixer, and with a negative gain a difference. */
+/** Adds up to three numbers, each multiplied by a gain. A negative gain subtracts. */
 export const mix = defineProcessingModule({
   name: 'mix',
-  description: 'Adds up to three numbers, each multiplied by a gain. A negative gain subtracts.',
+  description: 'Adds up to three numbers, each multiplied by its gain.',
   tags: ['number', 'sum', 'mixer'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -23,7 +23,7 @@ export const mix = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // What is not a finite number counts as missing.
+      // A number that is not finite counts as missing.
       number(record: NumberRecord | undefined, fallback: number) {
         const value = this.value(record);
         return Number.isFinite(value) ? value! : fallback;

@@ -2,16 +2,15 @@ import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
 /**
- * A source of pseudo-random numbers: uniform, normal, and a random walk. The same seed gives the same
- * numbers, so a test and a demonstration can be repeated.
+ * Generates pseudo-random numbers: uniform, normal, and a random walk. The same seed gives the same
+ * numbers, so that tests and demonstrations can be repeated.
  *
  * Source of the generator: mulberry32 by T. Ettinger, public domain (2017). Normal numbers: G. E. P. Box,
  * M. E. Muller: "A Note on the Generation of Random Normal Deviates", 1958.
  */
 export const noise = defineProcessingModule({
   name: 'noise',
-  description:
-    'Gives pseudo-random numbers: uniform, normal, and a random walk that stays in range.',
+  description: 'Generates pseudo-random numbers: uniform, normal, random walk.',
   tags: ['source', 'generator', 'number', 'random'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -33,7 +32,7 @@ export const noise = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // What is not a finite number counts as missing.
+      // A number that is not finite counts as missing.
       number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
         const value = this.value(record);
         return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
@@ -60,10 +59,10 @@ export const noise = defineProcessingModule({
     // 1 − random is never 0, so the logarithm is finite.
     const radius = Math.sqrt(-2 * Math.log(1 - read.random()));
     const normal = radius * Math.cos(2 * Math.PI * read.random());
-    // The variance of a random walk grows with time; after a pause it is as if a second had passed.
+    // The variance of a random walk grows with time. After a pause, count one second at most.
     const seconds = Math.min(1, deltaTimeMs / 1000);
     let walk = state.walk + normal * walkSpeed * Math.sqrt(seconds);
-    // Reflected at both ends of −1 to 1: a triangle wave of period 4.
+    // Reflect at −1 and 1: a triangle wave of period 4.
     walk = ((((walk + 1) % 4) + 4) % 4) - 1;
     if (walk > 1) walk = 2 - walk;
     state.walk = walk;

@@ -93,7 +93,7 @@ describe.each(WAYS)('one-euro-filter %s', (_way, drive) => {
     expect(await step(module, 3_600_000, 5)).toBeCloseTo(5, 2);
   });
 
-  it('clamps what is out of range and takes defaults for what is no number', async () => {
+  it('clamps parameters, and uses defaults for those that are not finite', async () => {
     const wrong = await drive(oneEuroFilter);
     const right = await drive(oneEuroFilter);
     await wrong.run(0, { minCutoffHz: -1, beta: NaN, derivativeCutoffHz: Infinity });

@@ -1,15 +1,15 @@
 import { defineProcessingModule, type ModuleState } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** What the callback knows of any record on `value`. */
+/** A record on `value` in any supported format. */
 type AnyRecord = { readonly type: string } & { readonly [member: string]: unknown };
 
 interface OneEuroState {
-  /** The smoothed value: one number, or the parts x, y, z, w as far as there are. */
+  /** The smoothed value: one number, or the components x, y, z, w that the format has. */
   smoothed: number[] | undefined;
-  /** Smoothed change of each part, per second. */
+  /** Smoothed change of each component per second. */
   speed: number[];
-  /** Time that passed without a usable sample, milliseconds. */
+  /** Time since the last usable sample, milliseconds. */
   waitedMs: number;
 }
 
@@ -21,23 +21,23 @@ interface OneEuroInputs {
 }
 
 /**
- * The same for every format: it goes by what comes in. Self-contained, for it is sent as text.
+ * Handles records of all formats. Self-contained, because it is sent as text.
  *
  * Source: G. Casiez, N. Roussel, D. Vogel: "1€ Filter: A Simple Speed-based Low-pass Filter for Noisy
- * Input in Interactive Systems", CHI 2012, algorithm 1. All parts share one cut-off, from the length of
- * their speed, so that the direction of a movement makes no difference.
+ * Input in Interactive Systems", CHI 2012, algorithm 1. All components share one cut-off, which depends
+ * on the length of the velocity, so that the result does not depend on the direction of a movement.
  */
 function smooth(deltaTimeMs: number, inputs: OneEuroInputs, state: ModuleState<OneEuroState>) {
   const read = {
     value(record: NumberRecord | undefined) {
       return record?.double ?? record?.float ?? record?.int32;
     },
-    // What is no finite number counts as not there.
+    // A number that is not finite counts as missing.
     number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
       const value = this.value(record);
       return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
     },
-    /** How far the smoothed value goes towards a new one: the paper's alpha. */
+    /** The smoothing factor, alpha in the paper. */
     share(cutoffHz: number, seconds: number) {
       const turns = 2 * Math.PI * cutoffHz * seconds;
       return turns === Infinity ? 1 : turns / (turns + 1);
@@ -49,7 +49,7 @@ function smooth(deltaTimeMs: number, inputs: OneEuroInputs, state: ModuleState<O
   state.waitedMs += deltaTimeMs;
   const record = inputs.value;
   const triggers = state.inputTriggerNames ?? [];
-  // A run that only a parameter caused brings no new sample.
+  // A run triggered by a parameter has no new sample.
   if (record === undefined || (triggers.length > 0 && !triggers.includes('value')))
     return undefined;
 
@@ -62,8 +62,8 @@ function smooth(deltaTimeMs: number, inputs: OneEuroInputs, state: ModuleState<O
     const length = Math.hypot(...parts);
     parts = parts.map((part) => part / length);
   }
-  // The time of a sample that cannot be used belongs to the next one. No rotation has length 0, and the
-  // differences of larger numbers could be infinite.
+  // The time of an unusable sample counts for the next one. A quaternion of length 0 is not a rotation,
+  // and differences of larger numbers could be infinite.
   if (!parts.every((part) => Math.abs(part) <= 1e150)) return undefined;
 
   let smoothed = state.smoothed;
@@ -73,7 +73,7 @@ function smooth(deltaTimeMs: number, inputs: OneEuroInputs, state: ModuleState<O
   } else if (state.waitedMs > 0) {
     const before = smoothed;
     const seconds = state.waitedMs / 1000;
-    // q and -q are the same rotation: towards the one that is closer.
+    // q and -q are the same rotation: use the closer one.
     const sign = isRotation && before.reduce((sum, b, i) => sum + b * parts[i]!, 0) < 0 ? -1 : 1;
     const derivativeShare = read.share(derivativeCutoffHz, seconds);
     state.speed = state.speed.map(
@@ -82,7 +82,7 @@ function smooth(deltaTimeMs: number, inputs: OneEuroInputs, state: ModuleState<O
     // A unit quaternion changes by half of the angle.
     const speed = Math.hypot(...state.speed) * (isRotation ? 2 : 1);
     const share = read.share(minCutoffHz + beta * speed, seconds);
-    // From the end that is closer, so that rounding leads beyond neither.
+    // Interpolate from the closer end, so that rounding cannot exceed either end.
     smoothed = before.map((b, i) => {
       const p = sign * parts[i]!;
       return share < 0.5 ? b + share * (p - b) : p - (1 - share) * (p - b);
@@ -100,14 +100,14 @@ function smooth(deltaTimeMs: number, inputs: OneEuroInputs, state: ModuleState<O
   return { outputs: { smoothed: { [record.type]: members } } };
 }
 
-/** The formats it can smooth. */
+/** The supported formats. */
 type SmoothFormat = 'double' | 'vector2' | 'vector3' | 'vector4' | 'quaternion';
 
-/** One module a format, so that its ends say what they take; the code is the same. */
+/** Defines the module for one format. All formats share the code; the formats of input and output differ. */
 function defineOneEuro<const F extends SmoothFormat>(name: string, format: F) {
   return defineProcessingModule({
     name,
-    description: `Smooths a ${format}: strongly while it is slow, hardly while it is fast (1€ filter).`,
+    description: `Smooths a ${format} with a 1€ filter: little jitter, little delay.`,
     tags: ['filter', 'smoothing', 'one-euro'],
     authors: ['Ubi-Interact'],
     version: '1.0.0',
@@ -120,7 +120,7 @@ function defineOneEuro<const F extends SmoothFormat>(name: string, format: F) {
     outputs: { smoothed: format },
     mode: { triggerOnInput: {} },
     createState: (): OneEuroState => ({ smoothed: undefined, speed: [], waitedMs: 0 }),
-    // It goes by what comes in, which no type of one format can say.
+    // The callback handles all formats, so it does not have the type of one format.
     onProcessing: smooth as () => undefined,
   });
 }
@@ -133,5 +133,5 @@ export const oneEuroFilterVector2 = defineOneEuro('one-euro-filter-vector2', 've
 export const oneEuroFilterVector3 = defineOneEuro('one-euro-filter-vector3', 'vector3');
 /** 1€ filter of four numbers. */
 export const oneEuroFilterVector4 = defineOneEuro('one-euro-filter-vector4', 'vector4');
-/** 1€ filter of a rotation, on the shorter way round. */
+/** 1€ filter of a rotation along the shorter arc. */
 export const oneEuroFilterQuaternion = defineOneEuro('one-euro-filter-quaternion', 'quaternion');

@@ -40,9 +40,9 @@ describe.each(WAYS)('pick-field %s', (_way, drive) => {
     });
   });
 
-  it('says once what is not there, and once that it is there again', async () => {
+  it('publishes an error once, and once its end', async () => {
     const module = await drive(pickField);
-    const error = 'The value has no "position.up": there is no "up".';
+    const error = 'The value has no "position.up": "up" is missing.';
     expect(await module.run(0, { value: POSE, path: 'position.up' })).toEqual({ error });
     expect(await module.run(10, { value: POSE })).toEqual({});
     expect(await module.run(10, { path: 'position.x' })).toMatchObject({ number: 1, error: '' });
@@ -51,6 +51,6 @@ describe.each(WAYS)('pick-field %s', (_way, drive) => {
   it('does not look where the value has nothing of its own', async () => {
     const module = await drive(pickField);
     const { error } = await module.run(0, { value: POSE, path: 'constructor.name' });
-    expect(error).toBe('The value has no "constructor.name": there is no "constructor".');
+    expect(error).toBe('The value has no "constructor.name": "constructor" is missing.');
   });
 });

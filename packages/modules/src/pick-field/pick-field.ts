@@ -1,12 +1,12 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 
 /**
- * Takes one part out of a value: the height of a pose, one number of a list. It reads records of any
- * data format; a session says which by giving the input another format than the one here.
+ * Extracts one field of a value: the height of a pose, one number of a list. It reads records of any
+ * data format: a session can set another format for the input than the one here.
  */
 export const pickField = defineProcessingModule({
   name: 'pick-field',
-  description: 'Takes one part out of a value, such as position.x out of a pose.',
+  description: 'Extracts one field of a value, such as position.x of a pose.',
   tags: ['field', 'convert', 'number', 'vector', 'text'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -26,20 +26,20 @@ export const pickField = defineProcessingModule({
   createState: () => ({ error: '' }),
   onProcessing(_deltaTimeMs, inputs, state) {
     const read = {
-      /** The part at the path, or what is wrong. */
+      /** The field at the path, or the reason why there is none. */
       part(whole: unknown, path: string): { part: unknown } | { reason: string } {
         let part = whole;
         // elements[0].x and elements.0.x are the same; a leading $ is the whole value.
         for (const key of path.replace(/\[(\d+)\]/g, '.$1').split('.')) {
           if (key === '' || key === '$') continue;
           if (typeof part !== 'object' || part === null || !Object.hasOwn(part, key)) {
-            return { reason: `The value has no "${path}": there is no "${key}".` };
+            return { reason: `The value has no "${path}": "${key}" is missing.` };
           }
           part = (part as { [key: string]: unknown })[key];
         }
         return { part };
       },
-      /** The members by name, when all of them are finite numbers. */
+      /** The members by name, if all of them are finite numbers. */
       numbers<K extends string>(part: unknown, ...names: K[]): { [name in K]: number } | undefined {
         if (typeof part !== 'object' || part === null) return undefined;
         const all = part as { [name in K]?: unknown };

@@ -2,14 +2,14 @@ import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
 /**
- * A picture in grey, and its edges.
+ * Converts an image to greyscale and detects its edges.
  *
  * Sources: luma of ITU-R BT.601; the operator of I. Sobel and G. Feldman, "A 3x3 Isotropic Gradient
  * Operator for Image Processing", 1968.
  */
 export const pictureEdges = defineProcessingModule({
   name: 'picture-edges',
-  description: 'Turns a picture of raw pixels into grey, and finds its edges (Sobel operator).',
+  description: 'Converts an image to greyscale and detects its edges (Sobel).',
   tags: ['image', 'filter', 'edge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -22,7 +22,7 @@ export const pictureEdges = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // What is not a finite number counts as missing.
+      // A number that is not finite counts as missing.
       number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
         const value = this.value(record);
         return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
@@ -54,7 +54,7 @@ export const pictureEdges = defineProcessingModule({
     }
     const threshold = 255 * read.number(inputs.threshold, 0, 0, 1);
     const edges = new Uint8Array(size);
-    // Pixels of the frame have no neighbours on one side and stay 0.
+    // The outermost pixels have no neighbours on one side and stay 0.
     for (let y = 1; y < height - 1; y++) {
       for (let x = 1; x < width - 1; x++) {
         const at = y * width + x;

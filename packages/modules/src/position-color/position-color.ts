@@ -1,10 +1,10 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** A position as a colour: hue from left to right, lightness from top to bottom. */
+/** Converts a position to a colour: the hue from x, the lightness from y. */
 export const positionColor = defineProcessingModule({
   name: 'position-color',
-  description: 'Turns a position from 0 to 1 into a colour: hue by x, lightness by y.',
+  description: 'Converts a position to a colour: hue from x, lightness from y.',
   tags: ['color', 'vector', 'pointer', 'convert'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -16,7 +16,7 @@ export const positionColor = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // What is not a finite number counts as missing.
+      // A number that is not finite counts as missing.
       number(record: NumberRecord | undefined, fallback: number) {
         const value = this.value(record);
         return Number.isFinite(value) ? Math.min(1, Math.max(0, value!)) : fallback;
@@ -25,7 +25,7 @@ export const positionColor = defineProcessingModule({
     const position = inputs.position?.vector2;
     if (!position || !Number.isFinite(position.x) || !Number.isFinite(position.y)) return undefined;
     const saturation = read.number(inputs.saturation, 0.8);
-    // The hue is a circle: positions beyond the surface go on around it.
+    // The hue is a circle: positions outside the surface wrap around.
     const hue = ((position.x % 1) + 1) % 1;
     const lightness = 0.85 - 0.65 * Math.min(1, Math.max(0, position.y));
 

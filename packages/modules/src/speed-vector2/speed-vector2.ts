@@ -10,12 +10,12 @@ interface SpeedState {
 }
 
 /**
- * The velocity of a position. It runs at a frequency, so that the speed goes down to 0 when no new
+ * Computes the velocity of a position. Runs at a frequency, so that the speed decreases to 0 when no new
  * position arrives.
  */
 export const speedVector2 = defineProcessingModule({
   name: 'speed-vector2',
-  description: 'Gives velocity, speed and distance travelled of a position.',
+  description: 'Computes the velocity, speed and travelled distance of a position.',
   tags: ['vector', 'number', 'derivative', 'pointer'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -33,7 +33,7 @@ export const speedVector2 = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // What is not a finite number counts as missing.
+      // A number that is not finite counts as missing.
       number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
         const value = this.value(record);
         return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
@@ -42,7 +42,7 @@ export const speedVector2 = defineProcessingModule({
     const smoothingMs = read.number(inputs.smoothingMs, 60, 0, 60_000);
     state.waitedMs += deltaTimeMs;
     const position = inputs.position?.vector2;
-    // A run that only a parameter caused brings no new position.
+    // A run triggered by a parameter has no new position.
     const triggers = state.inputTriggerNames ?? [];
     if (position === undefined || (triggers.length > 0 && !triggers.includes('position')))
       return undefined;

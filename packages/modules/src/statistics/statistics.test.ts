@@ -115,7 +115,7 @@ describe.each(WAYS)('statistics %s', (_way, drive) => {
     expect(await module.run(0, {}, ['windowMs'])).toMatchObject({ count: 10_000, min: 50 });
   });
 
-  it('has no negative windows, and defaults for what is no number', async () => {
+  it('clamps negative windows to 0, and uses defaults for those that are not finite', async () => {
     const module = await drive(statistics);
     await module.run(0, { windowMs: NaN, windowCount: -4, value: 1 });
     expect(await module.run(999, { value: 2 })).toMatchObject({ count: 2 });

@@ -1,7 +1,7 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** What is known of some numbers that follow one another. `m2` is the sum of squared deviations from the mean. */
+/** Aggregate of consecutive numbers. `m2` is the sum of squared deviations from the mean. */
 interface Aggregate {
   count: number;
   mean: number;
@@ -13,25 +13,26 @@ interface Aggregate {
 interface StatisticsState {
   /** Time of the newest run, milliseconds since the first. */
   nowMs: number;
-  /** Older samples, newest first: each with the aggregate of itself and all newer ones in here. */
+  /** Older samples, newest first, each with the aggregate of itself and all newer samples in this list. */
   older: { atMs: number; aggregate: Aggregate }[];
-  /** Newer samples, oldest first, and the aggregate of them all. */
+  /** Newer samples, oldest first, and their aggregate. */
   newer: { atMs: number; value: number }[];
   newerAggregate: Aggregate;
 }
 
 /**
- * Statistics of the newest values of a number: of a time, of a count, or of both, whichever holds less.
+ * Computes statistics of the newest values of a number: of a time window, of a number of values, or of
+ * the smaller one of both.
  *
- * Nothing is ever subtracted from a sum, so an outlier leaves no trace once it left the window. Two stacks
- * make a queue: aggregates of the newer samples are built while they come, those of the older ones when
- * they change stacks, and the two are merged as Chan, Golub and LeVeque do ("Updating Formulae and a
- * Pairwise Algorithm for Computing Sample Variances", 1979). A run costs the same for every window on average.
+ * Values are never subtracted from a sum, so that an outlier has no effect after it has left the window.
+ * Two stacks form a queue: the aggregate of the newer samples is updated with each sample, those of the
+ * older samples are computed when the samples change stacks. Both are merged by the formula of Chan, Golub
+ * and LeVeque ("Updating Formulae and a Pairwise Algorithm for Computing Sample Variances", 1979). The
+ * average cost of a run does not depend on the window.
  */
 export const statistics = defineProcessingModule({
   name: 'statistics',
-  description:
-    'Count, mean, minimum, maximum, standard deviation and root mean square of the newest values.',
+  description: 'Computes mean, minimum, maximum, deviation and RMS of recent values.',
   tags: ['number', 'statistics', 'window'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -60,7 +61,7 @@ export const statistics = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // What is no finite number counts as not there.
+      // A number that is not finite counts as missing.
       number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
         const value = this.value(record);
         return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
@@ -92,9 +93,9 @@ export const statistics = defineProcessingModule({
 
     state.nowMs += deltaTimeMs;
     const value = read.value(inputs.value);
-    // With larger ones the squares would be infinite.
+    // Squares of larger numbers would be infinite.
     const isUsable = value !== undefined && Math.abs(value) <= 1e140;
-    // A run that only a parameter caused brings no new sample.
+    // A run triggered by a parameter has no new sample.
     const triggers = state.inputTriggerNames ?? [];
     const isNew = triggers.length === 0 || triggers.includes('value');
     if (isUsable && isNew) {

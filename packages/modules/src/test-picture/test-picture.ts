@@ -1,11 +1,10 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** A source of pictures without a camera: a disc that travels over bars and a gradient. */
+/** Generates images without a camera: a disc that moves over bars and a gradient. */
 export const testPicture = defineProcessingModule({
   name: 'test-picture',
-  description:
-    'Generates a moving picture in colour, so that no camera is needed to work with images.',
+  description: 'Generates a moving test image, which replaces a camera.',
   tags: ['source', 'generator', 'image'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -22,7 +21,7 @@ export const testPicture = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // What is not a finite number counts as missing.
+      // A number that is not finite counts as missing.
       number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
         const value = this.value(record);
         return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;

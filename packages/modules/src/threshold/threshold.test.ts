@@ -34,7 +34,7 @@ describe.each(WAYS)('threshold %s', (_way, drive) => {
     expect(await module.run(10, { value: 0.9 })).toEqual({});
   });
 
-  it('takes a negative hysteresis for none, and what is no number for the default', async () => {
+  it('clamps a negative hysteresis to 0, and uses the default for parameters that are not finite', async () => {
     const module = await drive(threshold);
     await module.run(0, { value: 0, threshold: NaN, hysteresis: -5 });
     expect(await module.run(10, { value: 0.5 })).toMatchObject(ROSE);

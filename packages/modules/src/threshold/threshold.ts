@@ -1,11 +1,10 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** Turns a number into events: it rose to a threshold, it fell below it. */
+/** Converts a number to events: it has risen to a threshold, or fallen below it. */
 export const threshold = defineProcessingModule({
   name: 'threshold',
-  description:
-    'Tells when a number rises to a threshold and when it falls below it, with hysteresis.',
+  description: 'Gives an event when a number rises to or falls below a threshold.',
   tags: ['event', 'number', 'edge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -25,14 +24,14 @@ export const threshold = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // What is no finite number counts as not there.
+      // A number that is not finite counts as missing.
       number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
         const value = this.value(record);
         return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
       },
     };
     const value = read.value(inputs.value);
-    // Infinite is above or below all the same; only what is no number at all is left out.
+    // An infinite number is above or below the threshold; only NaN is ignored.
     if (value === undefined || Number.isNaN(value)) return undefined;
     const upper = read.number(inputs.threshold, 0.5, -Number.MAX_VALUE, Number.MAX_VALUE);
     const lower = upper - read.number(inputs.hysteresis, 0, 0, Number.MAX_VALUE);
@@ -41,7 +40,7 @@ export const threshold = defineProcessingModule({
     const isAbove = before === true ? value >= lower : value >= upper;
     if (isAbove === before) return undefined;
     state.isAbove = isAbove;
-    // The first value says where it is; nothing rose or fell yet.
+    // The first value sets the state without an event.
     if (before === undefined) return { outputs: { isAbove: { bool: isAbove } } };
     if (!isAbove) return { outputs: { isAbove: { bool: false }, fell: { bool: true } } };
     state.riseCount = (state.riseCount + 1) % 2 ** 31;

@@ -1,12 +1,12 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type { NumberRecord } from '../number-record.ts';
 
-/** What is remembered of one who touches. */
+/** State of one client that touches. */
 interface Toucher {
   isNear: boolean;
-  /** Until then the one who vibrates is left alone, in module time, milliseconds. */
+  /** No new vibration until this module time, milliseconds. */
   quietUntilMs: number;
-  /** Until then who is near need not be told again, in module time, milliseconds. */
+  /** `isNear` is not repeated until this module time, milliseconds. */
   toldUntilMs: number;
 }
 
@@ -15,19 +15,18 @@ interface TouchProximityState {
   nowMs: number;
   /** By identity. */
   touchers: { [identity: string]: Toucher };
-  /** By topic: what the newest record looked like, and since when. */
+  /** By topic: stamp of the newest record, and when it arrived. */
   seen: { [topic: string]: { stamp: string; sinceMs: number } };
 }
 
 /**
- * Lets those feel each other who touch near one another: the muxer example of the paper on Ubi-Interact
- * (section 5.6). Positions of many phones come from a muxer that tells whose they are; the answers go
- * back to each of them through a demuxer.
+ * Makes phones vibrate that are touched at nearly the same position: the muxer example of the paper on
+ * Ubi-Interact (section 5.6). A muxer collects the positions of all phones with their identities; a
+ * demuxer publishes the results for each phone.
  */
 export const touchProximity = defineProcessingModule({
   name: 'touch-proximity',
-  description:
-    'Finds touches of different people that are near one another, and lets their phones vibrate.',
+  description: 'Detects nearby touches of different clients and vibrates their phones.',
   tags: ['touch', 'muxer', 'demuxer', 'example'],
   authors: ['Ubi-Interact'],
   version: '1.1.0',
@@ -55,7 +54,7 @@ export const touchProximity = defineProcessingModule({
       value(record: NumberRecord | undefined) {
         return record?.double ?? record?.float ?? record?.int32;
       },
-      // What is no finite number counts as not there.
+      // A number that is not finite counts as missing.
       number(record: NumberRecord | undefined, fallback: number, min: number, max: number) {
         const value = this.value(record);
         return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
@@ -67,15 +66,15 @@ export const touchProximity = defineProcessingModule({
     const maxAgeMs = read.number(inputs.maxAgeMs, 2000, 0, Number.MAX_VALUE);
     state.nowMs += deltaTimeMs;
 
-    // Who says that the finger was lifted; who says nothing of it touches as long as the place is new.
+    // Clients that report a lifted finger. For other clients, a touch ends when its position is too old.
     const lifted = Object.create(null) as { [identity: string]: boolean };
     for (const { identity, bool } of inputs.touching?.elements ?? []) {
       if (identity !== undefined) lifted[identity] = !bool;
     }
-    // Who touches where. The clocks of phones differ, so a touch ages from when it arrived here.
+    // Clocks of phones differ, so that the age of a touch counts from its arrival.
     const touches: { identity: string; x: number; y: number }[] = [];
     const seen = Object.create(null) as TouchProximityState['seen'];
-    // Nothing at all while it is not mapped.
+    // An unmapped input has no list.
     for (const element of inputs.touches?.elements ?? []) {
       const { identity, topic, timestamp, vector2 } = element;
       if (identity === undefined || identity === '' || lifted[identity] === true) continue;
@@ -90,7 +89,7 @@ export const touchProximity = defineProcessingModule({
     }
     state.seen = seen;
 
-    // Sorted by x, each touch has to be compared only with those that follow closely.
+    // Sort by x, so that each touch is compared only with the touches close behind it.
     touches.sort((a, b) => a.x - b.x);
     const near = Object.create(null) as { [identity: string]: true };
     for (const [index, a] of touches.entries()) {
@@ -99,7 +98,7 @@ export const touchProximity = defineProcessingModule({
         if (b.x - a.x > farDistance) break;
         const squared = (b.x - a.x) ** 2 + (b.y - a.y) ** 2;
         if (squared > farDistance ** 2 || a.identity === b.identity) continue;
-        // Who were near stay near up to the farther distance.
+        // A pair that is near stays near up to the farther distance.
         const needsBefore = squared > distance ** 2;
         if (needsBefore && !state.touchers[a.identity]?.isNear) continue;
         if (needsBefore && !state.touchers[b.identity]?.isNear) continue;
@@ -116,7 +115,7 @@ export const touchProximity = defineProcessingModule({
       const isNear = near[identity] === true;
       let quietUntilMs = before?.quietUntilMs ?? 0;
       let toldUntilMs = before?.toldUntilMs ?? 0;
-      // Said again while it holds: a session that is stopped says no last word.
+      // Repeat a true value, because a stopped session does not publish false.
       const isDue = isNear && state.nowMs >= toldUntilMs;
       if (isDue || isNear !== (before?.isNear ?? false)) {
         changed.push({ bool: isNear, outputTopicParams: [identity] });
@@ -128,7 +127,7 @@ export const touchProximity = defineProcessingModule({
       }
       touchers[identity] = { isNear, quietUntilMs, toldUntilMs };
     }
-    // Who lifted the finger or left is near nobody any more.
+    // Clients that lifted the finger or left are not near any more.
     for (const [identity, toucher] of Object.entries(state.touchers)) {
       if (toucher.isNear && touchers[identity] === undefined) {
         changed.push({ bool: false, outputTopicParams: [identity] });
