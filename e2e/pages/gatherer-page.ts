@@ -15,7 +15,7 @@ export class GathererPage {
     this.session = page.getByRole('region', { name: 'Session', exact: true });
     this.touches = page.getByTestId('gathered-touch');
     this.pairs = page.getByTestId('near-pair');
-    this.distance = page.getByRole('slider', { name: 'Near is within' });
+    this.distance = page.getByRole('slider', { name: 'Near distance' });
     this.#phones = page.getByRole('list', { name: /^Phones/ }).getByRole('listitem');
   }
 

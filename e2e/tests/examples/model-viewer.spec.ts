@@ -24,11 +24,11 @@ test('a phone turns the model for all who look, from where it is zeroed, and smo
   test.slow();
   const { page } = await room.atDesk('Stage');
   await page.goto('/examples/model-viewer');
-  await expect(page.getByText('Drag to turn it, or connect a phone')).toBeVisible();
+  await expect(page.getByText('Drag to rotate the model, or connect a phone')).toBeVisible();
 
   const phone = await TouchedPhone.join(await room.withPhone('Anna'));
   await phone.turn(0, 90, 0);
-  await expect(page.getByText('Turned by Anna.')).toBeVisible();
+  await expect(page.getByText('Rotated by Anna.')).toBeVisible();
   await expectTurn(page, [0, 0, 0, 1]);
   await phone.turn(90, 0, 0);
   // Flat on the table, a quarter to the left
@@ -38,15 +38,15 @@ test('a phone turns the model for all who look, from where it is zeroed, and smo
   await other.page.goto('/examples/model-viewer');
   await expectTurn(other.page, [-0.5, 0.5, 0.5, 0.5]);
 
-  await page.getByRole('button', { name: 'Zero: this is straight ahead' }).click();
+  await page.getByRole('button', { name: 'Set as straight direction' }).click();
   await expectTurn(page, [0, 0, 0, 1]);
   await phone.turn(180, 0, 0);
   await expectTurn(page, [0, 0, HALF, HALF]);
   await expectTurn(other.page, [0, HALF, HALF, 0]);
 
-  await page.getByRole('switch', { name: /^Through a session/ }).click();
-  await expect(page.getByRole('link', { name: 'Show the session' })).toBeVisible();
-  await expect(other.page.getByRole('switch', { name: /^Through a session/ })).toBeChecked();
+  await page.getByRole('switch', { name: /^Smooth with a session/ }).click();
+  await expect(page.getByRole('link', { name: 'Open session' })).toBeVisible();
+  await expect(other.page.getByRole('switch', { name: /^Smooth with a session/ })).toBeChecked();
   for (let beta = 1; beta <= 3; beta++) await phone.turn(180, beta, 0);
   await phone.turn(180, 0, 0);
   await expectTurn(page, [0, 0, HALF, HALF]);
@@ -57,7 +57,7 @@ test('a hand stands in for a phone, and others can follow it', async ({ room }) 
   await page.goto('/examples/model-viewer');
   const model = page.getByRole('group', { name: 'Model' });
   await expect.poll(() => drawnTurn(page)).toHaveLength(4);
-  await page.getByRole('button', { name: 'Straighten' }).click();
+  await page.getByRole('button', { name: 'Reset rotation' }).click();
   await expectTurn(page, [0, 0, 0, 1]);
   await model.focus();
   for (let press = 0; press < 12; press++) await page.keyboard.press('ArrowRight');
@@ -65,7 +65,7 @@ test('a hand stands in for a phone, and others can follow it', async ({ room }) 
 
   const other = await room.atDesk('Ben');
   await other.page.goto('/examples/model-viewer');
-  await other.page.getByRole('combobox', { name: 'Who turns the model' }).click();
+  await other.page.getByRole('combobox', { name: 'Source of the rotation' }).click();
   await other.page.getByRole('option', { name: /Anna/ }).click();
   await expectTurn(other.page, [0, HALF, 0, HALF]);
 });

@@ -7,7 +7,7 @@ test('four phones come and go while it runs, and exactly those who touch near fe
   test.slow();
   const stage = new GathererPage((await room.atDesk('Stage')).page);
   await stage.open();
-  await expect(stage.page.getByRole('heading', { name: 'No phone is here yet' })).toBeVisible();
+  await expect(stage.page.getByRole('heading', { name: 'No phones yet' })).toBeVisible();
   await stage.start();
 
   const join = async (name: string) => TouchedPhone.join(await room.withPhone(name));
@@ -96,7 +96,7 @@ test('four phones come and go while it runs, and exactly those who touch near fe
     await stage.page.getByRole('radio', { name: 'Session' }).click();
     await expect(stage.page.getByRole('dialog')).toContainText('topicMux');
     await stage.page.keyboard.press('Escape');
-    await stage.page.getByRole('link', { name: 'Show the session' }).click();
+    await stage.page.getByRole('link', { name: 'Open session' }).click();
     await expect(stage.page).toHaveURL(/\/sessions\/.*\/graph$/);
     // By its name: what stands on the node is cut in the middle when it is long
     const muxer = stage.page.getByRole('group', { name: 'Muxer touches of all phones' });

@@ -31,7 +31,9 @@ test('one session from this page mirrors the pointer on the master, in this tab 
       await anna.pointTo(at);
       await anna.expectPointer(anna.mirroredPointer, { x: at.x, y: 1 - at.y });
       if (place === 'Node') {
-        await expect(anna.session.getByRole('combobox', { name: 'Which node' })).toHaveText('Lab');
+        await expect(anna.session.getByRole('combobox', { name: 'Node', exact: true })).toHaveText(
+          'Lab',
+        );
       }
       if (place === 'This tab') {
         await expect(anna.page.getByRole('banner')).toContainText('1 here');

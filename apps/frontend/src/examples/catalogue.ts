@@ -1,23 +1,23 @@
 import type { Component } from 'vue';
 
-/** An example: a page people use and a folder people read. */
+/** An example with its own page. */
 export interface Example {
   readonly id: string;
   readonly title: string;
-  /** What it needs or does, a few words. */
+  /** Describes the example in a few words. */
   readonly sentence: string;
   readonly path: string;
   readonly page: () => Promise<{ default: Component }>;
-  /** A picture of 96 × 54 px, drawn with the tokens. */
+  /** Thumbnail of 96 × 54 px in the colours of the theme. */
   readonly thumbnail: () => Promise<{ default: Component }>;
 }
 
-/** Every example, in the order in which they are shown. */
+/** All examples in display order. */
 export const EXAMPLES: readonly Example[] = [
   {
     id: 'mouse-pointer',
     title: 'Mouse pointer',
-    sentence: 'No phone needed',
+    sentence: 'Mirrors the pointer of each browser',
     path: '/examples/mouse-pointer',
     page: () => import('./mouse-pointer/MousePointerPage.vue'),
     thumbnail: () => import('./mouse-pointer/MousePointerThumbnail.vue'),
@@ -25,7 +25,7 @@ export const EXAMPLES: readonly Example[] = [
   {
     id: 'smart-device-gatherer',
     title: 'Smart-device gatherer',
-    sentence: 'Phones that feel each other',
+    sentence: 'Vibrates phones with near touches',
     path: '/examples/smart-device-gatherer',
     page: () => import('./smart-device-gatherer/SmartDeviceGathererPage.vue'),
     thumbnail: () => import('./smart-device-gatherer/SmartDeviceGathererThumbnail.vue'),
@@ -33,7 +33,7 @@ export const EXAMPLES: readonly Example[] = [
   {
     id: 'model-viewer',
     title: 'Model viewer',
-    sentence: 'Turned by a phone',
+    sentence: 'Rotates a 3D model with a phone',
     path: '/examples/model-viewer',
     page: () => import('./model-viewer/ModelViewerPage.vue'),
     thumbnail: () => import('./model-viewer/ModelViewerThumbnail.vue'),

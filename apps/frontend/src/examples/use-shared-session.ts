@@ -4,14 +4,14 @@ import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 import { useConnection } from '../connection/useConnection.ts';
 import { isAlive, sessionState } from '../sessions/state/session-state.ts';
 
-/** A session of which there is one for everybody who looks. */
+/** A session that all clients share. */
 export interface SharedSession {
   readonly session: ComputedRef<Session | undefined>;
-  /** Its modules run. */
+  /** True while its modules run. */
   readonly isRunning: ComputedRef<boolean>;
-  /** A call is on its way. */
+  /** True while a service request is pending. */
   readonly isBusy: Readonly<ShallowRef<boolean>>;
-  /** Why the last wish was not fulfilled, one sentence. */
+  /** Error of the last action, one sentence. */
   readonly trouble: Readonly<ShallowRef<string | undefined>>;
   start(): Promise<void>;
   stop(): Promise<void>;
@@ -21,9 +21,9 @@ const isLiving = (session: Session): boolean =>
   isAlive(session) || sessionState(session) === SessionState.SESSION_STARTING;
 
 /**
- * Follows, starts and stops a session that belongs to no page: who comes later finds it running.
- * @param isIt recognises it among all sessions
- * @param spec makes it, when there is none
+ * Follows, starts and stops a session that is shared by all clients and continues after the page is left.
+ * @param isIt returns true for this session
+ * @param spec creates the session if there is none
  */
 export function useSharedSession(
   isIt: (session: Session) => boolean,
@@ -33,7 +33,7 @@ export function useSharedSession(
   const isBusy = shallowRef(false);
   const trouble = shallowRef<string>();
 
-  /** The one that counts: what lives before what rests, else the same for everybody, by its id. */
+  /** Prefers an active session, then the smallest id, so that all clients choose the same session. */
   function choose(list: readonly Session[]): Session | undefined {
     return list
       .filter(isIt)
@@ -74,7 +74,7 @@ export function useSharedSession(
           'sessionRuntimeStart',
           there ? { id: there.id } : await spec(),
         );
-        // Two people may have pressed Start in the same moment; both leave the same one.
+        // Two clients may have started it at the same time. Both keep the same session.
         const first = await ask();
         if (first && first.id !== mine.id && isLiving(first)) {
           await client.call('sessionRuntimeRemove', { id: mine.id });

@@ -7,7 +7,7 @@ const SOURCES = import.meta.glob<string>(
   { query: '?raw', import: 'default' },
 );
 
-/** Source file of a module: one file has all modules of a family, such as `low-pass-vector2`. */
+/** Returns the source file of a module. One file has all variants of a module, such as `low-pass-vector2`. */
 function sourceOf(module: string): (() => Promise<string>) | undefined {
   const found = Object.entries(SOURCES)
     .filter(([path]) => module.startsWith(path.split('/').at(-2) ?? ''))
@@ -15,7 +15,7 @@ function sourceOf(module: string): (() => Promise<string>) | undefined {
   return found?.[1];
 }
 
-/** The files of an example: its session as JSON, and the source of each of its modules. */
+/** Returns the files of an example: its session as JSON, and the source of each of its modules. */
 export function exampleFiles(
   entry: GalleryEntry,
   modules: readonly string[],

@@ -5,7 +5,7 @@ import { inputTopic } from './inputs/page-device.ts';
 
 const tagOf = ({ id }: Pick<GalleryEntry, 'id'>): string => `example:${id}`;
 
-/** The session of an example as it is sent: named for people, recognised later, on inputs of a client. */
+/** Returns the session of an example with a title, a tag to find it again, and the inputs of a client. */
 export function gallerySession(
   entry: GalleryEntry,
   spec: Init<Session>,
@@ -29,7 +29,7 @@ export function gallerySession(
   };
 }
 
-/** The session of an example that counts, of all there are: what runs before what rests. */
+/** Finds the session of an example. Prefers a running session to a stopped one. */
 export function sessionOfEntry(
   entry: Pick<GalleryEntry, 'id'>,
   sessions: readonly Session[],
@@ -39,7 +39,7 @@ export function sessionOfEntry(
     .sort((a, b) => Number(isAlive(b)) - Number(isAlive(a)) || (a.id < b.id ? -1 : 1))[0];
 }
 
-/** The client whose page a session takes its inputs from; undefined when it takes none by topic. */
+/** Returns the client whose page provides the inputs; undefined when the session has no such input. */
 export function inputClient(entry: GalleryEntry, session: Session): string | undefined {
   for (const { inputMappings } of session.ioMappings) {
     for (const { topic } of inputMappings) {
@@ -50,7 +50,7 @@ export function inputClient(entry: GalleryEntry, session: Session): string | und
   return undefined;
 }
 
-/** The session with the inputs of another client in place of those it has. */
+/** Returns the mappings of the session with the inputs of another client. */
 export function withInputsOf(
   entry: GalleryEntry,
   session: Session,

@@ -5,32 +5,32 @@ import type { InputName } from './inputs/input-names.ts';
 export interface PreviewLine {
   /** Last part of the topic. */
   readonly topic: string;
-  /** Letter at its end. */
+  /** Letter at the end of the line. */
   readonly letter: string;
   readonly stroke: 'solid' | 'light' | 'dashed';
 }
 
-/** What the preview of an example draws. Topics are the last part, below `/examples/<id>/`. */
+/** The drawing of a preview. Each topic is the part after `/examples/<id>/`. */
 export type PreviewView =
   | {
       readonly kind: 'lines';
       readonly lines: readonly PreviewLine[];
-      /** Lower and upper end of the value axis. */
+      /** Minimum and maximum of the value axis. */
       readonly range: readonly [number, number];
-      /** Events, as marks at the time when they came. */
+      /** Topics of events, drawn as marks at their time of arrival. */
       readonly events?: readonly string[];
-      /** Values that are drawn as dashed levels. */
+      /** Values drawn as dashed lines. */
       readonly levels?: readonly number[];
-      /** A number that is shown large. */
+      /** A number in large digits. */
       readonly readout?: { readonly topic: string; readonly unit: string };
-      /** A position that is shown over the plot. */
+      /** Topic of a position drawn over the plot. */
       readonly pointer?: string;
     }
   | {
       readonly kind: 'surface';
-      /** Drawn as a trail, unsmoothed: thin; smoothed: thick. */
+      /** Positions drawn as trails. */
       readonly trails: readonly { readonly topic: string; readonly stroke: 'solid' | 'light' }[];
-      /** Positions, each as a ring with a line to the middle. */
+      /** Positions, each drawn as a ring with a line to `middle`. */
       readonly points?: readonly string[];
       readonly middle?: string;
     }
@@ -48,11 +48,11 @@ export type PreviewView =
 export interface GalleryEntry {
   readonly id: keyof typeof EXAMPLE_SESSIONS;
   readonly title: string;
-  /** What it does, one sentence. */
+  /** Describes the session in one sentence. */
   readonly sentence: string;
-  /** What can be learned from it, a few words each. */
+  /** Concepts that the session demonstrates. */
   readonly shows: readonly string[];
-  /** What it takes from this page, by the topic that stands for it in the session. */
+  /** Inputs from this page, each with the topic of the session that it replaces. */
   readonly inputs: readonly { readonly topic: string; readonly input: InputName }[];
   readonly view: PreviewView;
 }
@@ -84,19 +84,19 @@ const dashed = (topic: string, letter: string): PreviewLine => ({
   stroke: 'dashed',
 });
 
-/** Twelve sessions, simple ones first. */
+/** Twelve sessions, ordered from simple to complex. */
 export const GALLERY: readonly GalleryEntry[] = [
   entry(
     'sine-wave',
     'Sine wave',
-    'One module makes a wave, 60 times a second.',
+    'One module generates a sine wave with 60 values per second.',
     ['Frequency mode', 'Source'],
     { kind: 'lines', lines: [solid('wave', 's')], range: [-1.2, 1.2] },
   ),
   entry(
     'mixed-waves',
     'Two waves, mixed',
-    'A slow wave and a fast one, and a mixer that adds them.',
+    'Two modules generate a slow and a fast wave, and a third one adds them.',
     ['Two instances of a module', 'Constants'],
     {
       kind: 'lines',
@@ -107,7 +107,7 @@ export const GALLERY: readonly GalleryEntry[] = [
   entry(
     'pointer-speed',
     'Pointer speed',
-    'The speed of your pointer, in windows a second.',
+    'Measures the speed of your pointer, in windows per second.',
     ['Frequency mode', 'Vector to number'],
     {
       kind: 'lines',
@@ -121,7 +121,7 @@ export const GALLERY: readonly GalleryEntry[] = [
   entry(
     'smooth-pointer',
     'Smooth a pointer',
-    'A shaky pointer goes in, a calm one comes out: the 1€ filter.',
+    'A 1€ filter removes the jitter of a pointer.',
     ['Trigger mode', 'Filter'],
     {
       kind: 'surface',
@@ -135,7 +135,7 @@ export const GALLERY: readonly GalleryEntry[] = [
   entry(
     'pointer-color',
     'Pointer to colour',
-    'Left to right is the hue, top to bottom the lightness.',
+    'Converts the pointer position to a colour: hue from x, lightness from y.',
     ['Trigger mode', 'Vector to colour'],
     { kind: 'color', color: 'color', hex: 'hex', pointer: 'pointer' },
     { pointer: 'pointer' },
@@ -143,7 +143,7 @@ export const GALLERY: readonly GalleryEntry[] = [
   entry(
     'click-counter',
     'Click counter',
-    'Every click on this page counts. Escape sets the counter to zero.',
+    'Counts the clicks on this page. Escape sets the count to 0.',
     ['Events', 'State', 'Reset'],
     { kind: 'count', count: 'count', pressed: 'pressed' },
     { pressed: 'pressed', reset: 'escape' },
@@ -151,7 +151,7 @@ export const GALLERY: readonly GalleryEntry[] = [
   entry(
     'metronome',
     'Metronome and drift',
-    'Two beats a second, and how far a module with a timer of its own drifts from one in lockstep.',
+    'Ticks twice a second, and measures the drift between a frequency module and a lockstep module.',
     ['Frequency mode', 'Lockstep mode'],
     {
       kind: 'lines',
@@ -165,7 +165,7 @@ export const GALLERY: readonly GalleryEntry[] = [
   entry(
     'many-pointers',
     'Many pointers, one middle',
-    'The pointers of all pages and phones, with two that move by themselves, and their middle.',
+    'Computes the mean of the pointers of all pages and phones, and of two animated pointers.',
     ['Muxer', 'Demuxer'],
     {
       kind: 'surface',
@@ -178,7 +178,7 @@ export const GALLERY: readonly GalleryEntry[] = [
   entry(
     'hysteresis',
     'Threshold with hysteresis',
-    'A noisy wave becomes one event for each crossing, and not many.',
+    'Converts a noisy wave to one event for each crossing of the threshold.',
     ['Number to events', 'Hysteresis'],
     {
       kind: 'lines',
@@ -192,8 +192,8 @@ export const GALLERY: readonly GalleryEntry[] = [
   entry(
     'moving-average',
     'Moving average',
-    'A noisy number and its mean over the last second.',
-    ['Noise', 'Window of time'],
+    'Computes the mean of a noisy number over the last second.',
+    ['Noise', 'Time window'],
     {
       kind: 'lines',
       lines: [light('noisy', 'n'), solid('mean', 'm')],
@@ -203,14 +203,14 @@ export const GALLERY: readonly GalleryEntry[] = [
   entry(
     'picture-edges',
     'Edges of a picture',
-    'A generated picture, the same in grey, and its edges.',
+    'Generates an image, converts it to greyscale, and detects its edges.',
     ['Images', 'Two modules in a row'],
     { kind: 'pictures', topics: ['picture', 'edges'] },
   ),
   entry(
     'key-chord',
     'Keys to text',
-    'Hold two or three keys on this page: they become one text.',
+    'Joins the keys that you hold on this page into one text.',
     ['Key events', 'Text'],
     { kind: 'text', text: 'chord', empty: 'No key is held' },
     { key: 'key' },

@@ -11,24 +11,24 @@ import { gallerySession, inputClient, sessionOfEntry, withInputsOf } from './gal
 import { usePageInputs } from './inputs/page-inputs.ts';
 import type { PreviewKit } from './preview/preview-kit.ts';
 
-/** The sessions of the gallery on the master, and what can be done with them. */
+/** The gallery's sessions on the master, and their actions. */
 export interface GallerySessions {
-  /** The session of an example, when there is one. */
+  /** Returns the session of an example, if the master has one. */
   of(entry: GalleryEntry): Session | undefined;
   isRunning(entry: GalleryEntry): boolean;
-  /** Ids of examples for which a call is under way. */
+  /** Ids of examples with a pending service request. */
   readonly busy: Readonly<ShallowRef<ReadonlySet<string>>>;
-  /** Why the last call failed, by the id of the example. */
+  /** Error of the last service request, by the id of the example. */
   readonly failures: Readonly<ShallowRef<ReadonlyMap<string, string>>>;
-  /** Creates the session unless there is one, starts it, and opens its graph. */
+  /** Creates the session if the master has none, starts it, and opens its graph. */
   start(entry: GalleryEntry): Promise<void>;
-  /** Creates the session unless there is one, and opens its graph. */
+  /** Creates the session if the master has none, and opens its graph. */
   open(entry: GalleryEntry): Promise<void>;
   stop(entry: GalleryEntry): Promise<void>;
   remove(entry: GalleryEntry): Promise<void>;
 }
 
-/** There is one session of each example for all: starting it again opens the one there is. */
+/** All clients share one session for each example: a second start opens the existing session. */
 export function useGallerySessions(loadKit: () => Promise<PreviewKit>): GallerySessions {
   const { client, clients, sessions } = useConnection();
   const router = useRouter();
@@ -54,7 +54,7 @@ export function useGallerySessions(loadKit: () => Promise<PreviewKit>): GalleryS
     }
   }
 
-  /** The session there is, or a new one. Its inputs are this page's, unless another page gives them. */
+  /** Returns the existing session or a new one. This page provides its inputs, unless another page does. */
   async function ready(entry: GalleryEntry): Promise<Session> {
     const there = of(entry);
     if (there === undefined) {

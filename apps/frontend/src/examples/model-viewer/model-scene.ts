@@ -17,7 +17,7 @@ import {
 } from 'three';
 import { openRenderer } from '../../topics/viewers/space/three/open-renderer.ts';
 
-/** Colours as CSS writes them. */
+/** Colours in CSS syntax. */
 export interface ModelColors {
   readonly ground: string;
   readonly body: string;
@@ -31,7 +31,7 @@ export interface ModelInput {
   readonly colors: ModelColors;
 }
 
-/** From the tail to the nose: radius and place. */
+/** Radius and position along the hull, from the tail to the nose. */
 const HULL = [
   [0.02, -1],
   [0.1, -0.9],
@@ -42,10 +42,10 @@ const HULL = [
   [0, 1],
 ].map(([radius, along]) => new Vector2(radius, along));
 const FIELD_DEGREES = 30;
-/** What has to be seen, whichever way it is turned. */
+/** Radius of the model, which must be visible in every rotation. */
 const REACH = 1.3;
 
-/** An aeroplane: its nose is the top edge of the phone, its back the screen. Drawn when it is told to. */
+/** An aeroplane: its nose is the top edge of the phone, its upper side the screen. Drawn on request. */
 export class ModelScene {
   readonly #canvas: HTMLCanvasElement;
   readonly #renderer: WebGLRenderer;
@@ -73,7 +73,7 @@ export class ModelScene {
     cockpit.scale.set(1, 1.9, 0.8);
   }
 
-  /** Undefined where there is no WebGL. */
+  /** Returns undefined without WebGL. */
   static open(canvas: HTMLCanvasElement): ModelScene | undefined {
     const opened = openRenderer(canvas);
     return opened && new ModelScene(canvas, opened.renderer, opened.ratio);

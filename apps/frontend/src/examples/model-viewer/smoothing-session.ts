@@ -1,15 +1,15 @@
 import type { Init, Session } from '@ubii/proto';
 import { smoothedTopic } from './viewer-topics.ts';
 
-/** Marks the sessions of this example, together with the id of the client each smooths. */
+/** Tag of the sessions of this example. A second tag is the id of the client. */
 const TAG = 'model-viewer-smoothing';
 
-/** One module between a phone and those who look: the one-euro filter, which knows that q and -q are one turn. */
+/** Returns a session with one module: the 1€ filter for quaternions. */
 export function smoothingSession(clientId: string, name: string, topic: string): Init<Session> {
   const module = 'one-euro-filter-quaternion';
   return {
-    name: `Smooth turn of ${name}`,
-    description: 'Smooths how a phone is turned, for the model viewer.',
+    name: `Smooth rotation of ${name}`,
+    description: 'Smooths the orientation of a phone for the model viewer.',
     tags: ['example', TAG, clientId],
     processingModules: [{ name: module }],
     ioMappings: [
@@ -17,7 +17,7 @@ export function smoothingSession(clientId: string, name: string, topic: string):
         processingModuleName: module,
         inputMappings: [
           { inputName: 'value', topic },
-          // Calm while it is held, within some 20 ms while it is turned fast.
+          // Little jitter while the phone is held still, a delay of some 20 ms while it is rotated fast.
           { inputName: 'minCutoffHz', constantJson: '{"double":1.5}' },
           { inputName: 'beta', constantJson: '{"double":8}' },
         ],
@@ -27,7 +27,7 @@ export function smoothingSession(clientId: string, name: string, topic: string):
   };
 }
 
-/** True for the session that smooths this client. */
+/** True for the session that smooths the rotation of this client. */
 export function isSmoothingOf({ tags }: Pick<Session, 'tags'>, clientId: string): boolean {
   return tags.includes(TAG) && tags.includes(clientId);
 }

@@ -9,27 +9,27 @@ const close = (a: object, b: object) => {
 };
 
 describe('turns of the model', () => {
-  it('follow one another, and say how far they go', () => {
+  it('are composed, and have an angle', () => {
     const quarter = turnAbout([0, 0, 1], Math.PI / 2);
     close(turnBy(quarter, quarter), turnAbout([0, 0, 1], Math.PI));
     expect(degreesOf(quarter)).toBeCloseTo(90);
     expect(degreesOf(STRAIGHT)).toBe(0);
-    // q and -q are one turn.
+    // q and -q are the same rotation.
     expect(degreesOf({ x: 0, y: 0, z: 0, w: -1 })).toBe(0);
   });
 
-  it('what is no turn is left out', () => {
+  it('a quaternion that is not a rotation is ignored', () => {
     expect(unitTurn({ x: 0, y: 0, z: 0, w: 0 })).toBeUndefined();
     expect(unitTurn({ x: NaN, y: 0, z: 0, w: 1 })).toBeUndefined();
     expect(unitTurn({ x: 0, y: 0, z: 0, w: 2 })).toEqual(STRAIGHT);
   });
 
-  it('a phone that lies flat shows the model flat, one that stands shows it upright', () => {
+  it('the model is flat for a flat phone, and upright for an upright phone', () => {
     close(modelTurn(STRAIGHT, undefined), turnAbout([1, 0, 0], -Math.PI / 2));
     close(modelTurn(quaternionOf({ alpha: 0, beta: 90, gamma: 0 }), undefined), STRAIGHT);
   });
 
-  it('after a zero, only what was turned since counts', () => {
+  it('with a zero, the model has the rotation since then', () => {
     const held = quaternionOf({ alpha: 123, beta: 40, gamma: -12 });
     close(modelTurn(held, held), STRAIGHT);
     const tilted = turnBy(held, turnAbout([1, 0, 0], 0.3));

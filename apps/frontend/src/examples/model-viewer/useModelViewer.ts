@@ -8,7 +8,7 @@ import { isSmoothingOf, smoothingSession } from './smoothing-session.ts';
 import { modelTurn, STRAIGHT, turnAbout, turnBy, unitTurn } from './turns.ts';
 import { smoothedTopic, TURN_COMPONENT, turnTopic, VIEWER_DEVICE } from './viewer-topics.ts';
 
-/** Something that turns the model: a phone, or a browser with a mouse. */
+/** A source of the rotation: a phone, or a browser with a mouse. */
 export interface TurnSource {
   readonly clientId: string;
   readonly name: string;
@@ -16,7 +16,7 @@ export interface TurnSource {
   readonly isOwn: boolean;
 }
 
-/** How the model is turned, and by whom, while the calling scope lives. */
+/** Provides the rotation of the model and its sources, while the calling scope lives. */
 export function useModelViewer() {
   const { client, clients, isConnected } = useConnection();
 
@@ -26,7 +26,7 @@ export function useModelViewer() {
       .flatMap((one) => sourcesOf(one, client.id))
       .sort((a, b) => Number(b.isPhone) - Number(a.isPhone) || a.name.localeCompare(b.name)),
   );
-  /** What a person chose; gone with the device. */
+  /** The source that the user chose, while its device exists. */
   const wanted = shallowRef<string>();
   const source = computed(
     () =>
@@ -34,13 +34,13 @@ export function useModelViewer() {
       sources.value.find(({ isPhone }) => isPhone) ??
       sources.value.find(({ isOwn }) => isOwn),
   );
-  /** What people do here counts at once for them, without the way to the master and back. */
+  /** Rotation by hand is drawn at once, without a round trip to the master. */
   const isOwn = computed(() => source.value === undefined || isStandIn(source.value));
 
   const smoothing = useSharedSession(
     (session) => source.value !== undefined && isSmoothingOf(session, source.value.clientId),
     async () => {
-      if (!source.value) throw new Error('Nothing turns the model yet.');
+      if (!source.value) throw new Error('The model has no source of rotation.');
       const { clientId, name, isPhone } = source.value;
       return smoothingSession(clientId, name, turnTopic(clientId, isPhone));
     },
@@ -55,16 +55,16 @@ export function useModelViewer() {
         name: TURN_COMPONENT,
         format: 'quaternion',
         tags: ['orientation'],
-        description: 'The turn made with mouse, fingers or keys in the model viewer.',
+        description: 'Rotation with mouse, fingers or keys in the model viewer.',
       },
     ] as const,
   });
 
-  /** As the device tells it; undefined before the first. */
+  /** The orientation from the device; undefined before the first record. */
   const told = shallowRef<Quaternion>();
-  /** Held so when a person said: this is straight ahead. */
+  /** The orientation that the user defined as straight ahead. */
   const zero = shallowRef<Quaternion>();
-  /** Made here, on the screen. */
+  /** The rotation made in this browser. */
   const made = shallowRef<Quaternion>(START);
 
   const topic = computed(() => {
@@ -94,7 +94,7 @@ export function useModelViewer() {
   const turn = computed(() => {
     if (isOwn.value) return made.value;
     if (!told.value) return START;
-    // The stand-in of another browser is of the screen already.
+    // Another browser publishes an orientation on the screen.
     if (!source.value?.isPhone && !zero.value) return told.value;
     return modelTurn(told.value, zero.value);
   });
@@ -104,7 +104,7 @@ export function useModelViewer() {
     device.publish(TURN_COMPONENT, made.value);
   }
 
-  // A filter of one's own making would be left without a person.
+  // Remove a session that this page started, because no page would stop it.
   let startedFor: string | undefined;
   async function setSmooth(on: boolean): Promise<void> {
     if (!on) return smoothing.stop();
@@ -113,7 +113,7 @@ export function useModelViewer() {
   }
   onScopeDispose(() => {
     if (startedFor === undefined) return;
-    // It may be gone already.
+    // It may be removed already.
     client.call('sessionRuntimeRemove', { id: startedFor }).catch(() => undefined);
   });
 
@@ -123,7 +123,7 @@ export function useModelViewer() {
     source,
     isOwn,
     turn,
-    /** Something has come. */
+    /** True when there is an orientation. */
     hasTurn: computed(() => isOwn.value || told.value !== undefined),
     hasZero: computed(() => zero.value !== undefined),
     smoothing,
@@ -132,17 +132,17 @@ export function useModelViewer() {
     choose(key: string): void {
       wanted.value = key;
     },
-    /** How it is held now is straight ahead; again takes that back. */
+    /** Defines the current orientation as straight ahead; a second call clears it. */
     calibrate(): void {
       if (isOwn.value) make(made.value === STRAIGHT ? START : STRAIGHT);
       else zero.value = zero.value ? undefined : told.value;
     },
-    /** Turns it by hand, radians about the screen's y and x axis. */
+    /** Rotates the model by hand, radians about the screen's y and x axis. */
     turnByHand(aboutY: number, aboutX: number): void {
       if (!isOwn.value) {
         const standIn = sources.value.find((one) => isStandIn(one));
         if (!standIn) return;
-        // It goes on from how it lies.
+        // Continue from the current rotation.
         made.value = turn.value;
         wanted.value = keyOf(standIn);
       }
@@ -156,10 +156,10 @@ export function useModelViewer() {
   }
 }
 
-/** Seen a little from above, so that it looks like something at first sight. */
+/** Initial rotation: seen from above and from the side. */
 const START = turnBy(turnAbout([1, 0, 0], -1.1), turnAbout([0, 0, 1], -0.6));
 
-/** Tells apart what one client may be twice: a phone, and a browser with this page. */
+/** Returns a key of a source. A client can be two sources: a phone, and a browser with this page. */
 export function keyOf({ clientId, isPhone }: TurnSource): string {
   return `${isPhone ? 'phone' : 'browser'} ${clientId}`;
 }

@@ -1,17 +1,17 @@
 import { componentTopic } from '@ubii/proto';
 import { SMART_DEVICE } from '../../devices/smart-device/components.ts';
 
-/** This browser's stand-in for a phone: turned by mouse, fingers or keys. */
+/** Device of a browser that rotates the model with mouse, fingers or keys. */
 export const VIEWER_DEVICE = 'web-example-model-viewer';
-/** The same meaning has the same name as with a phone. */
+/** The component has the same name as on a phone. */
 export const TURN_COMPONENT = 'orientation_quaternion';
 
-/** Where a smoothing session puts the turn of a client. */
+/** Returns the topic of the smoothed orientation of a client. */
 export function smoothedTopic(clientId: string): string {
   return `/examples/model-viewer/${clientId}/${TURN_COMPONENT}`;
 }
 
-/** The topic a client's turn is on. */
+/** Returns the topic of a client's orientation. */
 export function turnTopic(clientId: string, isPhone: boolean): string {
   return componentTopic(clientId, isPhone ? SMART_DEVICE : VIEWER_DEVICE, TURN_COMPONENT);
 }

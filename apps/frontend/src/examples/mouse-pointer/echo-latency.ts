@@ -1,4 +1,4 @@
-/** Percentiles of the last round trips of one's own records, milliseconds. */
+/** Percentiles of the last round trips of own records, milliseconds. */
 export interface EchoLatency {
   readonly lastMs: number;
   readonly p50Ms: number;
@@ -16,24 +16,24 @@ interface Sent {
 
 /** Round trips kept: ten seconds of a 60 Hz pointer. */
 const WINDOW = 600;
-/** Records on their way; older ones are taken as dropped on the way. */
+/** Maximum number of records without an echo; older ones count as dropped. */
 const MAX_UNDERWAY = 1000;
 
 /**
- * Measures how long one's own records take through the master and back. Records of one publisher on
- * one topic return in order [TD-15], so what is older than an echo was dropped on the way.
+ * Measures the round-trip time of own records through the master. Records of one publisher on one topic
+ * return in order [TD-15], so that records older than an echo count as dropped.
  */
 export class EchoLatencyWindow {
   #underway: Sent[] = [];
   #roundTripsMs: number[] = [];
 
-  /** Notes a record that is handed to the client at `sentAtMs`, any monotonic clock. */
+  /** Adds a record that is published at `sentAtMs` of any monotonic clock. */
   sent(record: { timestampMs: number; x: number; y: number }, sentAtMs: number): void {
     if (this.#underway.length >= MAX_UNDERWAY) this.#underway.shift();
     this.#underway.push({ ...record, sentAtMs });
   }
 
-  /** Notes an echo; returns its round trip in milliseconds, `undefined` when it is none of ours. */
+  /** Adds an echo. Returns its round trip in milliseconds; `undefined` for a record of another publisher. */
   returned(
     record: { timestampMs: number | undefined; x: number; y: number },
     returnedAtMs: number,
@@ -51,13 +51,13 @@ export class EchoLatencyWindow {
     return roundTripMs;
   }
 
-  /** Forgets everything, as after a reconnect: what was underway will not return. */
+  /** Removes all records, as after a reconnect: records without an echo do not return. */
   clear(): void {
     this.#underway = [];
     this.#roundTripsMs = [];
   }
 
-  /** The newest round trips, oldest first, milliseconds. */
+  /** Returns the newest round trips, oldest first, milliseconds. */
   recent(count: number): readonly number[] {
     return this.#roundTripsMs.slice(-count);
   }

@@ -7,21 +7,21 @@ import {
   POINTER_COMPONENT,
 } from './pointer-topic.ts';
 
-/** Marks the sessions of this example, together with the id of the client each belongs to. */
+/** Tag of the sessions of this example. A second tag is the id of the client. */
 const TAG = 'mouse-pointer';
 
-/** Who sends the session, and where its module is to run. */
+/** The client of the session, and the node of its module. */
 export interface MirrorSessionFacts {
   readonly clientId: string;
   readonly clientName: string;
-  /** Source and all: the master need not have it. */
+  /** With its source, so that the master does not need to have it. */
   readonly module: Init<ProcessingModule>;
   readonly nodeId: string;
 }
 
 /**
- * The whole runtime context of the example, made by the client: one module, and what flows where. It
- * takes the pointer and two switches, and puts the pointer out mirrored.
+ * Returns the session of the example: one module and its mappings. Its inputs are the pointer and two
+ * switches, its output is the mirrored pointer.
  */
 export function mirrorSession({
   clientId,
@@ -32,7 +32,7 @@ export function mirrorSession({
   const topic = (component: string): string => exampleTopic(clientId, component);
   return {
     name: `Mouse pointer of ${clientName}`,
-    description: 'Mirrors the pointer of the mouse-pointer example. It ends when its page is left.',
+    description: 'Mirrors the pointer of the mouse-pointer example. Ends when the page is left.',
     tags: ['example', TAG, clientId],
     authors: [clientName],
     processingModules: [{ ...module, nodeId }],
@@ -50,12 +50,12 @@ export function mirrorSession({
   };
 }
 
-/** True for a session that an earlier run of this page has left behind. */
+/** True for a session of this page, also from before a reload. */
 export function isMirrorSessionOf({ tags }: Pick<Session, 'tags'>, clientId: string): boolean {
   return tags.includes(TAG) && tags.includes(clientId);
 }
 
-/** The session with its module on another node. [SE-15] */
+/** Returns the session with its module on another node. [SE-15] */
 export function onNode(session: Session, nodeId: string): Init<Session> {
   return {
     ...session,

@@ -1,6 +1,6 @@
 import { clientOfPointerTopic, POINTER_DEVICE } from './pointer-topic.ts';
 
-/** What the page needs to know of a client to draw its pointer. */
+/** The data of a client that the page needs to draw its pointer. */
 export interface PointerClient {
   readonly id: string;
   readonly name: string;
@@ -9,7 +9,7 @@ export interface PointerClient {
   readonly deviceNames: readonly string[];
 }
 
-/** A client that is on this example, and where its pointer is; both axes 0 to 1, origin top left. */
+/** A client on this example and the position of its pointer; both axes 0 to 1, origin top left. */
 export interface Pointer {
   readonly clientId: string;
   readonly name: string;
@@ -18,27 +18,27 @@ export interface Pointer {
 }
 
 /**
- * Who is on the example, and where they point. A pointer stays while its client has the example's
- * device, however long it rests; records of clients that have left are ignored.
+ * The clients on the example and their pointers. A pointer stays while its client has the example's
+ * device, also when it does not move. Records of clients that have left are ignored.
  */
 export class Pointers {
   #positions = new Map<string, { x: number; y: number }>();
   #clients = new Map<string, PointerClient>();
 
-  /** Replaces what is known of the clients. */
+  /** Replaces the list of clients. */
   setClients(clients: Iterable<PointerClient>): void {
     const before = this.#clients;
     this.#clients = new Map();
     for (const client of clients) {
       if (client.deviceNames.includes(POINTER_DEVICE)) this.#clients.set(client.id, client);
     }
-    // Only of those that left: a position may arrive before the client it belongs to.
+    // Only of clients that left: a position may arrive before its client is in the list.
     for (const clientId of before.keys()) {
       if (!this.#clients.has(clientId)) this.#positions.delete(clientId);
     }
   }
 
-  /** Takes a record of a pointer topic; returns the client it belongs to, `undefined` for another topic. */
+  /** Stores a record of a pointer topic. Returns its client; `undefined` for another topic. */
   move(topic: string, value: { x: number; y: number }): string | undefined {
     const clientId = clientOfPointerTopic(topic);
     if (clientId === undefined) return undefined;
@@ -46,12 +46,12 @@ export class Pointers {
     return clientId;
   }
 
-  /** Where the client's pointer is, `undefined` before its first record. */
+  /** Returns the position of the client's pointer; `undefined` before its first record. */
   position(clientId: string): { readonly x: number; readonly y: number } | undefined {
     return this.#positions.get(clientId);
   }
 
-  /** Everybody on the example, by name. */
+  /** Returns all clients on the example, sorted by name. */
   list(): Pointer[] {
     return [...this.#clients.values()]
       .map(({ id, name, active }) => ({

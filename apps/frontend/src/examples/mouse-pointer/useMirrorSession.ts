@@ -15,29 +15,29 @@ import { eventPlace } from '../../sessions/live/event-log.ts';
 import { useTabNode } from '../../tab-node/useTabNode.ts';
 import { isMirrorSessionOf, mirrorSession, onNode } from './mirror-session.ts';
 
-/** Where the pointer is mirrored. */
+/** The node that mirrors the pointer. */
 export type MirrorPlace =
   | { readonly kind: 'master' }
   | { readonly kind: 'tab' }
   | { readonly kind: 'node'; readonly nodeId: string };
 
 export interface MirrorSession {
-  /** As the master tells it; `undefined` while there is none. */
+  /** The session on the master; `undefined` while there is none. */
   readonly session: ComputedRef<Session | undefined>;
   readonly statistics: Ref<ModuleStatistics | undefined>;
-  /** What went wrong last in the module or in a call, one sentence. */
+  /** The last error of the module or of a service request, one sentence. */
   readonly trouble: Ref<string | undefined>;
-  /** The last call failed, so the session is not where it was wanted. */
+  /** True when the last service request failed, so that the session does not run on the chosen node. */
   readonly hasFailed: Ref<boolean>;
-  /** Sends the session anew. */
+  /** Creates the session again. */
   restart(): Promise<void>;
 }
 
 const NODES_INTERVAL_MS = 2000;
 
 /**
- * Keeps a session of this page's own running where `place` says, while the calling scope lives. The
- * client sends all of it: source, mappings and place.
+ * Keeps a session of this page running at `place` while the calling scope lives. The client sends the
+ * whole session: source, mappings and node.
  */
 export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSession {
   const { client, name, isConnected, sessions, nodes } = useConnection();
@@ -52,7 +52,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
 
   const session = computed(() => sessions.list.value?.find((one) => one.id === id.value));
 
-  /** Where the module is to run now; the tab is made ready for it. */
+  /** Returns the node for the module. Starts the node of this tab if needed. */
   async function nodeId(): Promise<string> {
     const wanted = place.value;
     if (wanted.kind !== 'tab') {
@@ -71,7 +71,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
       import('@ubii/pm-sandbox'),
     ]);
     const { elements } = await client.call('sessionRuntimeGetList');
-    // What a reload left behind would mirror the pointer a second time
+    // A session from before a reload would mirror the pointer a second time
     for (const left of elements.filter((one) => isMirrorSessionOf(one, client.id))) {
       await client.call('sessionRuntimeRemove', { id: left.id });
     }
@@ -145,7 +145,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
     id.value = undefined;
     if (gone === undefined) return;
     sessions.drop(gone);
-    client.call('sessionRuntimeRemove', { id: gone }).catch(() => undefined); // it is gone already
+    client.call('sessionRuntimeRemove', { id: gone }).catch(() => undefined); // already removed
   }
   onScopeDispose(() => {
     isOver = true;

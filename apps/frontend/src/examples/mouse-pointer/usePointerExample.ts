@@ -26,24 +26,24 @@ const COMPONENTS = [
     name: MIRROR_X_COMPONENT,
     format: 'bool',
     tags: ['switch'],
-    description: 'Whether the session mirrors the pointer from left to right.',
+    description: 'True when the session mirrors the pointer in x.',
   },
   {
     name: MIRROR_Y_COMPONENT,
     format: 'bool',
     tags: ['switch'],
-    description: 'Whether the session mirrors the pointer from top to bottom.',
+    description: 'True when the session mirrors the pointer in y.',
   },
 ] as const;
 
-/** How often the readouts are computed, not how often data flows. */
+/** Update interval of the readouts. */
 const READOUT_INTERVAL_MS = 250;
 const SPARKLINE_POINTS = 120;
 
-/** What the readouts show of the last moments. */
+/** Values of the readouts. */
 export interface PointerReadouts {
   readonly latency: EchoLatency | undefined;
-  /** To the session's module and back. */
+  /** Round trip through the session's module. */
   readonly through: EchoLatency | undefined;
   /** Newest round trips, oldest first, milliseconds. */
   readonly recentMs: readonly number[];
@@ -52,14 +52,14 @@ export interface PointerReadouts {
 }
 
 /**
- * Publishes this browser's pointer and follows everybody's, while the calling scope lives.
- * Positions are read with `position()` once per frame; only who is here is reactive.
+ * Publishes this browser's pointer and subscribes to the pointers of all clients, while the calling scope
+ * lives. Read positions with `position()` once per frame; only the list of clients is reactive.
  */
 export function usePointerExample() {
   const { client, clients, isConnected, publishIntervalMs } = useConnection();
   const pointers = new Pointers();
   const latency = new EchoLatencyWindow();
-  /** Through the session: the module keeps the time of the pointer, not its place. */
+  /** Through the session. The module keeps the timestamp of the pointer, but not its position. */
   const through = new EchoLatencyWindow();
   const people = shallowRef<readonly Pointer[]>([]);
   const readouts = shallowRef<PointerReadouts>({
@@ -87,10 +87,10 @@ export function usePointerExample() {
       publishMirror();
       return undefined;
     })
-    // Only when the client is closed for good, which the shell shows.
+    // Rejects only when the client is closed, which the shell shows.
     .catch(() => undefined);
 
-  /** The newest stays on its topic, so that a session that comes later has it. */
+  /** Publishes the switches. The master retains the values for sessions that start later. */
   function publishMirror(): void {
     device?.component(MIRROR_X_COMPONENT).publish(mirror.value.x);
     device?.component(MIRROR_Y_COMPONENT).publish(mirror.value.y);
@@ -98,7 +98,7 @@ export function usePointerExample() {
   watch(mirror, publishMirror, { deep: true });
   watch(isConnected, (connected) => connected && publishMirror());
 
-  /** Where the session put the pointer last. */
+  /** The newest position from the session. */
   let mirrored: { readonly x: number; readonly y: number } | undefined;
   watch(
     isConnected,
@@ -167,15 +167,15 @@ export function usePointerExample() {
   });
 
   return {
-    /** Everybody on the example, this browser included. */
+    /** All clients on the example, including this browser. */
     people: readonly(people),
     settings,
-    /** In which axes the session mirrors; published as topics of this client. */
+    /** Axes that the session mirrors; published as topics of this client. */
     mirror,
-    /** Where the session put this browser's pointer last. */
+    /** Returns the newest position of this browser's pointer from the session. */
     mirrored: () => mirrored,
     readouts: readonly(readouts),
-    /** Where the client's pointer is, as it came back from the master. */
+    /** Returns the position of a client's pointer, as received from the master. */
     position: (clientId: string) => pointers.position(clientId),
     /** Publishes a position; both axes 0 to 1, origin top left. Does nothing before the device is registered. */
     publish(x: number, y: number) {
@@ -191,7 +191,7 @@ export function usePointerExample() {
   };
 }
 
-/** The master remembers a client for a while after it went; its topics have ended by then. [CL-13] */
+/** False for a client that has left: the master keeps it in the list for some time. [CL-13] */
 function isHere({ state }: Client): boolean {
   return state !== ClientState.UNAVAILABLE;
 }

@@ -2,7 +2,7 @@ import { TouchEventType, type TouchEventList, type Vector3 } from '@ubii/proto';
 import { SMART_DEVICE } from '../../devices/smart-device/components.ts';
 import { HYSTERESIS } from './gatherer-topics.ts';
 
-/** What the page needs to know of a client. */
+/** The data of a client that the page needs. */
 export interface PhoneClient {
   readonly id: string;
   readonly name: string;
@@ -17,11 +17,11 @@ export interface GatheredTouch {
   readonly clientId: string;
   readonly x: number;
   readonly y: number;
-  /** The one the session goes by. */
+  /** True for the finger that the session uses. */
   readonly isFirst: boolean;
 }
 
-/** Two phones that feel each other. */
+/** Two phones with near touches. */
 export interface NearPair {
   readonly key: string;
   readonly from: GatheredTouch;
@@ -33,21 +33,21 @@ interface Finger {
   y: number;
 }
 
-/** The phones that are here, their fingers, their motion, and who is near. Plain: it knows no network. */
+/** The phones, their fingers, their motion, and near touches. Plain code without network. */
 export class Gathering {
   #clients = new Map<string, PhoneClient>();
   readonly #fingers = new Map<string, Map<string, Finger>>();
   readonly #motion = new Map<string, number>();
   readonly #near = new Set<string>();
 
-  /** Replaces what is known of the clients; who has left leaves nothing behind. */
+  /** Replaces the list of clients, and removes the data of clients that have left. */
   setClients(clients: Iterable<PhoneClient>): void {
     const before = this.#clients;
     this.#clients = new Map();
     for (const client of clients) {
       if (client.deviceNames.includes(SMART_DEVICE)) this.#clients.set(client.id, client);
     }
-    // Only of those that left: a touch may arrive before the client it belongs to.
+    // Only of clients that left: a touch may arrive before its client is in the list.
     for (const id of before.keys()) {
       if (this.#clients.has(id)) continue;
       this.#fingers.delete(id);
@@ -56,7 +56,7 @@ export class Gathering {
     }
   }
 
-  /** Takes the fingers that came down, moved or left. */
+  /** Applies the touch events of a client. */
   touch(clientId: string, { elements }: TouchEventList): void {
     const fingers = this.#fingers.get(clientId) ?? new Map<string, Finger>();
     this.#fingers.set(clientId, fingers);
@@ -66,18 +66,18 @@ export class Gathering {
     }
   }
 
-  /** Takes an acceleration without gravity, m/s². */
+  /** Stores an acceleration without gravity, m/s². */
   move(clientId: string, { x, y, z }: Vector3): void {
     this.#motion.set(clientId, Math.hypot(x, y, z));
   }
 
-  /** Takes what the session says of a phone. */
+  /** Stores whether the session reports a near touch for a phone. */
   setNear(clientId: string, isNear: boolean): void {
     if (isNear) this.#near.add(clientId);
     else this.#near.delete(clientId);
   }
 
-  /** A session that begins anew, or has ended, says nothing of what was. */
+  /** Clears near touches, as when a session starts or ends. */
   forgetNear(): void {
     this.#near.clear();
   }
@@ -86,19 +86,19 @@ export class Gathering {
     return this.#clients.has(clientId) && this.#near.has(clientId);
   }
 
-  /** Length of the newest acceleration, m/s²; `undefined` before the first. */
+  /** Returns the length of the newest acceleration, m/s²; `undefined` before the first. */
   motionOf(clientId: string): number | undefined {
     return this.#motion.get(clientId);
   }
 
-  /** Everybody with a phone, by name. */
+  /** Returns all phones, sorted by name. */
   phones(): PhoneClient[] {
     return [...this.#clients.values()].sort(
       (a, b) => a.name.localeCompare(b.name) || a.id.localeCompare(b.id),
     );
   }
 
-  /** Every finger of those who are here. */
+  /** Returns the fingers of all phones. */
   touches(): GatheredTouch[] {
     return [...this.#clients.keys()].flatMap((clientId) =>
       [...(this.#fingers.get(clientId) ?? [])].map(([id, { x, y }], index) => ({
@@ -112,8 +112,9 @@ export class Gathering {
   }
 
   /**
-   * Who feels whom. The session says who is near somebody, the places say whom.
-   * @param distance so near is near, in parts of the pad
+   * Returns the pairs of near touches. The session reports which phones are near another one; the pairs
+   * follow from the positions.
+   * @param distance largest distance of near touches, as a fraction of the pad
    */
   pairs(distance: number): NearPair[] {
     const near = this.touches().filter((one) => one.isFirst && this.#near.has(one.clientId));

@@ -15,7 +15,7 @@ import {
 } from './gatherer-topics.ts';
 import { Gathering, type GatheredTouch, type NearPair, type PhoneClient } from './gathering.ts';
 
-/** How often the list is renewed, milliseconds; the pad is drawn with every frame. */
+/** Update interval of the list, milliseconds. The pad is drawn in every frame. */
 const LIST_INTERVAL_MS = 150;
 const LINE_POINTS = 40;
 
@@ -23,13 +23,13 @@ const LINE_POINTS = 40;
 export interface PhoneRow extends PhoneClient {
   readonly fingers: number;
   readonly isNear: boolean;
-  /** m/s²; `undefined` while it says nothing of its motion. */
+  /** m/s²; `undefined` while the phone publishes no motion. */
   readonly motion: number | undefined;
-  /** The last seconds of it, oldest first. */
+  /** Motion of the last seconds, oldest first. */
   readonly line: readonly number[];
 }
 
-/** Follows every phone, and the session that lets them feel each other, while the calling scope lives. */
+/** Follows all phones and the shared session, while the calling scope lives. */
 export function useGatherer() {
   const { client, clients, isConnected } = useConnection();
   const gathering = new Gathering();
@@ -42,7 +42,7 @@ export function useGatherer() {
     async () => (await import('@ubii/modules')).EXAMPLE_SESSIONS['touch-proximity'],
   );
   const { isRunning } = proximity;
-  /** Something is to be drawn. */
+  /** True when the pad must be drawn. */
   let isNew = true;
 
   const subscriptions = [

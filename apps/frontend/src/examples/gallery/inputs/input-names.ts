@@ -1,2 +1,2 @@
-/** What a session can take from a page: its pointer, its clicks, its keys. */
+/** Inputs that a page can provide to a session: pointer, clicks, keys. */
 export type InputName = 'pointer' | 'pressed' | 'escape' | 'key';

@@ -3,7 +3,7 @@ import { componentTopic } from '@ubii/proto';
 import { exampleTopic, POINTER_COMPONENT } from '../../mouse-pointer/pointer-topic.ts';
 import type { InputName } from './input-names.ts';
 
-/** The device of a page whose clicks and keys a session takes. */
+/** The device that publishes clicks and keys of a page. */
 export const PAGE_DEVICE = 'web-page';
 
 export const PAGE_COMPONENTS = [
@@ -11,13 +11,13 @@ export const PAGE_COMPONENTS = [
     name: 'is_pressed',
     format: 'bool',
     tags: ['pointer', 'button'],
-    description: 'Whether the pointer is pressed on this page.',
+    description: 'True while the pointer is pressed on this page.',
   },
   {
     name: 'escape',
     format: 'bool',
     tags: ['button', 'keyboard'],
-    description: 'Whether the Escape key is held.',
+    description: 'True while the Escape key is held.',
   },
   {
     name: 'button',
@@ -29,7 +29,7 @@ export const PAGE_COMPONENTS = [
 
 const COMPONENT_OF = { pressed: 'is_pressed', escape: 'escape', key: 'button' } as const;
 
-/** The topic of an input of the page of a client. */
+/** Returns the topic of an input from the page of a client. */
 export function inputTopic(clientId: string, input: InputName): string {
   return input === 'pointer'
     ? exampleTopic(clientId, POINTER_COMPONENT)

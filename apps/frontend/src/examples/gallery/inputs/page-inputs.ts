@@ -7,19 +7,19 @@ import { isAlive } from '../../../sessions/state/session-state.ts';
 import type { InputName } from './input-names.ts';
 import { usePageDevice } from './use-page-device.ts';
 
-/** What this page gives to the sessions that were started in it. */
+/** Inputs of this page for the sessions that were started in it. */
 export interface PageInputs {
-  /** The session was started here and takes these: they are published while it runs. */
+  /** Publishes these inputs while the session runs, which was started in this page. */
   give(sessionId: string, inputs: readonly InputName[]): void;
 }
 
 const PAGE_INPUTS: InjectionKey<PageInputs> = Symbol('page inputs');
-/** This page publishes the same device itself. */
+/** The page that publishes the pointer device itself. */
 const POINTER_PAGE = '/examples/mouse-pointer';
 
 /**
- * Publishes pointer, clicks and keys of this page while a session runs that was started in it, whatever
- * page is open, also after a reload. Sessions of others never switch it on.
+ * Publishes pointer, clicks and keys of this browser tab while a session runs that was started in it, on
+ * every route and after a reload. Sessions started by other clients do not enable it.
  */
 export function providePageInputs(): void {
   const { sessions } = useConnection();

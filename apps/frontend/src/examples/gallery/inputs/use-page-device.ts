@@ -6,7 +6,7 @@ import { useConnection } from '../../../connection/useConnection.ts';
 import { HeldKeys, isCaptured } from '../../../devices/keyboard-mouse/held-keys.ts';
 import { PAGE_COMPONENTS, PAGE_DEVICE } from './page-device.ts';
 
-/** What is typed into a field is never published. */
+/** Text that a person types into a field is not published. */
 function isTyping(target: EventTarget | null): boolean {
   return (
     target instanceof HTMLElement &&
@@ -38,11 +38,11 @@ export function usePageDevice(isOn: Ref<boolean>, takesKeys: Ref<boolean>): void
         });
         if (isOver) return void registered.close();
         device = registered;
-        // So that a session that starts now has a value at once.
+        // Publish initial values, so that a session has a value when it starts.
         registered.component('is_pressed').publish(false);
         registered.component('escape').publish(false);
       } catch {
-        // The client is closed for good, or may not register devices: the shell shows that.
+        // The client is closed or has no right to register devices; the shell shows the error.
       }
     },
     { immediate: true },

@@ -8,12 +8,12 @@ const CLICK_MS = 160;
 const RESET_AFTER_CLICKS = 12;
 const KEYS = ['c', 'e', 'g'];
 const KEY_EVERY_MS = 450;
-/** So that a filter has something to smooth; share of the surface. */
+/** Amplitude of the jitter that a filter smooths, as a fraction of the surface. */
 const TREMBLE = 0.02;
 
 /**
- * A pointer that wanders.
- * @param tremble how far it trembles, as a tired hand does
+ * Returns the position of a moving pointer.
+ * @param tremble amplitude of its jitter
  */
 export function demoPointer(atMs: number, tremble = 0): { x: number; y: number } {
   const t = atMs / 1000;
@@ -26,8 +26,8 @@ export function demoPointer(atMs: number, tremble = 0): { x: number; y: number }
 }
 
 /**
- * What a preview puts in while nobody points at it, between two moments. The modules that answer are
- * the real ones.
+ * Returns the inputs of a preview without user input, for an interval of time. The modules of the
+ * preview are the real ones.
  */
 export function demoInputs(
   { inputs, view }: Pick<GalleryEntry, 'inputs' | 'view'>,
@@ -54,7 +54,7 @@ export function demoInputs(
           : [];
       case 'key': {
         if (!crosses(fromMs, toMs, KEY_EVERY_MS)) return [];
-        // One after the other goes down, then one after the other comes up.
+        // Press one key after the other, then release one after the other.
         const step = Math.floor(toMs / KEY_EVERY_MS) % (KEYS.length * 2);
         const key = KEYS[step % KEYS.length] ?? '';
         const type = step < KEYS.length ? ButtonEventType.DOWN : ButtonEventType.UP;

@@ -5,7 +5,7 @@ import { TryTopics } from '../../../modules/editor/tryout/try-topics.ts';
 
 const PAGE = 'this-page';
 
-/** The topics of one preview: what its modules put out reaches its other modules, and nothing else. */
+/** The topics of one preview: records of its modules reach only its other modules. */
 export class PageTopics implements TopicPort {
   readonly #topics: TryTopics;
   readonly #onRecord: (record: TopicRecord) => void;
@@ -25,7 +25,7 @@ export class PageTopics implements TopicPort {
     this.#topics.put(topic, bytes, PAGE);
   }
 
-  /** What comes from outside of the session. */
+  /** Publishes a record from outside the session. */
   put(record: RecordInit): void {
     this.publish(record.topic, encodeRecord(record));
   }

@@ -8,9 +8,9 @@ import { WINDOW_MS, type PreviewMemory } from './preview-memory.ts';
 export const FRAME_WIDTH = 320;
 export const FRAME_HEIGHT = 160;
 const MARGIN = 14;
-/** Room for letters and values at the ends of lines. */
+/** Width for letters and values at the ends of lines. */
 const END = 62;
-/** Values at the ends of lines are that far apart, at least. */
+/** Minimum distance between values at the ends of lines. */
 const LABEL_HEIGHT = 15;
 
 /** One frame of a preview, ready to be drawn. */
@@ -52,7 +52,7 @@ const EMPTY: PreviewFrame = {
 
 type ViewOf<K extends PreviewView['kind']> = Extract<PreviewView, { kind: K }>;
 
-/** What a view shows of what was seen, at a time. Pure: the same in, the same out. */
+/** Returns the frame of a view at a time. Pure. */
 export function previewFrame(
   view: PreviewView,
   memory: PreviewMemory,
@@ -92,7 +92,7 @@ export function previewFrame(
 const readoutOf = (text: string | undefined, unit: string): PreviewFrame['readout'] =>
   text === undefined ? undefined : { text, unit };
 
-/** A position from 0 to 1 in the drawing. */
+/** Converts a position from 0 to 1 to the drawing. */
 const onSurface = ({ x, y }: { readonly x: number; readonly y: number }) => ({
   x: MARGIN + x * (FRAME_WIDTH - 2 * MARGIN),
   y: MARGIN + y * (FRAME_HEIGHT - 2 * MARGIN),
@@ -146,7 +146,7 @@ function linesFrame(view: ViewOf<'lines'>, memory: PreviewMemory, nowMs: number)
   };
 }
 
-/** Labels in the order of their lines, moved so that none covers another one. */
+/** Moves labels apart, so that they do not overlap; keeps their order. */
 function apart(labels: PreviewFrame['labels']): PreviewFrame['labels'] {
   let least = 0;
   const sorted = [...labels].sort((a, b) => a.y - b.y);

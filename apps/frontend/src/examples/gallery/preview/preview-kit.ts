@@ -5,12 +5,12 @@ import { onScopeDispose } from 'vue';
 import { completeExample } from '../../../sessions/examples/complete-example.ts';
 import type { GalleryEntry } from '../gallery.ts';
 
-/** What all previews of a page share: the library, one worker for all modules, patterns when needed. */
+/** Shared by all previews of a page: the library, one worker for all modules, and patterns when needed. */
 export interface PreviewKit {
   readonly library: readonly ProcessingModule[];
   readonly sandboxes: SandboxFactory;
   spec(entry: GalleryEntry): Init<Session>;
-  /** Complete, with an id for each module. */
+  /** Returns the complete session with an id for each module. */
   session(entry: GalleryEntry): Session;
   patterns(session: Session): Promise<PatternCompiler>;
 }
@@ -21,7 +21,7 @@ const NO_PATTERNS: PatternCompiler = {
   },
 };
 
-/** Loads the kit once, when it is needed first; its worker ends with the calling scope. */
+/** Loads the kit on first use. Its worker ends with the calling scope. */
 export function usePreviewKit(): () => Promise<PreviewKit> {
   let loading: Promise<PreviewKit> | undefined;
   let isOver = false;

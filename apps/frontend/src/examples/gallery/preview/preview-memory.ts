@@ -1,17 +1,17 @@
 import type { Color, Image2D, TopicRecord, Vector2 } from '@ubii/proto';
 
-/** A number and when it came, milliseconds of the page's clock. */
+/** A value and its time of arrival, milliseconds of the page's clock. */
 export interface Timed<T> {
   readonly atMs: number;
   readonly value: T;
 }
 
-/** How long values are drawn, milliseconds. */
+/** Time span of the drawing, milliseconds. */
 export const WINDOW_MS = 4_000;
-/** Positions of a trail. */
+/** Number of positions in a trail. */
 export const TRAIL_MS = 900;
 
-/** What a preview saw of the topics of its session: the newest values, and those of the last seconds. */
+/** The values of a session's topics: the newest ones, and those of the last seconds. */
 export class PreviewMemory {
   readonly #prefix: string;
   readonly #series = new Map<string, Timed<number>[]>();
@@ -80,7 +80,7 @@ function numberOf(record: TopicRecord): number | undefined {
 function keep<T>(map: Map<string, Timed<T>[]>, topic: string, one: Timed<T>, forMs: number): void {
   const list = map.get(topic) ?? [];
   list.push(one);
-  // One older than the window stays, so that a line reaches the edge.
+  // Keep one value older than the window, so that a line reaches the edge.
   const first = list.findIndex(({ atMs }) => atMs >= one.atMs - forMs);
   if (first > 1) list.splice(0, first - 1);
   map.set(topic, list);

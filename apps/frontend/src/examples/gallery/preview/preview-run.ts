@@ -14,19 +14,19 @@ import {
 } from '@ubii/proto';
 import { PageTopics } from './page-topics.ts';
 
-/** What a preview runs with. */
+/** Dependencies of a preview run. */
 export interface PreviewWorld {
   readonly sandboxes: SandboxFactory;
   readonly patterns: PatternCompiler;
   readonly clock: Clock;
 }
 
-/** Lockstep passes a second of a session that sets nothing else. [SE-40] */
+/** Default interval of lockstep passes. [SE-40] */
 const PASS_MS = 1000 / 60;
 
 /**
- * A session that runs in this page alone: the modules of the library, in the runtime of every node, on
- * topics of the page. Nothing reaches the master.
+ * A session that runs only in this page: modules of the library, in the same runtime as on nodes, on
+ * topics of the page. Its records do not reach the master.
  */
 export class PreviewRun {
   readonly #topics: PageTopics;
@@ -41,7 +41,7 @@ export class PreviewRun {
 
   /**
    * @param session complete, with an id for each module
-   * @param onRecord gets every record of the session, those put in included
+   * @param onRecord gets every record of the session, including its inputs
    */
   constructor(
     session: Session,
@@ -89,7 +89,7 @@ export class PreviewRun {
     }
   }
 
-  /** A value of the page. */
+  /** Publishes a value of the page. */
   put(record: RecordInit): void {
     if (!this.#isClosed) this.#topics.put(record);
   }
@@ -102,7 +102,7 @@ export class PreviewRun {
 
   async #pass(instanceIds: readonly string[]): Promise<void> {
     if (this.#isPassing) return;
-    // What really passed: timers of a busy page come late.
+    // Measure the time, because timers of a busy page are late.
     const nowMs = this.#clock.monotonicMs();
     const deltaTimeMs = nowMs - this.#passedMs;
     this.#passedMs = nowMs;

@@ -15,16 +15,16 @@ import type { PreviewKit } from './preview-kit.ts';
 import { PreviewMemory } from './preview-memory.ts';
 import { PreviewRun } from './preview-run.ts';
 
-/** Frames a second at most: what is smooth for a picture of this size. */
+/** Maximum frame rate: enough for a drawing of this size. */
 const FRAME_MS = 1000 / 31;
-/** With reduced motion, one picture after this long. */
+/** With reduced motion, only one frame is drawn, after this time. */
 const STILL_AFTER_MS = 2_000;
 
 const ignore = (): void => undefined;
 
 /**
- * The preview of an example: its session runs in this page while `element` is in view, and nothing runs
- * before and after. A pointer over the element, clicks and keys take the place of the demonstration.
+ * Runs the preview of an example while `element` is in view. A pointer over the element, clicks and keys
+ * replace the demonstration input.
  */
 export function usePreview(
   entry: GalleryEntry,
@@ -68,7 +68,7 @@ export function usePreview(
       try {
         await run.start();
       } catch (error) {
-        // Its sandboxes close with the page while modules start.
+        // The page was closed while modules started.
         if (!isOver) throw error;
       }
       if (isOver) return;
