@@ -23,7 +23,7 @@ import type { Limits } from './core/limits/index.ts';
 export interface Option<T> {
   /** What follows the flag in the help; undefined for a switch that needs no value. */
   readonly placeholder: string | undefined;
-  /** Value when nobody sets it. */
+  /** Default value. */
   readonly fallback: T;
   /** What the help says about the fallback, where the value itself would say little. */
   readonly fallbackText?: string;
@@ -257,6 +257,6 @@ export type OptionName = keyof typeof OPTIONS;
 export type Config = {
   readonly [O in OptionName]: (typeof OPTIONS)[O] extends Option<infer T> ? T : never;
 } & {
-  /** Options that somebody set, in whatever place: a fallback may yield, a wish may not. */
+  /** Options that are set in any place. Only options that are not set may change at startup. */
   readonly given: ReadonlySet<OptionName>;
 };

@@ -116,7 +116,7 @@ describe('a grant', () => {
     expect(error?.code).toBe('invalid_argument');
   });
 
-  it('makes room for another when it serves nobody [AC-10]', async () => {
+  it('is removed for another one when no client uses it [AC-10]', async () => {
     const master = new TestMaster({ limits: { grants: 2 } });
     const first = await createGrant(master, ACCESS_ROLE_PLAYER);
     await createGrant(master, ACCESS_ROLE_PLAYER);
@@ -131,7 +131,7 @@ describe('checking a token [AC-16]', () => {
   const check = (master: TestMaster, token: string, caller = stranger()) =>
     master.call({ topic: '/services/ubii/join_check', joinCheckRequest: { token } }, caller);
 
-  it('says what it is good for, and joins nobody', async () => {
+  it('returns what it gives access to, without joining', async () => {
     const master = new TestMaster();
     const { token, code, grant } = await createGrant(master, ACCESS_ROLE_PLAYER, {
       target: '/a',
@@ -244,7 +244,7 @@ describe('a credential', () => {
     const tab = await as({ name: 'tab', extension: {} });
     expect(tab.id).not.toBe(phone.id);
     expect(tab.registered.extension?.role).toBe(ACCESS_ROLE_PLAYER);
-    // With the token of another client, even a right one, nobody becomes that client.
+    // A caller with a valid token of another client does not become that client.
     const ada = await master.extension('ada');
     const thief = await as({ name: 'x', id: ada.id, extension: { resumeToken: ada.token! } });
     expect(thief.id).not.toBe(ada.id);
@@ -378,9 +378,9 @@ describe('the leave of the terminal [AC-19]', () => {
     expect(await problemOf(master, phone.caller)).toBe(JoinProblem.JOIN_PROBLEM_NONE);
     const third = new TestMaster({ clock: before.clock, grants: before.grants, idsGiven: 200 });
     await third.master.openTerminal(true);
-    // Nobody joined with the second: it is gone.
+    // No client joined with the second, so that it was removed.
     expect(await problemOf(third, stranger(second.token))).toBe(JoinProblem.JOIN_PROBLEM_WRONG);
-    // Its own two, and the first, with which somebody has joined.
+    // Its own two, and the first, with which a client has joined.
     expect(third.grants.documents().size).toBe(3);
   });
 });

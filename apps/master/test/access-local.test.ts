@@ -29,7 +29,7 @@ describe('callers of this machine without a token [AC-2] [AC-40]', () => {
     }
   });
 
-  it('act for one another, and for nobody who shows more', async () => {
+  it('act for one another, but not for clients with a credential', async () => {
     const master = new TestMaster();
     const { admin } = await master.master.openTerminal(false);
     const operator = await joinHere(master, admin.token);
@@ -55,7 +55,7 @@ describe('callers of this machine without a token [AC-2] [AC-40]', () => {
 });
 
 describe('the leave of the operator [AC-42] [AC-43]', () => {
-  it('makes admins here and nobody anywhere else, with token, code and credential', async () => {
+  it('makes admins on this machine only, with token, code and credential', async () => {
     const master = new TestMaster();
     const { admin, join } = await master.master.openTerminal(false);
     expect(join).toBeUndefined();

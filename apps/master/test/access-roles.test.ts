@@ -55,7 +55,7 @@ describe('publishing [AC-24]', () => {
     const vibrate = { topic: `/${phone.id}/pad/vibrate`, ioType: ComponentIOType.SUBSCRIBER };
     await phone.call({ topic: '/services/device/registration', device: device([vibrate]) });
     expect(published(ben, `/${phone.id}/pad/vibrate`)).toBe('');
-    // What somebody else claims to listen to opens nothing.
+    // A component of another client gives no right.
     const spy = { topic: `/${phone.id}/pad/touch`, ioType: ComponentIOType.SUBSCRIBER };
     await ben.call({
       topic: '/services/device/registration',
@@ -113,7 +113,7 @@ describe('publishing [AC-24]', () => {
     expect(report.clientReport?.clients[0]?.refused).toBe(refused.length);
   });
 
-  it('players say that they are gone, and nobody else, as controllers do', async () => {
+  it('players can publish only that they have left themselves, as controllers do', async () => {
     const master = new TestMaster();
     const game = await master.extension('game');
     await game.subscribe({ subscribeTopics: [FAREWELL_TOPIC] });

@@ -106,7 +106,7 @@ describe('the audit log', () => {
     expect(await objects({ clientId: ben.id, count: 1 })).toEqual(['s6']);
     expect(await objects({ grantId: grant.id, count: 2 })).toEqual(['s6', 's5']);
     expect(await objects({ service: 'access_grant' })).toEqual(['Class 7b']);
-    expect(await objects({ text: 'nobody' })).toEqual([]);
+    expect(await objects({ text: 'unknown' })).toEqual([]);
   });
 
   it('outlives the master, with a line that was cut off [EX-92]', async () => {

@@ -96,7 +96,7 @@ describe('disconnecting a client', () => {
     await disconnect(master, ben.id, `😀${'ö\u0000'.repeat(5000)}`);
     const { reason } = ben.closed!;
     expect(new TextEncoder().encode(reason).byteLength).toBeLessThanOrEqual(123);
-    expect(reason).toMatch(/^by somebody: 😀[ö ]+…$/u);
+    expect(reason).toMatch(/^by an admin: 😀[ö ]+…$/u);
   });
 
   it('tells a client that was away when it comes back, and lets it register anew [EX-30]', async () => {
@@ -104,7 +104,7 @@ describe('disconnecting a client', () => {
     ben.drop();
     await disconnect(master, ben.id, 'the lesson is over');
     expect(ben.open()).toBe(false);
-    expect(ben.closed).toEqual({ code: 4010, reason: 'by somebody: the lesson is over' });
+    expect(ben.closed).toEqual({ code: 4010, reason: 'by an admin: the lesson is over' });
     const back = await master.register({
       id: ben.id,
       name: 'Ben',
@@ -123,7 +123,7 @@ describe('disconnecting a client', () => {
       status: 'closed',
       error: {
         reason: 'disconnected',
-        message: 'This client was disconnected by somebody: too loud',
+        message: 'This client was disconnected by an admin: too loud',
       },
     });
     expect(await names(world.test)).toEqual([]);
@@ -168,7 +168,7 @@ describe('throttling a client', () => {
       refused: 30,
       throttle: { recordsPerSecond: 5, dropped: 30, byPolicy: false },
     });
-    // Nobody else feels it.
+    // Other clients are not affected.
     for (let i = 0; i < 20; i++) mara.publish('/a', 'double', i);
     expect(mara.takeValues()).toHaveLength(20);
   });

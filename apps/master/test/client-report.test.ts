@@ -24,7 +24,7 @@ describe('the client report', () => {
     const ids = async (asked: string[]) =>
       (await report(asked)).clients.map(({ clientId }) => clientId);
     expect(await ids([])).toEqual([ada.id, ben.id]);
-    expect(await ids([ben.id, 'nobody'])).toEqual([ben.id]);
+    expect(await ids([ben.id, 'unknown'])).toEqual([ben.id]);
   });
 
   it('has what a client did and what it does a second [EX-25] [EX-26]', async () => {

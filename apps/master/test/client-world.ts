@@ -31,7 +31,7 @@ export interface WorldClient {
 /** A whole master and whole clients of our library in memory, on one clock. */
 export class ClientWorld implements MemoryMaster {
   readonly clock = new FakeClock();
-  /** While true nobody is there. */
+  /** While true, the master is not available. */
   isDown = false;
   /** Where clients are, to the transport. */
   standing: CallerStanding = 'trusted';
@@ -109,7 +109,7 @@ export class ClientWorld implements MemoryMaster {
     request: ServiceRequest,
     bearer?: string,
   ): Promise<Init<ServiceReply>> {
-    if (this.isDown) throw new Error('nobody is there');
+    if (this.isDown) throw new Error('the master is down');
     const { reply, afterReply } = await this.#test.master.handleServiceRequest(
       request,
       this.#callerWith(bearer),

@@ -62,7 +62,7 @@ describe('connections', () => {
     expect(connect('10.0.0.3')).toBeDefined();
     expect(connect('10.0.0.3')).toBeDefined();
     expect(cut).toHaveLength(2);
-    // It would have as many as the others: nobody gives way who had no time yet.
+    // It would have as many as the others; no new connection is closed for it.
     expect(connect('10.0.0.3')).toBeUndefined();
   });
 

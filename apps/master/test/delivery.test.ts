@@ -145,7 +145,7 @@ describe('delivery', () => {
     expect(ben.closed).toBeUndefined();
   });
 
-  it('looks after a queue itself when nobody says that there is room [TD-31]', async () => {
+  it('checks a queue by itself when the socket does not report that it has drained [TD-31]', async () => {
     const { master, ada, ben } = await createPair();
     ben.connection.stall();
     ada.publish('/a', 'double', 1);
@@ -170,7 +170,7 @@ describe('delivery', () => {
     ben.socket.handleText('PONG');
     ada.publish('/a', 'double', 1);
     expect(ben.takeValues()).toEqual([['/a', 1]]);
-    // The network was gone already, which nobody noticed: the client comes back by another way.
+    // The network failed unnoticed: the client reconnects over another one.
     ben.open();
     expect(ben.takeValues()).toEqual([['/a', 1]]);
     ben.socket.handleText('PONG');

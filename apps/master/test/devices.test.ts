@@ -69,7 +69,7 @@ describe('devices', () => {
   it('belong to a registered client [DV-1]', async () => {
     const { master } = await createPair();
     for (const [clientId, code] of [
-      ['nobody', 'not_found'],
+      ['unknown', 'not_found'],
       ['', 'invalid_argument'],
     ]) {
       const { error } = await master.call({
@@ -126,7 +126,7 @@ describe('devices', () => {
     const { device } = await register(ada, { name: 'pen' });
     for (const [clientId, code] of [
       [ben.id, 'permission_denied'],
-      ['nobody', 'not_found'],
+      ['unknown', 'not_found'],
       ['', 'invalid_argument'],
     ]) {
       const { error } = await deregister(ben, { id: device!.id, clientId });

@@ -81,9 +81,9 @@ describe('the topic-data socket', () => {
     expect(ben.takeSent().map(({ kind }) => kind)).toEqual(['record', 'record']);
   });
 
-  it('is closed when nobody is registered under its id [TD-6]', async () => {
+  it('is closed when no client is registered with its id [TD-6]', async () => {
     const { master, ada } = await withAda();
-    ada.registered.id = 'nobody';
+    ada.registered.id = 'unknown';
     expect(ada.open()).toBe(false);
     expect(ada.closed).toEqual({ code: 4004, reason: 'unknown client' });
     ada.registered.id = '';
@@ -113,7 +113,7 @@ describe('the topic-data socket', () => {
       ['/key', { type: 1, key: 'x' }],
       ['/key', { type: 0, key: 'x' }],
     ]);
-    // What still comes from the first is nobody's, and its end ends nothing.
+    // Frames of the first socket are ignored, and its end does not affect the client.
     firstSocket.handleBinary(encode('ubii.topicData.TopicData', {}));
     firstSocket.handleText('nonsense');
     firstSocket.handleDrain();

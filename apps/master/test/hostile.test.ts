@@ -143,7 +143,7 @@ describe('a hostile client', () => {
     }
   });
 
-  it('may use ids that are gone, or somebody else’s', async () => {
+  it('may use ids of removed clients or of other clients', async () => {
     await mallory.call({ topic: '/services/client/deregistration', client: { id: mallory.id } });
     const { id } = mallory;
     const requests = [
@@ -159,7 +159,7 @@ describe('a hostile client', () => {
     mallory.publish('/ada', 'double', -1);
     expect(ben.takeSent()).toEqual([]);
     expect(mallory.open()).toBe(false);
-    // Without the token nobody gets at the socket of an extension client.
+    // The socket of an extension client needs the token.
     mallory.registered.id = ben.id;
     expect(mallory.open('guessed')).toBe(false);
   });

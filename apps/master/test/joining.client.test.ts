@@ -63,7 +63,7 @@ describe('a client of ours that has to join', () => {
     expect((await call).elements).toHaveLength(1);
   });
 
-  it('joins when somebody gives it a code later, and again as something else [AC-11]', async () => {
+  it('joins when it gets a code later, and again with another role [AC-11]', async () => {
     const { world, code } = await setup(ACCESS_ROLE_PLAYER);
     world.standing = 'trusted';
     const participants = await createGrant(world.test, ACCESS_ROLE_PARTICIPANT);

@@ -10,12 +10,19 @@ async function read(master: TestMaster) {
 describe('the list of limits', () => {
   it('has every limit in force, with unit and reason [EX-35]', async () => {
     const limits = await read(new TestMaster({ limits: { clients: 3 } }));
-    expect(limits.map(({ name }) => name)).toEqual(Object.keys(DEFAULT_LIMITS));
+    expect(limits.map(({ name }) => name).sort()).toEqual(Object.keys(DEFAULT_LIMITS).sort());
     expect(limits.find(({ name }) => name === 'clients')?.value).toBe(3);
     for (const { name, unit, reason, group } of limits) {
       expect([name, unit, group].every((text) => text !== '')).toBe(true);
       expect(reason).toMatch(/^[A-Z].*\.$/);
     }
+  });
+
+  it('is sorted by group [EX-35]', async () => {
+    const groups = (await read(new TestMaster())).map(({ group }) => group);
+    const changes = groups.filter((group, index) => group !== groups[index - 1]);
+    expect(changes).toEqual([...new Set(groups)]);
+    expect(changes[0]).toBe('messages');
   });
 
   it('counts who met one [EX-35]', async () => {

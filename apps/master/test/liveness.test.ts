@@ -188,7 +188,7 @@ describe('liveness', () => {
     clock.advance(30);
     ada.socket.handleText('PONG');
     expect(await latency()).toEqual([[ada.id, 30]]);
-    // A PONG nobody asked for measures nothing.
+    // A PONG without a PING is not measured.
     clock.advance(100);
     ada.socket.handleText('PONG');
     expect(await latency()).toEqual([[ada.id, 30]]);
@@ -229,7 +229,7 @@ describe('liveness', () => {
   });
 
   it.each([
-    ['nobody', 'not_found'],
+    ['unknown', 'not_found'],
     ['', 'invalid_argument'],
   ])('answers the deregistration of %j with %s [CL-16]', async (id, code) => {
     const { master } = await createAda();

@@ -56,7 +56,7 @@ describe('a busy master', () => {
     expect(events.filter(({ kind }) => kind === StatusEventKind.OVERLOAD)).toHaveLength(2);
   });
 
-  it('is an error when it is full, and names nobody without a reason [EX-46]', async () => {
+  it('is an error when it is full, and names a client only with a reason [EX-46]', async () => {
     const { master, ben, status, pass } = await createRoom();
     master.usage.measured = { ...BUSY, busyPercent: 99 };
     pass(3, ben, 0);
@@ -111,7 +111,7 @@ describe('a noisy publisher', () => {
     ]);
   });
 
-  it('is nobody while the master has time, or when the work is shared [EX-47]', async () => {
+  it('is no client while the master is idle, or when the load is shared [EX-47]', async () => {
     const { master, mara, ben, codes, pass } = await createRoom();
     master.usage.measured = { ...BUSY, busyPercent: 30 };
     pass(4, ben, 50);
@@ -123,7 +123,7 @@ describe('a noisy publisher', () => {
     expect(await codes()).toEqual([]);
   });
 
-  it('is nobody while other programs have the processor [EX-47]', async () => {
+  it('is no client while other programs use the processor [EX-47]', async () => {
     const { master, ben, codes, pass } = await createRoom();
     // Busy by the clock, and yet it hardly computes.
     master.usage.measured = { ...BUSY, busyPercent: 60, cpuPercent: 8 };
@@ -161,7 +161,7 @@ describe('a noisy publisher', () => {
     expect(await throttleOf(ben)).toBeUndefined();
   });
 
-  it('keeps the throttle somebody gave it by hand [EX-48]', async () => {
+  it('keeps a throttle that an admin set [EX-48]', async () => {
     const { master, ben, pass, throttleOf } = await createRoom({ checks: { checks: 'throttle' } });
     await master.call({
       topic: '/services/ubii/client_throttle',

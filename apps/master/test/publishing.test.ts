@@ -29,7 +29,7 @@ describe('publishing', () => {
   it('forwards and retains the bytes as they came [TD-11]', async () => {
     const { ada, ben, master } = await createPair();
     await ben.subscribe({ subscribeTopics: ['/a'] });
-    // Members out of order, an explicit zero, an unknown field: nobody would write it like this again.
+    // Members out of order, an explicit zero, an unknown field: encoding would change these bytes.
     const record = Uint8Array.of(
       ...[0x32, 0x09, 0x09, 0, 0, 0, 0, 0, 0, 0, 0],
       ...[0xf8, 0x3f, 0x07],
@@ -95,7 +95,7 @@ describe('publishing', () => {
     expect(ben.takeSent()).toEqual([]);
   });
 
-  it('takes any other topic, and delivers it to whoever asked for it [TD-13]', async () => {
+  it('accepts any other topic, and delivers it to its subscribers [TD-13]', async () => {
     const { ada, ben } = await createPair();
     const topics = ['a', 'with space', '/ä/🙂', '//', 'services/x', '/'.padEnd(1024, 'a')];
     await ben.subscribe({ subscribeTopics: topics });
@@ -195,7 +195,7 @@ describe('publishing', () => {
     await ada.call({ topic: '/services/client/deregistration', client: { id: ada.id } });
     const { stringList } = await master.call({ topic: '/services/topic_list' });
     expect(stringList?.elements).not.toContain('/a');
-    // Whoever publishes next owns it.
+    // The next publisher owns it.
     cleo.publish('/a', 'double', 3);
     await cleo.call({ topic: '/services/client/deregistration', client: { id: cleo.id } });
     const after = await master.call({ topic: '/services/topic_list' });

@@ -105,8 +105,8 @@ describe('registration', () => {
     expect(back.open(ada.token)).toBe(true);
   });
 
-  it.each(['', 'wrong', 'token-of-somebody'])(
-    'gives a new id to whoever has the token %j [CL-4]',
+  it.each(['', 'wrong', 'token-of-another'])(
+    'gives a new id to a client with the token %j [CL-4]',
     async (resumeToken) => {
       const master = new TestMaster();
       const ada = await master.extension('ada');

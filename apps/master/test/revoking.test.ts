@@ -17,7 +17,7 @@ const { REVOKED_WORK_HAND_OVER } = RevokedWork;
 const { SESSION_RUNNING, SESSION_STOPPED } = SessionState;
 const HOUR_MS = 3_600_000;
 
-/** Somebody who was invited, and made things. */
+/** An invited client that has created objects. */
 class Guest {
   readonly master: TestMaster;
   readonly client: TestClient;
@@ -106,7 +106,7 @@ describe('what was made with a grant [AC-90]', () => {
     });
   });
 
-  it('is a session of somebody else, too, that a guest changed, or that takes a module of a guest', async () => {
+  it('includes sessions of other clients that a guest changed, or that use a module of a guest', async () => {
     const master = new TestMaster();
     const guest = await Guest.join(master);
     const { session: own } = await master.call({
@@ -130,7 +130,7 @@ describe('what was made with a grant [AC-90]', () => {
     const guest = await Guest.join(master);
     const session = await guest.ask(TOPICS.start, {
       ...doubling('/a', '/b'),
-      extension: { grantIds: ['somebody'] },
+      extension: { grantIds: ['other'] },
     });
     expect(session.extension!.grantIds).toEqual([guest.grantId]);
   });
@@ -153,7 +153,7 @@ describe('revoking [AC-92]', () => {
     expect(sessionList!.elements.map(({ id }) => id)).toEqual([foreign.id]);
   });
 
-  it('hands sessions, stored ones and modules over: they go on, and are nobody else’s', async () => {
+  it('transfers sessions, stored sessions and modules, which continue to run', async () => {
     const master = new TestMaster();
     const guest = await Guest.join(master);
     const session = await guest.ask(TOPICS.start, lasting('/a', '/b'));
@@ -204,7 +204,7 @@ describe('the time of a grant [AC-91]', () => {
     });
     expect(await problemOf(master, guest.client.caller)).toBe(JoinProblem.JOIN_PROBLEM_EXPIRED);
     expect(await stateOf(master, session)).toBe(SESSION_STOPPED);
-    // Whoever starts it again has it: it is not stopped a second time.
+    // The caller that starts it again owns it: it is not stopped a second time.
     await master.call({ topic: TOPICS.start, session: { id: session.id } });
     await master.pass(4_000);
     expect(await stateOf(master, session)).toBe(SESSION_RUNNING);

@@ -67,7 +67,7 @@ describe('services, in both directions [AC-21]', () => {
   });
 });
 
-/** A client of the role under test, an admin, and somebody else with a component that listens. */
+/** A client of the role under test, an admin, and another client with a subscribing component. */
 interface World {
   readonly master: TestMaster;
   readonly ada: TestClient;

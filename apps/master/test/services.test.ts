@@ -257,7 +257,7 @@ describe('services', () => {
     const master = new TestMaster();
     for (const [clientId, code] of [
       ['', 'invalid_argument'],
-      ['nobody', 'not_found'],
+      ['unknown', 'not_found'],
     ]) {
       const { error } = await master.call({
         topic: '/services/topic_subscription',

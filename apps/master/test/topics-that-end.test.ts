@@ -65,7 +65,7 @@ describe('topics that end', () => {
     expect(stringList!.elements).toContain('/info/device/new');
   });
 
-  it('are told to nodes that use them, in order, and to nobody else [TD-42]', async () => {
+  it('are sent only to nodes that use them, in order [TD-42]', async () => {
     const { master, ada, ben } = await createPair();
     const node = await master.extension('node', {
       extension: { recordLists: true, node: { runsJavascript: true } },

@@ -6,7 +6,7 @@ import type { Identity, IdentityStorage } from '@ubii/client-web/node';
 
 const file = process.argv[3] ?? 'identity.json';
 
-// The resume token in it is a secret: whoever has it can be this client.
+// The resume token is a secret: a program that has it can connect as this client.
 const identity: IdentityStorage = {
   load() {
     try {

@@ -31,7 +31,7 @@ const texts = client.subscribe('/room/text', { format: 'string' });
 await texts.ready;
 client.publish('/room/level', 'double', 0.75);
 
-// Anybody may start a session that names this node; here it is the same program.
+// Any client may start a session that names this node; here it is the same program.
 const session = await client.call('sessionRuntimeStart', {
   name: 'listening',
   processingModules: [{ ...moduleToWire(loudness), nodeId: client.id }],

@@ -14,7 +14,7 @@ client.onState((state) => {
   } else if (state.status === 'reconnecting' && state.attempt === 1) {
     console.log('lost the master, trying again');
   } else if (state.status === 'closed') {
-    // With an error it is final: somebody else uses this identity, or the client gave up.
+    // With an error it is final: another client uses this identity, or the client gave up.
     console.log(state.error === undefined ? 'closed' : `closed: ${state.error.reason}`);
   }
 });

@@ -18,7 +18,7 @@ const { elements: clients } = await client.call('clientGetList', {
 console.log(`${clients.length} client is called "inspector"`);
 
 try {
-  await client.call('clientDeregistration', { id: 'nobody' });
+  await client.call('clientDeregistration', { id: 'unknown' });
 } catch (error) {
   // The master said no, or could not be asked.
   if (error instanceof ServiceError) console.log(`refused: ${error.code}`);

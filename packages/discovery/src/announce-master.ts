@@ -97,7 +97,7 @@ class Announced implements AnnouncedMaster {
         port: announcement.port,
         host,
         txt: toTxt(announcement),
-        // The library's own probe would take back the records of whoever has the name.
+        // The probe of the library would withdraw the records of the master that has the name.
         probe: false,
       });
     }

@@ -7,8 +7,8 @@ import { findMasters } from './find-masters.ts';
 import type { FoundMaster } from './find-masters.ts';
 
 /*
- * Multicast on loopback, and on a port of each test's own: nothing leaves the machine, and nobody
- * else's programs hear it.
+ * Multicast on loopback, and on a port of each test's own: nothing leaves the machine, and no
+ * other program receives it.
  */
 const LOOPBACK = '127.0.0.1';
 const TIMEOUT_MS = 20_000;
@@ -167,7 +167,7 @@ describe.skipIf(!canMulticast)('discovery', { timeout: TIMEOUT_MS }, () => {
   });
 
   it('does without where the port is taken, and says so once [DI-4]', async () => {
-    const taken = createSocket('udp4'); // shared with nobody
+    const taken = createSocket('udp4'); // exclusive
     onTestFinished(() => void taken.close());
     await new Promise<void>((resolve) => taken.bind(0, resolve));
     const { port } = taken.address();

@@ -48,7 +48,7 @@ describe.each([
 ])('on a %s thread of Node', (_kind, isTrusted) => {
   const drive = driveIn(() => sandboxes, isTrusted);
 
-  // Steps without end are no work for a slower engine, and nobody here answers requests.
+  // The load generator takes too long in a slower engine, and there is no server for requests.
   const compared = MODULES.filter((module) => module !== loadGenerator && module !== httpPoller);
   it.each(compared.map((module) => [module.name, module] as const))(
     '%s gives what it gives when called directly',

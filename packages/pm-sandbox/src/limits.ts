@@ -66,7 +66,7 @@ export const DEFAULT_RUNTIME_LIMITS: RuntimeLimits = {
   maxOutputsPerSecond: 20_000,
   // Raw full-HD pictures at 15 Hz.
   maxOutputBytesPerSecond: 128 * MIB,
-  // One a run at 30 Hz, and bursts; more nobody reads.
+  // One line per run at 30 Hz, and bursts. More lines cannot be read.
   maxLogLinesPerSecond: 50,
   // Equal ones are one; so many different ones are made by a loop.
   maxEventsPerSecond: 100,

@@ -1,7 +1,7 @@
 /** Limits of sandboxes that no caller sets, each with its reason. Those of a request are in limits.ts. */
 
 /**
- * Source of all callbacks of one module, bytes. A megabyte is far more than anybody writes, and small
+ * Source of all callbacks of one module, bytes. A megabyte is far more than usual code, and small
  * enough to be parsed at once. [PM-57]
  */
 export const MAX_SOURCE_BYTES = 1024 * 1024;

@@ -104,13 +104,13 @@ describe('workers of trusted code in Node', () => {
     });
   });
 
-  it('reject what is pending when the node closes, and kill nobody', async () => {
+  it('reject pending calls when the node closes, and kill no instance', async () => {
     const create = trusted();
     const { run, killed } = await create({ onProcessing: '() => new Promise(() => {})' });
     const pending = faultFrom(run());
     await factories[0]!.close();
     expect(await pending).toMatchObject({ kind: 'crashed', message: 'The node is closing.' });
-    expect(await Promise.race([killed, Promise.resolve('nobody')])).toBe('nobody');
+    expect(await Promise.race([killed, Promise.resolve('none')])).toBe('none');
   });
 
   it('do not keep a program alive that has nothing left to do', async () => {

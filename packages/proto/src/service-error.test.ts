@@ -38,7 +38,7 @@ describe('ServiceError', () => {
     expect(received.details).toEqual({ problems: [problem] });
   });
 
-  it('[AC-12] carries why somebody is not let in', () => {
+  it('[AC-12] contains the reason for a refused join', () => {
     const error = new ServiceError('unauthenticated', 'It was revoked.', {
       details: { joinProblem: JoinProblem.JOIN_PROBLEM_REVOKED, name: 'stays here' },
     });

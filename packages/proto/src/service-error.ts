@@ -42,7 +42,7 @@ export interface ServiceErrorOptions {
   /**
    * Facts for programs, for example the name of the member that is wrong. Stay in the process, except
    * `problems`, the list of `SessionProblem`s of a session that was refused [EX-24], and `joinProblem`,
-   * why somebody is not let in, a `JoinProblem` [AC-12].
+   * the reason for a refused join, a `JoinProblem` [AC-12].
    */
   readonly details?: Readonly<Record<string, unknown>>;
   readonly cause?: unknown;

@@ -60,8 +60,8 @@ export function preflightTopic(clientId: string): string {
 export const FAREWELL_TOPIC = 'removeClient';
 
 /**
- * The topic on which somebody asks to be shown which device a client is: a string with the name of who asks.
- * Anybody may publish there; a client that can be seen, heard or felt subscribes to its own. [EX-34]
+ * The topic of a request to identify the device of a client: a string with the name of the requesting client.
+ * Any client may publish there; a client with a screen, sound or vibration subscribes to its own topic. [EX-34]
  */
 export function identifyTopic(clientId: string): string {
   return `/${clientId}/identify`;

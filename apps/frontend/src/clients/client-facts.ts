@@ -36,7 +36,7 @@ export function clientSockets(client: Pick<Client, 'devices'>): ClientSocket[] {
 
 /**
  * Since when a client is away, the master's clock, epoch milliseconds; `undefined` when it is here or
- * nobody knows.
+ * it is unknown.
  * @param events oldest first
  */
 export function awaySinceMs(

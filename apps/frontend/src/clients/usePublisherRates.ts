@@ -11,7 +11,7 @@ export interface PublisherTrend extends PublisherRate {
   readonly history: readonly number[];
 }
 
-/** Rates by client, once a second while the calling component lives; `undefined` when nobody counts. */
+/** Rates by client, once a second while the calling component lives; `undefined` without statistics. */
 export function usePublisherRates(): Readonly<
   ShallowRef<ReadonlyMap<string, PublisherTrend> | undefined>
 > {

@@ -31,7 +31,7 @@ describe('reusable', () => {
     expect(find(grant())?.id).toBe('g');
   });
 
-  it('leaves what is for something else, over, nearly over, or whose code nobody knows', () => {
+  it('omits invitations that are for another purpose, expired or about to expire, or without a known code', () => {
     expect(find(grant({ target: '/' }))).toBeUndefined();
     expect(find(grant({ role: AccessRole.ACCESS_ROLE_PLAYER }))).toBeUndefined();
     expect(find(grant({ expiresMs: 8 * 60 * MINUTE }))).toBeUndefined();

@@ -28,7 +28,7 @@ function setup() {
 }
 
 describe('adoptName', () => {
-  it('takes the name somebody else gave this page [EX-29]', async () => {
+  it('adopts the name that another client gave this page [EX-29]', async () => {
     const { name, announce, later, scope } = setup();
     await announce('Anna');
     later(1000);
@@ -49,7 +49,7 @@ describe('adoptName', () => {
     scope.stop();
   });
 
-  it('takes an earlier name when somebody gives it back later', async () => {
+  it('adopts an earlier name when it is set again later', async () => {
     const { name, announce, later, scope } = setup();
     await announce('Anna');
     name.value = 'Annabel';
@@ -62,7 +62,7 @@ describe('adoptName', () => {
 
   it('leaves the name alone that the master knew before the page said its own', async () => {
     const { name, announce, scope } = setup();
-    await announce('Somebody');
+    await announce('Visitor');
     expect(name.value).toBe('Anna');
     scope.stop();
   });

@@ -6,7 +6,7 @@ import type { ClientsStore } from './clients-store.ts';
 const ECHO_MS = 5000;
 
 /**
- * Takes over the name that somebody else gave this page, so that it calls itself as others see it.
+ * Adopts the name that another client gave this page, so that the page uses the name that others see.
  * [EX-29] Echoes of what it said itself are not taken: two that follow each other would chase for ever.
  * @param nowMs this machine's clock
  */

@@ -4,7 +4,7 @@ import { computed, shallowRef, type Ref, type ShallowRef } from 'vue';
 import { createInterest } from './interest.ts';
 import { usePoll } from './poll.ts';
 
-/** What every client does and takes of the master; asked for only while someone looks. [EX-25] */
+/** Traffic and load of each client; requested only while there are viewers. [EX-25] */
 export interface ClientReportsStore {
   /** By client id; `undefined` until the first reply, kept while disconnected. */
   readonly byId: Readonly<ShallowRef<ReadonlyMap<string, ClientActivity> | undefined>>;

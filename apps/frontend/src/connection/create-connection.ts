@@ -44,7 +44,7 @@ export function createConnection(): Connection {
   const state = shallowRef(client.state);
   const roundTrip = shallowRef(client.roundTrip);
   client.onState((next) => (state.value = next));
-  // It comes with every sign of life; what nobody sees is not drawn.
+  // It changes with every PING; do not draw it while the page is hidden.
   const visibility = useDocumentVisibility();
   const showRoundTrip = (): void => {
     if (visibility.value === 'visible') roundTrip.value = client.roundTrip;

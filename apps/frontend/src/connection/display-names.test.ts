@@ -19,7 +19,7 @@ describe('displayNames()', () => {
     ]);
   });
 
-  it('gives nobody a number that is the name of another client', () => {
+  it('gives no client a number that is the name of another client', () => {
     const names = displayNames([
       client('a', 'Phone'),
       client('b', 'Phone'),

@@ -1,9 +1,9 @@
 import { tryOnScopeDispose } from '@vueuse/core';
 import { computed, shallowRef, type ComputedRef } from 'vue';
 
-/** Who wants data right now, and how often. Data nobody looks at is not asked for. */
+/** The viewers of data and their intervals. Data without viewers is not requested. */
 export interface Interest {
-  /** The shortest interval anyone wants, milliseconds; `undefined` while nobody does. */
+  /** The shortest interval of all viewers, milliseconds; `undefined` without viewers. */
   readonly intervalMs: ComputedRef<number | undefined>;
   /** Wants data every `intervalMs` until the calling component or scope is gone. */
   express(intervalMs: number): void;

@@ -4,7 +4,7 @@ import { computed, shallowRef, type Ref, type ShallowRef } from 'vue';
 import { createInterest } from './interest.ts';
 import { usePoll } from './poll.ts';
 
-/** Who can run modules; asked for only while someone looks. [PM-61] */
+/** The nodes; requested only while there are viewers. [PM-61] */
 export interface NodesStore {
   /** The master first; `undefined` until the first list. */
   readonly list: Readonly<ShallowRef<readonly NodeInfo[] | undefined>>;

@@ -16,7 +16,7 @@ const MAX_LENGTH = 1_000;
 /** Where a page says it. */
 export const pageStateTopic = (clientId: string): string => `/${clientId}/page_state`;
 
-/** Whether somebody's page says it there. */
+/** True when a page publishes its state there. */
 export const isPageStateTopic = (topic: string): boolean => PATTERN.test(topic);
 
 /** As it travels. */

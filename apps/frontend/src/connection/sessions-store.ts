@@ -15,7 +15,7 @@ export interface SessionsStore {
   /** Why there is no list, when the master refused it: an original master may know no sessions. */
   readonly error: Readonly<ShallowRef<ServiceError | undefined>>;
   find(id: string): Session | undefined;
-  /** Takes what a service answered, so that nobody waits for the announcement of it. */
+  /** Applies the reply of a service at once, before its announcement arrives. */
   take(session: Session): void;
   /** Takes one out that a service has removed. */
   drop(id: string): void;

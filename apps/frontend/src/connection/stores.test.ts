@@ -139,7 +139,7 @@ describe('clients store', () => {
     expect(names()).toEqual(['a 1']);
   });
 
-  it('keeps round trips fresh only while someone looks', async () => {
+  it('updates round trips only while there are viewers', async () => {
     const { store, call } = setup([person('a')]);
     await settle();
     expect(call).toHaveBeenCalledTimes(1);
@@ -194,7 +194,7 @@ describe('master status store', () => {
 });
 
 describe('topic statistics store', () => {
-  it('asks nothing until someone looks, then from the last cursor', async () => {
+  it('requests nothing without viewers, then continues from the last cursor', async () => {
     const { client, call } = fakeClient();
     call.mockImplementation(async (_service, request) => {
       const { cursor } = request as { cursor: number };
@@ -286,7 +286,7 @@ describe('sessions store', () => {
 });
 
 describe('nodes store', () => {
-  it('asks while somebody looks, and remembers the names of those that went [PM-61]', async () => {
+  it('requests nodes while there are viewers, and keeps the names of nodes that left [PM-61]', async () => {
     const call = vi.fn<(service: string) => Promise<unknown>>();
     call.mockResolvedValueOnce({ elements: [{ clientId: 'n', name: 'Lab' }] });
     call.mockResolvedValue({ elements: [] });

@@ -7,7 +7,7 @@ import { createInterest } from './interest.ts';
 import { usePoll } from './poll.ts';
 import { TopicRates, type TopicChanges, type TopicRate } from './topic-rates.ts';
 
-/** Rates of all topics, from the master's counters; asked for only while someone looks. */
+/** Rates of all topics, from the master's counters; requested only while there are viewers. */
 export interface TopicStatisticsStore {
   /**
    * By topic. One map for the life of the page, changed in place and triggered after each reply;

@@ -40,7 +40,7 @@ it('takes an offer that came before the page, once', async () => {
   expect(hint.text()).toBe('');
 });
 
-it('does not ask again whoever declined', async () => {
+it('does not ask a user again who declined', async () => {
   offer();
   const hint = mount(InstallHint);
   await hint.findAll('button')[1]!.trigger('click');

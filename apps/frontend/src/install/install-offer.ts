@@ -7,7 +7,7 @@ interface InstallPromptEvent extends Event {
   prompt(): Promise<{ readonly outcome: 'accepted' | 'dismissed' }>;
 }
 
-/** What the browser offered; it does so once, before anybody asks for it. */
+/** The install prompt of the browser, which it offers once, before the page needs it. */
 const offered = shallowRef<InstallPromptEvent>();
 
 /** Keeps the browser's offer until a page has a place for it. Call once, at the start. */

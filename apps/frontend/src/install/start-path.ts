@@ -12,10 +12,10 @@ function isHandheld(): boolean {
 }
 
 /**
- * Where somebody goes who named no page: with a phone to what it was used for the last time, the first time
+ * Returns the default page: on a phone the page it was last used for, the first time
  * to the smart device; with everything else home.
  *
- * @param mayBeDevice false where the role lets nobody be a device
+ * @param mayBeDevice false when the role does not allow devices
  */
 export function startPath(mayBeDevice = true): string {
   if (!mayBeDevice || !isHandheld()) return '/';

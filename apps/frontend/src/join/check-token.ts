@@ -7,7 +7,7 @@ const TIMEOUT_MS = 8000;
  * Asks what a token or code is good for, without being a client: who is not let in has no connection to
  * ask over. [AC-16]
  * @throws {ServiceError} what the master answered
- * @throws {ConnectionError} nobody answered
+ * @throws {ConnectionError} there was no answer
  */
 export async function checkToken(token: string): Promise<JoinCheck> {
   let json: unknown;

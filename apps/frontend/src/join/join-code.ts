@@ -1,7 +1,7 @@
 /** Letters and digits of a short code; O, I and L are taken for 0 and 1. [AC-11] */
 const CODE_LENGTH = 8;
 
-/** What somebody types or pastes, as the code is shown: `K7QF-2MXR`. A pasted address gives its token. */
+/** Formats typed or pasted text as a code: `K7QF-2MXR`. Returns the token of a pasted address. */
 export function formatCode(typed: string): string {
   const plain = typed
     .toUpperCase()

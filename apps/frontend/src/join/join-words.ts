@@ -37,7 +37,7 @@ const PROBLEMS: Record<JoinProblem, ProblemWords> = {
   },
 };
 
-/** The same for somebody at the master's own machine, whose terminal shows a code. [AC-42] */
+/** The same for a user of the master's machine, whose terminal shows a code. [AC-42] */
 const PROBLEMS_HERE: Partial<Record<JoinProblem, ProblemWords>> = {
   missing: {
     title: 'Enter the code.',

@@ -1,4 +1,4 @@
-/** A path of this origin, as somebody else wrote it; the start page for anything else. */
+/** Returns a path of this origin from an untrusted text; the start page for other texts. */
 export function safeTarget(path: unknown): string {
   return typeof path === 'string' && /^\/(?![/\\])[^\s\\]*$/.test(path) ? path : '/';
 }

@@ -11,8 +11,8 @@ import { safeTarget } from './target.ts';
 import { isThisMachine } from './this-machine.ts';
 
 /**
- * `asking`: what the token is good for · `code`: somebody has to type one · `ready`: one tap away ·
- * `joining` · `unreachable`: nobody answers
+ * `asking`: checks the token · `code`: the user has to type a code · `ready`: one tap away ·
+ * `joining` · `unreachable`: no answer
  */
 export type JoinPhase = 'asking' | 'code' | 'ready' | 'joining' | 'unreachable';
 
@@ -43,14 +43,14 @@ export function useJoin(beforeLeaving: () => void) {
 
   const phase = ref<JoinPhase>('asking');
   const problem = shallowRef<JoinProblem>();
-  /** What went wrong with joining itself, in the words of whoever knows. */
+  /** Error of joining, as reported by the master or the browser. */
   const trouble = ref('');
   const invitation = shallowRef<Invitation>();
   const masterName = ref('');
   const isLeaving = ref(false);
   let again: ReturnType<typeof setTimeout> | undefined;
   let asked = 0;
-  /** The last answer was to this client, and not to whoever shows the token. */
+  /** True when the last reply was about this client, not about the token. */
   let isToClient = false;
   /** It was in already when it began to join: with another code. */
   let wasIn = false;
@@ -91,7 +91,7 @@ export function useJoin(beforeLeaving: () => void) {
         phase.value = 'ready';
       } else {
         invitation.value = undefined;
-        if (token === '') handleNobody();
+        if (token === '') handleMissingToken();
         else phase.value = 'code';
         if (problem.value === 'guessing')
           again = setTimeout(() => void ask(token), GUESSING_AGAIN_MS);
@@ -106,14 +106,14 @@ export function useJoin(beforeLeaving: () => void) {
   }
 
   /** Nothing was shown: says why this device was sent here, once that is known. */
-  function handleNobody(): void {
+  function handleMissingToken(): void {
     const isRefused = state.value.status === 'closed';
     if (!isRefused && !wantsAnother()) return;
     problem.value = refusal() ?? 'missing';
     phase.value = 'code';
   }
 
-  /** Somebody who may be in already came here for a code. */
+  /** A client that may have joined already opened the page to enter a code. */
   const wantsAnother = (): boolean => ANOTHER in route.query;
 
   function refusal(): JoinProblem | undefined {
@@ -199,7 +199,7 @@ export function useJoin(beforeLeaving: () => void) {
     { immediate: true },
   );
   watch(state, () => {
-    if (route.hash === '' && ['asking', 'code'].includes(phase.value)) handleNobody();
+    if (route.hash === '' && ['asking', 'code'].includes(phase.value)) handleMissingToken();
   });
   onScopeDispose(() => clearTimeout(again));
 

@@ -22,7 +22,7 @@ const OF_CLIENT: ReadonlySet<string> = new Set([
   'limit_reached',
   'protocol_errors',
 ]);
-/** What is told to whoever has the session before them, wherever its modules run. */
+/** Problems that are shown to users of the session, independent of where its modules run. */
 const OF_SESSION: ReadonlySet<string> = new Set(['module_slow', 'machine_busy']);
 
 /**
@@ -55,7 +55,7 @@ function asOwn(text: string, name: string | undefined): string {
   return name && text.startsWith(`${name} `) ? `This page ${text.slice(name.length + 1)}` : text;
 }
 
-/** What the person at the page can do is said to them, not to whoever runs the master. */
+/** Texts for the user of the page, not for the operator of the master. */
 function asOwnRemedy(remedy: string, code: string): string {
   return OWN_REMEDIES[code] ?? remedy;
 }

@@ -30,7 +30,7 @@ describe('connectionNotice', () => {
       status: 'reconnecting',
       attempt: 4,
       nextAttemptMs: NOW + 2400,
-      error: new ConnectionError('refused', 'Nobody is there.'),
+      error: new ConnectionError('refused', 'The master is down.'),
     };
     expect(connectionNotice(state, NOW, true)).toEqual({
       tone: 'warning',

@@ -36,7 +36,7 @@ function setup() {
 }
 
 describe('this tab as a node', () => {
-  it('loads nothing before somebody wants it', async () => {
+  it('loads nothing before it is needed', async () => {
     const { open, tab } = setup();
     await flushPromises();
     expect(open).not.toHaveBeenCalled();

@@ -22,7 +22,7 @@ export interface TabNode {
   readonly state: Readonly<ShallowRef<TabNodeState>>;
   readonly load: Readonly<ShallowRef<TabNodeLoad>>;
   /**
-   * Runs modules while somebody on this page needs it, whatever people chose.
+   * Runs modules while a part of this page needs it, independent of the user's choice.
    * @returns ends the need
    */
   need(): () => void;

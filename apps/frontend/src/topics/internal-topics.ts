@@ -5,8 +5,8 @@ import { isPresenceTopic } from '../graph/editor/presence/presence-record.ts';
 const IDENTIFY_TOPIC = /^\/[^/]+\/identify$/;
 
 /**
- * Topics with which the interface talks to itself: ordinary topic data, and noise to whoever looks
- * for their own. Lists and trees of topics leave them out; by its name, each is still found and read.
+ * Topics that the frontend uses internally: ordinary topic data, but of no interest to users who look
+ * for their own topics. Lists and trees of topics leave them out; by its name, each is still found and read.
  * [EX-49] [EX-56]
  */
 export const isInternalTopic = (topic: string): boolean =>

@@ -21,7 +21,7 @@ function setUp(id = 'id') {
       const find = useFindPublisher();
       const found = computed(() => find(id));
       return () =>
-        found.value ? `${found.value.name}, ${found.value.isAway ? 'away' : 'here'}` : 'nobody';
+        found.value ? `${found.value.name}, ${found.value.isAway ? 'away' : 'here'}` : 'no client';
     }),
     { global: { provide: { [CONNECTION as symbol]: connection } } },
   );
@@ -36,7 +36,7 @@ function setUp(id = 'id') {
 describe('useFindPublisher', () => {
   it('finds a client that is announced after it was asked for', async () => {
     const { wrapper, announce } = setUp();
-    expect(wrapper.text()).toBe('nobody');
+    expect(wrapper.text()).toBe('no client');
     await announce([clientOf('id', ClientState.ACTIVE)]);
     expect(wrapper.text()).toBe('Name of id, here');
   });
@@ -59,7 +59,7 @@ describe('useFindPublisher', () => {
 
   it('names a client that left before the page was opened by the beginning of its id', async () => {
     const { wrapper, announce } = setUp('9b2f9c1e-3f0a-4d6e-8a11-0c1d2e3f4a5b');
-    expect(wrapper.text()).toBe('nobody');
+    expect(wrapper.text()).toBe('no client');
     await announce([]);
     expect(wrapper.text()).toBe('Client 9b2f9c1e, away');
   });

@@ -9,7 +9,7 @@ export function useFindPublisher(): FindPublisher {
   const { clients, masterId } = useConnection();
   const present = computed(() => new Set(clients.list.value?.map(({ id }) => id)));
   return (clientId) => {
-    // Read in any case: whoever asks for a client that is not known yet asks again when it comes.
+    // Always read it, so that the caller is updated when an unknown client appears.
     const isPresent = present.value.has(clientId);
     const client = clients.find(clientId);
     if (client === undefined && clientId !== '' && clientId === masterId.value) {

@@ -54,7 +54,7 @@ import { subscriberFactory } from './topics/subscriber-factory.ts';
 import { SubscriptionTable } from './topics/subscription-table.ts';
 import { TopicTable } from './topics/topic-table.ts';
 
-/** Puts a master together. It does nothing but measure time until somebody calls it. */
+/** Creates a master. Until its first call, it only measures time. */
 export function createMaster(ports: MasterPorts, settings: MasterSettings): Master {
   const core = createCore(ports, { ...DEFAULT_LIMITS, ...settings.limits }, settings);
   const liveness = new Liveness(core.clock, core.clients, core.limits, core.kept);

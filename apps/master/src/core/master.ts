@@ -17,7 +17,7 @@ export interface ServiceAnswer {
   readonly retryAfterS?: number;
 }
 
-/** What a terminal shows, so that somebody can join. */
+/** Invitations that the terminal shows. */
 export interface TerminalJoin {
   readonly token: string;
   readonly code: string;
@@ -29,7 +29,7 @@ export interface TerminalJoin {
 export interface TerminalAccess {
   /** For the operator, on this machine [AC-42]. */
   readonly admin: TerminalJoin;
-  /** For everybody else; undefined when nobody else can reach the master [AC-19]. */
+  /** For participants; undefined when no other machine can reach the master [AC-19]. */
   readonly join: TerminalJoin | undefined;
 }
 
@@ -91,7 +91,7 @@ export interface Master {
   ): Promise<ServiceAnswer>;
   /** The reply to a request the edge refused itself: undecodable (pass the `DecodeError`), or with a `ServiceError` of its choice. Counts it (SV-7). */
   refuseServiceRequest(cause: unknown): ServiceAnswer;
-  /** Why whoever asks for a pipe is not to be given one, before it is open; undefined: it is. [AC-27] */
+  /** Reason to refuse a pipe before it opens; undefined: the pipe is allowed. [AC-27] */
   refuseConnection(query: ConnectionQuery, caller: CallerFacts): string | undefined;
   /** Takes an open pipe. `undefined`: refused, and already closed with the code that says why (TD-6, EX-4). */
   openConnection(

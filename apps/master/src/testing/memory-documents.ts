@@ -38,7 +38,7 @@ export class MemoryDocuments implements DocumentStore {
     this.#listeners.clear();
   }
 
-  /** Somebody edits the document by hand; undefined removes it. */
+  /** Edits the document as a person would edit its file; undefined removes it. */
   edit(key: string, text: string | undefined): void {
     this.#set(key, text === undefined ? undefined : parse(text));
     for (const listener of this.#listeners) listener([key]);

@@ -1,6 +1,6 @@
 import type { AccessSecrets } from '../core/ports/access-secrets.ts';
 
-/** Secrets that anybody can make, each another one: numbers, and texts with something in front. */
+/** Predictable secrets for tests: consecutive numbers, and texts with a prefix. */
 export class PlainSecrets implements AccessSecrets {
   static #count = 0;
 

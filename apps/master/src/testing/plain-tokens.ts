@@ -1,6 +1,6 @@
 import type { ResumeTokens } from '../core/ports/resume-tokens.ts';
 
-/** Tokens that anybody can make: the id with something in front. */
+/** Predictable tokens for tests: the id with a prefix. */
 export class PlainTokens implements ResumeTokens {
   issue(clientId: string): string {
     return `token-of-${clientId}`;

@@ -14,7 +14,7 @@ vi.setConfig({ testTimeout: 60_000 });
 
 type Headers = Readonly<Record<string, string>>;
 
-/** Whoever comes through a tunnel or proxy on this machine: a stranger, and the one a test can be. [AC-1] */
+/** A caller behind a tunnel or proxy on this machine: the only kind of stranger that a test can be. [AC-1] */
 const STRANGER: Headers = { 'x-forwarded-for': '203.0.113.7' };
 
 interface Reply {
@@ -158,7 +158,7 @@ describe('who is of this machine [AC-1] [AC-2]', () => {
       [{ host, origin: 'https://evil.example' }, 'unauthenticated'],
       [{ host, origin: 'null' }, 'unauthenticated'],
       [{ host, origin: 'http://localhost.evil.example' }, 'unauthenticated'],
-      // Names that somebody in the network can make mean this machine: DNS rebinding.
+      // Names that an attacker in the network can bind to this machine: DNS rebinding.
       [{ host: 'box.local', origin: 'http://box.local' }, 'unauthenticated'],
       [{ host: 'printer', origin: 'http://printer' }, 'unauthenticated'],
       [{ host: 'evil.example', origin: 'http://evil.example' }, 'unauthenticated'],
@@ -172,7 +172,7 @@ describe('who is of this machine [AC-1] [AC-2]', () => {
         'X-Real-IP',
         'Via',
         'CF-Connecting-IP',
-        // One that nobody has heard of yet.
+        // An unknown header.
         'X-New-Proxy-Forwarded-By',
       ].map((name): [Headers, string] => [{ [name]: '127.0.0.1' }, 'unauthenticated']),
     ];
@@ -180,7 +180,7 @@ describe('who is of this machine [AC-1] [AC-2]', () => {
       expect([headers, await roleOf(port, headers)]).toEqual([headers, role]);
   });
 
-  it('refuses pages of names and origins that are nobody’s, as before [SV-8]', async () => {
+  it('refuses pages of unknown names and origins [SV-8]', async () => {
     const { port } = await startEdgeMaster();
     expect(await roleOf(port, { host: 'evil.example', origin: 'http://evil.example' })).toBe('403');
     expect(await roleOf(port, { host: `localhost:${port}`, origin: 'http://192.168.1.50' })).toBe(
@@ -257,7 +257,7 @@ describe('who is of this machine [AC-1] [AC-2]', () => {
 describe.skipIf(process.platform !== 'linux' || process.getuid?.() !== 0)(
   'another user of this machine, as a proxy is that says nothing [AC-1]',
   () => {
-    const SOMEBODY = 65_534;
+    const OTHER_USER = 65_534;
     const LISTING = JSON.stringify({ topic: LIST });
     const REQUEST = `
       const [port, body, bearer] = process.argv.slice(1);
@@ -277,7 +277,7 @@ describe.skipIf(process.platform !== 'linux' || process.getuid?.() !== 0)(
 
     it.each([['--trust-loopback'], DEFAULT])('is a stranger: %s', async (...flags) => {
       const { port } = await startEdgeMaster({ flags });
-      expect((await ask(SOMEBODY, String(port), LISTING)).error?.code).toBe('unauthenticated');
+      expect((await ask(OTHER_USER, String(port), LISTING)).error?.code).toBe('unauthenticated');
       expect(await ask(0, String(port), LISTING)).toHaveProperty('clientList');
     });
 
@@ -287,7 +287,7 @@ describe.skipIf(process.platform !== 'linux' || process.getuid?.() !== 0)(
       const words = [String(port), JSON.stringify(check), terminal.admin.token];
       const problem = async (uid: number) =>
         ((await ask(uid, ...words)).joinCheck as { problem?: string } | undefined)?.problem;
-      expect(await problem(SOMEBODY)).toBe('JOIN_PROBLEM_WRONG');
+      expect(await problem(OTHER_USER)).toBe('JOIN_PROBLEM_WRONG');
       expect(await problem(0)).toBe('JOIN_PROBLEM_NONE');
     });
   },
@@ -333,7 +333,7 @@ describe('the operator [AC-42]', () => {
     expect((await registerHere(after.port, after.terminal.admin.code)).client).toBeDefined();
   });
 
-  it('is nobody who passes requests on, token or not [AC-43]', async () => {
+  it('is not a caller that forwards requests, with or without token [AC-43]', async () => {
     const { port, terminal } = await startEdgeMaster({ flags: DEFAULT });
     const { client } = await registerHere(port, terminal.admin.token);
     const credential = client!.extension['credential']!;

@@ -14,7 +14,7 @@ import type { EdgeMaster } from './edge-master.ts';
 vi.setConfig({ testTimeout: 60_000 });
 
 const MIB = 1024 * 1024;
-/** What a proxy says of somebody else: the master sees a caller that has not joined. */
+/** Headers of a proxy: the master sees a caller that has not joined. */
 const STRANGER = { 'x-forwarded-for': '203.0.113.7' };
 
 let decodeWorkerFile: URL;

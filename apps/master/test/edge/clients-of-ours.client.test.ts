@@ -142,7 +142,7 @@ describe('a client of ours', () => {
     }
   });
 
-  it('rejects connect() when nobody is there and it is told to give up', async () => {
+  it('rejects connect() when there is no master and the policy gives up', async () => {
     const { url, close } = await startEdgeMaster();
     await close();
     const ada = create({ url, name: 'ada', reconnect: { giveUpAfterAttempts: 1 } });

@@ -10,7 +10,7 @@ import type { EdgeMaster } from './edge-master.ts';
 
 vi.setConfig({ testTimeout: 60_000 });
 
-/** What a proxy says of somebody else: the master sees a caller that has not joined. */
+/** Headers of a proxy: the master sees a caller that has not joined. */
 const STRANGER = 'x-forwarded-for: 203.0.113.7';
 const UPGRADE = [
   'connection: Upgrade',
@@ -116,7 +116,7 @@ describe('connections that stop [AC-63]', () => {
       (master) => request(master, '/health', []) + request(master, '/', []).slice(0, -2),
     ],
     [
-      'sends a body that nobody reads',
+      'sends a body that the master does not read',
       (master) => request(master, '/health', ['content-length: 1000000']),
     ],
   ];

@@ -20,7 +20,7 @@ function ask(port: number, path: string, ca: Buffer): Promise<{ status: number; 
 }
 
 describe('a master that others can reach', () => {
-  it('answers HTTPS beside HTTP on one port, for whoever trusts its authority', async () => {
+  it('serves HTTPS and HTTP on one port, for clients that trust its authority', async () => {
     const { port } = await startEdgeMaster({ flags: ['--lan'] });
     const { body: ca, headers } = await send(port, '/ca.pem');
     expect(headers['content-type']).toContain('x-pem-file');
@@ -42,7 +42,7 @@ describe('a master that others can reach', () => {
     onTestFinished(() => socket.terminate());
     await new Promise((resolve, reject) => {
       socket.on('error', reject);
-      // [TD-2] The master asks whether somebody is there.
+      // [TD-2] The master sends a PING.
       socket.on('message', resolve);
     });
   });

@@ -102,7 +102,7 @@ describe('the master as a process', () => {
   it.each(['SIGTERM', 'SIGINT', 'SIGHUP'] as const)('ends in good order on %s', async (signal) => {
     const master = start();
     const { topicDataWs } = await master.ready();
-    const socket = new WebSocket(`${topicDataWs}?clientID=nobody`);
+    const socket = new WebSocket(`${topicDataWs}?clientID=unknown`);
     await new Promise((resolve) => socket.once('close', resolve));
     const ended = master.ended();
     master.child.kill(signal);

@@ -14,7 +14,7 @@ import { send, startEdgeMaster } from './edge-master.ts';
 // A whole master each: minutes on a busy machine are no fault of it.
 vi.setConfig({ testTimeout: 60_000 });
 
-/** Nobody is of this machine who comes through a proxy [AC-1]. */
+/** A caller behind a proxy is not local [AC-1]. */
 const ELSEWHERE = { 'x-forwarded-for': '203.0.113.7' };
 const JSON_HEADERS = { 'content-type': 'application/json' };
 /** Paths that a master could have and does not. */
@@ -38,7 +38,7 @@ async function post(port: number, headers: object, body: object): Promise<Record
 
 /** Joins from elsewhere with this role, by a grant of its own; a stranger does not. */
 async function joinAs(port: number, role: Role): Promise<Joined> {
-  if (role === 'none') return { headers: ELSEWHERE, query: '?clientID=nobody' };
+  if (role === 'none') return { headers: ELSEWHERE, query: '?clientID=unknown' };
   const name = `ACCESS_ROLE_${role.toUpperCase()}` as keyof typeof AccessRole;
   const { accessGrantCreated } = await post(
     port,

@@ -144,7 +144,7 @@ describe('services over HTTP', () => {
     ]) {
       const socket = connect(master.port, '127.0.0.1');
       await new Promise((resolve) => socket.write(start, resolve));
-      // The master has read what came by the time it answers somebody else.
+      // When the master answers another caller, it has read the data.
       await postJson(master, '/services', '{}');
       socket.destroy();
       await new Promise((resolve) => socket.once('close', resolve));

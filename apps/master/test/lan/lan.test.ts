@@ -163,7 +163,7 @@ describe.skipIf(reason !== undefined)('a master in a network of its own', () => 
       expect(client.extension.role).toBe('ACCESS_ROLE_ADMIN');
       const headers = { authorization: `Bearer ${client.extension.credential}` };
       expect(await grants({ where: 'master', headers })).toHaveProperty('accessGrantList');
-      // Somebody else read it, or a proxy of this machine passes it on.
+      // Another user has read it, or a local proxy forwards it.
       expect(await grants({ headers })).toMatchObject({ error: { code: 'unauthenticated' } });
       const passedOn = { ...headers, 'x-forwarded-for': PHONE };
       expect(await grants({ where: 'master', headers: passedOn })).toMatchObject({
@@ -258,7 +258,7 @@ describe.skipIf(reason !== undefined)('a master with --lan off in a network of i
   it('is reached by phones after an admin of its machine turned the network on [AC-47]', async () => {
     expect((await configuration('phone')).status).toBe(0);
     const here = { host: '127.0.0.1' };
-    // Whoever has not shown the token of the terminal is no admin.
+    // A caller without the token of the terminal is not an admin.
     const refused = await send('master', '/services/ubii/lan_open', {}, here);
     expect(refused.reply).toMatchObject({ error: { code: 'permission_denied' } });
     expect((await configuration('phone')).status).toBe(0);
@@ -276,7 +276,7 @@ describe.skipIf(reason !== undefined)('a master with --lan off in a network of i
     const opened = await send('master', '/services/ubii/lan_open', {}, { ...here, bearer });
     expect(opened.reply).toHaveProperty('success');
 
-    // The same port, HTTP and HTTPS; whoever comes is a stranger, as with --lan on.
+    // The same port, HTTP and HTTPS; all callers are strangers, as with --lan on.
     for (const scheme of ['http', 'https']) {
       expect((await configuration('phone', scheme)).reply).toHaveProperty('server');
     }

@@ -5,7 +5,7 @@ import { doubler, SessionWorld, TOPICS } from './session-world.ts';
 import { TestNode } from './test-node.ts';
 
 const topic = fc.constantFrom('/a', '/b', '/info/x', '', 'no slash', '/x\n', '__proto__');
-const name = fc.constantFrom('doubler', 'offered', 'nobody', '', '__proto__', 'constructor');
+const name = fc.constantFrom('doubler', 'offered', 'unknown', '', '__proto__', 'constructor');
 const text = fc.constantFrom(
   '',
   '(',

@@ -30,7 +30,7 @@ const CASES: readonly Case[] = [
     { code: 'module_without_name', path: 'processingModules[0].name' },
   ],
   [
-    'a module nobody has, without code',
+    'an unknown module without code',
     { processingModules: [{ name: 'unheard-of' }] },
     { code: 'module_unknown', path: 'processingModules[0]' },
   ],
@@ -61,7 +61,7 @@ const CASES: readonly Case[] = [
   ],
   [
     'a mapping of a module that is not there',
-    { ...doubling('/in', '/out'), ioMappings: [{ processingModuleName: 'somebody' }] },
+    { ...doubling('/in', '/out'), ioMappings: [{ processingModuleName: 'other' }] },
     { code: 'mapping_without_module', path: 'ioMappings[0]' },
   ],
   [
@@ -211,7 +211,7 @@ describe('a session that cannot be', () => {
           inputMappings: [{ inputName: 'x', topic: '/in' }],
           outputMappings: [{ outputName: 'out', topic: '/info/x' }],
         },
-        { processingModuleName: 'nobody' },
+        { processingModuleName: 'unknown' },
       ],
     });
     expect(problems.map(({ code }) => code)).toEqual(
@@ -245,7 +245,7 @@ describe('a session that cannot be', () => {
     ]);
   });
 
-  it('is warned of a cycle with a delay in it, but not of outputs nobody gets [SE-5]', async () => {
+  it('is warned of a cycle with a delay in it, but not of outputs without a receiver [SE-5]', async () => {
     const world = await SessionWorld.create();
     const slow = { triggerOnInput: { minDelayMs: 10 } };
     const { extension } = await world.ask(TOPICS.add, {

@@ -94,7 +94,7 @@ describe('a session on the master', () => {
     expect(await world.value('/out')).toBe(1);
   });
 
-  it('cannot be started twice, without modules, or when nobody knows it [SE-11]', async () => {
+  it('cannot be started twice, without modules, or when it is unknown [SE-11]', async () => {
     const world = await SessionWorld.create();
     const { id } = await world.ask(TOPICS.start, doubling('/in', '/out'));
     expect(await world.refusal(TOPICS.start, { id })).toMatchObject({
@@ -103,10 +103,12 @@ describe('a session on the master', () => {
     expect(await world.refusal(TOPICS.start, { name: 'empty' })).toMatchObject({
       code: 'failed_precondition',
     });
-    expect(await world.refusal(TOPICS.start, { id: 'nobody' })).toMatchObject({
+    expect(await world.refusal(TOPICS.start, { id: 'unknown' })).toMatchObject({
       code: 'not_found',
     });
-    expect(await world.refusal(TOPICS.stop, { id: 'nobody' })).toMatchObject({ code: 'not_found' });
+    expect(await world.refusal(TOPICS.stop, { id: 'unknown' })).toMatchObject({
+      code: 'not_found',
+    });
   });
 
   it('is held with its state, and goes on [SE-14]', async () => {

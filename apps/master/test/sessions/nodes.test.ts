@@ -84,13 +84,13 @@ describe('a session with a nodejs node', () => {
     expect((await node.ended([])).success).toBeDefined();
   });
 
-  it('is answered with what nobody knows, and the rest counts [SE-32]', async () => {
+  it('is answered with the unknown modules, and the rest counts [SE-32]', async () => {
     const world = await SessionWorld.create();
     const node = await TestNode.original(world.master, 'nodejs', { processingModules: [offered] });
     const other = await TestNode.original(world.master, 'other');
     const session = await world.ask(TOPICS.start, { processingModules: [{ name: 'detector' }] });
     const [module] = node.own(node.told('start'));
-    // Nobody speaks for the modules of others.
+    // A node cannot report for modules of other nodes.
     const foreign = await other.ran([{ ...module, nodeId: other.id }]);
     expect(foreign.error).toMatchObject({ code: 'not_found' });
     expect((await world.get(session)).status).toBe(SessionStatus.CREATED);
@@ -210,7 +210,7 @@ describe('a node that goes', () => {
     expect(await world.value('/out')).toBe(6);
   });
 
-  it('is waited for by modules somebody placed there by hand [SE-31]', async () => {
+  it('is waited for by modules that the session assigns to it [SE-31]', async () => {
     const world = await SessionWorld.create();
     const node = await TestNode.ours(world.master, 'tab');
     const session = await world.ask(TOPICS.start, {

@@ -54,7 +54,7 @@ export function doubling(from: string, to: string): Init<Session> {
   };
 }
 
-/** A master with somebody who watches sessions. */
+/** A master with a client that subscribes to sessions. */
 export class SessionWorld {
   readonly master: TestMaster;
   readonly ada: TestClient;

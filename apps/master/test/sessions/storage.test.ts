@@ -129,7 +129,7 @@ describe('stored sessions', () => {
     expect(world.master.log.lines).toContainEqual(
       expect.objectContaining({ level: 'warn', message: expect.stringContaining('is ignored') }),
     );
-    // Somebody repairs it by hand: it counts at once.
+    // A person repairs the file: the change applies at once.
     storage.sessions.edit('broken', JSON.stringify({ name: 'repaired' }));
     storage.modules.edit('wrong', undefined);
     expect(await storedNames(world)).toEqual(expect.arrayContaining(['repaired']));
@@ -301,7 +301,7 @@ describe('stored modules', () => {
     const call = (topic: string, name: string) =>
       world.master.call({ topic, processingModule: { ...doubler, name } });
     expect((await call(TOPICS.saveModule, '')).error).toMatchObject({ code: 'invalid_argument' });
-    expect((await call(TOPICS.deleteModule, 'nobody')).error).toMatchObject({ code: 'not_found' });
+    expect((await call(TOPICS.deleteModule, 'unknown')).error).toMatchObject({ code: 'not_found' });
     await call(TOPICS.saveModule, 'mine');
     expect((await call(TOPICS.deleteModule, 'mine')).success).toBeDefined();
     expect((await call(TOPICS.deleteModule, 'mine')).error).toMatchObject({ code: 'not_found' });

@@ -107,7 +107,7 @@ describe('an update of a running session', () => {
     world.ada.publish('/in', 'double', 5);
     await world.master.pass(10);
     expect(await world.value('/second')).toBe(10);
-    // Nobody writes it any more. [SE-62]
+    // No module writes it any more. [SE-62]
     expect(await world.value('/out')).toBeUndefined();
   });
 
@@ -134,7 +134,7 @@ describe('an update of a running session', () => {
     ]);
   });
 
-  it('is refused when somebody else was faster [SE-15]', async () => {
+  it('is refused when another client has updated the session before [SE-15]', async () => {
     const { world, session } = await setup();
     await world.ask(TOPICS.update, { ...session, description: 'mine' });
     expect(await world.refusal(TOPICS.update, { ...session, description: 'late' })).toMatchObject({
@@ -148,7 +148,7 @@ describe('an update of a running session', () => {
     const { world, session } = await setup();
     const refused = await world.refusal(TOPICS.update, {
       ...session,
-      ioMappings: [{ processingModuleName: 'nobody' }],
+      ioMappings: [{ processingModuleName: 'unknown' }],
     });
     expect(codes(refused.problems)).toContain('mapping_without_module');
     expect((await world.get(session)).extension?.revision).toBe(session.extension?.revision);

@@ -26,7 +26,7 @@ export function claimIdentity(clientId: string): Promise<Release | undefined> {
   return hasLocks ? claimByLock(name, askHolder(name)) : claimByChannel(name);
 }
 
-/** Waits for the lock until somebody says that it is taken, or for too long. */
+/** Waits for the lock until another page reports that it is taken, or until a timeout. */
 async function claimByLock(name: string, holder?: Question): Promise<Release | undefined> {
   const waiting = new AbortController();
   const timer = setTimeout(() => waiting.abort(), LONGEST_WAIT_MS);
@@ -57,21 +57,21 @@ async function claimByLock(name: string, holder?: Question): Promise<Release | u
 async function claimByChannel(name: string): Promise<Release | undefined> {
   const holder = askHolder(name);
   let timer: ReturnType<typeof setTimeout> | undefined;
-  const nobody = new Promise<false>((resolve) => {
+  const noAnswer = new Promise<false>((resolve) => {
     const wait = (): void => {
-      // Whoever answered once is waited for to answer again.
+      // A page that answered once gets more time for its second answer.
       if (holder.isAnswered()) timer = setTimeout(() => resolve(false), SECOND_QUESTION_MS * 2);
       else resolve(false);
     };
     timer = setTimeout(wait, OBJECTION_WAIT_MS);
   });
-  const isTaken = await Promise.race([holder.isTaken.then(() => true), nobody]);
+  const isTaken = await Promise.race([holder.isTaken.then(() => true), noAnswer]);
   clearTimeout(timer);
   holder.end();
   return isTaken ? undefined : answerFor(name);
 }
 
-/** A question to whoever holds an identity. */
+/** A question to the page that holds an identity. */
 interface Question {
   /** Resolves when a page said twice that it has it. */
   readonly isTaken: Promise<void>;
@@ -103,7 +103,7 @@ function askHolder(name: string): Question {
   };
 }
 
-/** Says that this page has it, to whoever asks, as long as the page is there. */
+/** Answers questions of other pages that this page holds the identity, while the page exists. */
 function answerFor(name: string): () => void {
   const channel = new BroadcastChannel(name);
   let isEnding = false;

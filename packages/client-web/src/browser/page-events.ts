@@ -8,7 +8,7 @@ interface NetworkConnection {
 /**
  * Makes a client try at once, or make sure that its link is alive, when something tells that the page
  * or the network is back or another one: timers of a hidden page sleep, and a phone that wakes should
- * not wait for a back-off. [CL-41] When the page ends, the client leaves, so that nobody takes it for
+ * not wait for a back-off. [CL-41] When the page ends, the client deregisters, so that other clients do not see it as
  * lost. [EX-55] Does nothing outside a page, and while the client is closed.
  */
 export function followPageEvents(client: UbiiClient): void {

@@ -39,7 +39,7 @@ export function createTabIdentity(key = DEFAULT_KEY, browserKey = key): Identity
       release();
       release = () => undefined;
       claimedId = undefined;
-      // Nobody else can hold an id that was just given, so this does not fail.
+      // No other page can hold an id that was just assigned, so that this does not fail.
       if (identity !== undefined) void claim(identity.clientId);
     },
     loadCredential: () => withLocal((local) => local.getItem(credentialKey)) ?? undefined,

@@ -51,7 +51,7 @@ describe('client.connect()', () => {
     expect(master.clientIds).toEqual(['client-1']);
   });
 
-  it('goes on trying while nobody is there', async () => {
+  it('continues to try while the master is down', async () => {
     const master = new FakeMaster();
     master.isDown = true;
     const { client, clock, states } = createTestClient(master);

@@ -119,7 +119,7 @@ describe.each([
     );
     const deviceNames = held.devices.map(({ name }) => name).sort();
     if (isOriginal) {
-      // There an answer that got lost may leave a device behind that nobody knows.
+      // After a lost reply, the master may have a device that the client does not know.
       expect(deviceNames).toEqual(expect.arrayContaining([...story.devices.keys()]));
     } else {
       expect(deviceNames).toEqual([...story.devices.keys()].sort());

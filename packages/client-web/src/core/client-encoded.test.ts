@@ -104,7 +104,7 @@ describe('client.subscribeEncoded()', () => {
     expect(client.counters).toMatchObject({ recordsIn: 3, decodeErrors: 0 });
   });
 
-  it('[PM-36] gives the buffer of the frame away when nobody else receives the image in it', async () => {
+  it('[PM-36] transfers the buffer of the frame when there is only one receiver of its image', async () => {
     const { master, client } = await setup();
     const { records } = collect(client, '/cam');
     await settle();
@@ -138,7 +138,7 @@ describe('client.subscribeEncoded()', () => {
     expect(decoded.map(({ value }) => value)).toEqual([1, 2]);
   });
 
-  it('keeps the buffer when somebody else receives the image, or another image is in it', async () => {
+  it('keeps the buffer when there is another receiver of the image, or another image in it', async () => {
     const { master, client } = await setup();
     const first = collect(client, '/cam');
     const second = collect(client, { glob: '/cam' });
@@ -153,7 +153,7 @@ describe('client.subscribeEncoded()', () => {
     }
   });
 
-  it('has the master send an image again that was given away, for whoever comes later', async () => {
+  it('requests a transferred image again for a later receiver', async () => {
     const { master, client } = await setup();
     const first = collect(client, '/cam');
     await settle();

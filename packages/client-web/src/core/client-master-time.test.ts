@@ -33,7 +33,7 @@ describe('client.masterTime', () => {
     expect(estimates).toEqual([estimate]);
   });
 
-  it('is less certain the longer nobody answers [TS-4]', async () => {
+  it('is less certain the longer there is no answer [TS-4]', async () => {
     const { client, master, clock, masterMs } = await setup();
     await clock.advance(1_000);
     master.isSilent = true;

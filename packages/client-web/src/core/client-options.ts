@@ -25,7 +25,7 @@ export interface ClientOptions {
   /** True when it exists to run modules for others. @default false */
   readonly isDedicatedNode?: boolean;
   /**
-   * Token or code to join with, where the master lets in nobody else. Used for the first registration;
+   * Token or code to join with, if the master requires one. Used for the first registration;
    * then the credential shows who it is, which is kept with the identity. [AC-13]
    */
   readonly joinToken?: string;
@@ -33,7 +33,7 @@ export interface ClientOptions {
   readonly identity?: IdentityStorage;
   /** Records are collected this long and sent as one frame, milliseconds; 0: until the end of the turn. @default 15 */
   readonly publishIntervalMs?: number;
-  /** Stamp records in the master's time, not this machine's, where nobody says otherwise. [TS-9] @default false */
+  /** Use the master's time instead of this machine's for records without a timestamp. [TS-9] @default false */
   readonly stampInMasterTime?: boolean;
   /** A service call, and each step of connecting, may take this long, milliseconds. @default 10000 */
   readonly serviceTimeoutMs?: number;

@@ -49,7 +49,7 @@ describe('a regular expression while its engine is loaded [TD-64]', () => {
     expect(values).toEqual([1, 1]);
   });
 
-  it('is forgotten when nobody wants it any more', async () => {
+  it('is removed with its last subscription', async () => {
     const { master, client, loading } = await setup();
     const subscription = client.subscribe({ regex: '^/a/' });
     const refused = expect(subscription.ready).rejects.toThrow('closed');

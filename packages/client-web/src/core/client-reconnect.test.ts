@@ -50,7 +50,7 @@ describe('a client whose socket drops [EX-5]', () => {
     });
   });
 
-  it('registers again when somebody deregistered it (1000)', async () => {
+  it('registers again after another client deregistered it (1000)', async () => {
     const { master, client, clock } = await setup();
     const subscription = client.subscribe('/a');
     await subscription.ready;
@@ -89,7 +89,7 @@ describe('a client whose socket drops [EX-5]', () => {
     expect(clock.pendingTimers).toBe(0);
   });
 
-  it('stops for good when somebody disconnected it (4010), and says who and why [EX-30]', async () => {
+  it('stops after an admin disconnected it (4010), with the name and the reason [EX-30]', async () => {
     const { master, clock, states } = await setup();
     master.drop(4010, 'by Mara: too loud');
     await settle();

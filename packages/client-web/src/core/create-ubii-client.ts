@@ -401,7 +401,7 @@ class Client implements UbiiClient {
     );
   }
 
-  /** For a name that did not get through: nobody waits for it, and it is tried again with every PING. */
+  /** Ignores a failed change of the name: it is retried with every PING. */
   #tellProfileInPassing(): void {
     const nowMs = this.#clock.monotonicMs();
     if (nowMs - this.#credentialMs > CREDENTIAL_RENEWAL_MS) {

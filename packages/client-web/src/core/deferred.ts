@@ -1,4 +1,4 @@
-/** A promise settled from outside. A rejection that nobody waits for is not reported as unhandled. */
+/** A promise settled from outside. A rejection without a handler is not reported as unhandled. */
 export class Deferred<T> {
   readonly promise: Promise<T>;
   #resolve!: (value: T) => void;

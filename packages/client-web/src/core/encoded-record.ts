@@ -1,13 +1,13 @@
-/** A record as it travels, for whoever forwards it or decodes it elsewhere. */
+/** An encoded record, to forward it or to decode it elsewhere. */
 export interface EncodedRecord {
   readonly topic: string;
-  /** The encoded `TopicDataRecord`. Nobody changes it; it may be kept. */
+  /** The encoded `TopicDataRecord`. It is not modified, and may be kept. */
   readonly bytes: Uint8Array;
   /** Number of the value member. */
   readonly valueField: number;
   /** Id of the client that published it, as far as the publisher said; else empty. */
   readonly publisherId: string;
-  /** True: nobody else reads the buffer of `bytes`, so it may be transferred to a worker. */
+  /** True: the buffer of `bytes` is not shared, so that it may be transferred to a worker. */
   readonly isOwned: boolean;
 }
 

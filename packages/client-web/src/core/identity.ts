@@ -6,7 +6,7 @@ export interface Identity {
   readonly clientId: string;
   /** Proof that the id is ours; a secret. `undefined` with an original master. [EX-3] */
   readonly resumeToken: string | undefined;
-  /** Shows that the client has joined; a secret. `undefined` where nobody has to. [AC-13] */
+  /** Secret of a joined client. `undefined` when the client does not need to join. [AC-13] */
   readonly credential?: string | undefined;
 }
 

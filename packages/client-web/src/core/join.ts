@@ -1,7 +1,7 @@
 import { AccessRole, JoinProblem as WireProblem, ServiceError } from '@ubii/proto';
 
 /**
- * Why a client is not let in: `missing`: it has no token · `wrong`: nobody was given this one · `expired`
+ * Why a client is not let in: `missing`: it has no token · `wrong`: the token is unknown · `expired`
  * · `revoked` · `used`: as many have joined with it as may · `guessing`: too many wrong codes were tried
  * · `role`: it is let in, but not to what it asked for. [AC-12]
  */

@@ -40,7 +40,7 @@ describe('remedyFor() [EX-5]', () => {
     expect(remedyFor(failure)).toBe(remedy);
   });
 
-  it('registers again where a socket opened and nobody answered on it', () => {
+  it('registers again after a socket opened without an answer on it', () => {
     const error = new ConnectionError('timeout', 'silence');
     expect(remedyFor({ error, code: 1006, wasUp: false })).toBe('register-again');
     expect(remedyFor({ error, code: 1006, wasUp: true })).toBe('retry');

@@ -25,13 +25,13 @@ const REMEDIES: ReadonlyMap<number, Remedy> = new Map([
   [4001, 'stop'], // superseded: trying again would take the identity back, and so on for ever
   [4003, 'register-as-new'], // not this client
   [4004, 'register-again'], // unknown client
-  [4010, 'stop'], // disconnected: somebody wants it gone [EX-30]
+  [4010, 'stop'], // disconnected by an admin [EX-30]
   [4011, 'stop'], // revoked: it has to join anew [AC-15]
   [4012, 'stop'], // the time of what it joined with is over [AC-91]
   [1000, 'register-again'], // deregistered, on whose behalf ever [CL-16]
 ]);
 
-/** Somebody removed this client [EX-30]. */
+/** An admin removed this client [EX-30]. */
 const DISCONNECTED = 4010;
 
 /** Its invitation was revoked [AC-15]. */
@@ -75,7 +75,7 @@ export function isTold({ code, error }: LinkFailure): boolean {
   return REMEDIES.has(code) || isUnknownClient(error.cause);
 }
 
-/** Whether somebody was there: a link that was up, a word of the master, an answer of a service. */
+/** True when the master was reachable: the link was open, or the master sent a message or a reply. */
 export function isAnswered({ code, error, wasUp }: LinkFailure): boolean {
   return wasUp || code !== BROKEN || error.cause instanceof ServiceError;
 }

@@ -15,7 +15,7 @@ export interface ProbeOptions {
   readonly clock: Clock;
   /** Asks the master; resolves `answered` with its answer to this question. */
   readonly ask: (answered: Deferred<void>) => void;
-  /** The time of a usual answer, milliseconds; `undefined` when nobody knows. */
+  /** The time of a usual answer, milliseconds; `undefined` when unknown. */
   readonly usualTripMs: () => number | undefined;
   /** Nothing came. Called once; the probe has ended. */
   readonly handleDead: (waitedMs: number) => void;

@@ -63,7 +63,7 @@ export const PUBLISH_LIMITS = {
  *   the end of the turn, later ones at most `intervalMs` after the flush before.
  * - Socket full: the newest record of a topic replaces the waiting one; events all wait, up to a bound.
  * - No connection: only the newest record of each topic is kept, events too, because what happened
- *   while nobody could see it is history; sent by `flush()` after the reconnect.
+ *   without a connection is out of date; sent by `flush()` after the reconnect.
  *
  * What is replaced or over a limit is counted.
  */

@@ -7,12 +7,12 @@ import type { EncodedRecord } from './encoded-record.ts';
 const texts = new TextCache();
 
 /**
- * A record that arrived: decoded, encoded, or both, each when somebody first asks for it and once,
- * however many there are who want it.
+ * A received record, decoded and encoded. Each form is created once, on first use,
+ * for all receivers.
  */
 export class ReceivedRecord {
   readonly topic: string;
-  /** The buffer of the encoded record holds nothing else that anybody needs, and is worth transferring. */
+  /** True when the buffer contains only this record and is large enough to be transferred. */
   readonly isTransferable: boolean;
   #decoded: TopicRecord | EmptyRecord | undefined;
   #bytes: Uint8Array | undefined;

@@ -6,7 +6,7 @@ export interface Receiver {
   readonly serverPattern: ServerPattern;
   /** Records of a topic per second; `Infinity` for all. */
   readonly maxRateHz: number;
-  /** Whether it may keep the buffer of a record for itself, when nobody else receives it. */
+  /** True when it may take over the buffer of a record that has no other receiver. */
   readonly takesBuffers: boolean;
   /** @param isSole true: the buffer of the record is the receiver's, if it is transferable */
   handleRecord(record: ReceivedRecord, isSole: boolean): void;

@@ -13,7 +13,7 @@ describe('reconnectDelayMs()', () => {
     expect(delaysMs).toEqual([100, 200, 400, 800, 1_000, 1_000, 1_000]);
   });
 
-  it('stays short while nobody answers, so that a master that is back is found within 2 s [CL-43]', () => {
+  it('stays short without an answer, so that a restarted master is found within 2 s [CL-43]', () => {
     const { maxUnansweredDelayMs } = DEFAULT_RECONNECT_POLICY;
     expect(maxUnansweredDelayMs).toBeLessThan(2_000);
     for (const failed of [4, 50, 5_000]) {

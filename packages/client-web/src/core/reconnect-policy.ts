@@ -9,8 +9,8 @@ export interface ReconnectPolicy {
   /** No delay is longer, milliseconds. @default 5000 */
   readonly maxDelayMs: number;
   /**
-   * No delay is longer while nobody answers, milliseconds: a master that is back is found soon. The
-   * longer one is for a master that is there and does not keep the client. [CL-43] @default 1500
+   * Longest delay while there is no answer, milliseconds, so that a restarted master is found soon. The
+   * longer delay is for a master that answers and refuses the client. [CL-43] @default 1500
    */
   readonly maxUnansweredDelayMs: number;
   /**
@@ -46,7 +46,7 @@ export const DEFAULT_RECONNECT_POLICY: ReconnectPolicy = {
  * How long to wait before the next attempt: exponential back-off, of which the jitter takes up to
  * its share.
  * @param failedAttempts in a row; 0 when a link that held just broke
- * @param isAnswered whether somebody is there, who does not keep the client
+ * @param isAnswered true when the master answered, but refused the client
  * @returns milliseconds, or `undefined` when the policy says to give up
  */
 export function reconnectDelayMs(

@@ -49,7 +49,7 @@ export class Registration {
   #isProfileNew = false;
   #updating: Promise<void> | undefined;
   #serial = 0;
-  /** What somebody gave it to join with, until it has. */
+  /** Token or code to join with, until the client has joined. */
   #joinToken: string | undefined;
   /** A person gave it just now, and is to hear when it is good for nothing. */
   #isTokenAsked = false;
@@ -146,7 +146,7 @@ export class Registration {
     try {
       return await this.#register();
     } catch (error) {
-      // Nobody could be asked. A socket may find its way where services do not: it is a connection of its
+      // The master did not answer. A socket may work where services do not: it is a connection of its
       // own, and theirs are kept by browsers over the end of a network.
       if (error instanceof ConnectionError) this.#membership ??= doubted;
       throw error;
@@ -277,7 +277,7 @@ export class Registration {
   }
 
   /**
-   * Registers with what there is to show: the token somebody gave it, else its credential, else that of
+   * Registers with the first available secret: the given token, the credential of the client, that of
    * an earlier client here, else nothing, which is enough on the master's own machine. [AC-3] [AC-23]
    */
   async #join(message: Init<ServiceRequestOf<'clientRegistration'>>): Promise<Client> {
@@ -318,7 +318,7 @@ export class Registration {
       if (isAsked && this.#joinToken === joinToken && this.#membership !== undefined) {
         this.#joinToken = undefined;
       }
-      // An old link opened once more by somebody who has joined with it is no reason to throw them out.
+      // A client that has joined stays joined when its user opens the same old link again.
       if (isAsked || credential === undefined) throw error;
       client = await register(credential).catch(() => Promise.reject(error as Error));
     }

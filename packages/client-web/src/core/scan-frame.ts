@@ -26,7 +26,7 @@ const topics = new TextCache();
 /**
  * Takes a frame apart without decoding its records. A large record stays where it is, so that its
  * bytes are not copied; the frame's buffer goes with it when it is the only one. Small records beside
- * others get memory of their own: whoever keeps one does not keep the frame.
+ * others are copied, so that a kept record does not keep the frame.
  *
  * @param keptFrame must not be changed later
  * @throws DecodeError when anything in it is broken

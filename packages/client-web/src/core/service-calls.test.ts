@@ -89,7 +89,7 @@ describe('ServiceCalls', () => {
   it('passes the failure of the transport on', async () => {
     const { calls, replies } = setup();
     const called = calls.call('topicList', undefined);
-    replies[0]!.reject(new ConnectionError('refused', 'nobody is there'));
+    replies[0]!.reject(new ConnectionError('refused', 'the master is down'));
     await expect(called).rejects.toMatchObject({ reason: 'refused' });
   });
 

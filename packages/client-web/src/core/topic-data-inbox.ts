@@ -9,7 +9,7 @@ import type { ScannedFrame } from './scan-frame.ts';
 export interface TopicDataInboxOptions {
   readonly handleRecord: (record: ReceivedRecord) => void;
   readonly handleNodeMessage: (message: EncodedNodeMessage) => void;
-  /** Whether anybody takes records or node messages as they travel. */
+  /** True when there are receivers of encoded records or node messages. */
   readonly takesEncoded: () => boolean;
   /** Something in a frame cannot be decoded, or the master refused something. */
   readonly handleProblem: (problem: DecodeError | ServiceError) => void;

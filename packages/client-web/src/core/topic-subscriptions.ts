@@ -106,7 +106,7 @@ export class TopicSubscriptions {
   }
 
   /**
-   * Subscribes to records as they travel: they are decoded only if somebody else wants them decoded.
+   * Subscribes to encoded records. They are decoded only if another subscription needs the values.
    * @returns ends it
    * @throws {TypeError} if the pattern is empty or not a regular expression
    */
@@ -123,7 +123,7 @@ export class TopicSubscriptions {
     };
   }
 
-  /** Whether anybody takes records as they travel. */
+  /** True when there are subscriptions to encoded records. */
   get hasEncoded(): boolean {
     return this.#encodedCount > 0;
   }
@@ -179,7 +179,7 @@ export class TopicSubscriptions {
     }
   }
 
-  /** Values that were deleted while there was no link: nobody tells of them any more. [TD-42] */
+  /** Handles values that were deleted while there was no link, which the master does not report. [TD-42] */
   async #endDoubtful(): Promise<void> {
     if (this.#doubtful.size === 0) return;
     let existing: ReadonlySet<string>;
@@ -275,7 +275,7 @@ export class TopicSubscriptions {
     }
     this.#groups.delete(pattern.key);
     if (pattern.kind === 'component') this.#removeProfile(pattern.key);
-    // What nobody receives any more grows old here.
+    // Remove values of topics that are not received any more.
     for (const topic of this.#newest.keys()) {
       if (this.#routeOf(topic).receivers.length === 0) this.#newest.delete(topic);
     }

@@ -124,8 +124,8 @@ export interface UbiiClient {
   ): Subscription<F>;
 
   /**
-   * Subscribes to records as they travel, for whoever forwards them or decodes them elsewhere: they
-   * are decoded here only if an ordinary subscription wants them, too. A large record that nobody else
+   * Subscribes to encoded records, to forward them or to decode them elsewhere: they
+   * are decoded here only if an ordinary subscription wants them, too. A large record that no other subscription
    * receives comes with its buffer (`isOwned`), uncopied. Records without a value come as `onGone`.
    * @returns ends the subscription
    * @throws {TypeError} if the pattern is empty or not a regular expression

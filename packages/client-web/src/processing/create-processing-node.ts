@@ -260,7 +260,7 @@ class Node implements ProcessingNode {
     this.#eventListeners.emit(event);
   }
 
-  /** It could not be made: the session has to know, and nobody else says so. [SE-12] */
+  /** Reports an instance that could not be created: only this node can notify the session. [SE-12] */
   #handleFailed({ module, sessionId }: AssignedModule, fault: ModuleFault): void {
     this.#handleEvent({
       sessionId,

@@ -6,7 +6,7 @@ import type { UbiiClient } from '../core/ubii-client.ts';
 /** What the watch needs of a client. */
 export type DeviceClient = Pick<UbiiClient, 'subscribe' | 'call' | 'onState' | 'state'>;
 
-/** Which device has the component with a topic, for as long as somebody wants to know. [PM-43] */
+/** The device of a component's topic, kept up to date while there are listeners. [PM-43] */
 export class DeviceTopics {
   readonly #client: DeviceClient;
   readonly #devices = new Map<string, string>();

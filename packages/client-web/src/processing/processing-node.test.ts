@@ -107,7 +107,7 @@ describe('a node and the sessions', () => {
 
   it('leaves the modules of other nodes alone', async () => {
     const world = await createNodeWorld();
-    world.sessions.start(sessionOf(timesTen('somebody-else')));
+    world.sessions.start(sessionOf(timesTen('another-client')));
     await rest();
     expect(world.node.instances).toEqual([]);
     expect(world.sessions.reports).toEqual([]);
@@ -300,7 +300,7 @@ describe('code', () => {
   });
 
   it.each([
-    ['that nobody has', { onProcessingStringified: '' }, /has code of the module "times-ten"/],
+    ['without code', { onProcessingStringified: '' }, /has code of the module "times-ten"/],
     ['in another language', { language: ProcessingModuleLanguage.PY }, /written in PY/],
     ['that does not parse', { onProcessingStringified: '(=> 3' }, /./],
     ['that fails in onCreated', { onCreatedStringified: '() => { throw new Error("no") }' }, /no/],

@@ -16,7 +16,7 @@ export interface ProcessingNodeOptions {
   readonly sandboxes: SandboxFactory;
   /** What kind of program it is in. */
   readonly kind: 'browser' | 'node';
-  /** Modules it has code for. Whoever gives them vouches for them. [PM-51] @default none */
+  /** Modules with code of this program, which is trusted. [PM-51] @default none */
   readonly modules?: readonly Init<ProcessingModule>[];
   /** Whether the master may choose this node by itself. @default true */
   readonly acceptsWork?: boolean;

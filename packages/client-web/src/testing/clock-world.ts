@@ -108,12 +108,12 @@ export class ClockWorld {
     for (const event of this.#events) if (event.isOfClient) event.atMs += this.#trueMs - beforeMs;
   }
 
-  /** Somebody, or NTP, sets the client's clock. */
+  /** Sets the client's clock, as a user or NTP would. */
   setWall(byMs: number): void {
     this.#wallAheadMs += byMs;
   }
 
-  /** Somebody, or NTP, sets the master's clock. */
+  /** Sets the master's clock, as a user or NTP would. */
   setMaster(byMs: number): void {
     this.#masterAheadMs += byMs;
   }

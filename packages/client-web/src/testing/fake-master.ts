@@ -61,7 +61,7 @@ export class FakeMaster implements MemoryMaster {
   readonly services = new Map<string, (request: ServiceRequest) => Init<ServiceReply>>();
   /** How many records each received frame held. */
   readonly frameSizes: number[] = [];
-  /** While true nobody is there: services fail, sockets do not open. */
+  /** While true, the master is down: services fail, sockets do not open. */
   isDown = false;
   /** While true it takes everything and answers nothing. */
   isSilent = false;
@@ -144,7 +144,7 @@ export class FakeMaster implements MemoryMaster {
   }
 
   async handleServiceRequest(request: ServiceRequest): Promise<Init<ServiceReply>> {
-    if (this.isDown) throw new Error('nobody is there');
+    if (this.isDown) throw new Error('the master is down');
     this.requests.push(request);
     if (this.isSilent) return new Promise(() => undefined);
     try {

@@ -97,7 +97,7 @@ export function describeServiceTransport(
       });
     });
 
-    it('rejects when nobody is there', async () => {
+    it('rejects when there is no master', async () => {
       const transport = await open(() => Promise.resolve({ success: {} }));
       await world?.close();
       await expect(transport.send({ topic: '/t' }).reply).rejects.toMatchObject({

@@ -78,7 +78,7 @@ export function describeTopicDataTransport(
       expect(serverSocket.query).toEqual(ADA);
     });
 
-    it('calls nobody before open() has returned', async () => {
+    it('calls no callback before open() has returned', async () => {
       const { client, notesAtReturn } = await open();
       await client.until('open');
       expect(notesAtReturn).toEqual([]);
@@ -137,7 +137,7 @@ export function describeTopicDataTransport(
       await client.until('close 1006');
     });
 
-    it('says 1006 when nobody is there, and nothing before', async () => {
+    it('closes with 1006 when there is no master, without an earlier event', async () => {
       const gone = await setup(SILENT);
       await gone.close();
       const client = new Journal<void>();

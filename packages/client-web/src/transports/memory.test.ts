@@ -7,7 +7,7 @@ describeServiceTransport('memory', (answer) => {
   return Promise.resolve({
     transport: createMemoryServices({
       handleServiceRequest: (request) =>
-        isGone ? Promise.reject(new Error('nobody is there')) : answer(request),
+        isGone ? Promise.reject(new Error('the master is down')) : answer(request),
       openConnection: () => undefined,
     }),
     close() {

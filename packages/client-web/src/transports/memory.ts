@@ -29,7 +29,7 @@ export interface MemoryConnection {
 export interface MemoryMaster {
   /** Answers one request. A rejection is what a master that cannot be reached looks like. */
   handleServiceRequest(request: ServiceRequest, bearer?: string): Promise<Init<ServiceReply>>;
-  /** Takes an open socket; `undefined` when it closed the peer, or nobody is there. */
+  /** Takes an open socket; `undefined` when it closed the peer, or when there is no master. */
   openConnection(query: TopicDataQuery, peer: MemoryPeer): MemoryConnection | undefined;
 }
 
@@ -50,7 +50,7 @@ export function createMemoryServices(master: MemoryMaster): ServiceTransport {
   };
 
   async function exchange(bytes: Uint8Array, bearer?: string): Promise<ServiceReply> {
-    await Promise.resolve(); // nobody answers before the caller has his promise
+    await Promise.resolve(); // answer only after the caller has the promise
     let reply: Init<ServiceReply>;
     try {
       const request = decode('ubii.services.ServiceRequest', bytes);

@@ -53,7 +53,7 @@ export function createWebSocketTopicData(
         else if (data instanceof ArrayBuffer) handler.handleBinary(new Uint8Array(data));
       });
       socket.addEventListener('close', ({ code, reason }) => handleClose(code, reason));
-      // "close" follows and says all that a page is told; ws throws when nobody listens.
+      // "close" follows with all information; ws throws when "error" has no listener.
       socket.addEventListener('error', () => undefined);
 
       return {

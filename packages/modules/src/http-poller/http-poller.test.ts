@@ -136,7 +136,7 @@ describe.each(WAYS)('http-poller %s', (_way, drive) => {
     expect(await module.run(10)).toMatchObject({ number: 2, error: '' });
   });
 
-  it('asks the new address at once, and nobody hears of the old one', async () => {
+  it('requests a new URL at once, and drops the response of the old one', async () => {
     const { web, module } = await start({ intervalMs: 60_000 });
     await module.run(100, { url: 'https://other.local/' });
     expect(web.urls).toEqual([URL, 'https://other.local/']);

@@ -25,7 +25,7 @@ const vibrate = (identity: string, double = 100) => ({ double, outputTopicParams
 const near = (identity: string, bool = true) => ({ bool, outputTopicParams: [identity] });
 
 describe.each(WAYS)('touch-proximity %s', (_way, drive) => {
-  it('answers nobody while nobody touches', async () => {
+  it('publishes nothing for clients while there are no touches', async () => {
     const module = await drive(touchProximity);
     expect(await module.run(0)).toEqual({ vibration: [], isNear: [], nearCount: 0 });
   });

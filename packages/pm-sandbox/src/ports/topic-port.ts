@@ -1,7 +1,7 @@
 import type { Component } from '@ubii/proto';
 import type { Cancel } from './clock.ts';
 
-/** Which topics somebody wants. */
+/** Selects topics. */
 export type TopicSelector =
   | { readonly kind: 'topic'; readonly topic: string }
   /** Regular expression, unanchored, case-sensitive. */
@@ -14,7 +14,7 @@ export type TopicSelector =
 /** A record as it travels. */
 export interface EncodedRecord {
   readonly topic: string;
-  /** The encoded `TopicDataRecord`. Nobody changes it; it may be kept. */
+  /** The encoded `TopicDataRecord`. It is not modified, and may be kept. */
   readonly bytes: Uint8Array;
   /** Number of the value member, 0 when there is none. */
   readonly valueField: number;
@@ -22,7 +22,7 @@ export interface EncodedRecord {
   readonly publisherId: string;
   /** Id of the device that has a component with this topic, if it is known. */
   readonly deviceId?: string;
-  /** True: nobody else reads the buffer of `bytes`, so it may be transferred. */
+  /** True: the buffer of `bytes` is not shared, so that it may be transferred. */
   readonly isOwned?: boolean;
 }
 

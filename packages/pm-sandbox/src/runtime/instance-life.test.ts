@@ -287,7 +287,7 @@ describe('[PM-54] a killed instance', () => {
     expect(world.sandboxes.of('pm-2').calls).toHaveLength(3);
   });
 
-  it('is killed when a run is lost with its worker, even if nobody says so', async () => {
+  it('is killed when a run is lost with its worker, also without a report', async () => {
     const world = createModuleWorld({ restartDelayMs: 100 });
     await world.begin({ mode: TEN_HERTZ });
     world.sandboxes.last.fail({ kind: 'crashed', message: 'the worker ended' });

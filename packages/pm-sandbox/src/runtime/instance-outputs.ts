@@ -43,7 +43,7 @@ export class InstanceOutputs {
 
   rebind(mapping: IOMapping): void {
     const demuxers = demuxersOf(mapping);
-    // What the demuxers of before made, nobody may write any more. What is still written comes again.
+    // Topics of the previous demuxers may not be written any more. Topics still in use are created again.
     if (demuxers !== this.#demuxers) this.#made.end();
     this.#demuxers = demuxers;
     this.#binding.rebind(mapping);

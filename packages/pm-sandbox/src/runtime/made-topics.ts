@@ -36,7 +36,7 @@ export class MadeTopics {
     return undefined;
   }
 
-  /** Nobody writes them any more. [SE-62] */
+  /** Ends topics that are not written any more. [SE-62] */
   end(): void {
     const topics = [...this.#writtenMs.keys()];
     this.#writtenMs.clear();

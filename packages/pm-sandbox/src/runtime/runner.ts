@@ -72,7 +72,7 @@ export class Runner {
         },
         (reason: unknown) => this.#handleFailure(sandbox, reason, outcome),
       )
-      // Whoever takes the outputs failed: the instance ends, not the node.
+      // The receiver of the outputs failed: end the instance, not the node.
       .catch((reason: unknown) => this.#handleFailure(sandbox, reason, outcome));
   }
 

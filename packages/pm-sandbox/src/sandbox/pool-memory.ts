@@ -38,7 +38,7 @@ interface Owner {
   bytes: number;
 }
 
-/** Nobody's, and what does not fit into the table. */
+/** Key of instances without a session, and of those that do not fit into the table. */
 const SHARED_NUMBER = 0;
 
 /** Counts the memory of the instances of a pool: for workers, who take it, and for people. [PM-58] */

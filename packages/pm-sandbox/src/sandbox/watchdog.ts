@@ -38,7 +38,7 @@ export type Verdict<C> =
 /** A worker that has not begun to run by then never will, milliseconds. */
 const START_TIMEOUT_MS = 30_000;
 /**
- * How long a worker may take no message while no instance runs, milliseconds. Nobody is caught in a loop
+ * How long a worker may take no message while no instance runs, milliseconds. No instance is in a loop
  * then; on a busy machine it merely gets no turn, and ending it would cost all its instances their state.
  */
 const DEAF_TIMEOUT_MS = 5_000;

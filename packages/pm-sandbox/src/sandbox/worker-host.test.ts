@@ -144,7 +144,7 @@ describe('WorkerHost', () => {
     expect(worker.ended).toEqual([]);
   });
 
-  it('kills an instance whose promise takes too long, and nobody else [PM-53]', async () => {
+  it('kills only the instance whose promise takes too long [PM-53]', async () => {
     const worker = fakeWorker();
     const [a, b] = [worker.add(), worker.add()];
     worker.tell({ kind: 'ready' });
@@ -162,7 +162,7 @@ describe('WorkerHost', () => {
     expect(b).toBe(2);
   });
 
-  it('blames nobody when a worker that runs nothing does not listen', async () => {
+  it('kills no instance when an idle worker does not respond', async () => {
     const worker = fakeWorker();
     const a = worker.add();
     worker.tell({ kind: 'ready' });

@@ -154,7 +154,7 @@ export class WorkerHost {
     return this.#call(instance, '', (call) => ({ kind: 'check', instance, call, source }));
   }
 
-  /** Ends the worker because its host wants so: what is pending rejects, nobody is killed. */
+  /** Ends the worker on request: pending calls reject, and no instance is reported as killed. */
   end(fault: ModuleFault): void {
     for (const instance of this.#instances.values()) instance.onClosed(fault);
     this.#forgetAll();

@@ -75,7 +75,7 @@ class WorkerPool {
     return least !== undefined && isEnough ? least : this.#start(kind, false);
   }
 
-  /** Ends a worker that nobody needs; the last of its kind waits for the next instance. */
+  /** Ends an unused worker; the last worker of its kind is kept for the next instance. */
   release(host: WorkerHost): void {
     if (!host.isIdle || !this.#hosts.has(host)) return;
     if (host.isSolo || this.#sharedOf(host.kind).length > 1) {

@@ -8,8 +8,8 @@ describeTopicPort('FakeTopics', () => {
   let sticks = 0;
   return Promise.resolve({
     port: topics,
-    publisherId: 'somebody',
-    put: ({ topic, format, value }) => topics.put(topic, format, value, 'somebody'),
+    publisherId: 'publisher',
+    put: ({ topic, format, value }) => topics.put(topic, format, value, 'publisher'),
     settle: () => Promise.resolve(),
     seenByOthers: (topic) => {
       const record = topics.published.findLast((published) => published.topic === topic);
@@ -18,7 +18,7 @@ describeTopicPort('FakeTopics', () => {
     delete: (topic) => topics.delete(topic),
     addStick: () => {
       const deviceId = `device-${++sticks}`;
-      const component = { clientId: 'somebody', deviceId, deviceName: deviceId, name: 'stick' };
+      const component = { clientId: 'publisher', deviceId, deviceName: deviceId, name: 'stick' };
       const topic = topics.addComponent({ ...component, format: 'vector2', tags: ['stick'] });
       return Promise.resolve({ topic, deviceId });
     },

@@ -3,14 +3,14 @@ import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import type { Cancel } from '../ports/clock.ts';
 import type { EncodedRecord, TopicPort, TopicSelector } from '../ports/topic-port.ts';
 
-/** A port, and somebody at the other side of the topics. */
+/** A port, and another client with the same topics. */
 export interface TopicPortWorld {
   readonly port: TopicPort;
   /** Where the topics of the suite are, such as `/test-1`, when others are around. @default nowhere */
   readonly root?: string;
   /** Who publishes with `put`. */
   readonly publisherId: string;
-  /** Somebody else publishes. */
+  /** The other client publishes. */
   put(record: RecordInit & { readonly format: DataFormat }): void;
   /** What is on its way has arrived, at the port and at others. */
   settle(): Promise<void>;
@@ -19,7 +19,7 @@ export interface TopicPortWorld {
   /** The value of a topic is deleted. Undefined where the port cannot learn of it. */
   readonly delete?: (topic: string) => void;
   /**
-   * Somebody registers a device with one component, a vector2 with the tag `stick`, that publishes.
+   * Registers a device of the other client with one publishing component, a vector2 with the tag `stick`.
    * Resolves with the component's topic and its device's id.
    */
   readonly addStick?: () => Promise<{ readonly topic: string; readonly deviceId: string }>;

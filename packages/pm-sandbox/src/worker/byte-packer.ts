@@ -15,7 +15,7 @@ export class BytePacker {
   /**
    * Takes the bytes at a place of an array; `pack` puts there what travels.
    *
-   * @param isOwned nobody else reads the buffer of the bytes
+   * @param isOwned the buffer of the bytes is not shared
    */
   add(holder: unknown[], place: number, isOwned: boolean): void {
     const bytes = holder[place] as Uint8Array;

@@ -1,4 +1,4 @@
-/** Longer names are not compared: nobody misspells them by hand. */
+/** Longer names are not compared, because they are not typed by hand. */
 const MAX_LENGTH = 64;
 
 /** The name that was probably meant; undefined when none is near. */

@@ -24,7 +24,7 @@ const RECORD = messageCheck('ubii.topicData.TopicDataRecord');
  * Reads what an encoded record says beside its value, which is stepped over.
  *
  * @param record a record that was checked before
- * @param texts remembers topics and ids, for whoever reads many
+ * @param texts remembers topics and ids, for callers that read many records
  * @throws DecodeError when the outer structure is broken
  */
 export function readRecordHead(record: Uint8Array, texts?: TextCache): RecordHead {

@@ -53,7 +53,7 @@ const NODE_MESSAGE = messageCheck('ubii.extension.NodeMessage');
  * Differs from decoding the frame as one `TopicData` in that each occurrence of a member counts,
  * where decoding would merge or replace them.
  *
- * @param topics remembers topics from frame to frame, for whoever scans many
+ * @param topics remembers topics from frame to frame, for callers that scan many frames
  * @throws DecodeError at the first record that fails, after those before it were handed over
  */
 export function scanTopicData(frame: Uint8Array, sink: TopicDataSink, topics?: TextCache): void {

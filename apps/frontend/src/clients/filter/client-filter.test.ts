@@ -31,7 +31,7 @@ describe('filterClients', () => {
     [{ isBroken: true }, ['Drum']],
     [{ text: 'ARM rob' }, ['Robot']],
     [{ text: 'android' }, ['Pixel']],
-    [{ text: 'nobody' }, []],
+    [{ text: 'unknown' }, []],
   ] satisfies [Partial<ClientWishes>, string[]][])('%o', (wishes, expected) => {
     expect(names(wishes)).toEqual(expected);
   });

@@ -10,7 +10,7 @@ export function useClientWishes(): {
   const route = useRoute();
   const router = useRouter();
   const wishes = shallowRef(readWishes(route.query));
-  /** Changes on their way into the address: whoever types is faster, and must not lose a letter. */
+  /** Changes not yet in the URL: typing is faster, and must not lose a letter. */
   let underWay = 0;
   watch(
     () => route.query,

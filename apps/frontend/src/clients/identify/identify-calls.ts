@@ -1,6 +1,6 @@
-/** Somebody wants to know which device this is. */
+/** A request to identify this device. */
 export interface IdentifyCall {
-  /** Who asks, in one line; empty when nobody said so. */
+  /** Name of the requesting client, in one line; empty when unknown. */
   readonly byName: string;
 }
 

@@ -46,7 +46,7 @@ export function useIdentifyCalls(): {
         const next = readCall(record, seen);
         if (next) show(next);
       });
-      // Refused by the master: then nobody can find this page by it, and nothing else is lost.
+      // Refused by the master: other clients cannot identify this page; everything else works.
       subscription.ready.catch(() => undefined);
     },
     { immediate: true },

@@ -37,7 +37,7 @@ export function listRows(
   });
 }
 
-/** Devices are open unless they were closed: whoever unfolds a client wants to see what it has. */
+/** Devices are expanded unless the user collapsed them: a user who expands a client wants to see them. */
 const closedKey = (key: string): string => `closed ${key}`;
 
 /** What `expanded` holds for a row that is not as it is at first. */

@@ -63,7 +63,7 @@ const ADDRESSES: Record<ClientActivity['addressKind'], string> = {
   [ClientActivityAddressKind.PUBLIC]: 'beyond',
 };
 
-/** Where the other end of a client's socket is, seen from the master; empty when nobody knows. */
+/** Where the other end of a client's socket is, seen from the master; empty when unknown. */
 export const addressWords = (kind: ClientActivity['addressKind']): string => ADDRESSES[kind] ?? '';
 
 type Show = (value: number) => Readout;

@@ -18,7 +18,7 @@ export interface ClientView {
   readonly label: string;
   /** What it is, in a few words. */
   readonly words: string;
-  /** Browser and system, or library, as people know them; empty when nobody knows. */
+  /** Browser and system, or library, with their usual names; empty when unknown. */
   readonly agent: string;
   readonly kinds: ReadonlySet<ClientKind>;
   /** Something is wrong that a person may want to mend. */

@@ -45,7 +45,7 @@ describe('Comings', () => {
 describe('comingWords', () => {
   const event = { clientId: 'r', timeMs: 1, text: 'Robot was disconnected by Mara: too loud' };
 
-  it('says who disconnected it, when somebody did', () => {
+  it('names the admin who disconnected it', () => {
     const left = { kind: 'left', clientId: 'r', name: 'Robot' } as const;
     const disconnected: StatusEvent = { ...event, kind: StatusEventKind.CLIENT_DISCONNECTED };
     expect(comingWords(left, [])).toBe('Robot has left.');

@@ -1,6 +1,6 @@
 import { ClientState, StatusEventKind, type Client, type StatusEvent } from '@ubii/proto';
 
-/** Somebody left, was lost or came back while the page was open. */
+/** A client left, was lost or came back while the page was open. */
 export interface Coming {
   /** Who is lost said nothing: its connection broke. */
   readonly kind: 'left' | 'lost' | 'back';
@@ -25,7 +25,7 @@ export class Comings {
     const before = this.#present;
     this.#present = present;
     if (before === undefined) {
-      // Whoever was lost before may come back while one looks.
+      // A client that was lost before may come back while the page is open.
       for (const { id, name } of clients.filter(isLost)) this.#gone.set(id, name || id);
       return [];
     }

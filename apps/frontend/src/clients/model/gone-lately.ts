@@ -1,6 +1,6 @@
 import { StatusEventKind, type StatusEvent } from '@ubii/proto';
 
-/** How a client went: by itself, because somebody removed it, or without a word. [EX-55] */
+/** How a client left: it deregistered, an admin removed it, or its connection was lost. [EX-55] */
 export type GoneHow = 'left' | 'disconnected' | 'lost';
 
 /** A client that is in no list any more. */

@@ -21,7 +21,7 @@ it('begins with a client when it comes, and forgets it when it goes', () => {
   expect(history.of('b').sends).toEqual([{ timeMs: 2000, value: 5 }]);
   history.add(3000, [sending('b', 6)]);
   expect(history.of('a').sends).toEqual([]);
-  expect(history.of('nobody')).toEqual({ sends: [], gets: [] });
+  expect(history.of('unknown')).toEqual({ sends: [], gets: [] });
 });
 
 it('takes a report once', () => {

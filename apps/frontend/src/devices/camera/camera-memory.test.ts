@@ -24,7 +24,7 @@ describe('what is remembered of cameras', () => {
     expect([...remember(memory, 'camera 12', jpeg).settings.keys()].at(-1)).toBe('camera 12');
   });
 
-  it('is nothing, or what makes sense of it, when somebody else wrote it', () => {
+  it('is empty, or the valid part, when another program wrote it', () => {
     for (const text of ['', 'null', '3', '{}', '{"settings":{}}', '[']) {
       expect(readMemory(text), text).toEqual(NO_MEMORY);
     }

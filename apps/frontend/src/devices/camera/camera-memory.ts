@@ -34,7 +34,7 @@ export function writeMemory({ chosen, settings }: CameraMemory): string {
   return JSON.stringify({ chosen, settings: [...settings] });
 }
 
-/** What was kept, as far as it makes sense: somebody else, or another version, may have written it. */
+/** Returns the valid part of the stored settings, which another program or version may have written. */
 export function readMemory(text: string): CameraMemory {
   try {
     const kept = JSON.parse(text) as { chosen?: unknown; settings?: unknown } | null;

@@ -17,7 +17,7 @@ type TorchCapabilities = MediaTrackCapabilities & { readonly torch?: boolean };
 const WANTED = { width: { ideal: 640 }, height: { ideal: 480 }, frameRate: { ideal: 30 } };
 
 /**
- * The camera of this device, while the calling scope lives, somebody wants it, and the page is seen.
+ * The camera of this device, while the calling scope lives, the camera is needed, and the page is visible.
  *
  * @param first id of the one to be opened; when it is gone, any other is
  */
@@ -102,7 +102,7 @@ export function useCamera(first = '') {
     }
   }
 
-  // Nobody is watched through a page that nobody sees.
+  // The camera stops while the page is hidden.
   useEventListener(document, 'visibilitychange', () => {
     if (document.visibilityState === 'hidden' && status.value === 'on') {
       stop();

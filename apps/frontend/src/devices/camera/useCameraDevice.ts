@@ -11,7 +11,7 @@ const OBJECTS_HOLD_MS = 5000;
 /** The device: pictures out, what was found in them in. */
 export function useCameraDevice(options: {
   readonly video: () => HTMLVideoElement | null;
-  /** The camera is on, and there is somebody to send to. */
+  /** True while the camera is on and has a receiver. */
   readonly isWanted: () => boolean;
   readonly settings: Readonly<PictureSettings>;
 }) {

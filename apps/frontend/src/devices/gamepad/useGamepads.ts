@@ -19,7 +19,7 @@ export function useGamepads() {
     for (const pad of pads) listeners.get(pad!.index)?.(pad!);
   }
   useRafFn(look);
-  // No frames come while nobody looks; what was held is let go of then.
+  // A hidden page has no frames: release all buttons.
   const letGo = (): void => listeners.forEach((listener) => listener(undefined));
   useEventListener(document, 'visibilitychange', () => {
     if (document.visibilityState === 'hidden') letGo();

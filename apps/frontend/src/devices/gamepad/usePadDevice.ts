@@ -32,7 +32,7 @@ export function usePadDevice(pads: Gamepads, index: number) {
     const duration = Math.min(Math.max(durationMs, 0), LONGEST_RUMBLE_MS);
     pad?.vibrationActuator
       ?.playEffect('dual-rumble', { duration, strongMagnitude: 1, weakMagnitude: 0.6 })
-      // Pads without motors, and pages that nobody touched.
+      // Gamepads without motors, and pages without user interaction.
       .catch(() => undefined);
   }
 

@@ -16,7 +16,7 @@ export function unlockSound(): void {
  * Plays one tone.
  *
  * @param tone x: Hz, 20 to 20 000; y: milliseconds, 5000 at most; z: volume, 0 to 1 (0 is taken as 1: not given)
- * @returns false when it cannot be heard: nobody has touched the page yet, or the tone is none
+ * @returns false when it cannot be heard: the user has not touched the page yet, or the tone is invalid
  */
 export function playTone({ x: frequency, y: durationMs, z: volume }: Vector3): boolean {
   if (context === undefined || context.state !== 'running') return false;

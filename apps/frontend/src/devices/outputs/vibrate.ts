@@ -8,7 +8,7 @@ export function canVibrate(): boolean {
 
 /**
  * @param durationMs 0 stops
- * @returns false when the device did not: it cannot, or nobody has touched the page yet
+ * @returns false when the device did not: it cannot, or the user has not touched the page yet
  */
 export function vibrate(durationMs: number): boolean {
   if (!canVibrate() || Number.isNaN(durationMs)) return false;

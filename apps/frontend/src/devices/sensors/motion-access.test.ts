@@ -16,7 +16,7 @@ const silent = {
 };
 
 describe('access to motion', () => {
-  it('is named before anybody is asked', () => {
+  it('is known before the user is asked', () => {
     expect(motionAccessOf({ ...silent, isSecureContext: false })).toBe('insecure');
     expect(motionAccessOf({ isSecureContext: true, navigator })).toBe('unsupported');
     expect(motionAccessOf(silent)).toBe('granted');
@@ -32,7 +32,7 @@ describe('access to motion', () => {
     expect(on(`${mac} CriOS/140`, 5, {})).toBe('ask');
     expect(on('Mozilla/5.0 (Linux; Android 15) Chrome/140', 5, {})).toBe('granted');
     expect(on('Mozilla/5.0 (Windows NT 10.0) Chrome/140', 0, {})).toBe('granted');
-    // A browser nobody knows yet: better a question too many.
+    // An unknown browser: ask the user.
     expect(on('Something/1', 5)).toBe('ask');
   });
 

@@ -4,7 +4,7 @@ import { onScopeDispose, shallowRef } from 'vue';
 export type LocationState = 'off' | 'insecure' | 'missing' | 'asking' | 'refused' | 'on';
 
 /**
- * Where the device is, once somebody asked for it.
+ * The location of the device, after the user has requested it.
  *
  * @param handle is told x: latitude and y: longitude in degrees (WGS 84), z: altitude in metres (0 when
  *   unknown), w: radius of uncertainty in metres

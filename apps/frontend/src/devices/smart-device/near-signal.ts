@@ -1,9 +1,9 @@
-/** A session says again and again that somebody is near; one that says nothing for so long has ended, milliseconds. */
+/** A session repeats that a touch is near. Without a record for this time, it has ended, milliseconds. */
 const HOLDS_MS = 1_500;
 
 /**
- * Whether somebody is near, as a session says it. A session that is stopped, or whose node is gone, says
- * no last word: what it said holds only for a moment.
+ * True while a session reports that another touch is near. A session that is stopped or lost its node sends
+ * no final value, so that a value is valid only for a short time.
  */
 export class NearSignal {
   readonly #show: (isNear: boolean) => void;

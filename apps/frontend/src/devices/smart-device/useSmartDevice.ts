@@ -182,7 +182,7 @@ export function useSmartDevice() {
       device.publish('web-component-touch', { elements: events }, { immediate });
       const wasTouched = restingAt !== undefined;
       restingAt = first;
-      // Whose finger is lifted is near nobody from then on.
+      // After the finger was lifted, no other touch is near.
       if (!first && wasTouched) device.publish('is_touched', false, { immediate: true });
       if (!first) return;
       device.publish('touch_position', first, { immediate });

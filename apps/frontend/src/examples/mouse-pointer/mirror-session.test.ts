@@ -30,7 +30,7 @@ describe('mirrorSession', () => {
     ]);
   });
 
-  it('is found again by the client it belongs to, and by nobody else', () => {
+  it('is found only by the client it belongs to', () => {
     const session = whole(mirrorSession(facts));
     expect(isMirrorSessionOf(session, 'ada')).toBe(true);
     expect(isMirrorSessionOf(session, 'bob')).toBe(false);

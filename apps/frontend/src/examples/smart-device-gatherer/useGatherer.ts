@@ -128,7 +128,7 @@ export function useGatherer() {
     async stop(): Promise<void> {
       const near = gathering.phones().filter(({ id }) => gathering.isNear(id));
       await proximity.stop();
-      // A session that has ended tells nobody that nobody is near any more.
+      // A stopped session does not publish false for phones that were near.
       for (const { id } of near) client.publish(nearTopic(id), 'bool', false);
     },
   };

@@ -38,7 +38,7 @@ describe('addables', () => {
     ]);
   });
 
-  it('are found by words; a name that nobody has is a new topic', () => {
+  it('are found by words; an unused name is a new topic', () => {
     expect(texts('low')).toEqual(['low-pass', 'New topic /low']);
     expect(texts('/a/number')).toEqual(['/a/number']);
   });

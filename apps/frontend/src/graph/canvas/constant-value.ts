@@ -16,7 +16,7 @@ export type TypedConstant =
 
 const NUMBERS: ReadonlySet<DataFormat> = new Set(['double', 'float', 'int32']);
 
-/** Reads what somebody typed as a value of a format. [PM-34] */
+/** Parses typed text as a value of a format. [PM-34] */
 export function typedConstant(format: DataFormat, text: string): TypedConstant {
   const trimmed = text.trim();
   if (format === 'string') return constantOf(format, text);

@@ -8,7 +8,7 @@ const FRESH_MS = 10_000;
 /** In graphs with more wires values would hide them. */
 const MAX_WIRES = 12;
 
-/** True for a while after a start: whoever pressed it looks whether anything comes. */
+/** True for some time after a start, so that the user sees whether values arrive. */
 export function useFreshStart(editor: GraphEditor): ComputedRef<boolean> {
   const isOn = ref(false);
   const { start } = useTimeoutFn(() => (isOn.value = false), FRESH_MS, { immediate: false });

@@ -49,7 +49,7 @@ export function useMade(): Readonly<Ref<boolean>> {
   return inject(MADE, undefined) ?? ref(true);
 }
 
-/** True while the values of a node can be read: what nobody sees is not drawn. */
+/** True while the values of a node are visible; others are not drawn. */
 export function useReadable(): ComputedRef<boolean> {
   const { stage } = useCanvas();
   const isSeen = inject(SEEN, undefined);

@@ -2,7 +2,7 @@ import { drawnSize } from '../canvas/drawn-size.ts';
 import type { Graph, Point } from '../model/graph.ts';
 import { placeNew } from '../model/layout/place-graph.ts';
 
-/** Where every node stands: as somebody put it, else along the flow, below what is there. */
+/** Returns the position of each node: the stored one, else along the flow, below other nodes. */
 export function placesOf(graph: Graph): ReadonlyMap<string, Point> {
   const places = new Map<string, Point>();
   for (const { id, position } of placeNew(graph, drawnSize).nodes.values()) {

@@ -4,7 +4,7 @@ import { sameValue } from '../model/changes/same-value.ts';
 import { perform, startEditing, type EditState } from '../model/commands/edit-state.ts';
 import type { Graph } from '../model/graph.ts';
 
-/** Work of one's own on top of what somebody else saved. */
+/** Applies the user's own changes to the version that another user saved. */
 export interface Rebased {
   readonly state: EditState;
   readonly conflicts: readonly Conflict[];

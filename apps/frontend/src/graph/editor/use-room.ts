@@ -2,7 +2,7 @@ import { useLocalStorage, useMediaQuery } from '@vueuse/core';
 import { computed, ref, type ComputedRef, type Ref } from 'vue';
 import type { GraphEditor } from './graph-editor.ts';
 
-/** What there is room for beside the canvas, and what somebody has opened. */
+/** The panels that fit beside the canvas, and those that the user has opened. */
 export interface Room {
   /** A phone. */
   readonly isNarrow: Ref<boolean>;

@@ -142,7 +142,7 @@ function toTopic(
   };
 }
 
-/** A topic that nobody publishes yet: by the name typed, or for an output a name of its own. */
+/** A topic without a publisher: with the typed name, or for an output with a generated name. */
 function newTopic(
   graph: Graph,
   ref: PortRef,

@@ -14,7 +14,7 @@ export interface DemuxSamples {
   readonly preview: DemuxPreview;
   /** More would be published on than are shown. */
   readonly more: number;
-  /** Nobody is there now; the topics are made up. */
+  /** No client is connected now; the topics are samples. */
   readonly isExample: boolean;
 }
 

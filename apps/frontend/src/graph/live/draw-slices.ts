@@ -13,7 +13,7 @@ interface Pace {
 }
 
 const RESTING: Pace = { hz: 6, frameMs: 10, least: 1, most: 16, frames: 1 };
-/** Nobody reads what flies by. The first value costs a frame as much as the next ten. */
+/** Values that change faster cannot be read. The first value costs a frame as much as the next ten. */
 const MOVING: Pace = { hz: 1, frameMs: 30, least: 8, most: 16, frames: 6 };
 /** What is not in view is drawn in one round of so many, and not while the canvas is moved. */
 const ROUNDS_OUT_OF_VIEW = 3;

@@ -37,7 +37,7 @@ it('draws each topic of a graph once, with the node it comes from', () => {
   });
 });
 
-it('draws a topic while whoever writes it is seen', () => {
+it('draws a topic while the node that writes it is visible', () => {
   const written = aGraphOf([aModule('a', {}, { out: 'double' })], { 'a.out': '/last' });
   const unit = drawUnits(written).find(({ node }) => node === 'topic:/last');
   expect(unit?.shownAt).toEqual(['topic:/last', 'module:a']);

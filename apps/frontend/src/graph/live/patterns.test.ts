@@ -51,7 +51,7 @@ describe('the samples of a demuxer', () => {
     });
   });
 
-  it('are made up when nobody is there, and say what is wrong with the format', () => {
+  it('are samples when no client is connected, and report errors in the format', () => {
     expect(demuxSamples(graphOf(session), demuxer, none)).toMatchObject({
       preview: { kind: 'topics', topics: ['/identity/out'] },
       isExample: true,

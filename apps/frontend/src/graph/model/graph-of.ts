@@ -159,7 +159,7 @@ class GraphBuilder {
   #wireConstant(id: string, json: string, targets: NonNullable<NodeRecord['targets']>): void {
     for (const [nodeId, name] of targets) {
       const node = this.nodes.get(nodeId);
-      // Somebody changed the session without the editor: the session is right.
+      // Another program changed the session: use its value.
       if (node?.kind !== 'module' || node.constants.get(name) !== json) continue;
       const constants = new Map(node.constants);
       constants.delete(name);

@@ -27,7 +27,7 @@ export interface Port {
   readonly direction: 'in' | 'out';
   /** Undefined: not known, so that it may be any. */
   readonly format: DataFormat | undefined;
-  /** What the module said, also where nobody knows it. */
+  /** Definition from the session, also for an unknown module. */
   readonly formatText: string;
   /** A list of records, as muxers give and demuxers take. */
   readonly isList: boolean;

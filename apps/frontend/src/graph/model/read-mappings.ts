@@ -19,7 +19,7 @@ export type OutputTarget =
   | { readonly kind: 'topic'; readonly topic: string }
   | { readonly kind: 'demuxer'; readonly demux: TopicDemux };
 
-/** All that is mapped to one input: one source, unless somebody mapped it twice. */
+/** All mappings of one input: usually one, but a session can have several. */
 export interface InputEnds {
   readonly sources: readonly InputSource[];
   /** Empty: none. */

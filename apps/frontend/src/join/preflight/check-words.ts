@@ -143,7 +143,7 @@ export function clockCheck(probe: ChannelProbe | undefined): Check {
   };
 }
 
-/** @param arrives whether motion values came; `undefined` while nobody has waited for them */
+/** @param arrives whether motion values came; `undefined` before they were checked */
 export function sensorsCheck(
   access: MotionAccess,
   arrives: boolean | undefined,

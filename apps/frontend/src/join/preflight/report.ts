@@ -72,7 +72,7 @@ export function readReport(text: string): PreflightReport | undefined {
   }
 }
 
-/** Words of somebody else, at most so many. */
+/** Maximum length of texts from other programs. */
 function words(value: unknown): string {
   return typeof value === 'string' ? value.slice(0, 400) : '';
 }

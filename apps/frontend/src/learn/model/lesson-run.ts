@@ -1,7 +1,7 @@
 import type { LessonFacts } from './facts.ts';
 import type { Lesson, Measurement } from './lesson.ts';
 
-/** Where somebody is in a lesson. */
+/** The user's progress in a lesson. */
 export interface LessonRun {
   readonly step: number;
   /** The farthest step that was opened. */

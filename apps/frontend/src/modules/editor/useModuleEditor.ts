@@ -20,7 +20,7 @@ export interface ModuleEditor {
   readonly draft: Readonly<ShallowRef<ModuleDraft | undefined>>;
   /** As it was at the master when the draft was made; `undefined` for one never saved. */
   readonly base: Readonly<ShallowRef<ModuleDraft | undefined>>;
-  /** What somebody else made of it meanwhile, while there is a question to be answered. */
+  /** The version of another user, while a conflict is open. */
   readonly theirs: Readonly<ShallowRef<ModuleDraft | undefined>>;
   /** It is gone at the master while there is work on it here. */
   readonly isGone: Readonly<Ref<boolean>>;
@@ -102,7 +102,7 @@ export function useModuleEditor(
       const found = elements[0];
       const origin = found?.extension?.origin;
       isReadonly.value = found !== undefined && origin !== ModuleOrigin.MODULE_ORIGIN_STORED;
-      // A new module of a name somebody has: the field says so
+      // The name of a new module is in use: the field shows the error
       if (isReadonly.value && draft.value) {
         isKnown.value = true;
         isReadonly.value = false;

@@ -8,7 +8,7 @@ import { moduleEntries, type ModuleEntry } from './module-entry.ts';
 /** Files are changed by hand, and nodes come and go: nothing announces all of it. [SE-23] */
 const INTERVAL_MS = 3000;
 
-/** Every module somebody has, kept up to date while the calling scope lives. */
+/** All modules of the master and the nodes, kept up to date while the calling scope lives. */
 export interface ModuleLibrary {
   /** `undefined` until the first list. */
   readonly entries: ComputedRef<readonly ModuleEntry[] | undefined>;

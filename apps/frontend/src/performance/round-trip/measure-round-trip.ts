@@ -51,7 +51,7 @@ export async function measureRoundTrip(
   topic.onEcho((of) => {
     const atMs = run.clock.monotonicMs();
     const sent = sentMs.get(of);
-    if (sent === undefined) return; // a second time, or of somebody else
+    if (sent === undefined) return; // a duplicate, or a record of another client
     sentMs.delete(of);
     if (of < phaseFrom) return;
     returned += 1;
@@ -92,7 +92,7 @@ export async function measureRoundTrip(
       });
     });
     await keepPace(pace, seconds * 1000, publish, run);
-    // Ended by somebody: nobody waits for stragglers, so they are not called lost
+    // Stopped by the user: late records are not waited for, and do not count as lost
     const isFull = !run.signal.aborted;
     await waitUntil(() => returned >= sequence - phaseFrom, GRACE_MS, run);
     cancel();

@@ -8,7 +8,7 @@ export type RunState =
       readonly status: 'running';
       readonly kind: TestKind;
       readonly progress: Progress;
-      /** Somebody has ended it; it tidies up. */
+      /** Stopped by the user; cleans up. */
       readonly isEnding: boolean;
     }
   | { readonly status: 'done'; readonly kind: TestKind; readonly resultId: string }

@@ -47,7 +47,7 @@ export async function runSpeed(
     });
     const echo = client.subscribe(topics.echo, { format: 'double' });
     await Promise.all([duration.ready, echo.ready]);
-    // Whoever publishes first owns a topic, and what a client owns goes with it [TD-19, TD-40]
+    // The first publisher owns a topic, and its values are deleted when it leaves [TD-19, TD-40]
     for (const topic of [topics.duration, topics.echo]) {
       client.publish(topic, 'double', 0, { immediate: true });
     }
@@ -105,7 +105,7 @@ async function isRemoved(client: UbiiClient, id: string): Promise<boolean> {
     return true;
   } catch (cause) {
     if (cause instanceof ConnectionError) return false;
-    // Somebody else has removed it
+    // Another client has removed it
     if (cause instanceof ServiceError && cause.code === 'not_found') return true;
     throw cause;
   }

@@ -65,7 +65,7 @@ export function speedSession(
   };
 }
 
-/** True for a session of this test that nobody can end any more: its page is gone. */
+/** True for a session of this test whose page was closed, so that no page can stop it. */
 export function isAbandoned(
   { tags }: Pick<Session, 'tags'>,
   isThere: (clientId: string) => boolean,

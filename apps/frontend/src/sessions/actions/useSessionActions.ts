@@ -28,7 +28,7 @@ export interface SessionActions {
   update(session: Session, changes: Init<Session>): Promise<void>;
   /**
    * Removes it at once, and offers to bring it back.
-   * @param onRestored is told when somebody took that offer
+   * @param onRestored called when the user restores it
    * @returns whether it is gone
    */
   remove(session: Session, onRestored?: (session: Session) => void): Promise<boolean>;

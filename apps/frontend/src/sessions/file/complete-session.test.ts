@@ -29,7 +29,7 @@ describe('completeSession', () => {
 });
 
 describe('withPlaceholders', () => {
-  it('keeps modules that nobody has, whole and with their wires', () => {
+  it('keeps unknown modules completely, with their wires', () => {
     const { session, missing } = withPlaceholders(named(), [], uuid);
     expect(missing).toEqual(['mirror']);
     expect(session.processingModules).toEqual([]);
@@ -39,7 +39,7 @@ describe('withPlaceholders', () => {
     expect(graph.wires.size).toBe(2);
   });
 
-  it('has nothing to say when somebody has them, or the code is in the file', () => {
+  it('reports nothing when the modules are known, or the code is in the file', () => {
     expect(withPlaceholders(named(), [module], uuid).missing).toEqual([]);
     const session = aSession();
     expect(withPlaceholders(session, [], uuid)).toEqual({ session, missing: [] });

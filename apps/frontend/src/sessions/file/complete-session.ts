@@ -39,16 +39,16 @@ const isNothing = (value: unknown): boolean =>
   value === 0 ||
   (Array.isArray(value) && value.length === 0);
 
-/** A session with what nobody here can run set aside. */
+/** A session in which modules that no node can run are muted. */
 export interface WithPlaceholders {
   readonly session: Session;
-  /** Names of modules that have no code and that nobody offers, each once. */
+  /** Names of modules without code that no node offers, each once. */
   readonly missing: readonly string[];
 }
 
 /**
- * Keeps modules that nobody here knows as muted ones, whole and with their wires: a master refuses a
- * session that has to run them. [SE-4] They are put to work again when somebody has them.
+ * Mutes unknown modules and keeps them completely, with their wires: a master refuses a
+ * session that has to run them. [SE-4] They are enabled again when a node offers them.
  * @param uuid gives a new UUID
  */
 export function withPlaceholders(

@@ -1,7 +1,7 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { ServiceError, type ProcessingModule } from '@ubii/proto';
 
-/** Every module somebody here has; `undefined` when the master does not answer now. */
+/** All modules of the master and the nodes; `undefined` when the master does not answer. */
 export async function knownModules(
   client: Pick<UbiiClient, 'call'>,
 ): Promise<readonly ProcessingModule[] | undefined> {

@@ -1,7 +1,7 @@
 import { FILE_LIMITS } from './file-limits.ts';
 import { readSessionFile, refuseSize, type ReadFile } from './read-session-file.ts';
 
-/** Reads a file somebody chose or dropped, without letting the page stand still. Never rejects. */
+/** Reads a chosen or dropped file without blocking the page. Never rejects. */
 export async function openSessionFile(file: File): Promise<ReadFile> {
   const refused = refuseSize(file.name, file.size);
   if (refused) return refused;

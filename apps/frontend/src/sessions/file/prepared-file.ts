@@ -8,7 +8,7 @@ export type PreparedFile =
       readonly kind: 'ready';
       readonly name: string;
       readonly session: Session;
-      /** Names of modules nobody here has. */
+      /** Names of unknown modules. */
       readonly missing: readonly string[];
       /** What in it is not understood, one sentence each. */
       readonly doubts: readonly string[];
@@ -16,7 +16,7 @@ export type PreparedFile =
   | Extract<ReadFile, { kind: 'broken' }>;
 
 /**
- * @param library what is known here; `undefined` when nobody could be asked, so that nothing is missing
+ * @param library what is known here; `undefined` when the master did not answer, so that no module counts as missing
  */
 export function preparedFile(
   file: ReadFile,

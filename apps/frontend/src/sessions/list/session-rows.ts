@@ -27,7 +27,7 @@ export interface SessionRow {
   readonly problem: string | undefined;
   /** Topics that other sessions that run write, too. */
   readonly shared: readonly SharedTopic[];
-  /** This browser keeps changes of it that nobody has saved. */
+  /** This browser stores unsaved changes of it. */
   readonly hasDraft: boolean;
 }
 

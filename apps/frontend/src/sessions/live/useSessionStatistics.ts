@@ -23,7 +23,7 @@ export function useSessionStatistics(sessionId = '*'): Readonly<ShallowRef<Stati
         newest.set(value.sessionId, value);
         draw();
       });
-  // Those of many modules are long: none are sent to a page that nobody sees.
+  // Statistics of many modules are long: do not subscribe while the page is hidden.
   const visibility = useDocumentVisibility();
   let subscription: ReturnType<typeof subscribe> | undefined;
   const end = (): void => {

@@ -43,7 +43,7 @@ describe('a session as text', () => {
     expect(readSessionText(text)).toMatchObject({ kind: 'broken', problems: [problem] });
   });
 
-  it('names members that nobody knows, so that a slip of the pen is seen', () => {
+  it('names unknown members, so that typing errors are visible', () => {
     const text = '{\n  "name": "x",\n  "io_mappings": [\n    { "inputMapings": [] }\n  ]\n}';
     expect(readSessionText(text)).toMatchObject({
       kind: 'read',

@@ -8,7 +8,7 @@ const TEXT = '{\n  "name": "x",\n  "processingModules": [\n    { "name": "m" }\n
 const problem = {
   isError: true,
   code: 'module_unknown',
-  message: 'Nobody has "m".',
+  message: 'No node has "m".',
   path: 'processingModules[0]',
   moduleId: '',
   moduleName: 'm',
@@ -42,7 +42,7 @@ describe('useTextCheck', () => {
       });
     };
     expect(await check.submit(refuse)).toBeUndefined();
-    expect(check.problems.value).toMatchObject([{ message: 'Nobody has "m".', line: 4 }]);
+    expect(check.problems.value).toMatchObject([{ message: 'No node has "m".', line: 4 }]);
     expect(check.isTrying.value).toBe(false);
     text.value += '\n';
     await nextTick();

@@ -15,7 +15,7 @@ export function nodeHint(node: NodeInfo): string {
   return count === 0 ? kind : `${kind}, ${count} ${count === 1 ? 'module' : 'modules'}`;
 }
 
-/** The name of a node as people see it; its id when nobody knows it. */
+/** The display name of a node; its id when unknown. */
 export function nodeName(
   id: string,
   find: (id: string) => Pick<NodeInfo, 'name' | 'node'> | undefined,

@@ -104,11 +104,14 @@ describe('problems', () => {
     expect(placeOf(aSession(), 'processingModules[0].inputs[2]')).toMatchObject({ name: 'rest' });
     expect(placeOf(aSession(), 'processingModules[0]')).toBeUndefined();
     expect(placeOf(aSession(), 'ioMappings[7].inputMappings[0]')).toBeUndefined();
-    const problem = { message: 'Nobody publishes.', path: 'ioMappings[0].inputMappings[0].topic' };
+    const problem = {
+      message: 'No client publishes.',
+      path: 'ioMappings[0].inputMappings[0].topic',
+    };
     const session = aSession({ json: { extension: { problems: [problem] } } });
     const find = (side: 'input' | 'output', name: string) =>
       problemsOf(session, 'module', side, name).map(({ message }) => message);
-    expect(find('input', 'position')).toEqual(['Nobody publishes.']);
+    expect(find('input', 'position')).toEqual(['No client publishes.']);
     expect(find('input', 'mirrorX')).toEqual([]);
     expect(find('output', 'mirrored')).toEqual([]);
   });

@@ -3,7 +3,7 @@ import { formatBytes } from '../../ui/readouts/format-bytes.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 import type { Readout } from '../../ui/readouts/readout.ts';
 
-/** From this share on, somebody should know before it is met. */
+/** Share of a limit from which on it is shown as almost reached. */
 export const NEAR_SHARE = 0.8;
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);

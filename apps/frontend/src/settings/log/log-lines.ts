@@ -9,7 +9,7 @@ export interface KeptLog {
   readonly cursor: number;
   /** Oldest first. */
   readonly lines: readonly LogLine[];
-  /** Lines that nobody has any more: they came faster than they were asked for, or went here. */
+  /** Number of lines that are no longer available: dropped by the master, or removed here. */
   readonly missed: number;
 }
 

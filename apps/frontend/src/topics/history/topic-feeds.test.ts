@@ -22,7 +22,7 @@ function setUp() {
 }
 
 describe('TopicFeeds', () => {
-  it('subscribes once while anybody looks, and keeps what has come', () => {
+  it('subscribes once for all viewers, and keeps received records', () => {
     const { feeds, send, subscribed } = setUp();
     const [one, two] = [feeds.get('/a').look(), feeds.get('/a').look()];
     expect(subscribed()).toBe('/a');
@@ -35,7 +35,7 @@ describe('TopicFeeds', () => {
     expect(feeds.get('/a').history.count).toBe(1);
   });
 
-  it('knows a value that is told again when somebody looks again', () => {
+  it('recognises a retained value that is sent again for a new viewer', () => {
     const { feeds, send } = setUp();
     const timeMs = nowMs() - 5000;
     const stop = feeds.get('/a').look();

@@ -9,7 +9,7 @@ export const nowMs = (): number => performance.timeOrigin + performance.now();
 export interface FeedPorts {
   /** @returns how to end it */
   subscribe(topic: string, onRecord: (record: TopicRecord) => void): () => void;
-  /** When the newest record of a topic was published, this machine's clock; `undefined` when nobody knows. */
+  /** When the newest record of a topic was published, this machine's clock; `undefined` when unknown. */
   publishedMs(topic: string): number | undefined;
   readonly limits: HistoryLimits;
 }
@@ -18,7 +18,7 @@ export interface FeedPorts {
 export interface FeedLook {
   readonly topic: string;
   readonly history: TopicHistory;
-  /** Records come as long as anybody looks. @returns how to stop looking */
+  /** Subscribes while there are viewers. @returns a function that removes the viewer */
   look(): () => void;
 }
 
@@ -27,7 +27,7 @@ export interface FeedSource {
   get(topic: string): FeedLook;
 }
 
-/** The records of one topic while somebody looks; what has come stays while nobody does. */
+/** The records of one topic. Subscribed while there are viewers; its records are kept without viewers. */
 export class TopicFeed implements FeedLook {
   readonly topic: string;
   readonly history: TopicHistory;
@@ -101,7 +101,7 @@ export class TopicFeeds implements FeedSource {
     return feed;
   }
 
-  /** Forgets topics that nobody looks at and that are not among `topics`. */
+  /** Removes topics without viewers that are not in `topics`. */
   keepOnly(topics: ReadonlySet<string>): void {
     for (const [topic, feed] of this.#feeds) {
       if (!topics.has(topic) && !feed.isLookedAt) this.#feeds.delete(topic);

@@ -14,7 +14,7 @@ import { RecordLog, type KeptRecord } from './record-log.ts';
 import { SampleClock } from './sample-clock.ts';
 import { SeriesRing, type LinePoints } from './series-ring.ts';
 
-/** Lines of records that are listed when nobody asks for more. */
+/** Default number of listed records. */
 export const MAX_LINES = 200;
 
 /** A record as lists show it. */

@@ -61,7 +61,7 @@ export function useLayout(): LayoutStore {
       return undefined;
     }
   }
-  /** What was kept earlier cannot be told anybody: it is left out when it cannot be read. */
+  /** A stored layout that cannot be read is ignored. */
   function readKept(text: string): Layout | undefined {
     try {
       return text === '' ? undefined : readLayout(JSON.parse(text));

@@ -3,7 +3,7 @@ import type { LinePoints } from '../history/series-ring.ts';
 /** Points at the same moment are passed over, so many at most. */
 const MAX_BACK = 16;
 
-/** How fast a line changes, per second: at each point since the one before it. NaN where nobody can tell. */
+/** Returns the change of a line per second, at each point since the previous one. NaN where undefined. */
 export function derivativeOf(line: LinePoints): LinePoints {
   return {
     get size() {

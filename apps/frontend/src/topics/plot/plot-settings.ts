@@ -16,7 +16,7 @@ export interface PlotSeries {
 
 /** What a person set in a plot. */
 export interface PlotSettings {
-  /** `undefined` as long as nobody chose: the numbers of the topic itself. */
+  /** `undefined` for the default: the numbers of the topic itself. */
   readonly series: readonly PlotSeries[] | undefined;
   readonly spanMs: number | undefined;
   readonly hasNumbers: boolean;

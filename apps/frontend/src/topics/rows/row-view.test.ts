@@ -65,7 +65,7 @@ describe('rowView', () => {
       name: 'Mara',
       publisher: CLIENTS.here,
     });
-    expect(viewOf('/nobody/x', {}, '/nobody').name).toBe('nobody');
+    expect(viewOf('/unknown/x', {}, '/unknown').name).toBe('unknown');
     expect(viewOf('//x', {}, '/').name).toBe('(no name)');
   });
 

@@ -45,7 +45,7 @@ function compareText(a: string, b: string): number {
   return a < b ? -1 : a > b ? 1 : 0;
 }
 
-/** Clients that are here, then topics of nobody's name, then clients that are away. */
+/** Connected clients first, then topics without a client, then disconnected clients. */
 function rootOrder(findPublisher: FindPublisher): (a: TopicNode, b: TopicNode) => number {
   const places = new Map<TopicNode, { readonly group: number; readonly nameKey: string }>();
   const placeOf = (node: TopicNode): { readonly group: number; readonly nameKey: string } => {

@@ -26,15 +26,15 @@ describe('placeTooltip', () => {
 describe('a disabled button', () => {
   it('keeps its place and its words, says why, and does nothing', async () => {
     const button = mount(UiButton, {
-      props: { disabled: 'Nobody is connected.' },
+      props: { disabled: 'No client is connected.' },
       slots: { default: 'Send' },
     });
     await button.trigger('click');
     expect(button.emitted('click')).toBeUndefined();
     expect(button.attributes()).toMatchObject({
       'aria-disabled': 'true',
-      'aria-description': 'Nobody is connected.',
-      'data-tooltip': 'Nobody is connected.',
+      'aria-description': 'No client is connected.',
+      'data-tooltip': 'No client is connected.',
     });
     await button.setProps({ disabled: undefined });
     await button.trigger('click');

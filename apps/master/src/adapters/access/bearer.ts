@@ -1,6 +1,6 @@
 /** Nothing of ours is longer; what is, is good for nothing and not looked at. */
 const MAX_LENGTH = 1_024;
-/** Tokens and credentials are longer than any code that somebody typed. */
+/** Tokens and credentials are longer than any typed code. */
 const MIN_TOKEN_LENGTH = 40;
 
 /** What follows `Bearer`; undefined for other ways to show who one is, which are not ours. [AC-3] */

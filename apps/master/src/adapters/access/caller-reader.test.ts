@@ -66,7 +66,7 @@ describe('a caller', () => {
     expect(read(remoteAddress).standing).toBe(standing);
   });
 
-  it('of HTTP/1.0 or behind a proxy is nobody of here [AC-1] [AC-4]', () => {
+  it('with HTTP/1.0 or behind a proxy is not local [AC-1] [AC-4]', () => {
     const socket = { remoteAddress: '127.0.0.1' };
     expect(reader.read({ socket, headers: {}, httpVersion: '1.0' }).standing).toBe('other');
     expect(reader.read({ socket, headers: {}, httpVersion: '1.1' }).standing).toBe('local');
@@ -123,10 +123,10 @@ describe('a caller', () => {
     expect(behind('10.0.0.2', '192.168.1.5')).toEqual(['other', '192.168.1.5', false]);
     expect(behind('127.0.0.9', '127.0.0.1')).toEqual(['other', '127.0.0.1', false]);
     expect(behind('10.0.0.2', 'nonsense')).toEqual(['other', 'behind 10.0.0.2', false]);
-    // Nobody else speaks for others.
+    // Only trusted proxies can name a caller.
     expect(behind('10.0.0.3', '10.9.0.7')).toEqual(['other', 'behind 10.0.0.3', false]);
     expect(behind('127.0.0.1', '10.9.0.7')).toEqual(['other', 'behind 127.0.0.1', false]);
-    // A proxy that says nothing brings somebody, too; what is shown over it may come from here.
+    // A proxy without such a header forwards another caller, too.
     expect(read('10.0.0.2').standing).toBe('other');
     expect(read('127.0.0.9')).toMatchObject({ standing: 'other', isHere: true });
   });

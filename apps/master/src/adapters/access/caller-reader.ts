@@ -34,10 +34,10 @@ export interface CallerReaderOptions {
   readonly owners: Pick<PeerOwners, 'isOperators'>;
 }
 
-/** Where somebody is, without what the request says of pages and tokens. */
+/** The place of a caller, without pages and tokens of the request. */
 type Whereabouts = Pick<CallerFacts, 'standing' | 'isHere'> & {
   readonly address: string | undefined;
-  /** Somebody at the address passed the request on, and it is not known for whom. */
+  /** A proxy at the address forwarded the request of an unknown caller. */
   readonly isUnknown?: boolean;
 };
 
@@ -53,7 +53,7 @@ export class CallerReader {
     const { address, standing, isHere, isUnknown } = this.#whereaboutsOf(request);
     const bearer = bearerOf(request.headers.authorization);
     const place = placeOf(address);
-    // Strangers behind somebody use up nothing of who is at that place.
+    // Strangers behind a proxy do not use the quota of the caller at that address.
     if (isUnknown === true) return { standing, isHere, place: `behind ${place}`, bearer };
     return { standing, isHere, place, address, bearer };
   }
@@ -84,7 +84,7 @@ export class CallerReader {
     return isLegacy ? { ...elsewhere, standing: 'network' } : elsewhere;
   }
 
-  /** Of this machine, nobody in between: what counts then is the page. [AC-2] [AC-40] */
+  /** On this machine, without a proxy: the page decides. [AC-2] [AC-40] */
   #localStanding(headers: IncomingHttpHeaders): CallerStanding {
     const { policy, loopback } = this.#options;
     const page = policy.pageOf(headers);

@@ -78,7 +78,7 @@ describe('whom a trusted proxy speaks for', () => {
     ['203.0.113.7 10.0.0.2', undefined],
     ['localhost', undefined],
     ['', undefined],
-    // Nobody but proxies.
+    // Only proxies.
     ['10.0.0.3, 10.0.0.2', undefined],
     [Array(40).fill('10.0.0.3').join(','), undefined],
   ])('X-Forwarded-For: %s is %s [AC-41]', (list, caller) => {
@@ -96,7 +96,7 @@ describe('whom a trusted proxy speaks for', () => {
     expect(callerBehind({ forwarded }, isTrusted)).toBe(caller);
   });
 
-  it('is nobody when two headers say so, one of which may be the stranger’s own [AC-41]', () => {
+  it('is undefined with two headers, because the caller may have set one of them [AC-41]', () => {
     const headers = { forwarded: 'for=10.1.1.1', 'x-forwarded-for': '203.0.113.7' };
     expect(callerBehind(headers, isTrusted)).toBeUndefined();
     expect(callerBehind({ via: '1.1 proxy' }, isTrusted)).toBeUndefined();

@@ -4,7 +4,7 @@ import { isIP } from 'node:net';
 import { plainAddress } from '../network/address-kinds.ts';
 
 /**
- * Headers by which proxies and tunnels say that they pass on the request of somebody else, by what their
+ * Headers with which proxies and tunnels mark forwarded requests, by what their
  * names have in common: new ones follow the habit. Those of browsers and programs are none of them. [AC-1]
  */
 // eslint-disable-next-line no-restricted-syntax -- alternatives of words, without repetitions
@@ -27,20 +27,20 @@ const FORWARDING = new RegExp(
   ].join('|'),
 );
 
-/** Addresses in a chain beyond which nobody is looked for. */
+/** Maximum number of addresses in a chain. */
 const MAX_HOPS = 32;
 
-/** Whether a header says that somebody passes this request on. */
+/** True when a header marks the request as forwarded. */
 export function isPassedOn(headers: IncomingHttpHeaders): boolean {
   for (const name in headers) if (FORWARDING.test(name)) return true;
   return false;
 }
 
 /**
- * For whom a trusted proxy speaks: the last address of its chain that is no trusted proxy's itself.
- * What stands before that was written by whoever it is. [AC-41]
+ * Returns the caller behind a trusted proxy: the last address of the chain that is not a trusted proxy.
+ * Addresses before it were set by that caller. [AC-41]
  *
- * @returns undefined when it does not say, or says it in a way that could mean somebody else
+ * @returns undefined when the header is missing or ambiguous
  */
 export function callerBehind(
   headers: IncomingHttpHeaders,

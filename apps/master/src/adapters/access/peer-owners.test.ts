@@ -30,7 +30,7 @@ describe.skipIf(endianness() !== 'LE')('whose program a connection comes from [A
     expect(owners(row(ends, 0)).isOperators(peer(address))).toBe(false);
   });
 
-  it('is nobody’s when the other end is not there, or left alone', () => {
+  it('is undefined when the other end does not exist or was closed', () => {
     const other = row(V4.replace('AA74', 'AA75'), 1000);
     const ours = row(V4.split(' ').reverse().join(' '), 1000);
     expect(owners([other, ours].join('\n')).isOperators(peer('127.0.0.1'))).toBe(false);

@@ -19,8 +19,8 @@ export interface OwnerSource {
 }
 
 /**
- * Tells whose program on this machine a connection comes from: of the operator's user, or of another one
- * (a proxy, another person), who is a stranger. Linux tells it; elsewhere nobody can. [AC-1]
+ * Finds the user of the program that opened a local connection: the operator's user, or another one
+ * (a proxy, another person), who is a stranger. Available on Linux only. [AC-1]
  */
 export class PeerOwners {
   readonly #source: OwnerSource;
@@ -52,7 +52,7 @@ export class PeerOwners {
   }
 }
 
-/** Whose the other end is; undefined when nobody has it open any more. */
+/** Returns the user of the other end; undefined when no process has it open any more. */
 function ownerOf(socket: PeerSocket, tables: readonly string[]): number | undefined {
   const { remoteAddress, remotePort = 0, localAddress, localPort = 0 } = socket;
   if (remoteAddress === undefined || localAddress === undefined) return undefined;
@@ -71,7 +71,7 @@ function ownerOf(socket: PeerSocket, tables: readonly string[]): number | undefi
         .slice(at + end.length, table.indexOf('\n', at))
         .trim()
         .split(/\s+/);
-      // A socket without an inode is nobody's any more, and is said to be the first user's.
+      // A socket without an inode has no owner any more, but the system reports user 0.
       if (inode !== undefined && inode !== '0') return Number(user);
     }
   }

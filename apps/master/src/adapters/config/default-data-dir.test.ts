@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 
 import { defaultDataDir } from './default-data-dir.ts';
 
-describe('the data directory when nobody chose one', () => {
+describe('the default data directory', () => {
   it.each([
     ['linux', {}, '/home/ada/.local/share/ubi-interact'],
     ['linux', { XDG_DATA_HOME: '/data' }, '/data/ubi-interact'],

@@ -42,7 +42,7 @@ it('[EX-50] tells neither where keys lie nor whose home it is', () => {
   expect(Object.values(told).join(' ')).not.toContain(HOME);
 });
 
-it('[EX-50] tells what somebody set, and what it runs on', () => {
+it('[EX-50] describes the options that are set, and the machine', () => {
   const { elements, runtime } = describeConfig(resolveConfig(['--port', '0'], {}, HOME), HOME);
   expect(elements!.filter(({ given }) => given).map(({ flag }) => flag)).toEqual(['--port']);
   expect(runtime).toContain(process.version);

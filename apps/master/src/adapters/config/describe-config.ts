@@ -7,7 +7,7 @@ import { flagName } from './option-names.ts';
 
 /** What the program does in place of running. */
 const NO_SETTINGS: ReadonlySet<OptionName> = new Set(['help', 'version']);
-/** Where keys lie is nobody's business. */
+/** Paths of keys are not shown. */
 const SECRET: ReadonlySet<OptionName> = new Set(['tlsKey']);
 
 /**

@@ -6,7 +6,7 @@ import type { Config, Option, OptionName } from '../../config.ts';
 import { ConfigError } from './config-error.ts';
 import { environmentName, flagName } from './option-names.ts';
 
-/** A text that somebody set, where it was set, and the folder relative paths in it are relative to. */
+/** The text of an option that is set, its place, and the base folder of relative paths. */
 interface Given {
   readonly text: string;
   readonly place: string;

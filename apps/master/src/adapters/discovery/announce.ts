@@ -42,7 +42,7 @@ export function announce(parts: AnnounceParts): AnnouncedMaster {
   });
 }
 
-/** IPv4 addresses in real networks: nobody looks for a master in those of containers and tunnels. */
+/** IPv4 addresses of physical networks. Containers and tunnels are left out. */
 export function announcedAddresses({ networkAddresses }: Reachability): readonly string[] {
   return networkAddresses
     .filter(({ kind }) => kind !== MasterAddressKind.VIRTUAL)

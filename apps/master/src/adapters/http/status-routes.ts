@@ -12,7 +12,7 @@ export interface StatusOptions {
   readonly edgeMetrics: () => MasterMetrics;
 }
 
-/** `/health` for whoever watches that the master runs, `/metrics` for Prometheus. */
+/** `/health` for health checks, `/metrics` for Prometheus. */
 export function addStatus(app: FastifyInstance, options: StatusOptions): void {
   const { master, callers, name, version, edgeMetrics } = options;
   const roleOf = (request: FastifyRequest): Role => master.roleOf(callers.read(request.raw));
@@ -23,7 +23,7 @@ export function addStatus(app: FastifyInstance, options: StatusOptions): void {
       version,
       uptimeSeconds: Math.round(process.uptime()),
     };
-    // That somebody is there is what a stranger may know. [AC-5]
+    // A stranger may only learn that the master runs. [AC-5]
     const isStranger = roleOf(request) === 'none';
     return reply
       .header('cache-control', 'no-store')

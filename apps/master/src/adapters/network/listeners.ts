@@ -43,7 +43,7 @@ const REQUEST_TIMEOUT_MS = 600_000;
 export interface WantedPorts {
   readonly main: number;
   readonly legacy: LegacyPorts | undefined;
-  /** Somebody asked for the legacy ports: one that cannot be had is an error, not a warning. */
+  /** The legacy ports were requested: an unavailable port is an error, not a warning. */
   readonly legacyWished: boolean;
 }
 

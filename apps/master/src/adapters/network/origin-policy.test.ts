@@ -114,7 +114,7 @@ describe('[SV-8] origins', () => {
   it('asks pages without a name for a token, whatever is configured [AC-46]', () => {
     for (const policy of [loopback, onLan, configured])
       expect(verdict(policy, 'null')).toBe('nameless');
-    // Such a name is not let through by the configuration; it would be nobody's here either.
+    // The configuration refuses such a name; it has no owner here either.
     const fromFiles = new OriginPolicy({
       isOnLan: () => false,
       host: 'null',
@@ -157,7 +157,7 @@ describe('whose a page is, on this machine', () => {
     [{ 'sec-fetch-site': 'cross-site' }, 'foreign'],
     [{ origin: 'https://lab.example' }, 'named'],
     [{ origin: 'http://192.168.1.50' }, 'named'],
-    // Named, but anybody in the network can make these mean themselves.
+    // Configured, but any machine in the network can claim these names.
     [{ origin: 'http://lab.example' }, 'foreign'],
     [{ origin: 'http://box.local' }, 'foreign'],
     [{ origin: 'https://evil.example' }, 'foreign'],
@@ -185,12 +185,12 @@ describe('[SV-8] host names, against re-binding', () => {
     'pc.lan',
     'x.home.arpa',
     'localhost.',
-  ])('accepts what nobody else can own: %s', (host) =>
+  ])('accepts a name that no other machine can own: %s', (host) =>
     expect(verdict(loopback, undefined, host)).toBe('same-origin'),
   );
 
   it.each(['evil.example', 'evil.example:8080', 'local.evil.example', '127.0.0.1.nip.example'])(
-    'refuses what somebody could bind to this machine: %s',
+    'refuses a name that an attacker could bind to this machine: %s',
     (host) => {
       expect(verdict(loopback, `http://${host}`, host)).toBe('refused');
       expect(verdict(onLan, undefined, host)).toBe('refused');

@@ -22,7 +22,7 @@ export type OriginVerdict =
   | { readonly kind: 'nameless'; readonly reason: string }
   | { readonly kind: 'refused'; readonly reason: string };
 
-/** Whose a page is, for a request of this machine: its own, one the operator named, somebody else's. */
+/** Owner of a page, for a request of this machine: this master, a configured origin, or another one. */
 export type PageKind = 'own' | 'named' | 'foreign';
 
 const NAMELESS =
@@ -38,7 +38,7 @@ const NAMELESS =
 export class OriginPolicy {
   readonly #options: OriginPolicyOptions;
   readonly #patterns: readonly RegExp[];
-  /** Those that name somebody. */
+  /** The origins with a name. */
   readonly #named: readonly RegExp[];
   /** Every page may call, those without a name as well. */
   readonly #isOpen: boolean;
@@ -74,8 +74,8 @@ export class OriginPolicy {
   }
 
   /**
-   * Whose page sends a request that comes from this machine: its own or a program's, one that the operator
-   * named, or somebody else's. Only what nobody else can make mean this machine counts: loopback names,
+   * Returns the owner of the page of a local request: this master or a program, an origin that the operator
+   * named, or another one. Only names that no other machine can claim are trusted: loopback names,
    * and loopback and own addresses. Other names, of the master and of pages, do not. [AC-1] [AC-2]
    */
   pageOf(headers: {
@@ -93,7 +93,7 @@ export class OriginPolicy {
     if (!/^https?:\/\//.test(origin)) return 'foreign';
     const name = hostNameOf(origin.replace(/^https?:\/\//, ''));
     if (this.#isOwnHost(name)) return 'own';
-    // A name over HTTP is whoever the network says it is.
+    // Over HTTP, the network decides which machine a name means.
     const isProven = origin.startsWith('https:') || isIpAddress(name);
     return isProven && this.#isNamed(origin) ? 'named' : 'foreign';
   }
@@ -124,8 +124,8 @@ export class OriginPolicy {
   }
 
   /**
-   * Addresses cannot be re-bound. Of names, those that nobody can register in the public name
-   * system are harmless; another one must be configured.
+   * Addresses cannot be re-bound. Names that cannot be registered in the public name
+   * system are safe; other names must be configured.
    */
   #isOurHost(host: string): boolean {
     const name = hostNameOf(host);

@@ -11,7 +11,7 @@ function guarded() {
   return { guard: new FaultGuard(log, () => (givenUp += 1)), lines, timesGivenUp: () => givenUp };
 }
 
-describe('errors nobody caught', () => {
+describe('uncaught errors', () => {
   it('are logged with their stack and do not end the process', () => {
     const { guard, lines, timesGivenUp } = guarded();
     guard.handle('uncaught error', new Error('oh'), 0);

@@ -5,7 +5,7 @@ const MAX_FAULTS = 10;
 const WINDOW_MS = 10_000;
 
 /**
- * Keeps the process alive after an error nobody caught. That is safe here: every way into the core
+ * Keeps the process alive after an uncaught error. This is safe here: every way into the core
  * catches what goes wrong in it, so what arrives here broke off one connection or one request, and
  * state of others is not half changed. Errors that keep coming end the process in good order.
  */

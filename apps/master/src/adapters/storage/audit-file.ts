@@ -14,7 +14,7 @@ export interface AuditFileParts {
   readonly log: Log;
 }
 
-/** Lines in two files that take turns, for nobody but the operator to read [EX-92]. */
+/** Lines in two alternating files, readable by the operator only [EX-92]. */
 export class AuditFile implements AuditStore {
   readonly #parts: AuditFileParts;
   readonly #current: string;
@@ -79,7 +79,7 @@ export class AuditFile implements AuditStore {
       this.#lineCount += lines.length;
     } catch (error) {
       this.#lost += lines.length;
-      // How much of it is there nobody knows: the next line begins anew.
+      // It is not known how much was written: start the next line with a line break.
       this.#isCutOff = true;
       this.#parts.log.warn('entries of the audit log were not kept', {
         entries: this.#lost,

@@ -56,7 +56,7 @@ describe('a folder of documents', () => {
     store.close();
   });
 
-  it('is made again when somebody removed it', async () => {
+  it('is created again after it was removed', async () => {
     const folder = newFolder();
     const store = new FileDocuments(folder, '.session');
     rmSync(folder, { recursive: true });

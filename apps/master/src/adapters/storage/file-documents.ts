@@ -33,7 +33,7 @@ export class FileDocuments implements DocumentStore {
   /**
    * @param folder made when it is missing
    * @param extension of its files, with the dot
-   * @param isSecret nobody but the owner of the process reads folder and files. Default: no
+   * @param isSecret only the owner of the process can read folder and files. Default: false
    */
   constructor(folder: string, extension: string, isSecret = false) {
     this.#folder = folder;
@@ -119,7 +119,7 @@ export class FileDocuments implements DocumentStore {
         .filter((name) => name.endsWith(this.#extension) && !name.startsWith('.'))
         .sort();
     } catch {
-      // Somebody removed the folder: nothing is stored, until something is.
+      // The folder was removed: there are no documents until the next write.
       return [];
     }
   }

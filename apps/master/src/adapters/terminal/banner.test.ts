@@ -18,7 +18,7 @@ const facts = {
 } as const;
 
 describe('what the terminal shows', () => {
-  it('says how to let phones in while nobody else can reach the master', () => {
+  it('explains how to allow phones while other machines cannot reach the master', () => {
     const reachability = describeReachability('localhost', ports, []);
     const text = formatBanner({ ...facts, reachability });
     expect(text).toContain('http://localhost:8080');

@@ -40,7 +40,7 @@ export function bestPhoneUrl({ networkAddresses }: Reachability): string | undef
   return (real ?? networkAddresses[0])?.url;
 }
 
-/** What a phone opens to join: the token stands where nothing is sent to anybody. [AC-11] */
+/** The link that a phone opens to join. The token is in the fragment, which browsers do not send. [AC-11] */
 export function joinUrl(origin: string, token: string): string {
   return `${origin}/join#${token}`;
 }

@@ -11,7 +11,7 @@ import type { Issued } from './issue-certificates.ts';
 
 export interface CertificatesOptions {
   readonly dataDir: string;
-  /** Files of a certificate somebody else issued; then none is made. */
+  /** Files of a certificate of another issuer; the master then issues none. */
   readonly own: CertificateFiles | undefined;
   /** Host names and addresses this machine has now. */
   readonly names: () => readonly string[];

@@ -36,7 +36,7 @@ const LEAF_DAYS = 397;
 /** Clocks of phones differ. */
 const EARLIER_DAYS = 1;
 
-/** Names nobody can register in the public name system. */
+/** Names that cannot be registered in the public name system. */
 const LOCAL_NAMES = ['localhost', 'local', 'lan', 'internal', 'home.arpa'];
 /** Loopback, RFC 1918, RFC 6598 (carrier and overlay networks), RFC 3927, RFC 4193, RFC 4291. */
 const LOCAL_NETWORKS = [

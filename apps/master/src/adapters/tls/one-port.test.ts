@@ -130,7 +130,7 @@ describe('one port', () => {
     socket.destroy();
   });
 
-  it('shows a certificate that nobody trusts who was not told to', async () => {
+  it('uses a certificate that clients trust only after its authority was installed', async () => {
     await expect(secure('/', '')).rejects.toThrow(/self-signed|unable to/);
     expect(await plain('/after')).toContain('/after');
   });
@@ -155,7 +155,7 @@ describe('one port', () => {
     expect(seen).toContain('127.0.0.2');
   });
 
-  it('lets nobody who hangs up or talks nonsense disturb others', async () => {
+  it('is not disturbed by clients that disconnect or send invalid data', async () => {
     for (const text of ['', '\x16', '\x16\x03\x01\x00\x05hello', '\x00\x00', 'GET']) {
       await new Promise<void>((resolve) => {
         const socket = connect(port, '127.0.0.1', () => socket.end(Buffer.from(text, 'latin1')));

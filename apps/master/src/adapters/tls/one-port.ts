@@ -14,7 +14,7 @@ const HANDSHAKE_TIMEOUT_MS = 10_000;
 type Serve = (socket: Socket) => void;
 
 /**
- * Gives HTTP servers TLS on the same port: whoever begins with a handshake gets one, everybody else is
+ * Adds TLS to HTTP servers on the same port: connections that begin with a handshake use TLS, others are
  * answered as before. One certificate that was accepted covers pages, services and topic data.
  */
 export class OnePort {
@@ -46,14 +46,14 @@ export class OnePort {
       ALPNProtocols: ['http/1.1'],
     });
     tlsServer.on('secureConnection', serve);
-    // A phone that does not trust the certificate hangs up; so do scanners. Nobody else is hit.
+    // Phones that do not trust the certificate, and scanners, close the connection. Others are not affected.
     tlsServer.on('tlsClientError', (_error, socket) => socket.destroy());
     this.#tlsServers.push(tlsServer);
     server.removeAllListeners('connection');
     server.on('connection', (socket: Socket) => this.#look(socket, tlsServer, serve));
   }
 
-  /** Cuts whoever is connected and silent. */
+  /** Closes connections that send nothing. */
   cut(): void {
     for (const socket of this.#silent) socket.destroy();
   }

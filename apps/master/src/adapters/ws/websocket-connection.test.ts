@@ -48,7 +48,7 @@ async function openPair(): Promise<ConnectionPair> {
   };
 }
 
-/** What a client sees, kept until somebody asks. */
+/** Messages that a client receives, stored until they are read. */
 class Inbox {
   readonly #seen: Seen[] = [];
   #wake: () => void = () => {};

@@ -189,7 +189,7 @@ function here(grant: Grant | undefined, isHere: boolean): Grant | undefined {
   return grant?.hereOnly === true && !isHere ? undefined : grant;
 }
 
-/** Whether somebody more may join with a grant [AC-18]. */
+/** True when another client may join with the grant [AC-18]. */
 export function isUsedUp({ maxJoins, joins }: Grant): boolean {
   return maxJoins > 0 && joins >= maxJoins;
 }

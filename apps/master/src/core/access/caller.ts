@@ -60,7 +60,7 @@ export function accessOf(caller: Caller, expiresMs: number): ClientAccess {
   }
 }
 
-/** With which grant somebody makes things; empty for who needs none [AC-90]. */
+/** Id of the grant with which a caller creates objects; empty for callers that need none [AC-90]. */
 export function makerOf(caller: Caller): string {
   return caller.kind === 'client' && !caller.grant.hereOnly ? caller.grant.id : '';
 }

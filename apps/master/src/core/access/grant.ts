@@ -16,7 +16,7 @@ export interface GrantSpec {
   readonly writeTopics: readonly string[];
   /** The master made it itself, for its terminal [AC-19]. */
   readonly isTerminal: boolean;
-  /** Nobody can use it, its credentials included, but from the master's own machine [AC-43]. */
+  /** The grant and its credentials are valid only on the master's machine [AC-43]. */
   readonly hereOnly: boolean;
   /** The grant of who made it, with which it ends; empty for the operator's [AC-93]. */
   readonly madeWith: string;
@@ -36,7 +36,7 @@ export interface Grant extends GrantSpec {
   joins: number;
   /** The end of the last of its credentials; 0 when it gave none. */
   credentialsEndMs: number;
-  /** Nobody joins with it from then on: its own end, or that of the run of the master it was for. */
+  /** End of joining with the grant: its expiry, or the end of the master's run that it was for. */
   closedMs: number;
   /** Who has joined with it may stay until then [AC-91]. */
   staysUntilMs: number;

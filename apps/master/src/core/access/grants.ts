@@ -21,7 +21,7 @@ export interface GrantsContext {
   readonly log: Log;
 }
 
-/** A grant with its secrets, which nobody can be told again [AC-11]. */
+/** A grant with its secrets, which cannot be read again later [AC-11]. */
 export interface NewGrant {
   readonly grant: Grant;
   readonly token: string;
@@ -78,7 +78,7 @@ export class Grants {
    * Makes a grant; it is kept when the promise is fulfilled [AC-19].
    *
    * @param staysUntilMs end of those who join, epoch milliseconds; its own end when that is later [AC-91]
-   * @returns with its secrets, which nobody can be told again [AC-11]
+   * @returns the grant with its secrets, which cannot be read again later [AC-11]
    * @throws ServiceError when there is no room
    */
   async create(spec: GrantSpec, staysUntilMs = spec.expiresMs): Promise<NewGrant> {
@@ -156,7 +156,7 @@ export class Grants {
   }
 
   /**
-   * Nobody joins with what earlier terminals showed to others any more; what nobody joined with goes
+   * Disables joining with the codes of earlier terminals, and removes those without a joined client
    * [AC-19].
    */
   async closeTerminals(): Promise<void> {
@@ -179,8 +179,8 @@ export class Grants {
   }
 
   /**
-   * Somebody was given a credential, and `hasJoined` when it was not there before. A number of joins that
-   * is limited is kept when the promise is fulfilled: after a crash, nobody joins twice [AC-18].
+   * Counts a credential; `hasJoined`: the client is new. A number of joins that
+   * is limited is stored when the promise is fulfilled, so that a code is not used again after a crash [AC-18].
    */
   async count(grant: Grant, endMs: number, hasJoined: boolean): Promise<void> {
     if (hasJoined) grant.joins++;
@@ -240,7 +240,7 @@ export class Grants {
     if (this.#byCode.get(grant.code) === grant) this.#byCode.delete(grant.code);
   }
 
-  /** Lets go of one that serves nobody any more, the oldest of them [AC-10]. */
+  /** Removes the oldest grant that no client uses any more [AC-10]. */
   async #makeRoom(): Promise<boolean> {
     const nowMs = this.#context.clock.nowMs();
     const idle = this.list().filter(

@@ -17,7 +17,7 @@ function world() {
     new LimitWatch(DEFAULT_LIMITS, clock, log, new EventLog(clock, log, DEFAULT_LIMITS)),
   );
   let looked = 0;
-  /** Somebody tries a wrong code. @returns whether it was looked at */
+  /** Tries a wrong code. @returns whether the code was checked */
   const tryWrong = (place: string, address?: string): boolean => {
     const source = { place, address };
     if (!guesses.mayTry(source)) return false;
@@ -36,7 +36,7 @@ function world() {
 }
 
 describe('the pace of wrong codes [AC-17]', () => {
-  it('lets somebody in at once who shares the address of ten wrong codes a second', () => {
+  it('accepts a valid code at once from the address of ten wrong codes per second', () => {
     const { guesses, tryWrong, during } = world();
     let refused = 0;
     during(600, 10, () => {

@@ -25,7 +25,7 @@ interface Guesser {
 }
 
 /**
- * Limits how fast wrong codes are found to be wrong, so that nobody finds a right one by trying, and a
+ * Limits the rate of wrong codes, so that an attacker cannot guess a valid code, and a
  * right one is hardly ever kept waiting: each address, each IPv6 network and all together have a pace;
  * half of the last is for places that were not wrong before, the other half is shared by the others. A
  * right code costs nothing. [AC-17]

@@ -10,7 +10,7 @@ export function createJoinCode(secrets: AccessSecrets): string {
   return `${letters.slice(0, 4).join('')}-${letters.slice(4).join('')}`;
 }
 
-/** A code as somebody typed it, in the one way it is kept; undefined when it can be none. */
+/** Normalises a typed code; undefined for a text that is not a code. */
 export function readJoinCode(typed: string): string | undefined {
   if (typed.length > 4 * LENGTH) return undefined;
   const code = typed

@@ -10,7 +10,7 @@ interface Sentence {
 
 const HOW = 'Scan the QR code of this master, or type its code on its page /join.';
 
-/** What somebody is told who is not let in [AC-12]. */
+/** Messages for callers that cannot join [AC-12]. */
 const SENTENCES: { readonly [P in JoinProblem]?: Sentence } = {
   [JoinProblem.JOIN_PROBLEM_MISSING]: {
     code: 'unauthenticated',
@@ -40,7 +40,7 @@ const SENTENCES: { readonly [P in JoinProblem]?: Sentence } = {
   },
 };
 
-/** Why somebody is not let in, in words and for programs. */
+/** Returns the error of a refused join, with a message and a code. */
 export function joinRefusal(problem: JoinProblem): ServiceError {
   const { code, message } = SENTENCES[problem] ?? SENTENCES[JoinProblem.JOIN_PROBLEM_MISSING]!;
   return new ServiceError(code, message, {
@@ -52,7 +52,7 @@ export function joinRefusal(problem: JoinProblem): ServiceError {
   });
 }
 
-/** Somebody is let in, but not to this [AC-21]. `message` says what it takes. */
+/** Returns the error of a joined caller without the right for a service [AC-21]. `message` names the right. */
 export function roleRefusal(message: string): ServiceError {
   return new ServiceError('permission_denied', message, {
     details: { joinProblem: JoinProblem.JOIN_PROBLEM_ROLE },

@@ -110,7 +110,7 @@ export const SOCKET_RIGHTS = {
   },
 } as const satisfies Readonly<Record<string, SocketRight>>;
 
-/** Whether somebody with this role may call the service, for itself [AC-21]. */
+/** True when a caller with this role may call the service for itself [AC-21]. */
 export function mayCallService(name: ServiceName, role: Role): boolean {
   const { roles } = SERVICE_RIGHTS[name];
   return roles === 'anyone' || roles.some((allowed) => allowed === role);

@@ -1,9 +1,9 @@
 import { AccessRole } from '@ubii/proto';
 
-/** What somebody may do, in one word; `none` is a stranger [AC-20]. */
+/** The role of a caller; `none` for a caller that has not joined [AC-20]. */
 export type Role = 'none' | 'admin' | 'participant' | 'player' | 'viewer';
 
-/** A role that somebody can be given. */
+/** A role that an invitation can give. */
 export type GivenRole = Exclude<Role, 'none'>;
 
 const WIRE: { readonly [R in Role]: AccessRole } = {
@@ -26,7 +26,7 @@ export function givenRole(wire: number): GivenRole | undefined {
   return GIVEN.find((role) => WIRE[role] === wire);
 }
 
-/** True for a word that is a role somebody can be given. */
+/** True for a role that an invitation can give. */
 export function isGivenRole(word: unknown): word is GivenRole {
   return GIVEN.some((role) => role === word);
 }

@@ -6,7 +6,7 @@ export interface ServiceRight {
   readonly roles: readonly GivenRole[] | 'anyone';
   /** Its request names the client that asks, which has to be the caller [AC-22]. */
   readonly actsForClient: boolean;
-  /** It changes something for others, and whoever calls it is written down [EX-90]. */
+  /** The service affects other clients, so that its calls are audited [EX-90]. */
   readonly audited: boolean;
 }
 

@@ -14,7 +14,7 @@ const CALLERS_OF_ONE_WAY = 8;
 const DEFAULT_COUNT = 100;
 const MOST_COUNT = 500;
 
-/** What somebody did: an entry but for what the log itself knows. */
+/** An entry without the members that the log adds. */
 export type AuditNote = Omit<AuditEntry, 'number' | 'timeMs' | 'leftOut'>;
 
 /** What an audit log works with. */
@@ -48,7 +48,7 @@ export class AuditLog {
     }
   }
 
-  /** Writes down what somebody did, unless there is too much of this caller, or of its invitation [EX-94]. */
+  /** Adds an entry, unless the caller or its invitation exceeds the rate limit [EX-94]. */
   add(note: AuditNote): void {
     const { clock, limits, audit } = this.#context;
     const { auditEntriesPerSecond: perSecond } = limits;

@@ -47,7 +47,7 @@ export class OverloadChecks {
     const { settings, load, clients, nodes, sessions } = this.#context;
     if (settings.checks === 'off') return;
     const { latest: usage, processors } = load();
-    // Who waits for a processor that other programs have is busy, and yet nobody's work takes its time.
+    // A master that waits for a processor used by other programs is busy, but no client causes the load.
     const workPercent = Math.min(usage.busyPercent, usage.cpuPercent);
     const modules = loadsOf(sessions());
     const found = new Map<string, FoundProblem>([

@@ -170,7 +170,7 @@ export class ClientRegistry {
     this.#context.info.announceClient(client);
   }
 
-  /** Removes a client because somebody wants it gone; it is told why, now or when it comes back [EX-30]. */
+  /** Removes a client at the request of an admin. The client gets the reason, now or when it reconnects [EX-30]. */
   dismiss(client: Client, why: string, code: number = CLOSE.disconnected.code): void {
     const reason = closeReason(why);
     this.#context.dismissals.add(client.id, { code, reason });
@@ -223,7 +223,7 @@ export class ClientRegistry {
   /** Takes over what the client says of itself, if there is room for it. */
   #describe(client: Client, message: ClientMessage): void {
     const described = specOf(message);
-    // What somebody renamed keeps that name until it says another one itself. [EX-29]
+    // A renamed client keeps the name until it sends another name itself. [EX-29]
     const isSameName = described.name === client.ownName;
     const spec = isSameName ? { ...described, name: client.spec.name } : described;
     const growth = sizeOf(spec) - (this.#clients.has(client.id) ? sizeOf(client.spec) : 0);
@@ -273,7 +273,7 @@ export class ClientRegistry {
     account.add(RESOURCE.registrationBytes, -account.used(RESOURCE.registrationBytes));
     account.add(RESOURCE.clients, -1);
     accounts.close(account);
-    // Of one that somebody removed, that is told instead.
+    // A client removed by an admin is announced as such.
     const isDismissed = this.#context.dismissals.of(client.id) !== undefined;
     if (event === 'deregistered' && !isDismissed) {
       events.add(StatusEventKind.CLIENT_LEFT, `${client.label} left`, client.id);

@@ -15,7 +15,7 @@ export type ClientEvent =
   | 'lost'
   /** Unavailable for too long [CL-14]. */
   | 'expired'
-  /** It, or somebody for it, deregistered [CL-16]. */
+  /** The client deregistered, or another client deregistered it [CL-16]. */
   | 'deregistered';
 
 /** Every legal move; what is not here changes nothing. */

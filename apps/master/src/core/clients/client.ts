@@ -55,7 +55,7 @@ export class Client implements PublishingClient {
   /** Grows with every change of its devices, and of what it says of itself [EX-74]. */
   registrationRevision = 0;
   spec: ClientSpec;
-  /** The name it said it has; `spec` has another one when somebody renamed it [EX-29]. */
+  /** The name that the client sent; `spec` has another name when an admin renamed the client [EX-29]. */
   ownName: string;
   /** Name and version of its library; empty when it does not say. */
   library = '';

@@ -1,13 +1,13 @@
 /** Clients remembered: more than can be removed by hand while one is away. */
 const MAX_REMEMBERED = 1_000;
 
-/** What a client is told that somebody removed: a close code and why. */
+/** Close code and reason for a removed client. */
 export interface Dismissal {
   readonly code: number;
   readonly reason: string;
 }
 
-/** Clients that somebody removed, with what they are told when they come to a socket again [EX-30]. */
+/** Removed clients, with the reason that they get when they open a socket again [EX-30]. */
 export class Dismissals {
   readonly #reasons = new Map<string, Dismissal>();
 
@@ -21,12 +21,12 @@ export class Dismissals {
     }
   }
 
-  /** Why this client was removed; undefined when nobody removed it. */
+  /** The reason why this client was removed; undefined when it was not removed. */
   of(clientId: string): Dismissal | undefined {
     return this.#reasons.get(clientId);
   }
 
-  /** It registers anew: somebody asked it to. */
+  /** The client registers again at the request of its user. */
   forget(clientId: string): void {
     this.#reasons.delete(clientId);
   }

@@ -40,7 +40,7 @@ export class SocketAdmission {
     return this.#open;
   }
 
-  /** Why whoever asks for this socket is not to be given one [AC-27]. */
+  /** Returns the reason to refuse a socket [AC-27]. */
   refuse({ clientId = '', token = '' }: ConnectionQuery, caller: CallerFacts): string | undefined {
     return this.#context.access.refuseSocket(caller, clientId, token)?.message;
   }

@@ -3,9 +3,9 @@ export interface Throttle {
   readonly recordsPerSecond: number;
   /** Made, and to be lifted, by the policy of the master [EX-48]. */
   readonly byPolicy: boolean;
-  /** Name of who asked for it; empty when nobody said so. */
+  /** Name of the client that requested it; empty when unknown. */
   readonly byName: string;
-  /** Why; empty when nobody said so. */
+  /** The reason; empty when none was given. */
   readonly reason: string;
   /** Epoch milliseconds. */
   readonly sinceMs: number;

@@ -30,8 +30,8 @@ interface Level {
 }
 
 /**
- * Every connection to any port, from its first moment. Whoever has joined, and this machine, find room
- * however many strangers come: these are closed first, those of the address with most of them before
+ * All connections to all ports. Joined callers and local callers get a connection,
+ * however many strangers connect: these are closed first, those of the address with most of them before
  * others. [AC-60] [AC-61] [AC-62]
  */
 export class Connections {

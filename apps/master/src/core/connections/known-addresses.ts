@@ -3,7 +3,7 @@ import type { Clock } from '../ports/clock.ts';
 /** Addresses remembered; those of the longest ago go first. */
 const MOST = 4_096;
 
-/** Addresses from which somebody who has joined called of late. */
+/** Addresses with recent requests of joined callers. */
 export class KnownAddresses {
   readonly #clock: Clock;
   readonly #keptMs: number;

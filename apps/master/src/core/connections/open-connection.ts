@@ -11,7 +11,7 @@ export interface TransportPeer {
 
 /**
  * What is known of a connection: `local`, of this machine; `stranger`, nothing; `known`, from an address
- * where somebody has joined; `member`, a request on it came from somebody who has joined; `socket`, it
+ * with a joined caller; `member`, with a request of a joined caller; `socket`, it
  * is the WebSocket of a client.
  */
 export type ConnectionKind = 'local' | 'stranger' | 'known' | 'member' | 'socket';

@@ -42,9 +42,9 @@ export class DeviceRegistry {
   readonly #context: DeviceContext;
   readonly #devices = new Map<string, Registered>();
   readonly #componentIds = new Set<string>();
-  /** Components that publish, by topic; made when somebody asks. */
+  /** Components that publish, by topic; created on first use. */
   #byTopic: Map<string, Component[]> | undefined = undefined;
-  /** Clients with a component that subscribes, by its topic; made when somebody asks. */
+  /** Clients with a component that subscribes, by its topic; created on first use. */
   #inputsByTopic: Map<string, Set<string>> | undefined = undefined;
 
   constructor(context: DeviceContext) {
@@ -89,7 +89,7 @@ export class DeviceRegistry {
   /**
    * Registers a device of this client, or replaces it.
    * @returns the device with its ids, and the topics whose retained record a watcher is owed.
-   * @throws ServiceError when the id is somebody else's, or there would be too much.
+   * @throws ServiceError when the id belongs to another client, or a limit would be exceeded.
    */
   register(client: Client, message: Device): { device: Device; owed: TopicEntry[] } {
     const before = this.#devices.get(message.id);
@@ -227,7 +227,7 @@ export class DeviceRegistry {
     for (const { topic, ioType } of device.components) {
       const entry = ioType === ComponentIOType.SUBSCRIBER ? undefined : topics.get(topic);
       if (entry === undefined || entry.isMasters) continue;
-      // Nobody ends the values of others by naming their topic in a device.
+      // A client cannot delete values of other publishers by naming their topic in a device.
       if (entry.owner === undefined || entry.owner === client) topics.deleteValue(entry);
     }
   }

@@ -10,7 +10,7 @@ export interface FileNewsContext {
   readonly events: EventLog;
 }
 
-/** Names documents that cannot be read, when the master starts and whenever somebody changes them by hand [SE-23]. */
+/** Names documents that cannot be read, when the master starts and when their files change [SE-23]. */
 export class FileNews {
   readonly #context: FileNewsContext;
   readonly #stores: readonly Pick<StoredMessages<never>, 'store' | 'broken'>[];

@@ -68,8 +68,8 @@ export class ModuleHistory {
   }
 
   /**
-   * A module became another one [EX-41]. Never rejects: what a history lacks must not keep anybody from saving.
-   * @param before What it was; undefined when it is new, or when nobody knows.
+   * Adds a version of a changed module [EX-41]. Never rejects: an incomplete history must not prevent saving.
+   * @param before The module before the change; undefined when it is new or not known.
    */
   record(
     key: HistoryKey,

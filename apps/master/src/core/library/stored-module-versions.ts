@@ -5,7 +5,7 @@ import type { StoredMessages } from './stored-messages.ts';
 
 type StoredModules = StoredMessages<'ubii.processing.ProcessingModule'>;
 
-/** Gives stored modules a version when somebody changed their file, now or while no master ran [EX-41]. */
+/** Adds a version to stored modules whose file has changed, also while no master ran [EX-41]. */
 export function watchModuleFiles(history: ModuleHistory, stored: StoredModules): Cancel {
   let known = modulesByName(stored);
   for (const [name, module] of known) {

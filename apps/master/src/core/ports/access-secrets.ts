@@ -5,8 +5,8 @@ export interface AccessSecrets {
   /** `count` random numbers from 0 to `below - 1`, each as likely as the others. */
   numbers(count: number, below: number): readonly number[];
   /**
-   * A keyed hash of a secret, the same in later runs: what is kept in its place, and looked up by. Nobody
-   * without the key can choose a hash, so that comparing hashes tells nothing about a secret.
+   * A keyed hash of a secret, the same in later runs: stored and looked up instead of the secret. A caller
+   * without the key cannot choose a hash, so that comparing hashes reveals nothing about a secret.
    */
   fingerprint(secret: string): string;
   /** The proof that this text was written here, also by an earlier run of the master. */

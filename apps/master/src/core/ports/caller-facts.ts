@@ -9,7 +9,7 @@ export type CallerStanding = 'trusted' | 'local' | 'network' | 'other';
 export interface CallerFacts {
   readonly standing: CallerStanding;
   /**
-   * The connection comes from this machine with nobody in between, whatever page or name it is for: what
+   * The connection comes from this machine without a proxy, whatever page or name it is for: what
    * is only good here may be shown over it [AC-43].
    */
   readonly isHere: boolean;

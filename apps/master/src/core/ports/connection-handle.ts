@@ -7,7 +7,7 @@ export interface ConnectionHandle {
   handleReadStart(): void;
   /** All messages of the input that has arrived were handed over. */
   handleReadEnd(): void;
-  /** A binary message. `bytes` are handed over, with the memory they lie in: nobody writes to it any more. */
+  /** A binary message. Takes over `bytes` and their buffer: the caller must not modify them any more. */
   handleBinary(bytes: Uint8Array): void;
   /** A text message. */
   handleText(text: string): void;

@@ -14,7 +14,7 @@ export interface DocumentStore {
   describe(key: string): string;
   /**
    * Writes a document as a whole or not at all. It counts when the promise is fulfilled.
-   * @param key Any text. Nobody else's document has it unless `documents` says so.
+   * @param key Any text. Must be unique, unless `documents` says otherwise.
    */
   write(key: string, json: JsonObject): Promise<void>;
   /** Deletes a document. One that is not there is deleted already. */

@@ -3,7 +3,7 @@ export type LogFields = Readonly<Record<string, string | number | boolean | unde
 
 /** Structured log. Nothing is logged per record. */
 export interface Log {
-  /** Something broke that should not, and somebody has to look. */
+  /** An unexpected error that an operator has to check. */
   error(message: string, fields?: LogFields): void;
   /** Something was refused or is going wrong; the master goes on. */
   warn(message: string, fields?: LogFields): void;

@@ -141,7 +141,7 @@ describe('the master as a node', () => {
     expect(await world.take()).toEqual(['start a']);
   });
 
-  it('ends what nobody wants any more as soon as it is made', async () => {
+  it('ends an instance that is not wanted any more as soon as it is created', async () => {
     const world = setup();
     world.node.sync('s', [spec('first')], false);
     await world.take();
@@ -184,7 +184,7 @@ describe('the master as a node', () => {
     hooks.onStatus('a', PROCESSING);
     hooks.onStatus('a', DESTROYED, FAULT);
     expect(world.reports).toEqual(['failed a: no luck', 'started a', 'failed a: no luck']);
-    // Nothing of it changed, but somebody wants it anew.
+    // The module has not changed, but is requested again.
     world.node.retry('a');
     world.node.sync('s', [spec('a')], false);
     expect(await world.take()).toEqual(['destroy a', 'create a', 'start a']);

@@ -167,7 +167,7 @@ export class LocalNode {
       return;
     }
     instance.have = want;
-    // Nobody wants it any more: the next step ends it.
+    // The instance is not wanted any more: the next step ends it.
     if (instance.want === undefined) return;
     if (!want.isPaused) runtime.start(instance.id);
     this.#reports.onStarted(instance.id);

@@ -235,7 +235,7 @@ class ListeningReceiver implements Receiver {
   }
 }
 
-/** A record of the core. Its device is looked for only when somebody asks, which few do. */
+/** A record of the core. Its device is looked up on request, because few modules need it. */
 class LocalRecord implements EncodedRecord {
   readonly topic: string;
   readonly bytes: Uint8Array;

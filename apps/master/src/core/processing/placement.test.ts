@@ -49,8 +49,8 @@ describe('the master chooses for a module [SE-30]', () => {
     ['itself, when it has the code', code, [tab, python, master], 'master'],
     ['a node that accepts work, when there is code', code, [python, tab], 'tab'],
     ['any client that offers it', offered, [tab, master, python], 'python'],
-    ['nobody, when nobody can', offered, [tab, master], undefined],
-    ['nobody who is away', offered, [{ ...dedicated, isAvailable: false }], undefined],
+    ['no node, when no node can', offered, [tab, master], undefined],
+    ['no unavailable node', offered, [{ ...dedicated, isAvailable: false }], undefined],
     [
       'no node of ours that accepts no work',
       code,
@@ -58,7 +58,7 @@ describe('the master chooses for a module [SE-30]', () => {
       undefined,
     ],
     [
-      'nobody for code of another language',
+      'no node for code of another language',
       moduleOf({ ...code, language: 1 }),
       [master],
       undefined,

@@ -35,7 +35,7 @@ function leastLoaded(nodes: readonly Node[], loadOf: (node: Node) => number): No
   return nodes.reduce((best, node) => (share(node) < share(best) ? node : best));
 }
 
-/** Clients of the original might run what they do not list, but nobody would bet on it. */
+/** Existing clients may run modules that they do not list, but this is not reliable. */
 function surely(node: Node, module: ProcessingModule): boolean {
   return node.extension !== undefined || hasIt(node, module);
 }

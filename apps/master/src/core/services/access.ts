@@ -73,7 +73,7 @@ export const revokeGrant: ServiceHandler = async (core, request) => {
   if (grant === undefined) {
     throw new ServiceError('not_found', `No invitation has the id ${quote(grantId)}.`);
   }
-  // It counts at once, written or not; nobody comes in between.
+  // Revoke at once, before the change is written, so that no request comes in between.
   const told = { code: CLOSE.revoked.code, reason: byCaller(core, clientId, reason) };
   const isHandedOver = work === RevokedWork.REVOKED_WORK_HAND_OVER;
   await Promise.all(

@@ -18,7 +18,7 @@ export type AuditSubject = string | undefined;
 
 /**
  * What an audited request is about, looked up before it is done: what is removed has no name afterwards.
- * @returns undefined when nobody writes down this service or this caller [EX-90]
+ * @returns undefined when this service or this caller is not audited [EX-90]
  */
 export function auditSubject(core: Core, request: ServiceRequest, caller: Caller): AuditSubject {
   const name = serviceByTopic(request.topic);
@@ -36,7 +36,7 @@ export function writeAudit(
   object: string,
   error: string,
 ): void {
-  // Who needs no credential may say who it is; nobody else's word counts. [AC-22]
+  // Only callers that need no credential may name their client. [AC-22]
   const id = caller.kind === 'client' ? caller.clientId : callerId(request);
   const client = core.clients.get(id);
   const grant = caller.kind === 'client' ? caller.grant : undefined;

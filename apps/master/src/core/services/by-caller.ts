@@ -7,5 +7,5 @@ export function nameOfCaller({ clients }: Core, clientId: string): string {
 
 /** Who asked for something and why, for the person it affects: `by Ada: the event is over`. */
 export function byCaller(core: Core, clientId: string, reason: string): string {
-  return `by ${nameOfCaller(core, clientId) || 'somebody'}${reason === '' ? '' : `: ${reason}`}`;
+  return `by ${nameOfCaller(core, clientId) || 'an admin'}${reason === '' ? '' : `: ${reason}`}`;
 }

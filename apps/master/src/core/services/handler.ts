@@ -8,7 +8,7 @@ export interface ServiceCall {
   readonly caller: Caller;
   /** Where wrong codes of this caller are counted [AC-17]. */
   readonly place: string;
-  /** The caller is on this machine, with nobody in between [AC-43]. */
+  /** True when the caller is on this machine, without a proxy in between [AC-43]. */
   readonly isHere: boolean;
   /** Its address, where `place` is a network. */
   readonly address: string | undefined;

@@ -108,9 +108,9 @@ function report(
   const unknown: string[] = [];
   for (const { id, nodeId } of requireElements(core, request.processingModuleList!.elements)) {
     const found = core.processing.sessions.findModule(id);
-    // Whoever leaves its own id out means itself.
+    // Without an id, the caller means itself.
     const named = nodeId || (found?.module.nodeId ?? '');
-    // Whoever joined speaks for itself alone. [AC-22]
+    // A joined client can only report for itself. [AC-22]
     const reporter = caller.kind === 'client' ? caller.clientId : named;
     if (!core.processing.handleReport(reporter, id, isRunning)) unknown.push(id);
   }

@@ -14,7 +14,7 @@ import { replayAfterReply } from './replay-after-reply.ts';
 interface Given {
   readonly grant: Grant;
   readonly expiresMs: number;
-  /** Somebody more has joined [AC-18]. */
+  /** Another client has joined [AC-18]. */
   readonly hasJoined: boolean;
 }
 
@@ -34,7 +34,7 @@ export const registerClient: ServiceHandler = async (core, request, call) => {
     }
     if (given !== undefined) {
       await access.grants.count(given.grant, given.expiresMs, given.hasJoined);
-      // Somebody took the leave back while it was written.
+      // An admin revoked the invitation while it was written.
       if (client.status === 'removed') throw removedMeanwhile();
     }
   } catch (error) {
@@ -47,7 +47,7 @@ export const registerClient: ServiceHandler = async (core, request, call) => {
   return { client: replyOf(core, client, isResumed) };
 };
 
-/** With a credential, nobody comes back as another client than that of the credential [AC-23]. */
+/** A caller with a credential can only resume the client of the credential [AC-23]. */
 function asClientOf(caller: Caller, message: ClientMessage): ClientMessage {
   if (caller.kind !== 'client' || caller.clientId === message.id) return message;
   return { ...message, id: '' };

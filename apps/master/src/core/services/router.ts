@@ -62,7 +62,7 @@ export function refuse(core: Core, thrown: unknown, call?: Call): ServiceAnswer 
   };
 }
 
-/** Handles a request, and writes down how it ended when somebody is to know [EX-90]. */
+/** Handles a request, and writes its result to the audit log if the service is audited [EX-90]. */
 async function audited(core: Core, request: ServiceRequest, call: Call): Promise<ServiceAnswer> {
   const subject = auditSubject(core, request, call.caller);
   if (subject === undefined) return handle(core, request, call);

@@ -44,7 +44,7 @@ const code = {
 };
 
 describe('a module of a session', () => {
-  it('keeps its id, when it is a UUID nobody uses, and gets one else [SE-1]', () => {
+  it('keeps an id that is an unused UUID, and otherwise gets a new one [SE-1]', () => {
     const { modules } = complete({
       processingModules: [{ id: UUID }, { id: UUID }, { id: 'mine' }, {}],
     });

@@ -10,7 +10,7 @@ import type { DraftModule } from './draft.ts';
 import { errorProblem } from './problems.ts';
 import { quote } from '../topics/topic-names.ts';
 
-/** A module as somebody has it, for what a request leaves out. */
+/** The definition of a module that completes a request. */
 export interface ModuleOffer {
   readonly module: ProcessingModule;
   /** It came with the program or from the operator's folder [PM-51]. */
@@ -79,7 +79,7 @@ function completeModule(
   };
 }
 
-/** Whoever sends back what it got does not thereby ask for the node the master chose [SE-30]. */
+/** A client that sends back a session does not request the node that the master chose [SE-30]. */
 function wishedNode(given: ProcessingModule, context: CompletionContext): string {
   const nodeId = context.nodeId(given.nodeId);
   const placed = context.placed?.(given.id);

@@ -242,7 +242,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
       masterId,
     );
   }
-  /** Nobody speaks for modules of others. */
+  /** Ignores reports about modules of other nodes. */
   function reportFailed(
     nodeId: string,
     moduleId: string,

@@ -6,13 +6,13 @@ export interface DraftModule {
   spec: ProcessingModule;
   /** Its one mapping [SE-2]. */
   mapping: IOMapping;
-  /** The node somebody asked for; empty when the master is to choose. */
+  /** The node that the session names; empty when the master chooses. */
   wishedNodeId: string;
   /** Where it stands in the request, such as `processingModules[0]`. */
   readonly path: string;
   /** Where its mapping stands in the request; the place it would have, when there is none. */
   mappingPath: string;
-  /** The source is the library's own: nobody has to look at it [PM-64]. */
+  /** The source is from the library, so that it needs no check [PM-64]. */
   isLibraryCode: boolean;
 }
 

@@ -50,7 +50,7 @@ export class NodeReports {
   /** An event of a module, from whichever node [SE-51]. */
   handleEvent(nodeId: string, event: ModuleEvent): void {
     const found = this.#context.table.findModule(event.moduleId);
-    // Nobody speaks for modules of others.
+    // Ignore reports about modules of other nodes.
     if (found === undefined || found.module.nodeId !== nodeId) return;
     this.#context.news.publishEvent({
       ...cutTexts('ubii.extension.ModuleEvent', event, this.#context.limits),
@@ -66,7 +66,7 @@ export class NodeReports {
     for (const topic of topics) {
       if (!client.recordBudget.take(1, clock.monotonicMs())) return;
       const entry = table.get(topic);
-      // Nobody ends topics of others.
+      // A node cannot delete values of other publishers.
       if (entry?.owner === client) table.deleteValue(entry);
     }
   }

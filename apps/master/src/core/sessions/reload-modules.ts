@@ -17,8 +17,8 @@ export interface ReloadContext {
 }
 
 /**
- * Lets sessions go on with a stored module that was saved, or whose file was changed: those that have
- * it as it was. What somebody changed in the session itself stays. [SE-26]
+ * Updates the sessions that have the previous version of a stored module, after it was saved or its file
+ * was changed. Changes made in the session itself stay. [SE-26]
  */
 export class ModuleReload {
   readonly #context: ReloadContext;
@@ -79,7 +79,7 @@ export class ModuleReload {
       for (const { module } of users) this.#behind.delete(module.id);
       if (session.troubles.delete(key)) this.#context.news.announceChange(session);
     } catch (error) {
-      // Gone meanwhile: nobody is left to be told
+      // Removed meanwhile: there is no session to notify
       if (!(error instanceof ServiceError) || error.code === 'not_found') return;
       for (const { module, was } of users) this.#behind.set(module.id, was);
       const problem = warningProblem({

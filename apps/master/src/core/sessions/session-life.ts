@@ -44,7 +44,7 @@ export function stopSession(context: LifeContext, session: Session): void {
   session.stoppingSinceMs = context.clock.monotonicMs();
   session.troubles.clear();
   for (const module of session.modules) {
-    // Nobody waits for its node any more.
+    // The session does not wait for the node any more.
     if (module.phase === 'away') module.problem = undefined;
     module.phase = isThere(context, module) ? 'ending' : 'idle';
   }
@@ -54,7 +54,7 @@ export function stopSession(context: LifeContext, session: Session): void {
   evaluate(context, session);
 }
 
-/** Whether somebody has an instance of it, or may be making one: else nobody is waited for. */
+/** True when a node has or creates an instance of the module, so that the session must wait for it. */
 function isThere({ nodes, local }: LifeContext, module: SessionModule): boolean {
   if (module.nodeId === nodes.masterId) return local.isBusyWith(module.id);
   const isGiven = module.phase === 'waiting' || module.phase === 'running';

@@ -28,7 +28,7 @@ export class SessionModule {
   /** Complete; `nodeId` is that of the node it was given to last. */
   spec: ProcessingModule;
   mapping: IOMapping;
-  /** The node somebody asked for; empty when the master chooses. */
+  /** The node that the session names; empty when the master chooses. */
   wishedNodeId: string;
   /** The source is the library's own [PM-51]. */
   isTrusted: boolean;

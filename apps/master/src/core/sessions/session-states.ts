@@ -6,16 +6,16 @@ export type SessionLife =
 
 /** What can happen to a session. */
 export type SessionEvent =
-  /** Somebody starts it. */
+  /** A client starts it. */
   | 'start'
   /** All its modules run. */
   | 'all run'
   /** Some of its modules run, and the others will not or not yet. */
   | 'some run'
-  /** Somebody holds it [SE-14]. */
+  /** A client pauses it [SE-14]. */
   | 'pause'
   | 'resume'
-  /** Somebody stops it, or none of its modules could be started. */
+  /** A client stops it, or none of its modules could be started. */
   | 'stop'
   /** All its modules have ended, or are no longer waited for. */
   | 'all ended';

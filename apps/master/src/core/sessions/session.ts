@@ -29,7 +29,7 @@ export class Session {
   readonly troubles = new Map<string, SessionProblem>();
   /** All its modules ran at once since it was started: `/info/session/running` was published. */
   wasRunning = false;
-  /** It was started with the master, and by nobody since: only people stop it [SE-24]. */
+  /** The master started it at startup, and no user since. Only users stop it [SE-24]. */
   isRestored = false;
   /** When it was told to stop, monotonic milliseconds. */
   stoppingSinceMs: number | undefined = undefined;

@@ -55,7 +55,7 @@ export function updateSession(context: LifeContext, session: Session, draft: Ses
   syncLocal(context, session);
 }
 
-/** It runs where it ran: nobody asks for another node. */
+/** The module stays on its node: the request names no other node. */
 function staysPut(module: SessionModule, old: SessionModule): boolean {
   return (
     (old.isPlaced || old.phase === 'away') &&

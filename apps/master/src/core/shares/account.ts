@@ -19,7 +19,7 @@ export interface AccountParts {
 }
 
 /**
- * What somebody uses of each scarce resource [AC-80]. What is added to an account is added to its invitation,
+ * The usage of each limited resource by one client [AC-80]. Usage of an account is also added to its invitation,
  * its class and the whole. Adding is cheap enough for each record: some additions of numbers.
  */
 export class Account {
@@ -30,7 +30,7 @@ export class Account {
   #max: Float64Array;
   readonly #untilFilled: Float64Array | undefined;
   readonly #used = new Float64Array(RESOURCES.length);
-  /** Until when nobody is looked for again who could make room, by resource; monotonic milliseconds. */
+  /** Time of the next search for a client that could free resources, by resource; monotonic milliseconds. */
   readonly barrenUntilMs = new Float64Array(RESOURCES.length).fill(Number.NEGATIVE_INFINITY);
 
   constructor({ kind, id, label = id, parent, max, untilFilled }: AccountParts) {

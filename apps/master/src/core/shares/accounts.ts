@@ -7,7 +7,7 @@ import { describeShortage, limitOf, type Shortage } from './shortage.ts';
 import { RESOURCE_INFO, RESOURCES, type Resource } from './resources.ts';
 import { CLASS_SHARES, type ShareClass } from './share-classes.ts';
 
-/** After nobody was found who could make room, that is believed for this long, milliseconds. */
+/** Time until the next search for a client that could free resources, after a search without a result, milliseconds. */
 const BARREN_MS = 500;
 
 /** Who is to be given an account: how a client came in. */
@@ -126,7 +126,7 @@ export class Accounts {
     if (level === undefined) return undefined;
     const shortage = { account, resource, level };
     const nowMs = this.#context.clock.monotonicMs();
-    // What one client uses itself, nobody else can give back.
+    // Resources of one client cannot be freed by another client.
     if (level === account) return shortage;
     const { barrenUntilMs } = level.kind === 'invitation' ? level : classOf(account);
     if (nowMs < barrenUntilMs[resource]!) return shortage;

@@ -6,7 +6,7 @@ export interface Charged {
   payer: Account | undefined;
 }
 
-/** From now on this account pays for it; undefined: nobody, because it is gone. */
+/** Charges this account from now on; undefined: no account, because the object was removed. */
 export function charge(charged: Charged, resource: Resource, payer: Account | undefined): void {
   if (charged.payer === payer) return;
   charged.payer?.add(resource, -1);

@@ -18,7 +18,7 @@ const LEVELS: Readonly<Record<LevelName, LogLevel>> = {
 
 const LEFT_OUT = 'lines of the log were left out: more came than logBytesPerSecond';
 
-/** What must not be shown to whoever may read the log [EX-39]. */
+/** Text that readers of the log must not see [EX-39]. */
 const SECRET_NAME = /token|key|passw|secret|cookie|authorization/i;
 const SECRET_PARAMETER =
   /\b([\w-]*(?:token|key|passw\w*|secret|cookie|authorization))(=|: ?)[^\s&"',;)]+/gi;

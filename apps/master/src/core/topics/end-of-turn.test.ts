@@ -26,7 +26,7 @@ describe('the end of a turn', () => {
     endOfTurn.beginRead(sender);
     touch('first');
     endOfTurn.endRead();
-    expect(flushed).toEqual([]); // Nobody knows yet that it is alone.
+    expect(flushed).toEqual([]); // The collector does not know yet that only one client sends.
     clock.endTurn();
 
     endOfTurn.beginRead(sender);

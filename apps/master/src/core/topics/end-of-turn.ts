@@ -8,7 +8,7 @@ export interface Flushable {
 
 /**
  * Collects who was given records in this turn of the event loop, and flushes them when it ends [TD-30].
- * While one client is the only one that sends, its turn is over when its input was read: nobody else has
+ * While only one client sends, its turn ends when its input has been read: no other client has
  * anything to add, and waiting for the loop to come round would only add to everybody's latency.
  */
 export class EndOfTurn {

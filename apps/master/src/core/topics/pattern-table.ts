@@ -23,7 +23,7 @@ export interface PatternContext {
   readonly onOverdrawn: (subscriber: Subscriber) => void;
 }
 
-/** Every regular expression somebody subscribed to, each once, with the topics it matches [TD-22]. */
+/** All regular expressions with a subscription, each once, and the topics that they match [TD-22]. */
 export class PatternTable implements TopicMatching {
   readonly #context: PatternContext;
   readonly #patterns = new Map<string, Pattern>();

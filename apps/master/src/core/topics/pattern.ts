@@ -24,7 +24,7 @@ export class Pattern {
     this.#meansExtensions = source.startsWith('^/ubii/') || source.startsWith('/ubii/');
   }
 
-  /** Time that tests took and nobody was charged for yet, milliseconds. */
+  /** Time of tests that is not charged to a client yet, milliseconds. */
   unchargedMs = 0;
 
   /** A cheap look that rules out most topics. */

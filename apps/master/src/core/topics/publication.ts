@@ -13,7 +13,7 @@ export interface PublishedCounts {
   bytesCaused: number;
 }
 
-/** A client as somebody who publishes. */
+/** A client as a publisher. */
 export interface PublishingClient extends TopicOwner {
   readonly recordBudget: TokenBucket;
   readonly byteBudget: TokenBucket;
@@ -36,7 +36,7 @@ export class Publication {
   /** Undefined: the master itself. */
   client: PublishingClient | undefined = undefined;
   topic = '';
-  /** The message with the encoded record. Nobody writes to it any more. */
+  /** The message with the encoded record. It is not modified any more. */
   frame: Uint8Array = new Uint8Array(0);
   start = 0;
   end = 0;

@@ -104,7 +104,7 @@ function checkRetainedBytes(
   if (entry?.isKept === true) return checkAdoption(context, publication);
   const growth = publication.byteLength - (entry?.record?.byteLength ?? 0);
   if (growth <= 0) return undefined;
-  // What is on the topic of somebody else counts for that one.
+  // A record on a topic of another client is charged to the owner of the topic.
   const account = entry?.owner?.account ?? client!.account;
   const resource = RESOURCE.retainedBytes;
   if (account.shortage(resource, growth) === undefined) return undefined;

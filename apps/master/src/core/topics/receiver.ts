@@ -1,6 +1,6 @@
 import type { TopicEntry } from './topic-entry.ts';
 
-/** Whoever gets the records of one subscriber. */
+/** Receives the records of one subscriber. */
 export interface Receiver {
   /** A record was published, and is in `entry` now. The hot path. */
   deliver(entry: TopicEntry, record: Uint8Array, isEvent: boolean): void;

@@ -6,7 +6,7 @@ async function createPair(maxRateHz: number) {
   const ada = await master.legacy('ada');
   const ben = await master.legacy('ben');
   await ben.subscribe({ subscribeTopics: ['/a', '/b'], maxRateHz });
-  // Whoever is silent for long is gone; here nobody is.
+  // Advance in small steps, so that no client is removed for being silent.
   const advance = (durationMs: number): void => {
     for (let rest = durationMs; rest > 0; rest -= 1000) {
       master.clock.advance(Math.min(rest, 1000));

@@ -3,7 +3,7 @@ import { ComponentSelection, selectionKey } from './component-selection.ts';
 import type { TopicEntry } from './topic-entry.ts';
 import type { TopicMatching } from './topic-table.ts';
 
-/** Every component profile somebody subscribed to, with the topics it selects [TD-27]. */
+/** All component profiles with a subscription, and the topics that they select [TD-27]. */
 export class SelectionTable implements TopicMatching {
   readonly #selections = new Map<string, ComponentSelection>();
   readonly #byTopic = new Map<string, Set<ComponentSelection>>();

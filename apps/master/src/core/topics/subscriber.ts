@@ -8,7 +8,7 @@ import type { Sampler } from './sampler.ts';
 import type { TokenBucket } from './token-bucket.ts';
 import type { TopicEntry } from './topic-entry.ts';
 
-/** Somebody who subscribes: a client, or a module on the master. */
+/** A subscriber: a client, or a module on the master. */
 export interface Subscriber {
   readonly clientId: string;
   /** Gets topics under /ubii/, and retained records for patterns and profiles [TD-24] [TD-26]. */
@@ -29,7 +29,7 @@ export interface Subscriber {
   readonly watchers: Set<string>;
 }
 
-/** One client as somebody who subscribes: its subscriptions stand without a socket [TD-20]. */
+/** A client as a subscriber. Its subscriptions stay while it has no socket [TD-20]. */
 export interface ClientSubscriber extends Subscriber {
   readonly outbox: Outbox;
   readonly sampler: Sampler;

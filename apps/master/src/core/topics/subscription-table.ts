@@ -255,7 +255,7 @@ export class SubscriptionTable {
     if (isUnknown) accounts.require(subscriber.account, RESOURCE.patterns, 1);
   }
 
-  /** One client has only so many, whoever pays for them. */
+  /** Limit for one client, independent of the account that is charged. */
   #requireOwn({ account }: Subscriber, resource: Resource, used: number): void {
     if (used < account.max(resource)) return;
     throw this.#context.accounts.refusal({ account, resource, level: account, used });

@@ -5,7 +5,7 @@ import type { Pattern } from './pattern.ts';
 import type { Subscriber } from './subscriber.ts';
 import type { Targets } from './targets.ts';
 
-/** Whoever published on a topic while it held no value [TD-19]. */
+/** The publisher that owns the topic: the first one on a topic without a value [TD-19]. */
 export interface TopicOwner {
   readonly id: string;
   readonly ownedTopics: Set<TopicEntry>;

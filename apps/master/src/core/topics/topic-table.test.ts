@@ -97,7 +97,7 @@ describe('TopicTable', () => {
     const second = changesSince(first.next);
     expect(second).toMatchObject({ topics: ['/a'], removed: ['/b'], isReset: false });
     expect(changesSince(second.next)).toMatchObject({ topics: [], removed: [] });
-    // Somebody else reads at another pace.
+    // Another reader has an older cursor.
     expect(changesSince(first.next)).toMatchObject({ topics: ['/a'], removed: ['/b'] });
   });
 

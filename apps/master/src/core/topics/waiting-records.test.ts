@@ -63,7 +63,7 @@ describe('WaitingRecords', () => {
     expect(takeAll()).toEqual(['/a 1', '/a 3']);
   });
 
-  it('lets topics take turns, so that many events starve nobody', () => {
+  it('alternates between topics, so that many events of one topic do not delay other topics', () => {
     const { event, state, takeAll } = createQueue();
     event(A, 1);
     event(A, 2);

@@ -3,7 +3,7 @@ import type { AccessSecrets } from '../../core/ports/access-secrets.ts';
 
 /** What the core relies on. @param create twice the same key, when `key` is the same */
 export function accessSecretsSuite(create: (key: number) => AccessSecrets): void {
-  it('makes tokens that nobody guesses, each another one', () => {
+  it('creates unique tokens that cannot be guessed', () => {
     const secrets = create(1);
     const tokens = new Set(Array.from({ length: 100 }, () => secrets.token()));
     expect(tokens.size).toBe(100);

@@ -4,7 +4,7 @@ import type { DocumentStore } from '../../core/ports/document-store.ts';
 /** A store, with hands that change its documents from outside. */
 export interface StoreParts {
   readonly store: DocumentStore;
-  /** Somebody writes this text, or removes the document; resolves when the store knows. */
+  /** Another program writes this text, or removes the document. Resolves when the store has noticed. */
   readonly edit: (key: string, text: string | undefined) => Promise<void>;
   /** Another store over the same documents, as the next run of the master has. */
   readonly reopen: () => DocumentStore;
@@ -100,7 +100,7 @@ export function documentStoreSuite(name: string, open: () => StoreParts): void {
       expect(parts.store.documents().get('broken')).toEqual({ json: { n: 2 } });
     });
 
-    it('tells nothing of what it wrote itself, and nobody after it is closed', async () => {
+    it('does not report its own writes, or any change after it is closed', async () => {
       const told: string[] = [];
       const cancel = parts.store.onChange((keys) => told.push(...keys));
       await parts.store.write('own', { n: 1 });

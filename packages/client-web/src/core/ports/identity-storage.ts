@@ -2,7 +2,7 @@ import type { Identity } from '../identity.ts';
 
 /** Keeps one identity, so that a program or a page comes back as the same client. */
 export interface IdentityStorage {
-  /** The identity kept, if there is one and nobody else is using it. Called once, at the first connect. */
+  /** Returns the stored identity, unless another client uses it. Called once, at the first connect. */
   load(): Identity | undefined | Promise<Identity | undefined>;
   /** Keeps `identity` in place of the earlier one; `undefined` forgets it. */
   save(identity: Identity | undefined): void;

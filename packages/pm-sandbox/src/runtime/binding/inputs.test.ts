@@ -353,7 +353,7 @@ describe('[PM-43] the identity of an element', () => {
     [`/x/${UUID_A}/${UUID_B}`, UUID_A],
     [`/${UUID_B}`, UUID_B],
     ['/no/id', '/no/id'],
-  ])('is deduced from the topic %s when nobody is known to have published', async (topic, id) => {
+  ])('is deduced from the topic %s when the publisher is unknown', async (topic, id) => {
     const world = createWorld();
     await world.begin(oneInput({ topicGlob: '**' }));
     world.topics.put(topic, 'double', 1, '');

@@ -29,7 +29,7 @@ export class FrequencyDriver implements ModeDriver, TurnTask {
     this.stop();
     // The nearest one: between the first two runs there is at least half an interval.
     this.#next = Math.round(this.#host.monotonicMs() / this.#intervalMs);
-    // A run of another mode may be under way; that is nobody's overrun.
+    // A run of another mode may be in progress; this does not count as an overrun.
     if (this.#host.isBusy) this.#wait();
     else this.#handleDue();
   }

@@ -13,7 +13,7 @@ describe('loopPosition', () => {
     ['async (a, b = {}) => {\n  do {\n  } while (true);\n}', 2],
     ['() => {\n  // for (;;)\n  const text = "while (1)";\n  /* do */\n  while (1);\n}', 5],
     ['({\n  go(a) {\n    for (;;) ;\n  }\n}).go', 3],
-    // Two loops: nobody knows which.
+    // With two loops, the position is unknown.
     ['() => {\n  for (const a of []) {}\n  while (1) {}\n}', 1],
     ['() => {\n  const format = 1;\n  state.do(format);\n}', 1],
     ['x', 1],

@@ -298,7 +298,7 @@ export function prelude(
     configurable: true,
   });
 
-  // Shared memory is shared with nobody here.
+  // There is no other thread to share memory with.
   Reflect.deleteProperty(globalThis, 'SharedArrayBuffer');
 
   return {

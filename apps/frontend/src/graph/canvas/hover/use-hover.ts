@@ -4,7 +4,7 @@ import { hoverTarget, isSameTarget, type HoverTarget } from './hover-target.ts';
 
 /** How long a pointer rests before values are asked for, milliseconds. */
 const REST_MS = 300;
-/** How long there is nothing after a press: whoever has just wired something goes on wiring. */
+/** Time without a hover card after a press, so that it does not cover wires being drawn. */
 const CALM_MS = 1200;
 
 /** What is pointed at, and where on the page. */

@@ -62,7 +62,7 @@ function takeOut({ nodes: all }: Graph, nodes: readonly GraphNode[]): GraphComma
 }
 
 function lines(boxes: readonly Box[]): MenuAction[] {
-  // All of them get a place: those nobody has put anywhere yet would be laid out anew around the rest.
+  // Store a position for all of them: the layout would move nodes without a position around the others.
   const move = (places: Places): GraphCommand => ({
     kind: 'move',
     positions: new Map([...boxes.map(({ id, x, y }) => [id, { x, y }] as const), ...places]),

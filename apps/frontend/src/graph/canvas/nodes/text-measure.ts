@@ -12,7 +12,7 @@ document.fonts?.addEventListener('loadingdone', () => {
 });
 let context: CanvasRenderingContext2D | null | undefined;
 
-/** @param font as in CSS; it may have to be loaded, and then whoever measured in an effect does it again */
+/** @param font as in CSS; while it loads, effects that measure with it run again */
 export function textMeasure(font: string): MeasureText {
   return (text) => {
     void fonts.value;

@@ -25,7 +25,7 @@ export interface GraphImport {
 
 /** Below what is there. */
 const GAP = 64;
-/** Shorter texts are words somebody copied. */
+/** Shorter texts are copied words, not sessions. */
 const MIN_TEXT = 20;
 
 export function useGraphImport(

@@ -14,7 +14,7 @@ const before = graphOf(aSession());
 const newsOf = (command: GraphCommand): string[] =>
   graphNews(before, applyCommand(before, command).graph).map(({ words }) => words);
 
-describe('what somebody changed', () => {
+describe('changes of a user', () => {
   it('is said in words', () => {
     expect(newsOf({ kind: 'add', nodes: [topicNode('/b')] })).toEqual(['added /b']);
     expect(newsOf({ kind: 'remove', nodes: ['module:module'] })).toEqual(['removed mirror']);

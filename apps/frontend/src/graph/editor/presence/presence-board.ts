@@ -1,13 +1,13 @@
 import { clientOfPresence, parsePresence, type PresenceRecord } from './presence-record.ts';
 
-/** Somebody else who has the session open. */
+/** Another user who has the session open. */
 export interface Present extends PresenceRecord {
   readonly clientId: string;
   /** When it was heard, milliseconds of a steady clock. */
   readonly heardMs: number;
 }
 
-/** Nobody is heard of for this long and still there, milliseconds. [EX-49] */
+/** A user without a record for this time has left, milliseconds. [EX-49] */
 export const PRESENCE_AGE_MS = 45_000;
 
 /** What became of who is there. */

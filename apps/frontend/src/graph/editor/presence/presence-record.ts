@@ -32,7 +32,7 @@ export interface PresenceRecord {
 
 /** More are not drawn anyway. [EX-49] */
 export const MAX_NODES = 64;
-/** Longer texts are nobody's presence. [EX-49] */
+/** Longer texts are not presence records. [EX-49] */
 const MAX_LENGTH = 16_384;
 
 export function presenceText(record: PresenceRecord): string {
@@ -46,7 +46,7 @@ export function presenceText(record: PresenceRecord): string {
   });
 }
 
-/** What a text says; undefined when it is none of ours: anybody may publish there. */
+/** Parses a presence record; undefined for other texts, because any client may publish there. */
 export function parsePresence(text: string): PresenceRecord | undefined {
   if (text.length > MAX_LENGTH) return undefined;
   try {

@@ -14,7 +14,7 @@ import {
   type PresenceRecord,
 } from './presence-record.ts';
 
-/** Somebody else who has this session open, as they are drawn. */
+/** Another user who has this session open, with the look of the mark. */
 export interface Peer extends Present {
   readonly name: string;
   /** What they use: `iPhone, Safari`. */
@@ -24,7 +24,7 @@ export interface Peer extends Present {
 
 export interface Presence {
   readonly peers: ComputedRef<readonly Peer[]>;
-  /** Who saved a revision; undefined: nobody said so. */
+  /** Returns the user who saved a revision; undefined when unknown. */
   savedBy(revision: number): string | undefined;
 }
 
@@ -93,7 +93,7 @@ export function usePresence(editor: GraphEditor, saving: Saving): Presence {
       const heard = client
         .subscribe({ glob: PRESENCE_GLOB }, { format: 'string' })
         .onRecord(({ topic, value, clientId }) => {
-          // Nobody speaks for somebody else
+          // Ignore records that name another client
           if (clientId !== '' && !topic.startsWith(`/${clientId}/`)) return;
           const change = board.hear(topic, value, performance.now());
           for (const { clientId: id, savedRevision } of board.list) {

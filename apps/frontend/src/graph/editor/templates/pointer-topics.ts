@@ -10,7 +10,7 @@ export interface LiveTopic {
 const TOUCH = /^\/[^/]+\/[^/]+\/touch_position$/;
 
 /**
- * The live topic that carries a position of somebody: one that moves now goes first, then those of
+ * Returns the live topic with a pointer position: prefers a pointer that moves now, then those of
  * others, so that a phone in the hand counts more than the mouse beside it.
  */
 export function livePointer(topics: Iterable<LiveTopic>, ownId: string): string | undefined {

@@ -15,7 +15,7 @@ export interface Template {
    * Undefined: it finds its pointers itself, or needs none.
    */
   readonly pointerTopic: string | undefined;
-  /** Nothing flows before somebody points. */
+  /** No values flow before a pointer moves. */
   readonly needsPointer: boolean;
 }
 

@@ -1,8 +1,8 @@
 import { effectScope, onScopeDispose, type EffectScope } from 'vue';
 
 /**
- * One for all who use it, kept while anybody does; and from one page to the next, where the first is
- * gone before the other is there.
+ * Shares one instance between all users, and keeps it while it is used; also from one page to the next,
+ * where the first page is unmounted before the next one is mounted.
  */
 export function whileUsed<T>(make: () => T): () => T {
   let users = 0;

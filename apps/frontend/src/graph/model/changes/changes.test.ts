@@ -95,7 +95,7 @@ describe('changes of a running session [SE-15]', () => {
   });
 });
 
-describe('somebody else’s change', () => {
+describe('a change of another user', () => {
   it('is there beside mine', () => {
     const mine = after(graph, hertz(60), { kind: 'setDetails', changes: { name: 'Mine' } });
     const theirs = after(graph, constant('{"double":1}'), {

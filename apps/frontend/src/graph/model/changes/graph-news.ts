@@ -11,7 +11,7 @@ export interface GraphNews {
   readonly node: string | undefined;
 }
 
-/** What somebody changed. Where things lie counts only when nothing else is different. */
+/** Describes the changes of a user. Positions count only when nothing else has changed. */
 export function graphNews(before: Graph, after: Graph): GraphNews[] {
   const news = [...nodeNews(before, after), ...wireNews(before, after)];
   if (before.details.name !== after.details.name) {

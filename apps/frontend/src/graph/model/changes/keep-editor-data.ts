@@ -2,7 +2,7 @@ import type { Session } from '@ubii/proto';
 import { withEditorJson } from '../session-details.ts';
 
 /**
- * A session as somebody changed it, with the editor data it had before when they left it out: clients
+ * Returns a changed session with its earlier editor data, if the change has none: clients
  * that do not know it may send sessions back without it. [EX-22]
  * @param before the newest one that is known to have had it
  */

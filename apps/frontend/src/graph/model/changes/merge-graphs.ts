@@ -19,7 +19,7 @@ export interface Merged {
 }
 
 /**
- * Merges what somebody else did into what I did, element by element. What one of us changed and the
+ * Merges the changes of another user into own changes, element by element. What one user changed and the
  * other did not is as it was changed; what one removed and the other changed or used stays.
  *
  * @param base what both began with

@@ -6,7 +6,7 @@ export type ThreeWay<T> =
   /** Both, in different ways. */
   | { readonly kind: 'conflict'; readonly value: T };
 
-/** Whoever changed it wins; when both did, mine stands. */
+/** Takes the changed value; when both users changed it, keeps the own one. */
 export function threeWay<T>(base: T, mine: T, theirs: T): ThreeWay<T> {
   if (sameValue(mine, theirs)) return { kind: 'same', value: mine };
   if (sameValue(base, mine)) return { kind: 'theirs', value: theirs };

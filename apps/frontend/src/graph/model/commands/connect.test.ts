@@ -25,7 +25,7 @@ describe('connecting modules', () => {
     expect(wiresIn(graph)).toEqual(['a.o > b.i (/Test/a/o)', 'a.o > b.j (/Test/a/o)']);
   });
 
-  it('makes up a topic that nobody has', () => {
+  it('creates an unused topic name', () => {
     const graph = connected(aGraphOf(modules, { 'b.j': '/Test/a/o' }), 'a.o', 'b.i');
     expect(wiresIn(graph)).toContain('a.o > b.i (/Test/a/o-2)');
   });
@@ -65,7 +65,7 @@ describe('topics of wires', () => {
     expect(hidden).toEqual(graph);
   });
 
-  it('get a node when somebody drags them in', () => {
+  it('get a node when they are dragged in', () => {
     const node = topicNode('/t', { position: { x: 1, y: 2 } });
     const shown = applyCommand(graph, { kind: 'add', nodes: [node] }).graph;
     expect(wiresIn(shown)).toEqual(['a.o > topic:/t', 'topic:/t > b.i', 'topic:/t > b.j']);

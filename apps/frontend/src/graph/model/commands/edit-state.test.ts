@@ -22,7 +22,7 @@ describe('the history', () => {
   });
 
   it('does not count what changes nothing', () => {
-    const state = perform(startEditing(graph), { kind: 'remove', nodes: ['nobody'] });
+    const state = perform(startEditing(graph), { kind: 'remove', nodes: ['unknown'] });
     expect(state).toEqual(startEditing(graph));
   });
 

@@ -6,7 +6,7 @@ import { portFormat, portOf } from '../port-format.ts';
 import type { Adapter, Fit } from './adapter.ts';
 import { formatOffers, listOffers } from './offers.ts';
 
-/** One end of a wire that somebody wishes for. */
+/** One end of a requested wire. */
 export interface WireEnd {
   readonly ref: PortRef;
   readonly node: GraphNode;

@@ -24,7 +24,7 @@ const words = (one: Fit): string[] =>
   one.fits ? ['fits'] : [one.reason, ...one.offers.map(({ kind, label }) => `${kind}: ${label}`)];
 
 describe('a wire', () => {
-  it('fits between equal formats, numbers, and what nobody knows [PM-3] [PM-31]', () => {
+  it('is compatible between equal formats, numbers, and unknown formats [PM-3] [PM-31]', () => {
     expect(fit('mirror.mirrored', 'mirror.pointer')).toEqual({ fits: true });
     expect(fit('mirror.x', 'mirror.size')).toEqual({ fits: true });
     expect(fit('pose.pose', 'all.any')).toEqual({ fits: true });

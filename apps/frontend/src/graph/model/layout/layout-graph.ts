@@ -35,7 +35,7 @@ const WIDTH = 224;
 const HEAD = 44;
 const ROW = 28;
 
-/** About how large a node is drawn, where nobody has measured it. */
+/** Estimated size of a node that was not measured. */
 export function usualSize(node: GraphNode): Size {
   if (node.size !== undefined) return node.size;
   if (node.isCollapsed) return { width: WIDTH, height: HEAD };

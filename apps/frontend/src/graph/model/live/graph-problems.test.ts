@@ -27,7 +27,7 @@ describe('problems that can be seen', () => {
     expect(ofWire.size).toBe(1);
   });
 
-  it('a module without code that nobody has', () => {
+  it('an unknown module without code', () => {
     const nothing = { ...aModule('gone'), onProcessingStringified: '' };
     const session = aSessionOf([nothing, double('a')]);
     const around = { ...AROUND, modules: new Set(['low-pass']) };
@@ -101,7 +101,7 @@ describe('problems the master tells', () => {
         problem({
           code: 'topic_without_record',
           path: 'ioMappings[0].inputMappings[0].topic',
-          message: 'Nobody publishes.',
+          message: 'No client publishes.',
         }),
         problem({ code: 'node_gone', message: 'All is lost.', isError: true }),
       ],
@@ -110,7 +110,7 @@ describe('problems the master tells', () => {
 
   it('come errors first, also those of the session as a whole', () => {
     const { all } = graphProblems(graphOf(session), session, AROUND);
-    expect(all.map(({ message }) => message)).toEqual(['All is lost.', 'Nobody publishes.']);
+    expect(all.map(({ message }) => message)).toEqual(['All is lost.', 'No client publishes.']);
   });
 
   it('go when the wire they are about is gone', () => {

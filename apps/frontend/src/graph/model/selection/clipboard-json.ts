@@ -131,7 +131,7 @@ function newNode(
 
 const STANDINGS: readonly Standing[] = ['bypassed', 'muted'];
 
-/** Names that only mappings know: of modules that nobody has, mostly. */
+/** Names that only mappings contain, mostly of unknown modules. */
 const undeclared = ({ ports }: ModuleNode, direction: 'in' | 'out'): string[] =>
   ports.filter((port) => port.direction === direction && !port.isDeclared).map(({ name }) => name);
 

@@ -13,7 +13,7 @@ const VERSION = 1;
 /** Longer texts are no nodes. */
 const MAX_LENGTH = 8_000_000;
 
-/** Nodes with the wires between them as text, for this session, another one, or a message to somebody. */
+/** Nodes and the wires between them as text, for this session, another one, or a message. */
 export function copyText(graph: Graph, ids: Iterable<string>): string {
   const chosen = withContents(graph, ids);
   const nodes = [...graph.nodes.values()].filter(({ id }) => chosen.has(id));
@@ -44,7 +44,7 @@ export interface PasteOptions {
 /** What a text would paste, or why it cannot. */
 export type Pasted =
   | { readonly kind: 'nodes'; readonly command: GraphCommand; readonly ids: readonly string[] }
-  /** Not ours: somebody else's text, which may mean something elsewhere. */
+  /** Text of another program, which this editor does not paste. */
   | { readonly kind: 'foreign' }
   | { readonly kind: 'broken'; readonly reason: string };
 

@@ -75,7 +75,7 @@ describe('frames in frames', () => {
     expect(frameOf(run(left, dropped), 'frame:outer')).toBeUndefined();
   });
 
-  it('never lie in themselves, whoever asks for it', () => {
+  it('never contain themselves', () => {
     const same = run(
       nested,
       { kind: 'setFrame', nodes: ['frame:outer'], frame: 'frame:inner' },

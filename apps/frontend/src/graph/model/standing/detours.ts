@@ -76,7 +76,7 @@ function findSource(
   const own = resting.get(from.node);
   if (node?.kind === 'topic') {
     const writers = wiresOf(graph, node.id).in.map((wire) => wire.from);
-    // What somebody else writes is there as before.
+    // A topic with another publisher keeps its values.
     if (writers.length === 0 || writers.some((writer) => !resting.has(writer.node))) return from;
     for (const writer of writers) {
       const source = findSource(graph, resting, writer, to, visited);

@@ -56,7 +56,7 @@ function withoutDetours(mapping: IOMapping, detours: readonly Detour[]): IOMappi
   if (own.length === 0) return mapping;
   return {
     ...mapping,
-    // What somebody has changed since stays as they changed it.
+    // Keep mappings that were changed since.
     inputMappings: mapping.inputMappings.map(
       (one) => own.find(({ now }) => sameValue(now, one))?.was ?? one,
     ),

@@ -48,7 +48,7 @@ describe('a module that is bypassed', () => {
     expect(wiresIn(plain(saved))).toEqual(['c.o > topic:/out', 'topic:/in > c.i']);
   });
 
-  it('gives way to what somebody changed meanwhile', () => {
+  it('keeps changes made meanwhile', () => {
     const saved = sessionOf(put(graph, 'bypassed', 'b'), session);
     const [first, second] = saved.ioMappings;
     const [input] = second!.inputMappings;

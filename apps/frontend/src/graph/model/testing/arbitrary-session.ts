@@ -120,7 +120,7 @@ const nodeIds = fc.constantFrom(
   ],
 );
 
-/** Editor data: ours, somebody else's, and none at all. */
+/** Editor data: of this editor, of another editor, and none. */
 export const arbitraryEditorJson = fc.oneof(
   fc.constant(''),
   fc.constantFrom('{"litegraph":{"nodes":[]}}', '{', 'null', '[1]', '"text"', '\0'),
@@ -167,7 +167,7 @@ export const arbitraryEditorJson = fc.oneof(
   fc.jsonValue().map((value) => JSON.stringify(value)),
 );
 
-/** Sessions as anybody may send them, old clients' loose ones among them. [SE-6] */
+/** Arbitrary sessions of clients, including incomplete ones of old clients. [SE-6] */
 export const arbitrarySession: fc.Arbitrary<Session> = fc
   .record(
     {

@@ -29,7 +29,7 @@ export function randomCommand(graph: Graph, next: Numbers): GraphCommand {
 type Maker<K extends CommandKind> = (graph: Graph, next: Numbers) => CommandOf<K>;
 
 const nodeId = (graph: Graph, next: Numbers): string =>
-  [...graph.nodes.keys()][next() % (graph.nodes.size + 1)] ?? 'nobody';
+  [...graph.nodes.keys()][next() % (graph.nodes.size + 1)] ?? 'unknown';
 const wire = (graph: Graph, next: Numbers): string =>
   [...graph.wires.keys()][next() % (graph.wires.size + 1)] ?? 'no wire';
 const nodeIds = (graph: Graph, next: Numbers): string[] => [
@@ -43,7 +43,7 @@ function port(graph: Graph, next: Numbers, direction: 'in' | 'out'): PortRef {
   const refs = [...graph.nodes.values()].flatMap(({ id, ports }) =>
     ports.filter((one) => one.direction === direction).map((one) => ({ node: id, port: one.id })),
   );
-  return refs[next() % Math.max(1, refs.length)] ?? { node: 'nobody', port: 'x' };
+  return refs[next() % Math.max(1, refs.length)] ?? { node: 'unknown', port: 'x' };
 }
 
 function newNode(graph: Graph, next: Numbers): GraphNode {

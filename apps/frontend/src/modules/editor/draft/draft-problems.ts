@@ -48,7 +48,7 @@ export function draftProblems(draft: ModuleDraft, taken: ReadonlySet<string>): D
   return problems;
 }
 
-/** Formats nobody knows are allowed. [PM-3] */
+/** Unknown formats are allowed. [PM-3] */
 export function isFatalProblem(place: string): boolean {
   return !place.endsWith('.format');
 }

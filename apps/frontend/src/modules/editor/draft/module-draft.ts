@@ -147,7 +147,7 @@ export function isSameDraft(a: ModuleDraft, b: ModuleDraft): boolean {
   return fingerprint(a) === fingerprint(b);
 }
 
-/** The code counts by its callbacks: the spaces between them are nobody's change. */
+/** Compares code by its callbacks: spaces between them do not count as a change. */
 function fingerprint({ code, name, ...rest }: ModuleDraft): string {
   const split = splitText(code);
   const isSound = split.problems.length === 0;

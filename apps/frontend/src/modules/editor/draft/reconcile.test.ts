@@ -7,7 +7,7 @@ const mine = { ...base, description: 'mine' };
 const other = { ...base, description: 'theirs' };
 const sides = { draft: base, base, stored: base, refused: undefined };
 
-describe('what somebody else changed', () => {
+describe('changes of another user', () => {
   it('is taken at once while there is no work on it here', () => {
     expect(reconcile({ ...sides, stored: other })).toEqual({ kind: 'take', draft: other });
     expect(reconcile({ ...sides, draft: undefined, base: undefined })).toEqual({
@@ -22,7 +22,7 @@ describe('what somebody else changed', () => {
     expect(reconcile({ ...both, refused: other })).toEqual({ kind: 'keep' });
   });
 
-  it('is none when both made the same change, or nobody did', () => {
+  it('is none when both users made the same change, or none', () => {
     expect(reconcile({ ...sides, draft: mine, stored: mine })).toEqual({
       kind: 'same',
       base: mine,

@@ -170,7 +170,7 @@ export function useTryRun(
     },
   );
 
-  // Live topics: the newest values of the master, as long as somebody looks
+  // Live topics: the newest values of the master, while the pane is visible
   watch(
     () => JSON.stringify(lives.value),
     async (_now, _before, onCleanup) => {

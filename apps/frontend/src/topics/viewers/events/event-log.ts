@@ -191,7 +191,7 @@ export class EventLog {
     tally.lastMs = timeMs;
     if (kind === 'down' || kind === 'move') {
       if (kind === 'down') tally.downs += 1;
-      // A key that is held repeats, and a finger that moves is down: since now, if nobody saw it come.
+      // A key that is held repeats, and a finger that moves is down: from now on, if the first event was missed.
       if (!tally.isDown) tally.spans.push({ fromMs: timeMs, toMs: undefined });
       tally.isDown = true;
     } else if (kind === 'up') {

@@ -3,7 +3,7 @@ import { useRafFn } from '@vueuse/core';
 import { onScopeDispose, shallowRef, watch, type ShallowRef } from 'vue';
 import { useConnection } from '../../../connection/useConnection.ts';
 
-/** Nobody sees more, records per second. */
+/** Maximum visible rate, records per second. */
 const RATE_HZ = 30;
 
 /** The newest records of the topics that are drawn over a picture. */

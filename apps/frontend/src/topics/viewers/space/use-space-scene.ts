@@ -19,7 +19,7 @@ export interface SceneOpener<Input> {
 }
 
 /**
- * Keeps a picture of space on a canvas: drawn when something changed and somebody can see it.
+ * Keeps a 3D view on a canvas: drawn when something changed and the canvas is visible.
  * @param load the scene, which is large and comes only when it is needed
  */
 export function useSpaceScene<Input>(
@@ -30,7 +30,7 @@ export function useSpaceScene<Input>(
 ): {
   readonly state: Readonly<ShallowRef<SceneState>>;
   readonly labels: Readonly<ShallowRef<readonly SceneLabel[]>>;
-  /** Somebody can see it. */
+  /** True while the canvas is visible. */
   readonly isSeen: Readonly<Ref<boolean>>;
   /** Something changed. */
   redraw(): void;

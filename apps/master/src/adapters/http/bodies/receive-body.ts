@@ -6,7 +6,7 @@ import type { IncomingRequest } from '../../../core/services/incoming-request.ts
 import type { Clock } from '../../../core/ports/index.ts';
 import type { BodyScan } from './body-scan.ts';
 
-/** Room that any request takes, bytes: one of no bytes is kept by somebody, too. */
+/** Bytes charged for any request: a request without a body takes memory, too. */
 const LEAST_BYTES = 512;
 /** Room that a body of unknown length begins with, bytes. */
 const FIRST_BYTES = 4 * 1024;
@@ -74,7 +74,7 @@ export function receiveBody(
       clearImmediate(nextTurn);
       stream.off('data', handleData).off('end', handleEnd);
       stream.off('error', breakOff).off('close', breakOff);
-      // Somebody has to hear of it.
+      // Without a listener, an error would be thrown.
       stream.on('error', () => undefined);
       stream.pause();
       if (body === undefined) reject(error ?? brokenOff());

@@ -16,7 +16,7 @@ export interface CheckContext {
   nameTopic(topic: string): string;
   /** What stands against running this module on this node; undefined when nothing does. */
   nodeProblem(draft: DraftModule): Omit<SessionProblem, 'path'> | undefined;
-  /** Somebody has code for a module of this name. */
+  /** True when a node or the library has code for a module of this name. */
   isOffered(name: string): boolean;
   readonly topicBytes: number;
 }

@@ -243,7 +243,7 @@ function* checkIoName(
   });
 }
 
-/** Modules say that an output is no list only by having one that is: `false` is also what is written when nobody thought of it. */
+/** `false` is also the default for an output: it counts only when another output of the module is a list. */
 function saysWhatIsAList({ spec }: DraftModule): boolean {
   return [...spec.inputs, ...spec.outputs].some(({ isRecordList }) => isRecordList);
 }

@@ -16,7 +16,7 @@ export interface SourceCheckContext {
   readonly timeoutMs: number;
 }
 
-/** Code that does not parse [SE-4]. What nobody looked at in time is a warning: the node will say. */
+/** Code that does not parse [SE-4]. Code that was not checked in time is a warning: the node reports errors. */
 export async function checkSources(
   modules: readonly DraftModule[],
   { sandboxes, clock, timeoutMs }: SourceCheckContext,

@@ -8,7 +8,7 @@ import { errorProblem, warningProblem } from '../problems.ts';
 import { about } from './check-context.ts';
 import { hasCode } from './check-modules.ts';
 
-/** What stands against the node of a module, chosen by somebody or by the master [SE-4] [SE-30]. */
+/** Returns the problem with the node of a module, chosen in the session or by the master [SE-4] [SE-30]. */
 export function nodeProblem(nodes: NodeTable, draft: DraftModule): SessionProblem | undefined {
   const { spec, wishedNodeId } = draft;
   if (wishedNodeId === '') return chosenProblem(nodes, draft);
@@ -31,7 +31,7 @@ export function nodeProblem(nodes: NodeTable, draft: DraftModule): SessionProble
   });
 }
 
-/** Somebody offers it, but nobody that is there can be chosen. */
+/** Nodes offer the module, but no available node can be chosen. */
 function chosenProblem(nodes: NodeTable, draft: DraftModule): SessionProblem | undefined {
   const { spec } = draft;
   if (chooseNode(spec, nodes.list(), () => 0) !== undefined) return undefined;

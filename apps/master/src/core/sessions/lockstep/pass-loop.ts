@@ -84,7 +84,7 @@ export class PassLoop {
     }
   }
 
-  /** A node is gone: nobody waits for it, and what it owes is void. */
+  /** A node has left: stops waiting for it and for its results. */
   handleNodeGone(nodeId: string): void {
     this.#late.delete(nodeId);
     this.#session.troubles.delete(`late ${nodeId}`);
@@ -129,7 +129,7 @@ export class PassLoop {
       cancelTimeout: clock.after(limits.lockstepTimeoutMs, () => this.#giveUp(pass)),
     };
     this.#pass = pass;
-    // One snapshot for all, before anybody runs.
+    // One snapshot for all nodes, before the first one runs.
     const snapshots = shares.map((share) => this.#snapshot(share));
     shares.forEach((share, index) => {
       this.#ask(pass, share, snapshots[index]!, deltaTimeMs);
