@@ -1,8 +1,18 @@
-import type { GraphNode, ModuleNode, Point, Size } from '../model/graph.ts';
+import type { GraphNode, ModuleNode, Point, Port, Size } from '../model/graph.ts';
+import { isTypable } from '../values/value-parts.ts';
 import { canCollapse } from './collapse.ts';
 
 /** As graph-node.css draws them, pixels at a zoom of 1. */
 const WIDTH = 184;
+/** Names of modules and ports that are longer are cut. */
+const MAX_WIDTH = 272;
+/** About as wide as a character of a name, with some to spare. */
+const CHARACTER = 7.6;
+/** What stands beside the name of a module: its icon, its life. */
+const HEAD_MARKS = 96;
+/** What stands beside the name of a port: sockets, and a value or its field. */
+const FIELD_ROW = 108;
+const VALUE_ROW = 74;
 const TOPIC: Size = { width: 174, height: 70 };
 const PICTURE = 94;
 const HEAD = 30;
@@ -20,15 +30,28 @@ const BARE = BORDERS + HEAD + ROWS_PADDING;
 /** How high the rows of a module are together. */
 export const rowsHeight = ({ ports }: ModuleNode): number => ROWS_PADDING + ROW * ports.length;
 
+function rowWidth({ name, direction, format, isList }: Port): number {
+  const hasField = direction === 'in' && !isList && format !== undefined && isTypable(format);
+  return name.length * CHARACTER + (hasField ? FIELD_ROW : VALUE_ROW);
+}
+
+/** How wide a module is drawn, pixels: as its longest name needs, within limits. */
+export function moduleWidth({ module: { name }, ports }: ModuleNode): number {
+  const longest = Math.max(name.length * CHARACTER + HEAD_MARKS, ...ports.map(rowWidth));
+  return Math.min(MAX_WIDTH, Math.max(WIDTH, Math.ceil(longest)));
+}
+
 /** About how large a node will be drawn, before it is. */
 export function drawnSize(node: GraphNode): Size {
-  if (node.isCollapsed && canCollapse(node)) return { width: WIDTH, height: HEAD };
+  if (node.isCollapsed && canCollapse(node)) {
+    return { width: node.kind === 'module' ? moduleWidth(node) : WIDTH, height: HEAD };
+  }
   if (node.size !== undefined) return node.size;
   switch (node.kind) {
     case 'topic':
       return node.format === 'image2D' ? { ...TOPIC, height: TOPIC.height + PICTURE } : TOPIC;
     case 'module':
-      return { width: WIDTH, height: BARE + ROW * node.ports.length + FOOT };
+      return { width: moduleWidth(node), height: BARE + ROW * node.ports.length + FOOT };
     case 'muxer':
       return { width: WIDTH, height: BARE + PATTERN + ROW * (MATCHES + 2) };
     case 'demuxer':

@@ -1,4 +1,4 @@
-import { useConnection } from '../../connection/useConnection.ts';
+import { useConnection } from './useConnection.ts';
 
 /** Names a topic for people: of one that begins with the id of a client, the rest and the client's name. */
 export type NameTopic = (topic: string) => string;
