@@ -51,6 +51,16 @@ export const ASSET_SETS = [
     licenceFile: humanLicence,
     files: ['movenet-lightning.json', 'movenet-lightning.bin'],
   },
+  {
+    name: 'hand-pose',
+    version: '3.3.6',
+    licence: 'MIT AND ISC AND Apache-2.0',
+    source:
+      'https://github.com/victordibia/handtracking and https://github.com/google/mediapipe, converted by Vladimir Mandic, npm @vladmandic/human',
+    folder: humanModels,
+    licenceFile: humanLicence,
+    files: ['handtrack.json', 'handtrack.bin', 'handlandmark-lite.json', 'handlandmark-lite.bin'],
+  },
 ];
 
 /**

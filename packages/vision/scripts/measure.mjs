@@ -43,6 +43,8 @@ for (const inputSize of [512, 384, 256]) {
 }
 const bodyPose = await vision.createBodyPose(tensorflow, readAssetSet('movenet-lightning'));
 await measure('MoveNet Lightning', (picture) => bodyPose.detect(picture));
+const handPose = await vision.createHandPose(tensorflow, readAssetSet('hand-pose'));
+await measure('hand pose, no hand', (picture) => handPose.detect(picture));
 for (const [width, height] of [
   [640, 480],
   [4032, 3024],

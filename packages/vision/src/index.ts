@@ -15,3 +15,5 @@ export type * from './detection/detector.ts';
 export * from './pose/body-keypoints.ts';
 export * from './pose/body-pose.ts';
 export * from './pose/smooth-pose.ts';
+export * from './pose/hand-keypoints.ts';
+export * from './pose/hand-pose.ts';
