@@ -1,4 +1,5 @@
 import { clientsPage } from './clients-page.ts';
+import { detection } from './detection.ts';
 import { fanOut } from './fan-out.ts';
 import { graphEditor, graphEditorOpen } from './graph-editor.ts';
 import { hostileBodies } from './hostile-bodies.ts';
@@ -19,6 +20,7 @@ export const WORKLOADS: readonly Workload[] = [
   fanOut(1, { 'ubii-extension': 0.95, 'ubii-legacy': 0.95 }),
   ...MODULE_CALLS,
   ...MODULE_CALLS_IN_BROWSER,
+  detection,
   trigger,
   ...LOCKSTEPS,
   modules100,
