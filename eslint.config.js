@@ -185,13 +185,13 @@ export default ts.config(
     rules: {
       ...restrict(noApps, noVue, noClient, noRuntimes, noModules, {
         group: ['node:*', 'esbuild'],
-        message: 'Seeing is pure computation: whoever runs it hands in its files as bytes.',
+        message: 'The package is pure computation: the caller passes files as bytes.',
       }),
       'no-restricted-globals': [
         'error',
         ...['process', 'Buffer', 'fetch', 'document', 'window'].map((name) => ({
           name,
-          message: 'Seeing runs in every kind of worker, without a network.',
+          message: 'The package runs in every kind of worker and has no network access.',
         })),
       ],
     },

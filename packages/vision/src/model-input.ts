@@ -2,24 +2,24 @@ import { convertPicture } from './image-tools/convert-picture.ts';
 import { scalePicture } from './image-tools/scale-picture.ts';
 import { checkPicture, type Picture } from './picture.ts';
 
-/** A picture in the top left of what a model sees; the rest is black. */
+/** Input of a model: the picture at the top left, the rest black. */
 export interface ModelInput {
-  /** Pixels in a row of what the model sees. */
+  /** Pixels in a row of the input. */
   readonly width: number;
   readonly height: number;
   /** Red, green and blue of each pixel, 0 to 255. */
   readonly rgb: Uint8Array;
-  /** Pixels that the picture takes of them. */
+  /** The part of the input that the picture covers. */
   readonly pictureWidth: number;
   readonly pictureHeight: number;
 }
 
 /**
- * Fits a picture into what a model sees, without changing its proportions.
+ * Fits a picture into the input of a model and keeps its aspect ratio.
  *
  * @param longSide pixels of the longer side
- * @param step both sides are multiples of this; the same as `longSide` for a model that sees squares
- * @throws RangeError for a picture that is none
+ * @param step both sides are multiples of this; the same as `longSide` for a square input
+ * @throws RangeError when the picture is invalid
  */
 export function fitModelInput(picture: Picture, longSide: number, step: number): ModelInput {
   checkPicture(picture);

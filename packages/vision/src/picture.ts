@@ -12,12 +12,12 @@ export interface Picture {
   readonly data: Uint8Array | Uint8ClampedArray;
 }
 
-/** A picture whose data is known to be an own, plain array. */
+/** A picture with its own copy of the data. */
 export interface OwnPicture extends Picture {
   readonly data: Uint8Array;
 }
 
-/** The message of topics, as far as it is read here. */
+/** The fields of the message `Image2D`. */
 export interface Image2DLike {
   readonly width?: number | null;
   readonly height?: number | null;
@@ -31,11 +31,11 @@ export const CHANNELS: Readonly<Record<PixelFormat, number>> = { GRAY8: 1, RGB8:
 
 /**
  * Most pixels of a picture: 4096 × 4096, above the 12 megapixels (4032 × 3024) of most phones. With 4
- * channels it has 64 MiB, and a copy of it is made here and there.
+ * channels it has 64 MiB, of which functions make a copy.
  */
 export const MAX_PIXELS = 4096 * 4096;
 
-/** Longest side: what 16 megapixels have at the flattest panorama of phones (1 : 4) and a little more. */
+/** Longest side in pixels: a panorama of 16 megapixels with an aspect ratio of 16 : 1. */
 export const MAX_SIDE = 16_384;
 
 /** Formats by the number in `Image2D.DataFormat`. */
@@ -44,7 +44,7 @@ const FORMATS: readonly PixelFormat[] = ['GRAY8', 'RGB8', 'RGBA8'];
 /**
  * Reads the message `Image2D`. The data is not copied.
  *
- * @throws RangeError with one sentence on what is wrong and what to send
+ * @throws RangeError that says what is wrong and what to send
  */
 export function pictureOfImage2D(image: Image2DLike): Picture {
   const { dataFormat } = image;
@@ -77,7 +77,7 @@ export function pictureOfImage2D(image: Image2DLike): Picture {
 /**
  * Checks size and data of a picture.
  *
- * @throws RangeError with one sentence on what is wrong and what to send
+ * @throws RangeError that says what is wrong and what to send
  */
 export function checkPicture(picture: Picture): void {
   const { width, height, format, data } = picture;
@@ -94,7 +94,7 @@ export function checkPicture(picture: Picture): void {
   }
 }
 
-/** @throws RangeError when no picture may have this size */
+/** @throws RangeError when the size is invalid or too large */
 export function checkSize(width: number, height: number): void {
   const isSide = (side: number): boolean => Number.isInteger(side) && side > 0;
   if (!isSide(width) || !isSide(height)) {

@@ -78,7 +78,7 @@ describe('CenterNet', () => {
     expect(await find({ threshold: 0.05, maxObjects: 2 })).toEqual(many.slice(0, 2));
   });
 
-  it('finds nothing in one colour, and bears the smallest and flattest pictures', async () => {
+  it('finds nothing in one colour, and accepts the smallest and flattest pictures', async () => {
     const plain = (width: number, height: number) => ({
       ...{ width, height, format: 'GRAY8' as const },
       data: new Uint8Array(width * height).fill(128),

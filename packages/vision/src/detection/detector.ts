@@ -12,7 +12,7 @@ export interface Box {
 export interface Detection {
   /** One of the detector's `classNames`. */
   readonly class: string;
-  /** How sure the detector is, 0 to 1. Not comparable between detectors. */
+  /** Confidence, 0 to 1. Not comparable between detectors. */
   readonly score: number;
   /** Inside of the picture. */
   readonly box: Box;
@@ -32,19 +32,19 @@ export interface DetectionOptions {
 /** Finds objects in pictures. */
 export interface Detector {
   readonly name: string;
-  /** What it can find. */
+  /** All classes that it can detect. */
   readonly classNames: readonly string[];
   /**
-   * Returns what is in a picture, the highest score first.
+   * Returns the objects in a picture, the highest score first.
    *
-   * @throws RangeError for a picture that is none, and for a class that the detector does not know
+   * @throws RangeError when the picture is invalid or a class is unknown to the detector
    */
   detect(picture: Picture, options?: DetectionOptions): Promise<Detection[]>;
   /** Frees the memory of the model. */
   dispose(): void;
 }
 
-/** What a detector says of itself for its options. */
+/** Defaults and limits of a detector. */
 export interface DetectionDefaults {
   readonly threshold: number;
   readonly inputSize: { readonly least: number; readonly most: number; readonly usual: number };
@@ -55,13 +55,14 @@ export type ResolvedOptions = Required<Omit<DetectionOptions, 'classes'>> & {
   readonly classIndices: ReadonlySet<number> | undefined;
 };
 
-/** As many as the longest lists of detectors for COCO have, whose evaluation looks at 100 as well. */
+/** The evaluation of COCO counts at most 100 detections per picture. */
 const MOST_OBJECTS = 100;
 /** The default of `@tensorflow-models/coco-ssd`. */
 const USUAL_OBJECTS = 20;
 
 /**
- * Fills in options. Numbers out of range count as the nearest in range, what is no number as the default.
+ * Resolves options. Numbers out of range become the nearest one in range; missing and non-finite numbers
+ * become the default.
  *
  * @throws RangeError for a class that the detector does not know
  */

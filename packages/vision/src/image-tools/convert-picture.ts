@@ -19,7 +19,7 @@ const OPAQUE = 255;
  * Returns a picture in another pixel format. Opacity is dropped or set to opaque; grey from colours
  * is luma (ITU-R BT.601).
  *
- * @throws RangeError for a picture that is none
+ * @throws RangeError when the picture is invalid
  */
 export function convertPicture(picture: Picture, format: PixelFormat): OwnPicture {
   checkPicture(picture);

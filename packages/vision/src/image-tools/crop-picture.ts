@@ -12,7 +12,7 @@ export interface Rectangle {
  * Returns a part of a picture: the pixels that the rectangle touches. What lies outside of the
  * picture is left out.
  *
- * @throws RangeError for a picture that is none, or when nothing is left
+ * @throws RangeError when the picture is invalid or the rectangle lies outside of it
  */
 export function cropPicture(picture: Picture, rectangle: Rectangle): OwnPicture {
   checkPicture(picture);

@@ -16,7 +16,7 @@ export interface TurnedSquare {
  * picture is 0.
  *
  * @param size pixels of a side of the new picture
- * @throws RangeError for a picture that is none, and for a size that none can have
+ * @throws RangeError when the picture or the size is invalid
  */
 export function cutSquare(picture: Picture, square: TurnedSquare, size: number): OwnPicture {
   checkPicture(picture);

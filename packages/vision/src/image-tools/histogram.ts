@@ -8,7 +8,7 @@ const LEVELS = 256;
  *
  * @param bins into how many equal ranges 0 to 255 is divided, 1 to 256; default 256
  * @returns one array for each channel, in the order of the pixel format; opacity included
- * @throws RangeError for a picture that is none, and for another number of bins
+ * @throws RangeError when the picture or the number of bins is invalid
  */
 export function histogram(picture: Picture, bins: number = LEVELS): Uint32Array[] {
   checkPicture(picture);

@@ -19,7 +19,7 @@ const DEFAULT_THRESHOLD = 0.1;
  * Returns how much the brightness changed from one picture to the next.
  *
  * @param threshold change from which a pixel counts as changed, 0 to 1; default 0.1
- * @throws RangeError for a picture that is none, and for two of different size
+ * @throws RangeError when a picture is invalid or the sizes differ
  */
 export function motionEnergy(
   previous: Picture,

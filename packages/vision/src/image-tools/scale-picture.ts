@@ -7,7 +7,7 @@ import { CHANNELS, checkPicture, checkSize, type OwnPicture, type Picture } from
  *
  * @param width new pixels in a row
  * @param height new rows
- * @throws RangeError for a picture that is none, and for a size that none can have
+ * @throws RangeError when the picture or the size is invalid
  */
 export function scalePicture(picture: Picture, width: number, height: number): OwnPicture {
   checkPicture(picture);

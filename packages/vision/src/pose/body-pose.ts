@@ -33,7 +33,7 @@ export interface BodyPoseDetector {
   /**
    * Returns the most visible body; without a body, keypoints of low scores anywhere.
    *
-   * @throws RangeError for a picture that is none
+   * @throws RangeError when the picture is invalid
    */
   detect(picture: Picture): Promise<BodyPose>;
   /** Frees the memory of the model. */

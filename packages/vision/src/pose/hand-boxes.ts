@@ -14,12 +14,12 @@ const OUTPUTS = [
   'StatefulPartitionedCall/Postprocessor/ExpandDims_1',
 ];
 
-/** What the model tells apart (V. Dibia, Handtrack.js 0.1): hand open, closed, pinching, pointing; no hands. */
+/** Classes of the model (V. Dibia, Handtrack.js 0.1). */
 const CLASSES = ['hand', 'fist', 'pinch', 'point', 'face', 'tip', 'pinchtip'] as const;
 /** The first four are hands. */
 const HAND_CLASSES = 4;
 
-/** Low, as what is no hand is found out by the second model. */
+/** Low, because the second model rejects boxes without a hand. */
 const THRESHOLD = 0.2;
 /** Two hands may touch; two boxes of one hand overlap by more. */
 const MAX_OVERLAP = 0.3;

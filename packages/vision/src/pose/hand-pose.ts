@@ -52,7 +52,7 @@ export interface HandPoseDetector {
   /**
    * Returns the hands in a picture, the highest score first.
    *
-   * @throws RangeError for a picture that is none
+   * @throws RangeError when the picture is invalid
    */
   detect(picture: Picture, options?: HandPoseOptions): Promise<HandPose[]>;
   /** Frees the memory of the models. */
@@ -61,11 +61,11 @@ export interface HandPoseDetector {
 
 /** Sides of what the second model sees, in pixels. From its signature. */
 const SIZE = 224;
-/** The second model sees more than the hand: the hand fills two thirds, as in what it was trained with. */
+/** Side of the square that the second model sees, relative to the hand: drawn hands score best with it. */
 const MARGIN = 1.5;
 /** Larger pictures are reduced first: a hand of a quarter of the width still has 240 pixels. */
 const MAX_LONG_SIDE = 960;
-/** A hand turned by less than this (15°) is found as well without being turned upright. */
+/** Below this angle (15°), turning the hand upright does not improve the result. */
 const MIN_TURN = Math.PI / 12;
 const DEFAULT_THRESHOLD = 0.5;
 const MOST_HANDS = 10;
@@ -121,7 +121,7 @@ function reduce(picture: Picture): Picture {
   return convertPicture(scale < 1 ? scalePicture(picture, width!, height!) : picture, 'RGB8');
 }
 
-/** Looks once, and once more with the fingers upwards, as the model knows hands best. */
+/** Reads the keypoints, then again with the fingers upwards, which the model was trained with. */
 async function findKeypoints(
   model: GraphModel,
   picture: Picture,
@@ -165,7 +165,7 @@ async function readSquare(
       metric: { x: mx! * cos - my! * sin, y: mx! * sin + my! * cos, z: mz! },
     };
   });
-  // The model was made for mirrored pictures: there, high values are right hands.
+  // The model expects mirrored pictures, in which high values mean right hands.
   return { score: score![0]!, side: side![0]! > 0.5 ? 'left' : 'right', keypoints };
 }
 

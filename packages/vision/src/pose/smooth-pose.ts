@@ -1,20 +1,19 @@
 import type { BodyPose, Keypoint } from './body-pose.ts';
 
 export interface PoseSmootherOptions {
-  /** Time after which a keypoint has gone 63 % of the way to where it is seen; default 80 ms. */
+  /** Time constant of the filter: after it, 63 % of a step are reached; default 80 ms. */
   readonly timeConstantMs?: number;
-  /** Score below which a keypoint is not believed: it goes there at once when it is seen again. Default 0.3. */
+  /** Keypoints with a lower score are not filtered, and filtering starts anew after them; default 0.3. */
   readonly minScore?: number;
 }
 
-/** Two pictures of a camera of 25 Hz: jitter is halved, and a hand lags by less than it would be noticed. */
+/** Two frames at 25 Hz: a compromise between jitter and lag. */
 const DEFAULT_TIME_CONSTANT_MS = 80;
 /** The score from which the example of MoveNet's authors draws keypoints. */
 const DEFAULT_MIN_SCORE = 0.3;
 
 /**
- * Makes keypoints calmer: each goes towards where it is seen by an exponential filter. Scores are not
- * changed.
+ * Smooths keypoints with an exponential filter. Scores are not changed.
  */
 export class PoseSmoother {
   readonly #timeConstantMs: number;

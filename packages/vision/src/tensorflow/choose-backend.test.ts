@@ -86,7 +86,7 @@ describe('chooseBackend', () => {
     const { now, candidate } = world();
     const cpu = candidate('cpu', 90, { isLastResort: true });
     const wasm = candidate('wasm', 10);
-    const missing = { ...wasm, absence: 'The file was not handed in.' };
+    const missing = { ...wasm, absence: 'The file was not passed to createTensorflow.' };
     expect((await chooseBackend([cpu, wasm], { now })).trials[1]!.outcome).toBe('not tried');
     expect((await chooseBackend([cpu, missing], { now })).backend).toBe('cpu');
   });

@@ -4,39 +4,39 @@ export type BackendName = 'webgpu' | 'webgl' | 'wasm' | 'cpu';
 /** A backend to try. */
 export interface BackendCandidate {
   readonly name: BackendName;
-  /** Why it cannot be here; undefined when it can be tried. */
+  /** Why the backend is unavailable; undefined when it can be tried. */
   readonly absence?: string;
-  /** Only tried when it is wanted or nothing else works: measuring it takes longer than it can gain. */
+  /** Tried only when it is requested or no other backend works, because it is slow. */
   readonly isLastResort?: boolean;
-  /** Starts it. Rejects when it cannot be started. */
+  /** Starts the backend. Rejects when that fails. */
   start(): Promise<void>;
   /** Runs the probe once. Resolves with the error of its numbers, a share of the largest number. */
   probe(): Promise<number>;
 }
 
-/** What came of trying one backend. */
+/** Result of trying one backend. */
 export interface BackendTrial {
   readonly name: BackendName;
   readonly outcome: 'chosen' | 'slower' | 'wrong' | 'failed' | 'absent' | 'not tried';
   /** One sentence. */
   readonly reason: string;
-  /** Starting it and the first run, which compiles; undefined when it was not started. */
+  /** Duration of the start and the first run, which compiles; undefined when it was not started. */
   readonly startMs?: number;
-  /** Shortest run of the probe; undefined when it gave no right result. */
+  /** Duration of the shortest run of the probe; undefined without correct results. */
   readonly probeMs?: number;
 }
 
-/** The backend to use, and why. */
+/** The selected backend and the reason. */
 export interface BackendChoice {
   readonly backend: BackendName;
-  /** One sentence; tells when another backend was asked for. */
+  /** One sentence; says why the requested backend is not used. */
   readonly reason: string;
   /** All candidates, in the order in which they were tried. */
   readonly trials: readonly BackendTrial[];
 }
 
 export interface ChooseBackendOptions {
-  /** Use this one when it works; default: the fastest. */
+  /** The requested backend, used when it works; default: the fastest. */
   readonly wanted?: BackendName;
   /** Milliseconds of a steady clock. */
   readonly now: () => number;
@@ -44,20 +44,20 @@ export interface ChooseBackendOptions {
 
 /**
  * Largest accepted error of the probe, a share of the largest number. Graphics cards of phones compute
- * with 16-bit floats (11 bits of precision, 0.05 % an operation), which detectors bear; a backend that
- * computes something else is off by far more than 1 %.
+ * with 16-bit floats (11 bits of precision, 0.05 % per operation), which is enough for detectors; errors of
+ * faulty backends are far above 1 %.
  */
 export const MAX_PROBE_ERROR = 0.01;
 
-/** The shortest of three: single ones on a busy machine are no measure of a backend. */
+/** The shortest of three runs counts: on a busy machine, single runs are not representative. */
 const PROBE_RUNS = 3;
-/** Slow backends are measured by less runs: longer than this, a start would be felt. */
+/** Slow backends get fewer runs, so that users do not notice the measurement at the start. */
 const MAX_PROBING_MS = 300;
 
 /**
- * Tries backends and returns the fastest whose numbers are right, or the wanted one if it works.
+ * Tries backends and selects the fastest one with correct results, or the requested one if it works.
  *
- * @throws Error when none works; its message tells what failed
+ * @throws Error when no backend works; the message contains all reasons
  */
 export async function chooseBackend(
   candidates: readonly BackendCandidate[],

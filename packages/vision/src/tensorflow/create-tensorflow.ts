@@ -24,7 +24,7 @@ export interface TensorflowOptions {
   readonly now?: () => number;
 }
 
-/** TensorFlow.js with a backend that was checked. All instances of a worker share its memory. */
+/** TensorFlow.js with a verified backend. All instances in a worker share its memory. */
 export interface Tensorflow extends BackendChoice {
   /**
    * Loads a graph model.
@@ -41,7 +41,7 @@ export interface Tensorflow extends BackendChoice {
   run<Result>(task: () => Promise<Result> | Result): Promise<Result>;
 }
 
-/** End of the task that was started last, in this worker. TensorFlow.js has one backend at a time. */
+/** End of the last task in this worker. TensorFlow.js has one backend at a time. */
 let lastTask: Promise<unknown> = Promise.resolve();
 
 function inTurn<Result>(task: () => Promise<Result> | Result): Promise<Result> {
@@ -51,8 +51,8 @@ function inTurn<Result>(task: () => Promise<Result> | Result): Promise<Result> {
 }
 
 /**
- * Starts TensorFlow.js: tries the backends that exist here and takes the fastest one with right results.
- * Asks no network.
+ * Starts TensorFlow.js: tries the available backends and selects the fastest one with correct results.
+ * Has no network access.
  *
  * @param files with `WASM_FILE`, for the backend `wasm`
  * @throws Error when no backend works
@@ -63,11 +63,11 @@ export function createTensorflow(
 ): Promise<Tensorflow> {
   return inTurn(async () => {
     useMemoryPlatform(files);
-    // Without advice on packages to install, which goes to the console otherwise.
+    // Suppresses the advice to install other packages, which is written to the console.
     tf.env().set('PROD', true);
     const known = knownResults();
     const candidates = [
-      // First of the last resorts: renderers in software are no faster, and start in seconds.
+      // Before software renderers, which are not faster and take seconds to start.
       cpuCandidate(),
       gpuCandidate('webgpu', 'WebGPU'),
       gpuCandidate('webgl', 'WebGL'),
@@ -105,17 +105,17 @@ type Candidate = Pick<BackendCandidate, 'name' | 'absence' | 'isLastResort'> & {
   start?: () => Promise<void>;
 };
 
-/** Backends for graphics cards register themselves where the browser has what they need. */
+/** Backends for graphics cards register themselves when the browser supports them. */
 function gpuCandidate(name: 'webgl' | 'webgpu', label: string): Candidate {
   return {
     name,
     absence: tf.findBackendFactory(name) == null ? `${label} is missing here.` : undefined,
-    // In software it is a tenth as fast as wasm, and seconds pass until its shaders are compiled.
+    // A software renderer has a tenth of the speed of wasm and compiles its shaders for seconds.
     isLastResort: isSoftwareRenderer(),
   };
 }
 
-/** Renderers that draw without a graphics card, by the names they give. */
+/** Names of renderers that work without a graphics card. */
 const SOFTWARE_RENDERERS = /swiftshader|llvmpipe|softpipe|basic render|software/i;
 
 function isSoftwareRenderer(): boolean {
@@ -132,15 +132,18 @@ function wasmCandidate(files: Files): Candidate {
   const bytes = files[WASM_FILE];
   return {
     name: 'wasm',
-    absence: bytes === undefined ? `The file "${WASM_FILE}" was not handed in.` : undefined,
+    absence:
+      bytes === undefined
+        ? `The file "${WASM_FILE}" was not passed to createTensorflow.`
+        : undefined,
     start: async () => {
-      // Checked here, because the backend neither rejects nor resolves for a damaged file.
+      // The backend neither resolves nor rejects for a damaged file, so the file is checked first.
       if (!WebAssembly.validate(bytes!.slice())) {
         throw new Error(`The file "${WASM_FILE}" is damaged, or WebAssembly SIMD is missing here.`);
       }
-      // The build for threads starts workers from text, which policies of workers forbid.
+      // The build for threads starts workers from source text, which the policies of workers forbid.
       tf.env().set('WASM_HAS_MULTITHREAD_SUPPORT', false);
-      // Read through the platform of TensorFlow.js, which is ours; the part before the name is ignored.
+      // Reads through the memory platform, which ignores the path before the file name.
       setWasmPaths('memory/', true);
     },
   };

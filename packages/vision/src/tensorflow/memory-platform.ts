@@ -1,16 +1,16 @@
 import * as tf from '@tensorflow/tfjs-core';
 
-/** Files by name, for example the assets that a host hands in. */
+/** Files by name, for example those of an asset set. */
 export type Files = Readonly<Record<string, Uint8Array>>;
 
-/** What TensorFlow.js asks of the program around it. */
+/** The interface of TensorFlow.js to its environment. */
 type Platform = typeof tf.env extends () => { platform: infer P } ? P : never;
 
 /**
- * Makes TensorFlow.js read from memory instead of the network, in every kind of worker: it gets files
- * that were handed in, by the last part of their address, and nothing else.
+ * Makes TensorFlow.js read files from memory instead of the network, in every kind of worker. Files are
+ * found by the last segment of their address.
  *
- * @param files what can be read
+ * @param files the files that can be read
  */
 export function useMemoryPlatform(files: Files): void {
   const encoder = new TextEncoder();
@@ -18,9 +18,13 @@ export function useMemoryPlatform(files: Files): void {
     fetch: (address) => {
       const name = String(address).split('/').at(-1) ?? '';
       const bytes = files[name];
-      // A copy: the answer owns its buffer, while `bytes` may be a view of a larger or shared one.
+      // A copy, because `bytes` may be a view of a larger or shared buffer.
       return bytes === undefined
-        ? Promise.reject(new Error(`No file "${name}" was handed in. The network is not asked.`))
+        ? Promise.reject(
+            new Error(
+              `No file "${name}" was passed to createTensorflow. TensorFlow.js has no network access.`,
+            ),
+          )
         : Promise.resolve(new Response(bytes.slice()));
     },
     now: () => performance.now(),

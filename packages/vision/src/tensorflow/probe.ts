@@ -2,11 +2,11 @@ import * as tf from '@tensorflow/tfjs-core';
 
 /**
  * A small network of the layers that detectors consist of (convolution, depthwise and pointwise
- * convolution), with whole numbers as weights: its exact results follow from plain arithmetic, so
- * that a backend that computes wrongly is found, and its time is comparable between backends.
+ * convolution) with integer weights. Plain arithmetic gives its exact results, which reveals faulty
+ * backends; its duration compares backends.
  *
  * 128 × 128 pixels give 113 million multiplications, a tenth of what detectors need (40 ms with wasm), so
- * that a graphics card is not judged by what it costs to ask it at all.
+ * that the overhead of a call does not dominate the time of a graphics card.
  */
 export const PROBE = { size: 128, inputs: 16, middles: 32, outputs: 64 } as const;
 
