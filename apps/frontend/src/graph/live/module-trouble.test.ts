@@ -43,4 +43,21 @@ describe('moduleTrouble', () => {
       failure: { message: 'given up' },
     });
   });
+
+  it('is told in the words of the event where the session names a failed run', () => {
+    const failed = event(1000, ModuleEventKind.ERROR);
+    const problems = [
+      { moduleId: 'module', code: 'module_run_failed', message: 'A run failed', isError: true },
+    ];
+    const session = aSession({ json: { extension: { problems } } });
+    expect(moduleTrouble(session, [failed], 'module', 60_000)).toMatchObject({
+      count: 1,
+      failure: { message: 'broken' },
+      event: { line: 7 },
+    });
+    expect(moduleTrouble(session, [], 'module', 2000)).toMatchObject({
+      count: 1,
+      failure: { message: 'A run failed' },
+    });
+  });
 });

@@ -1,5 +1,6 @@
 import type { ModuleEvent, Session, SessionProblem } from '@ubii/proto';
 import { firstCause } from '../../sessions/live/event-log.ts';
+import { RUN_FAILED } from '../../sessions/live/run-problems.ts';
 
 /** What is wrong with a module. */
 export interface ModuleTrouble {
@@ -21,11 +22,14 @@ export function moduleTrouble(
   nowMs: number,
 ): ModuleTrouble {
   const problems = (session.extension?.problems ?? []).filter((one) => one.moduleId === moduleId);
-  const error = problems.find(({ isError }) => isError);
+  const [error] = problems.filter(({ isError, code }) => isError && code !== RUN_FAILED);
+  // The event says it in the author's words, and where.
+  const run = problems.find(({ code }) => code === RUN_FAILED);
   const recent = error === undefined ? firstCause(events, moduleId, nowMs) : undefined;
-  const cause = recent ?? (error === undefined ? undefined : firstCause(events, moduleId));
-  const count = problems.length + (recent === undefined ? 0 : 1);
-  return { count, failure: error ?? recent?.event, event: cause?.event };
+  const named = error ?? run;
+  const cause = recent ?? (named === undefined ? undefined : firstCause(events, moduleId));
+  const count = problems.length + (recent === undefined || run !== undefined ? 0 : 1);
+  return { count, failure: error ?? recent?.event ?? cause?.event ?? run, event: cause?.event };
 }
 
 export const isSameTrouble = (a: ModuleTrouble, b: ModuleTrouble): boolean =>

@@ -46,7 +46,7 @@ export function sessionRow(
   return {
     session,
     state,
-    look: stateLook(state),
+    look: rowLook(state, errors.length > 0),
     totals: statistics && isAlive(session) ? sessionTotals(statistics) : undefined,
     nodeIds: [...new Set(session.processingModules.map(({ nodeId }) => nodeId))].filter(
       (id) => id !== '',
@@ -56,6 +56,12 @@ export function sessionRow(
     problem: (errors[0] ?? problems[0])?.message,
     ...around,
   };
+}
+
+/** What runs with an error does not look as if all were well. */
+function rowLook(state: SessionState, hasError: boolean): StateLook {
+  const look = stateLook(state);
+  return hasError && look.mark === 'live' ? { ...look, mark: 'warning' } : look;
 }
 
 /** Stored sessions that are not open stand behind the others; their ids open them. [SE-27] */

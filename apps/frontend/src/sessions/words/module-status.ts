@@ -27,7 +27,7 @@ export function moduleStatus(
   hasError: boolean,
 ): StatusLook {
   const runs = status === ProcessingModuleStatus.PROCESSING;
-  if (hasError && !runs) return { mark: 'error', word: 'Failed' };
+  if (hasError) return { mark: 'error', word: runs ? 'Failing' : 'Failed' };
   if (session === SessionState.SESSION_STARTING && !runs) return { mark: 'away', word: 'Starting' };
   if (ALIVE.has(session) && !runs) return { mark: 'warning', word: 'Not running' };
   return LOOKS[status] ?? LOOKS[ProcessingModuleStatus.INITIALIZED];

@@ -29,6 +29,7 @@ import { ModuleReload } from './reload-modules.ts';
 import type { Session } from './session.ts';
 import { SessionNews } from './session-news.ts';
 import { SessionTable } from './session-table.ts';
+import { RunTroubles } from './run-troubles.ts';
 import { Sessions } from './sessions.ts';
 import { Supervision } from './supervision.ts';
 import { TopicTroubles } from './topic-troubles.ts';
@@ -171,6 +172,10 @@ export function createProcessing(parts: ProcessingParts): Processing {
       localTopics.publishAs(client, topic, record, valueField, sessionId);
     },
   });
+  const runTroubles = new RunTroubles({
+    monotonicMs: () => clock.monotonicMs(),
+    onChange: (session) => news.announceChange(session),
+  });
   const reports = new NodeReports({
     limits,
     table,
@@ -178,6 +183,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     lockstep,
     clock,
     topics,
+    onEvent: (session, module, event) => runTroubles.handleEvent(session, module, event),
     onFailed: (nodeId, { moduleId, message, line, column }) =>
       reportFailed(nodeId, moduleId, message, { line, column }),
   });
@@ -214,7 +220,10 @@ export function createProcessing(parts: ProcessingParts): Processing {
   const supervision = new Supervision(life, {
     passes: (session) => lockstep.statistics(session),
     recheck: (session) => sessions.recheck(session),
-    lookAtTopics: (session) => topicTroubles.look(session),
+    lookAtTroubles(session) {
+      topicTroubles.look(session);
+      runTroubles.look(session);
+    },
   });
 
   const reload = new ModuleReload({ library: modules, sessions, news });

@@ -11,6 +11,8 @@ import type { Limits } from '../limits/index.ts';
 import { cutTexts } from '../texts/bound-texts.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { Lockstep } from './lockstep/lockstep.ts';
+import type { Session } from './session.ts';
+import type { SessionModule } from './session-module.ts';
 import type { SessionNews } from './session-news.ts';
 import type { SessionTable } from './session-table.ts';
 
@@ -22,6 +24,8 @@ export interface NodeReportsContext {
   readonly lockstep: Lockstep;
   readonly clock: Clock;
   readonly topics: TopicTable;
+  /** A module has told something. */
+  readonly onEvent: (session: Session, module: SessionModule, event: ModuleEvent) => void;
   /** A module could not be made, or was given up [SE-12]. */
   readonly onFailed: (nodeId: string, event: ModuleEvent) => void;
 }
@@ -52,12 +56,15 @@ export class NodeReports {
     const found = this.#context.table.findModule(event.moduleId);
     // Ignore reports about modules of other nodes.
     if (found === undefined || found.module.nodeId !== nodeId) return;
-    this.#context.news.publishEvent({
+    const { session, module } = found;
+    const told = {
       ...cutTexts('ubii.extension.ModuleEvent', event, this.#context.limits),
-      sessionId: found.session.id,
-      moduleName: found.module.name,
+      sessionId: session.id,
+      moduleName: module.name,
       nodeId,
-    });
+    };
+    this.#context.news.publishEvent(told);
+    this.#context.onEvent(session, module, told);
   }
 
   /** [SE-63] */

@@ -34,6 +34,7 @@ export type ProblemCode =
   // While it lives.
   | 'module_not_started'
   | 'module_failed'
+  | 'module_run_failed'
   | 'module_not_stopped'
   | 'node_gone'
   | 'node_cannot_pause'

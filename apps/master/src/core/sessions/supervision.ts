@@ -20,8 +20,8 @@ export interface SupervisionParts {
   ) => Pick<SessionStatistics, 'passesPerSecond' | 'passP50Ms' | 'passP95Ms' | 'lateAnswers'>;
   /** Looks anew at what is doubtful about a session [SE-5]. */
   readonly recheck: (session: Session) => void;
-  /** Looks for modules that make too many topics [SE-61]. */
-  readonly lookAtTopics: (session: Session) => void;
+  /** Looks for modules that make too many topics [SE-61], and whose runs no longer fail [SE-12]. */
+  readonly lookAtTroubles: (session: Session) => void;
 }
 
 /** Looks after the sessions that live: who is late, and how they do. Without any it sleeps. */
@@ -73,7 +73,7 @@ export class Supervision {
     this.#lookAtStart(session);
     if (!session.isLive || this.#looks % LOOKS_PER_CHECK !== 0) return;
     this.#parts.recheck(session);
-    this.#parts.lookAtTopics(session);
+    this.#parts.lookAtTroubles(session);
   }
 
   /** [SE-12] */

@@ -91,7 +91,9 @@ export class InstanceReports {
     this.#topicsRefused += count;
     this.#refusedOutput = output;
     const message = `Output "${output}": elements on new topics are dropped, ${reason}. Existing topics continue.`;
-    this.countRefused(message, count);
+    this.#refused += count;
+    // No fault of a run, which goes on with the topics there are.
+    this.#tell({ kind: ModuleEventKind.REFUSED, message });
   }
 
   /** It has so much memory now. */
