@@ -2,7 +2,7 @@ import { join } from 'node:path';
 import { build } from 'esbuild';
 
 /** What the licences of the parts ask to be told; their files bring part of it as comments. */
-const NOTICE = `/*! Contains TensorFlow.js and its COCO-SSD, (c) Google LLC, Apache-2.0; seedrandom, (c) David Bau, MIT; long.js, (c) Daniel Wirtz, Apache-2.0. */`;
+const NOTICE = `/*! Contains TensorFlow.js and its COCO-SSD, (c) Google LLC, Apache-2.0; seedrandom, (c) David Bau, MIT; long.js, (c) Daniel Wirtz, Apache-2.0; jpeg-js, (c) Eugene Ware, BSD-3-Clause, with code (c) notmasteryet, Apache-2.0. */`;
 
 /**
  * Builds the library as one script without imports, which is a `var ubiiVision`, and whose value, when

@@ -17,3 +17,4 @@ export * from './pose/body-pose.ts';
 export * from './pose/smooth-pose.ts';
 export * from './pose/hand-keypoints.ts';
 export * from './pose/hand-pose.ts';
+export * from './decoding/decode-picture.ts';

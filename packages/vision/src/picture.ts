@@ -26,6 +26,9 @@ export interface Image2DLike {
   readonly data?: Uint8Array | null;
 }
 
+/** Formats of compressed pictures. */
+export type PictureFileFormat = 'JPEG' | 'PNG' | 'WebP';
+
 /** Bytes of a pixel. */
 export const CHANNELS: Readonly<Record<PixelFormat, number>> = { GRAY8: 1, RGB8: 3, RGBA8: 4 };
 
@@ -113,8 +116,12 @@ function bytesOf({ width, height, format }: Picture): number {
   return width * height * CHANNELS[format];
 }
 
-/** Known by its first bytes: JPEG (ITU-T T.81 B.1.1.3), PNG (RFC 2083 3.1), WebP (RFC 9649 2.4). */
-function compressionOf(data: Picture['data']): 'JPEG' | 'PNG' | 'WebP' | undefined {
+/**
+ * Returns the format of a compressed picture by its first bytes; undefined for other data.
+ *
+ * Sources: ITU-T T.81 B.1.1.3 (JPEG), RFC 2083 3.1 (PNG), RFC 9649 2.4 (WebP).
+ */
+export function compressionOf(data: Picture['data']): PictureFileFormat | undefined {
   const has = (at: number, ...bytes: number[]): boolean =>
     bytes.every((byte, index) => data[at + index] === byte);
   if (has(0, 0xff, 0xd8, 0xff)) return 'JPEG';
