@@ -77,11 +77,12 @@ function averageBlocks(picture: Picture, blockWidth: number, blockHeight: number
     sums.fill(0);
     for (let row = 0; row < blockHeight; row++) {
       let from = (y * blockHeight + row) * picture.width * step;
-      for (let x = 0; x < width; x++) {
-        for (let column = 0; column < blockWidth; column++) {
-          for (let channel = 0; channel < step; channel++) {
-            sums[x * step + channel]! += picture.data[from++]!;
-          }
+      for (let x = 0; x < width; x++, from += blockWidth * step) {
+        for (let channel = 0; channel < step; channel++) {
+          let sum = 0;
+          const end = from + blockWidth * step;
+          for (let at = from + channel; at < end; at += step) sum += picture.data[at]!;
+          sums[x * step + channel]! += sum;
         }
       }
     }
