@@ -18,3 +18,4 @@ export * from './pose/smooth-pose.ts';
 export * from './pose/hand-keypoints.ts';
 export * from './pose/hand-pose.ts';
 export * from './decoding/decode-picture.ts';
+export * from './messages/object2d-list.ts';
