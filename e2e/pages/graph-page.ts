@@ -24,13 +24,13 @@ export class GraphPage {
   constructor({ page }: { page: Page }) {
     this.page = page;
     this.canvas = page.getByRole('application', { name: 'Graph of the session' });
-    this.palette = page.getByRole('complementary', { name: 'What can be added' });
-    this.inspector = page.getByRole('complementary', { name: 'What is selected' });
-    this.refusal = page.getByRole('alertdialog', { name: 'This wire does not fit' });
-    this.menu = page.getByRole('menu', { name: /^What to do/ });
+    this.palette = page.getByRole('complementary', { name: 'Palette' });
+    this.inspector = page.getByRole('complementary', { name: 'Inspector' });
+    this.refusal = page.getByRole('alertdialog', { name: 'This wire is not possible' });
+    this.menu = page.getByRole('menu', { name: / actions$/ });
     this.life = page.getByRole('toolbar', { name: 'Session controls' });
     this.title = page.getByRole('button', { name: /, rename$/ });
-    this.others = page.getByRole('group', { name: 'Who else is here' });
+    this.others = page.getByRole('group', { name: 'Other users' });
     this.importDialog = page.getByRole('dialog', { name: /Import|No session/ });
   }
 

@@ -306,7 +306,7 @@ test('a graph that is begun on a tablet is accessible', async ({ master, room })
     reducedMotion: 'reduce',
   });
   await page.goto(`/sessions/${session!.id}/graph`);
-  await expect(page.getByRole('region', { name: 'How to begin' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Getting started' })).toBeVisible();
   await expect(page.getByRole('button', { name: /^Smooth a pointer/ })).toBeVisible();
   await expectAccessible(page);
   const add = page.getByRole('button', { name: 'Add to graph: low-pass' });

@@ -18,7 +18,7 @@ async function aPhone(room: Room): Promise<Locator> {
 async function anEmptyEditor(page: Page): Promise<GraphPage> {
   await page.goto('/sessions/new');
   const graph = new GraphPage({ page });
-  await expect(page.getByRole('region', { name: 'How to begin' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Getting started' })).toBeVisible();
   return graph;
 }
 

@@ -44,7 +44,7 @@ test('somebody drags a topic onto an input, is told what does not fit, starts it
     );
     await expect(graph.refusal).toContainText('gives string');
     await expect(graph.refusal).toContainText('takes double');
-    await graph.refusal.getByRole('button', { name: 'Leave it' }).click();
+    await graph.refusal.getByRole('button', { name: 'Cancel' }).click();
     await expect(graph.refusal).toBeHidden();
     await expect(graph.socket('Module low-pass', 'Input cutoffHz')).toHaveAccessibleName(
       /not connected/,

@@ -153,7 +153,7 @@ test('a session is renamed, copied, saved as another one, opened, deleted and br
     await anna.page.getByRole('combobox').fill('new empty session');
     await anna.page.keyboard.press('Enter');
     await expect(anna.title).toHaveText('Session');
-    await expect(anna.page.getByRole('region', { name: 'How to begin' })).toBeVisible();
+    await expect(anna.page.getByRole('region', { name: 'Getting started' })).toBeVisible();
   });
 });
 
@@ -229,7 +229,7 @@ test('an example runs with the finger of a phone, one click after it was chosen'
 
   const anna = new GraphPage(await room.atDesk('Anna'));
   await anna.page.goto('/sessions/new');
-  const begin = anna.page.getByRole('region', { name: 'How to begin' });
+  const begin = anna.page.getByRole('region', { name: 'Getting started' });
   await expect(begin).toContainText('Takes the pointer of Ines.');
   await begin.getByRole('button', { name: /^Smooth a pointer/ }).click();
   await expect(anna.title).toHaveText('Smooth a pointer');

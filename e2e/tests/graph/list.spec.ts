@@ -55,7 +55,7 @@ test('on a wide screen the list has the room of the canvas, and prefers topics t
       .getByRole('button', { name: /^Input value/ })
       .first()
       .click();
-    const field = page.getByRole('combobox', { name: 'Find what fits' });
+    const field = page.getByRole('combobox', { name: 'Find source or topic' });
     await field.fill('ines position');
     const first = page.getByRole('option').first();
     await expect(first).toContainText(/mouse_(client|server)_position · Ines/);
@@ -67,7 +67,7 @@ test('on a wide screen the list has the room of the canvas, and prefers topics t
       .getByRole('button', { name: /^Input value/ })
       .first()
       .click();
-    await page.getByRole('combobox', { name: 'Find what fits' }).fill('second');
+    await page.getByRole('combobox', { name: 'Find source or topic' }).fill('second');
     await page.keyboard.press('Enter');
     await expect(list.getByRole('button', { name: /^Input value/ }).first()).toContainText(
       'second · result',

@@ -87,7 +87,7 @@ test('fingers wire, zoom, drag and ask for the menu on a tablet', async ({ room,
     await fingers.hold({ x: now.x + now.width / 2, y: now.y + 20 }, () =>
       expect(graph.menu).toBeVisible(),
     );
-    await graph.menuItem('Select several').tap();
+    await graph.menuItem('Select multiple').tap();
     await expect(page.getByText('1 selected.')).toBeVisible();
     const clock = (await graph.node('Module clock').boundingBox())!;
     await fingers.tap({ x: clock.x + clock.width / 2, y: clock.y + 20 });
@@ -133,7 +133,7 @@ test('on a phone, modules are added, bound and started in the list', async ({ ro
     const refusal = page.getByRole('dialog').getByRole('alert');
     await expect(refusal).toContainText('gives vector2');
     await expect(refusal.getByRole('button', { name: 'Take x', exact: true })).toBeVisible();
-    await refusal.getByRole('button', { name: 'Leave it' }).tap();
+    await refusal.getByRole('button', { name: 'Cancel' }).tap();
   });
 
   await test.step('what fits is read, and shows its value', async () => {
@@ -146,7 +146,7 @@ test('on a phone, modules are added, bound and started in the list', async ({ ro
   await test.step('its output is led to a topic, it is started, and the value comes out', async () => {
     const output = list.getByRole('button', { name: /^Output smoothed/ });
     await output.tap();
-    await page.getByRole('combobox', { name: 'Find what fits' }).fill('/wave/smooth');
+    await page.getByRole('combobox', { name: 'Find source or topic' }).fill('/wave/smooth');
     await page.getByRole('option', { name: 'New topic /wave/smooth' }).tap();
     await expect(output).toContainText('/wave/smooth');
     await page.getByRole('button', { name: /^(Save and start|Start)$/ }).tap();
@@ -156,7 +156,7 @@ test('on a phone, modules are added, bound and started in the list', async ({ ro
   });
 
   await test.step('what is removed comes back', async () => {
-    await page.getByRole('button', { name: 'What to do with low-pass' }).tap();
+    await page.getByRole('button', { name: 'Actions for low-pass' }).tap();
     await page.getByRole('menuitem', { name: 'Delete', exact: true }).tap();
     await expect(list.getByRole('heading', { name: 'low-pass' })).toBeHidden();
     await page.getByRole('button', { name: 'Undo', exact: true }).last().tap();

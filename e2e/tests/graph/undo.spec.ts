@@ -123,7 +123,7 @@ const NODES: readonly Deed[] = [
     undo: /^Move /,
     async act(graph) {
       await selectAllOf(graph, LOOSE, SINK);
-      await choose(SINK, 'Line up', 'Top edges')(graph);
+      await choose(SINK, 'Align', 'Top edges')(graph);
     },
   },
   {
@@ -178,7 +178,7 @@ const WIRES: readonly Deed[] = [
   },
   {
     does: 'leads a wire through a point',
-    undo: /^Lead a wire elsewhere$|point/,
+    undo: /^Reroute a wire$|point/,
     async act(graph) {
       const { x, y } = await onFirstWire(graph);
       await graph.page.mouse.dblclick(x, y);
@@ -189,7 +189,7 @@ const WIRES: readonly Deed[] = [
     undo: /^Show the topic \/[ab]$/,
     async act(graph) {
       await graph.pointAtWire('right');
-      await graph.menuItem('Show its topic as a node').click();
+      await graph.menuItem('Show topic as node').click();
     },
   },
   {
@@ -197,7 +197,7 @@ const WIRES: readonly Deed[] = [
     undo: /^Change the topic of a wire to \/other$/,
     async act(graph) {
       await graph.pointAtWire('left');
-      const field = graph.inspector.getByLabel('Over the topic');
+      const field = graph.inspector.getByLabel('Topic', { exact: true });
       await field.fill('/other');
       await field.press('Enter');
     },
@@ -270,7 +270,7 @@ const SETTINGS: readonly Deed[] = [
   },
   {
     does: 'renames a value',
-    undo: /^Write/,
+    undo: /^Edit/,
     act: async (graph) => (await inspect(graph, VALUE)).getByLabel('Name').fill('Highest'),
   },
   {
@@ -293,7 +293,7 @@ const SETTINGS: readonly Deed[] = [
   },
   {
     does: 'writes a note',
-    undo: /^Write the comment$/,
+    undo: /^Edit the comment$/,
     act: async (graph) => (await inspect(graph, NOTE)).getByRole('textbox').fill('Seen'),
   },
   {
@@ -340,7 +340,7 @@ const FRAMES: readonly Deed[] = [
   },
   {
     does: 'drags a node into a frame',
-    undo: /^Put loose into the frame Box$/,
+    undo: /^Move loose into the frame Box$/,
     async act(graph) {
       const [box, loose] = [await graph.box(FRAME), await graph.grip(LOOSE)];
       await graph.pull(loose, { x: box.x + 60, y: box.y + box.height - 60 });
@@ -349,7 +349,7 @@ const FRAMES: readonly Deed[] = [
   },
   {
     does: 'drags a node out of a frame',
-    undo: /^Take Limit out of the frame$/,
+    undo: /^Remove Limit from the frame$/,
     async act(graph) {
       const { x, y } = await graph.grip(VALUE);
       await dragBy(graph, { x, y }, 0, 260);
@@ -367,7 +367,7 @@ const FRAMES: readonly Deed[] = [
   },
   {
     does: 'names a frame',
-    undo: /^Write the frame/,
+    undo: /^Edit the frame/,
     async act(graph) {
       const { x, y } = await graph.box(FRAME);
       await graph.page.mouse.dblclick(x + 20, y + 14);

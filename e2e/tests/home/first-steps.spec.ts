@@ -12,7 +12,7 @@ test('home says how the master is, and what to do first while nothing happens', 
   const steps = page.getByRole('list', { name: 'First steps' });
   await expect(steps.getByRole('button', { name: /^Connect a phone/ })).toBeVisible();
   await steps.getByRole('link', { name: /^Create a session/ }).click();
-  await expect(page.getByRole('region', { name: 'How to begin' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'Getting started' })).toBeVisible();
   await new Shell(page).go('Home');
   await expect(steps).toBeVisible();
   await room.program('Robot');

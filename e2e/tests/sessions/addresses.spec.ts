@@ -65,7 +65,7 @@ test('a new session opens as an empty graph, and is stored when it is saved', as
   const sessions = new SessionsPage(desk);
   await sessions.open();
   await sessions.newSession.first().click();
-  const begin = anna.page.getByRole('region', { name: 'How to begin' });
+  const begin = anna.page.getByRole('region', { name: 'Getting started' });
   await expect(begin).toBeVisible();
   await expect(anna.title).toHaveText('Session');
   const address = anna.page.url();
@@ -130,7 +130,7 @@ test('the address of a session that is gone says so, and what can be done', asyn
   await ben.page.goto('/sessions');
   await new SessionsPage(ben).choose('Placed', 'Delete');
   await expect(anna.page.getByText('The master no longer has this session')).toBeVisible();
-  await anna.page.getByRole('button', { name: 'Store it again' }).click();
+  await anna.page.getByRole('button', { name: 'Save again' }).click();
   await expect(new SessionsPage(ben).link('Placed')).toHaveAttribute('href', `/sessions/${id}`);
   await expect(anna.page.getByText('The master no longer has this session')).toBeHidden();
 });

@@ -38,7 +38,8 @@ describe('the library', () => {
     'has %s described, in the list of the library and in its own page',
     (name, module) => {
       expect(module).toMatchObject({ version: expect.stringMatching(/^\d+\.\d+\.\d+$/) });
-      expect(module.description?.length).toBeGreaterThan(20);
+      // Two lines of the palette, with the formats before it.
+      expect(module.description).toMatch(/^[A-Z].{20,48}\.$/);
       expect(module.tags?.length).toBeGreaterThan(0);
       expect(readFileSync(`${import.meta.dirname}/../README.md`, 'utf8')).toContain(`\`${name}\``);
       const folder = FOLDERS.find((folder) => name.startsWith(folder))!;

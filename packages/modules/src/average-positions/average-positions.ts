@@ -6,7 +6,7 @@ import { defineProcessingModule } from '@ubii/pm-sandbox';
  */
 export const averagePositions = defineProcessingModule({
   name: 'average-positions',
-  description: 'Computes the mean of all positions, and each offset from it.',
+  description: 'Computes the mean of positions, and all offsets.',
   tags: ['vector', 'muxer', 'demuxer', 'pointer'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

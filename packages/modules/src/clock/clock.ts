@@ -4,8 +4,8 @@ import type { NumberRecord } from '../number-record.ts';
 /** Generates signals in each run: a count, the elapsed time, ticks and waves. */
 export const clock = defineProcessingModule({
   name: 'clock',
-  description: 'Generates ticks, a run count, and sine, square, triangle and saw waves.',
-  tags: ['source', 'generator', 'time', 'number'],
+  description: 'Generates ticks, a run count and four waves.',
+  tags: ['source', 'generator', 'time', 'number', 'wave', 'sine'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
   inputs: {

@@ -4,7 +4,7 @@ import type { NumberRecord } from '../number-record.ts';
 /** Counts events, and resets its count on request. */
 export const counter = defineProcessingModule({
   name: 'counter',
-  description: 'Counts true values on event; true on reset sets the count to 0.',
+  description: 'Counts true values; reset sets the count to 0.',
   tags: ['event', 'number', 'counter'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

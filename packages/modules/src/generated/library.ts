@@ -7,7 +7,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'average-positions',
     authors: ['Ubi-Interact'],
     tags: ['vector', 'muxer', 'demuxer', 'pointer'],
-    description: 'Computes the mean of all positions, and each offset from it.',
+    description: 'Computes the mean of positions, and all offsets.',
     processingMode: {
       frequency: {
         hertz: 30,
@@ -51,8 +51,8 @@ export const LIBRARY: readonly JsonObject[] = [
   {
     name: 'clock',
     authors: ['Ubi-Interact'],
-    tags: ['source', 'generator', 'time', 'number'],
-    description: 'Generates ticks, a run count, and sine, square, triangle and saw waves.',
+    tags: ['source', 'generator', 'time', 'number', 'wave', 'sine'],
+    description: 'Generates ticks, a run count and four waves.',
     processingMode: {
       frequency: {
         hertz: 30,
@@ -144,7 +144,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'counter',
     authors: ['Ubi-Interact'],
     tags: ['event', 'number', 'counter'],
-    description: 'Counts true values on event; true on reset sets the count to 0.',
+    description: 'Counts true values; reset sets the count to 0.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -193,7 +193,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'http-poller',
     authors: ['Ubi-Interact'],
     tags: ['source', 'http', 'json', 'rest', 'iot'],
-    description: 'Requests a URL periodically and publishes a value of its JSON response.',
+    description: 'Requests a URL, and publishes one JSON value.',
     processingMode: {
       frequency: {
         hertz: 10,
@@ -262,7 +262,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'key-chord',
     authors: ['Ubi-Interact'],
     tags: ['event', 'key', 'keyboard', 'text'],
-    description: 'Joins the keys that are held down into a text such as "a + d".',
+    description: 'Joins the held keys into a text, such as a + d.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -305,7 +305,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'load-generator',
     authors: ['Ubi-Interact'],
     tags: ['load', 'benchmark', 'performance'],
-    description: 'Runs a given number of Fibonacci steps and measures the time.',
+    description: 'Computes Fibonacci steps and measures the time.',
     processingMode: {
       frequency: {
         hertz: 30,
@@ -362,7 +362,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'low-pass',
     authors: ['Ubi-Interact'],
     tags: ['filter', 'smoothing', 'low-pass'],
-    description: 'Smooths a double with a first-order low-pass filter.',
+    description: 'Smooths a double with a low-pass filter.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -406,7 +406,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'low-pass-quaternion',
     authors: ['Ubi-Interact'],
     tags: ['filter', 'smoothing', 'low-pass'],
-    description: 'Smooths a quaternion with a first-order low-pass filter.',
+    description: 'Smooths a quaternion with a low-pass filter.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -450,7 +450,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'low-pass-vector2',
     authors: ['Ubi-Interact'],
     tags: ['filter', 'smoothing', 'low-pass'],
-    description: 'Smooths a vector2 with a first-order low-pass filter.',
+    description: 'Smooths a vector2 with a low-pass filter.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -494,7 +494,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'low-pass-vector3',
     authors: ['Ubi-Interact'],
     tags: ['filter', 'smoothing', 'low-pass'],
-    description: 'Smooths a vector3 with a first-order low-pass filter.',
+    description: 'Smooths a vector3 with a low-pass filter.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -538,7 +538,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'low-pass-vector4',
     authors: ['Ubi-Interact'],
     tags: ['filter', 'smoothing', 'low-pass'],
-    description: 'Smooths a vector4 with a first-order low-pass filter.',
+    description: 'Smooths a vector4 with a low-pass filter.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -582,7 +582,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'map-range',
     authors: ['Ubi-Interact'],
     tags: ['number', 'scale', 'clamp'],
-    description: 'Maps a number from one range to another, with clamp and curve.',
+    description: 'Maps a number from one range to another.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -660,7 +660,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'merge-vector2',
     authors: ['Ubi-Interact'],
     tags: ['vector', 'number', 'merge'],
-    description: 'Combines the numbers x and y into a vector.',
+    description: 'Combines x and y into a vector.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -701,7 +701,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'merge-vector3',
     authors: ['Ubi-Interact'],
     tags: ['vector', 'number', 'merge'],
-    description: 'Combines the numbers x, y and z into a vector.',
+    description: 'Combines x, y and z into a vector.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -747,7 +747,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'merge-vector4',
     authors: ['Ubi-Interact'],
     tags: ['vector', 'number', 'merge'],
-    description: 'Combines the numbers x, y, z and w into a vector.',
+    description: 'Combines x, y, z and w into a vector.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -798,7 +798,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'mirror-pointer',
     authors: ['Ubi-Interact'],
     tags: ['pointer', 'vector', 'example'],
-    description: 'Mirrors a position from 0 to 1 in x, in y or in both.',
+    description: 'Mirrors a position from 0 to 1 in x, y or both.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -846,7 +846,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'mix',
     authors: ['Ubi-Interact'],
     tags: ['number', 'sum', 'mixer'],
-    description: 'Adds up to three numbers, each multiplied by its gain.',
+    description: 'Adds up to three numbers, each with a gain.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -910,7 +910,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'noise',
     authors: ['Ubi-Interact'],
     tags: ['source', 'generator', 'number', 'random'],
-    description: 'Generates pseudo-random numbers: uniform, normal, random walk.',
+    description: 'Generates uniform, normal and random-walk noise.',
     processingMode: {
       frequency: {
         hertz: 30,
@@ -976,7 +976,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'one-euro-filter',
     authors: ['Ubi-Interact'],
     tags: ['filter', 'smoothing', 'one-euro'],
-    description: 'Smooths a double with a 1€ filter: little jitter, little delay.',
+    description: 'Smooths a double with a 1€ filter.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -1032,7 +1032,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'one-euro-filter-quaternion',
     authors: ['Ubi-Interact'],
     tags: ['filter', 'smoothing', 'one-euro'],
-    description: 'Smooths a quaternion with a 1€ filter: little jitter, little delay.',
+    description: 'Smooths a quaternion with a 1€ filter.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -1088,7 +1088,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'one-euro-filter-vector2',
     authors: ['Ubi-Interact'],
     tags: ['filter', 'smoothing', 'one-euro'],
-    description: 'Smooths a vector2 with a 1€ filter: little jitter, little delay.',
+    description: 'Smooths a vector2 with a 1€ filter.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -1144,7 +1144,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'one-euro-filter-vector3',
     authors: ['Ubi-Interact'],
     tags: ['filter', 'smoothing', 'one-euro'],
-    description: 'Smooths a vector3 with a 1€ filter: little jitter, little delay.',
+    description: 'Smooths a vector3 with a 1€ filter.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -1200,7 +1200,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'one-euro-filter-vector4',
     authors: ['Ubi-Interact'],
     tags: ['filter', 'smoothing', 'one-euro'],
-    description: 'Smooths a vector4 with a 1€ filter: little jitter, little delay.',
+    description: 'Smooths a vector4 with a 1€ filter.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -1256,7 +1256,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'pick-field',
     authors: ['Ubi-Interact'],
     tags: ['field', 'convert', 'number', 'vector', 'text'],
-    description: 'Extracts one field of a value, such as position.x of a pose.',
+    description: 'Extracts a field of a value, such as position.x.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -1338,7 +1338,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'picture-edges',
     authors: ['Ubi-Interact'],
     tags: ['image', 'filter', 'edge'],
-    description: 'Converts an image to greyscale and detects its edges (Sobel).',
+    description: 'Converts an image to grey, and detects edges.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -1391,7 +1391,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'position-color',
     authors: ['Ubi-Interact'],
     tags: ['color', 'vector', 'pointer', 'convert'],
-    description: 'Converts a position to a colour: hue from x, lightness from y.',
+    description: 'Converts a position to a colour (hue, lightness).',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -1438,7 +1438,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'speed-vector2',
     authors: ['Ubi-Interact'],
     tags: ['vector', 'number', 'derivative', 'pointer'],
-    description: 'Computes the velocity, speed and travelled distance of a position.',
+    description: 'Computes the velocity and speed of a position.',
     processingMode: {
       frequency: {
         hertz: 30,
@@ -1491,7 +1491,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'statistics',
     authors: ['Ubi-Interact'],
     tags: ['number', 'statistics', 'window'],
-    description: 'Computes mean, minimum, maximum, deviation and RMS of recent values.',
+    description: 'Computes mean, minimum, maximum and deviation.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -1566,7 +1566,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'test-picture',
     authors: ['Ubi-Interact'],
     tags: ['source', 'generator', 'image'],
-    description: 'Generates a moving test image, which replaces a camera.',
+    description: 'Generates a moving test image.',
     processingMode: {
       frequency: {
         hertz: 12,
@@ -1615,7 +1615,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'threshold',
     authors: ['Ubi-Interact'],
     tags: ['event', 'number', 'edge'],
-    description: 'Gives an event when a number rises to or falls below a threshold.',
+    description: 'Reports when a number crosses a threshold.',
     processingMode: {
       triggerOnInput: {
         minDelayMs: 0,
@@ -1680,7 +1680,7 @@ export const LIBRARY: readonly JsonObject[] = [
     name: 'touch-proximity',
     authors: ['Ubi-Interact'],
     tags: ['touch', 'muxer', 'demuxer', 'example'],
-    description: 'Detects nearby touches of different clients and vibrates their phones.',
+    description: 'Detects near touches, and vibrates their phones.',
     processingMode: {
       frequency: {
         hertz: 20,

@@ -26,7 +26,7 @@ type PollerAnswer = { status: number; text: string } | { reason: string };
  */
 export const httpPoller = defineProcessingModule({
   name: 'http-poller',
-  description: 'Requests a URL periodically and publishes a value of its JSON response.',
+  description: 'Requests a URL, and publishes one JSON value.',
   tags: ['source', 'http', 'json', 'rest', 'iot'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

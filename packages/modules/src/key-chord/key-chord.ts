@@ -3,7 +3,7 @@ import { defineProcessingModule } from '@ubii/pm-sandbox';
 /** Joins the keys that are held down into a text such as "a + d". */
 export const keyChord = defineProcessingModule({
   name: 'key-chord',
-  description: 'Joins the keys that are held down into a text such as "a + d".',
+  description: 'Joins the held keys into a text, such as a + d.',
   tags: ['event', 'key', 'keyboard', 'text'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

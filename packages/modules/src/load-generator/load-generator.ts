@@ -7,7 +7,7 @@ import type { NumberRecord } from '../number-record.ts';
  */
 export const loadGenerator = defineProcessingModule({
   name: 'load-generator',
-  description: 'Runs a given number of Fibonacci steps and measures the time.',
+  description: 'Computes Fibonacci steps and measures the time.',
   tags: ['load', 'benchmark', 'performance'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

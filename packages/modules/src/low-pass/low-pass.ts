@@ -84,7 +84,7 @@ type SmoothFormat = 'double' | 'vector2' | 'vector3' | 'vector4' | 'quaternion';
 function defineLowPass<const F extends SmoothFormat>(name: string, format: F) {
   return defineProcessingModule({
     name,
-    description: `Smooths a ${format} with a first-order low-pass filter.`,
+    description: `Smooths a ${format} with a low-pass filter.`,
     tags: ['filter', 'smoothing', 'low-pass'],
     authors: ['Ubi-Interact'],
     version: '1.0.0',

@@ -4,7 +4,7 @@ import type { NumberRecord } from '../number-record.ts';
 /** Maps a number from one range to another: scales, offsets, clamps, inverts, and applies a curve. */
 export const mapRange = defineProcessingModule({
   name: 'map-range',
-  description: 'Maps a number from one range to another, with clamp and curve.',
+  description: 'Maps a number from one range to another.',
   tags: ['number', 'scale', 'clamp'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

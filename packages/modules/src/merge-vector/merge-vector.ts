@@ -4,7 +4,7 @@ import type { NumberRecord } from '../number-record.ts';
 /** Combines two numbers into one vector. A component without a record is 0. */
 export const mergeVector2 = defineProcessingModule({
   name: 'merge-vector2',
-  description: 'Combines the numbers x and y into a vector.',
+  description: 'Combines x and y into a vector.',
   tags: ['vector', 'number', 'merge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -24,7 +24,7 @@ export const mergeVector2 = defineProcessingModule({
 /** Combines three numbers into one vector. A component without a record is 0. */
 export const mergeVector3 = defineProcessingModule({
   name: 'merge-vector3',
-  description: 'Combines the numbers x, y and z into a vector.',
+  description: 'Combines x, y and z into a vector.',
   tags: ['vector', 'number', 'merge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -44,7 +44,7 @@ export const mergeVector3 = defineProcessingModule({
 /** Combines four numbers into one vector. A component without a record is 0. */
 export const mergeVector4 = defineProcessingModule({
   name: 'merge-vector4',
-  description: 'Combines the numbers x, y, z and w into a vector.',
+  description: 'Combines x, y, z and w into a vector.',
   tags: ['vector', 'number', 'merge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

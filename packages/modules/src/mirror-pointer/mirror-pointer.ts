@@ -7,7 +7,7 @@ import { defineProcessingModule } from '@ubii/pm-sandbox';
  */
 export const mirrorPointer = defineProcessingModule({
   name: 'mirror-pointer',
-  description: 'Mirrors a position from 0 to 1 in x, in y or in both.',
+  description: 'Mirrors a position from 0 to 1 in x, y or both.',
   tags: ['pointer', 'vector', 'example'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

@@ -4,7 +4,7 @@ import type { NumberRecord } from '../number-record.ts';
 /** Adds up to three numbers, each multiplied by a gain. A negative gain subtracts. */
 export const mix = defineProcessingModule({
   name: 'mix',
-  description: 'Adds up to three numbers, each multiplied by its gain.',
+  description: 'Adds up to three numbers, each with a gain.',
   tags: ['number', 'sum', 'mixer'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

@@ -10,7 +10,7 @@ import type { NumberRecord } from '../number-record.ts';
  */
 export const noise = defineProcessingModule({
   name: 'noise',
-  description: 'Generates pseudo-random numbers: uniform, normal, random walk.',
+  description: 'Generates uniform, normal and random-walk noise.',
   tags: ['source', 'generator', 'number', 'random'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

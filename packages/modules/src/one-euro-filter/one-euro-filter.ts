@@ -107,7 +107,7 @@ type SmoothFormat = 'double' | 'vector2' | 'vector3' | 'vector4' | 'quaternion';
 function defineOneEuro<const F extends SmoothFormat>(name: string, format: F) {
   return defineProcessingModule({
     name,
-    description: `Smooths a ${format} with a 1€ filter: little jitter, little delay.`,
+    description: `Smooths a ${format} with a 1€ filter.`,
     tags: ['filter', 'smoothing', 'one-euro'],
     authors: ['Ubi-Interact'],
     version: '1.0.0',

@@ -6,7 +6,7 @@ import { defineProcessingModule } from '@ubii/pm-sandbox';
  */
 export const pickField = defineProcessingModule({
   name: 'pick-field',
-  description: 'Extracts one field of a value, such as position.x of a pose.',
+  description: 'Extracts a field of a value, such as position.x.',
   tags: ['field', 'convert', 'number', 'vector', 'text'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

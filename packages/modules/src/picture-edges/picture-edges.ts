@@ -9,7 +9,7 @@ import type { NumberRecord } from '../number-record.ts';
  */
 export const pictureEdges = defineProcessingModule({
   name: 'picture-edges',
-  description: 'Converts an image to greyscale and detects its edges (Sobel).',
+  description: 'Converts an image to grey, and detects edges.',
   tags: ['image', 'filter', 'edge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

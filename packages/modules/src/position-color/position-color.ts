@@ -4,7 +4,7 @@ import type { NumberRecord } from '../number-record.ts';
 /** Converts a position to a colour: the hue from x, the lightness from y. */
 export const positionColor = defineProcessingModule({
   name: 'position-color',
-  description: 'Converts a position to a colour: hue from x, lightness from y.',
+  description: 'Converts a position to a colour (hue, lightness).',
   tags: ['color', 'vector', 'pointer', 'convert'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

@@ -15,7 +15,7 @@ interface SpeedState {
  */
 export const speedVector2 = defineProcessingModule({
   name: 'speed-vector2',
-  description: 'Computes the velocity, speed and travelled distance of a position.',
+  description: 'Computes the velocity and speed of a position.',
   tags: ['vector', 'number', 'derivative', 'pointer'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

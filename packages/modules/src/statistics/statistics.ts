@@ -32,7 +32,7 @@ interface StatisticsState {
  */
 export const statistics = defineProcessingModule({
   name: 'statistics',
-  description: 'Computes mean, minimum, maximum, deviation and RMS of recent values.',
+  description: 'Computes mean, minimum, maximum and deviation.',
   tags: ['number', 'statistics', 'window'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

@@ -4,7 +4,7 @@ import type { NumberRecord } from '../number-record.ts';
 /** Generates images without a camera: a disc that moves over bars and a gradient. */
 export const testPicture = defineProcessingModule({
   name: 'test-picture',
-  description: 'Generates a moving test image, which replaces a camera.',
+  description: 'Generates a moving test image.',
   tags: ['source', 'generator', 'image'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

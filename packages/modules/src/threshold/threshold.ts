@@ -4,7 +4,7 @@ import type { NumberRecord } from '../number-record.ts';
 /** Converts a number to events: it has risen to a threshold, or fallen below it. */
 export const threshold = defineProcessingModule({
   name: 'threshold',
-  description: 'Gives an event when a number rises to or falls below a threshold.',
+  description: 'Reports when a number crosses a threshold.',
   tags: ['event', 'number', 'edge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',

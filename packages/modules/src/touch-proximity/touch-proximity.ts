@@ -26,7 +26,7 @@ interface TouchProximityState {
  */
 export const touchProximity = defineProcessingModule({
   name: 'touch-proximity',
-  description: 'Detects nearby touches of different clients and vibrates their phones.',
+  description: 'Detects near touches, and vibrates their phones.',
   tags: ['touch', 'muxer', 'demuxer', 'example'],
   authors: ['Ubi-Interact'],
   version: '1.1.0',

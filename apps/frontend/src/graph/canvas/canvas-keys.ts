@@ -112,7 +112,7 @@ function plainKey(keys: CanvasKeys, event: KeyboardEvent): boolean {
     case 'x':
       return commands.detach();
     case 'i':
-      if (!commands.insert()) actions.tell('The node lies on no wire that fits it.');
+      if (!commands.insert()) actions.tell('The node is not on a compatible wire.');
       return true;
     case 'w':
     case 'W':

@@ -15,7 +15,7 @@ describe('constants [PM-34]', () => {
     expect(typedConstant('int32', 'x').problem).toMatch(/number/);
     expect(typedConstant('bool', 'yes').problem).toMatch(/true or false/);
     expect(typedConstant('vector2', '{x').problem).toMatch(/JSON/);
-    expect(typedConstant('vector2', '"x"').problem).toMatch(/no vector2/);
+    expect(typedConstant('vector2', '"x"').problem).toMatch(/valid vector2/);
   });
 
   it('show as they are typed, also those that cannot be read', () => {

@@ -43,7 +43,7 @@ function constantOf(format: DataFormat, value: unknown): TypedConstant {
     fromJson('ubii.topicData.TopicDataRecord', { [format]: value });
     return { json: JSON.stringify({ [format]: value }) };
   } catch {
-    return { problem: `This is no ${format}; one is ${exampleText(format)}.` };
+    return { problem: `This is not a valid ${format}. Example: ${exampleText(format)}` };
   }
 }
 

@@ -21,9 +21,9 @@ export function misfitOnWire(graph: Graph, wire: Wire, node: GraphNode): string 
   ] as const) {
     const found = reasons(direction);
     if (found.length === 0) return `${name} has no ${side} for this wire.`;
-    if (!found.includes('')) return `${name} does not fit this wire: ${found[0]}`;
+    if (!found.includes('')) return `${name} is not compatible with this wire: ${found[0]}`;
   }
-  return `The inputs of ${name} that fit this wire are connected already.`;
+  return `All compatible inputs of ${name} are connected already.`;
 }
 
 /** What became of a node that was inserted, and what has to be done for it to run. */

@@ -41,7 +41,9 @@ export function hoverWords(graph: Graph, target: HoverTarget): HoverWords | unde
     const ends = `${endWords(graph, wire.from)} → ${endWords(graph, wire.to)}`;
     const source = graph.nodes.get(wire.from.node);
     const note =
-      source?.kind === 'constant' ? `Always ${source.json}` : 'The values of many topics as a list';
+      source?.kind === 'constant'
+        ? `Constant ${source.json}`
+        : 'The values of many topics as a list';
     const topic = topicOfWire(graph, wire);
     return { title: ends, topic, format, note: topic === undefined ? note : undefined };
   }
@@ -63,7 +65,7 @@ export function hoverWords(graph: Graph, target: HoverTarget): HoverWords | unde
 }
 
 const noteOf = (constant: string | undefined): string =>
-  constant === undefined ? 'Not connected' : `Not connected, always ${constant}`;
+  constant === undefined ? 'Not connected' : `Not connected, constant ${constant}`;
 
 function endWords(graph: Graph, ref: PortRef): string {
   const node = graph.nodes.get(ref.node);

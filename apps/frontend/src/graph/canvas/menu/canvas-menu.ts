@@ -10,25 +10,25 @@ export function canvasMenu(graph: Graph, { at, uuid, isTouch }: MenuPlace): Menu
   const isEmpty = nodes.length === 0;
   return separated(
     [
-      action('Add here…', { request: { kind: 'add', at } }, { shortcut: 'A' }),
-      action('Write a note here', {
+      action('Add node…', { request: { kind: 'add', at } }, { shortcut: 'A' }),
+      action('Add note', {
         command: { kind: 'add', nodes: [note] },
         select: [note.id],
         request: { kind: 'inspect', node: note.id },
       }),
-      action('Paste here', { request: { kind: 'paste', at } }, { shortcut: 'Ctrl V' }),
+      action('Paste', { request: { kind: 'paste', at } }, { shortcut: 'Ctrl V' }),
     ],
     isEmpty
       ? []
       : [
           action('Select all', { request: { kind: 'select', nodes } }, { shortcut: 'Ctrl A' }),
-          ...(isTouch ? [action('Select several', { request: { kind: 'selectMore' } })] : []),
+          ...(isTouch ? [action('Select multiple', { request: { kind: 'selectMore' } })] : []),
         ],
     isEmpty
       ? []
       : [
           action('Arrange all', { request: { kind: 'arrange' } }),
-          action('Show all', { request: { kind: 'fit' } }, { shortcut: 'F' }),
+          action('Zoom to fit', { request: { kind: 'fit' } }, { shortcut: 'F' }),
           action('Find…', { request: { kind: 'find' } }, { shortcut: 'Ctrl F' }),
         ],
   );

@@ -37,17 +37,15 @@ export function lineUpMenu(
       ? []
       : [
           action(
-            'Put a frame around',
+            'Add frame',
             { command: frameAround(graph, boxes, frame), select: [frame] },
             { shortcut: 'Ctrl G' },
           ),
         ]),
     ...(framed.length === 0
       ? []
-      : [action('Take out of the frame', { command: takeOut(graph, framed) })]),
-    ...(boxes.length > 1
-      ? [{ kind: 'group', text: 'Line up', entries: lines(boxes) } as const]
-      : []),
+      : [action('Remove from frame', { command: takeOut(graph, framed) })]),
+    ...(boxes.length > 1 ? [{ kind: 'group', text: 'Align', entries: lines(boxes) } as const] : []),
   ];
 }
 
@@ -58,7 +56,7 @@ function takeOut({ nodes: all }: Graph, nodes: readonly GraphNode[]): GraphComma
   });
   const [only] = commands;
   if (only !== undefined && commands.length === 1) return only;
-  return { kind: 'all', label: `Take ${commands.length} nodes out of their frames`, commands };
+  return { kind: 'all', label: `Remove ${commands.length} nodes from their frames`, commands };
 }
 
 function lines(boxes: readonly Box[]): MenuAction[] {
@@ -74,12 +72,12 @@ function lines(boxes: readonly Box[]): MenuAction[] {
     ...(boxes.length > 2
       ? [
           action(
-            'Same gaps across',
+            'Distribute horizontally',
             { command: move(distribute(boxes, 'x')) },
             { shortcut: 'Alt Shift H' },
           ),
           action(
-            'Same gaps down',
+            'Distribute vertically',
             { command: move(distribute(boxes, 'y')) },
             { shortcut: 'Alt Shift V' },
           ),

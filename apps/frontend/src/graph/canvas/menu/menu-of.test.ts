@@ -52,22 +52,22 @@ describe('the menu of a module', () => {
   it('shows only what applies', () => {
     const all = texts(chain, target);
     expect(all).toContain('Bypass');
-    expect(all).toContain('Open the module');
+    expect(all).toContain('Open module');
     expect(all).toContain('Delete and reconnect');
     expect(all).not.toContain('Left edges');
-    expect(all).not.toContain('Select several');
+    expect(all).not.toContain('Select multiple');
     const alone = texts(aGraphOf([aModule('alone')]), { kind: 'nodes', nodes: ['module:alone'] });
     expect(alone).not.toContain('Disconnect all');
     expect(alone).not.toContain('Delete and reconnect');
   });
 
   it('offers fingers to select several', () => {
-    expect(texts(chain, target, { isTouch: true })).toContain('Select several');
+    expect(texts(chain, target, { isTouch: true })).toContain('Select multiple');
   });
 
   it('says what it would do next', () => {
     const muted = after(chain, target, 'Mute');
-    expect(texts(muted, target)).toContain('Let it work again');
+    expect(texts(muted, target)).toContain('Enable');
     const collapsed = after(chain, target, 'Collapse');
     expect(texts(collapsed, target)).toContain('Expand');
   });
@@ -83,9 +83,9 @@ it('is about all that is selected when it is asked for on one of them', () => {
   expect(nodesMeant(new Set([B]), A)).toEqual([A]);
   const all = texts(chain, { kind: 'nodes', nodes: [A, B] });
   expect(all).toContain('Left edges');
-  expect(all).not.toContain('Same gaps across');
-  expect(all).not.toContain('Open the module');
-  const framed = after(chain, { kind: 'nodes', nodes: [A, B] }, 'Put a frame around');
+  expect(all).not.toContain('Distribute horizontally');
+  expect(all).not.toContain('Open module');
+  const framed = after(chain, { kind: 'nodes', nodes: [A, B] }, 'Add frame');
   expect(framed.nodes.get(A)?.frame).toMatch(/^frame:/);
 });
 
@@ -94,26 +94,26 @@ describe('the menu of a wire', () => {
   const target = { kind: 'wire', wire } as const;
 
   it('leads it through the place that was pointed at', () => {
-    const led = after(chain, target, 'Lead it through here');
+    const led = after(chain, target, 'Add bend point');
     expect(led.wires.get(wire)?.points).toEqual([{ x: 100, y: 60 }]);
-    expect(after(led, target, 'Straighten it').wires.get(wire)?.points).toEqual([]);
+    expect(after(led, target, 'Remove bend points').wires.get(wire)?.points).toEqual([]);
   });
 
   it('shows its topic, and deletes it', () => {
-    expect(after(chain, target, 'Show its topic as a node').nodes.has('topic:/b')).toBe(true);
+    expect(after(chain, target, 'Show topic as node').nodes.has('topic:/b')).toBe(true);
     expect(after(chain, target, 'Delete').wires.has(wire)).toBe(false);
-    expect(chosen(chain, target, 'Insert a module here…').request).toMatchObject({ wire });
+    expect(chosen(chain, target, 'Insert module…').request).toMatchObject({ wire });
   });
 });
 
 describe('the menu of a socket', () => {
   it('sets a value where nothing is wired, and takes wires off', () => {
     const rest = { kind: 'socket', port: { node: B, port: 'in:rest' } } as const;
-    const set = after(chain, rest, 'Set a value');
+    const set = after(chain, rest, 'Set value');
     expect(set.nodes.get(B)).toMatchObject({ constants: new Map([['rest', '{"double":0}']]) });
-    expect(texts(set, rest)).toContain('Use the default');
+    expect(texts(set, rest)).toContain('Use default');
     const wired = { kind: 'socket', port: { node: B, port: 'in:in' } } as const;
-    expect(texts(chain, wired)).toEqual(['Read from…', 'Disconnect']);
+    expect(texts(chain, wired)).toEqual(['Connect from…', 'Disconnect']);
     expect(wiresIn(after(chain, wired, 'Disconnect'))).not.toContain('first.out > second.in (/b)');
   });
 });
@@ -121,16 +121,16 @@ describe('the menu of a socket', () => {
 describe('the menu of the canvas', () => {
   it('adds where it was asked for', () => {
     const target = { kind: 'canvas' } as const;
-    expect(chosen(chain, target, 'Add here…').request).toEqual({
+    expect(chosen(chain, target, 'Add node…').request).toEqual({
       kind: 'add',
       at: { x: 103, y: 58 },
     });
-    const noted = after(chain, target, 'Write a note here');
+    const noted = after(chain, target, 'Add note');
     expect([...noted.nodes.values()].at(-1)).toMatchObject({
       kind: 'comment',
       position: { x: 100, y: 60 },
     });
-    expect(texts(aGraphOf([]), target)).toEqual(['Add here…', 'Write a note here', 'Paste here']);
+    expect(texts(aGraphOf([]), target)).toEqual(['Add node…', 'Add note', 'Paste']);
   });
 });
 

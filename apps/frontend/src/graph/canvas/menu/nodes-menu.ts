@@ -24,7 +24,7 @@ export function nodesMenu(graph: Graph, ids: readonly string[], place: MenuPlace
     copies(graph, nodes, place),
     [...standings(nodes), ...collapsing(nodes)],
     [...wiring(graph, chosen), ...lineUpMenu(graph, nodes, place)],
-    place.isTouch ? [action('Select several', { request: { kind: 'selectMore' } })] : [],
+    place.isTouch ? [action('Select multiple', { request: { kind: 'selectMore' } })] : [],
     removal(graph, chosen),
   );
 }
@@ -49,21 +49,21 @@ function aboutOne(graph: Graph, node: GraphNode): MenuAction[] {
     case 'module':
       return [
         inspect,
-        action('Open the module', { request: { kind: 'open module', name: node.module.name } }),
+        action('Open module', { request: { kind: 'open module', name: node.module.name } }),
       ];
     case 'topic':
       return [
         inspect,
-        action('Open the topic', { request: { kind: 'open topic', name: node.topic } }),
+        action('Open topic', { request: { kind: 'open topic', name: node.topic } }),
         ...(canHide(graph, node)
-          ? [action('Show it as a wire', { command: { kind: 'hideTopic', node: node.id } })]
+          ? [action('Show as wire', { command: { kind: 'hideTopic', node: node.id } })]
           : []),
       ];
     case 'frame':
       return [
         inspect,
         action(
-          'Take only the frame away',
+          'Remove frame only',
           { command: { kind: 'ungroup', frame: node.id } },
           { shortcut: 'Ctrl Shift G' },
         ),
@@ -93,7 +93,7 @@ function standings(nodes: readonly GraphNode[]): MenuAction[] {
     const isOn = modules.every((node) => node.standing === standing);
     const words = standing === 'bypassed' ? 'Bypass' : 'Mute';
     return action(
-      isOn ? 'Let it work again' : words,
+      isOn ? 'Enable' : words,
       { command: { kind: 'setStanding', nodes: ids, standing: isOn ? 'active' : standing } },
       { shortcut: words === 'Bypass' ? 'B' : 'M' },
     );

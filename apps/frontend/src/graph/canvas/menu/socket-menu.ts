@@ -14,11 +14,11 @@ export function socketMenu(graph: Graph, ref: PortRef, { at }: MenuPlace): MenuE
   const constant = node.kind === 'module' ? node.constants.get(port.name) : undefined;
   const canHold = isInput && node.kind === 'module' && !port.isList && wires.length === 0;
   return separated(
-    [action(isInput ? 'Read from…' : 'Lead to…', { request: { kind: 'add', at, end: ref } })],
+    [action(isInput ? 'Connect from…' : 'Connect to…', { request: { kind: 'add', at, end: ref } })],
     [
       ...(canHold && constant === undefined && port.format !== undefined
         ? [
-            action('Set a value', {
+            action('Set value', {
               command: {
                 kind: 'setConstant',
                 node: ref.node,
@@ -32,7 +32,7 @@ export function socketMenu(graph: Graph, ref: PortRef, { at }: MenuPlace): MenuE
         : []),
       ...(canHold && constant !== undefined
         ? [
-            action('Use the default', {
+            action('Use default', {
               command: { kind: 'setConstant', node: ref.node, input: port.name, json: undefined },
             }),
           ]

@@ -39,10 +39,10 @@ export interface MenuSurroundings {
 }
 
 const LABELS: Readonly<Record<MenuTarget['kind'], string>> = {
-  nodes: 'What to do with it',
-  wire: 'What to do with this wire',
-  socket: 'What to do with this socket',
-  canvas: 'What to do here',
+  nodes: 'Node actions',
+  wire: 'Wire actions',
+  socket: 'Socket actions',
+  canvas: 'Canvas actions',
 };
 /** How far below the top left of what has the focus a menu of the keyboard opens, pixels. */
 const KEY_INSET = 24;

@@ -12,29 +12,31 @@ export function wireMenu(graph: Graph, id: string, { at, spotOn }: MenuPlace): M
   const spot = spotOn(id);
   return separated(
     [
-      action('Insert a module here…', { request: { kind: 'add', at, wire: id } }),
+      action('Insert module…', { request: { kind: 'add', at, wire: id } }),
       ...(spot === undefined
         ? []
         : [
             action(
-              'Lead it through here',
+              'Add bend point',
               { command: addPoint(wire, spot.leg, onGrid(spot)) },
               { shortcut: 'P' },
             ),
           ]),
-      ...(wire.points.length > 0 ? [action('Straighten it', { command: removePoints(wire) })] : []),
+      ...(wire.points.length > 0
+        ? [action('Remove bend points', { command: removePoints(wire) })]
+        : []),
     ],
     [
       ...(wire.via === undefined
         ? []
         : [
-            action('Show its topic as a node', {
+            action('Show topic as node', {
               command: { kind: 'showTopic', wire: id, position: onGrid(at) },
             }),
           ]),
       ...(topic === undefined
         ? []
-        : [action('Open its topic', { request: { kind: 'open topic', name: topic } })]),
+        : [action('Open topic', { request: { kind: 'open topic', name: topic } })]),
     ],
     [
       action(

@@ -35,13 +35,13 @@ const template = (
 
 /** Simple ones first. */
 export const TEMPLATES: readonly Template[] = [
-  template('smooth-pointer', 'Smooth a pointer', 'A shaky pointer goes in, a calm one comes out.', {
+  template('smooth-pointer', 'Smooth a pointer', 'A 1€ filter removes the jitter of a pointer.', {
     pointerTopic: '/examples/smooth-pointer/pointer',
   }),
   template(
     'mirror-pointer',
     'Mirror a pointer',
-    'Left becomes right; two switches say which way.',
+    'Mirrors a pointer in x or y, as two switches select.',
     {
       pointerTopic: '/examples/mirror-pointer/pointer',
     },
@@ -49,9 +49,5 @@ export const TEMPLATES: readonly Template[] = [
   template('gather-pointers', 'Gather pointers', 'A muxer collects the pointers of all clients.', {
     needsPointer: true,
   }),
-  template(
-    'smoothing-chain',
-    'Smoothing chain',
-    'Four modules in a row. It needs nothing from outside.',
-  ),
+  template('smoothing-chain', 'Smoothing chain', 'Four modules in a row, without inputs.'),
 ];

@@ -61,7 +61,7 @@ export function useTemplates(editor: GraphEditor): Templates {
     load,
     use(template, position) {
       const seen = list.value.find((one) => one.template === template)?.seen;
-      if (seen === undefined) return 'The example is not here any more.';
+      if (seen === undefined) return 'The example no longer exists.';
       const topic = pointer.take(template);
       const { graph } = editor;
       const isEmpty = graph.value.nodes.size === 0;

@@ -70,10 +70,10 @@ function* moduleChanges(old: MappedModule, next: MappedModule): Iterable<Session
     if (was !== is) yield about(module, 'live', `${name} · ${output} goes to ${is}.`);
   }
   if (spreadersOf(old) !== spreadersOf(next)) {
-    yield about(module, 'live', `${name} has other muxers or demuxers.`);
+    yield about(module, 'live', `The muxers or demuxers of ${name} change.`);
   }
   if (!sameValue(notes(old.module), notes(module))) {
-    yield about(module, 'none', `What is said about ${name} changes.`);
+    yield about(module, 'none', `The details of ${name} change.`);
   }
 }
 
@@ -164,11 +164,14 @@ function* sessionChanges(running: Session, edited: Session): Iterable<SessionCha
   });
   const [old, next] = [graphOf(running).details, graphOf(edited).details];
   if (old.name !== next.name)
-    yield session('none', `The session is called ${next.name || 'nothing'}.`);
+    yield session(
+      'none',
+      next.name ? `The session is renamed to ${next.name}.` : 'The session has no name.',
+    );
   if (old.lockstepHertz !== next.lockstepHertz) {
     const rate =
-      next.lockstepHertz === 0 ? 'as often as usual' : `${next.lockstepHertz} times a second`;
-    yield session('live', `Lockstep passes come ${rate}.`);
+      next.lockstepHertz === 0 ? 'at the default rate' : `${next.lockstepHertz} times per second`;
+    yield session('live', `Lockstep passes run ${rate}.`);
   }
   if (old.startWithMaster !== next.startWithMaster) {
     const words = next.startWithMaster
@@ -183,8 +186,8 @@ function* sessionChanges(running: Session, edited: Session): Iterable<SessionCha
     editable,
   ];
   if (!sameValue(said(old), said(next)))
-    yield session('none', 'What is said about the session changes.');
+    yield session('none', 'The details of the session change.');
   if ((running.extension?.editorJson ?? '') !== (edited.extension?.editorJson ?? '')) {
-    yield session('none', 'The nodes lie elsewhere.');
+    yield session('none', 'Layout changed.');
   }
 }

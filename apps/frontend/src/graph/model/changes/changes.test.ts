@@ -56,7 +56,7 @@ describe('changes of a running session [SE-15]', () => {
     ]);
     expect(words(remove('topic:/in'))).toEqual(['live: a · i takes nothing.']);
     const positions = new Map([['module:a', { x: 1, y: 2 }]]);
-    expect(words({ kind: 'move', positions })).toEqual(['none: The nodes lie elsewhere.']);
+    expect(words({ kind: 'move', positions })).toEqual(['none: Layout changed.']);
   });
 
   it('of code, inputs and places restart the module', () => {
@@ -67,7 +67,7 @@ describe('changes of a running session [SE-15]', () => {
     ]);
     expect(change({ outputs: [] })).toEqual(['restart: a restarts: its outputs changed.']);
     expect(change({ nodeId: 'lab' })).toEqual(['restart: a restarts: it moves to another node.']);
-    expect(change({ description: 'Better' })).toEqual(['none: What is said about a changes.']);
+    expect(change({ description: 'Better' })).toEqual(['none: The details of a change.']);
   });
 
   it('start and end modules', () => {

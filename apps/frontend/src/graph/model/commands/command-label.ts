@@ -22,7 +22,7 @@ export function commandLabel(graph: Graph, command: GraphCommand): string {
     case 'connect':
       return `Connect ${portName(graph, command.from)} to ${portName(graph, command.to)}`;
     case 'reroute':
-      return 'Lead a wire elsewhere';
+      return 'Reroute a wire';
     case 'setModule':
       return `Change ${moduleMembers(Object.keys(command.changes))} of ${name(command.node)}`;
     case 'setConstant':
@@ -34,13 +34,13 @@ export function commandLabel(graph: Graph, command: GraphCommand): string {
     case 'setValue':
       return `Change ${name(command.node)}`;
     case 'setText':
-      return `Write ${name(command.node)}`;
+      return `Edit ${name(command.node)}`;
     case 'setColor':
       return `Colour ${name(command.frame)}`;
     case 'renameTopic':
-      return `Change the topic ${name(command.node)} to ${command.topic || 'nothing'}`;
+      return `Change the topic ${name(command.node)} to ${command.topic || 'none'}`;
     case 'setVia':
-      return `Change the topic of a wire to ${command.topic || 'nothing'}`;
+      return `Change the topic of a wire to ${command.topic || 'none'}`;
     case 'showTopic':
       return `Show the topic ${graph.wires.get(command.wire)?.via ?? ''}`.trimEnd();
     case 'hideTopic':
@@ -51,8 +51,8 @@ export function commandLabel(graph: Graph, command: GraphCommand): string {
       return `Remove ${name(command.frame)}`;
     case 'setFrame':
       return command.frame === undefined
-        ? `Take ${several(command.nodes, name)} out of the frame`
-        : `Put ${several(command.nodes, name)} into ${name(command.frame)}`;
+        ? `Remove ${several(command.nodes, name)} from the frame`
+        : `Move ${several(command.nodes, name)} into ${name(command.frame)}`;
     case 'setDetails':
       return `Change the ${detailWords(Object.keys(command.changes))} of the session`;
   }
@@ -62,7 +62,7 @@ export function commandLabel(graph: Graph, command: GraphCommand): string {
 export function nodeName(node: GraphNode | undefined): string {
   switch (node?.kind) {
     case undefined:
-      return 'something that is gone';
+      return 'a removed node';
     case 'topic':
       return node.topic;
     case 'module':

@@ -28,7 +28,7 @@ export function fitOf(
 ): Fit {
   const from = endOf(graph, fromRef);
   const to = endOf(graph, toRef);
-  if (from === undefined || to === undefined) return misfit('One end of the wire is gone.');
+  if (from === undefined || to === undefined) return misfit('One end of the wire was removed.');
   return fitEnds(graph, from, to, library);
 }
 
@@ -66,12 +66,13 @@ function misfit(reason: string, offers: readonly Adapter[] = []): Fit {
 
 /** Wires a session cannot say, and why. */
 const NONSENSE: Readonly<Partial<Record<`${NodeKind} ${NodeKind}`, string>>> = {
-  'topic topic': 'A topic gets its values from modules; put a module between the two topics.',
-  'topic demuxer': 'A demuxer spreads what a module puts out; put a module before it.',
-  'muxer topic': 'A muxer gathers values for a module; put a module behind it.',
-  'muxer demuxer': 'A muxer gathers values for a module; put a module between the two.',
-  'constant topic': 'A constant goes into a module; topics get their values from modules.',
-  'constant demuxer': 'A constant goes into a module; demuxers take what modules put out.',
+  'topic topic': 'Topics get values from modules. Add a module between the two topics.',
+  'topic demuxer': 'A demuxer publishes the output of a module. Add a module before it.',
+  'muxer topic': 'A muxer collects values for a module. Add a module after it.',
+  'muxer demuxer': 'A muxer collects values for a module. Add a module between the two.',
+  'constant topic': 'A constant can only be connected to a module. Topics get values from modules.',
+  'constant demuxer':
+    'A constant can only be connected to a module. Demuxers publish outputs of modules.',
 };
 
 function kindFault(from: WireEnd, to: WireEnd): Fit | undefined {

@@ -83,10 +83,10 @@ describe('a wire', () => {
   it('that no session can say is refused with what to do', () => {
     const from = { node: 'topic:/t', port: 'out' };
     expect(words(fitOf(graph, from, { node: 'topic:/u', port: 'in' }))).toEqual([
-      'A topic gets its values from modules; put a module between the two topics.',
+      'Topics get values from modules. Add a module between the two topics.',
     ]);
     expect(words(fitOf(graph, from, { node: 'gone', port: 'in' }))).toEqual([
-      'One end of the wire is gone.',
+      'One end of the wire was removed.',
     ]);
     expect(words(fit('mirror.x', 'mirror.mirrored'))[0]).toContain('Both ends are outputs');
   });

@@ -49,10 +49,10 @@ export function muxPreview(
 ): MuxPreview {
   const selector = muxSelector(mux);
   if (selector === undefined) {
-    return { kind: 'fault', reason: 'It selects nothing yet: give it a pattern of topics.' };
+    return { kind: 'fault', reason: 'Enter a pattern to select topics.' };
   }
   if (patterns === undefined && muxNeedsPatterns(mux)) {
-    return { kind: 'fault', reason: 'What it selects is shown in a moment.' };
+    return { kind: 'fault', reason: 'Searching for topics.' };
   }
   const compiler = patterns ?? NO_PATTERNS;
   try {
@@ -115,7 +115,7 @@ export function demuxPreview(
   const format = parseDemuxFormat(outputTopicFormat);
   if (!hasPlaceholder(format)) {
     const reason =
-      'All elements would go to one topic: put {{#0}} or {{identity}} where they differ.';
+      'All elements have the same topic. Add {{#0}} or {{identity}} to the topic format.';
     return { kind: 'fault', reason };
   }
   const topics: string[] = [];

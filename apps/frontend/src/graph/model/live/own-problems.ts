@@ -71,7 +71,7 @@ function* moduleProblems(graph: Graph, around: Surroundings): Iterable<GraphProb
     }
     const isPlaced = module.nodeId !== '' && module.extension?.replaceable !== true;
     if (isPlaced && around.nodes !== undefined && !around.nodes.has(module.nodeId)) {
-      const message = `The node that ${quoted(module.name)} is to run on is not there; start it, or choose another.`;
+      const message = `The node that ${quoted(module.name)} runs on is not connected. Start this node, or choose another one.`;
       yield { ...warning('node_unavailable', message), node: id };
     }
     for (const { name, direction, isDeclared, id: port } of ports) {

@@ -3,24 +3,24 @@ import type { Point, Wire } from '../graph.ts';
 
 /** Leads a wire through one more point. @param leg which of its points comes after it */
 export function addPoint({ id, points }: Wire, leg: number, at: Point): GraphCommand {
-  return rerouted('Add a point to a wire', id, points.toSpliced(leg, 0, at));
+  return rerouted('Add bend point', id, points.toSpliced(leg, 0, at));
 }
 
 export function movePoint({ id, points }: Wire, index: number, to: Point): GraphCommand {
   return rerouted(
-    'Move a point of a wire',
+    'Move bend point',
     id,
     points.map((point, at) => (at === index ? to : point)),
   );
 }
 
 export function removePoint({ id, points }: Wire, index: number): GraphCommand {
-  return rerouted('Remove a point of a wire', id, points.toSpliced(index, 1));
+  return rerouted('Remove bend point', id, points.toSpliced(index, 1));
 }
 
 /** Lets a wire go its own way again. */
 export function removePoints({ id }: Wire): GraphCommand {
-  return rerouted('Straighten a wire', id, []);
+  return rerouted('Remove bend points', id, []);
 }
 
 function rerouted(label: string, wire: string, points: readonly Point[]): GraphCommand {
