@@ -125,7 +125,7 @@ describe('legacy ports', () => {
 describe('a wrong value is explained in one sentence', () => {
   it.each([
     [['--port', 'abc'], '--port must be a whole number from 0 to 65535'],
-    [['--port', '65536'], 'on the command line it is "65536"'],
+    [['--port', '65536'], 'but is "65536" on the command line'],
     [['--port', '-1'], '"-1"'],
     [['--port', '80.5'], '"80.5"'],
     [['--port', ''], '""'],
@@ -141,20 +141,23 @@ describe('a wrong value is explained in one sentence', () => {
     // [AC-46]
     [['--allowed-origins', 'null'], 'pages opened from files send it, and any website can'],
     [['--allowed-origins', 'https://a.b,NULL'], 'uses a token of its own'],
-    [['--trust-loopback', '--loopback', 'none'], 'Leave one of the two out'],
+    [['--trust-loopback', '--loopback', 'none'], 'Remove one of them'],
     [['--loopback', 'admin'], '--loopback must be participant or none'],
     [['--trusted-proxy', 'lab.local'], 'networks separated by commas'],
     [['--name', ' '], '1 to 100 characters'],
-    [['--port'], 'needs a value after it, --port <number>'],
-    [['--port', '--lan'], 'needs a value after it'],
-    [['--prot', '1'], 'The flag --prot does not exist. --help shows all flags.'],
-    [['-p', '1'], 'The flag -p does not exist'],
-    [['8080'], 'The argument "8080" does not belong to a flag'],
-    [['--lan', '--host', '0.0.0.0'], 'leave one of the two out'],
+    [['--port'], 'needs a value: --port <number>'],
+    [['--port', '--lan'], 'needs a value'],
+    [['--prot', '1'], 'Unknown flag --prot. Use --help to list all flags.'],
+    [['-p', '1'], 'Unknown flag -p'],
+    [['8080'], 'Unexpected argument "8080"'],
+    [['--lan', '--host', '0.0.0.0'], 'Remove one of them'],
     [['--allow-legacy', '10.0.0.0/33'], 'networks separated by commas'],
     [['--allow-legacy', 'lab.local'], 'networks separated by commas'],
     [['--allow-legacy', '10.0.0.0/'], 'networks separated by commas'],
-    [['--config', '/nowhere/at-all.json'], '/nowhere/at-all.json, must be readable and hold JSON'],
+    [
+      ['--config', '/nowhere/at-all.json'],
+      '/nowhere/at-all.json, must be readable and contain JSON',
+    ],
   ])('%j', (args, expected) => {
     const message = messageOf(args);
     expect(message).toContain(expected);
@@ -164,7 +167,7 @@ describe('a wrong value is explained in one sentence', () => {
 
   it('names the environment variable', () => {
     expect(messageOf([], { UBII_PORT: 'x' })).toContain(
-      'in the environment as UBII_PORT it is "x"',
+      'but is "x" in the environment variable UBII_PORT',
     );
   });
 
@@ -173,7 +176,7 @@ describe('a wrong value is explained in one sentence', () => {
     expect(messageOf(['--config', wrongValue])).toContain(`in the config file ${wrongValue}`);
     expect(messageOf(['--config', configFile({ prot: 1 })])).toContain('the key "prot"');
     expect(messageOf(['--config', configFile({ port: {} })])).toContain('but is an object');
-    expect(messageOf(['--config', configFile('{')])).toContain('hold JSON');
+    expect(messageOf(['--config', configFile('{')])).toContain('contain JSON');
     expect(messageOf(['--config', configFile('[]')])).toContain('one JSON object');
     expect(messageOf(['--config', configFile({ config: 'x' })])).toContain('is not an option');
   });

@@ -20,18 +20,19 @@ const SWITCH = /^(on|off|true|false|yes|no|1|0)$/i;
 
 const names = Object.keys(OPTIONS) as OptionName[];
 const examples: Partial<Record<OptionName, string>> = {
-  port: 'for example --port 8080, or --port 0 for any free port',
-  host: 'for example --host 127.0.0.1, or --lan for all networks',
-  legacyPorts: 'for example --legacy-ports off',
-  printEndpoints: 'write --print-endpoints json',
-  allowedOrigins: 'or * to allow every page',
+  port: 'Use --port 8080, or --port 0 for any free port',
+  host: 'Use --host 127.0.0.1, or --lan for all networks',
+  legacyPorts: 'Use --legacy-ports off to disable them',
+  printEndpoints: 'Use --print-endpoints json',
+  allowedOrigins: 'Use * to allow every page',
 };
 
 /**
- * Puts the configuration together: flag before environment before file before fallback.
+ * Reads the configuration. A flag has precedence over the environment, the environment over the file, and
+ * the file over the default.
  *
  * @param args command line without program and script
- * @throws ConfigError for an unknown flag or key and for every wrong value
+ * @throws ConfigError for an unknown flag or key and for an invalid value
  */
 export function resolveConfig(
   args: readonly string[],
@@ -67,8 +68,8 @@ function readFlags(args: readonly string[], cwd: string): GivenOptions {
     if (name === undefined) {
       throw new ConfigError(
         argument.startsWith('-')
-          ? `The flag ${flag} does not exist. --help shows all flags.`
-          : `The argument "${argument}" does not belong to a flag. --help shows all flags.`,
+          ? `Unknown flag ${flag}. Use --help to list all flags.`
+          : `Unexpected argument "${argument}". Use --help to list all flags.`,
       );
     }
     let text: string | undefined;
@@ -79,7 +80,7 @@ function readFlags(args: readonly string[], cwd: string): GivenOptions {
     } else text = args[(index += 1)];
     if (text === undefined || (text.startsWith('--') && argument === flag && text !== 'true')) {
       throw new ConfigError(
-        `The flag ${flag} needs a value after it, ${flag} ${OPTIONS[name].placeholder}: ${OPTIONS[name].description}`,
+        `The flag ${flag} needs a value: ${flag} ${OPTIONS[name].placeholder}. ${OPTIONS[name].description}`,
       );
     }
     given.set(name, { text, place: 'on the command line', baseDir: cwd });
@@ -97,7 +98,7 @@ function readEnvironment(
     if (text === undefined || text === '') continue;
     given.set(name, {
       text,
-      place: `in the environment as ${environmentName(name)}`,
+      place: `in the environment variable ${environmentName(name)}`,
       baseDir: cwd,
     });
   }
@@ -111,12 +112,12 @@ function readFile(path: string | undefined, place: string): GivenOptions {
     content = JSON.parse(readFileSync(file, 'utf8'));
   } catch (error) {
     throw new ConfigError(
-      `The file given by --config (${place}), ${file}, must be readable and hold JSON, but: ${messageOf(error)}. Correct it or leave --config out.`,
+      `The file given by --config (${place}), ${file}, must be readable and contain JSON: ${messageOf(error)}. Correct the file or remove --config.`,
     );
   }
   if (typeof content !== 'object' || content === null || Array.isArray(content)) {
     throw new ConfigError(
-      `The config file ${file} must hold one JSON object, such as { "port": 9000 }.`,
+      `The config file ${file} must contain one JSON object, such as { "port": 9000 }.`,
     );
   }
   const given = new Map<OptionName, Given>();
@@ -124,7 +125,7 @@ function readFile(path: string | undefined, place: string): GivenOptions {
     const name = names.find((candidate) => candidate === key && candidate !== 'config');
     if (name === undefined) {
       throw new ConfigError(
-        `The config file ${file} has the key "${key}", which is not an option. --help shows all keys.`,
+        `The config file ${file} has the key "${key}", which is not an option. Use --help to list all options.`,
       );
     }
     if (value === null) continue;
@@ -147,23 +148,23 @@ function valueOf<O extends OptionName>(name: O, given: Given): Config[O] {
   try {
     return parse(given.text, given.baseDir) as Config[O];
   } catch (error) {
-    const hint = examples[name] ?? (placeholder && `write ${flagName(name)} ${placeholder}`);
+    const hint = examples[name] ?? (placeholder && `Use ${flagName(name)} ${placeholder}`);
     throw new ConfigError(
-      `The option ${flagName(name)} must be ${messageOf(error)}, but ${given.place} it is "${given.text}"${hint ? `: ${hint}` : ''}.`,
+      `The option ${flagName(name)} must be ${messageOf(error)}, but is "${given.text}" ${given.place}${hint ? `. ${hint}` : ''}.`,
     );
   }
 }
 
-/** What each option may be alone, but not together. */
+/** Checks combinations of options. */
 function checkTogether(config: Config, options: GivenOptions): void {
   if (config.lan && options.has('lan') && options.has('host')) {
     throw new ConfigError(
-      `--lan listens on all networks and --host on "${config.host}" only: leave one of the two out.`,
+      `--lan listens on all networks and --host on "${config.host}" only. Remove one of them.`,
     );
   }
   if (config.trustLoopback && config.loopback === 'none') {
     throw new ConfigError(
-      '--trust-loopback makes callers of this machine admins, and --loopback none gives them no access. Leave one of the two out.',
+      '--trust-loopback makes callers of this machine admins, and --loopback none gives them no access. Remove one of them.',
     );
   }
   if ((config.tlsCertificate === undefined) !== (config.tlsKey === undefined)) {
