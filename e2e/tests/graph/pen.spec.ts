@@ -39,7 +39,7 @@ test('a pen drags nodes, pulls wires, moves the canvas and asks for the menu', a
 
   await test.step('a tap on each end makes a wire', async () => {
     await pen.tap(await graph.middleOf(output));
-    await expect(page.getByText(/where it goes/)).toBeVisible();
+    await expect(page.getByText(/the target/)).toBeVisible();
     await pen.tap(await graph.middleOf(input));
     await expect(input).toHaveAccessibleName(/1 connected/);
   });

@@ -28,7 +28,7 @@ test('fingers wire, zoom, drag and ask for the menu on a tablet', async ({ room,
   const value = graph.socket('Module low-pass', 'Input value');
 
   await test.step('tap and tap makes a wire, and cancel stops it', async () => {
-    const hint = page.getByText('Now tap where it goes.');
+    const hint = page.getByText('Tap the target');
     await fingers.tapOn(graph.socket('Module clock', 'Output sine'));
     await expect(hint).toBeVisible();
     await page.getByRole('button', { name: 'Cancel' }).tap();
