@@ -17,7 +17,7 @@ export const EXAMPLES: readonly Example[] = [
   {
     id: 'mouse-pointer',
     title: 'Mouse pointer',
-    sentence: 'Mirrors the pointer of each browser',
+    sentence: 'Mirrors your pointer',
     path: '/examples/mouse-pointer',
     page: () => import('./mouse-pointer/MousePointerPage.vue'),
     thumbnail: () => import('./mouse-pointer/MousePointerThumbnail.vue'),
@@ -25,7 +25,7 @@ export const EXAMPLES: readonly Example[] = [
   {
     id: 'smart-device-gatherer',
     title: 'Smart-device gatherer',
-    sentence: 'Vibrates phones with near touches',
+    sentence: 'Vibrates phones on near touches',
     path: '/examples/smart-device-gatherer',
     page: () => import('./smart-device-gatherer/SmartDeviceGathererPage.vue'),
     thumbnail: () => import('./smart-device-gatherer/SmartDeviceGathererThumbnail.vue'),
@@ -33,7 +33,7 @@ export const EXAMPLES: readonly Example[] = [
   {
     id: 'model-viewer',
     title: 'Model viewer',
-    sentence: 'Rotates a 3D model with a phone',
+    sentence: 'Rotates a model with a phone',
     path: '/examples/model-viewer',
     page: () => import('./model-viewer/ModelViewerPage.vue'),
     thumbnail: () => import('./model-viewer/ModelViewerThumbnail.vue'),

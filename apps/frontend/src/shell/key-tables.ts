@@ -1,0 +1,52 @@
+/** A row of the dialog that lists the keyboard shortcuts. Only that dialog loads these tables. */
+export interface KeyText {
+  readonly keys: string;
+  readonly text: string;
+}
+
+/** Keys on the focused row of a list. The lists handle them. */
+export const ROW_KEYS: readonly KeyText[] = [
+  { keys: '↑ ↓', text: 'Move between rows' },
+  { keys: 'Enter', text: 'Open the row' },
+  { keys: 'Space', text: 'Start, pause or resume a session' },
+  { keys: 'F2', text: 'Rename a session or a client' },
+  { keys: 'Del', text: 'Delete a session or a stored module, disconnect a client' },
+];
+
+/** Keys on the canvas of a graph. `graph/canvas/canvas-keys.ts` handles them. */
+export const GRAPH_KEYS: readonly KeyText[] = [
+  { keys: '← → ↑ ↓', text: 'Go to the next node, to its sockets, and along wires' },
+  { keys: 'L', text: 'Start a wire: choose what it connects to' },
+  { keys: 'A', text: 'Add a module or topic' },
+  { keys: 'Enter', text: 'Show details of a node, or take up a wire at a socket' },
+  { keys: 'Esc', text: 'Cancel, leave the socket, or clear the selection' },
+  { keys: 'Shift ← → ↑ ↓', text: 'Move the selected nodes; with Ctrl in large steps' },
+  { keys: 'Ctrl ← → ↑ ↓', text: 'Resize a frame or note' },
+  { keys: 'Del', text: 'Delete the selection' },
+  { keys: 'Shift Del', text: 'Delete and reconnect the neighbours' },
+  { keys: 'Ctrl S', text: 'Save the session' },
+  { keys: 'Ctrl Enter', text: 'Save and start the session; apply changes while it runs' },
+  { keys: 'Ctrl Shift Enter', text: 'Stop the session' },
+  { keys: 'W', text: 'Go to the next wire of a node' },
+  { keys: 'P', text: 'Add a bend point to a wire' },
+  { keys: '[ ]', text: 'Go to the next bend point of a wire' },
+  { keys: 'X', text: 'Detach a node from its wires' },
+  { keys: 'I', text: 'Insert a node into the wire under it' },
+  { keys: 'B', text: 'Bypass a module' },
+  { keys: 'M', text: 'Mute a module' },
+  { keys: 'C', text: 'Collapse a node' },
+  { keys: 'F', text: 'Zoom to fit' },
+  { keys: 'Ctrl F', text: 'Find in the graph' },
+  { keys: 'Ctrl Z', text: 'Undo' },
+  { keys: 'Ctrl Y', text: 'Redo' },
+  { keys: 'Ctrl A', text: 'Select all' },
+  { keys: 'Ctrl C', text: 'Copy, to this or another session' },
+  { keys: 'Ctrl D', text: 'Duplicate' },
+  { keys: 'Ctrl G', text: 'Add frame' },
+  { keys: 'Alt A D W S', text: 'Align left, right, top, bottom' },
+  { keys: '+ −', text: 'Zoom in or out' },
+  { keys: 'PgUp PgDn', text: 'Scroll the canvas; with Shift sideways' },
+  { keys: 'Space', text: 'and drag: move the canvas' },
+  { keys: 'Alt', text: 'and drag: disconnect a node from its wires' },
+  { keys: 'Shift', text: 'and drag: select with a box' },
+];
