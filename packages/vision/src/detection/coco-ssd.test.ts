@@ -1,7 +1,7 @@
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
 import * as tf from '@tensorflow/tfjs-core';
-import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { readAssetSet } from '../../scripts/asset-sets.mjs';
 import { CELLS, tinyCocoSsd } from '../../test/tiny-coco-ssd.ts';
 import type { Picture } from '../picture.ts';
@@ -28,6 +28,7 @@ const BLUE = [0, 0, 255];
 beforeEach(() => {
   vi.spyOn(console, 'warn').mockReturnValue();
 });
+afterEach(() => vi.restoreAllMocks());
 
 async function detector() {
   return createCocoSsd(await createTensorflow(readAssetSet('tfjs-wasm')), tinyCocoSsd());
