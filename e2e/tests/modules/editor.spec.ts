@@ -131,6 +131,21 @@ test('a module is written, tried, saved, used by a session, changed under it and
     expect(sessionList?.elements.map(({ id }) => id)).toEqual([session]);
   });
 
+  await test.step('code with errors goes into a running session only when asked for', async () => {
+    await editor.typeAfter('const factor', ' missing();');
+    await expect(editor.problems).toContainText("Cannot find name 'missing'");
+    await editor.save.click();
+    const question = anna.page.getByRole('dialog', { name: 'Save code with errors' });
+    await expect(question).toContainText('The code has 1 error. Numbers would run it at once.');
+    await question.getByRole('button', { name: 'Cancel' }).click();
+    await expectAnswer(program, 4, 12);
+    await editor.typeAfter('missing();', '');
+    for (let letter = 0; letter < ' missing();'.length; letter += 1) {
+      await anna.page.keyboard.press('Backspace');
+    }
+    await expect(editor.problems).toContainText('No problems found.');
+  });
+
   await test.step('an endless loop is ended and named, at its line', async () => {
     await editor.typeAfter('const factor', ' for (;;) {}');
     await editor.step();

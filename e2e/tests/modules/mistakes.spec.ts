@@ -1,6 +1,7 @@
 import { expect, test } from '../../fixtures/test.ts';
 import { ModuleEditor } from '../../pages/module-editor.ts';
 import { SessionPage } from '../../pages/session-page.ts';
+import { SessionsPage } from '../../pages/sessions-page.ts';
 
 const NEARBY = {
   name: 'Nearby',
@@ -40,6 +41,19 @@ test('a mistake in an output is told in the words of the author, once, in all pl
     await expect(session.events).toContainText(/× [2-9]\d/);
   });
 
+  await test.step('in the list of sessions, among those with problems, and on Home', async () => {
+    const sessions = new SessionsPage(anna);
+    await sessions.open();
+    await anna.page.getByRole('radio', { name: 'Problems' }).click();
+    await expect(sessions.row('Nearby')).toContainText(SENTENCE);
+    await anna.page.goto('/');
+    await expect(anna.page.getByRole('heading', { level: 1 })).toContainText(
+      'One module needs attention.',
+    );
+    await anna.page.goBack();
+    await sessions.link('Nearby').click();
+  });
+
   await test.step('on the node in the graph', async () => {
     await anna.page.getByRole('link', { name: 'Open graph' }).first().click();
     const node = anna.page.getByRole('group', { name: /measure/ }).first();
@@ -62,5 +76,14 @@ test('a mistake in an output is told in the words of the author, once, in all pl
     await expect(editor.tryIt.getByRole('region', { name: 'Log' })).toContainText(
       'Output "reslt" is not declared. Did you mean "result"?',
     );
+
+    await editor.tryIt.getByRole('button', { name: 'Run', exact: true }).click();
+    await editor.input('value').getByRole('textbox', { name: 'value' }).fill('21');
+    await expect(cause).toBeVisible();
+    await editor.typeAfter('reslt: 3', '');
+    await anna.page.keyboard.press('Control+a');
+    await anna.page.keyboard.type('onProcessing = () => ({ outputs: { result: { double: 7 } } });');
+    await expect(editor.output('result')).toContainText('7');
+    await expect(cause).toBeHidden();
   });
 });

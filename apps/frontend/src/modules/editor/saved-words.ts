@@ -1,16 +1,26 @@
 import type { Session } from '@ubii/proto';
 import { isAlive } from '../../sessions/state/session-state.ts';
 
-/** What saving does, for people: which running sessions go on with the new code. [SE-26] */
-export function savedWords(name: string, users: readonly Session[]): string {
+/** Names the sessions that run, in words; `undefined` when none does. */
+export function runningWords(users: readonly Session[]): string | undefined {
   const running = users
     .filter(isAlive)
     .map((session) => session.name || 'a session without a name');
-  if (running.length === 0) return `Saved ${name}`;
   const [first, second, ...more] = running;
-  const who =
-    more.length > 0
-      ? `${first} and ${more.length + 1} more`
-      : [first, second].filter(Boolean).join(' and ');
-  return `Saved ${name}. ${who} ${running.length === 1 ? 'goes' : 'go'} on with it`;
+  if (first === undefined) return undefined;
+  return more.length > 0
+    ? `${first} and ${more.length + 1} more`
+    : [first, second].filter(Boolean).join(' and ');
+}
+
+export const errorWords = (errors: number): string =>
+  errors === 1 ? '1 error' : `${errors} errors`;
+
+/** What saving does, for people: which running sessions go on with the new code. [SE-26] */
+export function savedWords(name: string, users: readonly Session[], errors: number): string {
+  const saved = errors === 0 ? `Saved ${name}` : `Saved ${name} with ${errorWords(errors)}`;
+  const who = runningWords(users);
+  if (who === undefined) return saved;
+  const verb = users.filter(isAlive).length === 1 ? 'runs' : 'run';
+  return `${saved}. ${who} ${verb} the new code`;
 }

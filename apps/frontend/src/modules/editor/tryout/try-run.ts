@@ -48,6 +48,7 @@ export class TryRun {
   readonly #runtime: ModuleRuntime;
   #status: TryStatus = 'off';
   #mode: ProcessingMode | undefined = undefined;
+  #isEnding = false;
   /** The end of this instance was told. */
   #wasTold = false;
 
@@ -68,7 +69,8 @@ export class TryRun {
       libraries: [],
       // What is killed stays so: a person looks at it
       limits: { maxRestarts: 0 },
-      onEvent: (event) => events.onEvent(event),
+      // What the one before still has to say is not about this one.
+      onEvent: (event) => this.#isEnding || events.onEvent(event),
       onStatus: (_id, _status, fault) => {
         if (!fault || this.#wasTold) return;
         this.#wasTold = true;
@@ -85,7 +87,9 @@ export class TryRun {
   /** Makes a new instance; what was there is destroyed. @returns whether it could be made */
   async open(module: ProcessingModule, mapping: IOMapping): Promise<boolean> {
     this.#move('starting');
+    this.#isEnding = true;
     await this.#runtime.destroy(TRY_ID);
+    this.#isEnding = false;
     this.#wasTold = false;
     this.#mode = module.processingMode;
     const spec = { ...module, id: TRY_ID, sessionId: TRY_ID, processingMode: LOCKSTEP };

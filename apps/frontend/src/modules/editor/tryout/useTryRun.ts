@@ -8,6 +8,7 @@ import {
   type RecordInit,
   type TopicRecord,
 } from '@ubii/proto';
+import { watchDebounced } from '@vueuse/core';
 import {
   computed,
   onScopeDispose,
@@ -55,6 +56,7 @@ export interface TrySession {
   step(): Promise<void>;
   run(): Promise<void>;
   pause(): void;
+  /** With an empty state. What ran goes on running. */
   restart(): Promise<void>;
 }
 
@@ -63,11 +65,15 @@ const MAX_DURATIONS = 64;
 const MAX_SERIES = 120;
 /** Passes of a module in lockstep, as of a session that says nothing else. [SE-40] */
 const PASS_MS = 1000 / 60;
+/** A pause in typing after which changed code runs, milliseconds. */
+const RENEW_MS = 600;
 const NO_RUNS: TryRuns = { count: 0, durationsMs: [] };
 
+/** @param mayRun whether the code parses */
 export function useTryRun(
   draft: () => ModuleDraft,
   openSandboxes: () => Promise<SandboxFactory>,
+  mayRun: () => boolean,
 ): TrySession {
   const { client } = useConnection();
   const status = shallowRef<TryStatus>('off');
@@ -84,6 +90,10 @@ export function useTryRun(
   let durations: number[] = [];
   let results = new Map<string, SandboxResult['outputs'][number]>();
   let waiting: ModuleEvent[] = [];
+  /** It was told to run, and neither paused nor stepped since; it may have ended by itself. */
+  const isActive = shallowRef(false);
+  let passes: ReturnType<typeof setInterval> | undefined;
+  const endPasses = (): void => clearInterval(passes);
 
   const draw = perFrame(() => {
     runs.value = { count, durationsMs: [...durations] };
@@ -195,6 +205,7 @@ export function useTryRun(
     count = 0;
     durations = [];
     results = new Map();
+    waiting = [];
     outputs.value = new Map();
     events.value = [];
     fault.value = undefined;
@@ -203,7 +214,23 @@ export function useTryRun(
     putAll(run);
     await run.open(moduleOf(draft()), mapping());
   }
+  /** Creates it anew; what ran goes on running. */
+  async function renew(): Promise<void> {
+    const wasRunning = isActive.value;
+    endPasses();
+    await restart();
+    if (wasRunning && status.value === 'ready') await go();
+  }
   const isOutdated = computed(() => status.value !== 'off' && opened.value !== what());
+
+  // Code that was mended counts while it runs, as in sessions. [SE-26]
+  watchDebounced(
+    what,
+    async () => {
+      if (isActive.value && isOutdated.value && mayRun()) await renew();
+    },
+    { debounce: RENEW_MS },
+  );
 
   async function ready(): Promise<TryRun> {
     const run = await open();
@@ -211,8 +238,16 @@ export function useTryRun(
     return run;
   }
 
-  let passes: ReturnType<typeof setInterval> | undefined;
-  const endPasses = (): void => clearInterval(passes);
+  async function go(): Promise<void> {
+    isActive.value = true;
+    const run = await ready();
+    run.run();
+    // What waits for its inputs runs once with those that are there.
+    putAll(run);
+    endPasses();
+    if (!run.isLockstep || run.status !== 'running') return;
+    passes = setInterval(() => void run.pass(PASS_MS), PASS_MS);
+  }
 
   onScopeDispose(() => {
     endPasses();
@@ -240,23 +275,19 @@ export function useTryRun(
       if (entry) inputs.set(name, { ...entry, input: { ...entry.input, ...change } });
     },
     async step() {
+      isActive.value = false;
       endPasses();
       const run = await ready();
       if (status.value === 'failed') return;
       await run.step();
     },
-    async run() {
-      const run = await ready();
-      run.run();
-      endPasses();
-      if (!run.isLockstep || run.status !== 'running') return;
-      passes = setInterval(() => void run.pass(PASS_MS), PASS_MS);
-    },
+    run: go,
     pause() {
+      isActive.value = false;
       endPasses();
       void current?.then((run) => run.pause());
     },
-    restart,
+    restart: renew,
   };
 }
 
