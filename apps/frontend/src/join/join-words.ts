@@ -13,7 +13,7 @@ const PROBLEMS: Record<JoinProblem, ProblemWords> = {
   },
   wrong: {
     title: 'This code is not valid.',
-    text: 'Compare it with the host’s screen: a letter may differ, or the host has a new code.',
+    text: 'Compare it with the host’s screen: a letter may differ, or the host has a new code. After a restart of the master, use its new address or code.',
   },
   expired: {
     title: 'This code has expired.',

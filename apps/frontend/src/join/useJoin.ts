@@ -57,7 +57,9 @@ export function useJoin(beforeLeaving: () => void) {
 
   const target = computed(() => {
     const named = invitation.value?.target || route.query['to'];
-    return safeTarget(named || startPath(invitation.value?.role !== 'viewer'));
+    const role = invitation.value?.role;
+    // An admin runs the place, also from a phone.
+    return safeTarget(named || (role === 'admin' ? '/' : startPath(role !== 'viewer')));
   });
 
   function goOn(): void {

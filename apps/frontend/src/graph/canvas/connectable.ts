@@ -27,23 +27,27 @@ export function connectables(
     wiresAt(graph, ref).some(({ from: a, to: b }) =>
       [a, b].some(({ node, port }) => node === from.node && port === from.port),
     );
-  return fittingPorts(graph, from)
-    .filter((port) => !isJoined(port))
-    .map((port) => ({ port, isTaken: isTaken(graph, port), far: far(port) }))
-    .sort((a, b) => Number(a.isTaken) - Number(b.isTaken) || a.far - b.far)
-    .map(({ port, isTaken: taken }) => {
-      const format = portFormat(graph, port) ?? portOf(graph, port)?.formatText ?? '';
-      const hint = [format, taken ? 'replaces a wire' : ''].filter(Boolean).join(', ');
-      return {
-        key: `socket ${port.node} ${port.port}`,
-        text: portName(graph, port),
-        hint,
-        port,
-      };
-    })
-    .filter(({ text, hint }) =>
-      words.every((word) => `${text} ${hint}`.toLowerCase().includes(word)),
-    );
+  return (
+    fittingPorts(graph, from)
+      .filter((port) => !isJoined(port))
+      // A module is seldom wired to itself: only who asks for it by name is offered that.
+      .filter(({ node }) => node !== from.node || words.length > 0)
+      .map((port) => ({ port, isTaken: isTaken(graph, port), far: far(port) }))
+      .sort((a, b) => Number(a.isTaken) - Number(b.isTaken) || a.far - b.far)
+      .map(({ port, isTaken: taken }) => {
+        const format = portFormat(graph, port) ?? portOf(graph, port)?.formatText ?? '';
+        const hint = [format, taken ? 'replaces a wire' : ''].filter(Boolean).join(', ');
+        return {
+          key: `socket ${port.node} ${port.port}`,
+          text: portName(graph, port),
+          hint,
+          port,
+        };
+      })
+      .filter(({ text, hint }) =>
+        words.every((word) => `${text} ${hint}`.toLowerCase().includes(word)),
+      )
+  );
 }
 
 /** An input of a module takes one wire: a new one takes the place of the old one. */

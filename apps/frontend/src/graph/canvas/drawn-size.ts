@@ -3,7 +3,7 @@ import { isTypable } from '../values/value-parts.ts';
 import { canCollapse } from './collapse.ts';
 
 /** As graph-node.css draws them, pixels at a zoom of 1. */
-const WIDTH = 184;
+export const WIDTH = 184;
 /** Names of modules and ports that are longer are cut. */
 const MAX_WIDTH = 272;
 /** About as wide as a character of a name, with some to spare. */

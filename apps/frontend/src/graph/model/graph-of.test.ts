@@ -51,6 +51,23 @@ describe('a session as a graph', { timeout: TIMEOUT_MS }, () => {
     );
   });
 
+  it('gives a module that comes back no mapping that belonged to none', () => {
+    const one = session({
+      processingModules: [{ id: 'a', name: 'blur' }],
+      ioMappings: [
+        {
+          processingModuleName: 'blur',
+          outputMappings: [{ outputName: 'out', topic: '/left-over' }],
+        },
+        { processingModuleId: 'a' },
+      ],
+    });
+    const before = graphOf(one);
+    expect(wires(before)).toEqual([]);
+    const without = sessionOf({ ...before, nodes: new Map() }, one);
+    expect(wires(graphOf(sessionOf(before, without)))).toEqual([]);
+  });
+
   it('comes back from the examples', () => {
     for (const example of Object.values(EXAMPLE_SESSIONS)) {
       const one = session(example);

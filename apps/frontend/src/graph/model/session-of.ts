@@ -30,6 +30,7 @@ export function sessionOf(graph: Graph, shown: Session): Session {
     const mapping = writeMapping(node.module, moduleEnds(graph, node), old, base.ioMappings[index]);
     if (index >= 0 && mapping !== undefined) mappings.set(index, mapping);
     else if (mapping !== undefined) added.push(mapping);
+    else if (old === undefined && takesLeftOver(node, base)) added.push(emptyMapping(node));
   }
   const full: Session = {
     ...withDetails(base, graph.details),
@@ -47,6 +48,24 @@ function saysTheSame(session: Session, text: string): boolean {
   const { aside } = parseEditorData(session.extension?.editorJson ?? '');
   return editorDataText(graphOf(session), aside) === text;
 }
+
+/** Whether a mapping that belonged to no module would become that of a new one, by its name. [SE-2] */
+function takesLeftOver({ module }: ModuleNode, { ioMappings }: Session): boolean {
+  return (
+    module.id !== '' &&
+    ioMappings.some(
+      ({ processingModuleId, processingModuleName }) =>
+        processingModuleId === '' && processingModuleName === module.name,
+    )
+  );
+}
+
+const emptyMapping = ({ module }: ModuleNode): IOMapping => ({
+  processingModuleId: module.id,
+  processingModuleName: module.name,
+  inputMappings: [],
+  outputMappings: [],
+});
 
 /** Modules in the order they had: outputs of a pass are published in it. [SE-41] */
 function inOrderOf(ids: readonly string[], graph: Graph): ModuleNode[] {
