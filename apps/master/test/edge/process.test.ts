@@ -141,7 +141,9 @@ describe('a master that cannot start says why in one sentence', () => {
   }
 
   it('when a flag is unknown or wrong', async () => {
-    expect(await refusal(['--prot', '1'])).toContain('The flag --prot does not exist');
+    expect(await refusal(['--prot', '1'])).toContain(
+      'Unknown flag --prot. Use --help to list all flags.',
+    );
     expect(await refusal(['--port', 'x'])).toContain('--port must be a whole number');
   });
 
