@@ -326,7 +326,7 @@ test('the strip that says the master is gone is accessible', async ({ master, ro
   await page.goto('/');
   const shell = new Shell(page);
   await shell.expectConnected();
-  watch.expect(/net::ERR_CONNECTION_REFUSED/, /WebSocket connection to .* failed/);
+  watch.expect(/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/);
   await master.stop();
   await expect(shell.disconnectedStrip).toBeVisible();
   // Values that stand still are dimmed on purpose, below what texts need that can be acted on.

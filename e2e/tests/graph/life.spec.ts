@@ -204,7 +204,7 @@ test('the work goes on while the master is away, and is saved when it is back', 
   const anna = new GraphPage(desk);
   await anna.open(id);
   await expect(anna.paletteModule('statistics')).toBeVisible();
-  desk.watch.expect(/net::ERR_CONNECTION_REFUSED/, /WebSocket connection to .* failed/);
+  desk.watch.expect(/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/);
   await master.stop();
   await expect(anna.life).toContainText('Not connected');
   await anna.drag(anna.paletteModule('statistics'), await anna.spot(0.6, 0.2));

@@ -34,7 +34,7 @@ test('the printed address leads home as admin, over a reload, a new tab and a re
   room,
 }) => {
   const desk = await room.atDesk('Ada');
-  desk.watch.expect(/WebSocket|ERR_CONNECTION_REFUSED/);
+  desk.watch.expect(/WebSocket|ERR_CONNECTION_(REFUSED|RESET)/);
   await desk.page.goto(printedAddress(master));
   await expect(desk.page).toHaveURL(`${master.url}/`);
   await new Shell(desk.page).expectConnected();

@@ -4,7 +4,7 @@ import { MousePointerPage } from '../../pages/mouse-pointer-page.ts';
 import { Shell } from '../../pages/shell.ts';
 
 /** What the browser itself writes on the console while nobody answers. */
-const UNREACHABLE = [/net::ERR_CONNECTION_REFUSED/, /WebSocket connection to .* failed/];
+const UNREACHABLE = [/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/];
 
 test('the master is restarted: everybody comes back as who they were, without a reload', async ({
   master,

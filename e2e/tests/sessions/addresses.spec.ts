@@ -31,7 +31,7 @@ test('addresses of stored sessions, and unsaved changes, outlive a restart of th
   await new Shell(anna.page).go('Sessions');
   await expect(new SessionsPage(desk).row('Placed')).toContainText('your changes');
 
-  desk.watch.expect(/net::ERR_CONNECTION_REFUSED/, /WebSocket connection to .* failed/);
+  desk.watch.expect(/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/);
   await master.stop();
   await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
   await master.startAgain();

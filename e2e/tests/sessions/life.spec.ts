@@ -126,7 +126,7 @@ test('a session that was started here runs again after a restart of the master [
   await session.expectState('Running');
   const again = anna.page.getByRole('switch', { name: /^Resume when the master restarts/ });
   await expect(again).toBeChecked();
-  anna.watch.expect(/net::ERR_CONNECTION_REFUSED/, /WebSocket connection to .* failed/);
+  anna.watch.expect(/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/);
   await master.stop();
   await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
   await master.startAgain();
@@ -149,7 +149,7 @@ test('a session that was made here is there after a restart of the master, and o
   await again.click();
   await expect(again).not.toBeChecked();
   await new Shell(anna.page).go('Sessions');
-  anna.watch.expect(/net::ERR_CONNECTION_REFUSED/, /WebSocket connection to .* failed/);
+  anna.watch.expect(/net::ERR_CONNECTION_(REFUSED|RESET)/, /WebSocket connection to .* failed/);
   await master.stop();
   await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
   await master.startAgain();
