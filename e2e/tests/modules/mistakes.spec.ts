@@ -36,9 +36,10 @@ test('a mistake in an output is told in the words of the author, once, in all pl
     await expect(session.problems).toContainText(SENTENCE);
     await expect(session.problems).toContainText(/× [2-9]\d/);
     await expect(session.problems.getByRole('listitem')).toHaveCount(1);
-    await expect(session.events.getByRole('listitem')).toHaveCount(1);
-    await expect(session.events).toContainText(SENTENCE);
-    await expect(session.events).toContainText(/× [2-9]\d/);
+    // A machine with much to do skips runs, which is another event.
+    const event = session.events.getByRole('listitem').filter({ hasText: SENTENCE });
+    await expect(event).toHaveCount(1);
+    await expect(event).toContainText(/× [2-9]\d/);
   });
 
   await test.step('in the list of sessions, among those with problems, and on Home', async () => {
@@ -80,10 +81,15 @@ test('a mistake in an output is told in the words of the author, once, in all pl
     await editor.tryIt.getByRole('button', { name: 'Run', exact: true }).click();
     await editor.input('value').getByRole('textbox', { name: 'value' }).fill('21');
     await expect(cause).toBeVisible();
-    await editor.typeAfter('reslt: 3', '');
+    await editor.typeAfter('reslt: 3', ' +');
+    const wrong = editor.tryIt.getByRole('alert').filter({ hasText: 'SyntaxError' });
+    await expect(wrong).toBeVisible();
+    await expect(editor.problems).not.toContainText('SyntaxError');
+    await expect(cause).toBeHidden();
     await anna.page.keyboard.press('Control+a');
     await anna.page.keyboard.type('onProcessing = () => ({ outputs: { result: { double: 7 } } });');
     await expect(editor.output('result')).toContainText('7');
     await expect(cause).toBeHidden();
+    await expect(wrong).toBeHidden();
   });
 });
