@@ -1,6 +1,6 @@
 import { AccessRole, type AccessGrant } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { isOpen, leftWord, reusable, workWords } from './grant-choices.ts';
+import { isOpen, leftWord, reusable, usedWords, workWords } from './grant-choices.ts';
 
 const MINUTE = 60_000;
 const choice = {
@@ -20,6 +20,7 @@ const grant = (changes: Partial<AccessGrant> = {}): AccessGrant =>
     revokedMs: 0,
     maxJoins: 0,
     joins: 0,
+    clientIds: [],
     ...changes,
   }) as AccessGrant;
 
@@ -53,6 +54,13 @@ it('what is left is told in minutes, hours or days', () => {
   expect(leftWord(14.2 * MINUTE)).toBe('15 min');
   expect(leftWord(8 * 60 * MINUTE)).toBe('8 h');
   expect(leftWord(30 * 24 * 60 * MINUTE)).toBe('30 d');
+});
+
+it('says who uses it, else whether it was used', () => {
+  expect(usedWords(grant())).toBe('not used yet');
+  expect(usedWords(grant({ joins: 1, clientIds: ['a', 'b'] }))).toBe('2 connected');
+  expect(usedWords(grant({ joins: 1 }))).toBe('used once');
+  expect(usedWords(grant({ joins: 2 }))).toBe('used 2 times');
 });
 
 it('what was made is counted in words [AC-90]', () => {

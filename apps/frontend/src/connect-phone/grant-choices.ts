@@ -94,6 +94,12 @@ export function leftWord(ms: number): string {
   return ms < 48 * HOUR_MS ? `${Math.round(ms / HOUR_MS)} h` : `${Math.round(ms / 24 / HOUR_MS)} d`;
 }
 
+/** How many use an invitation, or did: `2 connected`. */
+export function usedWords({ joins, clientIds }: AccessGrant): string {
+  if (clientIds.length > 0) return `${clientIds.length} connected`;
+  return joins === 0 ? 'not used yet' : `used ${joins === 1 ? 'once' : `${joins} times`}`;
+}
+
 /** Lists what was created with an invitation: `2 sessions (1 running), 1 module`; empty for nothing. */
 export function workWords({
   sessionIds,

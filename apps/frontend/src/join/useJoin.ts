@@ -5,6 +5,7 @@ import { computed, onScopeDispose, ref, shallowRef, watch } from 'vue';
 import { useRoute, useRouter } from 'vue-router';
 import { useConnection } from '../connection/useConnection.ts';
 import { rememberStart, startPath } from '../install/start-path.ts';
+import { useToasts } from '../ui/toasts/toasts.ts';
 import { checkToken } from './check-token.ts';
 import { ANOTHER } from './routes.ts';
 import { safeTarget } from './target.ts';
@@ -40,6 +41,7 @@ export function useJoin(beforeLeaving: () => void) {
   const { client, state, isConnected, name, connect } = useConnection();
   const route = useRoute();
   const router = useRouter();
+  const toasts = useToasts();
 
   const phase = ref<JoinPhase>('asking');
   const problem = shallowRef<JoinProblem>();
@@ -67,6 +69,8 @@ export function useJoin(beforeLeaving: () => void) {
     isLeaving.value = true;
     beforeLeaving();
     if (invitation.value?.target) rememberStart(target.value);
+    if (invitation.value !== undefined && wantsAnother() && client.role === 'admin')
+      toasts.show('This browser is now an admin.');
     // In place of this page: the way back does not lead through the token
     void router.replace(target.value);
   }
