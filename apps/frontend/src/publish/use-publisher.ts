@@ -13,6 +13,8 @@ export const KEPT_MINUTES = 60;
 export interface Publisher {
   /** Records published since the page was opened. */
   readonly sent: Readonly<Ref<number>>;
+  /** Topic of the last record; empty before the first. */
+  readonly sentTo: Readonly<Ref<string>>;
   /** Why the last record was not published, one sentence. */
   readonly error: Readonly<ShallowRef<string | undefined>>;
   readonly isRepeating: Readonly<Ref<boolean>>;
@@ -28,6 +30,7 @@ export interface Publisher {
 export function usePublisher(json: () => JsonObject): Publisher {
   const { client, isConnected } = useConnection();
   const sent = ref(0);
+  const sentTo = ref('');
   const error = shallowRef<string>();
   const isRepeating = ref(false);
   const source = variableSource(() => sent.value);
@@ -55,6 +58,7 @@ export function usePublisher(json: () => JsonObject): Publisher {
       const { topic, format, value } = readRecord(record, source);
       client.publish(topic, format, value, { keepSeconds: KEPT_MINUTES * 60 });
       sent.value++;
+      sentTo.value = topic;
       error.value = undefined;
       return true;
     } catch (cause) {
@@ -71,6 +75,7 @@ export function usePublisher(json: () => JsonObject): Publisher {
 
   return {
     sent,
+    sentTo,
     error,
     isRepeating,
     send,
