@@ -12,6 +12,8 @@ export interface Hovered {
   readonly target: HoverTarget;
   readonly clientX: number;
   readonly clientY: number;
+  /** It was reached by a key: the card stands below its node. */
+  readonly isBelow: boolean;
 }
 
 /** Follows what a pointer rests on, or the keyboard has reached on the canvas. Fingers ask by the menu. */
@@ -28,11 +30,16 @@ export function useHover(container: HTMLElement): Readonly<ShallowRef<Hovered | 
     next = undefined;
     hovered.value = undefined;
   }
-  function wait(target: HoverTarget, at: { x: number; y: number }, ms: number): void {
+  function wait(
+    target: HoverTarget,
+    at: { x: number; y: number },
+    ms: number,
+    isBelow = false,
+  ): void {
     hide();
     next = target;
     timer = setTimeout(() => {
-      hovered.value = { target, clientX: at.x, clientY: at.y };
+      hovered.value = { target, clientX: at.x, clientY: at.y, isBelow };
     }, ms);
   }
 
@@ -59,9 +66,10 @@ export function useHover(container: HTMLElement): Readonly<ShallowRef<Hovered | 
   useEventListener(container, 'focusin', (event) => {
     const element = event.target as Element;
     if (!element.matches('[data-port]:focus-visible')) return;
-    const { right, bottom } = element.getBoundingClientRect();
+    const node = element.closest('[data-graph-node]') ?? element;
+    const { left, bottom } = node.getBoundingClientRect();
     const target = hoverTarget(element);
-    if (target) wait(target, { x: right, y: bottom }, REST_MS);
+    if (target) wait(target, { x: left, y: bottom }, REST_MS, true);
   });
   useEventListener(container, 'focusout', hide);
   useEventListener(container, 'keydown', (event) => event.key === 'Escape' && hide());

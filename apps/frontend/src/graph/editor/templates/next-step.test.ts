@@ -25,6 +25,16 @@ it('says nothing of an empty graph, which says more', () => {
   ).toBeUndefined();
 });
 
+it('does not ask for inputs that have defaults', () => {
+  const graph = withModule({});
+  const [id, node] = [...graph.nodes].find(([, { kind }]) => kind === 'module')!;
+  const ports = node.ports.map((port) =>
+    port.direction === 'in' ? { ...port, defaultJson: '{"double":1}' } : port,
+  );
+  const nodes = new Map([...graph.nodes, [id, { ...node, ports }]]);
+  expect(nextStep({ ...graph, nodes })).toContain('pull the output');
+});
+
 it('leads from a module to its input, its output and the start', () => {
   expect(nextStep(withModule({}))).toContain('drag a topic');
   expect(nextStep(withModule({ inputMappings }))).toContain('output');

@@ -9,14 +9,17 @@ export function nextStep({ nodes, wires }: Graph): string | undefined {
   const isModule = (id: string): boolean => nodes.get(id)?.kind === 'module';
   const all = [...wires.values()];
   const modules = [...nodes.values()].filter(({ kind }) => kind === 'module');
-  const takes = modules.some(({ ports }) => ports.some(({ direction }) => direction === 'in'));
+  // Inputs with a default may stay as they are.
+  const takes = modules.some(({ ports }) =>
+    ports.some(({ direction, defaultJson }) => direction === 'in' && defaultJson === undefined),
+  );
   if (modules.length === 0) return 'Next: drag a module in.';
   if (takes && !all.some(({ to }) => isModule(to.node))) {
     return [...nodes.values()].some(({ kind }) => kind === 'topic')
-      ? 'Next: pull a wire from the topic to an input of the module.'
-      : 'Next: drag a topic onto an input of the module.';
+      ? 'Next: pull a wire from the topic to an input of the module (keyboard: L).'
+      : 'Next: drag a topic onto an input of the module (keyboard: L).';
   }
   if (!all.some(({ from }) => isModule(from.node)))
-    return 'Next: pull the output of the module to an empty place.';
+    return 'Next: pull the output of the module to an empty place (keyboard: L).';
   return 'Next: press Start.';
 }

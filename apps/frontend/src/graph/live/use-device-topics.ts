@@ -1,0 +1,32 @@
+import { ComponentIOType } from '@ubii/proto';
+import { computed, type ComputedRef } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import type { KnownTopic } from '../model/fit/fitting.ts';
+
+/** No list shows more. */
+const MAX_TOPICS = 200;
+
+/** A topic that a device is going to publish on. */
+export interface DeviceTopic extends KnownTopic {
+  /** Of the component, with the name of its client. */
+  readonly name: string;
+}
+
+/** Topics of devices that have no record yet. */
+export function useDeviceTopics(): ComputedRef<readonly DeviceTopic[]> {
+  const { clients, topics } = useConnection();
+  return computed(() => {
+    const rates = topics.rates.value;
+    const found = new Map<string, DeviceTopic>();
+    for (const { name: owner, devices } of clients.list.value ?? []) {
+      for (const component of devices.flatMap((device) => device.components)) {
+        const { ioType, topic, messageFormat: format } = component;
+        if (ioType !== ComponentIOType.PUBLISHER || topic === '' || rates?.has(topic)) continue;
+        const name = component.name || topic.slice(topic.lastIndexOf('/') + 1);
+        if (found.size < MAX_TOPICS)
+          found.set(topic, { topic, format, name: `${name} · ${owner}` });
+      }
+    }
+    return [...found.values()];
+  });
+}
