@@ -27,6 +27,14 @@ export function writtenTopics({
   return topics;
 }
 
+/** The topics that the modules of a session read or write, each once. */
+export function mappedTopics(session: Pick<Session, 'ioMappings' | 'processingModules'>): string[] {
+  const read = session.ioMappings.flatMap(({ inputMappings }) =>
+    inputMappings.flatMap(({ topic }) => (topic ? [topic] : [])),
+  );
+  return [...new Set([...read, ...writtenTopics(session)])];
+}
+
 /**
  * Who writes what, of the sessions that run: two that write one topic take turns at it, and nothing
  * in either of them says so.

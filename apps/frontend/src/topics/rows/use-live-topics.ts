@@ -1,7 +1,7 @@
 import { useRafFn } from '@vueuse/core';
 import { effectScope, onScopeDispose, shallowRef, watch, type EffectScope } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
-import { RowValues } from '../../topics/rows/row-values.ts';
+import { RowValues } from './row-values.ts';
 
 /** How often values are drawn, Hz. */
 const DRAW_HZ = 5;

@@ -1,0 +1,12 @@
+/** Explains the figures of modules and sessions, by the names they have on pages. */
+export const FIGURE_HINTS: Readonly<Record<string, string>> = {
+  'Runs/s': 'Runs of the module per second.',
+  p50: 'Median run time: half of the runs take at most this long.',
+  p95: '95 of 100 runs take at most this long.',
+  Waiting: 'Triggers that wait for the current run or for the minimal delay.',
+  Errors: 'Runs that ended with an error.',
+  Overruns: 'Runs that took longer than their mode allows.',
+  Refused: 'Outputs that were refused: over a limit, in a wrong format, or without parameters.',
+  Restarts: 'How often the module was restarted after it was killed.',
+  Memory: 'Memory that the module uses.',
+};
