@@ -24,6 +24,10 @@ const { version } = JSON.parse(
 ) as { version: string };
 // From src as well as from dist.
 const frontendFolder = fileURLToPath(new URL('../../frontend/dist', import.meta.url));
+// Those that come with the program; the operator's are in the data directory.
+const assetsFolder = fileURLToPath(
+  new URL('../../../packages/vision/dist/assets', import.meta.url),
+);
 const workerFile = findBuilt('pm-worker.js');
 const decodeWorkerFile = findBuilt('decode-worker.js');
 
@@ -51,6 +55,7 @@ async function run(args: readonly string[]): Promise<void> {
     log,
     version,
     frontendFolder,
+    assetsFolder,
     workerFile,
     decodeWorkerFile,
   });

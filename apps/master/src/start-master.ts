@@ -2,6 +2,8 @@ import { homedir } from 'node:os';
 import { join } from 'node:path';
 import type { AnnouncedMaster } from '@ubii/discovery';
 import { moduleLibrary } from '@ubii/modules';
+import { createAssetStore } from '@ubii/pm-sandbox';
+import { AssetFolders } from '@ubii/pm-sandbox/node';
 import { Re2Patterns } from '@ubii/patterns/re2';
 import { AdminTokenFile } from './adapters/access/admin-token-file.ts';
 import { CallerReader, type LoopbackFacts } from './adapters/access/caller-reader.ts';
@@ -48,6 +50,8 @@ export interface MasterParts {
   readonly version: string;
   /** The built frontend. */
   readonly frontendFolder: string;
+  /** Asset sets that come with the program. */
+  readonly assetsFolder: string;
   /** The built worker of processing modules. */
   readonly workerFile: URL;
   /** The built thread that decodes large requests; undefined: the main thread does it. */
@@ -77,6 +81,7 @@ export async function startMaster({
   log,
   version,
   frontendFolder,
+  assetsFolder,
   workerFile,
   decodeWorkerFile,
 }: MasterParts): Promise<RunningMaster> {
@@ -111,6 +116,7 @@ export async function startMaster({
   const limits = fitConnections(limitsOfMachine(config.limits), descriptorLimit());
   const { sandboxes, libraries } = openSandboxes(workerFile, config.allowFetch, limits);
   const storage = openStorage(config.dataDir);
+  const assets = new AssetFolders([assetsFolder, join(config.dataDir, 'models')]);
   const audit = new AuditFile({
     folder: join(config.dataDir, 'audit'),
     maxLines: limits.auditEntries ?? DEFAULT_LIMITS.auditEntries,
@@ -143,6 +149,7 @@ export async function startMaster({
       usage: new ProcessUsage(),
       lan,
       sandboxes,
+      assets: createAssetStore(assets),
       storage,
       library: () => library.modules(),
     },
@@ -184,6 +191,7 @@ export async function startMaster({
     decoder,
     doorkeeper,
     frontendFolder,
+    assets,
     authority: () => lan.https?.authority,
   });
   const loopbackFacts = { role: loopback, tellsOwners: owners.canTell };

@@ -3,6 +3,7 @@ import type { ConnectionError, ConnectionState, UbiiClient } from '@ubii/client-
 import { createProcessingNode } from '@ubii/client-web/processing';
 import type { NodeInstance, ProcessingNode } from '@ubii/client-web/processing';
 import { moduleLibrary } from '@ubii/modules';
+import { createAssetStore, createHttpAssets } from '@ubii/pm-sandbox';
 import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { watchModuleFolder } from '@ubii/pm-sandbox/folder';
 import type { FolderWatch, LoadedFolder } from '@ubii/pm-sandbox/folder';
@@ -64,6 +65,7 @@ export async function startNode({
     isDedicated: true,
     sandboxes,
     libraries,
+    assets: createAssetStore(createHttpAssets(config.master)),
     capacity: config.capacity,
     acceptsWork: !config.noAcceptWork,
   });

@@ -3,7 +3,7 @@ import { createClient } from '@ubii/client-web/node';
 import type { UbiiClient } from '@ubii/client-web/node';
 import { AccessRole, SessionState } from '@ubii/proto';
 import type { Init, ProcessingModule, Session } from '@ubii/proto';
-import { readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { buildPrograms, newFolder, startMaster, startNode } from './programs.ts';
@@ -114,6 +114,28 @@ describe('the node as a process', () => {
     await expect
       .poll(async () => (await client.call('sessionRuntimeGet', session)).extension?.state, POLL)
       .toBe(SessionState.SESSION_STOPPED);
+  });
+
+  it('[PM-90] [PM-94] loads the asset sets of its modules from the master', async () => {
+    const { url, dataDir } = await startMaster();
+    mkdirSync(join(dataDir, 'models', 'factor'), { recursive: true });
+    writeFileSync(join(dataDir, 'models', 'factor', 'factor.json'), '[5]');
+    const folder = newFolder();
+    writeFileSync(
+      join(folder, 'by-factor.js'),
+      triple
+        .replace("'triple',", "'by-factor', assets: ['factor'],")
+        .replace(
+          '* 3',
+          "* JSON.parse(String.fromCharCode(...state.assets.factor['factor.json']))[0]",
+        ),
+    );
+    const node = startNode(['--master', url, '--modules', folder, ...printing]);
+    await node.ready<Printed>();
+    const client = await joinAs(url);
+    await client.call('sessionRuntimeStart', sessionOf({ name: 'by-factor' }));
+    await expectOut(client, 4, 20);
+    await node.says('Loading the asset set factor: 100 %');
   });
 
   it('logs files that cannot be loaded, and applies changes at once', async () => {

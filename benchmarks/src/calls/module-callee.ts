@@ -17,6 +17,7 @@ export async function openModule(
       source: { onProcessing: payload.onProcessing },
       isTrusted,
       libraries: [],
+      assets: [],
       owner: '',
       inputs: ['in'],
       outputs: [{ name: 'out', format: payload.outputFormat }],

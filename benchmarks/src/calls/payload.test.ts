@@ -12,6 +12,7 @@ describe.each([RECORD_PAYLOAD, picturePayload()])('$title', (payload) => {
         source: { onProcessing: payload.onProcessing },
         isTrusted: true,
         libraries: [],
+        assets: [],
         owner: '',
         inputs: ['in'],
         outputs: [{ name: 'out', format: payload.outputFormat }],

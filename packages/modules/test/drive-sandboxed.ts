@@ -44,6 +44,7 @@ async function drive(
       source: source!,
       isTrusted,
       libraries: parsed.libraries,
+      assets: [],
       inputs: parsed.inputs.map(({ name }) => name),
       owner: '',
       outputs,

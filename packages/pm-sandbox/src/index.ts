@@ -32,6 +32,16 @@ export {
   type ParsedModule,
 } from './definition/parse-module.ts';
 export { DEFAULT_RUNTIME_LIMITS, type RuntimeLimits } from './limits.ts';
+export { AssetError, type AssetErrorCode } from './assets/asset-error.ts';
+export type { AssetFile, AssetManifest } from './assets/asset-manifest.ts';
+export type { AssetSource } from './assets/asset-source.ts';
+export {
+  createAssetStore,
+  type AssetProgress,
+  type AssetStore,
+  type LoadedAssets,
+} from './assets/asset-store.ts';
+export { ASSETS_PATH, createHttpAssets } from './assets/http-assets.ts';
 export type { Cancel, Clock } from './ports/clock.ts';
 export type { ModuleFault, ModuleFaultKind, ModulePhase } from './ports/module-fault.ts';
 export type {

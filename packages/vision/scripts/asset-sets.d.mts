@@ -18,4 +18,4 @@ export const ASSET_SETS: readonly AssetSet[];
 export function readAssetSet(name: string): Record<string, Uint8Array>;
 
 /** Writes all asset sets, each as a folder with its files, `manifest.json` and, where it has to be, `LICENSE`. */
-export function writeAssetSets(outdir: string): void;
+export function writeAssetSets(outdir: string, library?: string): void;

@@ -8,6 +8,11 @@ const { resolve } = createRequire(import.meta.url);
 /** Folder of the models in `@vladmandic/human`, which exports programs only. */
 const humanModels = () => join(dirname(resolve('@vladmandic/human')), '..', 'models');
 const humanLicence = () => join(humanModels(), '..', 'LICENSE');
+/** Of this package. */
+const { version } = JSON.parse(
+  readFileSync(join(import.meta.dirname, '..', 'package.json'), 'utf8'),
+);
+const LIBRARY_FILE = 'vision.js';
 const wasmFolder = () => dirname(resolve('@tensorflow/tfjs-backend-wasm'));
 
 /**
@@ -84,18 +89,34 @@ export function readAssetSet(name) {
  * Writes all asset sets, each as a folder with its files, `manifest.json` and, where it has to be, `LICENSE`.
  *
  * @param {string} outdir
+ * @param {string} [library] the built library, which is the set `vision`
  */
-export function writeAssetSets(outdir) {
-  for (const { name, version, licence, source, licenceFile } of ASSET_SETS) {
-    const folder = join(outdir, name);
-    mkdirSync(folder, { recursive: true });
-    const files = Object.entries(readAssetSet(name)).map(([path, bytes]) => {
-      writeFileSync(join(folder, path), bytes);
-      const sha256 = createHash('sha256').update(bytes).digest('hex');
-      return { path, bytes: bytes.length, sha256 };
-    });
-    if (licenceFile !== undefined) copyFileSync(licenceFile(), join(folder, 'LICENSE'));
-    const manifest = { name, version, licence, source, files };
-    writeFileSync(join(folder, 'manifest.json'), `${JSON.stringify(manifest, undefined, 2)}\n`);
+export function writeAssetSets(outdir, library) {
+  if (library !== undefined) {
+    const about = { name: 'vision', version, licence: 'BSD-3-Clause AND Apache-2.0 AND MIT' };
+    const source = 'Ubi-Interact, packages/vision';
+    const bytes = new Uint8Array(readFileSync(library));
+    writeSet(outdir, { ...about, source, library: LIBRARY_FILE }, { [LIBRARY_FILE]: bytes });
   }
+  for (const { name, version, licence, source, licenceFile } of ASSET_SETS) {
+    writeSet(outdir, { name, version, licence, source }, readAssetSet(name));
+    if (licenceFile !== undefined) copyFileSync(licenceFile(), join(outdir, name, 'LICENSE'));
+  }
+}
+
+/**
+ * @param {string} outdir
+ * @param {{ name: string }} about members of the manifest
+ * @param {Record<string, Uint8Array>} contents by path
+ */
+function writeSet(outdir, about, contents) {
+  const folder = join(outdir, about.name);
+  mkdirSync(folder, { recursive: true });
+  const files = Object.entries(contents).map(([path, bytes]) => {
+    writeFileSync(join(folder, path), bytes);
+    const sha256 = createHash('sha256').update(bytes).digest('hex');
+    return { path, bytes: bytes.length, sha256 };
+  });
+  const manifest = { ...about, files };
+  writeFileSync(join(folder, 'manifest.json'), `${JSON.stringify(manifest, undefined, 2)}\n`);
 }

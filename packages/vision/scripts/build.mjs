@@ -3,5 +3,6 @@ import { writeAssetSets } from './asset-sets.mjs';
 import { buildLibrary } from './library.mjs';
 
 const dist = join(import.meta.dirname, '..', 'dist');
-await buildLibrary(join(dist, 'vision.js'));
-writeAssetSets(join(dist, 'assets'));
+const library = join(dist, 'vision.js');
+await buildLibrary(library);
+writeAssetSets(join(dist, 'assets'), library);

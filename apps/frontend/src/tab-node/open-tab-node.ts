@@ -3,14 +3,20 @@ import type { ProcessingNode } from '@ubii/client-web/processing';
 
 /** The node of this page; its code, the library and the workers are loaded now. */
 export async function openTabNode(client: UbiiClient): Promise<ProcessingNode> {
-  const [{ createProcessingNode }, { createBrowserSandboxes }, { moduleLibrary }] =
-    await Promise.all([
-      import('@ubii/client-web/processing'),
-      import('@ubii/pm-sandbox/browser'),
-      import('@ubii/modules'),
-    ]);
+  const [
+    { createProcessingNode },
+    { createAssetStore, createHttpAssets },
+    { createBrowserSandboxes },
+    { moduleLibrary },
+  ] = await Promise.all([
+    import('@ubii/client-web/processing'),
+    import('@ubii/pm-sandbox'),
+    import('@ubii/pm-sandbox/browser'),
+    import('@ubii/modules'),
+  ]);
   return createProcessingNode(client, {
     sandboxes: createBrowserSandboxes(),
+    assets: createAssetStore(createHttpAssets(location.origin)),
     // Ours: they run at full speed. Whatever else a session brings is sandboxed. [PM-51]
     modules: moduleLibrary(),
     kind: 'browser',

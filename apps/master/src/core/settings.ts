@@ -1,5 +1,5 @@
 import type { PatternCompiler } from '@ubii/patterns';
-import type { SandboxFactory } from '@ubii/pm-sandbox';
+import type { AssetStore, SandboxFactory } from '@ubii/pm-sandbox';
 import type { Init, MasterAddress, ProcessingModule, SettingList } from '@ubii/proto';
 import type { AuditStore } from './ports/audit-store.ts';
 import type { Clock } from './ports/clock.ts';
@@ -33,6 +33,8 @@ export interface MasterPorts {
   readonly lan: Lan;
   /** Where modules on the master run. Opened when the first of them comes; the core closes it. */
   readonly sandboxes: SandboxFactory;
+  /** Asset sets of trusted modules on the master [PM-90]. Default: none. */
+  readonly assets?: AssetStore;
   readonly storage: SessionStorage;
   /** Trusted modules: those that came with the program, and the operator's [PM-51]. The same list as long as nothing changes. */
   readonly library: () => readonly ProcessingModule[];

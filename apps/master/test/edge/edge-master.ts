@@ -26,6 +26,7 @@ export interface EdgeMasterOptions {
   /** More flags. Callers of this machine are admins, unless one of them says otherwise. */
   readonly flags?: readonly string[];
   readonly frontendFolder?: string;
+  readonly assetsFolder?: string;
   readonly dataDir?: string;
   /** The built worker of modules; without it none runs. */
   readonly workerFile?: URL;
@@ -52,6 +53,7 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     log,
     version: '1.2.3',
     frontendFolder: options.frontendFolder ?? join(newFolder(), 'not-there'),
+    assetsFolder: options.assetsFolder ?? join(newFolder(), 'not-there'),
     workerFile: options.workerFile ?? new URL('not-built.js', import.meta.url),
     decodeWorkerFile: options.decodeWorkerFile,
   });

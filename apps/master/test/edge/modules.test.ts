@@ -1,4 +1,4 @@
-import { mkdtempSync, readdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readdirSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -148,6 +148,46 @@ describe('a master with its real workers', () => {
     expect((await session(master, started!.id)).extension?.state).toBe(2);
     write('another', 'two');
     await vi.waitFor(async () => expect(await names()).toContain('another'), PATIENCE);
+  }, 60_000);
+
+  it('gives trusted modules their asset sets, and says which is missing [PM-90] [PM-95]', async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'ubii-modules-'));
+    const dataDir = mkdtempSync(join(tmpdir(), 'ubii-data-'));
+    writeFileSync(
+      join(folder, 'greeter.js'),
+      `export default { name: 'greeter', assets: ['greeting'], inputs: {}, outputs: { out: 'string' },
+         onProcessing(dt, inputs, state) {
+           const text = String.fromCharCode(...state.assets.greeting['a.txt']);
+           return { outputs: { out: { string: text } } };
+         } };`,
+    );
+    const master = await startEdgeMaster({ workerFile, dataDir, flags: ['--modules', folder] });
+    const start = {
+      topic: '/services/session/runtime/start',
+      session: {
+        name: 'greets',
+        processingModules: [{ name: 'greeter' }],
+        ioMappings: [
+          {
+            processingModuleName: 'greeter',
+            outputMappings: [{ outputName: 'out', topic: '/greeter' }],
+          },
+        ],
+      },
+    };
+    const without = await call(master, start);
+    await vi.waitFor(async () => {
+      const { extension } = await session(master, without.session!.id);
+      expect(extension?.problems.map(({ message }) => message).join()).toContain(
+        'The master has no asset set greeting. Put its files into the folder models/greeting',
+      );
+    }, PATIENCE);
+
+    mkdirSync(join(dataDir, 'models', 'greeting'), { recursive: true });
+    writeFileSync(join(dataDir, 'models', 'greeting', 'a.txt'), 'hello');
+    await call(master, { topic: '/services/session/runtime/stop', session: without.session });
+    await call(master, start);
+    await vi.waitFor(async () => expect(await valueOf(master, '/greeter')).toBe(true), PATIENCE);
   }, 60_000);
 
   it('does not start with a folder of modules that is not there', async () => {

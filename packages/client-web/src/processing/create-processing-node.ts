@@ -157,7 +157,8 @@ class Node implements ProcessingNode {
 
   /** [PM-60] */
   #tellProfile(isNode: boolean): Promise<void> {
-    const { kind, libraries = [], capacity = 0, isDedicated = false, sandboxes } = this.#options;
+    const { kind, libraries = [], capacity = 0, isDedicated = false } = this.#options;
+    const { assets, sandboxes } = this.#options;
     return this.#client.updateProfile({
       node: isNode
         ? {
@@ -165,6 +166,7 @@ class Node implements ProcessingNode {
             runsJavascript: true,
             acceptsWork: this.#acceptsWork,
             libraries: [...libraries],
+            loadsAssets: assets !== undefined,
             capacity,
             memoryBytes: sandboxes.memory?.limitBytes ?? 0,
           }
@@ -227,7 +229,7 @@ class Node implements ProcessingNode {
 
   #runtimeNow(): ModuleRuntime {
     if (this.#runtime !== undefined) return this.#runtime;
-    const { sandboxes, libraries, limits } = this.#options;
+    const { sandboxes, libraries, assets, limits } = this.#options;
     const { createRuntime = createModuleRuntime } = this.#options;
     this.#runtime = createRuntime({
       nodeId: this.#client.id,
@@ -236,6 +238,7 @@ class Node implements ProcessingNode {
       patterns: compilerOf(this.#patterns),
       sandboxes,
       libraries,
+      assets,
       limits,
       lockstepInputs: 'given', // the master sends the snapshots [SE-40]
       onEvent: (event) => this.#handleEvent(event),

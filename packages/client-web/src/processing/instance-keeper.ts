@@ -255,6 +255,7 @@ function codeKeyOf(
     module.inputs,
     module.outputs,
     module.extension?.libraries,
+    module.extension?.assets,
     isTrusted,
     fault,
   ]);

@@ -1,6 +1,7 @@
 import type { PatternSource } from '@ubii/patterns';
 import type { Init, ModuleEvent, ProcessingModule } from '@ubii/proto';
 import type {
+  AssetStore,
   Clock,
   ModuleRuntime,
   ModuleRuntimeOptions,
@@ -24,6 +25,8 @@ export interface ProcessingNodeOptions {
   readonly isDedicated?: boolean;
   /** Names of the libraries the sandboxes offer in `state.modules`. @default none */
   readonly libraries?: readonly string[];
+  /** Loads the asset sets of trusted modules into `state.assets`. @default none: such modules cannot run here */
+  readonly assets?: AssetStore;
   /** How many modules it likes to run at once; 0 when it does not say. @default 0 */
   readonly capacity?: number;
   readonly limits?: Partial<RuntimeLimits>;

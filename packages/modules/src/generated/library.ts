@@ -46,6 +46,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -138,6 +139,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -187,6 +189,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -256,6 +259,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -299,6 +303,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -356,6 +361,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -400,6 +406,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -444,6 +451,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -488,6 +496,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -532,6 +541,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -576,6 +586,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -654,6 +665,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -695,6 +707,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -741,6 +754,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -792,6 +806,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -840,6 +855,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -904,6 +920,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -970,6 +987,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1026,6 +1044,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1082,6 +1101,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1138,6 +1158,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1194,6 +1215,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1250,6 +1272,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1332,6 +1355,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1385,6 +1409,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1432,6 +1457,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1485,6 +1511,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1560,6 +1587,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1609,6 +1637,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1674,6 +1703,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
   {
@@ -1750,6 +1780,7 @@ export const LIBRARY: readonly JsonObject[] = [
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
+      assets: [],
     },
   },
 ];

@@ -1,7 +1,7 @@
 import type { Engine, MaybePromise } from '../worker/engine.ts';
 import { MemoryAccount } from '../worker/memory-account.ts';
 import type { HostBatch, Progress, WorkerStart } from '../worker/protocol.ts';
-import { WorkerLoop } from '../worker/worker-loop.ts';
+import { WorkerLoop, type WorkerPlatform } from '../worker/worker-loop.ts';
 import { stripGlobals } from './strip-globals.ts';
 
 /** What a dedicated worker has and a page has not. */
@@ -11,7 +11,10 @@ interface WorkerScope {
 }
 
 /** The program of a browser's worker; the first message tells it how to start. */
-export function runWorker(createEngine: (memory: MemoryAccount) => MaybePromise<Engine>): void {
+export function runWorker(
+  createEngine: (memory: MemoryAccount) => MaybePromise<Engine>,
+  extras: Pick<WorkerPlatform, 'evaluateLibrary'> = {},
+): void {
   const scope = globalThis as unknown as WorkerScope;
   const post = scope.postMessage.bind(scope);
   const listen = scope.addEventListener.bind(scope);
@@ -20,7 +23,7 @@ export function runWorker(createEngine: (memory: MemoryAccount) => MaybePromise<
 
   listen('message', ({ data }: MessageEvent<WorkerStart | HostBatch>) => {
     // Loaded before the first call, whose time it must not take.
-    starting ??= startLoop(data as WorkerStart, createEngine, post).then((started) => {
+    starting ??= startLoop(data as WorkerStart, createEngine, extras, post).then((started) => {
       loop = started;
     });
     if ('kind' in data) return;
@@ -42,6 +45,7 @@ export function runWorker(createEngine: (memory: MemoryAccount) => MaybePromise<
 async function startLoop(
   start: WorkerStart,
   createEngine: (memory: MemoryAccount) => MaybePromise<Engine>,
+  extras: Pick<WorkerPlatform, 'evaluateLibrary'>,
   post: WorkerScope['postMessage'],
 ): Promise<WorkerLoop> {
   // Pages share no memory with workers unless they give up a lot for it: progress travels.
@@ -53,6 +57,7 @@ async function startLoop(
     post: (batch, transfer) => post({ ...batch, progress }, [...transfer]),
     // Its policy lets the worker load nothing.
     importLibrary: () => Promise.resolve(undefined),
+    ...extras,
     noteReceived() {
       progress = { ...progress, received: progress.received + 1 };
     },

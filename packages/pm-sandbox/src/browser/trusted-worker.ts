@@ -1,4 +1,5 @@
+import { evaluateLibrary } from '../worker/v8/evaluate-callback.ts';
 import { createV8Engine } from '../worker/v8/v8-engine.ts';
 import { runWorker } from './run-worker.ts';
 
-runWorker(() => createV8Engine());
+runWorker(() => createV8Engine(), { evaluateLibrary });

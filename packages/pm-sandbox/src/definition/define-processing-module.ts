@@ -18,8 +18,10 @@ export type ModeInit =
 
 /** What the node puts into the state of an instance. [PM-12] */
 export interface NodeState {
-  /** The external libraries the module asked for, by name. */
+  /** The external libraries and those of the asset sets that the module asked for, by name. */
   readonly modules: Readonly<Record<string, unknown>>;
+  /** Files of the asset sets that the module asked for, by name and path. [PM-90] */
+  readonly assets: Readonly<Record<string, Readonly<Record<string, Uint8Array<ArrayBuffer>>>>>;
   /** With the mode trigger-on-input: inputs that were updated since the run before. */
   inputTriggerNames: readonly string[];
 }
@@ -53,6 +55,8 @@ export interface ModuleDefinition<
   readonly version?: string;
   /** What it needs in `state.modules`; a node that lacks one cannot run it. [PM-4] */
   readonly libraries?: readonly string[];
+  /** Names of the asset sets it needs in `state.assets`; only trusted modules get them. [PM-90] */
+  readonly assets?: readonly string[];
   readonly inputs: I;
   readonly outputs: O;
   /** Default: 30 Hz. */

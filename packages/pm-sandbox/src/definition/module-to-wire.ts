@@ -17,7 +17,14 @@ import type { IoInits } from './io-types.ts';
  * @throws TypeError when a callback is no function or has no source
  */
 export function moduleToWire(definition: AnyModuleDefinition): Init<ProcessingModule> {
-  const { onProcessing, onHalted, onDestroyed, libraries = [], version = '' } = definition;
+  const {
+    onProcessing,
+    onHalted,
+    onDestroyed,
+    libraries = [],
+    assets = [],
+    version = '',
+  } = definition;
   const source = (fn: unknown, name: string): string =>
     fn === undefined ? '' : callbackSource(fn, name);
   return {
@@ -33,7 +40,10 @@ export function moduleToWire(definition: AnyModuleDefinition): Init<ProcessingMo
     onProcessingStringified: callbackSource(onProcessing, 'onProcessing'),
     onHaltedStringified: source(onHalted, 'onHalted'),
     onDestroyedStringified: source(onDestroyed, 'onDestroyed'),
-    extension: version !== '' || libraries.length > 0 ? { version, libraries } : undefined,
+    extension:
+      version !== '' || libraries.length + assets.length > 0
+        ? { version, libraries, assets }
+        : undefined,
   };
 }
 

@@ -42,6 +42,7 @@ export interface ParsedModule {
   /** Undefined when it comes without code. */
   readonly source: ModuleSource | undefined;
   readonly libraries: readonly string[];
+  readonly assets: readonly string[];
   /** Empty when the author gave none. */
   readonly version: string;
 }
@@ -55,6 +56,7 @@ export function parseModule(module: ProcessingModule): ParsedModule {
     mode: parseMode(module.processingMode),
     source: parseSource(module),
     libraries: module.extension?.libraries ?? [],
+    assets: module.extension?.assets ?? [],
     version: module.extension?.version ?? '',
   };
 }

@@ -3,6 +3,7 @@ import { parentPort, workerData } from 'node:worker_threads';
 import type { HostBatch, WorkerStart } from '../worker/protocol.ts';
 import { MemoryAccount } from '../worker/memory-account.ts';
 import { createQuickJsEngine } from '../worker/quickjs/quickjs-engine.ts';
+import { evaluateLibrary } from '../worker/v8/evaluate-callback.ts';
 import { createV8Engine } from '../worker/v8/v8-engine.ts';
 import { WorkerLoop } from '../worker/worker-loop.ts';
 import { locateSyntaxError } from './locate-syntax-error.ts';
@@ -47,7 +48,7 @@ const loop = new WorkerLoop({
   ...createProgressWriter(progress),
   later: (fn) => void setImmediate(fn),
   nowMs,
-  ...(start.kind === 'trusted' && { sharedBytes: heapBytes }),
+  ...(start.kind === 'trusted' && { sharedBytes: heapBytes, evaluateLibrary }),
 });
 
 // A timer of one trusted module that throws is no reason to end the others.

@@ -1,4 +1,5 @@
 import type { DataFormat } from '@ubii/proto';
+import type { LoadedAssets } from '../assets/asset-store.ts';
 import type { ModuleFault } from './module-fault.ts';
 
 /** Source text of the callbacks: each evaluates, as an expression, to a function. [PM-2] */
@@ -28,6 +29,8 @@ export interface SandboxRequest {
   readonly isTrusted: boolean;
   /** Names of the libraries it gets in `state.modules`. [PM-4] */
   readonly libraries: readonly string[];
+  /** Asset sets it gets in `state.assets` and, those that are libraries, in `state.modules`. [PM-90] */
+  readonly assets: readonly LoadedAssets[];
   /** Names of its declared inputs, for messages. */
   readonly inputs: readonly string[];
   /** Its outputs; a format that is not known takes the one member the module set. */

@@ -2,6 +2,7 @@ import type { PatternCompiler } from '@ubii/patterns';
 import type { ModuleEvent, ProcessingModuleStatus } from '@ubii/proto';
 import { DEFAULT_RUNTIME_LIMITS, type RuntimeLimits } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
+import type { AssetStore } from '../assets/asset-store.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxFactory } from '../ports/sandbox.ts';
 import type { EncodedRecord, TopicPort } from '../ports/topic-port.ts';
@@ -25,6 +26,8 @@ export interface ModuleRuntimeOptions {
   readonly limits?: Partial<RuntimeLimits> | undefined;
   /** Names of the libraries the sandboxes offer. @default none */
   readonly libraries?: readonly string[] | undefined;
+  /** Loads the asset sets of trusted modules. @default none: such modules cannot run */
+  readonly assets?: AssetStore | undefined;
   /**
    * `own`: lockstep modules subscribe to their inputs, so that `lockstepInputs` knows them. `given`: the
    * snapshots come from elsewhere, and nothing is subscribed to that they bring. @default 'own'
@@ -60,6 +63,7 @@ class NodeModuleRuntime implements ModuleRuntime {
       sandboxes,
       limits,
       libraries: options.libraries ?? [],
+      assets: options.assets,
       lockstepInputs: options.lockstepInputs ?? 'own',
       endOfTurn: new EndOfTurn(clock),
       completion: new RecordCompletion(nodeId),

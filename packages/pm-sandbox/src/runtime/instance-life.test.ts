@@ -1,6 +1,8 @@
 import { ModuleEventKind, ProcessingModuleStatus } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { EMPTY_RESULT, inputValues, sandboxOutput } from '../testing/fake-sandboxes.ts';
+import { createAssetStore } from '../assets/asset-store.ts';
+import { FakeAssets } from '../testing/fake-assets.ts';
 import { createModuleWorld, instanceSpec, type ModuleWorld } from '../testing/module-world.ts';
 
 const { INITIALIZED, CREATED, PROCESSING, HALTED, DESTROYED } = ProcessingModuleStatus;
@@ -9,6 +11,54 @@ const ON_INPUT = { triggerOnInput: { minDelayMs: 0, allInputsNeedUpdate: false }
 
 const statuses = (world: ModuleWorld) => world.statuses.map(({ status }) => status);
 const kinds = (world: ModuleWorld) => world.events.map(({ kind }) => kind);
+
+describe('the asset sets of an instance [PM-90]', () => {
+  const needing = { assets: ['model'], isTrusted: true };
+  function world() {
+    const source = new FakeAssets();
+    source.add('model', { 'a.bin': 'abc' });
+    return { source, ...createModuleWorld({}, [], { assets: createAssetStore(source) }) };
+  }
+
+  it('are loaded before its code, and how far that is, is told [PM-94]', async () => {
+    const { sandboxes, begin, events } = world();
+    await begin(needing);
+    expect(sandboxes.last.request.assets.map(({ name }) => name)).toEqual(['model']);
+    expect(events.map(({ message }) => message)).toEqual([
+      'Loading the asset set model: 100 % of 0.0 MB.',
+    ]);
+  });
+
+  it('are for trusted modules only', async () => {
+    const { runtime, sandboxes } = world();
+    const created = runtime.create(instanceSpec({ ...needing, isTrusted: false }));
+    await expect(created).rejects.toMatchObject({ kind: 'library', phase: 'onCreated' });
+    expect(sandboxes.opened).toHaveLength(0);
+  });
+
+  it('are missing where a node loads none, or has no such set [PM-95]', async () => {
+    const { runtime } = createModuleWorld();
+    await expect(runtime.create(instanceSpec(needing))).rejects.toMatchObject({
+      message: 'This node does not load asset sets.',
+    });
+    const other = world();
+    const spec = instanceSpec({ ...needing, assets: ['none'] });
+    await expect(other.runtime.create(spec)).rejects.toMatchObject({ kind: 'library' });
+  });
+
+  it('are not loaded to the end for a module that is stopped', async () => {
+    const { source, runtime, sandboxes } = world();
+    let go!: () => void;
+    source.pause = new Promise((resolve) => (go = resolve));
+    const created = runtime.create(instanceSpec(needing));
+    void runtime.destroy('pm-1');
+    await expect(created).rejects.toMatchObject({
+      message: 'The module was stopped while its asset sets were loaded.',
+    });
+    go();
+    expect(sandboxes.opened).toHaveLength(0);
+  });
+});
 
 describe('the life of an instance', () => {
   it('[PM-10] is created, processes, is halted, processes again, and is destroyed', async () => {

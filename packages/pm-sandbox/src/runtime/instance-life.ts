@@ -1,7 +1,7 @@
 import { ModuleEventKind, ProcessingModuleStatus } from '@ubii/proto';
 import type { Cancel } from '../ports/clock.ts';
 import type { ModuleFault, ModulePhase } from '../ports/module-fault.ts';
-import type { Sandbox } from '../ports/sandbox.ts';
+import type { Sandbox, SandboxRequest } from '../ports/sandbox.ts';
 import { nextStatus, wireStatus, type InstanceMove, type InstanceStatus } from './lifecycle.ts';
 import type { InstanceSpec } from './module-runtime.ts';
 import type { InstanceReports } from './reports/instance-reports.ts';
@@ -10,6 +10,7 @@ import type { Runner } from './runner.ts';
 import type { RuntimeContext } from './runtime-context.ts';
 import { sandboxRequest } from './sandbox-request.ts';
 import { isDeadly, toFault } from './to-fault.ts';
+import { loadAssets } from './load-assets.ts';
 import { within } from './within.ts';
 
 /** What happens in an instance's life. */
@@ -42,6 +43,8 @@ export class InstanceLife {
   /** It is to process as soon as it can. */
   #wantsRuns = false;
   #cancelRestart: Cancel | undefined;
+  /** Ends the loading of its asset sets. */
+  #loading: AbortController | undefined;
   #halting: Promise<void> | undefined;
   #destroying: Promise<void> | undefined;
 
@@ -96,6 +99,7 @@ export class InstanceLife {
   }
 
   destroy(): Promise<void> {
+    this.#loading?.abort();
     this.#destroying ??= this.#destroyNow();
     return this.#destroying;
   }
@@ -116,17 +120,30 @@ export class InstanceLife {
     const { limits, libraries, sandboxes } = this.#context;
     const request = sandboxRequest(this.#spec, limits, libraries);
     if ('fault' in request) return request.fault;
+    let assets: SandboxRequest['assets'] = [];
+    // Without an await for those that need none: they start in this turn.
+    if (this.#spec.module.extension?.assets.length) {
+      this.#loading = new AbortController();
+      const { signal } = this.#loading;
+      const loaded = await loadAssets(this.#spec, this.#context, this.#reports, signal);
+      if ('fault' in loaded) return loaded.fault;
+      if (signal.aborted) return ENDED_MEANWHILE;
+      assets = loaded.sets;
+    }
     let sandbox: Sandbox | undefined;
     try {
-      sandbox = sandboxes.open(request, {
-        onLog: ({ level, text }) => this.#reports.log(level, text),
-        onMemory: (bytes) => {
-          if (sandbox === this.#sandbox) this.#reports.noteMemory(bytes);
+      sandbox = sandboxes.open(
+        { ...request, assets },
+        {
+          onLog: ({ level, text }) => this.#reports.log(level, text),
+          onMemory: (bytes) => {
+            if (sandbox === this.#sandbox) this.#reports.noteMemory(bytes);
+          },
+          onKilled: (fault) => {
+            if (sandbox === this.#sandbox) this.#handleKilled(fault);
+          },
         },
-        onKilled: (fault) => {
-          if (sandbox === this.#sandbox) this.#handleKilled(fault);
-        },
-      });
+      );
       this.#sandbox = sandbox;
       await sandbox.create();
     } catch (reason) {

@@ -1,6 +1,7 @@
 import type { ModuleEvent, ProcessingModuleStatus } from '@ubii/proto';
 import type { RuntimeLimits } from '../limits.ts';
 import type { Clock } from '../ports/clock.ts';
+import type { AssetStore } from '../assets/asset-store.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxFactory } from '../ports/sandbox.ts';
 import type { TopicPort } from '../ports/topic-port.ts';
@@ -17,6 +18,7 @@ export interface RuntimeContext {
   readonly sandboxes: SandboxFactory;
   readonly limits: RuntimeLimits;
   readonly libraries: readonly string[];
+  readonly assets: AssetStore | undefined;
   readonly lockstepInputs: 'own' | 'given';
   readonly endOfTurn: EndOfTurn;
   readonly completion: RecordCompletion;

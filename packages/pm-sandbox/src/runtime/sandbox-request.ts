@@ -31,6 +31,7 @@ export function sandboxRequest(
     source,
     isTrusted: spec.isTrusted,
     libraries,
+    assets: [],
     inputs: inputs.map((input) => input.name),
     outputs: outputs.map(({ name: outputName, format }) => ({ name: outputName, format })),
     owner: spec.module.sessionId,

@@ -73,6 +73,7 @@ function fakeWorker() {
           source: { onProcessing: '() => {}' },
           isTrusted: false,
           libraries: [],
+          assets: [],
           inputs: [],
           owner: '',
           outputs: [],

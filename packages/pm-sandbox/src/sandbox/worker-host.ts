@@ -1,3 +1,4 @@
+import type { LoadedAssets } from '../assets/asset-store.ts';
 import type { ModuleFault, ModulePhase } from '../ports/module-fault.ts';
 import type { ModuleSource, SandboxCall, SandboxRequest, SandboxResult } from '../ports/sandbox.ts';
 import { AWAIT_TIMEOUT_MS, TRUSTED_CREATE_TIMEOUT_MS } from '../sandbox-limits.ts';
@@ -48,6 +49,10 @@ export class WorkerHost {
   readonly #packer = new BytePacker();
   readonly #watchdog: Watchdog<PendingCall>;
   #outgoing: HostMessage[] = [];
+  /** Buffers of asset sets that go with it. */
+  #transfers: ArrayBuffer[] = [];
+  /** Instances that use an asset set, by its key. */
+  readonly #assetUsers = new Map<string, number>();
   /** Who has their memory, and how much. */
   readonly #owners = new Map<number, MemoryUse>();
   #lastInstance = 0;
@@ -111,16 +116,18 @@ export class WorkerHost {
   add(instance: HostedInstance): number {
     this.#instances.set(++this.#lastInstance, instance);
     this.#owners.set(this.#lastInstance, this.#memory.enter(instance.request.owner));
+    for (const assets of instance.request.assets) this.#giveAssets(assets);
     return this.#lastInstance;
   }
 
   create(instance: number): Promise<void> {
-    const { request } = this.#instances.get(instance)!;
+    const { assets, ...request } = this.#instances.get(instance)!.request;
     return this.#call(instance, 'onCreated', (call) => ({
       kind: 'create',
       instance,
       call,
       request,
+      assets: assets.map(({ key }) => key),
       owner: this.#owners.get(instance)?.number ?? 0,
     }));
   }
@@ -187,6 +194,28 @@ export class WorkerHost {
     });
   }
 
+  /** One copy for all instances of the worker. [PM-91] */
+  #giveAssets(assets: LoadedAssets): void {
+    const users = this.#assetUsers.get(assets.key) ?? 0;
+    this.#assetUsers.set(assets.key, users + 1);
+    if (users > 0) return;
+    const files = Object.fromEntries(
+      Object.entries(assets.files).map(([path, bytes]) => [path, bytes.slice()]),
+    );
+    this.#transfers.push(...Object.values(files).map(({ buffer }) => buffer));
+    this.#send({ kind: 'assets', assets: { ...assets, files } });
+  }
+
+  #takeAssets({ key }: LoadedAssets): void {
+    const users = (this.#assetUsers.get(key) ?? 1) - 1;
+    if (users > 0) {
+      this.#assetUsers.set(key, users);
+      return;
+    }
+    this.#assetUsers.delete(key);
+    this.#send({ kind: 'dropAssets', key });
+  }
+
   #send(message: HostMessage): void {
     if (this.#isEnded) return;
     this.#outgoing.push(message);
@@ -198,7 +227,9 @@ export class WorkerHost {
     const messages = this.#outgoing;
     this.#outgoing = [];
     this.#sentBatches++;
-    this.#link.post({ messages }, this.#packer.pack());
+    const assets = this.#transfers;
+    this.#transfers = [];
+    this.#link.post({ messages }, [...this.#packer.pack(), ...assets]);
   }
 
   #handleBatch(batch: WorkerBatch): void {
@@ -244,6 +275,7 @@ export class WorkerHost {
   #forget(instance: number): boolean {
     this.#owners.get(instance)?.leave();
     this.#owners.delete(instance);
+    this.#instances.get(instance)?.request.assets.forEach((assets) => this.#takeAssets(assets));
     return this.#instances.delete(instance);
   }
 

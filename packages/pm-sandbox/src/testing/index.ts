@@ -9,6 +9,7 @@ export {
   type SandboxInit,
 } from './sandbox-fixture.ts';
 export { describeSandboxes, type SandboxSuite } from './sandbox-suite.ts';
+export { FakeAssets, loadedAssets, manifestOf, type AssetTexts } from './fake-assets.ts';
 export { FakeClock, settle } from './fake-clock.ts';
 export {
   EMPTY_RESULT,

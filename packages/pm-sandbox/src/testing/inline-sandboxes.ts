@@ -2,9 +2,11 @@ import type { Sandbox, SandboxEvents, SandboxFactory, SandboxRequest } from '../
 import type { ModuleFault } from '../ports/module-fault.ts';
 import { checkSource } from '../worker/check-source.ts';
 import type { Engine } from '../worker/engine.ts';
-import { Instance, type InstanceHost } from '../worker/instance.ts';
+import { Instance, type GivenParts, type InstanceHost } from '../worker/instance.ts';
 import { isFatal, ModuleError, moduleFault } from '../worker/module-error.ts';
+import { evaluateLibrary } from '../worker/v8/evaluate-callback.ts';
 import { createV8Engine } from '../worker/v8/v8-engine.ts';
+import { WorkerAssets } from '../worker/worker-assets.ts';
 
 /** What a test may add. */
 export interface InlineSandboxOptions {
@@ -41,12 +43,33 @@ export function createEngineSandboxes(
       return {
         modules: Object.fromEntries(names.map((name) => [name, libraries[name]])),
         hostLibraries: {},
+        assets: {},
       };
     },
   };
+  const hostOf = ({ assets }: SandboxRequest): InstanceHost => {
+    const sets = assets.map((set) => new WorkerAssets(set, evaluateLibrary));
+    return {
+      ...host,
+      loadLibraries(names) {
+        const given = host.loadLibraries(names) as GivenParts;
+        const own = sets.filter(({ isLibrary }) => isLibrary);
+        return {
+          ...given,
+          modules: {
+            ...given.modules,
+            ...Object.fromEntries(own.map((set) => [set.name, set.library()])),
+          },
+          assets: Object.fromEntries(sets.map(({ name, files }) => [name, files])),
+        };
+      },
+    };
+  };
   return {
     open(request, events) {
-      const sandbox = new InlineSandbox(request, events, host, () => open.delete(sandbox));
+      const sandbox = new InlineSandbox(request, events, hostOf(request), () =>
+        open.delete(sandbox),
+      );
       open.add(sandbox);
       return sandbox;
     },

@@ -8,6 +8,7 @@ import {
   type ProcessingModule,
   type ProcessingModuleStatus,
 } from '@ubii/proto';
+import type { AssetStore } from '../assets/asset-store.ts';
 import type { RuntimeLimits } from '../limits.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxFactory } from '../ports/sandbox.ts';
@@ -23,6 +24,8 @@ export interface ModuleSketch {
   readonly name?: string;
   readonly mode?: ProcessingMode;
   readonly libraries?: readonly string[];
+  readonly assets?: readonly string[];
+  readonly isTrusted?: boolean;
   /** Data formats by name. */
   readonly inputs?: Readonly<Record<string, string>>;
   readonly outputs?: Readonly<Record<string, string>>;
@@ -57,6 +60,7 @@ export function createModuleWorld(
     readonly sandboxes?: SandboxFactory;
     readonly lockstepInputs?: 'own' | 'given';
     readonly patterns?: PatternCompiler;
+    readonly assets?: AssetStore;
   } = {},
 ): ModuleWorld {
   const { clock = new FakeClock() } = parts;
@@ -71,6 +75,7 @@ export function createModuleWorld(
     sandboxes: parts.sandboxes ?? sandboxes,
     limits,
     libraries,
+    assets: parts.assets,
     lockstepInputs: parts.lockstepInputs,
     patterns: parts.patterns ?? new Re2Patterns(),
     onEvent: (event) => events.push(event),
@@ -88,7 +93,8 @@ export function createModuleWorld(
 
 /** The complete specification of a sketch. */
 export function instanceSpec(sketch: ModuleSketch = {}): InstanceSpec {
-  const { id = 'pm-1', name = 'module', inputs = {}, outputs = {}, libraries = [] } = sketch;
+  const { id = 'pm-1', name = 'module', inputs = {}, outputs = {} } = sketch;
+  const { libraries = [], assets = [], isTrusted = false } = sketch;
   const ios = (formats: Readonly<Record<string, string>>) =>
     Object.entries(formats).map(([internalName, messageFormat]) => ({
       internalName,
@@ -101,12 +107,12 @@ export function instanceSpec(sketch: ModuleSketch = {}): InstanceSpec {
     inputs: ios(inputs),
     outputs: ios(outputs),
     onProcessingStringified: '() => {}',
-    extension: { libraries },
+    extension: { libraries, assets },
   });
   return {
     module: { ...module, processingMode: sketch.mode },
     mapping: ioMapping(sketch),
-    isTrusted: false,
+    isTrusted,
   };
 }
 

@@ -21,6 +21,7 @@ export interface SandboxInit {
   readonly inputs?: readonly string[];
   readonly outputs?: Readonly<Record<string, DataFormat | undefined>>;
   readonly libraries?: readonly string[];
+  readonly assets?: SandboxRequest['assets'];
   readonly limits?: Partial<SandboxRequest['limits']>;
   readonly instanceId?: string;
   readonly isTrusted?: boolean;
@@ -64,6 +65,7 @@ export function openSandbox(
       source: { onProcessing, onCreated, onHalted, onDestroyed },
       isTrusted: init.isTrusted ?? isTrusted,
       libraries: init.libraries ?? [],
+      assets: init.assets ?? [],
       inputs: init.inputs ?? [],
       owner: init.owner ?? 'owner',
       outputs: Object.entries<DataFormat | undefined>(init.outputs ?? { out: 'string' }).map(

@@ -1,6 +1,7 @@
 import { decode, decodeRecord, type Image2D } from '@ubii/proto';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { SandboxFactory } from '../ports/sandbox.ts';
+import { describeAssets } from './sandbox-assets-suite.ts';
 import { describeSandboxLimits } from './sandbox-limits-suite.ts';
 import { describeMistakes } from './sandbox-words-suite.ts';
 import {
@@ -475,6 +476,7 @@ export function describeSandboxes(name: string, suite: SandboxSuite): void {
       await Promise.all(instances.map(({ sandbox }) => sandbox.destroy()));
     });
 
+    if (suite.isTrusted) describeAssets(create);
     describeMistakes(create);
     if (suite.hasLimits) describeSandboxLimits(create, open);
   });

@@ -18,7 +18,14 @@ export async function checkSource(
 ): Promise<ModuleFault | undefined> {
   const tooLong = sourceTooLong(source);
   if (tooLong !== undefined) return tooLong;
-  const request = { source, limits: CHECK_LIMITS, outputNames: [], modules: {}, hostLibraries: {} };
+  const request = {
+    source,
+    limits: CHECK_LIMITS,
+    outputNames: [],
+    modules: {},
+    assets: {},
+    hostLibraries: {},
+  };
   try {
     const opened = await engine.open(request, {
       onLog: () => undefined,

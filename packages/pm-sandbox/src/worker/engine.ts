@@ -1,3 +1,4 @@
+import type { LoadedAssets } from '../assets/asset-store.ts';
 import type { ModulePhase } from '../ports/module-fault.ts';
 import type { ModuleSource, SandboxLimits } from '../ports/sandbox.ts';
 import type { RawOutput } from './encode-outputs.ts';
@@ -25,6 +26,8 @@ export interface EngineRequest {
   readonly outputNames: readonly string[];
   /** Libraries that are loaded where the code runs. */
   readonly modules: Readonly<Record<string, unknown>>;
+  /** Files by set and path. [PM-90] */
+  readonly assets: Readonly<Record<string, LoadedAssets['files']>>;
   /** Whose memory its own counts as; undefined: it is not counted. [PM-58] */
   readonly owner?: number | undefined;
   /** Methods of the libraries that the host runs. */

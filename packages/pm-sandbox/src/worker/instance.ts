@@ -8,15 +8,16 @@ import { cutText, faultOf, ModuleError, moduleFault } from './module-error.ts';
 import { decodeInputs } from './module-records.ts';
 import { undeclaredName } from './nearest-name.ts';
 
+/** What an instance finds in its state, besides what it puts there. */
+export type GivenParts = Pick<EngineRequest, 'modules' | 'hostLibraries' | 'assets'>;
+
 /** What surrounds an instance: its worker, or the thread of a test. */
 export interface InstanceHost {
   readonly engine: Engine;
   /** Whose memory that of this one counts as. */
   readonly owner?: number | undefined;
-  /** The libraries it asked for. Rejects with a `ModuleError` of kind `library`. */
-  loadLibraries(
-    names: readonly string[],
-  ): MaybePromise<Pick<EngineRequest, 'modules' | 'hostLibraries'>>;
+  /** The libraries and the asset sets it asked for. Rejects with a `ModuleError` of kind `library`. */
+  loadLibraries(names: readonly string[]): MaybePromise<GivenParts>;
   nowMs(): number;
 }
 
@@ -32,14 +33,14 @@ export interface InstanceHooks extends Omit<EngineHooks, 'onFailure'> {
  * with are `ModuleFault`s.
  */
 export class Instance {
-  readonly #request: SandboxRequest;
+  readonly #request: Omit<SandboxRequest, 'assets'>;
   readonly #host: InstanceHost;
   readonly #hooks: InstanceHooks;
   #code: EngineInstance | undefined;
   #isFree = false;
   #logLines = 0;
 
-  constructor(request: SandboxRequest, host: InstanceHost, hooks: InstanceHooks) {
+  constructor(request: Omit<SandboxRequest, 'assets'>, host: InstanceHost, hooks: InstanceHooks) {
     this.#request = request;
     this.#host = host;
     this.#hooks = hooks;
@@ -105,7 +106,7 @@ export class Instance {
     return this.#code?.memoryBytes?.();
   }
 
-  #open(libraries: Pick<EngineRequest, 'modules' | 'hostLibraries'>): MaybePromise<void> {
+  #open(libraries: GivenParts): MaybePromise<void> {
     const { source, limits, outputs } = this.#request;
     if (source.onProcessing.trim() === '') {
       const message = 'The module has no onProcessing, which every module needs.';

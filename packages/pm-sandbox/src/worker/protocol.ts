@@ -1,3 +1,4 @@
+import type { LoadedAssets } from '../assets/asset-store.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { ModuleSource, SandboxRequest } from '../ports/sandbox.ts';
 import type { MemoryCells } from './memory-account.ts';
@@ -19,10 +20,16 @@ export type HostMessage =
       readonly kind: 'create';
       readonly instance: number;
       readonly call: number;
-      readonly request: SandboxRequest;
+      readonly request: Omit<SandboxRequest, 'assets'>;
+      /** Keys of its asset sets, which the worker has by then. */
+      readonly assets: readonly string[];
       /** Whose memory its own counts as. */
       readonly owner: number;
     }
+  /** Files for all instances that name the set. */
+  | { readonly kind: 'assets'; readonly assets: LoadedAssets }
+  /** No instance needs the set any more. */
+  | { readonly kind: 'dropAssets'; readonly key: string }
   | { readonly kind: 'halt'; readonly instance: number; readonly call: number }
   | { readonly kind: 'destroy'; readonly instance: number; readonly call: number }
   /** Frees an instance without calling it. */

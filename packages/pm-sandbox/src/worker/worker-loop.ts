@@ -2,8 +2,8 @@ import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxResult } from '../ports/sandbox.ts';
 import { BytePacker } from './byte-packer.ts';
 import { checkSource } from './check-source.ts';
-import type { Engine, EngineRequest, MaybePromise } from './engine.ts';
-import { Instance, type InstanceHost } from './instance.ts';
+import type { Engine, MaybePromise } from './engine.ts';
+import { Instance, type GivenParts, type InstanceHost } from './instance.ts';
 import { cutText, describeThrown, isFatal, ModuleError, moduleFault } from './module-error.ts';
 import type {
   HostBatch,
@@ -13,6 +13,7 @@ import type {
   WorkerMessage,
 } from './protocol.ts';
 import { readRun, wireResult } from './run-wire.ts';
+import { WorkerAssets } from './worker-assets.ts';
 
 /** What a worker has around it. */
 export interface WorkerPlatform {
@@ -21,6 +22,8 @@ export interface WorkerPlatform {
   post(batch: WorkerBatch, transfer: readonly ArrayBuffer[]): void;
   /** Loads a library for trusted code; rejects or gives undefined when there is none of that name. */
   importLibrary(name: string): Promise<unknown>;
+  /** The value of a script; absent where text never becomes code of the worker. */
+  evaluateLibrary?(script: string, sourceUrl: string): unknown;
   /** A batch was begun. */
   noteReceived(): void;
   /** The code of an instance is about to run; 0: none. */
@@ -47,6 +50,8 @@ export class WorkerLoop {
   readonly #answers = new Map<number, (answer: MessageOf<'libraryAnswer'>) => void>();
   readonly #packer = new BytePacker();
   readonly #queue: HostMessage[] = [];
+  /** By key. */
+  readonly #assets = new Map<string, WorkerAssets>();
   #outgoing: WorkerMessage[] = [];
   #heldSinceMs = 0;
   #isBusy = false;
@@ -104,6 +109,15 @@ export class WorkerLoop {
     switch (message.kind) {
       case 'create':
         return this.#create(message);
+      case 'assets':
+        this.#assets.set(
+          message.assets.key,
+          new WorkerAssets(message.assets, this.#platform.evaluateLibrary?.bind(this.#platform)),
+        );
+        return false;
+      case 'dropAssets':
+        this.#assets.delete(message.key);
+        return false;
       case 'halt':
         return this.#call(message, (instance) => instance.halt());
       case 'destroy':
@@ -127,8 +141,8 @@ export class WorkerLoop {
   }
 
   #create(message: MessageOf<'create'>): boolean {
-    const { instance: number, request, owner } = message;
-    const instance = new Instance(request, this.#hostOf(owner), {
+    const { instance: number, request, owner, assets } = message;
+    const instance = new Instance(request, this.#hostOf(owner, assets), {
       onLog: (level, text) => this.#send({ kind: 'log', instance: number, level, text }),
       callHost: (library, method, args) => this.#callHost(number, library, method, args),
       onResume: () => this.#note(number),
@@ -221,18 +235,20 @@ export class WorkerLoop {
     });
   }
 
-  #hostOf(owner: number): InstanceHost {
+  #hostOf(owner: number, assets: readonly string[]): InstanceHost {
     return {
       engine: this.#platform.engine,
       owner,
       nowMs: () => this.#platform.nowMs(),
-      loadLibraries: (names) => (names.length === 0 ? NO_LIBRARIES : this.#loadLibraries(names)),
+      loadLibraries: (names) =>
+        names.length + assets.length === 0 ? NO_LIBRARIES : this.#loadLibraries(names, assets),
     };
   }
 
   async #loadLibraries(
     names: readonly string[],
-  ): Promise<Pick<EngineRequest, 'modules' | 'hostLibraries'>> {
+    assetKeys: readonly string[],
+  ): Promise<GivenParts> {
     const modules: Record<string, unknown> = {};
     const hostLibraries: Record<string, readonly string[]> = {};
     for (const name of names) {
@@ -240,7 +256,10 @@ export class WorkerLoop {
         hostLibraries[name] = this.#platform.hostLibraries[name]!;
       } else modules[name] = await this.#importLibrary(name);
     }
-    return { modules, hostLibraries };
+    const sets = assetKeys.flatMap((key) => this.#assets.get(key) ?? []);
+    for (const set of sets) if (set.isLibrary) modules[set.name] = set.library();
+    const assets = Object.fromEntries(sets.map(({ name, files }) => [name, files]));
+    return { modules, hostLibraries, assets };
   }
 
   async #importLibrary(name: string): Promise<unknown> {
@@ -297,4 +316,4 @@ export class WorkerLoop {
   }
 }
 
-const NO_LIBRARIES = { modules: {}, hostLibraries: {} };
+const NO_LIBRARIES = { modules: {}, hostLibraries: {}, assets: {} };

@@ -1773,10 +1773,11 @@ export function encodeModuleExtension(m: Init<T.ModuleExtension>, w: Writer): vo
   if (m.replaceable != null) w.bool(24, m.replaceable);
   if (m.origin != null) w.int32(32, m.origin);
   if (m.grantIds != null) for (const e of m.grantIds) w.string(42, e);
+  if (m.assets != null) for (const e of m.assets) w.string(50, e);
 }
 
 export function decodeModuleExtension(r: Reader, into?: T.ModuleExtension): T.ModuleExtension {
-  const m: T.ModuleExtension = into ?? { version: '', libraries: [], replaceable: false, origin: 0, grantIds: [] };
+  const m: T.ModuleExtension = into ?? { version: '', libraries: [], replaceable: false, origin: 0, grantIds: [], assets: [] };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1785,6 +1786,7 @@ export function decodeModuleExtension(r: Reader, into?: T.ModuleExtension): T.Mo
       case 24: m.replaceable = r.bool(); break;
       case 32: m.origin = r.int32() as T.ModuleOrigin; break;
       case 42: m.grantIds.push(r.string()); break;
+      case 50: m.assets.push(r.string()); break;
       default: skipField(r, tag);
     }
   }
@@ -1930,10 +1932,11 @@ export function encodeNodeExtension(m: Init<T.NodeExtension>, w: Writer): void {
   if (m.libraries != null) for (const e of m.libraries) w.string(34, e);
   if (m.capacity != null) w.int32(40, m.capacity);
   if (m.memoryBytes != null) w.double(49, m.memoryBytes);
+  if (m.loadsAssets != null) w.bool(56, m.loadsAssets);
 }
 
 export function decodeNodeExtension(r: Reader, into?: T.NodeExtension): T.NodeExtension {
-  const m: T.NodeExtension = into ?? { kind: 0, runsJavascript: false, acceptsWork: false, libraries: [], capacity: 0, memoryBytes: 0 };
+  const m: T.NodeExtension = into ?? { kind: 0, runsJavascript: false, acceptsWork: false, libraries: [], capacity: 0, memoryBytes: 0, loadsAssets: false };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1943,6 +1946,7 @@ export function decodeNodeExtension(r: Reader, into?: T.NodeExtension): T.NodeEx
       case 34: m.libraries.push(r.string()); break;
       case 40: m.capacity = r.int32(); break;
       case 49: m.memoryBytes = r.double(); break;
+      case 56: m.loadsAssets = r.bool(); break;
       default: skipField(r, tag);
     }
   }

@@ -1801,6 +1801,8 @@ export interface ModuleExtension {
   origin: ModuleOrigin;
   /** Of stored ones: ids of the invitations whose clients made or changed it. Set by the master. Rule AC-90. */
   grantIds: string[];
+  /** Names of the asset sets it needs, as in state.assets. Rule PM-90. */
+  assets: string[];
 }
 
 /**
@@ -1923,6 +1925,8 @@ export interface NodeExtension {
   capacity: number;
   /** Memory that its sandboxed modules may have together, bytes; 0 when it does not say. Rule PM-58. */
   memoryBytes: number;
+  /** True: it loads asset sets for trusted modules. Rule PM-91. */
+  loadsAssets: boolean;
 }
 
 /**

@@ -573,6 +573,7 @@ message ubii.extension.ModuleExtension
 3 replaceable bool
 4 origin ubii.extension.ModuleOrigin
 5 grant_ids string *
+6 assets string *
 message ubii.extension.ModuleReports
 1 statistics ubii.extension.ModuleStatistics *
 2 events ubii.extension.ModuleEvent *
@@ -616,6 +617,7 @@ message ubii.extension.NodeExtension
 4 libraries string *
 5 capacity int32
 6 memory_bytes double
+7 loads_assets bool
 message ubii.extension.NodeInfo
 1 client_id string
 2 name string

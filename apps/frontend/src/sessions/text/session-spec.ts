@@ -29,7 +29,11 @@ export function moduleSpec(module: ProcessingModule): Init<ProcessingModule> {
   return {
     ...rest,
     nodeId: extension?.replaceable === true ? '' : nodeId,
-    extension: { version: extension?.version ?? '', libraries: extension?.libraries ?? [] },
+    extension: {
+      version: extension?.version ?? '',
+      libraries: extension?.libraries ?? [],
+      assets: extension?.assets ?? [],
+    },
   };
 }
 

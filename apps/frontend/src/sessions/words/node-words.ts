@@ -1,4 +1,4 @@
-import { NodeExtensionKind, type NodeInfo } from '@ubii/proto';
+import { NodeExtensionKind, type NodeInfo, type ProcessingModule } from '@ubii/proto';
 
 const KINDS: Readonly<Record<NodeExtensionKind, string>> = {
   [NodeExtensionKind.EXTERNAL]: 'other program',
@@ -31,9 +31,11 @@ export function nodeName(
 /** True when the node can be given this module now. [SE-30] */
 export function canRun(
   node: NodeInfo,
-  module: { readonly name: string; readonly onProcessingStringified: string },
+  module: Pick<ProcessingModule, 'name' | 'onProcessingStringified'> &
+    Partial<Pick<ProcessingModule, 'extension'>>,
 ): boolean {
   if (!node.available) return false;
   if (node.moduleNames.includes(module.name)) return true;
+  if (module.extension?.assets.length && node.node?.loadsAssets !== true) return false;
   return module.onProcessingStringified !== '' && node.node?.runsJavascript === true;
 }

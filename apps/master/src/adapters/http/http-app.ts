@@ -1,6 +1,7 @@
 import type { IncomingMessage } from 'node:http';
 import fastify from 'fastify';
 import type { FastifyInstance } from 'fastify';
+import type { AssetFolders } from '@ubii/pm-sandbox/node';
 
 import type { Master } from '../../core/master.ts';
 import type { Limits } from '../../core/limits/index.ts';
@@ -8,6 +9,7 @@ import type { Clock, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import type { Doorkeeper } from '../network/doorkeeper.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
+import { addAssets } from './asset-routes.ts';
 import { addAuthority, addAuthorityFacts } from './authority-routes.ts';
 import type { BodyDecoder } from './bodies/body-decoder.ts';
 import { drain } from './bodies/drain.ts';
@@ -32,6 +34,7 @@ export interface HttpAppOptions {
   readonly doorkeeper: Doorkeeper;
   /** The built frontend. */
   readonly frontendFolder: string;
+  readonly assets: AssetFolders;
   /** Certificate of the master's own authority, PEM; undefined while it has none. */
   readonly authority: () => string | undefined;
 }
@@ -64,6 +67,7 @@ export async function createHttpApp(options: HttpAppOptions): Promise<FastifyIns
   addStatus(app, { ...options, edgeMetrics: () => counts.metrics() });
   addAuthorityFacts(app, options.authority);
   addAuthority(app, options.authority);
+  addAssets(app, options.assets);
   await addFrontend(app, frontendFolder);
   await app.ready();
   return app;

@@ -69,6 +69,7 @@ export class TrustedLibrary {
 }
 
 function from(module: ProcessingModule, origin: ModuleOrigin): ProcessingModule {
-  const { version = '', libraries = [] } = module.extension ?? {};
-  return { ...module, extension: { version, libraries, replaceable: false, origin, grantIds: [] } };
+  const { version = '', libraries = [], assets = [] } = module.extension ?? {};
+  const extension = { version, libraries, assets, replaceable: false, origin, grantIds: [] };
+  return { ...module, extension };
 }

@@ -77,6 +77,8 @@ export interface PathRight {
 /** Every path that the master answers over HTTP [AC-5]. A path that is not here is not served. */
 export const PATH_RIGHTS: readonly PathRight[] = [
   path('GET', '/*', 'files and pages of the frontend'),
+  path('GET', '/asset-sets/:name/manifest.json', 'files of an asset set, with size and hash'),
+  path('GET', '/asset-sets/:name/:hash/*', 'a file of an asset set'),
   path('GET', '/ca.pem', 'certificate of the authority'),
   path('GET', '/ca.crt', 'the same, for Android and Windows'),
   path('GET', '/ca.mobileconfig', 'the same, for iOS'),

@@ -104,8 +104,11 @@ export class ModuleLibrary {
 
 /** The module, with where it is from. */
 export function withOrigin(module: ProcessingModule, origin: ModuleOrigin): ProcessingModule {
-  const { version = '', libraries = [], grantIds = [] } = module.extension ?? {};
-  return { ...module, extension: { version, libraries, replaceable: false, origin, grantIds } };
+  const { version = '', libraries = [], assets = [], grantIds = [] } = module.extension ?? {};
+  return {
+    ...module,
+    extension: { version, libraries, assets, replaceable: false, origin, grantIds },
+  };
 }
 
 function withGrants(module: ProcessingModule, grantIds: string[]): ProcessingModule {

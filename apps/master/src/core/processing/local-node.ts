@@ -6,6 +6,7 @@ import {
   type ModuleEvent,
   type ModuleStatistics,
   type ProcessingMode,
+  type ProcessingModule,
 } from '@ubii/proto';
 import { hasCodeOf } from '../sessions/complete-modules.ts';
 
@@ -219,10 +220,16 @@ export function needsRestart(have: Want, want: Want): boolean {
   return (
     have.spec.isTrusted !== want.spec.isTrusted ||
     !hasCodeOf(before, after) ||
-    JSON.stringify([before.inputs, before.outputs, before.extension?.libraries]) !==
-      JSON.stringify([after.inputs, after.outputs, after.extension?.libraries])
+    JSON.stringify(takenAtStart(before)) !== JSON.stringify(takenAtStart(after))
   );
 }
+
+const takenAtStart = ({ inputs, outputs, extension }: ProcessingModule): unknown => [
+  inputs,
+  outputs,
+  extension?.libraries,
+  extension?.assets,
+];
 
 function isEqualMapping(one: IOMapping, other: IOMapping): boolean {
   return (

@@ -98,6 +98,7 @@ export function masterExtension(
   libraries: readonly string[],
   capacity: number,
   memoryBytes: number,
+  loadsAssets: boolean,
 ): NodeExtension {
   return {
     kind: NodeExtensionKind.MASTER,
@@ -106,6 +107,7 @@ export function masterExtension(
     libraries: [...libraries],
     capacity,
     memoryBytes,
+    loadsAssets,
   };
 }
 

@@ -43,7 +43,10 @@ export function cannotRun(node: Node, module: ProcessingModule): string | undefi
   const missing = (module.extension?.libraries ?? []).filter(
     (library) => !extension.libraries.includes(library),
   );
-  if (missing.length === 0) return undefined;
+  if (missing.length === 0) {
+    const needsAssets = (module.extension?.assets ?? []).length > 0;
+    return needsAssets && !extension.loadsAssets ? 'does not load asset sets' : undefined;
+  }
   return `has no library ${missing.join(', ')}`;
 }
 

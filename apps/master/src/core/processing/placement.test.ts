@@ -10,6 +10,7 @@ const ours = {
   libraries: [] as string[],
   capacity: 1,
   memoryBytes: 0,
+  loadsAssets: true,
 };
 
 function moduleOf(init: Init<ProcessingModule>): ProcessingModule {
@@ -51,6 +52,12 @@ describe('the master chooses for a module [SE-30]', () => {
     ['any client that offers it', offered, [tab, master, python], 'python'],
     ['no node, when no node can', offered, [tab, master], undefined],
     ['no unavailable node', offered, [{ ...dedicated, isAvailable: false }], undefined],
+    [
+      'no node that loads no asset sets, for a module that needs some',
+      moduleOf({ name: 'm', onProcessingStringified: '() => 1', extension: { assets: ['a'] } }),
+      [{ ...tab, extension: { ...ours, loadsAssets: false } }],
+      undefined,
+    ],
     [
       'no node of ours that accepts no work',
       code,

@@ -73,7 +73,7 @@ const DEFAULT_CAPACITY = 100;
 export function createProcessing(parts: ProcessingParts): Processing {
   const { ports, settings, masterId, limitWatch, clients, devices, publishing, publisher } = parts;
   const { events } = parts;
-  const { clock, log, ids, storage, sandboxes, patterns } = ports;
+  const { clock, log, ids, storage, sandboxes, assets, patterns } = ports;
   const { limits } = limitWatch;
   const storedSessions = new StoredMessages(storage.sessions, 'ubii.sessions.Session');
   const storedModules = new StoredMessages(storage.modules, 'ubii.processing.ProcessingModule');
@@ -96,7 +96,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     {
       id: masterId,
       name: nameOf(settings),
-      extension: masterExtension(libraries, capacity, limits.moduleBytes),
+      extension: masterExtension(libraries, capacity, limits.moduleBytes, assets !== undefined),
       modules: () => modules.list(),
     },
     clients,
@@ -119,6 +119,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
       patterns,
       sandboxes,
       libraries,
+      assets,
       limits: { maxTopics: limits.topicsPerModule },
       ...hooks,
     });

@@ -112,7 +112,7 @@ function replaced(
   now: ProcessingModule,
 ): ProcessingModule {
   const isOwnMode = !isSame(module.processingMode, old.processingMode);
-  const { version = '', libraries = [] } = now.extension ?? {};
+  const { version = '', libraries = [], assets = [] } = now.extension ?? {};
   return {
     ...module,
     authors: now.authors,
@@ -131,6 +131,7 @@ function replaced(
       replaceable: module.extension?.replaceable ?? false,
       version,
       libraries,
+      assets,
     },
   };
 }

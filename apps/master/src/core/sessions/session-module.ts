@@ -82,7 +82,7 @@ export class SessionModule {
 
   /** The module as others see it. */
   toMessage(sessionId: string, isPaused: boolean): ProcessingModule {
-    const { version = '', libraries = [], origin = 0 } = this.spec.extension ?? {};
+    const { version = '', libraries = [], assets = [], origin = 0 } = this.spec.extension ?? {};
     return {
       ...this.spec,
       sessionId,
@@ -91,6 +91,7 @@ export class SessionModule {
       extension: {
         version,
         libraries,
+        assets,
         origin,
         replaceable: this.wishedNodeId === '',
         grantIds: [],

@@ -47,6 +47,7 @@ class V8Instance implements EngineInstance {
   readonly #self = {};
   readonly #outputNames: readonly string[];
   readonly #modules: object;
+  readonly #assets: object;
   readonly #urlOf: (phase: Phase) => string;
   #state: State;
 
@@ -58,6 +59,7 @@ class V8Instance implements EngineInstance {
   ) {
     this.#outputNames = request.outputNames;
     this.#modules = Object.freeze({ ...request.modules, ...createHostModules(request, hooks) });
+    this.#assets = Object.freeze({ ...request.assets });
     this.#urlOf = (phase) => `ubii-module-${number}-${phase}.js`;
     const console = createModuleConsole((level, text) => hooks.onLog(level, text));
     for (const phase of PHASES) {
@@ -65,7 +67,7 @@ class V8Instance implements EngineInstance {
       if (source === undefined || source.trim() === '') continue;
       this.#callbacks.set(phase, this.#load(phase, source, console, locateSyntaxError));
     }
-    this.#state = this.#withModules({});
+    this.#state = this.#withGiven({});
   }
 
   call(phase: Exclude<Phase, 'onProcessing'>): MaybePromise<void> {
@@ -132,7 +134,7 @@ class V8Instance implements EngineInstance {
     const isOther = returned !== this.#state && !('outputs' in returned || 'state' in returned);
     if (isOther && Object.keys(returned).length > 0) return misfit(returned);
     if (typeof state === 'object' && state !== null && state !== this.#state) {
-      this.#state = this.#withModules(state as State);
+      this.#state = this.#withGiven(state as State);
     }
     if (outputs === undefined || outputs === null) return { outputs: [], problem: undefined };
     if (isThenable(outputs)) {
@@ -151,12 +153,18 @@ class V8Instance implements EngineInstance {
     };
   }
 
-  /** A state that cannot take the libraries is copied into one that can. [PM-12] */
-  #withModules(state: State): State {
-    const property = { value: this.#modules, enumerable: false, writable: false };
-    if (Reflect.defineProperty(state, 'modules', property)) return state;
-    const { modules: _, ...copy } = state;
-    return Object.defineProperty(copy, 'modules', property);
+  /** A state that cannot take the libraries and asset sets is copied into one that can. [PM-12] */
+  #withGiven(state: State): State {
+    const given = {
+      modules: { value: this.#modules, enumerable: false, writable: false },
+      assets: { value: this.#assets, enumerable: false, writable: false },
+    };
+    const isTaken = Object.entries(given).every(([name, property]) =>
+      Reflect.defineProperty(state, name, property),
+    );
+    if (isTaken) return state;
+    const { modules: _modules, assets: _assets, ...copy } = state;
+    return Object.defineProperties(copy, given);
   }
 
   /** The innermost place in the author's text that a stack tells of. [PM-13] */

@@ -101,6 +101,7 @@ const codeOf = (module: ProcessingModule): unknown => [
   module.onHaltedStringified,
   module.onDestroyedStringified,
   module.extension?.libraries ?? [],
+  module.extension?.assets ?? [],
 ];
 
 const notes = ({ description, tags, authors, extension }: ProcessingModule): unknown => [

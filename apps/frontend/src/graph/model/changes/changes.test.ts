@@ -84,6 +84,7 @@ describe('changes of a running session [SE-15]', () => {
     const extension = {
       version: '',
       libraries: [],
+      assets: [],
       replaceable: true,
       origin: 0 as const,
       grantIds: [],

@@ -47,6 +47,8 @@ interface OutputList<F extends DataFormat> {
 interface NodeState {
   /** The libraries the module asked for, by name. */
   readonly modules: { readonly [library: string]: any };
+  /** Files of the asset sets the module asked for, by name and path. */
+  readonly assets: { readonly [set: string]: { readonly [path: string]: Uint8Array } };
   /** With the mode trigger on input: inputs that were updated since the run before. */
   readonly inputTriggerNames: readonly string[];
 }

@@ -30,11 +30,14 @@ export function readDraft(name: string): KeptDraft | undefined {
   try {
     const kept = JSON.parse(text) as Partial<KeptDraft>;
     if (!isDraft(kept.draft) || (kept.base !== undefined && !isDraft(kept.base))) return undefined;
-    return { draft: kept.draft, base: kept.base };
+    return { draft: whole(kept.draft), base: kept.base && whole(kept.base) };
   } catch {
     return undefined;
   }
 }
+
+/** Drafts of before asset sets lack them. */
+const whole = (draft: ModuleDraft): ModuleDraft => ({ ...draft, assets: draft.assets ?? [] });
 
 /** @returns whether there was room for it */
 export function keepDraft(name: string, kept: KeptDraft): boolean {

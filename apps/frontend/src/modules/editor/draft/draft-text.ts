@@ -29,6 +29,7 @@ export function draftText(draft: ModuleDraft): string {
     `Tags: ${draft.tags.join(', ')}`,
     `Authors: ${draft.authors.join(', ')}`,
     `Libraries: ${draft.libraries.join(', ')}`,
+    `Asset sets: ${draft.assets.join(', ')}`,
     `Version: ${draft.version}`,
   ];
   return `${lines.map((line) => `// ${line}`.trimEnd()).join('\n')}\n\n${draft.code}`;

@@ -39,6 +39,8 @@ export interface ModuleDraft {
   readonly authors: readonly string[];
   readonly version: string;
   readonly libraries: readonly string[];
+  /** Names of the asset sets it needs in `state.assets`. */
+  readonly assets: readonly string[];
   readonly inputs: readonly IoDraft[];
   readonly outputs: readonly IoDraft[];
   readonly mode: ModeDraft;
@@ -75,6 +77,7 @@ export function draftOf(module: ProcessingModule): ModuleDraft {
     authors: module.authors,
     version: module.extension?.version ?? '',
     libraries: module.extension?.libraries ?? [],
+    assets: module.extension?.assets ?? [],
     inputs: module.inputs.map(ioDraft),
     outputs: module.outputs.map(ioDraft),
     mode: modeDraft(module.processingMode),
@@ -107,7 +110,7 @@ function modeOf({ kind, hertz, minDelayMs, allInputsNeedUpdate }: ModeDraft): In
 
 /** The module a draft says. */
 export function moduleOf(draft: ModuleDraft): ProcessingModule {
-  const { name, description, tags, authors, version, libraries } = draft;
+  const { name, description, tags, authors, version, libraries, assets } = draft;
   const module: ProcessingModule = {
     ...fromJson('ubii.processing.ProcessingModule', {}),
     name: name.trim(),
@@ -121,7 +124,7 @@ export function moduleOf(draft: ModuleDraft): ProcessingModule {
     inputs: draft.inputs.map(ioOf),
     outputs: draft.outputs.map(ioOf),
     processingMode: modeOf(draft.mode),
-    extension: { version, libraries: [...libraries] },
+    extension: { version, libraries: [...libraries], assets: [...assets] },
   });
 }
 
@@ -132,7 +135,11 @@ function fromInit(
     readonly inputs: readonly Init<ModuleIO>[];
     readonly outputs: readonly Init<ModuleIO>[];
     readonly processingMode: Init<ProcessingMode>;
-    readonly extension: { readonly version: string; readonly libraries: readonly string[] };
+    readonly extension: {
+      readonly version: string;
+      readonly libraries: readonly string[];
+      readonly assets: readonly string[];
+    };
   },
 ): ProcessingModule {
   const { inputs, outputs, processingMode, extension } = fromJson(

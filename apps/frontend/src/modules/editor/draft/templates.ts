@@ -25,6 +25,7 @@ function draft(name: string, rest: Partial<ModuleDraft>): ModuleDraft {
     authors: [],
     version: '',
     libraries: [],
+    assets: [],
     inputs: [],
     outputs: [],
     mode: mode('trigger'),

@@ -1,0 +1,16 @@
+import type { AssetFile, AssetManifest } from './asset-manifest.ts';
+
+/** Where asset sets come from. All rejections are `AssetError`s, or the reason of the signal. */
+export interface AssetSource {
+  manifest(name: string, signal: AbortSignal): Promise<AssetManifest>;
+  /**
+   * The bytes of one file, not verified.
+   * @param onBytes is told of each part that came, bytes
+   */
+  read(
+    name: string,
+    file: AssetFile,
+    signal: AbortSignal,
+    onBytes: (bytes: number) => void,
+  ): Promise<Uint8Array<ArrayBuffer>>;
+}
