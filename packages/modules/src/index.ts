@@ -19,6 +19,7 @@ export { mix } from './mix/mix.ts';
 export { moduleLibrary } from './module-library.ts';
 export { MODULES } from './modules.ts';
 export { noise } from './noise/noise.ts';
+export { objectDetection } from './object-detection/object-detection.ts';
 export {
   oneEuroFilter,
   oneEuroFilterQuaternion,

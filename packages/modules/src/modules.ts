@@ -17,6 +17,7 @@ import { mergeVector2, mergeVector3, mergeVector4 } from './merge-vector/merge-v
 import { mirrorPointer } from './mirror-pointer/mirror-pointer.ts';
 import { mix } from './mix/mix.ts';
 import { noise } from './noise/noise.ts';
+import { objectDetection } from './object-detection/object-detection.ts';
 import {
   oneEuroFilter,
   oneEuroFilterQuaternion,
@@ -53,6 +54,7 @@ export const MODULES: readonly AnyModuleDefinition[] = [
   mirrorPointer,
   mix,
   noise,
+  objectDetection,
   oneEuroFilter,
   oneEuroFilterQuaternion,
   oneEuroFilterVector2,

@@ -2,6 +2,7 @@ import {
   moduleToWire,
   parseModule,
   type AnyModuleDefinition,
+  type LoadedAssets,
   type SandboxFactory,
   type SandboxInput,
   type SandboxOutput,
@@ -25,14 +26,17 @@ const MODULE = 'ubii.processing.ProcessingModule';
 export function driveIn(
   createSandboxes: (libraries: { readonly [name: string]: unknown }) => SandboxFactory,
   isTrusted = true,
+  assets: readonly LoadedAssets[] = [],
 ): Drive {
-  return (definition, libraries = {}) => drive(createSandboxes(libraries), definition, isTrusted);
+  return (definition, libraries = {}) =>
+    drive(createSandboxes(libraries), definition, isTrusted, assets);
 }
 
 async function drive(
   sandboxes: SandboxFactory,
   definition: AnyModuleDefinition,
   isTrusted: boolean,
+  assets: readonly LoadedAssets[],
 ): Promise<DrivenModule> {
   const { name, outputs, source, ...parsed } = parseModule(
     decode(MODULE, encode(MODULE, moduleToWire(definition))),
@@ -44,7 +48,7 @@ async function drive(
       source: source!,
       isTrusted,
       libraries: parsed.libraries,
-      assets: [],
+      assets,
       inputs: parsed.inputs.map(({ name }) => name),
       owner: '',
       outputs,

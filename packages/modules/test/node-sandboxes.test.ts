@@ -5,7 +5,8 @@ import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { buildNodeWorker } from '@ubii/pm-sandbox/build';
 import { createNodeSandboxes } from '@ubii/pm-sandbox/node';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { httpPoller, loadGenerator, MODULES } from '../src/index.ts';
+import { httpPoller, loadGenerator } from '../src/index.ts';
+import { PLAIN_MODULES } from './plain-modules.ts';
 import { driveDirectly, type DrivenModule } from './drive-module.ts';
 import { driveIn } from './drive-sandboxed.ts';
 import { HostileInputs } from './hostile-inputs.ts';
@@ -49,7 +50,9 @@ describe.each([
   const drive = driveIn(() => sandboxes, isTrusted);
 
   // The load generator takes too long in a slower engine, and there is no server for requests.
-  const compared = MODULES.filter((module) => module !== loadGenerator && module !== httpPoller);
+  const compared = PLAIN_MODULES.filter(
+    (module) => module !== loadGenerator && module !== httpPoller,
+  );
   it.each(compared.map((module) => [module.name, module] as const))(
     '%s gives what it gives when called directly',
     async (_name, module) => {

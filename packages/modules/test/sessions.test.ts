@@ -1,6 +1,7 @@
 import type { Init, Session } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { EXAMPLE_SESSIONS, MODULES } from '../src/index.ts';
+import { EXAMPLE_SESSIONS } from '../src/index.ts';
+import { PLAIN_MODULES } from './plain-modules.ts';
 import { startSession } from './session-world.ts';
 
 const ANN = '0f8fad5b-d9cb-469f-a165-70867728950e';
@@ -125,7 +126,7 @@ describe('the session touch-proximity', () => {
 });
 
 describe('a module of the library on a node', () => {
-  it.each(MODULES.map(({ name }) => name))('runs with nothing mapped: %s', async (name) => {
+  it.each(PLAIN_MODULES.map(({ name }) => name))('runs with nothing mapped: %s', async (name) => {
     const http = { get: () => Promise.reject(new Error('none')) };
     const { clock, runtime, ids, events } = await startSession(sessionOf(name, [], []), { http });
     runtime.setMode(ids.get(name)!, { frequency: { hertz: 10 } });

@@ -21,6 +21,12 @@ export const SANDBOXED_HEAP_BYTES = 256 * 1024 * 1024;
 /** `onCreated` of trusted code and loading its libraries, milliseconds: models are read and compiled. */
 export const TRUSTED_CREATE_TIMEOUT_MS = 30_000;
 
+/**
+ * Time of one call of a module with asset sets, milliseconds: a detection takes tenths of a second on a
+ * phone, and as much again while a machine is busy.
+ */
+export const ASSET_CALL_TIMEOUT_MS = 5_000;
+
 /** Waiting of one call for promises, such as an answer from the network, milliseconds. [PM-53] */
 export const AWAIT_TIMEOUT_MS = 10_000;
 

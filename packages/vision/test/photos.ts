@@ -32,9 +32,14 @@ export const PHOTOS: readonly Photo[] = [
   { file: 'camera.jpg', objects: [{ class: 'person', box: boxOf(0, 0.12, 0.64, 1) }] },
 ];
 
+/** The JPEG file of a photograph. */
+export function photoFile(file: string): Uint8Array {
+  return new Uint8Array(readFileSync(new URL(`./photos/${file}`, import.meta.url)));
+}
+
 /** Reads a photograph as RGB8. */
 export function readPhoto(file: string): Picture {
-  const bytes = readFileSync(new URL(`./photos/${file}`, import.meta.url));
+  const bytes = photoFile(file);
   const { width, height, data } = decode(bytes, { useTArray: true, formatAsRGBA: false });
   return { width, height, format: 'RGB8', data };
 }

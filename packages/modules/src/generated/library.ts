@@ -991,6 +991,91 @@ export const LIBRARY: readonly JsonObject[] = [
     },
   },
   {
+    name: 'object-detection',
+    authors: ['Ubi-Interact'],
+    tags: ['image', 'vision', 'detection'],
+    description: 'Detects objects in images: 80 classes of COCO.',
+    processingMode: {
+      triggerOnInput: {
+        minDelayMs: 0,
+        allInputsNeedUpdate: false,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'image',
+        messageFormat: 'ubii.dataStructure.Image2D',
+        isRecordList: false,
+      },
+      {
+        internalName: 'threshold',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":0.4}',
+      },
+      {
+        internalName: 'maxObjects',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":20}',
+      },
+      {
+        internalName: 'classes',
+        messageFormat: 'ubii.dataStructure.StringList',
+        isRecordList: false,
+      },
+      {
+        internalName: 'inputSize',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":384}',
+      },
+      {
+        internalName: 'maxRate',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":15}',
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'predictions',
+        messageFormat: 'ubii.dataStructure.Object2DList',
+        isRecordList: false,
+      },
+      {
+        internalName: 'durationMs',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'backend',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+      {
+        internalName: 'error',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : void 0;\n    };\n    state.sinceMs += deltaTimeMs;\n    const image = inputs.image?.image2D;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew || state.detector === void 0) return void 0;\n    const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate) ?? 15));\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const startedMs = performance.now();\n    let error = "";\n    let found = [];\n    try {\n      const picture = await vision.readImage2D(image);\n      found = await state.detector.detect(picture, {\n        threshold: number(inputs.threshold) ?? 0.4,\n        maxObjects: number(inputs.maxObjects) ?? 20,\n        classes: inputs.classes?.stringList.elements ?? [],\n        inputSize: number(inputs.inputSize) ?? 384\n      });\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (error !== "") return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    return {\n      outputs: {\n        predictions: { object2DList: vision.object2DListOfDetections(found) },\n        durationMs: { double: performance.now() - startedMs },\n        backend: { string: state.backend },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
+    onCreatedStringified:
+      '(state) => { Object.assign(state, (() => ({\n    detector: void 0,\n    backend: "",\n    sinceMs: Infinity,\n    error: ""\n  })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    const tensorflow = await vision.sharedTensorflow(state.assets["tfjs-wasm"]);\n    state.detector = await vision.createCenterNet(tensorflow, state.assets["centernet-coco"]);\n    console.info(`TensorFlow.js uses ${tensorflow.backend}. ${tensorflow.reason}`);\n    state.backend = tensorflow.backend;\n  } })["onCreated"]\n)(state); }',
+    onDestroyedStringified:
+      '({ onDestroyed(state) {\n    state.detector?.dispose();\n  } })["onDestroyed"]',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+      assets: ['vision', 'tfjs-wasm', 'centernet-coco'],
+    },
+  },
+  {
     name: 'one-euro-filter',
     authors: ['Ubi-Interact'],
     tags: ['filter', 'smoothing', 'one-euro'],

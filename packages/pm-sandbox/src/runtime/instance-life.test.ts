@@ -24,6 +24,8 @@ describe('the asset sets of an instance [PM-90]', () => {
     const { sandboxes, begin, events } = world();
     await begin(needing);
     expect(sandboxes.last.request.assets.map(({ name }) => name)).toEqual(['model']);
+    // Models take longer than other code. [PM-53]
+    expect(sandboxes.last.request.limits.callTimeoutMs).toBe(5000);
     expect(events.map(({ message }) => message)).toEqual([
       'Loading the asset set model: 100 % of 0.0 MB.',
     ]);

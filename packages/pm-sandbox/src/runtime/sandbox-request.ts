@@ -2,6 +2,7 @@ import { parseModule } from '../definition/parse-module.ts';
 import type { RuntimeLimits } from '../limits.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxRequest } from '../ports/sandbox.ts';
+import { ASSET_CALL_TIMEOUT_MS } from '../sandbox-limits.ts';
 import type { InstanceSpec } from './module-runtime.ts';
 
 /**
@@ -15,7 +16,7 @@ export function sandboxRequest(
   limits: RuntimeLimits,
   offered: readonly string[],
 ): SandboxRequest | { readonly fault: ModuleFault } {
-  const { name, source, libraries, inputs, outputs } = parseModule(spec.module);
+  const { name, source, libraries, assets, inputs, outputs } = parseModule(spec.module);
   if (source === undefined) {
     return { fault: { kind: 'missing', phase: '', message: 'The module has no onProcessing.' } };
   }
@@ -24,7 +25,11 @@ export function sandboxRequest(
     const message = `This node does not offer ${lacking.length === 1 ? 'the library' : 'the libraries'} ${lacking.join(', ')}.`;
     return { fault: { kind: 'library', phase: '', message } };
   }
-  const { callTimeoutMs, memoryBytes, outputBytes } = limits;
+  const { memoryBytes, outputBytes } = limits;
+  const callTimeoutMs =
+    assets.length > 0
+      ? Math.max(limits.callTimeoutMs, ASSET_CALL_TIMEOUT_MS)
+      : limits.callTimeoutMs;
   return {
     instanceId: spec.module.id,
     moduleName: name,

@@ -101,6 +101,20 @@ export function createTensorflow(
   });
 }
 
+let shared: Promise<Tensorflow> | undefined;
+
+/**
+ * The one TensorFlow.js of this worker, which is made by the first caller: its choice of a backend takes
+ * longer than a detection, and all use the same backend anyway. A failure is not kept.
+ */
+export function sharedTensorflow(files: Files): Promise<Tensorflow> {
+  shared ??= createTensorflow(files).catch((error: unknown) => {
+    shared = undefined;
+    throw error;
+  });
+  return shared;
+}
+
 type Candidate = Pick<BackendCandidate, 'name' | 'absence' | 'isLastResort'> & {
   start?: () => Promise<void>;
 };

@@ -1,0 +1,102 @@
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { createAssetStore } from '@ubii/pm-sandbox';
+import { AssetFolders } from '@ubii/pm-sandbox/node';
+import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
+import type { Object2DList } from '@ubii/proto';
+import { writeAssetSets } from '@ubii/vision/assets';
+import { buildLibrary } from '@ubii/vision/library';
+import { photoFile, PHOTOS, readPhoto } from '@ubii/vision/testing';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { DrivenModule } from '../../test/drive-module.ts';
+import { driveIn } from '../../test/drive-sandboxed.ts';
+import { objectDetection } from './object-detection.ts';
+
+/** Least overlap of a found box and one measured by hand; see the tests of `@ubii/vision`. */
+const LEAST_OVERLAP = 0.7;
+
+const folder = mkdtempSync(join(tmpdir(), 'ubii-detection-'));
+let module: DrivenModule;
+beforeAll(async () => {
+  const library = join(folder, 'vision.js');
+  await buildLibrary(library);
+  writeAssetSets(folder, library);
+  const store = createAssetStore(new AssetFolders([folder]));
+  const { signal } = new AbortController();
+  const assets = await store.load(objectDetection.assets!, signal, () => undefined);
+  const drive = driveIn(
+    () => createInlineSandboxes({ nowMs: () => performance.now() }),
+    true,
+    assets,
+  );
+  module = await drive(objectDetection);
+}, 60_000);
+afterAll(() => rmSync(folder, { recursive: true }));
+
+/** One image, later than the rate asks for. */
+const detect = async (image: unknown, parameters: object = {}) =>
+  (await module.run(1000, { image, ...parameters }, ['image'])) as {
+    predictions?: Object2DList;
+    error?: string;
+    backend?: string;
+    durationMs?: number;
+  };
+const raw = (file: string) => {
+  const { width, height, data } = readPhoto(file);
+  return { width, height, dataFormat: 1, data: new Uint8Array(data) };
+};
+const classesOf = ({ predictions }: { predictions?: Object2DList }) =>
+  predictions?.elements.map(({ id }) => id);
+
+describe('object-detection on photographs', () => {
+  it.each(PHOTOS)('finds what a person sees in $file', async ({ file, objects }) => {
+    const found = await detect(raw(file));
+    expect(classesOf(found)).toEqual(objects.map((one) => one.class));
+    for (const [index, { box }] of objects.entries()) {
+      const { pose, size, userDataJson } = found.predictions!.elements[index]!;
+      const { x = 0, y = 0 } = pose?.position ?? {};
+      const { x: width = 0, y: height = 0 } = size ?? {};
+      const inner =
+        Math.max(0, Math.min(x + width, box.x + box.width) - Math.max(x, box.x)) *
+        Math.max(0, Math.min(y + height, box.y + box.height) - Math.max(y, box.y));
+      const outer = width * height + box.width * box.height - inner;
+      expect(inner / outer).toBeGreaterThanOrEqual(LEAST_OVERLAP);
+      expect((JSON.parse(userDataJson) as { score: number }).score).toBeGreaterThan(0.4);
+    }
+    expect(found.backend).toBe('wasm');
+    expect(found.durationMs).toBeGreaterThan(0);
+  });
+
+  it('takes a JPEG file as data, and keeps to classes', async () => {
+    const image = { width: 0, height: 0, dataFormat: 0, data: photoFile('coffee.jpg') };
+    expect(classesOf(await detect(image))).toEqual(['cup']);
+    const cats = { classes: { elements: ['cat'] } };
+    expect(classesOf(await detect(image, cats))).toEqual([]);
+    await module.run(0, { classes: undefined }, ['classes']);
+  });
+});
+
+describe('object-detection', () => {
+  it('says once what is wrong with an image, and goes on with the next', async () => {
+    const broken = { width: 10, height: 10, dataFormat: 2, data: new Uint8Array(7) };
+    const { error } = await detect(broken);
+    expect(error).toMatch(/7 bytes/);
+    expect(await detect(broken)).toEqual({});
+    expect(await detect(raw('coffee.jpg'))).toMatchObject({ error: '', backend: 'wasm' });
+  });
+
+  it('names a class that it does not know', async () => {
+    const { error } = await detect(raw('coffee.jpg'), { classes: { elements: ['unicorn'] } });
+    expect(error).toContain('unicorn');
+    await module.run(0, { classes: undefined }, ['classes']);
+    await detect(raw('coffee.jpg'));
+  });
+
+  it('drops images beyond its rate, and does not run again for a parameter', async () => {
+    await detect(raw('coffee.jpg'), { maxRate: 2 });
+    expect(await module.run(100, {}, ['image'])).toEqual({});
+    expect(await module.run(1000, { threshold: 0.9 }, ['threshold'])).toEqual({});
+    expect(classesOf(await detect(raw('coffee.jpg'), { threshold: 0.4 }))).toEqual(['cup']);
+  });
+});
