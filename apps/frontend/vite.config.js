@@ -76,6 +76,7 @@ export default defineConfig({
   server: {
     proxy: {
       '/services': passOn({}),
+      '/asset-sets': passOn({}),
       '/health': passOn({}),
       '/metrics': passOn({}),
       '/topicdata': passOn({ ws: true }),

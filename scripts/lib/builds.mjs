@@ -36,6 +36,7 @@ const builds = {
         'LICENSE',
         'apps/master/package.json',
         'apps/node/package.json',
+        'packages/vision/package.json',
       ],
     ],
     build: async () => {

@@ -16,7 +16,7 @@ const licenceFile = /^(licen[cs]e|copying|notice|third-?party)/i;
  * @property {string} licence SPDX expression
  * @property {string} author who is named in its manifest; empty when nobody is
  * @property {string} url where it comes from; empty when it does not say so
- * @property {string[]} parts which of `frontend`, `master`, `node` have it in them
+ * @property {string[]} parts which of `frontend`, `master`, `node`, `vision` have it in them
  * @property {string} text its licence files, one after the other; empty when it brings none
  */
 
@@ -75,6 +75,14 @@ export function filesOfSandbox() {
   return foldersBelow(inRoot('packages/pm-sandbox')).map((folder) => join(folder, 'package.json'));
 }
 
+/** What the library of vision is built from, and the package that its models are from. */
+export function filesOfVision() {
+  const own = inRoot('packages/vision');
+  return [...foldersBelow(own), resolveFrom(own, '@vladmandic/human')].map((folder) =>
+    join(folder, 'package.json'),
+  );
+}
+
 /**
  * Vite plugin: adds `/licences.json` to the build, with everything in it, in its workers, and in the
  * programs that are handed on with it. Development serves none: what is in a build is known after it.
@@ -110,6 +118,7 @@ export function licencesPlugins() {
           frontend: [...files, ...sandbox],
           master: [...(await filesOfProgram('apps/master')), ...sandbox],
           node: [...(await filesOfProgram('apps/node')), ...sandbox],
+          vision: filesOfVision(),
         });
         const own = { ...describe(inRoot()), name: 'Ubi-Interact' };
         const source = JSON.stringify({ own, packages });

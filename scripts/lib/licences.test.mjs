@@ -3,7 +3,7 @@ import { realpathSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
-import { filesOfProgram, filesOfSandbox, licencesOf } from './licences.mjs';
+import { filesOfProgram, filesOfSandbox, filesOfVision, licencesOf } from './licences.mjs';
 import { inRoot } from './repository.mjs';
 
 const vue = join(realpathSync(inRoot('apps/frontend/node_modules/vue')), 'dist/vue.js');
@@ -31,6 +31,14 @@ test('the master has in it what it is bundled from, and no more', async () => {
 test('the engine of the sandbox is in every part', () => {
   const names = licencesOf({ node: filesOfSandbox() }).map((one) => one.name);
   assert.ok(names.includes('quickjs-emscripten-core'));
+});
+
+test('what detects objects is listed, with the package of its models', () => {
+  const found = licencesOf({ vision: filesOfVision() });
+  const names = found.map((one) => one.name);
+  for (const name of ['@tensorflow/tfjs-core', '@vladmandic/human', 'jpeg-js'])
+    assert.ok(names.includes(name), name);
+  for (const { name, licence } of found) assert.notEqual(licence, 'not told', name);
 });
 
 test('every package says under which licence it is', async () => {

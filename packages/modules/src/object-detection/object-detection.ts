@@ -44,6 +44,7 @@ export const objectDetection = defineProcessingModule({
     const vision = state.modules['vision'] as typeof Vision;
     const tensorflow = await vision.sharedTensorflow(state.assets['tfjs-wasm']!);
     state.detector = await vision.createCenterNet(tensorflow, state.assets['centernet-coco']!);
+    // eslint-disable-next-line no-console -- the log of the module
     console.info(`TensorFlow.js uses ${tensorflow.backend}. ${tensorflow.reason}`);
     state.backend = tensorflow.backend;
   },
