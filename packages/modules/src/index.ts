@@ -1,7 +1,9 @@
 export { averagePositions } from './average-positions/average-positions.ts';
+export { bodyPose } from './body-pose/body-pose.ts';
 export { clock } from './clock/clock.ts';
 export { counter } from './counter/counter.ts';
 export { EXAMPLE_SESSIONS } from './examples/example-sessions.ts';
+export { handPose } from './hand-pose/hand-pose.ts';
 export { httpPoller } from './http-poller/http-poller.ts';
 export { keyChord } from './key-chord/key-chord.ts';
 export { loadGenerator } from './load-generator/load-generator.ts';

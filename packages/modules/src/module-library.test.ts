@@ -12,6 +12,7 @@ import { describe, expect, it } from 'vitest';
 import { driveDirectly, formatOf, isList } from '../test/drive-module.ts';
 import { freeNames } from '../test/free-names.ts';
 import { expectKnownNames } from '../test/known-names.ts';
+import { PLAIN_MODULES } from '../test/plain-modules.ts';
 import { WAYS } from '../test/ways.ts';
 import * as library from './index.ts';
 
@@ -110,35 +111,42 @@ describe.each(MODULES.map((module) => [module.name, module] as const))('%s', (_n
       source: undefined,
     });
   });
-
-  it.skipIf(module.assets)('names the defaults that its callback uses [PM-5]', async () => {
-    const defaults = Object.entries(module.inputs as Readonly<Record<string, IoInit>>).flatMap(
-      ([name, init]) =>
-        typeof init === 'object' && init.default !== undefined ? [[name, init.default]] : [],
-    );
-    const http = { get: () => new Promise(() => {}) };
-    const [bare, filled] = await Promise.all([1, 2].map(() => driveDirectly(module, { http })));
-    for (const [index, deltaMs] of [0, 16, 40, 900].entries()) {
-      const given = samples(module, index);
-      const without = await bare!.run(deltaMs, given);
-      const withDefaults = await filled!.run(deltaMs, {
-        ...given,
-        ...Object.fromEntries(defaults),
-      });
-      // How long something took is never the same.
-      delete without['durationMs'];
-      delete withDefaults['durationMs'];
-      expect(withDefaults).toEqual(without);
-    }
-  });
-
-  it.skipIf(module.assets).each(WAYS)('runs before anything came, %s', async (_way, drive) => {
-    const driven = await drive(module, { http: { get: () => Promise.reject(new Error('none')) } });
-    await driven.run(0);
-    await driven.run(16);
-    await driven.run(16, {}, []);
-  });
 });
+
+describe.each(PLAIN_MODULES.map((module) => [module.name, module] as const))(
+  '%s',
+  (_name, module) => {
+    it('names the defaults that its callback uses [PM-5]', async () => {
+      const defaults = Object.entries(module.inputs as Readonly<Record<string, IoInit>>).flatMap(
+        ([name, init]) =>
+          typeof init === 'object' && init.default !== undefined ? [[name, init.default]] : [],
+      );
+      const http = { get: () => new Promise(() => {}) };
+      const [bare, filled] = await Promise.all([1, 2].map(() => driveDirectly(module, { http })));
+      for (const [index, deltaMs] of [0, 16, 40, 900].entries()) {
+        const given = samples(module, index);
+        const without = await bare!.run(deltaMs, given);
+        const withDefaults = await filled!.run(deltaMs, {
+          ...given,
+          ...Object.fromEntries(defaults),
+        });
+        // How long something took is never the same.
+        delete without['durationMs'];
+        delete withDefaults['durationMs'];
+        expect(withDefaults).toEqual(without);
+      }
+    });
+
+    it.each(WAYS)('runs before anything came, %s', async (_way, drive) => {
+      const driven = await drive(module, {
+        http: { get: () => Promise.reject(new Error('none')) },
+      });
+      await driven.run(0);
+      await driven.run(16);
+      await driven.run(16, {}, []);
+    });
+  },
+);
 
 describe('the source texts of the library', () => {
   it(

@@ -1,7 +1,9 @@
 import type { AnyModuleDefinition } from '@ubii/pm-sandbox';
 import { averagePositions } from './average-positions/average-positions.ts';
+import { bodyPose } from './body-pose/body-pose.ts';
 import { clock } from './clock/clock.ts';
 import { counter } from './counter/counter.ts';
+import { handPose } from './hand-pose/hand-pose.ts';
 import { httpPoller } from './http-poller/http-poller.ts';
 import { keyChord } from './key-chord/key-chord.ts';
 import { loadGenerator } from './load-generator/load-generator.ts';
@@ -37,8 +39,10 @@ import { touchProximity } from './touch-proximity/touch-proximity.ts';
 /** All modules of the library, sorted by name. */
 export const MODULES: readonly AnyModuleDefinition[] = [
   averagePositions,
+  bodyPose,
   clock,
   counter,
+  handPose,
   httpPoller,
   keyChord,
   loadGenerator,

@@ -50,6 +50,80 @@ export const LIBRARY: readonly JsonObject[] = [
     },
   },
   {
+    name: 'body-pose',
+    authors: ['Ubi-Interact'],
+    tags: ['image', 'vision', 'pose'],
+    description: 'Finds the 17 keypoints of a body in images.',
+    processingMode: {
+      triggerOnInput: {
+        minDelayMs: 0,
+        allInputsNeedUpdate: false,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'image',
+        messageFormat: 'ubii.dataStructure.Image2D',
+        isRecordList: false,
+      },
+      {
+        internalName: 'minScore',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":0.3}',
+      },
+      {
+        internalName: 'smoothingMs',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":80}',
+      },
+      {
+        internalName: 'maxRate',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":15}',
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'keypoints',
+        messageFormat: 'ubii.dataStructure.Object2DList',
+        isRecordList: false,
+      },
+      {
+        internalName: 'score',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'durationMs',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'error',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record, fallback) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : fallback;\n    };\n    state.sinceMs += deltaTimeMs;\n    const image = inputs.image?.image2D;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew || state.detector === void 0) return void 0;\n    const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate, 15)));\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    const sinceMs = state.sinceMs;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const smoothingMs = Math.min(1e4, Math.max(0, number(inputs.smoothingMs, 80)));\n    if (state.smoother === void 0 || state.smoothingMs !== smoothingMs) {\n      state.smoother = new vision.PoseSmoother({ timeConstantMs: smoothingMs });\n      state.smoothingMs = smoothingMs;\n    }\n    const startedMs = performance.now();\n    let error = "";\n    let pose;\n    try {\n      const found = await state.detector.detect(await vision.readImage2D(image));\n      pose = state.smoother.smooth(found, sinceMs);\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (pose === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    const minScore = Math.min(1, Math.max(0, number(inputs.minScore, 0.3)));\n    return {\n      outputs: {\n        keypoints: { object2DList: vision.object2DListOfKeypoints(pose.keypoints, minScore) },\n        score: { double: pose.score },\n        durationMs: { double: performance.now() - startedMs },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
+    onCreatedStringified:
+      '(state) => { Object.assign(state, (() => ({\n    detector: void 0,\n    smoother: void 0,\n    smoothingMs: -1,\n    sinceMs: Infinity,\n    error: ""\n  })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    const tensorflow = await vision.sharedTensorflow(state.assets["tfjs-wasm"]);\n    state.detector = await vision.createBodyPose(tensorflow, state.assets["movenet-lightning"]);\n    console.info(`TensorFlow.js uses ${tensorflow.backend}. ${tensorflow.reason}`);\n  } })["onCreated"]\n)(state); }',
+    onDestroyedStringified:
+      '({ onDestroyed(state) {\n    state.detector?.dispose();\n  } })["onDestroyed"]',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+      assets: ['vision', 'tfjs-wasm', 'movenet-lightning'],
+    },
+  },
+  {
     name: 'clock',
     authors: ['Ubi-Interact'],
     tags: ['source', 'generator', 'time', 'number', 'wave', 'sine'],
@@ -190,6 +264,85 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+    },
+  },
+  {
+    name: 'hand-pose',
+    authors: ['Ubi-Interact'],
+    tags: ['image', 'vision', 'pose'],
+    description: 'Finds the 21 keypoints of hands in images.',
+    processingMode: {
+      triggerOnInput: {
+        minDelayMs: 0,
+        allInputsNeedUpdate: false,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'image',
+        messageFormat: 'ubii.dataStructure.Image2D',
+        isRecordList: false,
+      },
+      {
+        internalName: 'threshold',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":0.5}',
+      },
+      {
+        internalName: 'maxHands',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":2}',
+      },
+      {
+        internalName: 'maxRate',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":10}',
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'keypoints',
+        messageFormat: 'ubii.dataStructure.Object2DList',
+        isRecordList: false,
+      },
+      {
+        internalName: 'positions',
+        messageFormat: 'ubii.dataStructure.Object3DList',
+        isRecordList: false,
+      },
+      {
+        internalName: 'hands',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'durationMs',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'error',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record, fallback) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : fallback;\n    };\n    state.sinceMs += deltaTimeMs;\n    const image = inputs.image?.image2D;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew || state.detector === void 0) return void 0;\n    const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate, 10)));\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const startedMs = performance.now();\n    let error = "";\n    let hands;\n    try {\n      hands = await state.detector.detect(await vision.readImage2D(image), {\n        threshold: number(inputs.threshold, 0.5),\n        maxHands: number(inputs.maxHands, 2)\n      });\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (hands === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    const points = hands.flatMap(\n      ({ side, score, keypoints }, hand) => keypoints.map(({ name, x, y, metric }) => ({\n        id: `${side}.${name}`,\n        userDataJson: JSON.stringify({ hand, score: Math.round(score * 100) / 100 }),\n        place: { x, y },\n        metric\n      }))\n    );\n    return {\n      outputs: {\n        keypoints: {\n          object2DList: {\n            elements: points.map(({ id, userDataJson, place }) => ({\n              id,\n              userDataJson,\n              pose: { position: place }\n            }))\n          }\n        },\n        positions: {\n          object3DList: {\n            elements: points.map(({ id, userDataJson, metric }) => ({\n              id,\n              userDataJson,\n              pose: { position: metric }\n            }))\n          }\n        },\n        hands: { double: hands.length },\n        durationMs: { double: performance.now() - startedMs },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
+    onCreatedStringified:
+      '(state) => { Object.assign(state, (() => ({ detector: void 0, sinceMs: Infinity, error: "" })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    const tensorflow = await vision.sharedTensorflow(state.assets["tfjs-wasm"]);\n    state.detector = await vision.createHandPose(tensorflow, state.assets["hand-pose"]);\n    console.info(`TensorFlow.js uses ${tensorflow.backend}. ${tensorflow.reason}`);\n  } })["onCreated"]\n)(state); }',
+    onDestroyedStringified:
+      '({ onDestroyed(state) {\n    state.detector?.dispose();\n  } })["onDestroyed"]',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+      assets: ['vision', 'tfjs-wasm', 'hand-pose'],
     },
   },
   {

@@ -1,38 +1,17 @@
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { createAssetStore } from '@ubii/pm-sandbox';
-import { AssetFolders } from '@ubii/pm-sandbox/node';
-import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import type { Object2DList } from '@ubii/proto';
-import { writeAssetSets } from '@ubii/vision/assets';
-import { buildLibrary } from '@ubii/vision/library';
-import { photoFile, PHOTOS, readPhoto } from '@ubii/vision/testing';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { photoFile, PHOTOS } from '@ubii/vision/testing';
+import { beforeAll, describe, expect, it } from 'vitest';
 import type { DrivenModule } from '../../test/drive-module.ts';
-import { driveIn } from '../../test/drive-sandboxed.ts';
+import { driveWithVision, photoImage } from '../../test/vision-assets.ts';
 import { objectDetection } from './object-detection.ts';
 
 /** Least overlap of a found box and one measured by hand; see the tests of `@ubii/vision`. */
 const LEAST_OVERLAP = 0.7;
 
-const folder = mkdtempSync(join(tmpdir(), 'ubii-detection-'));
 let module: DrivenModule;
 beforeAll(async () => {
-  const library = join(folder, 'vision.js');
-  await buildLibrary(library);
-  writeAssetSets(folder, library);
-  const store = createAssetStore(new AssetFolders([folder]));
-  const { signal } = new AbortController();
-  const assets = await store.load(objectDetection.assets!, signal, () => undefined);
-  const drive = driveIn(
-    () => createInlineSandboxes({ nowMs: () => performance.now() }),
-    true,
-    assets,
-  );
-  module = await drive(objectDetection);
+  module = await driveWithVision(objectDetection);
 }, 60_000);
-afterAll(() => rmSync(folder, { recursive: true }));
 
 /** One image, later than the rate asks for. */
 const detect = async (image: unknown, parameters: object = {}) =>
@@ -42,16 +21,12 @@ const detect = async (image: unknown, parameters: object = {}) =>
     backend?: string;
     durationMs?: number;
   };
-const raw = (file: string) => {
-  const { width, height, data } = readPhoto(file);
-  return { width, height, dataFormat: 1, data: new Uint8Array(data) };
-};
 const classesOf = ({ predictions }: { predictions?: Object2DList }) =>
   predictions?.elements.map(({ id }) => id);
 
 describe('object-detection on photographs', () => {
   it.each(PHOTOS)('finds what a person sees in $file', async ({ file, objects }) => {
-    const found = await detect(raw(file));
+    const found = await detect(photoImage(file));
     expect(classesOf(found)).toEqual(objects.map((one) => one.class));
     for (const [index, { box }] of objects.entries()) {
       const { pose, size, userDataJson } = found.predictions!.elements[index]!;
@@ -83,20 +58,22 @@ describe('object-detection', () => {
     const { error } = await detect(broken);
     expect(error).toMatch(/7 bytes/);
     expect(await detect(broken)).toEqual({});
-    expect(await detect(raw('coffee.jpg'))).toMatchObject({ error: '', backend: 'wasm' });
+    expect(await detect(photoImage('coffee.jpg'))).toMatchObject({ error: '', backend: 'wasm' });
   });
 
   it('names a class that it does not know', async () => {
-    const { error } = await detect(raw('coffee.jpg'), { classes: { elements: ['unicorn'] } });
+    const { error } = await detect(photoImage('coffee.jpg'), {
+      classes: { elements: ['unicorn'] },
+    });
     expect(error).toContain('unicorn');
     await module.run(0, { classes: undefined }, ['classes']);
-    await detect(raw('coffee.jpg'));
+    await detect(photoImage('coffee.jpg'));
   });
 
   it('drops images beyond its rate, and does not run again for a parameter', async () => {
-    await detect(raw('coffee.jpg'), { maxRate: 2 });
+    await detect(photoImage('coffee.jpg'), { maxRate: 2 });
     expect(await module.run(100, {}, ['image'])).toEqual({});
     expect(await module.run(1000, { threshold: 0.9 }, ['threshold'])).toEqual({});
-    expect(classesOf(await detect(raw('coffee.jpg'), { threshold: 0.4 }))).toEqual(['cup']);
+    expect(classesOf(await detect(photoImage('coffee.jpg'), { threshold: 0.4 }))).toEqual(['cup']);
   });
 });

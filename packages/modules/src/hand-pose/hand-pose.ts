@@ -1,0 +1,114 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type * as Vision from '@ubii/vision';
+import type { NumberRecord } from '../number-record.ts';
+
+/** What an instance keeps. */
+interface HandState {
+  detector: Vision.HandPoseDetector | undefined;
+  /** Milliseconds from the start of the last detection to now. */
+  sinceMs: number;
+  error: string;
+}
+
+/** Finds hands and their keypoints in images, with Handtrack and MediaPipe's hand landmarks. */
+export const handPose = defineProcessingModule({
+  name: 'hand-pose',
+  description: 'Finds the 21 keypoints of hands in images.',
+  tags: ['image', 'vision', 'pose'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  assets: ['vision', 'tfjs-wasm', 'hand-pose'],
+  inputs: {
+    image: 'image2D',
+    threshold: { format: 'double', default: 0.5 },
+    maxHands: { format: 'double', default: 2 },
+    maxRate: { format: 'double', default: 10 },
+  },
+  outputs: {
+    keypoints: 'object2DList',
+    positions: 'object3DList',
+    hands: 'double',
+    durationMs: 'double',
+    error: 'string',
+  },
+  mode: { triggerOnInput: {} },
+  createState: (): HandState => ({ detector: undefined, sinceMs: Infinity, error: '' }),
+  async onCreated(state) {
+    const vision = state.modules['vision'] as typeof Vision;
+    const tensorflow = await vision.sharedTensorflow(state.assets['tfjs-wasm']!);
+    state.detector = await vision.createHandPose(tensorflow, state.assets['hand-pose']!);
+    // eslint-disable-next-line no-console -- the log of the module
+    console.info(`TensorFlow.js uses ${tensorflow.backend}. ${tensorflow.reason}`);
+  },
+  async onProcessing(deltaTimeMs, inputs, state) {
+    const number = (record: NumberRecord | undefined, fallback: number): number => {
+      const value = record?.double ?? record?.float ?? record?.int32;
+      return Number.isFinite(value) ? value! : fallback;
+    };
+    state.sinceMs += deltaTimeMs;
+    const image = inputs.image?.image2D;
+    const triggers = state.inputTriggerNames;
+    // A parameter that changes counts for the next image.
+    const isNew = triggers === undefined || triggers.includes('image');
+    if (image === undefined || !isNew || state.detector === undefined) return undefined;
+    const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate, 10)));
+    // Half a millisecond for what timers round.
+    if (state.sinceMs + 0.5 < 1000 / rateHz) return undefined;
+    state.sinceMs = 0;
+
+    const vision = state.modules['vision'] as typeof Vision;
+    const startedMs = performance.now();
+    let error = '';
+    let hands: Vision.HandPose[] | undefined;
+    try {
+      hands = await state.detector.detect(await vision.readImage2D(image), {
+        threshold: number(inputs.threshold, 0.5),
+        maxHands: number(inputs.maxHands, 2),
+      });
+    } catch (thrown) {
+      // What the sender of the image has to change.
+      if (!(thrown instanceof RangeError)) throw thrown;
+      error = thrown.message;
+    }
+    const isNewError = error !== state.error;
+    state.error = error;
+    if (hands === undefined)
+      return isNewError ? { outputs: { error: { string: error } } } : undefined;
+    const points = hands.flatMap(({ side, score, keypoints }, hand) =>
+      keypoints.map(({ name, x, y, metric }) => ({
+        id: `${side}.${name}`,
+        userDataJson: JSON.stringify({ hand, score: Math.round(score * 100) / 100 }),
+        place: { x, y },
+        metric,
+      })),
+    );
+    return {
+      outputs: {
+        keypoints: {
+          object2DList: {
+            elements: points.map(({ id, userDataJson, place }) => ({
+              id,
+              userDataJson,
+              pose: { position: place },
+            })),
+          },
+        },
+        positions: {
+          object3DList: {
+            elements: points.map(({ id, userDataJson, metric }) => ({
+              id,
+              userDataJson,
+              pose: { position: metric },
+            })),
+          },
+        },
+        hands: { double: hands.length },
+        durationMs: { double: performance.now() - startedMs },
+        error: isNewError ? { string: '' } : undefined,
+      },
+    };
+  },
+  onDestroyed(state) {
+    state.detector?.dispose();
+  },
+});

@@ -1,0 +1,34 @@
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { createAssetStore, type AnyModuleDefinition } from '@ubii/pm-sandbox';
+import { AssetFolders } from '@ubii/pm-sandbox/node';
+import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
+import { writeAssetSets } from '@ubii/vision/assets';
+import { buildLibrary } from '@ubii/vision/library';
+import { readPhoto } from '@ubii/vision/testing';
+import type { DrivenModule } from './drive-module.ts';
+import { driveIn } from './drive-sandboxed.ts';
+
+/** An instance of a module with its real asset sets, on the thread of the test. */
+export async function driveWithVision(definition: AnyModuleDefinition): Promise<DrivenModule> {
+  const folder = mkdtempSync(join(tmpdir(), 'ubii-vision-'));
+  try {
+    const library = join(folder, 'vision.js');
+    await buildLibrary(library);
+    writeAssetSets(folder, library);
+    const store = createAssetStore(new AssetFolders([folder]));
+    const { signal } = new AbortController();
+    const assets = await store.load(definition.assets ?? [], signal, () => undefined);
+    const sandboxes = createInlineSandboxes({ nowMs: () => performance.now() });
+    return await driveIn(() => sandboxes, true, assets)(definition);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** A photograph of `@ubii/vision` as the message `Image2D`. */
+export function photoImage(file: string) {
+  const { width, height, data } = readPhoto(file);
+  return { width, height, dataFormat: 1, data: new Uint8Array(data) };
+}
