@@ -61,6 +61,22 @@ describe('asset sets of a master [PM-92]', () => {
     expect(body.toString()).not.toContain('secret');
   });
 
+  it('do not give a damaged file to caches, and give it once it is repaired', async () => {
+    const dataDir = dataWithSet();
+    const folder = join(dataDir, 'models', 'greeting');
+    const manifest = { name: 'greeting', files: [{ path: 'texts/a.txt', bytes: 5, sha256: HASH }] };
+    writeFileSync(join(folder, 'manifest.json'), JSON.stringify(manifest));
+    writeFileSync(join(folder, 'texts', 'a.txt'), 'hallo');
+    const { port } = await startEdgeMaster({ dataDir });
+    const path = `/asset-sets/greeting/${HASH}/texts/a.txt`;
+    const damaged = await send(port, path);
+    expect(damaged.status).toBe(400);
+    expect(damaged.headers['cache-control']).toBe('no-store');
+    expect(damaged.body.toString()).toContain('Replace the file');
+    writeFileSync(join(folder, 'texts', 'a.txt'), `${HELLO}`);
+    expect((await send(port, path)).body.toString()).toBe(HELLO);
+  });
+
   it('that are damaged say so', async () => {
     const dataDir = dataWithSet();
     writeFileSync(join(dataDir, 'models', 'greeting', 'manifest.json'), '{"name":"greeting"}');

@@ -42,7 +42,8 @@ export function isAssetName(name: string): boolean {
 export function isAssetPath(path: string): boolean {
   return (
     path.length <= ASSET_LIMITS.pathLength &&
-    path.split('/').every((part) => /^[\w@+ -][\w.@+ -]*$/.test(part))
+    path.split('/').every((part) => /^[\w@+ -][\w.@+ -]*$/.test(part)) &&
+    path !== '__proto__'
   );
 }
 

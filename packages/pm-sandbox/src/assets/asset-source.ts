@@ -12,5 +12,7 @@ export interface AssetSource {
     file: AssetFile,
     signal: AbortSignal,
     onBytes: (bytes: number) => void,
+    /** Not out of a cache on the way, which may hold what was damaged before. */
+    isFresh?: boolean,
   ): Promise<Uint8Array<ArrayBuffer>>;
 }

@@ -83,6 +83,23 @@ describe('a store of asset sets [PM-90]', () => {
     await expect(store.load(['small'], never, quiet)).rejects.toThrow('3 bytes instead of 2');
   });
 
+  it('reads a damaged file once more, past the caches on the way', async () => {
+    const { source, store } = setUp();
+    const fresh: boolean[] = [];
+    const { read } = source;
+    source.read = (name, file, signal, onBytes, isFresh = false) => {
+      fresh.push(isFresh);
+      return file.path === 'a.json' && !isFresh
+        ? Promise.resolve(new Uint8Array([1, 2]))
+        : read.call(source, name, file, signal, onBytes);
+    };
+    const told: number[] = [];
+    const [set] = await store.load(['small'], never, ({ loadedBytes }) => told.push(loadedBytes));
+    expect(textOf(set!.files['a.json'])).toBe('{}');
+    expect(fresh).toEqual([false, true, false]);
+    expect(told).toEqual([2, 7]);
+  });
+
   it.each(['none', '../etc', '', 'A', 'a/b'])('says that there is no set %j', async (name) => {
     const { store } = setUp();
     await expect(store.load([name], never, quiet)).rejects.toThrow(
@@ -108,6 +125,7 @@ describe('a manifest [PM-90]', () => {
     ['valid path', { ...good, files: [{ ...good.files[0], path: '../a' }] }],
     ['valid path', { ...good, files: [{ ...good.files[0], path: '/etc/passwd' }] }],
     ['valid path', { ...good, files: [{ ...good.files[0], path: 'a/.hidden' }] }],
+    ['valid path', { ...good, files: [{ ...good.files[0], path: '__proto__' }] }],
     ['no size', { ...good, files: [{ ...good.files[0], bytes: -1 }] }],
     ['SHA-256', { ...good, files: [{ ...good.files[0], sha256: 'x' }] }],
     ['twice', { ...good, files: [good.files[0], good.files[0]] }],

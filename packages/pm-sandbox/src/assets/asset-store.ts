@@ -1,7 +1,7 @@
 import { sha256 } from '@noble/hashes/sha2.js';
 import { bytesToHex } from '@noble/hashes/utils.js';
 import { AssetError, missingSet } from './asset-error.ts';
-import { isAssetName, totalBytes, type AssetManifest } from './asset-manifest.ts';
+import { isAssetName, totalBytes, type AssetFile, type AssetManifest } from './asset-manifest.ts';
 import type { AssetSource } from './asset-source.ts';
 
 /** An asset set with its bytes, which nobody may change. */
@@ -137,17 +137,35 @@ class KeepingStore implements AssetStore {
     }
     const bytes = totalBytes(manifest.files);
     let loadedBytes = 0;
-    const files: Record<string, Uint8Array<ArrayBuffer>> = {};
+    const files = new Map<string, Uint8Array<ArrayBuffer>>();
     for (const file of manifest.files) {
-      const content = await this.#source.read(name, file, signal, (more) => {
-        loadedBytes += more;
-        onProgress({ name, loadedBytes, totalBytes: bytes });
-      });
-      signal.throwIfAborted();
-      verify(name, file, content);
-      files[file.path] = content;
+      const read = async (isFresh: boolean): Promise<Uint8Array<ArrayBuffer>> => {
+        const before = loadedBytes;
+        const content = await this.#source.read(
+          name,
+          file,
+          signal,
+          (more) => {
+            loadedBytes += more;
+            onProgress({ name, loadedBytes, totalBytes: bytes });
+          },
+          isFresh,
+        );
+        signal.throwIfAborted();
+        loadedBytes = before + file.bytes;
+        return content;
+      };
+      let content = await read(false);
+      if (damageOf(file, content) !== undefined) {
+        loadedBytes -= file.bytes;
+        content = await read(true);
+      }
+      const damage = damageOf(file, content);
+      if (damage !== undefined) throw damaged(name, file, damage);
+      files.set(file.path, content);
     }
-    const assets = { name, key, library: manifest.library, files };
+    const { library } = manifest;
+    const assets = { name, key, library, files: Object.fromEntries(files) };
     this.#keep(key, { assets, bytes });
     return assets;
   }
@@ -168,17 +186,15 @@ function keyOf({ name, library = '', files }: AssetManifest): string {
   return bytesToHex(sha256(new TextEncoder().encode(text)));
 }
 
-function verify(
-  name: string,
-  { path, bytes, sha256: expected }: AssetManifest['files'][number],
-  content: Uint8Array,
-): void {
-  if (content.length === bytes && bytesToHex(sha256(content)) === expected) return;
-  const why =
-    content.length === bytes
-      ? 'its SHA-256 differs from the manifest'
-      : `it has ${content.length} bytes instead of ${bytes}`;
-  throw new AssetError(
+/** What is wrong with the bytes of a file; undefined when they are what the manifest says. */
+function damageOf({ bytes, sha256: expected }: AssetFile, content: Uint8Array): string | undefined {
+  if (content.length !== bytes) return `it has ${content.length} bytes instead of ${bytes}`;
+  const isEqual = bytesToHex(sha256(content)) === expected;
+  return isEqual ? undefined : 'its SHA-256 differs from the manifest';
+}
+
+function damaged(name: string, { path }: AssetFile, why: string): AssetError {
+  return new AssetError(
     'damaged',
     `The file ${path} of the asset set ${name} is damaged: ${why}. Replace the file or delete the set.`,
   );

@@ -28,7 +28,9 @@ export function createHttpAssets(origin: string | URL): AssetSource {
     limitBytes: number,
     signal: AbortSignal,
     onBytes: (bytes: number) => void,
+    isFresh = false,
   ): Promise<Uint8Array<ArrayBuffer>> => {
+    signal.throwIfAborted();
     const stall = new AbortController();
     const stop = (): void => stall.abort();
     let timer: ReturnType<typeof setTimeout> | undefined;
@@ -39,7 +41,10 @@ export function createHttpAssets(origin: string | URL): AssetSource {
     signal.addEventListener('abort', stop, { once: true });
     try {
       wait();
-      const response = await fetch(new URL(path, origin), { signal: stall.signal });
+      const response = await fetch(new URL(path, origin), {
+        signal: stall.signal,
+        ...(isFresh && { cache: 'reload' }),
+      });
       if (response.status === 404) throw missingSet(name);
       if (!response.ok || response.body === null)
         throw unreachable(name, `the master answers with status ${response.status}`);
@@ -50,11 +55,11 @@ export function createHttpAssets(origin: string | URL): AssetSource {
         if (done) break;
         wait();
         bytes += value.length;
+        parts.push(value);
         if (bytes > limitBytes) {
           await reader.cancel();
-          break; // verified against the manifest, which it does not fit
+          break; // longer than the manifest says, which is found out
         }
-        parts.push(value);
         onBytes(value.length);
       }
       return joined(parts);
@@ -80,8 +85,8 @@ export function createHttpAssets(origin: string | URL): AssetSource {
       );
       return readManifest(parsed(name, bytes), name);
     },
-    read: (name, file, signal, onBytes) =>
-      get(name, assetFilePath(name, file), file.bytes, signal, onBytes),
+    read: (name, file, signal, onBytes, isFresh) =>
+      get(name, assetFilePath(name, file), file.bytes, signal, onBytes, isFresh),
   };
 }
 

@@ -16,10 +16,12 @@ import {
 import type { AssetSource } from '../assets/asset-source.ts';
 
 const MANIFEST = 'manifest.json';
+/** Of more files the hashes are looked at again. */
+const MAX_VERIFIED = 1024;
 
-/** A manifest that was made from files, and what tells that they are others by now. */
+/** A manifest that is made from files, and what tells that they are others by now. */
 interface Made {
-  readonly manifest: AssetManifest;
+  readonly manifest: Promise<AssetManifest>;
   readonly stamp: string;
 }
 
@@ -30,6 +32,8 @@ interface Made {
 export class AssetFolders implements AssetSource {
   readonly #folders: readonly string[];
   readonly #made = new Map<string, Made>();
+  /** Files that were found to be what their manifests say. */
+  readonly #verified = new Set<string>();
 
   /** @param folders that hold sets; of two sets with one name that of the later folder counts */
   constructor(folders: readonly string[]) {
@@ -80,22 +84,56 @@ export class AssetFolders implements AssetSource {
     throw missingSet(name);
   }
 
-  async #make(name: string, folder: string, files: readonly FoundFile[]): Promise<AssetManifest> {
+  /** Hashed once for all that ask. */
+  #make(name: string, folder: string, files: readonly FoundFile[]): Promise<AssetManifest> {
     const stamp = JSON.stringify([folder, files]);
     const known = this.#made.get(name);
     if (known?.stamp === stamp) return known.manifest;
-    if (files.length > ASSET_LIMITS.files || totalBytes(files) > ASSET_LIMITS.setBytes) {
-      const message = `The folder of the asset set ${name} has more than ${ASSET_LIMITS.files} files or ${ASSET_LIMITS.setBytes} bytes.`;
-      throw new AssetError('damaged', message);
-    }
-    const hashed: AssetFile[] = [];
-    for (const { path, bytes } of files) {
-      hashed.push({ path, bytes, sha256: await hashOf(name, path, join(folder, path)) });
-    }
-    const manifest = readManifest({ name, files: hashed }, name);
+    const manifest = manifestOf(name, folder, files);
     this.#made.set(name, { manifest, stamp });
+    manifest.catch(() => {
+      if (this.#made.get(name)?.manifest === manifest) this.#made.delete(name);
+    });
     return manifest;
   }
+
+  /**
+   * Whether a file on disk is what the manifest says; looked at again when its size or time changed.
+   * @throws AssetError when it is not, or cannot be read
+   */
+  async verify(name: string, file: AssetFile): Promise<string> {
+    const path = await this.pathOf(name, file.path);
+    const { size, mtimeMs } = await stat(path).catch((cause: unknown) => {
+      throw unreadable(name, file.path, cause);
+    });
+    const stamp = JSON.stringify([path, size, mtimeMs, file.sha256]);
+    if (this.#verified.has(stamp)) return path;
+    if (size !== file.bytes || (await hashOf(name, file.path, path)) !== file.sha256) {
+      throw new AssetError(
+        'damaged',
+        `The file ${file.path} of the asset set ${name} is damaged. Replace the file or delete the set.`,
+      );
+    }
+    if (this.#verified.size >= MAX_VERIFIED) this.#verified.clear();
+    this.#verified.add(stamp);
+    return path;
+  }
+}
+
+async function manifestOf(
+  name: string,
+  folder: string,
+  files: readonly FoundFile[],
+): Promise<AssetManifest> {
+  if (files.length > ASSET_LIMITS.files || totalBytes(files) > ASSET_LIMITS.setBytes) {
+    const message = `The folder of the asset set ${name} has more than ${ASSET_LIMITS.files} files or ${ASSET_LIMITS.setBytes} bytes.`;
+    throw new AssetError('damaged', message);
+  }
+  const hashed: AssetFile[] = [];
+  for (const { path, bytes } of files) {
+    hashed.push({ path, bytes, sha256: await hashOf(name, path, join(folder, path)) });
+  }
+  return readManifest({ name, files: hashed }, name);
 }
 
 interface FoundFile extends Omit<AssetFile, 'sha256'> {

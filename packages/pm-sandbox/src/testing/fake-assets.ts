@@ -50,6 +50,7 @@ export class FakeAssets implements AssetSource {
     { path }: { path: string },
     signal: AbortSignal,
     onBytes: (bytes: number) => void,
+    _isFresh?: boolean,
   ): Promise<Uint8Array<ArrayBuffer>> {
     this.reads.push(`${name}/${path}`);
     await this.pause;
