@@ -5,6 +5,7 @@ export { counter } from './counter/counter.ts';
 export { EXAMPLE_SESSIONS } from './examples/example-sessions.ts';
 export { handPose } from './hand-pose/hand-pose.ts';
 export { httpPoller } from './http-poller/http-poller.ts';
+export { imageTools } from './image-tools/image-tools.ts';
 export { keyChord } from './key-chord/key-chord.ts';
 export { loadGenerator } from './load-generator/load-generator.ts';
 export {

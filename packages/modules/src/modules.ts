@@ -5,6 +5,7 @@ import { clock } from './clock/clock.ts';
 import { counter } from './counter/counter.ts';
 import { handPose } from './hand-pose/hand-pose.ts';
 import { httpPoller } from './http-poller/http-poller.ts';
+import { imageTools } from './image-tools/image-tools.ts';
 import { keyChord } from './key-chord/key-chord.ts';
 import { loadGenerator } from './load-generator/load-generator.ts';
 import {
@@ -44,6 +45,7 @@ export const MODULES: readonly AnyModuleDefinition[] = [
   counter,
   handPose,
   httpPoller,
+  imageTools,
   keyChord,
   loadGenerator,
   lowPass,

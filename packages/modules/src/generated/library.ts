@@ -416,6 +416,113 @@ export const LIBRARY: readonly JsonObject[] = [
     },
   },
   {
+    name: 'image-tools',
+    authors: ['Ubi-Interact'],
+    tags: ['image', 'vision', 'filter'],
+    description: 'Crops, scales, converts and measures images.',
+    processingMode: {
+      triggerOnInput: {
+        minDelayMs: 0,
+        allInputsNeedUpdate: false,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'image',
+        messageFormat: 'ubii.dataStructure.Image2D',
+        isRecordList: false,
+      },
+      {
+        internalName: 'x',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":0}',
+      },
+      {
+        internalName: 'y',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":0}',
+      },
+      {
+        internalName: 'width',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":1}',
+      },
+      {
+        internalName: 'height',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":1}',
+      },
+      {
+        internalName: 'maxSide',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":0}',
+      },
+      {
+        internalName: 'format',
+        messageFormat: 'string',
+        isRecordList: false,
+        defaultJson: '{"string":""}',
+      },
+      {
+        internalName: 'bins',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":16}',
+      },
+      {
+        internalName: 'motionThreshold',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":0.1}',
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'image',
+        messageFormat: 'ubii.dataStructure.Image2D',
+        isRecordList: false,
+      },
+      {
+        internalName: 'motion',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'changed',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'histogram',
+        messageFormat: 'ubii.dataStructure.DoubleList',
+        isRecordList: false,
+      },
+      {
+        internalName: 'error',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ async onProcessing(_deltaTimeMs, inputs, state) {\n    const number = (record, fallback, min, max) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : fallback;\n    };\n    const image = inputs.image?.image2D;\n    const triggers = state.inputTriggerNames;\n    if (image === void 0 || triggers !== void 0 && !triggers.includes("image"))\n      return void 0;\n    const vision = state.modules["vision"];\n    const formats = ["GRAY8", "RGB8", "RGBA8"];\n    const wanted = inputs.format?.string ?? "";\n    const bins = Math.round(number(inputs.bins, 16, 1, 256));\n    let error = "";\n    let picture;\n    try {\n      const format = formats.find((one) => one === wanted);\n      if (format === void 0 && wanted !== "")\n        throw new RangeError(`The format is ${formats.join(", ")} or empty, not "${wanted}".`);\n      picture = await vision.readImage2D(image);\n      const part = {\n        x: number(inputs.x, 0, 0, 1) * picture.width,\n        y: number(inputs.y, 0, 0, 1) * picture.height,\n        width: number(inputs.width, 1, 0, 1) * picture.width,\n        height: number(inputs.height, 1, 0, 1) * picture.height\n      };\n      const isWhole = part.width === picture.width && part.height === picture.height;\n      if (!isWhole || part.x > 0 || part.y > 0) picture = vision.cropPicture(picture, part);\n      const maxSide = number(inputs.maxSide, 0, 0, 16384);\n      const scale = maxSide / Math.max(picture.width, picture.height);\n      if (maxSide >= 1 && scale < 1) {\n        const sideOf = (side) => Math.max(1, Math.round(side * scale));\n        picture = vision.scalePicture(picture, sideOf(picture.width), sideOf(picture.height));\n      }\n      if (format !== void 0) picture = vision.convertPicture(picture, format);\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n      picture = void 0;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (picture === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    const { before } = state;\n    state.before = picture;\n    const isSameSize = before?.width === picture.width && before.height === picture.height;\n    const motion = isSameSize ? vision.motionEnergy(before, picture, number(inputs.motionThreshold, 0.1, 0, 1)) : void 0;\n    const { width, height, data } = picture;\n    const [counts = []] = vision.histogram(vision.greyPicture(picture), bins);\n    return {\n      outputs: {\n        image: {\n          image2D: {\n            width,\n            height,\n            dataFormat: formats.indexOf(picture.format),\n            data: new Uint8Array(data)\n          }\n        },\n        motion: motion && { double: motion.energy },\n        changed: motion && { double: motion.changedShare },\n        histogram: {\n          doubleList: { elements: Array.from(counts, (count) => count / (width * height)) }\n        },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
+    onCreatedStringified:
+      '(state) => { Object.assign(state, (() => ({ before: void 0, error: "" })\n)()); }',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+      assets: ['vision'],
+    },
+  },
+  {
     name: 'key-chord',
     authors: ['Ubi-Interact'],
     tags: ['event', 'key', 'keyboard', 'text'],

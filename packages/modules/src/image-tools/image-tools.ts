@@ -1,0 +1,119 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type * as Vision from '@ubii/vision';
+import type { NumberRecord } from '../number-record.ts';
+
+/** What an instance keeps. */
+interface ToolState {
+  /** The last image as it was put out, for motion. */
+  before: Vision.Picture | undefined;
+  error: string;
+}
+
+/** Crops, scales and converts images, and measures motion and brightness in them. */
+export const imageTools = defineProcessingModule({
+  name: 'image-tools',
+  description: 'Crops, scales, converts and measures images.',
+  tags: ['image', 'vision', 'filter'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  assets: ['vision'],
+  inputs: {
+    image: 'image2D',
+    x: { format: 'double', default: 0 },
+    y: { format: 'double', default: 0 },
+    width: { format: 'double', default: 1 },
+    height: { format: 'double', default: 1 },
+    maxSide: { format: 'double', default: 0 },
+    format: { format: 'string', default: '' },
+    bins: { format: 'double', default: 16 },
+    motionThreshold: { format: 'double', default: 0.1 },
+  },
+  outputs: {
+    image: 'image2D',
+    motion: 'double',
+    changed: 'double',
+    histogram: 'doubleList',
+    error: 'string',
+  },
+  mode: { triggerOnInput: {} },
+  createState: (): ToolState => ({ before: undefined, error: '' }),
+  async onProcessing(_deltaTimeMs, inputs, state) {
+    const number = (
+      record: NumberRecord | undefined,
+      fallback: number,
+      min: number,
+      max: number,
+    ): number => {
+      const value = record?.double ?? record?.float ?? record?.int32;
+      return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
+    };
+    const image = inputs.image?.image2D;
+    const triggers = state.inputTriggerNames;
+    // A parameter that changes counts for the next image.
+    if (image === undefined || (triggers !== undefined && !triggers.includes('image')))
+      return undefined;
+    const vision = state.modules['vision'] as typeof Vision;
+    const formats = ['GRAY8', 'RGB8', 'RGBA8'] as const;
+    const wanted = inputs.format?.string ?? '';
+    const bins = Math.round(number(inputs.bins, 16, 1, 256));
+    let error = '';
+    let picture: Vision.Picture | undefined;
+    try {
+      const format = formats.find((one) => one === wanted);
+      if (format === undefined && wanted !== '')
+        throw new RangeError(`The format is ${formats.join(', ')} or empty, not "${wanted}".`);
+      picture = await vision.readImage2D(image);
+      const part = {
+        x: number(inputs.x, 0, 0, 1) * picture.width,
+        y: number(inputs.y, 0, 0, 1) * picture.height,
+        width: number(inputs.width, 1, 0, 1) * picture.width,
+        height: number(inputs.height, 1, 0, 1) * picture.height,
+      };
+      const isWhole = part.width === picture.width && part.height === picture.height;
+      if (!isWhole || part.x > 0 || part.y > 0) picture = vision.cropPicture(picture, part);
+      const maxSide = number(inputs.maxSide, 0, 0, 16_384);
+      const scale = maxSide / Math.max(picture.width, picture.height);
+      if (maxSide >= 1 && scale < 1) {
+        const sideOf = (side: number): number => Math.max(1, Math.round(side * scale));
+        picture = vision.scalePicture(picture, sideOf(picture.width), sideOf(picture.height));
+      }
+      if (format !== undefined) picture = vision.convertPicture(picture, format);
+    } catch (thrown) {
+      // What the sender of the image or of a parameter has to change.
+      if (!(thrown instanceof RangeError)) throw thrown;
+      error = thrown.message;
+      picture = undefined;
+    }
+    const isNewError = error !== state.error;
+    state.error = error;
+    if (picture === undefined)
+      return isNewError ? { outputs: { error: { string: error } } } : undefined;
+
+    const { before } = state;
+    state.before = picture;
+    const isSameSize = before?.width === picture.width && before.height === picture.height;
+    const motion = isSameSize
+      ? vision.motionEnergy(before, picture, number(inputs.motionThreshold, 0.1, 0, 1))
+      : undefined;
+    const { width, height, data } = picture;
+    const [counts = []] = vision.histogram(vision.greyPicture(picture), bins);
+    return {
+      outputs: {
+        image: {
+          image2D: {
+            width,
+            height,
+            dataFormat: formats.indexOf(picture.format) as 0 | 1 | 2,
+            data: new Uint8Array(data),
+          },
+        },
+        motion: motion && { double: motion.energy },
+        changed: motion && { double: motion.changedShare },
+        histogram: {
+          doubleList: { elements: Array.from(counts, (count) => count / (width * height)) },
+        },
+        error: isNewError ? { string: '' } : undefined,
+      },
+    };
+  },
+});
