@@ -195,10 +195,13 @@ export class GraphPage {
   }
 }
 
+/** The box of what is seen, also when a list is drawn anew at that moment. */
 async function boxOf(locator: Locator) {
-  const box = await locator.boundingBox();
-  if (box === null) throw new Error('It is not on the page.');
-  return box;
+  for (;;) {
+    await locator.waitFor();
+    const box = await locator.boundingBox();
+    if (box !== null) return box;
+  }
 }
 
 async function middleOf(locator: Locator): Promise<Place> {

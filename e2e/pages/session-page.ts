@@ -46,6 +46,8 @@ export class SessionPage {
 
   /** Chooses where a module runs. */
   async place(moduleName: string, where: RegExp): Promise<void> {
+    // A tooltip stays as long as the pointer is on it, over what is to be clicked
+    await this.page.mouse.move(0, 0);
     await this.page.getByRole('combobox', { name: `Where ${moduleName} runs` }).click();
     await this.page.getByRole('option', { name: where }).click();
   }

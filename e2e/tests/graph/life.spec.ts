@@ -17,10 +17,10 @@ async function aSession(master: MasterProcess, modules: readonly string[]): Prom
 
 const FOREIGN = JSON.stringify({
   name: 'Dance',
-  processingModules: [{ name: 'low-pass' }, { name: 'body-pose' }],
+  processingModules: [{ name: 'low-pass' }, { name: 'gaze-at-home' }],
   ioMappings: [
     {
-      processingModuleName: 'body-pose',
+      processingModuleName: 'gaze-at-home',
       inputMappings: [{ inputName: 'image', topic: '/cam/image' }],
     },
   ],
@@ -34,12 +34,14 @@ test('a file with modules nobody has comes in whole, says what is missing, and g
   const anna = new GraphPage(await room.atDesk('Anna'));
   await anna.open(id);
   await anna.dropFile('dance.session', FOREIGN);
-  await expect(anna.importDialog).toContainText('The module body-pose is unknown');
+  await expect(anna.importDialog).toContainText('The module gaze-at-home is unknown');
   await anna.importDialog.getByRole('button', { name: 'Add to this graph' }).click();
-  await expect(anna.node('Module body-pose')).toBeVisible();
+  await expect(anna.node('Module gaze-at-home')).toBeVisible();
   await expect(anna.node('Topic /cam/image')).toBeVisible();
-  await expect(anna.socket('Module body-pose', 'Input image')).toHaveAccessibleName(/1 connected/);
-  await expect(anna.page.getByText('body-pose is unknown')).toBeVisible();
+  await expect(anna.socket('Module gaze-at-home', 'Input image')).toHaveAccessibleName(
+    /1 connected/,
+  );
+  await expect(anna.page.getByText('gaze-at-home is unknown')).toBeVisible();
 
   await test.step('it is saved and exported with all it has', async () => {
     await anna.page.keyboard.press('Control+s');
@@ -49,7 +51,7 @@ test('a file with modules nobody has comes in whole, says what is missing, and g
       anna.choose('Export'),
     ]);
     const text = await readFile(await download.path(), 'utf8');
-    expect(text).toContain('body-pose');
+    expect(text).toContain('gaze-at-home');
     expect(JSON.parse(text)).toMatchObject({
       processingModules: [
         { name: 'threshold', onProcessingStringified: expect.any(String) },
@@ -61,7 +63,7 @@ test('a file with modules nobody has comes in whole, says what is missing, and g
   await test.step('one step takes it back', async () => {
     await anna.canvas.focus();
     await anna.page.keyboard.press('Control+z');
-    await expect(anna.node('Module body-pose')).toBeHidden();
+    await expect(anna.node('Module gaze-at-home')).toBeHidden();
     await expect(anna.node('Module low-pass')).toBeHidden();
     await expect(anna.node('Module threshold')).toBeVisible();
   });

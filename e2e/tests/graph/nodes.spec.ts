@@ -168,16 +168,16 @@ test('a module that nobody has any more is a placeholder that says what to do', 
 }) => {
   const registered = await callService(master.addresses, {
     topic: SERVICES.clientRegistration.topic,
-    client: { name: 'lab', processingModules: [{ name: 'body-pose' }] },
+    client: { name: 'lab', processingModules: [{ name: 'gaze-at-home' }] },
   });
   const client = registered.client!;
   const id = await aSession(master, {
     name: 'Pose',
-    processingModules: [{ id: 'pose', name: 'body-pose' }],
+    processingModules: [{ id: 'pose', name: 'gaze-at-home' }],
   });
   const graph = new GraphPage(await room.atDesk('Anna'));
   await graph.open(id);
-  const pose = graph.node('Module body-pose');
+  const pose = graph.node('Module gaze-at-home');
   await expect(pose).toBeVisible();
   await callService(master.addresses, {
     topic: SERVICES.clientDeregistration.topic,
@@ -185,7 +185,7 @@ test('a module that nobody has any more is a placeholder that says what to do', 
   });
   await expect(pose).toContainText('No node has this module', LISTS);
   await pose.click({ position: { x: 60, y: 12 } });
-  await expect(graph.inspector).toContainText('There is no module "body-pose"');
+  await expect(graph.inspector).toContainText('There is no module "gaze-at-home"');
   await expect(graph.inspector.getByRole('link', { name: 'Import this module' })).toBeVisible();
 });
 
