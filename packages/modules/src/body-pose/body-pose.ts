@@ -49,6 +49,7 @@ export const bodyPose = defineProcessingModule({
     };
     state.sinceMs += deltaTimeMs;
     const image = inputs.image?.image2D;
+    const timestamp = inputs.image?.timestamp;
     const triggers = state.inputTriggerNames;
     // A parameter that changes counts for the next image.
     const isNew = triggers === undefined || triggers.includes('image');
@@ -83,7 +84,10 @@ export const bodyPose = defineProcessingModule({
     const minScore = Math.min(1, Math.max(0, number(inputs.minScore, 0.3)));
     return {
       outputs: {
-        keypoints: { object2DList: vision.object2DListOfKeypoints(pose.keypoints, minScore) },
+        keypoints: {
+          object2DList: vision.object2DListOfKeypoints(pose.keypoints, minScore),
+          timestamp,
+        },
         score: { double: pose.score },
         durationMs: { double: performance.now() - startedMs },
         error: isNewError ? { string: '' } : undefined,

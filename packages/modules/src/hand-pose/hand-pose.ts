@@ -47,6 +47,7 @@ export const handPose = defineProcessingModule({
     };
     state.sinceMs += deltaTimeMs;
     const image = inputs.image?.image2D;
+    const timestamp = inputs.image?.timestamp;
     const triggers = state.inputTriggerNames;
     // A parameter that changes counts for the next image.
     const isNew = triggers === undefined || triggers.includes('image');
@@ -85,6 +86,7 @@ export const handPose = defineProcessingModule({
     return {
       outputs: {
         keypoints: {
+          timestamp,
           object2DList: {
             elements: points.map(({ id, userDataJson, place }) => ({
               id,
@@ -94,6 +96,7 @@ export const handPose = defineProcessingModule({
           },
         },
         positions: {
+          timestamp,
           object3DList: {
             elements: points.map(({ id, userDataJson, metric }) => ({
               id,

@@ -48,6 +48,7 @@ export const imageTools = defineProcessingModule({
       return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
     };
     const image = inputs.image?.image2D;
+    const timestamp = inputs.image?.timestamp;
     const triggers = state.inputTriggerNames;
     // A parameter that changes counts for the next image.
     if (image === undefined || (triggers !== undefined && !triggers.includes('image')))
@@ -100,6 +101,7 @@ export const imageTools = defineProcessingModule({
     return {
       outputs: {
         image: {
+          timestamp,
           image2D: {
             width,
             height,
@@ -107,9 +109,10 @@ export const imageTools = defineProcessingModule({
             data: new Uint8Array(data),
           },
         },
-        motion: motion && { double: motion.energy },
-        changed: motion && { double: motion.changedShare },
+        motion: motion && { timestamp, double: motion.energy },
+        changed: motion && { timestamp, double: motion.changedShare },
         histogram: {
+          timestamp,
           doubleList: { elements: Array.from(counts, (count) => count / (width * height)) },
         },
         error: isNewError ? { string: '' } : undefined,

@@ -1,7 +1,7 @@
 import type { Object2DList } from '@ubii/proto';
 import { photoFile, PHOTOS } from '@ubii/vision/testing';
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { DrivenModule } from '../../test/drive-module.ts';
+import { Sample, type DrivenModule } from '../../test/drive-module.ts';
 import { driveWithVision, photoImage } from '../../test/vision-assets.ts';
 import { objectDetection } from './object-detection.ts';
 
@@ -53,6 +53,14 @@ describe('object-detection on photographs', () => {
 });
 
 describe('object-detection', () => {
+  it('gives its results the time at which the image was taken', async () => {
+    const timestamp = { seconds: 1_800_000_000, nanos: 250_000_000 };
+    const image = new Sample(photoImage('coffee.jpg'), { timestamp });
+    await detect(image);
+    expect(module.outputs['predictions']).toMatchObject({ timestamp });
+    expect(module.outputs['durationMs']).not.toHaveProperty('timestamp');
+  });
+
   it('says once what is wrong with an image, and goes on with the next', async () => {
     const broken = { width: 10, height: 10, dataFormat: 2, data: new Uint8Array(7) };
     const { error } = await detect(broken);

@@ -55,6 +55,7 @@ export const objectDetection = defineProcessingModule({
     };
     state.sinceMs += deltaTimeMs;
     const image = inputs.image?.image2D;
+    const timestamp = inputs.image?.timestamp;
     const triggers = state.inputTriggerNames;
     // A parameter that changes counts for the next image.
     const isNew = triggers === undefined || triggers.includes('image');
@@ -86,7 +87,7 @@ export const objectDetection = defineProcessingModule({
     if (error !== '') return isNewError ? { outputs: { error: { string: error } } } : undefined;
     return {
       outputs: {
-        predictions: { object2DList: vision.object2DListOfDetections(found) },
+        predictions: { object2DList: vision.object2DListOfDetections(found), timestamp },
         durationMs: { double: performance.now() - startedMs },
         backend: { string: state.backend },
         error: isNewError ? { string: '' } : undefined,
