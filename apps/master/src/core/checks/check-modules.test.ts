@@ -2,7 +2,11 @@ import type { ModuleStatistics } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { checkModules, type ModuleLoad } from './check-modules.ts';
 
-function load(statistics: Partial<ModuleStatistics>, coreShare = 0.1): ModuleLoad {
+function load(
+  statistics: Partial<ModuleStatistics>,
+  coreShare = 0.1,
+  needsAssets = false,
+): ModuleLoad {
   return {
     moduleId: 'm',
     name: 'blur',
@@ -10,6 +14,7 @@ function load(statistics: Partial<ModuleStatistics>, coreShare = 0.1): ModuleLoa
     sessionId: 's',
     sessionLabel: 'party',
     coreShare,
+    needsAssets,
     statistics: {
       runP95Ms: 45.04,
       runsPerSecond: 20,
@@ -47,6 +52,11 @@ describe('checkModules() [EX-47]', () => {
     const problem = check(load({}, 0.95), 0, 'n')[0]?.[1];
     expect(problem).toMatchObject({ clientId: '' });
     expect(problem?.text).toContain('so that it takes 95 % of a core');
+  });
+
+  it('names no module with models that takes a whole core, unless it is late', () => {
+    expect(check(load({}, 1.1, true), 0)).toEqual([]);
+    expect(check(load({ overruns: 7 }, 1.1, true), 5)).toHaveLength(1);
   });
 
   it('names no module that is late because something else had the processor', () => {

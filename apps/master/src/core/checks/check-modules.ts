@@ -20,6 +20,8 @@ export interface ModuleLoad {
   readonly sessionLabel: string;
   /** Of one core: runs a second times the time of one. */
   readonly coreShare: number;
+  /** It loads models: it takes what a core gives, and its rate follows. */
+  readonly needsAssets: boolean;
   readonly statistics: ModuleStatistics;
 }
 
@@ -28,12 +30,13 @@ export function loadsOf(sessions: readonly Session[]): ModuleLoad[] {
   return sessions
     .filter(({ isLive }) => isLive)
     .flatMap((session) =>
-      session.modules.flatMap(({ id, name, nodeId, statistics }) => {
+      session.modules.flatMap(({ id, name, nodeId, spec, statistics }) => {
         if (statistics === undefined) return [];
         const { runsPerSecond, runP50Ms } = statistics;
         const where = { sessionId: session.id, sessionLabel: session.label };
         const coreShare = (runsPerSecond * runP50Ms) / 1000;
-        return [{ moduleId: id, name, nodeId, ...where, coreShare, statistics }];
+        const needsAssets = (spec.extension?.assets ?? []).length > 0;
+        return [{ moduleId: id, name, nodeId, ...where, coreShare, needsAssets, statistics }];
       }),
     );
 }
@@ -57,12 +60,13 @@ export function* checkModules(
     sessionId,
     sessionLabel,
     coreShare,
+    needsAssets,
     statistics,
   } of modules) {
     const { overruns, runP95Ms, runsPerSecond } = statistics;
     const hasOverrun = overruns > (overrunsBefore.get(moduleId) ?? overruns);
     const isLate = hasOverrun && (runsPerSecond * runP95Ms) / 1000 >= OWN_LATENESS;
-    if (!isLate && coreShare <= FULL_CORE) continue;
+    if (!isLate && (needsAssets || coreShare <= FULL_CORE)) continue;
     const fact = isLate
       ? 'and start later than its mode requires'
       : `so that it takes ${Math.round(coreShare * 100)} % of a core`;
