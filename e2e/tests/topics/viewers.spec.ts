@@ -40,7 +40,7 @@ test('boxes of another topic are drawn over a picture, where they are', async ({
   await expect(choices).toHaveCount(2);
   await choices.first().check();
   await page.keyboard.press('Escape');
-  const cup = page.locator('[data-over="/cam/objects"] [data-shape="cup"] rect').last();
+  const cup = page.locator('[data-over="/cam/objects"] [data-shape="cup"] path').last();
   await expect(cup).toBeVisible();
   // The picture is twice as wide as high, and fills one of the two.
   const frame = (await page.getByRole('img', { name: 'The newest picture' }).boundingBox())!;

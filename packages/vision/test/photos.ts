@@ -34,7 +34,7 @@ export const PHOTOS: readonly Photo[] = [
 
 /** The JPEG file of a photograph. */
 export function photoFile(file: string): Uint8Array {
-  return new Uint8Array(readFileSync(new URL(`./photos/${file}`, import.meta.url)));
+  return new Uint8Array(readFileSync(new URL(`../photos/${file}`, import.meta.url)));
 }
 
 /** Reads a photograph as RGB8. */

@@ -33,7 +33,7 @@ function png(
 }
 
 const photo = (file: string) =>
-  new Uint8Array(readFileSync(new URL(`../../test/photos/${file}`, import.meta.url)));
+  new Uint8Array(readFileSync(new URL(`../../photos/${file}`, import.meta.url)));
 
 describe('decodePicture: PNG', () => {
   it.each([

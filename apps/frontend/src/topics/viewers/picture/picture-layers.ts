@@ -1,6 +1,7 @@
 import type { TopicRecord } from '@ubii/proto';
 import { formatLook } from '../../../formats/families.ts';
 import { isInPixels, planeShapes, type PlaneShape } from '../plane/plane-shapes.ts';
+import { isKeypoint } from '../plane/skeletons.ts';
 
 /** What one topic draws over a picture. */
 export interface PictureLayer {
@@ -26,7 +27,9 @@ export function pictureLayers(
       topic: record.topic,
       shapes: found.shapes,
       pixels,
-      color: `var(--family-${formatLook(record.format).family})`,
+      color: found.shapes.some(isKeypoint)
+        ? 'var(--family-pose)'
+        : `var(--family-${formatLook(record.format).family})`,
       scaleX: (x: number) => (pixels ? x : x * width),
       scaleY: (y: number) => (pixels ? y : y * height),
     };

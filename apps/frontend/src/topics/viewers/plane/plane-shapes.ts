@@ -19,6 +19,8 @@ export interface PlaneShape {
   readonly size?: { readonly width: number; readonly height: number };
   /** Which way it faces, radians from the x axis towards the y axis; absent when it does not say. */
   readonly angle?: number;
+  /** How sure a detector is, 0 to 1; absent when it does not say. */
+  readonly score?: number;
   /** Drawn hollow: a finger that left. */
   readonly isGone?: boolean;
 }
@@ -85,8 +87,12 @@ function posed(key: string, name: string, { position, angle, direction }: Pose2D
   return { ...point(key, name, position), ...(faces === undefined ? {} : { angle: faces }) };
 }
 
-function object({ id, pose, size }: Object2D, key: string): PlaneShape {
-  const place = pose ? posed(key, id, pose) : point(key, id, undefined);
+function object({ id, pose, size, userDataJson }: Object2D, key: string): PlaneShape {
+  const score = scoreIn(userDataJson);
+  const place = {
+    ...(pose ? posed(key, id, pose) : point(key, id, undefined)),
+    ...(score === undefined ? {} : { score }),
+  };
   if (!size || !(size.x > 0 || size.y > 0)) return place;
   // Detectors say no angle, and others say 0: a box that is not turned has no arrow.
   const { angle, ...rest } = place;
@@ -95,6 +101,20 @@ function object({ id, pose, size }: Object2D, key: string): PlaneShape {
     size: { width: finite(size.x), height: finite(size.y) },
     ...(angle ? { angle } : {}),
   };
+}
+
+/** Longer texts hold more than a score. */
+const MAX_DATA_LENGTH = 200;
+
+/** The score that detectors of the module library write: `{ "score": 0.87 }`. */
+function scoreIn(json = ''): number | undefined {
+  if (json === '' || json.length > MAX_DATA_LENGTH) return undefined;
+  try {
+    const { score } = (JSON.parse(json) ?? {}) as { score?: unknown };
+    return typeof score === 'number' && score >= 0 && score <= 1 ? score : undefined;
+  } catch {
+    return undefined; // data of another program
+  }
 }
 
 const touch = ({ id, position, type }: TouchEventMessage, key: string): PlaneShape => ({

@@ -1,0 +1,41 @@
+import { BODY_BONES } from '@ubii/vision/body-keypoints';
+import { HAND_BONES } from '@ubii/vision/hand-keypoints';
+import type { PlaneShape } from './plane-shapes.ts';
+
+/** Two keypoints that a line joins. */
+export type Bone = readonly [from: PlaneShape, to: PlaneShape];
+
+const BONES: readonly (readonly [string, string])[] = [
+  ...BODY_BONES,
+  ...['left', 'right'].flatMap((side) =>
+    HAND_BONES.map(([from, to]) => [`${side}.${from}`, `${side}.${to}`] as const),
+  ),
+];
+const KEYPOINTS: ReadonlySet<string> = new Set(BONES.flat());
+
+/** True for a point of a body or a hand, by its name. */
+export const isKeypoint = ({ name, size }: PlaneShape): boolean =>
+  size === undefined && KEYPOINTS.has(name);
+
+/** The bones of all bodies and hands; a name that comes again begins the next body or hand. */
+export function bonesOf(shapes: readonly PlaneShape[]): Bone[] {
+  const bones: Bone[] = [];
+  let points = new Map<string, PlaneShape>();
+  const close = (): void => {
+    if (points.size < 2) return;
+    for (const [first, second] of BONES) {
+      const [from, to] = [points.get(first), points.get(second)];
+      if (from && to) bones.push([from, to]);
+    }
+  };
+  for (const shape of shapes) {
+    if (!isKeypoint(shape)) continue;
+    if (points.has(shape.name)) {
+      close();
+      points = new Map();
+    }
+    points.set(shape.name, shape);
+  }
+  close();
+  return bones;
+}
