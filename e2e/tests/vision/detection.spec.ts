@@ -4,7 +4,7 @@ import type { Object2DList } from '@ubii/proto';
 import { expect, test } from '../../fixtures/test.ts';
 import { SessionPage } from '../../pages/session-page.ts';
 
-const PHOTOS = join(import.meta.dirname, '../../../packages/vision/test/photos');
+const PHOTOS = join(import.meta.dirname, '../../../packages/vision/photos');
 const SESSION = {
   name: 'Kitchen watch',
   processingModules: [{ name: 'object-detection' }],

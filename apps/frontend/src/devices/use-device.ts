@@ -1,5 +1,5 @@
 import type { ComponentInit, RegisteredDevice } from '@ubii/client-web';
-import type { DataFormatValues } from '@ubii/proto';
+import type { DataFormatValues, TopicRecord } from '@ubii/proto';
 import { onScopeDispose, shallowRef, watch } from 'vue';
 import { useConnection } from '../connection/useConnection.ts';
 import { deviceRefusal, refusalOf } from './device-refusal.ts';
@@ -17,7 +17,9 @@ export interface DevicePlan<C extends readonly ComponentInit[]> {
   readonly tags: readonly string[];
   readonly components: C;
   /** Who is told what comes to the subscribers among the components. */
-  readonly receivers?: { readonly [N in NameOf<C>]?: (value: ValueOf<C, N>) => void };
+  readonly receivers?: {
+    readonly [N in NameOf<C>]?: (value: ValueOf<C, N>, record: TopicRecord) => void;
+  };
 }
 
 /**
@@ -71,19 +73,27 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
       known
         .component(component as NameOf<C>)
         .subscribe()
-        .onRecord(({ value }) => (receive as (value: unknown) => void)(value)),
+        .onRecord((record) =>
+          (receive as (value: unknown, record: unknown) => void)(record.value, record),
+        ),
     );
     onCleanup(() => subscriptions.forEach((subscription) => void subscription.close()));
   });
 
+  function publish<N extends NameOf<C>>(
+    component: N,
+    value: ValueOf<C, N>,
+    options?: { readonly immediate?: boolean; readonly timestampMs?: number },
+  ): void {
+    if (!isResting.value) device?.component(component).publish(value as never, options);
+  }
+
   return {
     isRegistered,
-    publish<N extends NameOf<C>>(
-      component: N,
-      value: ValueOf<C, N>,
-      options?: { readonly immediate?: boolean },
-    ): void {
-      if (!isResting.value) device?.component(component).publish(value as never, options);
+    publish,
+    /** Publishes what was taken `ageMs` ago, with the moment of it in the master's time. */
+    publishTaken<N extends NameOf<C>>(component: N, value: ValueOf<C, N>, ageMs: number): void {
+      publish(component, value, { timestampMs: client.masterTime.nowMs() - ageMs });
     },
     topicOf: (component: NameOf<C>) => device?.component(component).topic,
   };

@@ -38,4 +38,12 @@ export const EXAMPLES: readonly Example[] = [
     page: () => import('./model-viewer/ModelViewerPage.vue'),
     thumbnail: () => import('./model-viewer/ModelViewerThumbnail.vue'),
   },
+  {
+    id: 'object-detection',
+    title: 'Object detection',
+    sentence: 'Finds objects, bodies and hands',
+    path: '/examples/object-detection',
+    page: () => import('./object-detection/ObjectDetectionPage.vue'),
+    thumbnail: () => import('./object-detection/ObjectDetectionThumbnail.vue'),
+  },
 ];

@@ -6,6 +6,19 @@ export type PictureEncoding = 'RGB8' | 'RGBA8' | 'GRAY8' | 'JPEG';
 /** What a camera publishes at most, bytes per second: a phone's Wi-Fi has room for more than this page. */
 export const MOST_BYTES_PER_SECOND = 8_000_000;
 
+/** What pictures are taken of, and its size in pixels: a video, a photograph, a canvas. */
+export interface PictureSource {
+  readonly element: CanvasImageSource;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** A video as a source; nothing before its first picture. */
+export function videoSource(video: HTMLVideoElement | null): PictureSource | undefined {
+  if (!video || video.videoWidth === 0) return undefined;
+  return { element: video, width: video.videoWidth, height: video.videoHeight };
+}
+
 export interface PictureSettings {
   /** Of the published picture, pixels; its height follows from the camera's. */
   width: number;
@@ -65,16 +78,15 @@ export class PictureEncoder {
 
   /** @throws {Error} if the browser makes no JPEG */
   async encode(
-    video: HTMLVideoElement,
+    source: PictureSource,
     { width: maxWidth, encoding, quality }: Readonly<PictureSettings>,
   ): Promise<Image2D> {
-    const source = { width: video.videoWidth, height: video.videoHeight };
     const { width, height } = sizeWithin(source, maxWidth);
     const canvas = this.#canvas;
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
     const context = canvas.getContext('2d', { willReadFrequently: true })!;
-    context.drawImage(video, 0, 0, width, height);
+    context.drawImage(source.element, 0, 0, width, height);
     if (encoding !== 'JPEG') {
       const data = packPixels(context.getImageData(0, 0, width, height).data, encoding);
       return { width, height, dataFormat: Image2DDataFormat[encoding], data };

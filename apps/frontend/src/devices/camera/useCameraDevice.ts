@@ -2,7 +2,7 @@ import type { Object2DList } from '@ubii/proto';
 import { onScopeDispose, shallowRef } from 'vue';
 import { useDevice } from '../use-device.ts';
 import { CAMERA_COMPONENTS, CAMERA_DEVICE } from './components.ts';
-import type { PictureSettings } from './encode-picture.ts';
+import { videoSource, type PictureSettings } from './encode-picture.ts';
 import { usePictures } from './usePictures.ts';
 
 /** Boxes that nothing renews are of another picture by then, milliseconds. */
@@ -38,12 +38,18 @@ export function useCameraDevice(options: {
     },
   });
   const measures = usePictures({
-    video: options.video,
+    source: () => videoSource(options.video()),
     isWanted: () => options.isWanted() && device.isRegistered.value,
     settings: options.settings,
-    publish: (image) => device.publish('camera_image', image),
+    publish: (image, ageMs) => device.publishTaken('camera_image', image, ageMs),
   });
   onScopeDispose(() => clearTimeout(holdTimer));
 
-  return { objects, answerMs, measures, topicOf: device.topicOf };
+  return {
+    objects,
+    answerMs,
+    measures,
+    isRegistered: device.isRegistered,
+    topicOf: device.topicOf,
+  };
 }

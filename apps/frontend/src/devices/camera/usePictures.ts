@@ -1,7 +1,12 @@
 import type { Image2D } from '@ubii/proto';
 import { shallowReactive, watch } from 'vue';
 import { RateMeter } from '../sensors/rate-meter.ts';
-import { affordableRate, PictureEncoder, type PictureSettings } from './encode-picture.ts';
+import {
+  affordableRate,
+  PictureEncoder,
+  type PictureSettings,
+  type PictureSource,
+} from './encode-picture.ts';
 
 /** What was measured of the last pictures; all `undefined` while none are sent. */
 export interface PictureMeasures {
@@ -27,12 +32,13 @@ const NOTHING: PictureMeasures = {
   sentAtMs: undefined,
 };
 
-/** Takes pictures of a video at a rate, one at a time, while they are wanted. */
+/** Takes pictures of a source at a rate, one at a time, while they are wanted. */
 export function usePictures(options: {
-  readonly video: () => HTMLVideoElement | null;
+  readonly source: () => PictureSource | undefined;
   readonly isWanted: () => boolean;
   readonly settings: Readonly<PictureSettings>;
-  readonly publish: (image: Image2D) => void;
+  /** @param ageMs since the picture was taken */
+  readonly publish: (image: Image2D, ageMs: number) => void;
 }) {
   const measures = shallowReactive<PictureMeasures>({ ...NOTHING });
 
@@ -47,12 +53,12 @@ export function usePictures(options: {
 
       async function takeOne(): Promise<void> {
         const beginMs = performance.now();
-        const video = options.video();
+        const source = options.source();
         let rateHz = options.settings.rateHz;
-        if (video && video.videoWidth > 0) {
-          const image = await encoder.encode(video, options.settings);
+        if (source) {
+          const image = await encoder.encode(source, options.settings);
           if (isOver) return;
-          options.publish(image);
+          options.publish(image, performance.now() - beginMs);
           rateHz = affordableRate(rateHz, image.data.length);
           note(image, beginMs, rateHz < options.settings.rateHz);
         }

@@ -1,0 +1,60 @@
+import astronaut from '@ubii/vision/photos/astronaut.jpg?url';
+import camera from '@ubii/vision/photos/camera.jpg?url';
+import chelsea from '@ubii/vision/photos/chelsea.jpg?url';
+import coffee from '@ubii/vision/photos/coffee.jpg?url';
+
+/** What the built-in clip shows; rights: `packages/vision/photos/README.md`. */
+const PHOTOS = [coffee, astronaut, chelsea, camera];
+/** Each photograph, milliseconds. */
+const SHOWN_MS = 5000;
+const FADE_MS = 400;
+/** How much nearer the view comes while a photograph is shown. */
+const ZOOM = 0.12;
+export const CLIP_RATE_HZ = 30;
+
+/** Which photographs are seen at a moment of the clip, and how strongly. */
+export function clipFrame(
+  timeMs: number,
+  count: number,
+): readonly { readonly index: number; readonly scale: number; readonly alpha: number }[] {
+  const turn = Math.floor(timeMs / SHOWN_MS);
+  const inside = timeMs - turn * SHOWN_MS;
+  const scaleAt = (shownMs: number): number => 1 + (ZOOM * shownMs) / SHOWN_MS;
+  const now = { index: turn % count, scale: scaleAt(inside), alpha: 1 };
+  if (turn === 0 || inside >= FADE_MS) return [now];
+  const before = { index: (turn - 1) % count, scale: scaleAt(SHOWN_MS + inside), alpha: 1 };
+  return [before, { ...now, alpha: inside / FADE_MS }];
+}
+
+/** The photographs of the clip. */
+export async function loadClip(): Promise<readonly ImageBitmap[]> {
+  return await Promise.all(
+    PHOTOS.map(async (url) => {
+      const response = await fetch(url);
+      return await createImageBitmap(await response.blob());
+    }),
+  );
+}
+
+/** Draws a moment of the clip; photographs fill the canvas and are cut at two sides. */
+export function drawClip(
+  canvas: HTMLCanvasElement,
+  photos: readonly ImageBitmap[],
+  timeMs: number,
+): void {
+  const context = canvas.getContext('2d')!;
+  for (const { index, scale, alpha } of clipFrame(timeMs, photos.length)) {
+    const photo = photos[index]!;
+    const fit = Math.max(canvas.width / photo.width, canvas.height / photo.height) * scale;
+    const [width, height] = [photo.width * fit, photo.height * fit];
+    context.globalAlpha = alpha;
+    context.drawImage(
+      photo,
+      (canvas.width - width) / 2,
+      (canvas.height - height) / 2,
+      width,
+      height,
+    );
+  }
+  context.globalAlpha = 1;
+}

@@ -1,0 +1,50 @@
+import { expect, it } from 'vitest';
+import { StageTimes, type ResultTimes } from './stage-times.ts';
+
+const result = (changes: Partial<ResultTimes> = {}): ResultTimes => ({
+  takenMs: 1000,
+  encodeMs: 5,
+  finishedMs: 1050,
+  durationMs: 35,
+  arrivedMs: 1054,
+  drawnMs: 1062,
+  ...changes,
+});
+const parts = (times: StageTimes): readonly number[] | undefined =>
+  times.summary(1062)?.stages.map(({ ms }) => ms);
+
+it('the parts of the way sum up to the age of what is seen', () => {
+  const times = new StageTimes();
+  times.add(result());
+  const { stages, p50Ms, count } = times.summary(1062)!;
+  expect(stages.map(({ name, ms }) => `${name} ${ms}`)).toEqual([
+    'Encode 5',
+    'To the module 10',
+    'Detect 35',
+    'Back 4',
+    'Draw 8',
+  ]);
+  expect(stages.reduce((sum, { ms }) => sum + ms, 0)).toBe(p50Ms);
+  expect(count).toBe(1);
+});
+
+it('gives medians, and the 95th percentile of the whole', () => {
+  const times = new StageTimes();
+  for (let late = 0; late < 20; late++) times.add(result({ drawnMs: 1062 + late }));
+  expect(parts(times)?.at(-1)).toBe(17);
+  expect(times.summary(1081)).toMatchObject({ p50Ms: 71, p95Ms: 80, count: 20 });
+});
+
+it('a clock that is off by a little gives no time below 0', () => {
+  const times = new StageTimes();
+  times.add(result({ arrivedMs: 1049.5, drawnMs: 1049.5 }));
+  expect(parts(times)).toEqual([5, 10, 35, 0, 0]);
+});
+
+it('forgets results after ten seconds, and takes none without a time', () => {
+  const times = new StageTimes();
+  times.add(result({ takenMs: Number.NaN }));
+  expect(times.summary(1062)).toBeUndefined();
+  times.add(result());
+  expect(times.summary(11_063)).toBeUndefined();
+});

@@ -1,0 +1,134 @@
+import { useEventListener, useIntervalFn } from '@vueuse/core';
+import {
+  computed,
+  onScopeDispose,
+  shallowRef,
+  watch,
+  type ComputedRef,
+  type ShallowRef,
+} from 'vue';
+import type { PictureSource } from '../../devices/camera/encode-picture.ts';
+import { useCamera } from '../../devices/camera/useCamera.ts';
+import { CLIP_RATE_HZ, drawClip, loadClip } from './clip.ts';
+
+/** Where pictures come from. */
+export type SourceKind = 'clip' | 'camera' | 'photo' | 'topic';
+
+type PictureElement = HTMLVideoElement | HTMLCanvasElement;
+
+/** Pictures of this page: the built-in clip, a camera or an image file; or those of a topic. */
+export interface PictureSources {
+  readonly kind: ShallowRef<SourceKind>;
+  readonly camera: ReturnType<typeof useCamera>;
+  /** Shown as it is; `undefined` while there is no picture, and for a topic. */
+  readonly element: ComputedRef<PictureElement | undefined>;
+  /** Of the picture that is shown, pixels. */
+  readonly size: ComputedRef<{ readonly width: number; readonly height: number } | undefined>;
+  /** Name of the image file. */
+  readonly fileName: Readonly<ShallowRef<string | undefined>>;
+  /** What is wrong with the image file, one sentence. */
+  readonly fileProblem: Readonly<ShallowRef<string | undefined>>;
+  /** The topic whose pictures are looked at; empty until one is chosen. */
+  readonly topic: ShallowRef<string>;
+  takeFile(file: File): Promise<void>;
+  /** What pictures are taken of now. */
+  source(): PictureSource | undefined;
+}
+
+const CLIP_SIZE = { width: 640, height: 480 };
+/** Larger photographs are reduced, pixels of the longer side. */
+const MAX_PHOTO_SIDE = 1280;
+
+/** The sources of a page, while the calling scope lives; the built-in clip at first. */
+export function usePictureSource(): PictureSources {
+  const kind = shallowRef<SourceKind>('clip');
+  const topic = shallowRef('');
+  const fileName = shallowRef<string>();
+  const fileProblem = shallowRef<string>();
+  const photo = shallowRef<HTMLCanvasElement>();
+  const camera = useCamera();
+
+  const clip = document.createElement('canvas');
+  Object.assign(clip, CLIP_SIZE);
+  const clipPhotos = shallowRef<readonly ImageBitmap[]>();
+  let clipMs = 0;
+  const { pause, resume } = useIntervalFn(
+    () => {
+      if (!clipPhotos.value) return;
+      clipMs += 1000 / CLIP_RATE_HZ;
+      drawClip(clip, clipPhotos.value, clipMs);
+    },
+    1000 / CLIP_RATE_HZ,
+    { immediate: false },
+  );
+
+  const video = document.createElement('video');
+  Object.assign(video, { autoplay: true, playsInline: true, muted: true });
+  const videoSize = shallowRef<{ readonly width: number; readonly height: number }>();
+  function measure(): void {
+    const { videoWidth: width, videoHeight: height } = video;
+    videoSize.value = width > 0 ? { width, height } : undefined;
+  }
+  useEventListener(video, ['loadedmetadata', 'resize'], measure);
+  watch(camera.stream, (stream) => {
+    video.srcObject = stream ?? null;
+    if (!stream) videoSize.value = undefined;
+  });
+
+  watch(
+    kind,
+    (next) => {
+      if (next !== 'camera') camera.stop();
+      if (next !== 'clip') return pause();
+      resume();
+      void loadClip()
+        .then((photos) => (clipPhotos.value ??= photos))
+        .catch(() => undefined); // the master is away, which the shell tells
+    },
+    { immediate: true },
+  );
+  onScopeDispose(() => {
+    for (const one of clipPhotos.value ?? []) one.close();
+  });
+
+  async function takeFile(file: File): Promise<void> {
+    fileProblem.value = undefined;
+    try {
+      const bitmap = await createImageBitmap(file);
+      const scale = Math.min(1, MAX_PHOTO_SIDE / Math.max(bitmap.width, bitmap.height));
+      const canvas = document.createElement('canvas');
+      canvas.width = Math.max(1, Math.round(bitmap.width * scale));
+      canvas.height = Math.max(1, Math.round(bitmap.height * scale));
+      canvas.getContext('2d')!.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
+      bitmap.close();
+      photo.value = canvas;
+      fileName.value = file.name;
+      kind.value = 'photo';
+    } catch {
+      fileProblem.value = `${file.name} is no image that this browser can read. Choose a JPEG, PNG or WebP file.`;
+    }
+  }
+
+  const element = computed((): PictureElement | undefined => {
+    if (kind.value === 'clip') return clipPhotos.value && clip;
+    if (kind.value === 'camera') return camera.stream.value && video;
+    return kind.value === 'photo' ? photo.value : undefined;
+  });
+  const size = computed(() => {
+    const shown = element.value;
+    if (shown === video) return videoSize.value;
+    return shown && { width: shown.width, height: shown.height };
+  });
+
+  return {
+    kind,
+    camera,
+    element,
+    size,
+    fileName,
+    fileProblem,
+    topic,
+    takeFile,
+    source: () => element.value && size.value && { element: element.value, ...size.value },
+  };
+}

@@ -1,0 +1,226 @@
+import type { TopicRecord } from '@ubii/proto';
+import { useIntervalFn, useRafFn } from '@vueuse/core';
+import { computed, reactive, shallowRef, watch } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
+import { seeingSession, type Seen } from '../../devices/camera/seeing-session.ts';
+import { usePictures } from '../../devices/camera/usePictures.ts';
+import { RateMeter } from '../../devices/sensors/rate-meter.ts';
+import { useDevice } from '../../devices/use-device.ts';
+import type { ModulePlace } from '../../sessions/own/planned-session.ts';
+import { usePageSession } from '../../sessions/own/use-page-session.ts';
+import { planeShapes } from '../../topics/viewers/plane/plane-shapes.ts';
+import { adaptRate } from './adapt-rate.ts';
+import { SEEING_COMPONENTS, SEEING_DEVICE } from './seeing-topics.ts';
+import { StageTimes, type StageSummary } from './stage-times.ts';
+import type { PictureSources } from './use-picture-source.ts';
+
+/** Results that nothing renews are of another picture by then, milliseconds. */
+const HOLD_MS = 3000;
+/** How often figures are renewed and the rate is adapted, milliseconds. */
+const FIGURES_MS = 1000;
+const FIRST_HZ = 15;
+const WANTED_HZ = 30;
+const MAX_MODULE_HZ = 120;
+/** An image file changes when another one is chosen. */
+const PHOTO_HZ = 2;
+/** Pictures whose encoding time is remembered until their result comes. */
+const MAX_UNDERWAY = 64;
+
+/** What was found in the newest picture, by what is looked for. */
+export type Found = ReadonlyMap<Seen, TopicRecord>;
+
+/** Looks at the pictures of a source with a session of this page. */
+export function useObjectDetection(sources: PictureSources) {
+  const { client, isConnected, name } = useConnection();
+  const isOn = shallowRef(false);
+  const place = shallowRef<ModulePlace>('tab');
+  const threshold = shallowRef(0.4);
+  const looksFor = reactive<Record<Seen, boolean>>({ objects: true, bodies: false, hands: false });
+  const settings = reactive<PictureSettings>({
+    width: 640,
+    rateHz: FIRST_HZ,
+    encoding: 'JPEG',
+    quality: 0.8,
+  });
+
+  const found = shallowRef<Found>(new Map());
+  const backend = shallowRef('');
+  const stages = shallowRef<StageSummary>();
+  const rates = shallowRef<{
+    readonly sentHz?: number | undefined;
+    readonly seenHz?: number | undefined;
+  }>({});
+  /** Median time of detection by place, of places that were tried. */
+  const placeMs = shallowRef<
+    ReadonlyMap<ModulePlace, { readonly ms: number; readonly backend: string }>
+  >(new Map());
+
+  const newest = new Map<Seen, { readonly record: TopicRecord; readonly atMs: number }>();
+  const times = new StageTimes();
+  const seen = new RateMeter();
+  const encodeMs = new Map<number, number>();
+  let result: { readonly takenMs: number; readonly arrivedMs: number } | undefined;
+  let hasChanged = false;
+
+  function take(what: Seen, record: TopicRecord): void {
+    newest.set(what, { record, atMs: performance.now() });
+    hasChanged = true;
+    if (what !== 'objects') return;
+    seen.note(performance.now());
+    const takenMs = record.timestampMs;
+    result = takenMs === undefined ? undefined : { takenMs, arrivedMs: client.masterTime.nowMs() };
+  }
+
+  /** Comes after the objects of the same picture. */
+  function takeDuration(durationMs: number, finishedMs: number | undefined): void {
+    const of = result;
+    result = undefined;
+    if (of === undefined || finishedMs === undefined) return;
+    requestAnimationFrame(() =>
+      times.add({
+        ...of,
+        encodeMs: encodeMs.get(Math.round(of.takenMs)) ?? 0,
+        finishedMs,
+        durationMs,
+        drawnMs: client.masterTime.nowMs(),
+      }),
+    );
+  }
+
+  const device = useDevice({
+    name: SEEING_DEVICE,
+    tags: ['example', 'camera'],
+    components: SEEING_COMPONENTS,
+    receivers: {
+      objects: (_value, record) => take('objects', record),
+      bodies: (_value, record) => take('bodies', record),
+      hands: (_value, record) => take('hands', record),
+      duration: (value, { timestampMs }) => takeDuration(value, timestampMs),
+      backend: (value) => (backend.value = value),
+    },
+  });
+  const isOwn = computed(() => sources.kind.value !== 'topic');
+  const image = computed(() => {
+    if (!device.isRegistered.value) return undefined;
+    return isOwn.value ? device.topicOf('image') : sources.topic.value || undefined;
+  });
+
+  const measures = usePictures({
+    source: () => sources.source(),
+    isWanted: () =>
+      isOn.value &&
+      isOwn.value &&
+      isConnected.value &&
+      device.isRegistered.value &&
+      sources.element.value !== undefined,
+    settings,
+    publish(picture, ageMs) {
+      const takenMs = client.masterTime.nowMs() - ageMs;
+      encodeMs.set(Math.round(takenMs), ageMs);
+      if (encodeMs.size > MAX_UNDERWAY) encodeMs.delete(encodeMs.keys().next().value!);
+      device.publish('image', picture, { timestampMs: takenMs });
+    },
+  });
+
+  const session = usePageSession(
+    () => {
+      if (!isOn.value || image.value === undefined) return undefined;
+      const topicIf = (what: Seen) => (looksFor[what] ? device.topicOf(what) : undefined);
+      return {
+        place: place.value,
+        session: seeingSession({
+          name: `Object detection of ${name.value}`,
+          description:
+            'Looks at the pictures of the example Object detection. It ends with the page.',
+          tags: ['example', 'camera'],
+          image: image.value,
+          found: {
+            objects: topicIf('objects'),
+            bodies: topicIf('bodies'),
+            hands: topicIf('hands'),
+          },
+          inputs: { threshold: device.topicOf('threshold') },
+          // Its rate is that of the pictures, which is adapted.
+          constants: { maxRate: { double: MAX_MODULE_HZ } },
+          outputs: { durationMs: device.topicOf('duration'), backend: device.topicOf('backend') },
+        }),
+      };
+    },
+    () => (isOn.value = false),
+  );
+
+  // The module reads it with the next picture.
+  watch(
+    [threshold, device.isRegistered],
+    ([value, isKnown]) => isKnown && device.publish('threshold', value),
+    { immediate: true },
+  );
+  watch(
+    () => sources.kind.value,
+    (kind) => (settings.rateHz = kind === 'photo' ? PHOTO_HZ : FIRST_HZ),
+  );
+  watch([place, () => sources.kind.value, isOn], () => {
+    times.clear();
+    stages.value = undefined;
+    backend.value = '';
+    newest.clear();
+    hasChanged = true;
+  });
+
+  useRafFn(() => {
+    const nowMs = performance.now();
+    for (const [what, { atMs }] of newest) {
+      if (looksFor[what] && nowMs - atMs <= HOLD_MS) continue;
+      newest.delete(what);
+      hasChanged = true;
+    }
+    if (!hasChanged) return;
+    hasChanged = false;
+    found.value = new Map([...newest].map(([what, { record }]) => [what, record]));
+  });
+  useIntervalFn(() => {
+    const nowMs = performance.now();
+    stages.value = times.summary(client.masterTime.nowMs());
+    rates.value = { sentHz: measures.rateHz, seenHz: seen.rateHz(nowMs) };
+    const detect = stages.value?.stages.find(({ kind }) => kind === 'module');
+    if (detect && backend.value !== '') {
+      placeMs.value = new Map(placeMs.value).set(place.value, {
+        ms: detect.ms,
+        backend: backend.value,
+      });
+    }
+    if (isOwn.value && sources.kind.value !== 'photo' && looksFor.objects) {
+      settings.rateHz = adaptRate(
+        settings.rateHz,
+        WANTED_HZ,
+        rates.value.sentHz,
+        rates.value.seenHz,
+      );
+    }
+  }, FIGURES_MS);
+
+  return {
+    isOn,
+    place,
+    threshold,
+    looksFor,
+    settings,
+    measures,
+    image,
+    found,
+    backend,
+    stages,
+    rates,
+    placeMs,
+    isOwn,
+    ...session,
+  };
+}
+
+/** The objects of a record, those with the highest score first. */
+export function seenObjects(found: Found): { readonly name: string; readonly score: number }[] {
+  const record = found.get('objects');
+  const { shapes = [] } = (record && planeShapes(record)) ?? {};
+  return shapes.map(({ name, score = 0 }) => ({ name, score }));
+}

@@ -1,0 +1,90 @@
+import { join } from 'node:path';
+import type { Locator } from '@playwright/test';
+import { LAUNCH_WITH_CAMERA } from '../../fixtures/chromium.ts';
+import type { Person } from '../../fixtures/person.ts';
+import { expect, test } from '../../fixtures/test.ts';
+
+test.use({ launchOptions: LAUNCH_WITH_CAMERA });
+
+const PHOTOS = join(import.meta.dirname, '../../../packages/vision/photos');
+const PATH = '/examples/object-detection';
+
+const seen = ({ page }: Person): Locator => page.getByRole('region', { name: /^Seen now/ });
+const start = ({ page }: Person): Locator =>
+  page.getByRole('button', { name: 'Start', exact: true });
+const choosePhoto = async ({ page }: Person, file: string): Promise<void> =>
+  page.locator('input[type=file]').setInputFiles(join(PHOTOS, file));
+
+test('the example finds objects in its clip at once, in a tab and on the master, and in photographs', async ({
+  room,
+}) => {
+  const robot = await room.program('Robot');
+  const anna = await room.atDesk('Anna');
+  const { page } = anna;
+  const foreign: string[] = [];
+  page.on('request', (request) => {
+    const { protocol, hostname } = new URL(request.url());
+    if (protocol.startsWith('http') && hostname !== 'localhost') foreign.push(request.url());
+  });
+  await page.goto(PATH);
+  const place = (name: RegExp): Locator =>
+    page.getByRole('radiogroup', { name: 'Where it runs' }).getByRole('radio', { name });
+  const nodeOf = async (): Promise<string | undefined> =>
+    (await robot.call('sessionRuntimeGetList')).elements[0]?.processingModules[0]?.nodeId;
+
+  await test.step('in a worker of this tab', async () => {
+    await start(anna).click();
+    await expect(page.getByRole('main')).toContainText(/Live/);
+    await expect(seen(anna)).toContainText('cup');
+    await expect(place(/^This tab/)).toContainText(/\d ms/);
+  });
+
+  await test.step('on the master, as the same session', async () => {
+    const [before] = (await robot.call('sessionRuntimeGetList')).elements;
+    await place(/^Master/).click();
+    const { id: masterId } = await robot.call('serverConfiguration');
+    await expect.poll(nodeOf).toBe(masterId);
+    await expect(place(/^Master/)).toContainText(/\d ms/);
+    const [after] = (await robot.call('sessionRuntimeGetList')).elements;
+    expect(after!.id).toBe(before!.id);
+  });
+
+  await test.step('in an image file, with the keypoints of the body', async () => {
+    await page.getByRole('radio', { name: 'File' }).click();
+    await choosePhoto(anna, 'README.md');
+    await expect(page.getByRole('alert')).toContainText('README.md is no image');
+    await choosePhoto(anna, 'astronaut.jpg');
+    await expect(seen(anna)).toContainText('person');
+    await page.getByRole('switch', { name: /^Body/ }).click();
+    await expect(page.locator('[data-bone]').first()).toBeAttached();
+    await page.getByRole('slider', { name: 'Lowest score of an object' }).press('End');
+    await expect(seen(anna)).toContainText('Nothing above the threshold');
+  });
+
+  await test.step('the session ends with the page, and no other host was asked', async () => {
+    await page.goto('/examples');
+    await expect.poll(async () => (await robot.call('sessionRuntimeGetList')).elements).toEqual([]);
+    expect(foreign).toEqual([]);
+  });
+});
+
+test('the session of one tab looks at the pictures of another one, here of the camera of a phone', async ({
+  room,
+}) => {
+  const anna = await room.atDesk('Anna');
+  const mara = await room.withPhone('Mara', { permissions: ['camera'] });
+  await mara.page.goto(PATH);
+  await mara.page.getByRole('radio', { name: 'Camera' }).tap();
+  await expect(mara.page.locator('video')).toBeVisible();
+  await start(mara).tap();
+  await expect(mara.page.getByRole('main')).toContainText(/Live/);
+
+  await anna.page.goto(PATH);
+  await anna.page.getByRole('radio', { name: 'Topic' }).click();
+  await expect(start(anna)).toHaveAccessibleDescription('Choose a topic first.');
+  await anna.page.getByRole('button', { name: 'Choose a topic' }).click();
+  await anna.page.getByRole('button', { name: '/web-example-object-detection/image Mara' }).click();
+  await start(anna).click();
+  await expect(anna.page.getByRole('main')).toContainText(/Live/);
+  await expect(mara.page.getByRole('main')).toContainText('1 other client receives them.');
+});
