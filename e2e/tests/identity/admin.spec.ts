@@ -67,7 +67,7 @@ test('the bare address is for participants, who enter the code where an admin is
   const { page } = desk;
   const join = new JoinPage(desk);
   const button = page.getByRole('main').getByRole('link', {
-    name: 'Enter the code shown in the terminal',
+    name: 'Become an admin with the code shown in the terminal',
   });
   await page.goto('/');
   await new Shell(page).expectConnected();
@@ -98,7 +98,7 @@ test('the bare address is for participants, who enter the code where an admin is
 test('who does not want to become admin goes on as before', async ({ room }) => {
   const desk = await room.atDesk('Cleo');
   await desk.page.goto('/settings/log');
-  await desk.page.getByRole('link', { name: 'Enter the code shown in the terminal' }).click();
+  await desk.page.getByRole('link', { name: 'Become an admin with the code shown in the terminal' }).click();
   await desk.page.getByRole('button', { name: 'Continue' }).click();
   await expect(desk.page).toHaveURL(/\/settings\/log$/);
   await expectRole(desk, 'participant');

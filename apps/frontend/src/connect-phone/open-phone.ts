@@ -1,7 +1,8 @@
 /** Size of the window that stands in for a phone, CSS pixels. */
 const WIDTH = 390;
 const HEIGHT = 844;
-const PHONE_PATH = '/devices/smart-device';
+/** The page that makes a browser a phone. */
+export const PHONE_PATH = '/devices/smart-device';
 
 /**
  * Opens the device page in a window of the size of a phone, as a client of its own. Without an opener it starts with

@@ -56,7 +56,9 @@ export function problemWords(problem: JoinProblem, isHere = false): ProblemWords
 
 /** Label of the button that opens the entry of an admin code. */
 export function becomeAdminWords(isHere: boolean): string {
-  return isHere ? 'Enter the code shown in the terminal' : 'Enter an admin code';
+  return isHere
+    ? 'Become an admin with the code shown in the terminal'
+    : 'Become an admin with an admin code';
 }
 
 const ROLES: Record<ClientRole, string> = {

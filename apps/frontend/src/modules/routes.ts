@@ -8,9 +8,12 @@ export function moduleLocation(name: string): RouteLocationRaw {
   return { path: `/modules/${segment(name)}` };
 }
 
-/** Where a module is written, by its name; with a name of unsaved work, that. */
-export function moduleEditorLocation(name: string): RouteLocationRaw {
-  return { path: `/modules/${segment(name)}/edit` };
+/**
+ * Where a module is written, by its name; with a name of unsaved work, that.
+ * @param at a place in the code to go to, such as `onProcessing:7:12`
+ */
+export function moduleEditorLocation(name: string, at = ''): RouteLocationRaw {
+  return { path: `/modules/${segment(name)}/edit`, ...(at !== '' && { query: { at } }) };
 }
 
 export const modulesRoutes: readonly RouteRecordRaw[] = [

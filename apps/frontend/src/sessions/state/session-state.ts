@@ -55,6 +55,14 @@ export function hasTrouble(session: Living): boolean {
   return hasError && (isAlive(session) || sessionState(session) === SESSION_STARTING);
 }
 
+/** How it is: what runs with an error does not look as if all were well. */
+export function sessionLook(session: Living): StateLook {
+  const look = stateLook(sessionState(session));
+  return look.mark === 'live' && hasTrouble(session)
+    ? { ...look, mark: 'warning', word: 'Running with errors' }
+    : look;
+}
+
 export const ACTION_WORDS: Readonly<Record<LifeAction, string>> = {
   start: 'Start',
   pause: 'Pause',

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { maskSource } from './mask-source.ts';
-import { composeText, placeInText, sourcesOf, splitText } from './module-text.ts';
+import { addressInText, composeText, placeInText, sourcesOf, splitText } from './module-text.ts';
 
 const NONE = {
   onCreatedStringified: '',
@@ -22,6 +22,12 @@ describe('the text of a module', () => {
     expect(text).toMatch(/^onCreated = \(state\)/);
     expect(splitText(text).problems).toEqual([]);
     expect(sourcesOf(splitText(text))).toEqual(module);
+  });
+
+  it('finds the place that a problem of a run names', () => {
+    const text = splitText('onCreated = () => undefined\n\nonProcessing = () => {\n  fail();\n}');
+    expect(addressInText(text, 'onProcessing:2:3')).toEqual({ line: 4, column: 3 });
+    expect(addressInText(text, 'onHalted:2:3')).toBeUndefined();
   });
 
   it('is not misled by what stands in strings, templates, expressions and comments', () => {

@@ -151,3 +151,9 @@ export function placeInText(
   }
   return { line: section.at.line + line - 1, column: Math.max(1, column) };
 }
+
+/** The place in the text of an address such as `onProcessing:7:12`. */
+export function addressInText(text: ModuleText, address: string): TextPlace | undefined {
+  const [phase = '', line, column] = address.split(':');
+  return placeInText(text, { phase, line: Number(line) || 0, column: Number(column) || 0 });
+}

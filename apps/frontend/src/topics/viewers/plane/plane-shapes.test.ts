@@ -1,6 +1,6 @@
 import { DATA_FORMATS, type DataFormat, type TopicRecord } from '@ubii/proto';
 import { expect, it } from 'vitest';
-import { isInPixels, PLANE_FORMATS, planeShapes, planeView } from './plane-shapes.ts';
+import { isInPixels, PLANE_FORMATS, planeShapes, planeView, steadyView } from './plane-shapes.ts';
 
 const record = (format: DataFormat, value: unknown): TopicRecord =>
   ({ topic: '/a', clientId: '', timestampMs: 0, format, value }) as TopicRecord;
@@ -36,9 +36,17 @@ it('a thing with a size is a box from its top left corner, one without is a poin
 
 it('shows a surface from 0 to 1, and what reaches further around 0', () => {
   const near = planeShapes(record('touchEvent', { type: 0, position: { x: 0.5, y: 1 }, id: '1' }))!;
-  expect(planeView('touchEvent', near.shapes).isSurface).toBe(true);
+  expect(planeView(near.shapes).isSurface).toBe(true);
   const far = planeShapes(record('vector2', { x: 30, y: -4 }))!;
-  expect(planeView('vector2', far.shapes)).toMatchObject({ left: -50, width: 100 });
+  expect(planeView(far.shapes)).toMatchObject({ left: -50, width: 100 });
   expect(isInPixels(far.shapes)).toBe(true);
   expect(isInPixels(near.shapes)).toBe(false);
+});
+
+it('a vector from 0 to 1 is a place on a surface, until it has left it', () => {
+  const viewOf = (x: number) => planeView(planeShapes(record('vector2', { x, y: 0.5 }))!.shapes);
+  expect(steadyView('vector2', viewOf(0.8), undefined).isSurface).toBe(true);
+  const left = viewOf(-3);
+  expect(steadyView('vector2', viewOf(0.8), left)).toBe(left);
+  expect(steadyView('touchEvent', viewOf(0.8), left).isSurface).toBe(true);
 });

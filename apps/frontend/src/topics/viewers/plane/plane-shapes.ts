@@ -132,14 +132,16 @@ export interface PlaneView {
   readonly isSurface: boolean;
 }
 
-/** A surface when all of it lies within 0 to 1 and the format is of surfaces; else a round square about 0. */
-export function planeView(format: TopicRecord['format'], shapes: readonly PlaneShape[]): PlaneView {
-  const isOfSurface = /^(touchEvent|object2D|pose2D)/.test(format);
+/** Formats of places on a surface, however far they reach. */
+const OF_SURFACE = /^(touchEvent|object2D|pose2D)/;
+
+/** A surface when all of it lies within 0 to 1, as places on screens and pictures do; else a round square about 0. */
+export function planeView(shapes: readonly PlaneShape[]): PlaneView {
   const fits = shapes.every(
     ({ x, y, size }) =>
       x >= -0.05 && y >= -0.05 && x + (size?.width ?? 0) <= 1.05 && y + (size?.height ?? 0) <= 1.05,
   );
-  if (isOfSurface && fits) return { left: 0, top: 0, width: 1, height: 1, isSurface: true };
+  if (fits) return { left: 0, top: 0, width: 1, height: 1, isSurface: true };
   const most = Math.max(
     0,
     ...shapes.flatMap(({ x, y, size }) => [
@@ -150,6 +152,19 @@ export function planeView(format: TopicRecord['format'], shapes: readonly PlaneS
   const power = 10 ** Math.floor(Math.log10(most > 0 && Number.isFinite(most) ? most : 1));
   const reach = power * ([1, 2, 5, 10].find((factor) => factor * power >= most) ?? 10);
   return { left: -reach, top: -reach, width: 2 * reach, height: 2 * reach, isSurface: false };
+}
+
+/**
+ * The part to show of a value that moves.
+ * @param least the largest part shown before: vectors that have left the surface are no places on it
+ */
+export function steadyView(
+  format: TopicRecord['format'],
+  now: PlaneView,
+  least: PlaneView | undefined,
+): PlaneView {
+  if (least === undefined || least.width <= now.width) return now;
+  return now.isSurface && OF_SURFACE.test(format) ? now : least;
 }
 
 /** Whether places on a picture are in pixels, against the schema: some are far beyond 1. */
