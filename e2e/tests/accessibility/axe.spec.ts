@@ -30,6 +30,7 @@ const PAGES = [
   { name: 'smart-device gatherer', path: '/examples/smart-device-gatherer' },
   { name: 'model viewer', path: '/examples/model-viewer' },
   { name: 'object detection', path: '/examples/object-detection' },
+  { name: 'image processing', path: '/examples/image-processing' },
   { name: 'learn', path: '/learn' },
   { name: 'a lesson', path: '/learn/call-a-service' },
   { name: 'a reference page', path: '/learn/reference/data-formats' },

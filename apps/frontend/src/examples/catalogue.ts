@@ -46,4 +46,12 @@ export const EXAMPLES: readonly Example[] = [
     page: () => import('./object-detection/ObjectDetectionPage.vue'),
     thumbnail: () => import('./object-detection/ObjectDetectionThumbnail.vue'),
   },
+  {
+    id: 'image-processing',
+    title: 'Image processing',
+    sentence: 'Sends pictures through modules',
+    path: '/examples/image-processing',
+    page: () => import('./image-processing/ImageProcessingPage.vue'),
+    thumbnail: () => import('./image-processing/ImageProcessingThumbnail.vue'),
+  },
 ];

@@ -13,7 +13,7 @@ import { planeShapes } from '../../topics/viewers/plane/plane-shapes.ts';
 import { adaptRate } from './adapt-rate.ts';
 import { SEEING_COMPONENTS, SEEING_DEVICE } from './seeing-topics.ts';
 import { StageTimes, type StageSummary } from './stage-times.ts';
-import type { PictureSources } from './use-picture-source.ts';
+import type { PictureSources } from '../pictures/use-picture-source.ts';
 
 /** Results that nothing renews are of another picture by then, milliseconds. */
 const HOLD_MS = 3000;
@@ -53,7 +53,7 @@ export function useObjectDetection(sources: PictureSources) {
   }>({});
   /** Median time of detection by place, of places that were tried. */
   const placeMs = shallowRef<
-    ReadonlyMap<ModulePlace, { readonly ms: number; readonly backend: string }>
+    ReadonlyMap<ModulePlace, { readonly ms: number; readonly hint: string }>
   >(new Map());
 
   const newest = new Map<Seen, { readonly record: TopicRecord; readonly atMs: number }>();
@@ -187,7 +187,7 @@ export function useObjectDetection(sources: PictureSources) {
     if (detect && backend.value !== '') {
       placeMs.value = new Map(placeMs.value).set(place.value, {
         ms: detect.ms,
-        backend: backend.value,
+        hint: backend.value,
       });
     }
     if (isOwn.value && sources.kind.value !== 'photo' && looksFor.objects) {

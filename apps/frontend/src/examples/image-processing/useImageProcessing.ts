@@ -1,0 +1,141 @@
+import { parseDataFormat, type TopicRecord } from '@ubii/proto';
+import { computed, reactive, shallowRef, watch } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
+import { usePictures } from '../../devices/camera/usePictures.ts';
+import { useDevice } from '../../devices/use-device.ts';
+import { useModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
+import type { ModulePlace } from '../../sessions/own/planned-session.ts';
+import { usePageSession } from '../../sessions/own/use-page-session.ts';
+import { useOverlays } from '../../topics/viewers/picture/use-overlays.ts';
+import type { PictureSources } from '../pictures/use-picture-source.ts';
+import {
+  outputTopic,
+  parametersOf,
+  PROCESSING_DEVICE,
+  processingSession,
+  takesPictures,
+} from './processing-session.ts';
+
+const FIRST_MODULE = 'image-tools';
+const SETTINGS: PictureSettings = { width: 480, rateHz: 10, encoding: 'RGB8', quality: 0.8 };
+const PHOTO_HZ = 2;
+
+/** One output and its newest value. */
+export interface ShownOutput {
+  readonly name: string;
+  readonly format: string;
+  readonly topic: string;
+  readonly record: TopicRecord | undefined;
+}
+
+/** Sends the pictures of a source through one module, in a session of this page. */
+export function useImageProcessing(sources: PictureSources) {
+  const { client, isConnected, name } = useConnection();
+  const library = useModuleLibrary();
+  const isOn = shallowRef(false);
+  const place = shallowRef<ModulePlace>('tab');
+  const moduleName = shallowRef(FIRST_MODULE);
+  /** By module and parameter. */
+  const set = shallowRef<ReadonlyMap<string, ReadonlyMap<string, string>>>(new Map());
+  const settings = reactive<PictureSettings>({ ...SETTINGS });
+
+  const modules = computed(() =>
+    (library.entries.value ?? []).map(({ module }) => module).filter(takesPictures),
+  );
+  const module = computed(() => modules.value.find((one) => one.name === moduleName.value));
+  const parameters = computed(() => set.value.get(moduleName.value) ?? new Map<string, string>());
+
+  const device = useDevice({
+    name: PROCESSING_DEVICE,
+    tags: ['example', 'camera'],
+    components: [
+      {
+        name: 'source',
+        format: 'image2D',
+        tags: ['camera', 'image'],
+        description: 'The newest picture of the source.',
+      },
+    ],
+  });
+  const isOwn = computed(() => sources.kind.value !== 'topic');
+  const image = computed(() => {
+    if (!device.isRegistered.value) return undefined;
+    return isOwn.value ? device.topicOf('source') : sources.topic.value || undefined;
+  });
+  const measures = usePictures({
+    source: () => sources.source(),
+    isWanted: () =>
+      isOn.value &&
+      isOwn.value &&
+      isConnected.value &&
+      device.isRegistered.value &&
+      sources.element.value !== undefined,
+    settings,
+    publish: (picture, ageMs) => device.publishTaken('source', picture, ageMs),
+  });
+  watch(
+    () => sources.kind.value,
+    (kind) => (settings.rateHz = kind === 'photo' ? PHOTO_HZ : SETTINGS.rateHz),
+  );
+
+  const session = usePageSession(
+    () => {
+      const chosen = module.value;
+      if (!isOn.value || image.value === undefined || chosen === undefined) return undefined;
+      return {
+        place: place.value,
+        session: processingSession({
+          owner: name.value,
+          clientId: client.id,
+          module: chosen,
+          image: image.value,
+          parameters: parameters.value,
+        }),
+      };
+    },
+    () => (isOn.value = false),
+  );
+
+  const topics = computed(() =>
+    isOn.value && session.session.value && module.value
+      ? module.value.outputs.map(({ internalName }) => outputTopic(client.id, internalName))
+      : [],
+  );
+  const newest = useOverlays(() => topics.value);
+  const outputs = computed((): ShownOutput[] =>
+    (module.value?.outputs ?? []).map(({ internalName, messageFormat }) => {
+      const topic = outputTopic(client.id, internalName);
+      const record = newest.value.get(topic);
+      const format = parseDataFormat(messageFormat) ?? messageFormat;
+      return {
+        name: internalName,
+        format,
+        topic,
+        record: record?.format === format ? record : undefined,
+      };
+    }),
+  );
+
+  return {
+    isOn,
+    place,
+    moduleName,
+    modules,
+    module,
+    parameters,
+    parameterList: computed(() => (module.value ? parametersOf(module.value) : [])),
+    /** @param json undefined: the default of the module */
+    setParameter(parameter: string, json: string | undefined): void {
+      const next = new Map(parameters.value);
+      if (json === undefined) next.delete(parameter);
+      else next.set(parameter, json);
+      set.value = new Map(set.value).set(moduleName.value, next);
+    },
+    image,
+    isOwn,
+    measures,
+    outputs,
+    ...session,
+  };
+}

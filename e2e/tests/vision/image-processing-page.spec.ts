@@ -1,0 +1,38 @@
+import { expect, test } from '../../fixtures/test.ts';
+
+test('the example sends pictures through a module, shows what comes out, and changes it while it runs', async ({
+  room,
+}) => {
+  const robot = await room.program('Robot');
+  const { page } = await room.withPhone('Mara');
+  await page.goto('/examples/image-processing');
+  const outputs = page.getByRole('region', { name: 'Outputs' });
+  await page.getByRole('button', { name: 'Start', exact: true }).tap();
+  await expect(outputs).toContainText('480×360 RGB8');
+  await expect(page.getByRole('img', { name: 'The newest picture' })).toBeVisible();
+
+  await test.step('a parameter applies while it runs', async () => {
+    const format = page.getByRole('textbox', { name: 'format', exact: true });
+    await format.fill('GREY');
+    await format.press('Enter');
+    await expect(page.getByRole('alert')).toContainText('not "GREY"');
+    await format.fill('GRAY8');
+    await format.press('Enter');
+    await expect(outputs).toContainText('480×360 GRAY8');
+  });
+
+  await test.step('another module takes its place; what it finds is drawn over the picture', async () => {
+    await page.getByRole('combobox', { name: 'Module' }).tap();
+    await page.getByRole('option', { name: /^object-detection/ }).tap();
+    await expect(page.locator('[data-shape="cup"]').first()).toBeAttached({ timeout: 40_000 });
+    const { elements } = await robot.call('sessionRuntimeGetList');
+    expect(elements.map(({ processingModules: [module] }) => module!.name)).toEqual([
+      'object-detection',
+    ]);
+  });
+
+  await test.step('it ends with a press', async () => {
+    await page.getByRole('button', { name: 'Stop', exact: true }).tap();
+    await expect.poll(async () => (await robot.call('sessionRuntimeGetList')).elements).toEqual([]);
+  });
+});
