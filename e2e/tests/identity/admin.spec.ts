@@ -98,7 +98,9 @@ test('the bare address is for participants, who enter the code where an admin is
 test('who does not want to become admin goes on as before', async ({ room }) => {
   const desk = await room.atDesk('Cleo');
   await desk.page.goto('/settings/log');
-  await desk.page.getByRole('link', { name: 'Become an admin with the code shown in the terminal' }).click();
+  await desk.page
+    .getByRole('link', { name: 'Become an admin with the code shown in the terminal' })
+    .click();
   await desk.page.getByRole('button', { name: 'Continue' }).click();
   await expect(desk.page).toHaveURL(/\/settings\/log$/);
   await expectRole(desk, 'participant');
