@@ -52,6 +52,7 @@ export function usePictureSource(): PictureSources {
   Object.assign(clip, CLIP_SIZE);
   const clipPhotos = shallowRef<readonly ImageBitmap[]>();
   let clipMs = 0;
+  let isLoading = false;
   const { pause, resume } = useIntervalFn(
     () => {
       if (!clipPhotos.value) return;
@@ -81,9 +82,12 @@ export function usePictureSource(): PictureSources {
       if (next !== 'camera') camera.stop();
       if (next !== 'clip') return pause();
       resume();
-      void loadClip()
-        .then((photos) => (clipPhotos.value ??= photos))
-        .catch(() => undefined); // the master is away, which the shell tells
+      if (isLoading) return;
+      isLoading = true;
+      loadClip().then(
+        (photos) => (clipPhotos.value = photos),
+        () => (isLoading = false), // the master is away, which the shell tells
+      );
     },
     { immediate: true },
   );

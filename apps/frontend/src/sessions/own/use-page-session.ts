@@ -76,8 +76,10 @@ export function usePageSession(
 
   /** One change after the other, however fast the plan changes. */
   let changes: Promise<void> = Promise.resolve();
+  /** Plans are made anew with everything they are made of; only what they say differently counts. */
+  const planText = computed(() => JSON.stringify(plan()));
   watch(
-    [plan, isConnected],
+    [planText, isConnected],
     ([wanted, connected], [before]) => {
       if (!connected || (wanted === undefined && before === undefined)) return;
       changes = changes.then(async () => {
