@@ -9,6 +9,7 @@ import { MODULE_CALLS_IN_BROWSER } from './module-call-browser.ts';
 import { LOCKSTEPS } from './lockstep.ts';
 import { modules100 } from './modules-100.ts';
 import { roundTrip } from './round-trip.ts';
+import { SEEING } from './seeing.ts';
 import { topicsPage } from './topics-page.ts';
 import { trigger } from './trigger.ts';
 import type { Workload } from './workload.ts';
@@ -21,6 +22,7 @@ export const WORKLOADS: readonly Workload[] = [
   ...MODULE_CALLS,
   ...MODULE_CALLS_IN_BROWSER,
   detection,
+  ...SEEING,
   trigger,
   ...LOCKSTEPS,
   modules100,

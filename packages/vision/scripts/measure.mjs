@@ -16,10 +16,10 @@ const vision = (0, eval)(readFileSync(inPackage('dist', 'vision.js'), 'utf8'));
 const tensorflow = await vision.createTensorflow(readAssetSet('tfjs-wasm'));
 console.log(tensorflow.reason, JSON.stringify(tensorflow.trials[0]));
 
-const pictures = readdirSync(inPackage('test', 'photos'))
+const pictures = readdirSync(inPackage('photos'))
   .filter((file) => file.endsWith('.jpg'))
   .map((file) => {
-    const bytes = readFileSync(inPackage('test', 'photos', file));
+    const bytes = readFileSync(inPackage('photos', file));
     const { width, height, data } = decode(bytes, { useTArray: true });
     return { width, height, format: 'RGBA8', data };
   });
