@@ -54,7 +54,13 @@ export default defineConfig({
           groups: [
             // Pages share some hundred small modules; each as a file of its own is a request of its own.
             { name: 'icons', test: /@lucide/, includeDependenciesRecursively: false },
-            // Every page uses these; each file has headers of 1.4 kB.
+            // Home and Examples show all of them; each file has headers of 1.4 kB.
+            {
+              name: 'examples',
+              test: /\/src\/examples\/([^/]+\/\w+Thumbnail|ExampleRow)\.vue/,
+              includeDependenciesRecursively: false,
+            },
+            // Every page uses these.
             {
               name: 'proto',
               test: /packages\/proto\/src\//,
@@ -63,7 +69,7 @@ export default defineConfig({
             },
             {
               name: 'shared',
-              test: /\/src\/(formats|ui\/readouts|ui\/tooltip|connection)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(shell\/(pages|shell|shortcuts)|join\/(join-words|routes|this-machine|AdminNeeded)|connect-phone\/addresses)|@vueuse|vue-router|vite\/preload-helper/,
+              test: /\/src\/(formats|ui\/readouts|ui\/tooltip|connection)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(shell\/(pages|shell|shortcuts)|join\/(join-words|routes|this-machine|AdminNeeded)|connect-phone\/addresses|ui\/keys\/single-key|ui\/charts\/line-path|devices\/keyboard-mouse\/held-keys|examples\/mouse-pointer\/pointer-topic|sessions\/(live\/session-totals|state\/session-state)|patterns\/pattern-source)|packages\/patterns\/src\/(glob|remembered)|@vueuse|vue-router|vite\/preload-helper/,
               minShareCount: 2,
               includeDependenciesRecursively: false,
             },
