@@ -82,7 +82,7 @@ test('a phone sends pictures once it is told to, and shows what is found in them
         },
       ],
     });
-    await expect(page.locator('[data-shape="person"] rect').first()).toBeVisible();
+    await expect(page.locator('[data-shape="person"] path').first()).toBeVisible();
     await expect(page.getByText('1 object found.')).toBeVisible();
   });
 
