@@ -89,7 +89,8 @@ export default defineConfig({
     },
   },
   test: {
-    environment: 'happy-dom',
+    // A DOM takes a quarter of a second a file: tests that need one begin with `@vitest-environment happy-dom`.
+    environment: 'node',
     // Else style sheets read as text are empty (styles/tokens.test.ts)
     css: true,
     include: ['src/**/*.test.ts'],

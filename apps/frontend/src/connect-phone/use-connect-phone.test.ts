@@ -1,3 +1,4 @@
+// @vitest-environment happy-dom
 import { MasterAddressKind, type MasterAddress } from '@ubii/proto';
 import { flushPromises, mount } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';

@@ -1,3 +1,4 @@
+// @vitest-environment happy-dom
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { ClientState, ServiceError, type Client } from '@ubii/proto';
 import { flushPromises } from '@vue/test-utils';

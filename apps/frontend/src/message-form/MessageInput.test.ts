@@ -1,3 +1,4 @@
+// @vitest-environment happy-dom
 import { messageDescriptor, toJson } from '@ubii/proto';
 import { mount } from '@vue/test-utils';
 import { describe, expect, it } from 'vitest';

@@ -1,3 +1,4 @@
+// @vitest-environment happy-dom
 import type { ProcessingNode } from '@ubii/client-web/processing';
 import { flushPromises } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';

@@ -1,3 +1,4 @@
+// @vitest-environment happy-dom
 import { ClientState, type Client } from '@ubii/proto';
 import { mount } from '@vue/test-utils';
 import { expect, it } from 'vitest';

@@ -1,3 +1,4 @@
+// @vitest-environment happy-dom
 import type { TopicRecord } from '@ubii/proto';
 import { mount } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';

@@ -1,3 +1,4 @@
+// @vitest-environment happy-dom
 import { fromJson, ServiceError, toJson, type Init, type Session } from '@ubii/proto';
 import { flushPromises, mount } from '@vue/test-utils';
 import { afterEach, describe, expect, it, vi } from 'vitest';

@@ -1,3 +1,4 @@
+// @vitest-environment happy-dom
 import { afterEach, describe, expect, it } from 'vitest';
 import { aSession } from '../../sessions/testing/a-session.ts';
 import { createGraphEditor } from '../editor/graph-editor.ts';

@@ -1,3 +1,4 @@
+// @vitest-environment happy-dom
 import { fromJson } from '@ubii/proto';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { draftProblems } from './draft-problems.ts';
