@@ -256,6 +256,7 @@ function codeKeyOf(
     module.outputs,
     module.extension?.libraries,
     module.extension?.assets,
+    module.extension?.optionalAssets,
     isTrusted,
     fault,
   ]);

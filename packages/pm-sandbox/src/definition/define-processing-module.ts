@@ -22,6 +22,14 @@ export interface NodeState {
   readonly modules: Readonly<Record<string, unknown>>;
   /** Files of the asset sets that the module asked for, by name and path. [PM-90] */
   readonly assets: Readonly<Record<string, Readonly<Record<string, Uint8Array<ArrayBuffer>>>>>;
+  /**
+   * Loads one of the `optionalAssets` of the module. Resolves with its files by path, rejects when the set is
+   * missing, damaged or unreachable: `code` says which, `message` is for people. A call that awaits it is waiting;
+   * loading may take longer than one call may wait. [PM-96]
+   */
+  readonly loadAssets: (
+    name: string,
+  ) => Promise<Readonly<Record<string, Uint8Array<ArrayBuffer>>>>;
   /** With the mode trigger-on-input: inputs that were updated since the run before. */
   inputTriggerNames: readonly string[];
 }
@@ -57,6 +65,8 @@ export interface ModuleDefinition<
   readonly libraries?: readonly string[];
   /** Names of the asset sets it needs in `state.assets`; only trusted modules get them. [PM-90] */
   readonly assets?: readonly string[];
+  /** Names of the asset sets it may load with `state.loadAssets`; only trusted modules get them. [PM-96] */
+  readonly optionalAssets?: readonly string[];
   readonly inputs: I;
   readonly outputs: O;
   /** Default: 30 Hz. */

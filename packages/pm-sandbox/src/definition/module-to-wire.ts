@@ -23,6 +23,7 @@ export function moduleToWire(definition: AnyModuleDefinition): Init<ProcessingMo
     onDestroyed,
     libraries = [],
     assets = [],
+    optionalAssets = [],
     version = '',
   } = definition;
   const source = (fn: unknown, name: string): string =>
@@ -41,8 +42,8 @@ export function moduleToWire(definition: AnyModuleDefinition): Init<ProcessingMo
     onHaltedStringified: source(onHalted, 'onHalted'),
     onDestroyedStringified: source(onDestroyed, 'onDestroyed'),
     extension:
-      version !== '' || libraries.length + assets.length > 0
-        ? { version, libraries, assets }
+      version !== '' || libraries.length + assets.length + optionalAssets.length > 0
+        ? { version, libraries, assets, optionalAssets }
         : undefined,
   };
 }

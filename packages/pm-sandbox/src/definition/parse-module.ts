@@ -43,6 +43,7 @@ export interface ParsedModule {
   readonly source: ModuleSource | undefined;
   readonly libraries: readonly string[];
   readonly assets: readonly string[];
+  readonly optionalAssets: readonly string[];
   /** Empty when the author gave none. */
   readonly version: string;
 }
@@ -57,6 +58,7 @@ export function parseModule(module: ProcessingModule): ParsedModule {
     source: parseSource(module),
     libraries: module.extension?.libraries ?? [],
     assets: module.extension?.assets ?? [],
+    optionalAssets: module.extension?.optionalAssets ?? [],
     version: module.extension?.version ?? '',
   };
 }

@@ -40,12 +40,14 @@ export interface SandboxRequest {
   readonly owner: string;
 }
 
-/** What a sandbox tells without being asked. */
+/** What a sandbox tells and asks by itself. */
 export interface SandboxEvents {
   /** The module wrote to its console. [PM-14] */
   onLog(line: { readonly level: string; readonly text: string }): void;
   /** It has so many bytes of memory now; told when that changed. [PM-80] */
   onMemory?(bytes: number): void;
+  /** Loads an asset set that the module asks for while it runs. Rejects with an `AssetError`. [PM-96] */
+  onLoadAssets?(name: string): Promise<LoadedAssets>;
   /** The instance is gone; what was pending has rejected with the same fault. [PM-53] */
   onKilled(fault: ModuleFault): void;
 }

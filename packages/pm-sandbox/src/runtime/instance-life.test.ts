@@ -62,6 +62,55 @@ describe('the asset sets of an instance [PM-90]', () => {
   });
 });
 
+describe('the optional asset sets of an instance [PM-96]', () => {
+  const asking = { optionalAssets: ['model'], isTrusted: true };
+  function world() {
+    const source = new FakeAssets();
+    return { source, ...createModuleWorld({}, [], { assets: createAssetStore(source) }) };
+  }
+
+  it('are not loaded before the module asks, and may arrive after its start', async () => {
+    const { source, sandboxes, begin, events } = world();
+    await begin(asking);
+    const load = () => sandboxes.last.events.onLoadAssets!('model');
+    await expect(load()).rejects.toMatchObject({ code: 'missing' });
+    expect(source.reads).toEqual([]);
+    source.add('model', { 'a.bin': 'abc' });
+    expect((await load()).name).toBe('model');
+    expect(events.map(({ message }) => message)).toEqual([
+      'Loading the asset set model: 100 % of 0.0 MB.',
+    ]);
+  });
+
+  it('are those that the module lists, and no libraries', async () => {
+    const { source, sandboxes, begin } = world();
+    source.add('other', { 'a.bin': 'abc' });
+    source.add('model', { 'a.js': '1' }, 'a.js');
+    await begin(asking);
+    const load = (name: string) => sandboxes.last.events.onLoadAssets!(name);
+    await expect(load('other')).rejects.toThrow('does not list the asset set other');
+    await expect(load('model')).rejects.toThrow('The asset set model is a library.');
+    expect(source.reads).not.toContain('other/a.bin');
+  });
+
+  it('are for trusted modules only', async () => {
+    const { runtime, sandboxes } = world();
+    const created = runtime.create(instanceSpec({ ...asking, isTrusted: false }));
+    await expect(created).rejects.toMatchObject({ kind: 'library', phase: 'onCreated' });
+    expect(sandboxes.opened).toHaveLength(0);
+  });
+
+  it('are not loaded to the end for a module that ends', async () => {
+    const { source, runtime, sandboxes, begin } = world();
+    source.add('model', { 'a.bin': 'abc' });
+    source.pause = new Promise(() => undefined);
+    await begin(asking);
+    const loading = sandboxes.last.events.onLoadAssets!('model');
+    void runtime.destroy('pm-1');
+    await expect(loading).rejects.toThrow('aborted');
+  });
+});
+
 describe('the life of an instance', () => {
   it('[PM-10] is created, processes, is halted, processes again, and is destroyed', async () => {
     const world = createModuleWorld();

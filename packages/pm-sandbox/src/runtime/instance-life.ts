@@ -10,7 +10,7 @@ import type { Runner } from './runner.ts';
 import type { RuntimeContext } from './runtime-context.ts';
 import { sandboxRequest } from './sandbox-request.ts';
 import { isDeadly, toFault } from './to-fault.ts';
-import { loadAssets } from './load-assets.ts';
+import { loadAssets, loadOptionalAssets } from './load-assets.ts';
 import { within } from './within.ts';
 
 /** What happens in an instance's life. */
@@ -122,9 +122,10 @@ export class InstanceLife {
     if ('fault' in request) return request.fault;
     let assets: SandboxRequest['assets'] = [];
     // Without an await for those that need none: they start in this turn.
-    if (this.#spec.module.extension?.assets.length) {
-      this.#loading = new AbortController();
-      const { signal } = this.#loading;
+    this.#loading = new AbortController();
+    const { signal } = this.#loading;
+    const { assets: names = [], optionalAssets = [] } = this.#spec.module.extension ?? {};
+    if (names.length + optionalAssets.length > 0) {
       const loaded = await loadAssets(this.#spec, this.#context, this.#reports, signal);
       if ('fault' in loaded) return loaded.fault;
       if (signal.aborted) return ENDED_MEANWHILE;
@@ -139,6 +140,8 @@ export class InstanceLife {
           onMemory: (bytes) => {
             if (sandbox === this.#sandbox) this.#reports.noteMemory(bytes);
           },
+          onLoadAssets: (name) =>
+            loadOptionalAssets(name, this.#spec, this.#context, this.#reports, signal),
           onKilled: (fault) => {
             if (sandbox === this.#sandbox) this.#handleKilled(fault);
           },
@@ -243,6 +246,7 @@ export class InstanceLife {
   }
 
   #dropSandbox(): void {
+    this.#loading?.abort();
     const sandbox = this.#sandbox;
     this.#sandbox = undefined;
     this.#reports.noteMemory(0);

@@ -15,24 +15,41 @@ export interface AssetContext {
   readonly clock: Pick<Clock, 'monotonicMs'>;
 }
 
-/** Loads the asset sets a module names, and tells how far that is. [PM-90] [PM-94] */
-export async function loadAssets(
-  { module, isTrusted }: Pick<InstanceSpec, 'module' | 'isTrusted'>,
-  { assets, clock }: AssetContext,
+/**
+ * Loads an asset set that a running module asks for. [PM-96]
+ * @throws AssetError
+ */
+export async function loadOptionalAssets(
+  name: string,
+  { module }: Pick<InstanceSpec, 'module'>,
+  context: AssetContext,
   reports: Pick<InstanceReports, 'log'>,
   signal: AbortSignal,
-): Promise<{ readonly sets: readonly LoadedAssets[] } | { readonly fault: ModuleFault }> {
-  const names = module.extension?.assets ?? [];
-  const failed = (message: string) =>
-    ({ fault: { kind: 'library', phase: 'onCreated', message } }) as const;
-  if (!isTrusted) {
-    return failed(
-      `The module needs the asset sets ${names.join(', ')}, which only trusted modules get. Put it into the folder of modules (--modules) of its node.`,
+): Promise<LoadedAssets> {
+  if (!(module.extension?.optionalAssets ?? []).includes(name)) {
+    throw new AssetError(
+      'missing',
+      `The module does not list the asset set ${name} in its optionalAssets.`,
     );
   }
-  if (assets === undefined) return failed('This node does not load asset sets.');
+  if (context.assets === undefined) {
+    throw new AssetError('missing', 'This node does not load asset sets.');
+  }
+  const [set] = await context.assets.load([name], signal, tellProgress(context, reports));
+  if (set!.library === undefined) return set!;
+  throw new AssetError(
+    'damaged',
+    `The asset set ${name} is a library. Name it in assets instead of optionalAssets.`,
+  );
+}
+
+/** Tells how far loading is, as log lines of the module. [PM-94] */
+function tellProgress(
+  { clock }: AssetContext,
+  reports: Pick<InstanceReports, 'log'>,
+): (progress: AssetProgress) => void {
   let toldMs = -Infinity;
-  const tell = ({ name, loadedBytes, totalBytes }: AssetProgress): void => {
+  return ({ name, loadedBytes, totalBytes }) => {
     const nowMs = clock.monotonicMs();
     if (nowMs - toldMs < TELL_MS && loadedBytes < totalBytes) return;
     toldMs = nowMs;
@@ -40,8 +57,27 @@ export async function loadAssets(
     const megabytes = (totalBytes / MEGABYTE).toFixed(1);
     reports.log('info', `Loading the asset set ${name}: ${percent} % of ${megabytes} MB.`);
   };
+}
+
+/** Loads the asset sets a module names, and tells how far that is. [PM-90] [PM-94] */
+export async function loadAssets(
+  { module, isTrusted }: Pick<InstanceSpec, 'module' | 'isTrusted'>,
+  context: AssetContext,
+  reports: Pick<InstanceReports, 'log'>,
+  signal: AbortSignal,
+): Promise<{ readonly sets: readonly LoadedAssets[] } | { readonly fault: ModuleFault }> {
+  const { assets: names = [], optionalAssets = [] } = module.extension ?? {};
+  const failed = (message: string) =>
+    ({ fault: { kind: 'library', phase: 'onCreated', message } }) as const;
+  if (!isTrusted) {
+    return failed(
+      `The module needs the asset sets ${[...names, ...optionalAssets].join(', ')}, which only trusted modules get. Put it into the folder of modules (--modules) of its node.`,
+    );
+  }
+  if (names.length === 0) return { sets: [] };
+  if (context.assets === undefined) return failed('This node does not load asset sets.');
   try {
-    return { sets: await assets.load(names, signal, tell) };
+    return { sets: await context.assets.load(names, signal, tellProgress(context, reports)) };
   } catch (cause) {
     if (signal.aborted) return failed('The module was stopped while its asset sets were loaded.');
     if (cause instanceof AssetError) return failed(cause.message);

@@ -16,7 +16,8 @@ export function sandboxRequest(
   limits: RuntimeLimits,
   offered: readonly string[],
 ): SandboxRequest | { readonly fault: ModuleFault } {
-  const { name, source, libraries, assets, inputs, outputs } = parseModule(spec.module);
+  const parsed = parseModule(spec.module);
+  const { name, source, libraries, assets, optionalAssets, inputs, outputs } = parsed;
   if (source === undefined) {
     return { fault: { kind: 'missing', phase: '', message: 'The module has no onProcessing.' } };
   }
@@ -27,7 +28,7 @@ export function sandboxRequest(
   }
   const { memoryBytes, outputBytes } = limits;
   const callTimeoutMs =
-    assets.length > 0
+    assets.length + optionalAssets.length > 0
       ? Math.max(limits.callTimeoutMs, ASSET_CALL_TIMEOUT_MS)
       : limits.callTimeoutMs;
   return {

@@ -1,3 +1,5 @@
+import { missingSet } from '../assets/asset-error.ts';
+import type { LoadedAssets } from '../assets/asset-store.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type {
   Sandbox,
@@ -43,6 +45,8 @@ export class RemoteSandbox implements Sandbox {
       request: this.#request,
       onLog: (line) => this.#events.onLog(line),
       onMemory: (bytes) => this.#events.onMemory?.(bytes),
+      loadAssets: (name) =>
+        this.#events.onLoadAssets?.(name) ?? Promise.reject<LoadedAssets>(missingSet(name)),
       onKilled: (killed) => {
         this.#leave(killed);
         this.#events.onKilled(killed);

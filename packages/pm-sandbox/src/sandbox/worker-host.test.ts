@@ -81,6 +81,7 @@ function fakeWorker() {
         },
         onLog: () => undefined,
         onMemory: () => undefined,
+        loadAssets: (name) => Promise.reject(new Error(name)),
         onKilled: (fault) => void killed.push({ ...fault, who }),
         onClosed: () => undefined,
       });

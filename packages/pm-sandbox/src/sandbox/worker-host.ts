@@ -1,3 +1,4 @@
+import { AssetError } from '../assets/asset-error.ts';
 import type { LoadedAssets } from '../assets/asset-store.ts';
 import type { ModuleFault, ModulePhase } from '../ports/module-fault.ts';
 import type { ModuleSource, SandboxCall, SandboxRequest, SandboxResult } from '../ports/sandbox.ts';
@@ -15,6 +16,8 @@ export interface HostedInstance {
   readonly request: SandboxRequest;
   onLog(line: { readonly level: string; readonly text: string }): void;
   onMemory(bytes: number): void;
+  /** Loads an optional asset set of the instance. */
+  loadAssets(name: string): Promise<LoadedAssets>;
   /** It is gone, and its calls have rejected. */
   onKilled(fault: ModuleFault): void;
   /** The host ends its worker. */
@@ -51,8 +54,8 @@ export class WorkerHost {
   #outgoing: HostMessage[] = [];
   /** Buffers of asset sets that go with it. */
   #transfers: ArrayBuffer[] = [];
-  /** Instances that use an asset set, by its key. */
-  readonly #assetUsers = new Map<string, number>();
+  /** Asset sets of each instance, by their keys. */
+  readonly #assetsOf = new Map<number, Map<string, LoadedAssets>>();
   /** Who has their memory, and how much. */
   readonly #owners = new Map<number, MemoryUse>();
   #lastInstance = 0;
@@ -116,7 +119,8 @@ export class WorkerHost {
   add(instance: HostedInstance): number {
     this.#instances.set(++this.#lastInstance, instance);
     this.#owners.set(this.#lastInstance, this.#memory.enter(instance.request.owner));
-    for (const assets of instance.request.assets) this.#giveAssets(assets);
+    this.#assetsOf.set(this.#lastInstance, new Map());
+    for (const assets of instance.request.assets) this.#giveAssets(this.#lastInstance, assets);
     return this.#lastInstance;
   }
 
@@ -195,10 +199,10 @@ export class WorkerHost {
   }
 
   /** One copy for all instances of the worker. [PM-91] */
-  #giveAssets(assets: LoadedAssets): void {
-    const users = this.#assetUsers.get(assets.key) ?? 0;
-    this.#assetUsers.set(assets.key, users + 1);
-    if (users > 0) return;
+  #giveAssets(instance: number, assets: LoadedAssets): void {
+    const isThere = this.#hasAssets(assets.key);
+    this.#assetsOf.get(instance)!.set(assets.key, assets);
+    if (isThere) return;
     const files = Object.fromEntries(
       Object.entries(assets.files).map(([path, bytes]) => [path, bytes.slice()]),
     );
@@ -206,14 +210,35 @@ export class WorkerHost {
     this.#send({ kind: 'assets', assets: { ...assets, files } });
   }
 
-  #takeAssets({ key }: LoadedAssets): void {
-    const users = (this.#assetUsers.get(key) ?? 1) - 1;
-    if (users > 0) {
-      this.#assetUsers.set(key, users);
-      return;
+  #hasAssets(key: string): boolean {
+    return [...this.#assetsOf.values()].some((assets) => assets.has(key));
+  }
+
+  #takeAssets(instance: number): void {
+    const had = this.#assetsOf.get(instance);
+    this.#assetsOf.delete(instance);
+    for (const key of had?.keys() ?? []) {
+      if (!this.#hasAssets(key)) this.#send({ kind: 'dropAssets', key });
     }
-    this.#assetUsers.delete(key);
-    this.#send({ kind: 'dropAssets', key });
+  }
+
+  /** [PM-96] */
+  #loadAssets({ instance, request, name }: Extract<WorkerMessage, { kind: 'loadAssets' }>): void {
+    const answer = (result: Extract<HostMessage, { kind: 'assetsAnswer' }>['result']): void => {
+      // Of an instance that has ended meanwhile nothing waits.
+      if (this.#instances.has(instance)) this.#send({ kind: 'assetsAnswer', request, result });
+    };
+    this.#instances.get(instance)?.loadAssets(name).then(
+      (assets) => {
+        if (this.#instances.has(instance)) this.#giveAssets(instance, assets);
+        answer({ key: assets.key });
+      },
+      (thrown: unknown) =>
+        answer({
+          code: thrown instanceof AssetError ? thrown.code : 'unreachable',
+          message: thrown instanceof Error ? thrown.message : String(thrown),
+        }),
+    );
   }
 
   #send(message: HostMessage): void {
@@ -267,6 +292,8 @@ export class WorkerHost {
       case 'memory':
         this.#owners.get(message.instance)?.note(message.bytes);
         return this.#instances.get(message.instance)?.onMemory(message.bytes);
+      case 'loadAssets':
+        return this.#loadAssets(message);
       case 'libraryCall':
         return this.#callLibrary(message);
     }
@@ -275,7 +302,7 @@ export class WorkerHost {
   #forget(instance: number): boolean {
     this.#owners.get(instance)?.leave();
     this.#owners.delete(instance);
-    this.#instances.get(instance)?.request.assets.forEach((assets) => this.#takeAssets(assets));
+    this.#takeAssets(instance);
     return this.#instances.delete(instance);
   }
 

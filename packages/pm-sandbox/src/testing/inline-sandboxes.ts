@@ -99,6 +99,10 @@ class InlineSandbox implements Sandbox {
     this.#instance = new Instance(request, host, {
       onLog: (level, text) => events.onLog({ level, text }),
       callHost: () => Promise.reject(new Error('tests have no host')),
+      loadAssets: async (name) => {
+        const set = await events.onLoadAssets!(name);
+        return new WorkerAssets(set, evaluateLibrary).files;
+      },
       onResume: () => undefined,
       onFailed: () => undefined,
     });

@@ -25,6 +25,7 @@ export interface ModuleSketch {
   readonly mode?: ProcessingMode;
   readonly libraries?: readonly string[];
   readonly assets?: readonly string[];
+  readonly optionalAssets?: readonly string[];
   readonly isTrusted?: boolean;
   /** Data formats by name. */
   readonly inputs?: Readonly<Record<string, string>>;
@@ -94,7 +95,7 @@ export function createModuleWorld(
 /** The complete specification of a sketch. */
 export function instanceSpec(sketch: ModuleSketch = {}): InstanceSpec {
   const { id = 'pm-1', name = 'module', inputs = {}, outputs = {} } = sketch;
-  const { libraries = [], assets = [], isTrusted = false } = sketch;
+  const { libraries = [], assets = [], optionalAssets = [], isTrusted = false } = sketch;
   const ios = (formats: Readonly<Record<string, string>>) =>
     Object.entries(formats).map(([internalName, messageFormat]) => ({
       internalName,
@@ -107,7 +108,7 @@ export function instanceSpec(sketch: ModuleSketch = {}): InstanceSpec {
     inputs: ios(inputs),
     outputs: ios(outputs),
     onProcessingStringified: '() => {}',
-    extension: { libraries, assets },
+    extension: { libraries, assets, optionalAssets },
   });
   return {
     module: { ...module, processingMode: sketch.mode },

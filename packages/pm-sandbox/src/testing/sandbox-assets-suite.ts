@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { AssetError, missingSet } from '../assets/asset-error.ts';
 import { loadedAssets } from './fake-assets.ts';
 import { faultFrom, valuesOf, type OpenSandbox, type SandboxInit } from './sandbox-fixture.ts';
 
@@ -50,6 +51,55 @@ export function describeAssets(create: (init: SandboxInit) => Promise<OpenSandbo
       const fault = await faultFrom(create({ assets: [broken] }));
       expect(fault).toMatchObject({ kind: 'library', phase: 'onCreated' });
       expect(fault.message).toBe('The library broken cannot be loaded: no GPU.');
+    });
+  });
+
+  describe('optional asset sets [PM-96]', () => {
+    const load = `async (dt, inputs, state) => {
+      const shown = await state.loadAssets('model').then(
+        (files) => [Object.keys(files), ...files['weights/a.bin']],
+        ({ code, message }) => [code, message],
+      );
+      return { outputs: { out: { string: JSON.stringify(shown) } } };
+    }`;
+    const asked: string[] = [];
+    const onLoadAssets = (name: string) => {
+      asked.push(name);
+      return Promise.resolve(MODEL);
+    };
+
+    it('are loaded when the module asks for them', async () => {
+      const one = await create({ onProcessing: load, onLoadAssets });
+      expect(await shown(one)).toEqual([['weights/a.bin'], 97, 98, 99]);
+      expect(asked).toEqual(['model']);
+      await one.sandbox.destroy();
+    });
+
+    it('stay for an instance when another one that has them ends', async () => {
+      const [one, two] = [
+        await create({ assets: [MODEL], onProcessing: load, onLoadAssets }),
+        await create({ onProcessing: load, onLoadAssets, instanceId: 'two' }),
+      ];
+      expect(await shown(two)).toEqual([['weights/a.bin'], 97, 98, 99]);
+      await one.sandbox.destroy();
+      expect(await shown(two)).toEqual([['weights/a.bin'], 97, 98, 99]);
+      await two.sandbox.destroy();
+    });
+
+    it('that are missing or damaged reject with code and reason, and do not end the module', async () => {
+      const problems = [missingSet('model'), new AssetError('damaged', 'It is damaged.')];
+      const one = await create({
+        onProcessing: load,
+        onLoadAssets: () => {
+          const problem = problems.shift();
+          return problem === undefined ? Promise.resolve(MODEL) : Promise.reject(problem);
+        },
+      });
+      expect(await shown(one)).toEqual(['missing', missingSet('model').message]);
+      expect(await shown(one)).toEqual(['damaged', 'It is damaged.']);
+      // It has arrived meanwhile.
+      expect(await shown(one)).toEqual([['weights/a.bin'], 97, 98, 99]);
+      await one.sandbox.destroy();
     });
   });
 }

@@ -27,6 +27,7 @@ export interface SandboxInit {
   readonly isTrusted?: boolean;
   readonly owner?: string;
   readonly onMemory?: (bytes: number) => void;
+  readonly onLoadAssets?: SandboxEvents['onLoadAssets'];
 }
 
 /** A sandbox with what it told. */
@@ -55,6 +56,7 @@ export function openSandbox(
   const events: SandboxEvents = {
     onLog: ({ level, text }) => lines.push(`${level}: ${text}`),
     ...(init.onMemory && { onMemory: init.onMemory }),
+    ...(init.onLoadAssets && { onLoadAssets: init.onLoadAssets }),
     onKilled: kill,
   };
   const { onProcessing = '() => {}', onCreated, onHalted, onDestroyed } = init;

@@ -30,6 +30,7 @@ export async function checkSource(
     const opened = await engine.open(request, {
       onLog: () => undefined,
       callHost: () => Promise.reject(new Error('nothing is called by a check')),
+      loadAssets: () => Promise.reject(new Error('nothing is loaded by a check')),
       onResume: () => undefined,
       onFailure: () => undefined,
     });

@@ -12,6 +12,8 @@ export interface EngineHooks {
   onLog(level: string, text: string): void;
   /** Calls a method of a library that the host runs; rejects with a sentence. */
   callHost(library: string, method: string, args: readonly unknown[]): Promise<unknown>;
+  /** Loads an optional asset set; rejects with an `AssetError`. [PM-96] */
+  loadAssets(name: string): Promise<LoadedAssets['files']>;
   /** The module's code is about to go on, outside of a call. */
   onResume(): void;
   /** The module's code failed for good outside of a call; what is given is as if thrown by one. */

@@ -1,3 +1,4 @@
+import type { AssetErrorCode } from '../assets/asset-error.ts';
 import type { LoadedAssets } from '../assets/asset-store.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { ModuleSource, SandboxRequest } from '../ports/sandbox.ts';
@@ -40,6 +41,14 @@ export type HostMessage =
       readonly call: number;
       readonly source: ModuleSource;
     }
+  /** Answer to a `loadAssets`: the key of a set, which the worker has by then, or why there is none. */
+  | {
+      readonly kind: 'assetsAnswer';
+      readonly request: number;
+      readonly result:
+        | { readonly key: string }
+        | { readonly code: AssetErrorCode; readonly message: string };
+    }
   /** Answer to a `libraryCall`. */
   | {
       readonly kind: 'libraryAnswer';
@@ -66,6 +75,13 @@ export type WorkerMessage =
     }
   /** It has another amount of memory than before, bytes. */
   | { readonly kind: 'memory'; readonly instance: number; readonly bytes: number }
+  /** A module asks for one of its optional asset sets. */
+  | {
+      readonly kind: 'loadAssets';
+      readonly instance: number;
+      readonly request: number;
+      readonly name: string;
+    }
   | {
       readonly kind: 'libraryCall';
       readonly instance: number;

@@ -1,3 +1,5 @@
+import { AssetError } from '../assets/asset-error.ts';
+import type { LoadedAssets } from '../assets/asset-store.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxResult } from '../ports/sandbox.ts';
 import { BytePacker } from './byte-packer.ts';
@@ -48,6 +50,7 @@ export class WorkerLoop {
   readonly #platform: WorkerPlatform;
   readonly #instances = new Map<number, Instance>();
   readonly #answers = new Map<number, (answer: MessageOf<'libraryAnswer'>) => void>();
+  readonly #assetAnswers = new Map<number, (answer: MessageOf<'assetsAnswer'>) => void>();
   readonly #packer = new BytePacker();
   readonly #queue: HostMessage[] = [];
   /** By key. */
@@ -118,6 +121,10 @@ export class WorkerLoop {
       case 'dropAssets':
         this.#assets.delete(message.key);
         return false;
+      case 'assetsAnswer':
+        this.#assetAnswers.get(message.request)?.(message);
+        this.#assetAnswers.delete(message.request);
+        return true;
       case 'halt':
         return this.#call(message, (instance) => instance.halt());
       case 'destroy':
@@ -145,6 +152,7 @@ export class WorkerLoop {
     const instance = new Instance(request, this.#hostOf(owner, assets), {
       onLog: (level, text) => this.#send({ kind: 'log', instance: number, level, text }),
       callHost: (library, method, args) => this.#callHost(number, library, method, args),
+      loadAssets: (name) => this.#loadAssets(number, name),
       onResume: () => this.#note(number),
       onFailed: (fault) => this.#end(number, fault),
     });
@@ -231,6 +239,18 @@ export class WorkerLoop {
         else reject(new Error(String(value)));
       });
       this.#send({ kind: 'libraryCall', instance, request, library, method, args: data });
+      if (!this.#isBusy) this.#flush();
+    });
+  }
+
+  #loadAssets(instance: number, name: string): Promise<LoadedAssets['files']> {
+    const request = ++this.#lastRequest;
+    return new Promise((resolve, reject) => {
+      this.#assetAnswers.set(request, ({ result }) => {
+        if ('code' in result) return reject(new AssetError(result.code, result.message));
+        resolve(this.#assets.get(result.key)!.files);
+      });
+      this.#send({ kind: 'loadAssets', instance, request, name });
       if (!this.#isBusy) this.#flush();
     });
   }

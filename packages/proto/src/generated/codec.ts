@@ -1031,6 +1031,102 @@ export function decodeAccessGrantRevokeRequest(r: Reader, into?: T.AccessGrantRe
   return m;
 }
 
+export function encodeAssetSet(m: Init<T.AssetSet>, w: Writer): void {
+  if (m.name != null) w.string(10, m.name);
+  if (m.description != null) w.string(18, m.description);
+  if (m.version != null) w.string(26, m.version);
+  if (m.licence != null) w.string(34, m.licence);
+  if (m.source != null) w.string(42, m.source);
+  if (m.bytes != null) w.double(49, m.bytes);
+  if (m.files != null) w.int32(56, m.files);
+  if (m.state != null) w.int32(64, m.state);
+  if (m.problem != null) w.string(74, m.problem);
+  if (m.bundled != null) w.bool(80, m.bundled);
+  if (m.address != null) w.string(90, m.address);
+  if (m.folder != null) w.string(98, m.folder);
+  if (m.download != null) { const at = w.open(106); encodeAssetSetDownload(m.download, w); w.close(at); }
+}
+
+export function decodeAssetSet(r: Reader, into?: T.AssetSet): T.AssetSet {
+  const m: T.AssetSet = into ?? { name: '', description: '', version: '', licence: '', source: '', bytes: 0, files: 0, state: 0, problem: '', bundled: false, address: '', folder: '', download: undefined };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.name = r.string(); break;
+      case 18: m.description = r.string(); break;
+      case 26: m.version = r.string(); break;
+      case 34: m.licence = r.string(); break;
+      case 42: m.source = r.string(); break;
+      case 49: m.bytes = r.double(); break;
+      case 56: m.files = r.int32(); break;
+      case 64: m.state = r.int32() as T.AssetSetState; break;
+      case 74: m.problem = r.string(); break;
+      case 80: m.bundled = r.bool(); break;
+      case 90: m.address = r.string(); break;
+      case 98: m.folder = r.string(); break;
+      case 106: { const end = r.enter(); m.download = decodeAssetSetDownload(r, m.download); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeAssetSetDownload(m: Init<T.AssetSetDownload>, w: Writer): void {
+  if (m.running != null) w.bool(8, m.running);
+  if (m.loadedBytes != null) w.double(17, m.loadedBytes);
+  if (m.totalBytes != null) w.double(25, m.totalBytes);
+  if (m.elapsedMs != null) w.double(33, m.elapsedMs);
+  if (m.error != null) w.string(42, m.error);
+}
+
+export function decodeAssetSetDownload(r: Reader, into?: T.AssetSetDownload): T.AssetSetDownload {
+  const m: T.AssetSetDownload = into ?? { running: false, loadedBytes: 0, totalBytes: 0, elapsedMs: 0, error: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 8: m.running = r.bool(); break;
+      case 17: m.loadedBytes = r.double(); break;
+      case 25: m.totalBytes = r.double(); break;
+      case 33: m.elapsedMs = r.double(); break;
+      case 42: m.error = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeAssetSetList(m: Init<T.AssetSetList>, w: Writer): void {
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeAssetSet(e, w); w.close(at); }
+}
+
+export function decodeAssetSetList(r: Reader, into?: T.AssetSetList): T.AssetSetList {
+  const m: T.AssetSetList = into ?? { elements: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.elements.push(decodeAssetSet(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeAssetSetRequest(m: Init<T.AssetSetRequest>, w: Writer): void {
+  if (m.name != null) w.string(10, m.name);
+}
+
+export function decodeAssetSetRequest(r: Reader, into?: T.AssetSetRequest): T.AssetSetRequest {
+  const m: T.AssetSetRequest = into ?? { name: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.name = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
 export function encodeAuditEntry(m: Init<T.AuditEntry>, w: Writer): void {
   if (m.number != null) w.double(9, m.number);
   if (m.timeMs != null) w.double(17, m.timeMs);
@@ -1774,10 +1870,11 @@ export function encodeModuleExtension(m: Init<T.ModuleExtension>, w: Writer): vo
   if (m.origin != null) w.int32(32, m.origin);
   if (m.grantIds != null) for (const e of m.grantIds) w.string(42, e);
   if (m.assets != null) for (const e of m.assets) w.string(50, e);
+  if (m.optionalAssets != null) for (const e of m.optionalAssets) w.string(58, e);
 }
 
 export function decodeModuleExtension(r: Reader, into?: T.ModuleExtension): T.ModuleExtension {
-  const m: T.ModuleExtension = into ?? { version: '', libraries: [], replaceable: false, origin: 0, grantIds: [], assets: [] };
+  const m: T.ModuleExtension = into ?? { version: '', libraries: [], replaceable: false, origin: 0, grantIds: [], assets: [], optionalAssets: [] };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1787,6 +1884,7 @@ export function decodeModuleExtension(r: Reader, into?: T.ModuleExtension): T.Mo
       case 32: m.origin = r.int32() as T.ModuleOrigin; break;
       case 42: m.grantIds.push(r.string()); break;
       case 50: m.assets.push(r.string()); break;
+      case 58: m.optionalAssets.push(r.string()); break;
       default: skipField(r, tag);
     }
   }
@@ -2734,6 +2832,7 @@ export function encodeServiceReply(m: Init<T.ServiceReply>, w: Writer): void {
   if (m.logTail != null) { const at = w.open(8042); encodeLogTail(m.logTail, w); w.close(at); }
   if (m.moduleVersionList != null) { const at = w.open(8050); encodeModuleVersionList(m.moduleVersionList, w); w.close(at); }
   if (m.settingList != null) { const at = w.open(8058); encodeSettingList(m.settingList, w); w.close(at); }
+  if (m.assetSetList != null) { const at = w.open(8066); encodeAssetSetList(m.assetSetList, w); w.close(at); }
   if (m.joinCheck != null) { const at = w.open(8162); encodeJoinCheck(m.joinCheck, w); w.close(at); }
   if (m.accessGrantCreated != null) { const at = w.open(8170); encodeAccessGrantCreated(m.accessGrantCreated, w); w.close(at); }
   if (m.accessGrant != null) { const at = w.open(8178); encodeAccessGrant(m.accessGrant, w); w.close(at); }
@@ -2741,7 +2840,7 @@ export function encodeServiceReply(m: Init<T.ServiceReply>, w: Writer): void {
   if (m.auditLog != null) { const at = w.open(8322); encodeAuditLog(m.auditLog, w); w.close(at); }
 }
 
-const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList', 'settingList', 'joinCheck', 'accessGrantCreated', 'accessGrant', 'accessGrantList', 'auditLog'] as const;
+const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList', 'settingList', 'assetSetList', 'joinCheck', 'accessGrantCreated', 'accessGrant', 'accessGrantList', 'auditLog'] as const;
 export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceReply {
   const m: T.ServiceReply = into ?? {};
   let type = into && setMember(into, ServiceReply_type);
@@ -2778,6 +2877,7 @@ export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceR
       case 8042: type = only(m, type, 'logTail'); { const end = r.enter(); m.logTail = decodeLogTail(r, m.logTail); r.end = end; break; }
       case 8050: type = only(m, type, 'moduleVersionList'); { const end = r.enter(); m.moduleVersionList = decodeModuleVersionList(r, m.moduleVersionList); r.end = end; break; }
       case 8058: type = only(m, type, 'settingList'); { const end = r.enter(); m.settingList = decodeSettingList(r, m.settingList); r.end = end; break; }
+      case 8066: type = only(m, type, 'assetSetList'); { const end = r.enter(); m.assetSetList = decodeAssetSetList(r, m.assetSetList); r.end = end; break; }
       case 8162: type = only(m, type, 'joinCheck'); { const end = r.enter(); m.joinCheck = decodeJoinCheck(r, m.joinCheck); r.end = end; break; }
       case 8170: type = only(m, type, 'accessGrantCreated'); { const end = r.enter(); m.accessGrantCreated = decodeAccessGrantCreated(r, m.accessGrantCreated); r.end = end; break; }
       case 8178: type = only(m, type, 'accessGrant'); { const end = r.enter(); m.accessGrant = decodeAccessGrant(r, m.accessGrant); r.end = end; break; }
@@ -2816,13 +2916,14 @@ export function encodeServiceRequest(m: Init<T.ServiceRequest>, w: Writer): void
   if (m.clientThrottleRequest != null) { const at = w.open(8042); encodeClientThrottleRequest(m.clientThrottleRequest, w); w.close(at); }
   if (m.logRequest != null) { const at = w.open(8050); encodeLogRequest(m.logRequest, w); w.close(at); }
   if (m.moduleVersionRequest != null) { const at = w.open(8058); encodeModuleVersionRequest(m.moduleVersionRequest, w); w.close(at); }
+  if (m.assetSetRequest != null) { const at = w.open(8066); encodeAssetSetRequest(m.assetSetRequest, w); w.close(at); }
   if (m.joinCheckRequest != null) { const at = w.open(8162); encodeJoinCheckRequest(m.joinCheckRequest, w); w.close(at); }
   if (m.accessGrantCreateRequest != null) { const at = w.open(8170); encodeAccessGrantCreateRequest(m.accessGrantCreateRequest, w); w.close(at); }
   if (m.accessGrantRevokeRequest != null) { const at = w.open(8178); encodeAccessGrantRevokeRequest(m.accessGrantRevokeRequest, w); w.close(at); }
   if (m.auditLogRequest != null) { const at = w.open(8322); encodeAuditLogRequest(m.auditLogRequest, w); w.close(at); }
 }
 
-const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest', 'clientReportRequest', 'clientRenameRequest', 'clientDisconnectRequest', 'clientThrottleRequest', 'logRequest', 'moduleVersionRequest', 'joinCheckRequest', 'accessGrantCreateRequest', 'accessGrantRevokeRequest', 'auditLogRequest'] as const;
+const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest', 'clientReportRequest', 'clientRenameRequest', 'clientDisconnectRequest', 'clientThrottleRequest', 'logRequest', 'moduleVersionRequest', 'assetSetRequest', 'joinCheckRequest', 'accessGrantCreateRequest', 'accessGrantRevokeRequest', 'auditLogRequest'] as const;
 export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.ServiceRequest {
   const m: T.ServiceRequest = into ?? { topic: '' };
   let type = into && setMember(into, ServiceRequest_type);
@@ -2855,6 +2956,7 @@ export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.Serv
       case 8042: type = only(m, type, 'clientThrottleRequest'); { const end = r.enter(); m.clientThrottleRequest = decodeClientThrottleRequest(r, m.clientThrottleRequest); r.end = end; break; }
       case 8050: type = only(m, type, 'logRequest'); { const end = r.enter(); m.logRequest = decodeLogRequest(r, m.logRequest); r.end = end; break; }
       case 8058: type = only(m, type, 'moduleVersionRequest'); { const end = r.enter(); m.moduleVersionRequest = decodeModuleVersionRequest(r, m.moduleVersionRequest); r.end = end; break; }
+      case 8066: type = only(m, type, 'assetSetRequest'); { const end = r.enter(); m.assetSetRequest = decodeAssetSetRequest(r, m.assetSetRequest); r.end = end; break; }
       case 8162: type = only(m, type, 'joinCheckRequest'); { const end = r.enter(); m.joinCheckRequest = decodeJoinCheckRequest(r, m.joinCheckRequest); r.end = end; break; }
       case 8170: type = only(m, type, 'accessGrantCreateRequest'); { const end = r.enter(); m.accessGrantCreateRequest = decodeAccessGrantCreateRequest(r, m.accessGrantCreateRequest); r.end = end; break; }
       case 8178: type = only(m, type, 'accessGrantRevokeRequest'); { const end = r.enter(); m.accessGrantRevokeRequest = decodeAccessGrantRevokeRequest(r, m.accessGrantRevokeRequest); r.end = end; break; }
@@ -3327,6 +3429,10 @@ export const CODECS: {
   'ubii.extension.AccessGrantCreated': { encode: encodeAccessGrantCreated, decode: decodeAccessGrantCreated },
   'ubii.extension.AccessGrantList': { encode: encodeAccessGrantList, decode: decodeAccessGrantList },
   'ubii.extension.AccessGrantRevokeRequest': { encode: encodeAccessGrantRevokeRequest, decode: decodeAccessGrantRevokeRequest },
+  'ubii.extension.AssetSet': { encode: encodeAssetSet, decode: decodeAssetSet },
+  'ubii.extension.AssetSetDownload': { encode: encodeAssetSetDownload, decode: decodeAssetSetDownload },
+  'ubii.extension.AssetSetList': { encode: encodeAssetSetList, decode: decodeAssetSetList },
+  'ubii.extension.AssetSetRequest': { encode: encodeAssetSetRequest, decode: decodeAssetSetRequest },
   'ubii.extension.AuditEntry': { encode: encodeAuditEntry, decode: decodeAuditEntry },
   'ubii.extension.AuditLog': { encode: encodeAuditLog, decode: decodeAuditLog },
   'ubii.extension.AuditLogRequest': { encode: encodeAuditLogRequest, decode: decodeAuditLogRequest },

@@ -125,6 +125,23 @@ export const AccessRole = {
 export type AccessRole = (typeof AccessRole)[keyof typeof AccessRole];
 
 /**
+ * Whether an asset set can be loaded.
+ *
+ * `ubii.extension.AssetSetState`
+ */
+export const AssetSetState = {
+  /** Unknown to a newer or older program. */
+  ASSET_SET_STATE_UNSPECIFIED: 0,
+  /** It is not there. */
+  ASSET_SET_STATE_MISSING: 1,
+  /** All files are as its manifest states. */
+  ASSET_SET_STATE_PRESENT: 2,
+  /** A file is missing, differs from the manifest, or cannot be read. */
+  ASSET_SET_STATE_DAMAGED: 3,
+} as const;
+export type AssetSetState = (typeof AssetSetState)[keyof typeof AssetSetState];
+
+/**
  * How the caller was let in.
  *
  * `ubii.extension.AuditEntry.Way`
@@ -1191,6 +1208,78 @@ export interface AccessGrantRevokeRequest {
 }
 
 /**
+ * One asset set: what the master has, or could download.
+ *
+ * `ubii.extension.AssetSet`
+ */
+export interface AssetSet {
+  /** Name, as modules use it. */
+  name: string;
+  /** What it is, one sentence; empty when unknown, as the next three. */
+  description: string;
+  /** Version of its content. */
+  version: string;
+  /** SPDX expression. */
+  licence: string;
+  /** Where it comes from. */
+  source: string;
+  /** Bytes of all files. */
+  bytes: number;
+  /** Number of files. */
+  files: number;
+  /** Whether modules can load it. */
+  state: AssetSetState;
+  /** Why it is damaged, one sentence. */
+  problem: string;
+  /** True: it comes with the program. False: it belongs into the data directory. */
+  bundled: boolean;
+  /** Where the master downloads it from; empty when it cannot. */
+  address: string;
+  /** Absolute path of the folder that files can be put into; only for admins. */
+  folder: string;
+  /** The download under way, or the last one that failed. */
+  download: AssetSetDownload | undefined;
+}
+
+/**
+ * How far a download is. Rule EX-58.
+ *
+ * `ubii.extension.AssetSetDownload`
+ */
+export interface AssetSetDownload {
+  /** True while it is under way. */
+  running: boolean;
+  /** Bytes received. */
+  loadedBytes: number;
+  /** Bytes of all files. */
+  totalBytes: number;
+  /** Time since its start, milliseconds. */
+  elapsedMs: number;
+  /** Why it failed, one or two sentences; empty while it is under way. */
+  error: string;
+}
+
+/**
+ * The asset sets of a master. Rule EX-57.
+ *
+ * `ubii.extension.AssetSetList`
+ */
+export interface AssetSetList {
+  /** By name. */
+  elements: AssetSet[];
+}
+
+/**
+ * Which asset set is to be downloaded, or is not any more. Rule EX-58.
+ *
+ * `ubii.extension.AssetSetRequest`
+ */
+export interface AssetSetRequest {
+  /** Its name. */
+  name: string;
+}
+
+/**
  * An action of a caller, done or refused.
  *
  * `ubii.extension.AuditEntry`
@@ -1803,6 +1892,8 @@ export interface ModuleExtension {
   grantIds: string[];
   /** Names of the asset sets it needs, as in state.assets. Rule PM-90. */
   assets: string[];
+  /** Names of the asset sets it may load while it runs, with state.loadAssets. Rule PM-96. */
+  optionalAssets: string[];
 }
 
 /**
@@ -2560,6 +2651,8 @@ export interface ServiceReply {
   moduleVersionList?: ModuleVersionList | undefined;
   /** What the master was started with. Rule EX-50. */
   settingList?: SettingList | undefined;
+  /** Asset sets of the master. Rule EX-57. */
+  assetSetList?: AssetSetList | undefined;
   /** What a token is good for. Rule AC-16. */
   joinCheck?: JoinCheck | undefined;
   /** Leave to join, with its secrets. Rule AC-11. */
@@ -2630,6 +2723,8 @@ export interface ServiceRequest {
   logRequest?: LogRequest | undefined;
   /** Which versions of which module are wanted. Rule EX-40. */
   moduleVersionRequest?: ModuleVersionRequest | undefined;
+  /** Which asset set is to be downloaded. Rule EX-58. */
+  assetSetRequest?: AssetSetRequest | undefined;
   /** A token to be checked. Rule AC-16. */
   joinCheckRequest?: JoinCheckRequest | undefined;
   /** Leave to join that is wanted. Rule AC-10. */
@@ -3002,6 +3097,10 @@ export interface MessageTypes {
   'ubii.extension.AccessGrantCreated': AccessGrantCreated;
   'ubii.extension.AccessGrantList': AccessGrantList;
   'ubii.extension.AccessGrantRevokeRequest': AccessGrantRevokeRequest;
+  'ubii.extension.AssetSet': AssetSet;
+  'ubii.extension.AssetSetDownload': AssetSetDownload;
+  'ubii.extension.AssetSetList': AssetSetList;
+  'ubii.extension.AssetSetRequest': AssetSetRequest;
   'ubii.extension.AuditEntry': AuditEntry;
   'ubii.extension.AuditLog': AuditLog;
   'ubii.extension.AuditLogRequest': AuditLogRequest;

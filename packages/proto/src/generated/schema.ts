@@ -40,6 +40,11 @@ enum ubii.extension.AccessRole
 2 ACCESS_ROLE_PARTICIPANT
 3 ACCESS_ROLE_PLAYER
 4 ACCESS_ROLE_VIEWER
+enum ubii.extension.AssetSetState
+0 ASSET_SET_STATE_UNSPECIFIED
+1 ASSET_SET_STATE_MISSING
+2 ASSET_SET_STATE_PRESENT
+3 ASSET_SET_STATE_DAMAGED
 enum ubii.extension.AuditEntry.Way
 0 GRANT
 1 LOCAL
@@ -367,6 +372,30 @@ message ubii.extension.AccessGrantRevokeRequest
 2 grant_id string
 3 reason string
 4 work ubii.extension.RevokedWork
+message ubii.extension.AssetSet
+1 name string
+2 description string
+3 version string
+4 licence string
+5 source string
+6 bytes double
+7 files int32
+8 state ubii.extension.AssetSetState
+9 problem string
+10 bundled bool
+11 address string
+12 folder string
+13 download ubii.extension.AssetSetDownload
+message ubii.extension.AssetSetDownload
+1 running bool
+2 loaded_bytes double
+3 total_bytes double
+4 elapsed_ms double
+5 error string
+message ubii.extension.AssetSetList
+1 elements ubii.extension.AssetSet *
+message ubii.extension.AssetSetRequest
+1 name string
 message ubii.extension.AuditEntry
 1 number double
 2 time_ms double
@@ -574,6 +603,7 @@ message ubii.extension.ModuleExtension
 4 origin ubii.extension.ModuleOrigin
 5 grant_ids string *
 6 assets string *
+7 optional_assets string *
 message ubii.extension.ModuleReports
 1 statistics ubii.extension.ModuleStatistics *
 2 events ubii.extension.ModuleEvent *
@@ -830,6 +860,7 @@ message ubii.services.ServiceReply
 1005 log_tail ubii.extension.LogTail type
 1006 module_version_list ubii.extension.ModuleVersionList type
 1007 setting_list ubii.extension.SettingList type
+1008 asset_set_list ubii.extension.AssetSetList type
 1020 join_check ubii.extension.JoinCheck type
 1021 access_grant_created ubii.extension.AccessGrantCreated type
 1022 access_grant ubii.extension.AccessGrant type
@@ -862,6 +893,7 @@ message ubii.services.ServiceRequest
 1005 client_throttle_request ubii.extension.ClientThrottleRequest type
 1006 log_request ubii.extension.LogRequest type
 1007 module_version_request ubii.extension.ModuleVersionRequest type
+1008 asset_set_request ubii.extension.AssetSetRequest type
 1020 join_check_request ubii.extension.JoinCheckRequest type
 1021 access_grant_create_request ubii.extension.AccessGrantCreateRequest type
 1022 access_grant_revoke_request ubii.extension.AccessGrantRevokeRequest type

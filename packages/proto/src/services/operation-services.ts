@@ -47,6 +47,23 @@ export const OPERATION_SERVICES = {
     'success',
     'Lets other machines of the local network reach the master, until it ends.',
   ),
+  assetSetList: withoutPayload(
+    '/services/ubii/asset_set_list',
+    'assetSetList',
+    'Lists asset sets, such as models: those of the master, and those it can download.',
+  ),
+  assetSetDownload: withPayload(
+    '/services/ubii/asset_set_download',
+    'assetSetRequest',
+    'success',
+    'Starts the download of an asset set.',
+  ),
+  assetSetCancel: withPayload(
+    '/services/ubii/asset_set_cancel',
+    'assetSetRequest',
+    'success',
+    'Cancels the download of an asset set.',
+  ),
   moduleVersionList: withPayload(
     '/services/ubii/module_version_list',
     'moduleVersionRequest',

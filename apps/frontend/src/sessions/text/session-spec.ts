@@ -33,6 +33,7 @@ export function moduleSpec(module: ProcessingModule): Init<ProcessingModule> {
       version: extension?.version ?? '',
       libraries: extension?.libraries ?? [],
       assets: extension?.assets ?? [],
+      optionalAssets: extension?.optionalAssets ?? [],
     },
   };
 }

@@ -229,6 +229,7 @@ const takenAtStart = ({ inputs, outputs, extension }: ProcessingModule): unknown
   outputs,
   extension?.libraries,
   extension?.assets,
+  extension?.optionalAssets,
 ];
 
 function isEqualMapping(one: IOMapping, other: IOMapping): boolean {

@@ -1,3 +1,4 @@
+import type { NodeState } from '../../definition/define-processing-module.ts';
 import type { ModulePhase } from '../../ports/module-fault.ts';
 import type { RawOutput } from '../encode-outputs.ts';
 import type {
@@ -48,6 +49,7 @@ class V8Instance implements EngineInstance {
   readonly #outputNames: readonly string[];
   readonly #modules: object;
   readonly #assets: object;
+  readonly #loadAssets: NodeState['loadAssets'];
   readonly #urlOf: (phase: Phase) => string;
   #state: State;
 
@@ -60,6 +62,13 @@ class V8Instance implements EngineInstance {
     this.#outputNames = request.outputNames;
     this.#modules = Object.freeze({ ...request.modules, ...createHostModules(request, hooks) });
     this.#assets = Object.freeze({ ...request.assets });
+    this.#loadAssets = async (name) => {
+      try {
+        return await hooks.loadAssets(String(name));
+      } finally {
+        hooks.onResume();
+      }
+    };
     this.#urlOf = (phase) => `ubii-module-${number}-${phase}.js`;
     const console = createModuleConsole((level, text) => hooks.onLog(level, text));
     for (const phase of PHASES) {
@@ -158,12 +167,13 @@ class V8Instance implements EngineInstance {
     const given = {
       modules: { value: this.#modules, enumerable: false, writable: false },
       assets: { value: this.#assets, enumerable: false, writable: false },
+      loadAssets: { value: this.#loadAssets, enumerable: false, writable: false },
     };
     const isTaken = Object.entries(given).every(([name, property]) =>
       Reflect.defineProperty(state, name, property),
     );
     if (isTaken) return state;
-    const { modules: _modules, assets: _assets, ...copy } = state;
+    const { modules: _modules, assets: _assets, loadAssets: _loadAssets, ...copy } = state;
     return Object.defineProperties(copy, given);
   }
 

@@ -102,6 +102,7 @@ const codeOf = (module: ProcessingModule): unknown => [
   module.onDestroyedStringified,
   module.extension?.libraries ?? [],
   module.extension?.assets ?? [],
+  module.extension?.optionalAssets ?? [],
 ];
 
 const notes = ({ description, tags, authors, extension }: ProcessingModule): unknown => [
