@@ -3,6 +3,7 @@ import {
   parseModule,
   type AnyModuleDefinition,
   type LoadedAssets,
+  type SandboxEvents,
   type SandboxFactory,
   type SandboxInput,
   type SandboxOutput,
@@ -27,9 +28,10 @@ export function driveIn(
   createSandboxes: (libraries: { readonly [name: string]: unknown }) => SandboxFactory,
   isTrusted = true,
   assets: readonly LoadedAssets[] = [],
+  onLoadAssets?: SandboxEvents['onLoadAssets'],
 ): Drive {
   return (definition, libraries = {}) =>
-    drive(createSandboxes(libraries), definition, isTrusted, assets);
+    drive(createSandboxes(libraries), definition, isTrusted, assets, onLoadAssets);
 }
 
 async function drive(
@@ -37,6 +39,7 @@ async function drive(
   definition: AnyModuleDefinition,
   isTrusted: boolean,
   assets: readonly LoadedAssets[],
+  onLoadAssets: SandboxEvents['onLoadAssets'],
 ): Promise<DrivenModule> {
   const { name, outputs, source, ...parsed } = parseModule(
     decode(MODULE, encode(MODULE, moduleToWire(definition))),
@@ -55,7 +58,7 @@ async function drive(
       limits: LIMITS,
     },
     // What is pending rejects with the same fault.
-    { onLog: () => undefined, onKilled: () => undefined },
+    { onLog: () => undefined, onKilled: () => undefined, ...(onLoadAssets && { onLoadAssets }) },
   );
   await sandbox.create();
 

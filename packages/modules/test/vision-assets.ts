@@ -10,8 +10,15 @@ import { readPhoto } from '@ubii/vision/testing';
 import type { DrivenModule } from './drive-module.ts';
 import { driveIn } from './drive-sandboxed.ts';
 
-/** An instance of a module with its real asset sets, on the thread of the test. */
-export async function driveWithVision(definition: AnyModuleDefinition): Promise<DrivenModule> {
+/**
+ * An instance of a module with its real asset sets, on the thread of the test.
+ *
+ * @param models folder of optional asset sets; default: there are none
+ */
+export async function driveWithVision(
+  definition: AnyModuleDefinition,
+  models?: string,
+): Promise<DrivenModule> {
   const folder = mkdtempSync(join(tmpdir(), 'ubii-vision-'));
   try {
     const library = join(folder, 'vision.js');
@@ -21,7 +28,9 @@ export async function driveWithVision(definition: AnyModuleDefinition): Promise<
     const { signal } = new AbortController();
     const assets = await store.load(definition.assets ?? [], signal, () => undefined);
     const sandboxes = createInlineSandboxes({ nowMs: () => performance.now() });
-    return await driveIn(() => sandboxes, true, assets)(definition);
+    const optional = createAssetStore(new AssetFolders(models === undefined ? [] : [models]));
+    const load = async (name: string) => (await optional.load([name], signal, () => undefined))[0]!;
+    return await driveIn(() => sandboxes, true, assets, load)(definition);
   } finally {
     rmSync(folder, { recursive: true });
   }

@@ -12,6 +12,7 @@ export { CENTER_NET_MODEL, createCenterNet } from './detection/center-net.ts';
 export * from './detection/coco-classes.ts';
 export * from './detection/coco-ssd.ts';
 export type * from './detection/detector.ts';
+export * from './detection/detector-choice.ts';
 export * from './pose/body-keypoints.ts';
 export * from './pose/body-pose.ts';
 export * from './pose/smooth-pose.ts';

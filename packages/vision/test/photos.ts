@@ -3,6 +3,10 @@ import { decode } from 'jpeg-js';
 import type { Box } from '../src/detection/detector.ts';
 import type { Picture } from '../src/picture.ts';
 
+// Without TensorFlow.js, of which a thread can have one.
+export { convertPicture } from '../src/image-tools/convert-picture.ts';
+export { scalePicture } from '../src/image-tools/scale-picture.ts';
+
 /** A photograph, and what a person sees in it. */
 export interface Photo {
   readonly file: string;

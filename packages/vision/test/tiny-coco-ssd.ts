@@ -1,3 +1,4 @@
+import type { Picture } from '../src/picture.ts';
 import type { Files } from '../src/tensorflow/memory-platform.ts';
 
 /** Cells in a row of the picture that the tiny model looks at. */
@@ -131,4 +132,16 @@ export function tinyCocoSsd(): Files {
     'model.json': new TextEncoder().encode(JSON.stringify(model)),
     'group1-shard1of1': Uint8Array.from(bytes),
   };
+}
+
+/** White, 320 × 240, with squares of one of the model's cells: 20 × 15 pixels. */
+export function squares(...list: { x: number; y: number; rgb: readonly number[] }[]): Picture {
+  const [width, height] = [320, 240];
+  const data = new Uint8Array(width * height * 3).fill(255);
+  for (const { x, y, rgb } of list) {
+    for (let row = y; row < y + 15; row++) {
+      for (let column = x; column < x + 20; column++) data.set(rgb, (row * width + column) * 3);
+    }
+  }
+  return { width, height, format: 'RGB8', data };
 }

@@ -47,6 +47,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -121,6 +122,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: ['vision', 'tfjs-wasm', 'movenet-lightning'],
+      optionalAssets: [],
     },
   },
   {
@@ -214,6 +216,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -264,6 +267,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -343,6 +347,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: ['vision', 'tfjs-wasm', 'hand-pose'],
+      optionalAssets: [],
     },
   },
   {
@@ -413,6 +418,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -520,6 +526,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: ['vision'],
+      optionalAssets: [],
     },
   },
   {
@@ -564,6 +571,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -622,6 +630,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -667,6 +676,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -712,6 +722,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -757,6 +768,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -802,6 +814,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -847,6 +860,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -926,6 +940,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -968,6 +983,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1015,6 +1031,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1067,6 +1084,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1116,6 +1134,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1181,6 +1200,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1248,6 +1268,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1271,7 +1292,6 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'threshold',
         messageFormat: 'double',
         isRecordList: false,
-        defaultJson: '{"double":0.4}',
       },
       {
         internalName: 'maxObjects',
@@ -1288,13 +1308,24 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'inputSize',
         messageFormat: 'double',
         isRecordList: false,
-        defaultJson: '{"double":384}',
       },
       {
         internalName: 'maxRate',
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":15}',
+      },
+      {
+        internalName: 'detector',
+        messageFormat: 'string',
+        isRecordList: false,
+        defaultJson: '{"string":"centernet"}',
+      },
+      {
+        internalName: 'backend',
+        messageFormat: 'string',
+        isRecordList: false,
+        defaultJson: '{"string":"auto"}',
       },
     ],
     outputs: [
@@ -1321,18 +1352,19 @@ export const LIBRARY: readonly JsonObject[] = [
     ],
     language: 'JS',
     onProcessingStringified:
-      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : void 0;\n    };\n    state.sinceMs += deltaTimeMs;\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew || state.detector === void 0) return void 0;\n    const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate) ?? 15));\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const startedMs = performance.now();\n    let error = "";\n    let found = [];\n    try {\n      const picture = await vision.readImage2D(image);\n      found = await state.detector.detect(picture, {\n        threshold: number(inputs.threshold) ?? 0.4,\n        maxObjects: number(inputs.maxObjects) ?? 20,\n        classes: inputs.classes?.stringList.elements ?? [],\n        inputSize: number(inputs.inputSize) ?? 384\n      });\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (error !== "") return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    return {\n      outputs: {\n        predictions: { object2DList: vision.object2DListOfDetections(found), timestamp },\n        durationMs: { double: performance.now() - startedMs },\n        backend: { string: state.backend },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
+      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : void 0;\n    };\n    state.sinceMs += deltaTimeMs;\n    const { choice } = state;\n    if (choice === void 0) return void 0;\n    choice.choose(inputs.detector?.string || "centernet", inputs.backend?.string || "auto");\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew) return void 0;\n    const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate) ?? 15));\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const startedMs = performance.now();\n    let error = "";\n    let found;\n    try {\n      const picture = await vision.readImage2D(image);\n      found = await choice.detect(picture, {\n        threshold: number(inputs.threshold),\n        maxObjects: number(inputs.maxObjects),\n        classes: inputs.classes?.stringList.elements ?? [],\n        inputSize: number(inputs.inputSize)\n      });\n      error = choice.problem;\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (found === void 0) return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    return {\n      outputs: {\n        predictions: { object2DList: vision.object2DListOfDetections(found), timestamp },\n        durationMs: { double: performance.now() - startedMs },\n        backend: { string: choice.backend },\n        error: isNewError ? { string: error } : void 0\n      }\n    };\n  } })["onProcessing"]',
     onCreatedStringified:
-      '(state) => { Object.assign(state, (() => ({\n    detector: void 0,\n    backend: "",\n    sinceMs: Infinity,\n    error: ""\n  })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    const tensorflow = await vision.sharedTensorflow(state.assets["tfjs-wasm"]);\n    state.detector = await vision.createCenterNet(tensorflow, state.assets["centernet-coco"]);\n    console.info(`TensorFlow.js uses ${tensorflow.backend}. ${tensorflow.reason}`);\n    state.backend = tensorflow.backend;\n  } })["onCreated"]\n)(state); }',
+      '(state) => { Object.assign(state, (() => ({ choice: void 0, sinceMs: Infinity, error: "" })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    state.choice = await vision.DetectorChoice.create({\n      tensorflow: state.assets["tfjs-wasm"],\n      centerNet: state.assets["centernet-coco"],\n      loadCocoSsd: () => state.loadAssets("coco-ssd"),\n      // eslint-disable-next-line no-console -- the log of the module\n      onChange: (text) => console.info(text)\n    });\n  } })["onCreated"]\n)(state); }',
     onDestroyedStringified:
-      '({ onDestroyed(state) {\n    state.detector?.dispose();\n  } })["onDestroyed"]',
+      '({ onDestroyed(state) {\n    state.choice?.dispose();\n  } })["onDestroyed"]',
     extension: {
-      version: '1.0.0',
+      version: '1.1.0',
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: ['vision', 'tfjs-wasm', 'centernet-coco'],
+      optionalAssets: ['coco-ssd'],
     },
   },
   {
@@ -1390,6 +1422,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1447,6 +1480,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1504,6 +1538,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1561,6 +1596,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1618,6 +1654,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1701,6 +1738,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1755,6 +1793,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1803,6 +1842,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1857,6 +1897,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1933,6 +1974,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -1983,6 +2025,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -2049,6 +2092,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
   {
@@ -2126,6 +2170,7 @@ export const LIBRARY: readonly JsonObject[] = [
       origin: 'MODULE_ORIGIN_UNKNOWN',
       grantIds: [],
       assets: [],
+      optionalAssets: [],
     },
   },
 ];

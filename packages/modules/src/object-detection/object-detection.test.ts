@@ -1,5 +1,6 @@
 import type { Object2DList } from '@ubii/proto';
-import { photoFile, PHOTOS } from '@ubii/vision/testing';
+import { convertPicture, photoFile, PHOTOS, readPhoto, scalePicture } from '@ubii/vision/testing';
+import { pngOf } from '@ubii/vision/testing/png';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { Sample, type DrivenModule } from '../../test/drive-module.ts';
 import { driveWithVision, photoImage } from '../../test/vision-assets.ts';
@@ -49,6 +50,37 @@ describe('object-detection on photographs', () => {
     const cats = { classes: { elements: ['cat'] } };
     expect(classesOf(await detect(image, cats))).toEqual([]);
     await module.run(0, { classes: undefined }, ['classes']);
+  });
+});
+
+describe('object-detection on images of every format', () => {
+  const asFile = (data: Uint8Array) => ({ width: 0, height: 0, dataFormat: 0, data });
+  it.each(['GRAY8', 'RGB8', 'RGBA8'] as const)('%s', async (format) => {
+    const { width, height, data } = convertPicture(readPhoto('camera.jpg'), format);
+    const dataFormat = ['GRAY8', 'RGB8', 'RGBA8'].indexOf(format);
+    expect(classesOf(await detect({ width, height, dataFormat, data }))).toEqual(['person']);
+  });
+
+  it('JPEG and PNG', async () => {
+    expect(classesOf(await detect(asFile(photoFile('coffee.jpg'))))).toEqual(['cup']);
+    expect(classesOf(await detect(asFile(pngOf(readPhoto('coffee.jpg')))))).toEqual(['cup']);
+  });
+
+  it('of 12 megapixels', async () => {
+    const { width, height, data } = scalePicture(readPhoto('chelsea.jpg'), 4032, 3024);
+    expect(classesOf(await detect({ width, height, dataFormat: 1, data }))).toEqual(['cat']);
+  });
+
+  it.each([
+    ['JPEG', () => photoFile('coffee.jpg').slice(0, 2000)],
+    ['PNG', () => pngOf(readPhoto('coffee.jpg')).slice(0, 2000)],
+    ['no picture', () => Uint8Array.from({ length: 2000 }, (_, index) => index)],
+  ])('corrupt %s is an error, and the next image is looked at', async (_name, file) => {
+    const { error, predictions } = await detect(asFile(file()));
+    expect(error).not.toBe('');
+    expect(error).toBeDefined();
+    expect(predictions).toBeUndefined();
+    expect(await detect(photoImage('coffee.jpg'))).toMatchObject({ error: '' });
   });
 });
 

@@ -4,28 +4,31 @@ import type { NumberRecord } from '../number-record.ts';
 
 /** What an instance keeps. */
 interface DetectionState {
-  detector: Vision.Detector | undefined;
-  backend: string;
+  choice: Vision.DetectorChoice | undefined;
   /** Milliseconds from the start of the last detection to now. */
   sinceMs: number;
   error: string;
 }
 
-/** Detects objects of the 80 classes of COCO in images, with CenterNet on TensorFlow.js. */
+/** Detects objects of the 80 classes of COCO in images, with CenterNet or COCO-SSD on TensorFlow.js. */
 export const objectDetection = defineProcessingModule({
   name: 'object-detection',
   description: 'Detects objects in images: 80 classes of COCO.',
   tags: ['image', 'vision', 'detection'],
   authors: ['Ubi-Interact'],
-  version: '1.0.0',
+  version: '1.1.0',
   assets: ['vision', 'tfjs-wasm', 'centernet-coco'],
+  optionalAssets: ['coco-ssd'],
   inputs: {
     image: 'image2D',
-    threshold: { format: 'double', default: 0.4 },
+    // Without a value, the detector's own: they differ.
+    threshold: 'double',
     maxObjects: { format: 'double', default: 20 },
     classes: 'stringList',
-    inputSize: { format: 'double', default: 384 },
+    inputSize: 'double',
     maxRate: { format: 'double', default: 15 },
+    detector: { format: 'string', default: 'centernet' },
+    backend: { format: 'string', default: 'auto' },
   },
   outputs: {
     predictions: 'object2DList',
@@ -34,19 +37,16 @@ export const objectDetection = defineProcessingModule({
     error: 'string',
   },
   mode: { triggerOnInput: {} },
-  createState: (): DetectionState => ({
-    detector: undefined,
-    backend: '',
-    sinceMs: Infinity,
-    error: '',
-  }),
+  createState: (): DetectionState => ({ choice: undefined, sinceMs: Infinity, error: '' }),
   async onCreated(state) {
     const vision = state.modules['vision'] as typeof Vision;
-    const tensorflow = await vision.sharedTensorflow(state.assets['tfjs-wasm']!);
-    state.detector = await vision.createCenterNet(tensorflow, state.assets['centernet-coco']!);
-    // eslint-disable-next-line no-console -- the log of the module
-    console.info(`TensorFlow.js uses ${tensorflow.backend}. ${tensorflow.reason}`);
-    state.backend = tensorflow.backend;
+    state.choice = await vision.DetectorChoice.create({
+      tensorflow: state.assets['tfjs-wasm']!,
+      centerNet: state.assets['centernet-coco']!,
+      loadCocoSsd: () => state.loadAssets('coco-ssd'),
+      // eslint-disable-next-line no-console -- the log of the module
+      onChange: (text) => console.info(text),
+    });
   },
   async onProcessing(deltaTimeMs, inputs, state) {
     const number = (record: NumberRecord | undefined): number | undefined => {
@@ -54,12 +54,15 @@ export const objectDetection = defineProcessingModule({
       return Number.isFinite(value) ? value : undefined;
     };
     state.sinceMs += deltaTimeMs;
+    const { choice } = state;
+    if (choice === undefined) return undefined;
+    choice.choose(inputs.detector?.string || 'centernet', inputs.backend?.string || 'auto');
     const image = inputs.image?.image2D;
     const timestamp = inputs.image?.timestamp;
     const triggers = state.inputTriggerNames;
     // A parameter that changes counts for the next image.
     const isNew = triggers === undefined || triggers.includes('image');
-    if (image === undefined || !isNew || state.detector === undefined) return undefined;
+    if (image === undefined || !isNew) return undefined;
     const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate) ?? 15));
     // Half a millisecond for what timers round.
     if (state.sinceMs + 0.5 < 1000 / rateHz) return undefined;
@@ -68,15 +71,16 @@ export const objectDetection = defineProcessingModule({
     const vision = state.modules['vision'] as typeof Vision;
     const startedMs = performance.now();
     let error = '';
-    let found: Vision.Detection[] = [];
+    let found: Vision.Detection[] | undefined;
     try {
       const picture = await vision.readImage2D(image);
-      found = await state.detector.detect(picture, {
-        threshold: number(inputs.threshold) ?? 0.4,
-        maxObjects: number(inputs.maxObjects) ?? 20,
+      found = await choice.detect(picture, {
+        threshold: number(inputs.threshold),
+        maxObjects: number(inputs.maxObjects),
         classes: inputs.classes?.stringList.elements ?? [],
-        inputSize: number(inputs.inputSize) ?? 384,
+        inputSize: number(inputs.inputSize),
       });
+      error = choice.problem;
     } catch (thrown) {
       // What the sender of the image, or of the classes, has to change.
       if (!(thrown instanceof RangeError)) throw thrown;
@@ -84,17 +88,18 @@ export const objectDetection = defineProcessingModule({
     }
     const isNewError = error !== state.error;
     state.error = error;
-    if (error !== '') return isNewError ? { outputs: { error: { string: error } } } : undefined;
+    if (found === undefined)
+      return isNewError ? { outputs: { error: { string: error } } } : undefined;
     return {
       outputs: {
         predictions: { object2DList: vision.object2DListOfDetections(found), timestamp },
         durationMs: { double: performance.now() - startedMs },
-        backend: { string: state.backend },
-        error: isNewError ? { string: '' } : undefined,
+        backend: { string: choice.backend },
+        error: isNewError ? { string: error } : undefined,
       },
     };
   },
   onDestroyed(state) {
-    state.detector?.dispose();
+    state.choice?.dispose();
   },
 });

@@ -27,9 +27,7 @@ export interface NodeState {
    * missing, damaged or unreachable: `code` says which, `message` is for people. A call that awaits it is waiting;
    * loading may take longer than one call may wait. [PM-96]
    */
-  readonly loadAssets: (
-    name: string,
-  ) => Promise<Readonly<Record<string, Uint8Array<ArrayBuffer>>>>;
+  readonly loadAssets: (name: string) => Promise<Readonly<Record<string, Uint8Array<ArrayBuffer>>>>;
   /** With the mode trigger-on-input: inputs that were updated since the run before. */
   inputTriggerNames: readonly string[];
 }

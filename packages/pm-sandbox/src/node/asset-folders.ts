@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import { createReadStream } from 'node:fs';
 import { readdir, readFile, stat } from 'node:fs/promises';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { pipeline } from 'node:stream/promises';
 import { AssetError, missingSet } from '../assets/asset-error.ts';
 import {
@@ -42,6 +42,26 @@ export class AssetFolders implements AssetSource {
 
   async manifest(name: string): Promise<AssetManifest> {
     return (await this.#find(name)).manifest;
+  }
+
+  /** Names of the folders that can be asked for. */
+  async names(): Promise<string[]> {
+    const lists = this.#folders.map((folder) =>
+      readdir(folder, { withFileTypes: true }).catch(() => []),
+    );
+    const entries = (await Promise.all(lists)).flat();
+    const names = entries.flatMap((entry) =>
+      entry.isDirectory() && isAssetName(entry.name) ? [entry.name] : [],
+    );
+    return [...new Set(names)];
+  }
+
+  /**
+   * Which of the folders has a set.
+   * @throws AssetError when there is no such set
+   */
+  async parentOf(name: string): Promise<string> {
+    return dirname((await this.#find(name)).folder);
   }
 
   async read(

@@ -228,17 +228,20 @@ export class WorkerHost {
       // Of an instance that has ended meanwhile nothing waits.
       if (this.#instances.has(instance)) this.#send({ kind: 'assetsAnswer', request, result });
     };
-    this.#instances.get(instance)?.loadAssets(name).then(
-      (assets) => {
-        if (this.#instances.has(instance)) this.#giveAssets(instance, assets);
-        answer({ key: assets.key });
-      },
-      (thrown: unknown) =>
-        answer({
-          code: thrown instanceof AssetError ? thrown.code : 'unreachable',
-          message: thrown instanceof Error ? thrown.message : String(thrown),
-        }),
-    );
+    this.#instances
+      .get(instance)
+      ?.loadAssets(name)
+      .then(
+        (assets) => {
+          if (this.#instances.has(instance)) this.#giveAssets(instance, assets);
+          answer({ key: assets.key });
+        },
+        (thrown: unknown) =>
+          answer({
+            code: thrown instanceof AssetError ? thrown.code : 'unreachable',
+            message: thrown instanceof Error ? thrown.message : String(thrown),
+          }),
+      );
   }
 
   #send(message: HostMessage): void {

@@ -1,36 +1,10 @@
 import { readFileSync } from 'node:fs';
-import { deflateSync } from 'node:zlib';
 import { encode } from 'jpeg-js';
 import { describe, expect, it } from 'vitest';
 import { readPhoto } from '../../test/photos.ts';
+import { chunk, png } from '../../test/write-png.ts';
 import { decodePicture, readImage2D } from './decode-picture.ts';
 import { orient } from './orient.ts';
-
-function chunk(type: string, data: Uint8Array): Buffer {
-  const body = Buffer.concat([Buffer.from(type, 'latin1'), data]);
-  const head = Buffer.alloc(4);
-  head.writeUInt32BE(data.length);
-  return Buffer.concat([head, body, Buffer.alloc(4)]);
-}
-
-/** Writes a PNG file; rows begin with their filter. */
-function png(
-  size: { width: number; height: number; bitDepth: number; colorType: number; interlace?: number },
-  rows: readonly (readonly number[])[],
-  more: readonly Buffer[] = [],
-): Uint8Array {
-  const header = Buffer.alloc(13);
-  header.writeUInt32BE(size.width, 0);
-  header.writeUInt32BE(size.height, 4);
-  header.set([size.bitDepth, size.colorType, 0, 0, size.interlace ?? 0], 8);
-  return Buffer.concat([
-    Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]),
-    chunk('IHDR', header),
-    ...more,
-    chunk('IDAT', deflateSync(Uint8Array.from(rows.flat()))),
-    chunk('IEND', Buffer.alloc(0)),
-  ]);
-}
 
 const photo = (file: string) =>
   new Uint8Array(readFileSync(new URL(`../../photos/${file}`, import.meta.url)));

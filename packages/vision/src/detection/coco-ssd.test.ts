@@ -3,23 +3,11 @@ import { dirname, join } from 'node:path';
 import * as tf from '@tensorflow/tfjs-core';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { readAssetSet } from '../../scripts/asset-sets.mjs';
-import { CELLS, tinyCocoSsd } from '../../test/tiny-coco-ssd.ts';
-import type { Picture } from '../picture.ts';
+import { CELLS, squares, tinyCocoSsd } from '../../test/tiny-coco-ssd.ts';
 import { createTensorflow } from '../tensorflow/create-tensorflow.ts';
 import { COCO_CLASSES } from './coco-classes.ts';
 import { createCocoSsd } from './coco-ssd.ts';
 
-/** White, 320 × 240, with squares of one of the model's cells: 20 × 15 pixels. */
-function squares(...list: { x: number; y: number; rgb: readonly number[] }[]): Picture {
-  const [width, height] = [320, 240];
-  const data = new Uint8Array(width * height * 3).fill(255);
-  for (const { x, y, rgb } of list) {
-    for (let row = y; row < y + 15; row++) {
-      for (let column = x; column < x + 20; column++) data.set(rgb, (row * width + column) * 3);
-    }
-  }
-  return { width, height, format: 'RGB8', data };
-}
 const RED = [255, 0, 0];
 const GREEN = [0, 255, 0];
 const BLUE = [0, 0, 255];

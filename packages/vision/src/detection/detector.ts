@@ -20,13 +20,13 @@ export interface Detection {
 
 export interface DetectionOptions {
   /** Least score, 0 to 1; default: that of the detector. */
-  readonly threshold?: number;
+  readonly threshold?: number | undefined;
   /** Most detections, the ones with the highest scores, 1 to 100; default 20. */
-  readonly maxObjects?: number;
+  readonly maxObjects?: number | undefined;
   /** Only these classes; default, and when empty: all. */
   readonly classes?: readonly string[];
   /** Pixels of the longer side of what the model sees; default and limits: those of the detector. */
-  readonly inputSize?: number;
+  readonly inputSize?: number | undefined;
 }
 
 /** Finds objects in pictures. */

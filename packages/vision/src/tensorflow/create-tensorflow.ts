@@ -101,18 +101,24 @@ export function createTensorflow(
   });
 }
 
-let shared: Promise<Tensorflow> | undefined;
+const shared = new Map<BackendName | 'auto', Promise<Tensorflow>>();
 
 /**
- * The one TensorFlow.js of this worker, which is made by the first caller: its choice of a backend takes
- * longer than a detection, and all use the same backend anyway. A failure is not kept.
+ * The one TensorFlow.js of this worker for a backend, which is made by the first caller: the choice of a
+ * backend takes longer than a detection. A failure is not kept.
  */
-export function sharedTensorflow(files: Files): Promise<Tensorflow> {
-  shared ??= createTensorflow(files).catch((error: unknown) => {
-    shared = undefined;
+export function sharedTensorflow(
+  files: Files,
+  backend: BackendName | 'auto' = 'auto',
+): Promise<Tensorflow> {
+  const known = shared.get(backend);
+  if (known !== undefined) return known;
+  const made = createTensorflow(files, { backend }).catch((error: unknown) => {
+    shared.delete(backend);
     throw error;
   });
-  return shared;
+  shared.set(backend, made);
+  return made;
 }
 
 type Candidate = Pick<BackendCandidate, 'name' | 'absence' | 'isLastResort'> & {
