@@ -61,6 +61,9 @@ const builds = {
 /** Path of the built node, relative to the root. */
 export const nodeProgram = builds.node.output;
 
+/** Path of the built program that downloads models, relative to the root. */
+export const modelsProgram = 'apps/master/dist/models.js';
+
 /** Path of the built master, relative to the root. */
 export const masterProgram = builds.master.output;
 

@@ -8,6 +8,7 @@ import {
   parseHost,
   parseLegacyPorts,
   parseLimits,
+  parseMirror,
   parseName,
   parseNetworks,
   parseOrigins,
@@ -159,6 +160,14 @@ export const OPTIONS = {
     description:
       'Origins that modules with the library http may read from: https://example.org,http://sensor.local:8000.',
     parse: parseFetchOrigins,
+  }),
+  modelMirror: option<string | undefined>({
+    placeholder: '<url>',
+    fallback: undefined,
+    fallbackText: 'the publishers',
+    description:
+      'Where models are downloaded from instead of their publishers, for rooms without internet: a folder as models/ of the data directory, such as http://10.0.0.7/models/. Sizes and hashes are verified all the same.',
+    parse: parseMirror,
   }),
   config: option<string | undefined>({
     placeholder: '<file>',

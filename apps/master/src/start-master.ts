@@ -32,6 +32,8 @@ import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
 import { AuditFile } from './adapters/storage/audit-file.ts';
+import { KNOWN_MODELS, type KnownModel } from './adapters/models/catalogue.ts';
+import { StoredAssetSets } from './adapters/models/stored-asset-sets.ts';
 import { openStorage } from './adapters/storage/open-storage.ts';
 import { HmacResumeTokens } from './adapters/tokens/hmac-resume-tokens.ts';
 import { readOrCreateTokenKey } from './adapters/tokens/token-key-file.ts';
@@ -54,6 +56,8 @@ export interface MasterParts {
   readonly assetsFolder: string;
   /** The built worker of processing modules. */
   readonly workerFile: URL;
+  /** Models that admins can download. Default: those that modules of the library use. */
+  readonly models?: readonly KnownModel[];
   /** The built thread that decodes large requests; undefined: the main thread does it. */
   readonly decodeWorkerFile: URL | undefined;
 }
@@ -83,6 +87,7 @@ export async function startMaster({
   frontendFolder,
   assetsFolder,
   workerFile,
+  models = KNOWN_MODELS,
   decodeWorkerFile,
 }: MasterParts): Promise<RunningMaster> {
   prepareDataDir(config.dataDir);
@@ -116,7 +121,8 @@ export async function startMaster({
   const limits = fitConnections(limitsOfMachine(config.limits), descriptorLimit());
   const { sandboxes, libraries } = openSandboxes(workerFile, config.allowFetch, limits);
   const storage = openStorage(config.dataDir);
-  const assets = new AssetFolders([assetsFolder, join(config.dataDir, 'models')]);
+  const modelsFolder = join(config.dataDir, 'models');
+  const assets = new AssetFolders([assetsFolder, modelsFolder]);
   const audit = new AuditFile({
     folder: join(config.dataDir, 'audit'),
     maxLines: limits.auditEntries ?? DEFAULT_LIMITS.auditEntries,
@@ -132,6 +138,14 @@ export async function startMaster({
     );
 
   const clock = new SystemClock(log);
+  const assetSets = new StoredAssetSets({
+    assets,
+    folder: modelsFolder,
+    models,
+    mirror: config.modelMirror,
+    log,
+    clock,
+  });
   const master = createMaster(
     {
       clock,
@@ -150,6 +164,7 @@ export async function startMaster({
       lan,
       sandboxes,
       assets: createAssetStore(assets),
+      assetSets,
       storage,
       library: () => library.modules(),
     },
@@ -250,7 +265,14 @@ export async function startMaster({
     await closed;
     clearTimeout(cut);
     decoder.close();
-    await Promise.all([app.close(), ended, storage.settled(), audit.settled(), withdrawn]);
+    await Promise.all([
+      assetSets.close(),
+      app.close(),
+      ended,
+      storage.settled(),
+      audit.settled(),
+      withdrawn,
+    ]);
   };
 
   try {

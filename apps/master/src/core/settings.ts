@@ -1,6 +1,7 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import type { AssetStore, SandboxFactory } from '@ubii/pm-sandbox';
 import type { Init, MasterAddress, ProcessingModule, SettingList } from '@ubii/proto';
+import type { AssetSets } from './ports/asset-sets.ts';
 import type { AuditStore } from './ports/audit-store.ts';
 import type { Clock } from './ports/clock.ts';
 import type { AccessSecrets } from './ports/access-secrets.ts';
@@ -35,6 +36,8 @@ export interface MasterPorts {
   readonly sandboxes: SandboxFactory;
   /** Asset sets of trusted modules on the master [PM-90]. Default: none. */
   readonly assets?: AssetStore;
+  /** Which asset sets there are, and downloads of more [EX-57] [EX-58]. */
+  readonly assetSets: AssetSets;
   readonly storage: SessionStorage;
   /** Trusted modules: those that came with the program, and the operator's [PM-51]. The same list as long as nothing changes. */
   readonly library: () => readonly ProcessingModule[];

@@ -19,6 +19,7 @@ import type { MasterEndpoints, MasterSettings } from '../core/settings.ts';
 import { FakeClock } from './fake-clock.ts';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import type { SandboxFactory } from '@ubii/pm-sandbox';
+import { FakeAssetSets } from './fake-asset-sets.ts';
 import { FakeLan } from './fake-lan.ts';
 import { FixedUsage } from './fixed-usage.ts';
 import { MemoryAudit } from './memory-audit.ts';
@@ -58,6 +59,7 @@ export class TestMaster {
   readonly tokens = new PlainTokens();
   readonly usage = new FixedUsage();
   readonly lan = new FakeLan();
+  readonly assetSets = new FakeAssetSets();
   readonly storage: MemoryStorage;
   readonly grants: MemoryDocuments;
   readonly audit: MemoryAudit;
@@ -84,6 +86,7 @@ export class TestMaster {
         patterns: patterns ?? new Re2Patterns(),
         usage: this.usage,
         lan: this.lan,
+        assetSets: this.assetSets,
         sandboxes: sandboxes ?? createInlineSandboxes(),
         storage: this.storage,
         library: () => library,

@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { onTestFinished } from 'vitest';
 
 import { resolveConfig } from '../../src/adapters/config/resolve-config.ts';
+import type { KnownModel } from '../../src/adapters/models/catalogue.ts';
 import { StreamLog } from '../../src/adapters/log/stream-log.ts';
 import { LogTail, type TerminalAccess } from '../../src/index.ts';
 import { startMaster } from '../../src/start-master.ts';
@@ -28,6 +29,8 @@ export interface EdgeMasterOptions {
   readonly frontendFolder?: string;
   readonly assetsFolder?: string;
   readonly dataDir?: string;
+  /** Models that admins can download. */
+  readonly models?: readonly KnownModel[];
   /** The built worker of modules; without it none runs. */
   readonly workerFile?: URL;
   /** The built thread that decodes large requests; without it the main thread does. */
@@ -55,6 +58,7 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     frontendFolder: options.frontendFolder ?? join(newFolder(), 'not-there'),
     assetsFolder: options.assetsFolder ?? join(newFolder(), 'not-there'),
     workerFile: options.workerFile ?? new URL('not-built.js', import.meta.url),
+    ...(options.models && { models: options.models }),
     decodeWorkerFile: options.decodeWorkerFile,
   });
   onTestFinished(() => master.close());

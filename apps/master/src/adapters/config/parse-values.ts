@@ -108,6 +108,16 @@ export function parseFetchOrigins(text: string): readonly string[] {
   });
 }
 
+/** An address with a slash at its end. */
+export function parseMirror(text: string): string {
+  const url = URL.canParse(text) ? new URL(text) : undefined;
+  const isPlain = url !== undefined && url.search === '' && url.hash === '' && url.username === '';
+  if (!isPlain || !/^https?:$/.test(url.protocol)) {
+    throw new Error('an address, such as http://10.0.0.7/models/');
+  }
+  return url.href.endsWith('/') ? url.href : `${url.href}/`;
+}
+
 export function parsePercent(text: string): number {
   const percent = /^\d+(\.\d+)?$/.test(text) ? Number(text) : Number.NaN;
   if (!(percent >= 1 && percent <= 100)) throw new Error('a number from 1 to 100');

@@ -69,7 +69,8 @@ export class TrustedLibrary {
 }
 
 function from(module: ProcessingModule, origin: ModuleOrigin): ProcessingModule {
-  const { version = '', libraries = [], assets = [] } = module.extension ?? {};
-  const extension = { version, libraries, assets, replaceable: false, origin, grantIds: [] };
+  const { version = '', libraries = [], assets = [], optionalAssets = [] } = module.extension ?? {};
+  const needs = { libraries, assets, optionalAssets };
+  const extension = { version, ...needs, replaceable: false, origin, grantIds: [] };
   return { ...module, extension };
 }

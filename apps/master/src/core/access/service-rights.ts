@@ -43,6 +43,7 @@ export const SERVICE_RIGHTS: { readonly [S in ServiceName]: ServiceRight } = {
   limitList: READERS,
   nodeList: READERS,
   moduleVersionList: READERS,
+  assetSetList: READERS,
   notifyConditionGetList: READERS,
   processingModuleDatabaseGet: READERS,
   processingModuleDatabaseGetList: READERS,
@@ -97,6 +98,9 @@ export const SERVICE_RIGHTS: { readonly [S in ServiceName]: ServiceRight } = {
   settingList: ADMINS,
   // On the machine of the master alone. [AC-47]
   lanOpen: audited(ADMINS),
+  // The master connects to the publisher, and writes to its disk. [EX-58]
+  assetSetDownload: audited(ADMINS),
+  assetSetCancel: audited(ADMINS),
   accessGrantCreate: audited(actsForClient(ADMINS)),
   accessGrantList: ADMINS,
   auditLog: ADMINS,

@@ -189,8 +189,8 @@ export function isSame(a: ProcessingModule, b: ProcessingModule): boolean {
 
 /** What is kept of a module: nothing of where it is and what it does there. */
 function contentOf(module: ProcessingModule): ProcessingModule {
-  const { version = '', libraries = [], assets = [] } = module.extension ?? {};
-  const isBare = version === '' && libraries.length === 0 && assets.length === 0;
+  const { version = '', libraries = [], assets = [], optionalAssets = [] } = module.extension ?? {};
+  const isBare = version === '' && libraries.length + assets.length + optionalAssets.length === 0;
   return {
     ...module,
     id: '',
@@ -199,7 +199,7 @@ function contentOf(module: ProcessingModule): ProcessingModule {
     status: 0,
     extension: isBare
       ? undefined
-      : { version, libraries, assets, replaceable: false, origin: 0, grantIds: [] },
+      : { version, libraries, assets, optionalAssets, replaceable: false, origin: 0, grantIds: [] },
   };
 }
 

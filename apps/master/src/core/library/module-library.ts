@@ -104,10 +104,19 @@ export class ModuleLibrary {
 
 /** The module, with where it is from. */
 export function withOrigin(module: ProcessingModule, origin: ModuleOrigin): ProcessingModule {
-  const { version = '', libraries = [], assets = [], grantIds = [] } = module.extension ?? {};
+  const { version = '', grantIds = [] } = module.extension ?? {};
+  const { libraries = [], assets = [], optionalAssets = [] } = module.extension ?? {};
   return {
     ...module,
-    extension: { version, libraries, assets, replaceable: false, origin, grantIds },
+    extension: {
+      version,
+      libraries,
+      assets,
+      optionalAssets,
+      replaceable: false,
+      origin,
+      grantIds,
+    },
   };
 }
 

@@ -2,6 +2,7 @@ export type { AccessSecrets } from './access-secrets.ts';
 export type { AddressKind } from './address-kind.ts';
 export { LOCAL_CALLER, TRUSTED_CALLER } from './caller-facts.ts';
 export type { CallerFacts, CallerStanding } from './caller-facts.ts';
+export type { AssetSets } from './asset-sets.ts';
 export type { AuditStore } from './audit-store.ts';
 export type { Cancel, Clock } from './clock.ts';
 export type { IdSource } from './id-source.ts';

@@ -59,6 +59,7 @@ function objectOf(core: Core, request: ServiceRequest): string {
   const { session, sessionList, processingModule, processingModuleList } = request;
   const { clientRenameRequest, clientDisconnectRequest, clientThrottleRequest } = request;
   const { accessGrantCreateRequest, accessGrantRevokeRequest } = request;
+  if (request.assetSetRequest !== undefined) return request.assetSetRequest.name;
   if (session !== undefined) return nameOfSession(core, session);
   if (sessionList !== undefined) return listed(sessionList.elements.map(({ name }) => name));
   if (processingModule !== undefined) return processingModule.name || processingModule.id;

@@ -14,6 +14,7 @@ import {
   listDevices,
   registerDevice,
 } from './devices.ts';
+import { cancelAssetSet, downloadAssetSet, listAssetSets } from './asset-sets.ts';
 import { readAuditLog } from './audit.ts';
 import type { ServiceHandler } from './handler.ts';
 import { openLan } from './lan.ts';
@@ -81,6 +82,9 @@ const DOMAIN_HANDLERS = {
   settingList: listSettings,
   logTail: tailLog,
   lanOpen: openLan,
+  assetSetList: listAssetSets,
+  assetSetDownload: downloadAssetSet,
+  assetSetCancel: cancelAssetSet,
   joinCheck: checkJoin,
   accessGrantCreate: createGrant,
   accessGrantList: listGrants,

@@ -112,7 +112,7 @@ function replaced(
   now: ProcessingModule,
 ): ProcessingModule {
   const isOwnMode = !isSame(module.processingMode, old.processingMode);
-  const { version = '', libraries = [], assets = [] } = now.extension ?? {};
+  const { version = '', libraries = [], assets = [], optionalAssets = [] } = now.extension ?? {};
   return {
     ...module,
     authors: now.authors,
@@ -132,6 +132,7 @@ function replaced(
       version,
       libraries,
       assets,
+      optionalAssets,
     },
   };
 }

@@ -82,7 +82,8 @@ export class SessionModule {
 
   /** The module as others see it. */
   toMessage(sessionId: string, isPaused: boolean): ProcessingModule {
-    const { version = '', libraries = [], assets = [], origin = 0 } = this.spec.extension ?? {};
+    const { version = '', origin = 0 } = this.spec.extension ?? {};
+    const { libraries = [], assets = [], optionalAssets = [] } = this.spec.extension ?? {};
     return {
       ...this.spec,
       sessionId,
@@ -92,6 +93,7 @@ export class SessionModule {
         version,
         libraries,
         assets,
+        optionalAssets,
         origin,
         replaceable: this.wishedNodeId === '',
         grantIds: [],

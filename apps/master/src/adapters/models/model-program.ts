@@ -1,0 +1,180 @@
+import { join } from 'node:path';
+import { AssetFolders } from '@ubii/pm-sandbox/node';
+import { AssetSetState } from '@ubii/proto';
+import { prepareDataDir } from '../config/prepare-data-dir.ts';
+import { resolveConfig } from '../config/resolve-config.ts';
+import { modelAddress, modelBytes, type KnownModel } from './catalogue.ts';
+import { assetSetNames, describeAssetSet } from './describe-asset-set.ts';
+import { DownloadError } from './download-error.ts';
+import { downloadModel } from './download-model.ts';
+import { megabytes, progressLine } from './model-words.ts';
+
+/** How often progress is written to a terminal, milliseconds, and to anything else, percent. */
+const TERMINAL_MS = 200;
+const LINE_PERCENT = 10;
+
+const STATE_WORDS: Readonly<Record<AssetSetState, string>> = {
+  [AssetSetState.ASSET_SET_STATE_UNSPECIFIED]: '',
+  [AssetSetState.ASSET_SET_STATE_MISSING]: 'not installed',
+  [AssetSetState.ASSET_SET_STATE_PRESENT]: 'installed',
+  [AssetSetState.ASSET_SET_STATE_DAMAGED]: 'damaged',
+};
+
+const HELP = `Ubi-Interact models: downloads models for modules into the data directory of a master.
+
+  npm run models                        lists models, and which are installed
+  npm run models -- get <name>          downloads a model and verifies it
+
+  --data-dir <folder>      as the master has it
+  --model-mirror <url>     where models are downloaded from instead of their publishers
+  --config <file>          as the master has it
+
+A master that runs need not be restarted.
+`;
+
+/** What the program has around it. */
+export interface ModelProgram {
+  readonly models: readonly KnownModel[];
+  /** Asset sets that come with the program. */
+  readonly assetsFolder: string;
+  readonly env: Readonly<Record<string, string | undefined>>;
+  readonly cwd: string;
+  /** Ends a download. */
+  readonly signal: AbortSignal;
+  readonly isTerminal: boolean;
+  write(text: string): void;
+  writeError(text: string): void;
+  nowMs(): number;
+}
+
+/**
+ * `npm run models`: lists models, or downloads one. [EX-59]
+ *
+ * @returns the exit code
+ * @throws ConfigError for wrong flags
+ */
+export async function runModels(args: readonly string[], program: ModelProgram): Promise<number> {
+  const firstFlag = args.findIndex((arg) => arg.startsWith('-'));
+  const words = firstFlag === -1 ? args : args.slice(0, firstFlag);
+  const flags = args.slice(words.length);
+  if (flags.includes('--help') || flags.includes('-h')) {
+    program.write(HELP);
+    return 0;
+  }
+  const { dataDir, modelMirror } = resolveConfig(flags, program.env, program.cwd);
+  const [command = 'list', name, ...more] = words;
+  if (command === 'list' && name === undefined) return list(dataDir, modelMirror, program);
+  if (command === 'get' && name !== undefined && more.length === 0) {
+    return get(name, dataDir, modelMirror, program);
+  }
+  program.writeError(`Unexpected arguments: ${words.join(' ')}.\n\n${HELP}`);
+  return 1;
+}
+
+async function list(
+  dataDir: string,
+  mirror: string | undefined,
+  { models, assetsFolder, write }: ModelProgram,
+): Promise<number> {
+  const folder = join(dataDir, 'models');
+  const assets = new AssetFolders([assetsFolder, folder]);
+  const sets = await Promise.all(
+    (await assetSetNames(assets, models)).map((name) =>
+      describeAssetSet(name, {
+        ...{ assets, folder, mirror },
+        model: models.find((one) => one.name === name),
+      }),
+    ),
+  );
+  const width = Math.max(...sets.map(({ name }) => name.length));
+  for (const { name, state, bytes, bundled, description, problem } of sets) {
+    const word = bundled ? 'included' : STATE_WORDS[state];
+    const size = megabytes(bytes).padStart(8);
+    write(`${`${name.padEnd(width)}  ${word.padEnd(13)}  ${size}  ${description}`.trimEnd()}\n`);
+    if (problem) write(`  ${problem}\n`);
+    const isOffered = models.some((model) => model.name === name);
+    if (isOffered && word !== 'installed') write(`  npm run models -- get ${name}\n`);
+  }
+  write(`\nModels are installed in ${folder}.\n`);
+  return 0;
+}
+
+async function get(
+  name: string,
+  dataDir: string,
+  mirror: string | undefined,
+  program: ModelProgram,
+): Promise<number> {
+  const { models, signal, write, writeError, nowMs } = program;
+  const model = models.find((one) => one.name === name);
+  if (model === undefined) {
+    const names = models.map((one) => one.name).join(', ');
+    writeError(`There is no model "${name}" to download. There are: ${names}.\n`);
+    return 1;
+  }
+  prepareDataDir(dataDir);
+  const folder = join(dataDir, 'models');
+  if (await isInstalled(model, folder)) {
+    write(`${name} is installed in ${join(folder, name)}.\n`);
+    return 0;
+  }
+  const address = modelAddress(model, mirror);
+  write(
+    `Downloading ${name} (${megabytes(modelBytes(model))}, ${model.licence}) from ${address}\n`,
+  );
+  const progress = progressWriter(modelBytes(model), nowMs(), program);
+  try {
+    await downloadModel(model, { folder, mirror, signal, onProgress: progress.tell });
+  } catch (error) {
+    progress.end();
+    if (signal.aborted) {
+      writeError('Cancelled. Nothing was kept.\n');
+      return 130;
+    }
+    if (!(error instanceof DownloadError)) throw error;
+    const files = model.files.map(({ path }) => path).join(', ');
+    writeError(
+      `${error.message}\nWithout internet: download ${files} of ${model.address} on another machine, and put them into ${join(folder, name)}. Or use a mirror: --model-mirror <url>.\n`,
+    );
+    return 1;
+  }
+  progress.end();
+  write(`${name} is verified and installed in ${join(folder, name)}.\n`);
+  return 0;
+}
+
+/** Whether all files of a model are there and right. */
+async function isInstalled(model: KnownModel, folder: string): Promise<boolean> {
+  const assets = new AssetFolders([folder]);
+  try {
+    const { files } = await assets.manifest(model.name);
+    for (const file of files) await assets.verify(model.name, file);
+    return model.files.every((file) => files.some(({ sha256 }) => sha256 === file.sha256));
+  } catch {
+    return false; // missing or damaged: it is downloaded
+  }
+}
+
+/** Writes progress into one line of a terminal, or as a line now and then. */
+function progressWriter(
+  totalBytes: number,
+  startedMs: number,
+  { isTerminal, write, nowMs }: ModelProgram,
+) {
+  let toldMs = -Infinity;
+  let toldPercent = 0;
+  const tell = (loadedBytes: number): void => {
+    const atMs = nowMs();
+    const percent = Math.floor((loadedBytes / totalBytes) * 100);
+    const isLast = loadedBytes === totalBytes;
+    if (isTerminal ? atMs - toldMs < TERMINAL_MS : percent - toldPercent < LINE_PERCENT) {
+      if (!isLast || percent === toldPercent) return;
+    }
+    toldMs = atMs;
+    toldPercent = percent;
+    const line = progressLine(loadedBytes, totalBytes, atMs - startedMs);
+    // The second sequence erases what is left of a longer line before.
+    write(isTerminal ? `\r${line}\u001b[K` : `${line}\n`);
+  };
+  return { tell, end: () => isTerminal && toldMs > -Infinity && write('\n') };
+}
