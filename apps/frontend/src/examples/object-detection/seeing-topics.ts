@@ -17,6 +17,12 @@ export const SEEING_COMPONENTS = [
     description: 'Lowest score of an object, 0 to 1.',
   },
   {
+    name: 'detector',
+    format: 'string',
+    tags: ['detection'],
+    description: 'Which detector is used: centernet or coco-ssd.',
+  },
+  {
     name: 'objects',
     format: 'object2DList',
     ioType: 'subscriber',
@@ -50,5 +56,12 @@ export const SEEING_COMPONENTS = [
     ioType: 'subscriber',
     tags: ['detection'],
     description: 'What computes the detections: webgpu, webgl, wasm or cpu.',
+  },
+  {
+    name: 'error',
+    format: 'string',
+    ioType: 'subscriber',
+    tags: ['detection'],
+    description: 'What is wrong with image, detector or backend; empty when all is well.',
   },
 ] as const satisfies readonly ComponentInit[];

@@ -12,6 +12,7 @@ import { usePageSession } from '../../sessions/own/use-page-session.ts';
 import { planeShapes } from '../../topics/viewers/plane/plane-shapes.ts';
 import { adaptRate } from './adapt-rate.ts';
 import { SEEING_COMPONENTS, SEEING_DEVICE } from './seeing-topics.ts';
+import { useDetector } from './use-detector.ts';
 import { StageTimes, type StageSummary } from './stage-times.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
 
@@ -36,6 +37,7 @@ export function useObjectDetection(sources: PictureSources) {
   const isOn = shallowRef(false);
   const place = shallowRef<ModulePlace>('tab');
   const threshold = shallowRef(0.4);
+  const detector = useDetector(threshold);
   const looksFor = reactive<Record<Seen, boolean>>({ objects: true, bodies: false, hands: false });
   const settings = reactive<PictureSettings>({
     width: 640,
@@ -98,8 +100,10 @@ export function useObjectDetection(sources: PictureSources) {
       hands: (_value, record) => take('hands', record),
       duration: (value, { timestampMs }) => takeDuration(value, timestampMs),
       backend: (value) => (backend.value = value),
+      error: (value) => (detector.problem.value = value),
     },
   });
+  detector.publishOn(device);
   const isOwn = computed(() => sources.kind.value !== 'topic');
   const image = computed(() => {
     if (!device.isRegistered.value) return undefined;
@@ -140,10 +144,14 @@ export function useObjectDetection(sources: PictureSources) {
             bodies: topicIf('bodies'),
             hands: topicIf('hands'),
           },
-          inputs: { threshold: device.topicOf('threshold') },
+          inputs: { threshold: device.topicOf('threshold'), detector: device.topicOf('detector') },
           // Its rate is that of the pictures, which is adapted.
           constants: { maxRate: { double: MAX_MODULE_HZ } },
-          outputs: { durationMs: device.topicOf('duration'), backend: device.topicOf('backend') },
+          outputs: {
+            durationMs: device.topicOf('duration'),
+            backend: device.topicOf('backend'),
+            error: device.topicOf('error'),
+          },
         }),
       };
     },
@@ -164,6 +172,7 @@ export function useObjectDetection(sources: PictureSources) {
     times.clear();
     stages.value = undefined;
     backend.value = '';
+    detector.problem.value = '';
     newest.clear();
     hasChanged = true;
   });
@@ -204,6 +213,7 @@ export function useObjectDetection(sources: PictureSources) {
     isOn,
     place,
     threshold,
+    detector,
     looksFor,
     settings,
     measures,

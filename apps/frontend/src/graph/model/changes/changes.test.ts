@@ -85,6 +85,7 @@ describe('changes of a running session [SE-15]', () => {
       version: '',
       libraries: [],
       assets: [],
+      optionalAssets: [],
       replaceable: true,
       origin: 0 as const,
       grantIds: [],

@@ -37,7 +37,11 @@ export function readDraft(name: string): KeptDraft | undefined {
 }
 
 /** Drafts of before asset sets lack them. */
-const whole = (draft: ModuleDraft): ModuleDraft => ({ ...draft, assets: draft.assets ?? [] });
+const whole = (draft: ModuleDraft): ModuleDraft => ({
+  ...draft,
+  assets: draft.assets ?? [],
+  optionalAssets: draft.optionalAssets ?? [],
+});
 
 /** @returns whether there was room for it */
 export function keepDraft(name: string, kept: KeptDraft): boolean {

@@ -30,6 +30,7 @@ export function draftText(draft: ModuleDraft): string {
     `Authors: ${draft.authors.join(', ')}`,
     `Libraries: ${draft.libraries.join(', ')}`,
     `Asset sets: ${draft.assets.join(', ')}`,
+    `Optional asset sets: ${draft.optionalAssets.join(', ')}`,
     `Version: ${draft.version}`,
   ];
   return `${lines.map((line) => `// ${line}`.trimEnd()).join('\n')}\n\n${draft.code}`;

@@ -41,6 +41,8 @@ export interface ModuleDraft {
   readonly libraries: readonly string[];
   /** Names of the asset sets it needs in `state.assets`. */
   readonly assets: readonly string[];
+  /** Names of the asset sets it may load with `state.loadAssets`. */
+  readonly optionalAssets: readonly string[];
   readonly inputs: readonly IoDraft[];
   readonly outputs: readonly IoDraft[];
   readonly mode: ModeDraft;
@@ -78,6 +80,7 @@ export function draftOf(module: ProcessingModule): ModuleDraft {
     version: module.extension?.version ?? '',
     libraries: module.extension?.libraries ?? [],
     assets: module.extension?.assets ?? [],
+    optionalAssets: module.extension?.optionalAssets ?? [],
     inputs: module.inputs.map(ioDraft),
     outputs: module.outputs.map(ioDraft),
     mode: modeDraft(module.processingMode),
@@ -110,7 +113,7 @@ function modeOf({ kind, hertz, minDelayMs, allInputsNeedUpdate }: ModeDraft): In
 
 /** The module a draft says. */
 export function moduleOf(draft: ModuleDraft): ProcessingModule {
-  const { name, description, tags, authors, version, libraries, assets } = draft;
+  const { name, description, tags, authors, version, libraries, assets, optionalAssets } = draft;
   const module: ProcessingModule = {
     ...fromJson('ubii.processing.ProcessingModule', {}),
     name: name.trim(),
@@ -124,7 +127,12 @@ export function moduleOf(draft: ModuleDraft): ProcessingModule {
     inputs: draft.inputs.map(ioOf),
     outputs: draft.outputs.map(ioOf),
     processingMode: modeOf(draft.mode),
-    extension: { version, libraries: [...libraries], assets: [...assets] },
+    extension: {
+      version,
+      libraries: [...libraries],
+      assets: [...assets],
+      optionalAssets: [...optionalAssets],
+    },
   });
 }
 
@@ -139,6 +147,7 @@ function fromInit(
       readonly version: string;
       readonly libraries: readonly string[];
       readonly assets: readonly string[];
+      readonly optionalAssets: readonly string[];
     };
   },
 ): ProcessingModule {

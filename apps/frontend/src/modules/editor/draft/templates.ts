@@ -26,6 +26,7 @@ function draft(name: string, rest: Partial<ModuleDraft>): ModuleDraft {
     version: '',
     libraries: [],
     assets: [],
+    optionalAssets: [],
     inputs: [],
     outputs: [],
     mode: mode('trigger'),

@@ -1,0 +1,40 @@
+import { AssetSetState, type AssetSet, type AssetSetDownload } from '@ubii/proto';
+import { formatNumber } from '../ui/readouts/format-number.ts';
+import { formatUptime } from '../ui/readouts/format-time.ts';
+import type { MarkedState } from '../ui/UiStateMark.vue';
+
+const MEGABYTE = 1e6;
+
+/** `18.6 MB`. */
+export function megabytes(bytes: number): string {
+  return `${formatNumber(bytes / MEGABYTE, 1)} MB`;
+}
+
+/** `7.8 of 18.6 MB, 12 s left`; the time is left out while nothing has come. */
+export function downloadWords(download: AssetSetDownload): string {
+  const { loadedBytes, totalBytes, elapsedMs } = download;
+  const loaded = `${formatNumber(loadedBytes / MEGABYTE, 1)} of ${megabytes(totalBytes)}`;
+  if (loadedBytes === 0) return loaded;
+  const leftMs = (elapsedMs / loadedBytes) * (totalBytes - loadedBytes);
+  return `${loaded}, ${formatUptime(leftMs)} left`;
+}
+
+/** Whether an asset set can be loaded, as a mark and a word. */
+export function assetSetLook({ state, bundled }: Pick<AssetSet, 'state' | 'bundled'>): {
+  readonly mark: MarkedState;
+  readonly word: string;
+} {
+  switch (state) {
+    case AssetSetState.ASSET_SET_STATE_PRESENT:
+      return { mark: 'live', word: bundled ? 'Included' : 'Installed' };
+    case AssetSetState.ASSET_SET_STATE_DAMAGED:
+      return { mark: 'error', word: 'Damaged' };
+    default:
+      return { mark: 'stopped', word: 'Not installed' };
+  }
+}
+
+/** What an admin can do where the master cannot download a set. */
+export function wayOut({ name, address, folder }: Pick<AssetSet, 'name' | 'address' | 'folder'>) {
+  return `Without internet: download the files of ${address} on another machine, and put them into ${folder}. Or start the master with --model-mirror <url>, or run "npm run models -- get ${name}" where there is internet.`;
+}

@@ -1,0 +1,63 @@
+import { ConnectionError } from '@ubii/client-web';
+import { AssetSetState, ServiceError, type AssetSet } from '@ubii/proto';
+import { computed, shallowRef, toValue, type MaybeRefOrGetter } from 'vue';
+import { usePoll } from '../connection/poll.ts';
+import { useConnection } from '../connection/useConnection.ts';
+
+/** Files are put there by hand, too: nothing announces that. */
+const IDLE_MS = 3000;
+const DOWNLOADING_MS = 400;
+
+/**
+ * The asset sets of the master, kept up to date while the calling component lives. [EX-57]
+ *
+ * @param enabled false while nobody looks at them
+ */
+export function useAssetSets(enabled: MaybeRefOrGetter<boolean> = true) {
+  const { client, isConnected } = useConnection();
+  /** `undefined` until the first answer, and where the master or the role has none. */
+  const sets = shallowRef<readonly AssetSet[]>();
+  /** Why the last request of this page was refused, by the name of the set. */
+  const refusals = shallowRef<ReadonlyMap<string, string>>(new Map());
+  const isDownloading = computed(() => sets.value?.some(({ download }) => download?.running));
+
+  async function refresh(): Promise<void> {
+    try {
+      sets.value = (await client.call('assetSetList')).elements;
+    } catch (cause) {
+      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
+    }
+  }
+  usePoll(
+    refresh,
+    () => (isDownloading.value ? DOWNLOADING_MS : IDLE_MS),
+    () => isConnected.value && toValue(enabled),
+  );
+
+  async function ask(service: 'assetSetDownload' | 'assetSetCancel', name: string): Promise<void> {
+    let refusal: string | undefined;
+    try {
+      await client.call(service, { name });
+    } catch (cause) {
+      if (!(cause instanceof ServiceError || cause instanceof ConnectionError)) throw cause;
+      refusal = cause.message;
+    }
+    refusals.value = new Map(refusals.value).set(name, refusal ?? '');
+    await refresh();
+  }
+
+  return {
+    sets,
+    refusals,
+    find: (name: string) => sets.value?.find((set) => set.name === name),
+    download: (name: string) => ask('assetSetDownload', name),
+    cancel: (name: string) => ask('assetSetCancel', name),
+  };
+}
+
+export type AssetSets = ReturnType<typeof useAssetSets>;
+
+/** Whether modules can load a set. */
+export function isPresent(set: AssetSet | undefined): boolean {
+  return set?.state === AssetSetState.ASSET_SET_STATE_PRESENT;
+}
