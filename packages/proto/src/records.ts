@@ -18,6 +18,7 @@ import type { Init } from './init.ts';
 import { timestampFromMs, timestampToMs } from './timestamp.ts';
 import {
   CLIENT_ID_TAG,
+  EXPIRY_MS_TAG,
   KEEP_SECONDS_TAG,
   RECORD_EXTENSION_TAG,
   ERROR_TAG,
@@ -62,6 +63,8 @@ export type RecordInit<F extends DataFormat = DataFormat> =
           readonly clientId?: string | undefined;
           /** How long the value outlives its publisher, seconds. [TD-43] @default 0 */
           readonly keepSeconds?: number | undefined;
+          /** How long the value stands while no newer record comes, milliseconds. [TD-47] @default 0, as long as any */
+          readonly expiryMs?: number | undefined;
         }
       : never)
   | {
@@ -71,6 +74,7 @@ export type RecordInit<F extends DataFormat = DataFormat> =
       readonly timestampMs?: number | undefined;
       readonly clientId?: string | undefined;
       readonly keepSeconds?: undefined;
+      readonly expiryMs?: number | undefined;
     };
 
 /** What a frame of the topic-data channel held. */
@@ -106,9 +110,10 @@ function writeRecord(record: RecordInit, writer: Writer): void {
   }
   if (record.format !== undefined) writeValue(writer, record.format, record.value, record.topic);
   if (record.clientId) writer.string(CLIENT_ID_TAG, record.clientId);
-  if (record.keepSeconds) {
+  if (record.keepSeconds || record.expiryMs) {
     const opened = writer.open(RECORD_EXTENSION_TAG);
-    writer.int32(KEEP_SECONDS_TAG, record.keepSeconds);
+    if (record.keepSeconds) writer.int32(KEEP_SECONDS_TAG, record.keepSeconds);
+    if (record.expiryMs) writer.int32(EXPIRY_MS_TAG, record.expiryMs);
     writer.close(opened);
   }
 }

@@ -47,6 +47,7 @@ import { readMetrics } from './status/metrics.ts';
 import { Load } from './status/load.ts';
 import { Samples } from './status/samples.ts';
 import { EndOfTurn } from './topics/end-of-turn.ts';
+import { ExpiringValues } from './topics/expiring-values.ts';
 import { KeptValues } from './topics/kept-values.ts';
 import { PatternTable } from './topics/pattern-table.ts';
 import { SelectionTable } from './topics/selection-table.ts';
@@ -58,6 +59,7 @@ import { TopicTable } from './topics/topic-table.ts';
 export function createMaster(ports: MasterPorts, settings: MasterSettings): Master {
   const core = createCore(ports, { ...DEFAULT_LIMITS, ...settings.limits }, settings);
   const liveness = new Liveness(core.clock, core.clients, core.limits, core.kept);
+  const expiring = new ExpiringValues(core);
   core.processing.sessions.restore((grantId) => core.access.grants.isGood(grantId)); // [SE-24]
   const stopWatchingGrants = watchGrants(core);
   return {
@@ -104,6 +106,7 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     },
     async close(): Promise<void> {
       liveness.close();
+      expiring.close();
       stopWatchingGrants();
       core.connections.close();
       core.samples.close();

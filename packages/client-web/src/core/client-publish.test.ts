@@ -78,6 +78,26 @@ describe('client.publish()', () => {
     expect(client.counters.bytesOut).toBeGreaterThan(0);
   });
 
+  it('ends a topic at once, after what was published before [TD-48]', async () => {
+    const { master, client } = await setup(1_000);
+    client.publish('/a', 'int32', 1);
+    client.endTopic('/a');
+    await settle();
+    expect(master.frameSizes).toEqual([2]);
+    expect(() => client.endTopic('')).toThrow(TypeError);
+  });
+
+  it('says how many bytes have not left yet', async () => {
+    const { client, clock } = await setup(1_000);
+    client.publish('/a', 'int32', 1, { immediate: true });
+    await settle();
+    expect(client.bufferedBytes).toBe(0);
+    client.publish('/a', 'string', 'x'.repeat(1000));
+    expect(client.bufferedBytes).toBeGreaterThan(1000);
+    await clock.advance(1_000);
+    expect(client.bufferedBytes).toBe(0);
+  });
+
   it('refuses at once what cannot be right', async () => {
     const { client } = await setup();
     expect(() => client.publish('', 'double', 1)).toThrow(TypeError);

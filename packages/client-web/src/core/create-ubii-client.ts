@@ -30,7 +30,7 @@ import type { IdSource } from './ports/id-source.ts';
 import type { RandomSource } from './ports/random.ts';
 import type { ServiceTransport } from './ports/service-transport.ts';
 import type { TopicDataTransport } from './ports/topic-data-transport.ts';
-import { toWaitingRecord, waitingRecordOf } from './publication.ts';
+import { endingRecord, toWaitingRecord, waitingRecordOf } from './publication.ts';
 import { PublishBuffer } from './publish-buffer.ts';
 import type { PublishOptions } from './publish-buffer.ts';
 import { DEFAULT_RECONNECT_POLICY } from './reconnect-policy.ts';
@@ -162,6 +162,7 @@ class Client implements UbiiClient {
       clientId: () => this.id,
       registerDevice: (device) => this.#calls.callAsMember('deviceRegistration', device),
       deregisterDevice: (device) => this.#calls.callAsMember('deviceDeregistration', device),
+      endTopic: (topic) => this.endTopic(topic),
       publish: (topic, format, value, publishOptions) =>
         this.#publish(topic, format, value, publishOptions),
       subscribe: (topic, subscribeOptions) => this.subscribe(topic, subscribeOptions),
@@ -233,6 +234,10 @@ class Client implements UbiiClient {
       recordsDropped: this.#publishes.dropped,
       decodeErrors,
     };
+  }
+
+  get bufferedBytes(): number {
+    return this.#publishes.waitingBytes + (this.#connection.link?.bufferedBytes ?? 0);
   }
 
   onState(fn: (state: ConnectionState) => void): Unsubscribe {
@@ -343,6 +348,11 @@ class Client implements UbiiClient {
     );
   }
 
+  endTopic(topic: string): void {
+    const timestampMs = (this.#stampsInMasterTime ? this.#masterClock : this.#clock).nowMs();
+    this.#publishes.add(endingRecord({ topic, timestampMs, clientId: this.id }), true);
+  }
+
   publishEncoded(topic: string, record: Uint8Array, valueField: number): void {
     this.#publishes.add(waitingRecordOf(topic, record, valueField), false);
     this.#publishes.flushSoon();
@@ -387,6 +397,7 @@ class Client implements UbiiClient {
         timestampMs,
         clientId: this.id,
         keepSeconds: options.keepSeconds,
+        expiryMs: options.expiryMs,
       }),
       options.immediate === true,
     );

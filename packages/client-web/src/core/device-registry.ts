@@ -29,6 +29,7 @@ export interface DeviceRegistryOptions {
     value: unknown,
     options?: PublishOptions,
   ) => void;
+  readonly endTopic: (topic: string) => void;
   readonly subscribe: (topic: string, options: SubscribeOptions) => Subscription;
   /** The master did not take a device back after a reconnect. */
   readonly handleProblem: (error: ServiceError) => void;
@@ -242,7 +243,7 @@ export class DeviceRegistry {
   }
 
   #toComponent(entry: Entry, init: ComponentInit, index: number): RegisteredComponent {
-    const { publish, subscribe } = this.#options;
+    const { publish, endTopic, subscribe } = this.#options;
     // [DV-1] the reply repeats the components in their order.
     const registered = () => entry.registered?.components[index];
     return {
@@ -256,6 +257,9 @@ export class DeviceRegistry {
       },
       publish(value, options) {
         publish(this.topic, init.format, value, options);
+      },
+      end() {
+        endTopic(this.topic);
       },
       subscribe(options) {
         return subscribe(this.topic, { ...options, format: init.format });

@@ -36,6 +36,8 @@ export interface RegisteredComponent<F extends DataFormat = DataFormat> {
   readonly topic: string;
   /** Publishes a value on the component's topic. */
   publish(value: DataFormatValues[F], options?: PublishOptions): void;
+  /** Says that the component's topic has no value any more. [TD-48] */
+  end(): void;
   /** Subscribes to the component's topic, as it is now. */
   subscribe(options?: Omit<SubscribeOptions, 'format'>): Subscription<F>;
 }

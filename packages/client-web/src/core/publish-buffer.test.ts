@@ -123,6 +123,28 @@ describe('PublishBuffer while the socket is full', () => {
     expect(buffer.dropped).toBe(4);
   });
 
+  it('keeps one picture of a camera, the newest, whether the socket is full or away', async () => {
+    const { buffer, clock, sink, frames } = setupFull();
+    const picture = (number: number) =>
+      encodeRecord({
+        topic: 'camera',
+        format: 'string',
+        value: `${number} ${'x'.repeat(100_000)}`,
+      });
+    for (let n = 0; n < 100; n++) {
+      sink.isOpen = n < 50;
+      buffer.add({ topic: 'camera', bytes: picture(n), isEvent: false }, false);
+      await clock.advance(33);
+      expect(buffer.waitingBytes).toBe(picture(n).byteLength);
+    }
+    expect(buffer.dropped).toBe(99);
+    sink.isOpen = true;
+    sink.bufferedBytes = 0;
+    buffer.flush();
+    expect(frames.map(([record]) => record!.slice(0, 9))).toEqual(['camera=99']);
+    expect(buffer.waitingBytes).toBe(0);
+  });
+
   it('keeps events, in their order, up to the bound', async () => {
     const { add, frames, clock, sink, buffer } = setupFull();
     const bound = PUBLISH_LIMITS.waitingEventsPerTopic;

@@ -14,6 +14,11 @@ export interface PublishOptions {
    * shorter when its share of the memory is needed. [TD-43] @default 0, not at all
    */
   readonly keepSeconds?: number;
+  /**
+   * How long the value stands on the master while no newer record of the topic comes, whole milliseconds: for values
+   * that are of no use later, or of which no copy is to stay, such as pictures of a camera. [TD-47] @default 0, as long as any
+   */
+  readonly expiryMs?: number;
 }
 
 /** Where frames go. */
@@ -89,6 +94,11 @@ export class PublishBuffer {
   /** Records that were not sent. */
   get dropped(): number {
     return this.#dropped;
+  }
+
+  /** Bytes of the records that wait. */
+  get waitingBytes(): number {
+    return this.#waitingBytes;
   }
 
   setIntervalMs(intervalMs: number): void {

@@ -98,6 +98,12 @@ export interface UbiiClient {
   /** Calls `fn` for what no promise reports. */
   onError(fn: (problem: ClientProblem) => void): Unsubscribe;
   readonly counters: ClientCounters;
+  /**
+   * Bytes that were published and have not left yet: those that wait here, and those in the socket that the system has
+   * not taken. A program that publishes much, such as a camera, sends its next record when this is near 0: what is in
+   * the socket cannot be taken back, and whatever comes next is late by it.
+   */
+  readonly bufferedBytes: number;
 
   /**
    * Publishes a value on a topic. Records leave in the order of the calls. While there is no
@@ -111,6 +117,12 @@ export interface UbiiClient {
     value: DataFormatValues[F],
     options?: PublishOptions,
   ): void;
+  /**
+   * Says that a topic has no value any more: publishes a record without a value, which takes the place of those that
+   * wait, and which the master deletes within half a second. [TD-48]
+   * @throws {TypeError} if the topic is empty
+   */
+  endTopic(topic: string): void;
   /** Changes how long records are collected before they are sent, milliseconds. */
   setPublishIntervalMs(intervalMs: number): void;
 

@@ -1,7 +1,8 @@
 import type { IOMapping } from '@ubii/proto';
 import type { ParsedIo } from '../definition/parse-module.ts';
-import type { SandboxResult } from '../ports/sandbox.ts';
+import type { SandboxInput, SandboxResult } from '../ports/sandbox.ts';
 import { OutputBinding, type OutputRecord, type OutputSink } from './binding/output-binding.ts';
+import { expiryOf, isPicture } from './binding/record-completion.ts';
 import { MadeTopics } from './made-topics.ts';
 import type { InstanceReports } from './reports/instance-reports.ts';
 import { TokenBucket } from './reports/token-bucket.ts';
@@ -54,15 +55,21 @@ export class InstanceOutputs {
     this.#made.end();
   }
 
-  /** The complete records of a run. Refused ones are reported. */
-  collect(result: SandboxResult): OutputRecord[] {
+  /**
+   * The complete records of a run. Refused ones are reported.
+   *
+   * @param inputs what the run was given: pictures stand no longer than those they were made of [PM-37]
+   */
+  collect(result: SandboxResult, inputs: readonly SandboxInput[]): OutputRecord[] {
     for (const fault of result.faults) this.#reports.countRefused(fault.message, fault.count ?? 1);
     if (result.outputs.length === 0) return [];
     const records: OutputRecord[] = [];
     const nowMs = this.#context.clock.monotonicMs();
+    let expiry: Uint8Array | undefined;
     const sink: OutputSink = {
       overLimit: this.#overLimit,
       refuseTopic: (topic) => this.#made.write(topic, nowMs),
+      expiryOf: (valueField) => (isPicture(valueField) ? (expiry ??= expiryOf(inputs)) : undefined),
       onRecord: (record) => void records.push(record),
       onRefused: (reason, count) => this.#reports.countRefused(reason, count),
       onTopicsRefused: (output, reason, count) =>

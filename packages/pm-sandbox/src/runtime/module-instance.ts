@@ -131,7 +131,7 @@ export class ModuleInstance {
     this.#runner.start(call, {
       onResult: (result: SandboxResult) => {
         this.#reports.countEnd(result.durationMs);
-        deliver(this.#outputs.collect(result));
+        deliver(this.#outputs.collect(result, call.inputs));
       },
       onFault: (fault) => {
         this.#reports.countEnd(this.#context.clock.monotonicMs() - startMs);

@@ -2123,14 +2123,16 @@ export function decodeNodeMessage(r: Reader, into?: T.NodeMessage): T.NodeMessag
 
 export function encodeRecordExtension(m: Init<T.RecordExtension>, w: Writer): void {
   if (m.keepSeconds != null) w.int32(8, m.keepSeconds);
+  if (m.expiryMs != null) w.int32(16, m.expiryMs);
 }
 
 export function decodeRecordExtension(r: Reader, into?: T.RecordExtension): T.RecordExtension {
-  const m: T.RecordExtension = into ?? { keepSeconds: 0 };
+  const m: T.RecordExtension = into ?? { keepSeconds: 0, expiryMs: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
       case 8: m.keepSeconds = r.int32(); break;
+      case 16: m.expiryMs = r.int32(); break;
       default: skipField(r, tag);
     }
   }

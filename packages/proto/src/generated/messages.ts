@@ -2078,6 +2078,8 @@ export interface NodeMessage {
 export interface RecordExtension {
   /** How long the value outlives the client that owns the topic, seconds; 0: not at all. Rule TD-43. */
   keepSeconds: number;
+  /** How long the value stands while no newer record of the topic comes, milliseconds; 0: as long as any. Rule TD-47. */
+  expiryMs: number;
 }
 
 /**

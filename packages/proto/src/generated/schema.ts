@@ -666,6 +666,7 @@ message ubii.extension.NodeMessage
 4 ended_topics ubii.extension.EndedTopics type
 message ubii.extension.RecordExtension
 1 keep_seconds int32
+2 expiry_ms int32
 message ubii.extension.SessionExtension
 1 state ubii.extension.SessionState
 2 problems ubii.extension.SessionProblem *

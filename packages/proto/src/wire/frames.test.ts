@@ -107,5 +107,6 @@ describe('the frames', () => {
     expect(tag('ubii.topicData.TopicDataRecord', 'clientId')).toBe(tags.CLIENT_ID_TAG);
     expect(tag('ubii.topicData.TopicDataRecord', 'extension')).toBe(tags.RECORD_EXTENSION_TAG);
     expect(tag('ubii.extension.RecordExtension', 'keepSeconds')).toBe(tags.KEEP_SECONDS_TAG | 2);
+    expect(tag('ubii.extension.RecordExtension', 'expiryMs')).toBe(tags.EXPIRY_MS_TAG | 2);
   });
 });

@@ -4,7 +4,13 @@ import type { TextCache } from '../binary/text-cache.ts';
 import { DecodeError } from '../decode-error.ts';
 import { messageCheck } from './check-table.ts';
 import { fieldOf } from './check-message.ts';
-import { CLIENT_ID_TAG, KEEP_SECONDS_TAG, RECORD_EXTENSION_TAG, TOPIC_TAG } from './tags.ts';
+import {
+  CLIENT_ID_TAG,
+  EXPIRY_MS_TAG,
+  KEEP_SECONDS_TAG,
+  RECORD_EXTENSION_TAG,
+  TOPIC_TAG,
+} from './tags.ts';
 
 /** What an encoded record says beside its value. */
 export interface RecordHead {
@@ -16,7 +22,11 @@ export interface RecordHead {
   readonly clientId: string;
   /** How long the value outlives its publisher, seconds. [TD-43] */
   readonly keepSeconds: number;
+  /** How long the value stands while no newer record comes, milliseconds; 0: as long as any. [TD-47] */
+  readonly expiryMs: number;
 }
+
+type LifeOfValue = Pick<RecordHead, 'keepSeconds' | 'expiryMs'>;
 
 const RECORD = messageCheck('ubii.topicData.TopicDataRecord');
 
@@ -32,13 +42,13 @@ export function readRecordHead(record: Uint8Array, texts?: TextCache): RecordHea
   let topic = '';
   let valueField = 0;
   let clientId = '';
-  let keepSeconds = 0;
+  let life: LifeOfValue = { keepSeconds: 0, expiryMs: 0 };
   try {
     while (reader.pos < reader.end) {
       const tag = reader.tag();
       if (tag === TOPIC_TAG) topic = readText(reader, texts);
       else if (tag === CLIENT_ID_TAG) clientId = readText(reader, texts);
-      else if (tag === RECORD_EXTENSION_TAG) keepSeconds = readKeepSeconds(reader, keepSeconds);
+      else if (tag === RECORD_EXTENSION_TAG) life = readLife(reader, life);
       else {
         const field = fieldOf(RECORD, tag);
         if (field?.isOneofMember === true) valueField = field.number;
@@ -48,20 +58,21 @@ export function readRecordHead(record: Uint8Array, texts?: TextCache): RecordHea
   } catch (cause) {
     throw DecodeError.wrap(RECORD.name, record.length, cause);
   }
-  return { topic, valueField, clientId, keepSeconds };
+  return { topic, valueField, clientId, ...life };
 }
 
 /** @param before what an earlier occurrence of the member said, which this one is merged into */
-function readKeepSeconds(reader: Reader, before: number): number {
-  let keepSeconds = before;
+function readLife(reader: Reader, before: LifeOfValue): LifeOfValue {
+  let { keepSeconds, expiryMs } = before;
   const outerEnd = reader.enter();
   while (reader.pos < reader.end) {
     const tag = reader.tag();
     if (tag === KEEP_SECONDS_TAG) keepSeconds = reader.int32();
+    else if (tag === EXPIRY_MS_TAG) expiryMs = reader.int32();
     else skipField(reader, tag);
   }
   reader.end = outerEnd;
-  return keepSeconds;
+  return { keepSeconds, expiryMs };
 }
 
 function readText(reader: Reader, texts: TextCache | undefined): string {

@@ -20,6 +20,8 @@ export const CLIENT_ID_TAG = 266;
 export const RECORD_EXTENSION_TAG = 8026;
 /** `RecordExtension.keep_seconds` */
 export const KEEP_SECONDS_TAG = 8;
+/** `RecordExtension.expiry_ms` */
+export const EXPIRY_MS_TAG = 16;
 /** `NodeMessage.lockstep_request` */
 export const LOCKSTEP_REQUEST_TAG = 10;
 /** `NodeMessage.lockstep_reply` */

@@ -219,6 +219,7 @@ class ListeningReceiver implements Receiver {
   }
 
   deliver(entry: TopicEntry, record: Uint8Array): void {
+    if (entry.valueField === 0) return this.handleGone(entry); // as on nodes [TD-42]
     this.#listener.onRecord(new LocalRecord(entry, record, this.#deviceOf));
   }
 
@@ -228,6 +229,10 @@ class ListeningReceiver implements Receiver {
 
   handleGone(entry: TopicEntry): void {
     this.#listener.onGone(entry.topic);
+  }
+
+  withdraw(): void {
+    // Nothing waits: what came was handed over at once.
   }
 
   forgive(): void {

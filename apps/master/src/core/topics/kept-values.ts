@@ -96,7 +96,8 @@ export class KeptValues {
 
   #keepMsOf({ record }: TopicEntry): number {
     if (record === undefined) return 0;
-    const seconds = readRecordHead(record).keepSeconds;
+    const { keepSeconds: seconds, expiryMs } = readRecordHead(record);
+    if (expiryMs > 0) return 0; // [TD-47]
     return Math.max(0, Math.min(seconds * 1000, this.#context.limits.keepMs));
   }
 

@@ -140,6 +140,13 @@ export class Outbox implements Flushable {
     if (this.hearsOfGone) this.deliver(entry, encodeRecord({ topic: entry.topic }), false);
   }
 
+  /** What waits for the socket of a value that has expired is not sent any more [TD-47]. */
+  withdraw(entry: TopicEntry): void {
+    const waiting = this.#waiting;
+    waiting?.drop(entry);
+    if (waiting?.count === 0) this.#waiting = undefined;
+  }
+
   /** The topic is forgotten or the client has no subscription to it any more. */
   forgive(entry: TopicEntry): void {
     this.#owed.delete(entry);

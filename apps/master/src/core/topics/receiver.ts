@@ -8,6 +8,8 @@ export interface Receiver {
   replay(entry: TopicEntry, sinceSequence: number): void;
   /** The value of the topic was deleted. [TD-42] */
   handleGone(entry: TopicEntry): void;
+  /** The value has expired: what waits of it is dropped [TD-47]. */
+  withdraw(entry: TopicEntry): void;
   /** The subscriber has no subscription to the topic any more. */
   forgive(entry: TopicEntry): void;
 }

@@ -67,6 +67,11 @@ export class Sampler {
     if (this.#holding.delete(sample)) this.#deliver(sample, 0);
   }
 
+  /** [TD-47] */
+  withdraw({ entry }: SampledTopic): void {
+    this.#outbox.withdraw(entry);
+  }
+
   /** The connection is closed: what is held back is owed [TD-33]. */
   close(): void {
     for (const { entry } of this.#holding) this.#outbox.owe(entry);

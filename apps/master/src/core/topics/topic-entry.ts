@@ -34,6 +34,10 @@ export class TopicEntry {
   publisherId = '';
   /** The value outlives its publisher, and ends when its time is over [TD-43]. */
   isKept = false;
+  /** Sequence of the record that the search for expired values saw here last [TD-47]. */
+  seenSequence = 0;
+  /** When that record expires, monotonic milliseconds; `undefined` while nobody had to know. */
+  expiresMs: number | undefined = undefined;
   owner: TopicOwner | undefined = undefined;
   /** The account that this topic and its retained record count for [AC-80]. */
   payer: Account | undefined = undefined;

@@ -89,6 +89,12 @@ export class WaitingRecords {
     return undefined;
   }
 
+  /** Drops what waits of a topic. */
+  drop(entry: TopicEntry): void {
+    for (const waiting of this.#topics.get(entry) ?? []) this.#dropped(entry, waiting);
+    this.#topics.delete(entry);
+  }
+
   clear(): void {
     this.#topics.clear();
     this.#grow(-this.#byteLength);

@@ -18,6 +18,8 @@ export interface OutputSink {
   overLimit(sizeBytes: number): string | undefined;
   /** A demuxer writes a topic. Returns why it may not, if it may not. [SE-61] */
   refuseTopic(topic: string): string | undefined;
+  /** When a record of this value member expires, as encoded fields. [PM-37] */
+  expiryOf(valueField: number): Uint8Array | undefined;
   onRecord(record: OutputRecord): void;
   /** @param reason a sentence; `count` records are refused for it */
   onRefused(reason: string, count: number): void;
@@ -143,8 +145,10 @@ export class OutputBinding {
   ): void {
     const fault = sink.overLimit(value.bytes.length + origin.length);
     if (fault !== undefined) return sink.onRefused(refusal(outputName, fault), 1);
-    const bytes = this.#completion.complete(value, origin, nowMs);
-    sink.onRecord({ topic, bytes, valueField: value.valueField });
+    const { valueField } = value;
+    const expiry = sink.expiryOf(valueField);
+    const bytes = this.#completion.complete(value, origin, nowMs, expiry);
+    sink.onRecord({ topic, bytes, valueField });
   }
 
   #originOf(topic: string): Uint8Array {

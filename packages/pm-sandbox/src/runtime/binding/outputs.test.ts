@@ -6,13 +6,13 @@ import {
   timestampFromMs,
   type DataFormat,
 } from '@ubii/proto';
-import { recordValueField } from '@ubii/proto/wire';
+import { readRecordHead, recordValueField } from '@ubii/proto/wire';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { SandboxOutput } from '../../ports/sandbox.ts';
 import { EMPTY_RESULT, sandboxOutput, sandboxValue } from '../../testing/fake-sandboxes.ts';
 import { createModuleWorld, ioMapping, type ModuleSketch } from '../../testing/module-world.ts';
-import { RecordCompletion } from './record-completion.ts';
+import { expiryOf, RecordCompletion } from './record-completion.ts';
 
 const ONCE = { triggerOnInput: { minDelayMs: 0, allInputsNeedUpdate: false } };
 const OUT: ModuleSketch = { outputs: { out: 'double' }, to: { out: '/out' } };
@@ -46,6 +46,31 @@ function list(
     })),
   };
 }
+
+describe('a picture that a module puts out', () => {
+  const image = { width: 1, height: 1, dataFormat: 0, data: new Uint8Array([7]) } as const;
+  const NOW_MS = 1_700_000_000_000;
+  const input = (expiryMs: number) => ({
+    bytes: encodeRecord({ topic: '/camera', format: 'image2D', value: image, expiryMs }),
+  });
+
+  it.each([
+    ['as long as the longest of its inputs that expire', [1500, 0, 3000], 3000],
+    ['without end when none of them does', [0, 0], 0],
+  ])('stands %s [PM-37]', (_what, inputsMs, expectedMs) => {
+    const [first, ...others] = inputsMs.map(input);
+    const expiry = expiryOf([
+      { name: 'image', record: first },
+      { name: 'nothing', record: undefined },
+      { name: 'more', elements: others },
+    ]);
+    const completion = new RecordCompletion('node-1');
+    const value = { ...sandboxValue('image2D', image), hasTimestamp: false };
+    const record = completion.complete(value, completion.origin('/picture'), NOW_MS, expiry);
+    expect(readRecordHead(record)).toMatchObject({ topic: '/picture', expiryMs: expectedMs });
+    expect(decodeRecord(record)).toMatchObject({ format: 'image2D', timestampMs: NOW_MS });
+  });
+});
 
 describe('an output mapped to a topic', () => {
   it('[PM-32] is published with topic, timestamp and the id of the node', async () => {

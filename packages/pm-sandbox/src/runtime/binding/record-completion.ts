@@ -1,8 +1,33 @@
-import { encode, encodeRecord, timestampFromMs } from '@ubii/proto';
-import type { SandboxValue } from '../../ports/sandbox.ts';
+import { DATA_FORMATS, encode, encodeRecord, timestampFromMs } from '@ubii/proto';
+import { readRecordHead } from '@ubii/proto/wire';
+import type { SandboxInput, SandboxValue } from '../../ports/sandbox.ts';
 
 /** `TopicDataRecord.timestamp`: field 2, length-delimited. */
 const TIMESTAMP_TAG = 0x12;
+const NOTHING = new Uint8Array();
+const PICTURES: ReadonlySet<number> = new Set([
+  DATA_FORMATS.image2D.fieldNumber,
+  DATA_FORMATS.image2DList.fieldNumber,
+]);
+
+/** Whether the value of a record is a picture, or several. */
+export function isPicture(valueField: number): boolean {
+  return PICTURES.has(valueField);
+}
+
+/** How long pictures stand that were made of these inputs, as encoded fields: as long as the longest of those that expire. [PM-37] */
+export function expiryOf(inputs: readonly SandboxInput[]): Uint8Array {
+  let longestMs = 0;
+  for (const input of inputs) {
+    const records = 'elements' in input ? input.elements : [input.record];
+    for (const record of records) {
+      if (record !== undefined)
+        longestMs = Math.max(longestMs, readRecordHead(record.bytes).expiryMs);
+    }
+  }
+  if (longestMs === 0) return NOTHING;
+  return encode('ubii.topicData.TopicDataRecord', { extension: { expiryMs: longestMs } });
+}
 
 /**
  * Makes complete records of what modules put out, by putting encoded fields after the encoded value:
@@ -28,14 +53,21 @@ export class RecordCompletion {
    * The complete record, in memory of its own.
    *
    * @param nowMs epoch milliseconds, put in unless the module gave a timestamp
+   * @param expiry of `expiryOf`
    */
-  complete(value: SandboxValue, origin: Uint8Array, nowMs: number): Uint8Array {
+  complete(
+    value: SandboxValue,
+    origin: Uint8Array,
+    nowMs: number,
+    expiry: Uint8Array = NOTHING,
+  ): Uint8Array {
     const { bytes, hasTimestamp } = value;
-    const stamp = hasTimestamp ? undefined : this.#stampOf(nowMs);
-    const record = new Uint8Array(bytes.length + origin.length + (stamp?.length ?? 0));
+    const stamp = hasTimestamp ? NOTHING : this.#stampOf(nowMs);
+    const record = new Uint8Array(bytes.length + origin.length + stamp.length + expiry.length);
     record.set(bytes);
     record.set(origin, bytes.length);
-    if (stamp !== undefined) record.set(stamp, bytes.length + origin.length);
+    record.set(stamp, bytes.length + origin.length);
+    record.set(expiry, bytes.length + origin.length + stamp.length);
     return record;
   }
 
