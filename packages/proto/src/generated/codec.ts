@@ -2351,6 +2351,28 @@ export function decodeStatusSample(r: Reader, into?: T.StatusSample): T.StatusSa
   return m;
 }
 
+export function encodeSubscribedModule(m: Init<T.SubscribedModule>, w: Writer): void {
+  if (m.name != null) w.string(10, m.name);
+  if (m.sessionId != null) w.string(18, m.sessionId);
+  if (m.sessionName != null) w.string(26, m.sessionName);
+  if (m.nodeId != null) w.string(34, m.nodeId);
+}
+
+export function decodeSubscribedModule(r: Reader, into?: T.SubscribedModule): T.SubscribedModule {
+  const m: T.SubscribedModule = into ?? { name: '', sessionId: '', sessionName: '', nodeId: '' };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.name = r.string(); break;
+      case 18: m.sessionId = r.string(); break;
+      case 26: m.sessionName = r.string(); break;
+      case 34: m.nodeId = r.string(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
 export function encodeTopicStatistic(m: Init<T.TopicStatistic>, w: Writer): void {
   if (m.topic != null) w.string(10, m.topic);
   if (m.dataFormat != null) w.string(18, m.dataFormat);
@@ -2417,6 +2439,60 @@ export function decodeTopicStatisticsRequest(r: Reader, into?: T.TopicStatistics
     const tag = r.tag();
     switch (tag) {
       case 9: m.cursor = r.double(); break;
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeTopicSubscribers(m: Init<T.TopicSubscribers>, w: Writer): void {
+  if (m.topic != null) w.string(10, m.topic);
+  if (m.count != null) w.int32(16, m.count);
+  if (m.clientIds != null) for (const e of m.clientIds) w.string(26, e);
+  if (m.modules != null) for (const e of m.modules) { const at = w.open(34); encodeSubscribedModule(e, w); w.close(at); }
+}
+
+export function decodeTopicSubscribers(r: Reader, into?: T.TopicSubscribers): T.TopicSubscribers {
+  const m: T.TopicSubscribers = into ?? { topic: '', count: 0, clientIds: [], modules: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.topic = r.string(); break;
+      case 16: m.count = r.int32(); break;
+      case 26: m.clientIds.push(r.string()); break;
+      case 34: { const end = r.enter(); m.modules.push(decodeSubscribedModule(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeTopicSubscribersList(m: Init<T.TopicSubscribersList>, w: Writer): void {
+  if (m.elements != null) for (const e of m.elements) { const at = w.open(10); encodeTopicSubscribers(e, w); w.close(at); }
+}
+
+export function decodeTopicSubscribersList(r: Reader, into?: T.TopicSubscribersList): T.TopicSubscribersList {
+  const m: T.TopicSubscribersList = into ?? { elements: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: { const end = r.enter(); m.elements.push(decodeTopicSubscribers(r)); r.end = end; break; }
+      default: skipField(r, tag);
+    }
+  }
+  return m;
+}
+
+export function encodeTopicSubscribersRequest(m: Init<T.TopicSubscribersRequest>, w: Writer): void {
+  if (m.topics != null) for (const e of m.topics) w.string(10, e);
+}
+
+export function decodeTopicSubscribersRequest(r: Reader, into?: T.TopicSubscribersRequest): T.TopicSubscribersRequest {
+  const m: T.TopicSubscribersRequest = into ?? { topics: [] };
+  while (r.pos < r.end) {
+    const tag = r.tag();
+    switch (tag) {
+      case 10: m.topics.push(r.string()); break;
       default: skipField(r, tag);
     }
   }
@@ -2835,6 +2911,7 @@ export function encodeServiceReply(m: Init<T.ServiceReply>, w: Writer): void {
   if (m.moduleVersionList != null) { const at = w.open(8050); encodeModuleVersionList(m.moduleVersionList, w); w.close(at); }
   if (m.settingList != null) { const at = w.open(8058); encodeSettingList(m.settingList, w); w.close(at); }
   if (m.assetSetList != null) { const at = w.open(8066); encodeAssetSetList(m.assetSetList, w); w.close(at); }
+  if (m.topicSubscribersList != null) { const at = w.open(8074); encodeTopicSubscribersList(m.topicSubscribersList, w); w.close(at); }
   if (m.joinCheck != null) { const at = w.open(8162); encodeJoinCheck(m.joinCheck, w); w.close(at); }
   if (m.accessGrantCreated != null) { const at = w.open(8170); encodeAccessGrantCreated(m.accessGrantCreated, w); w.close(at); }
   if (m.accessGrant != null) { const at = w.open(8178); encodeAccessGrant(m.accessGrant, w); w.close(at); }
@@ -2842,7 +2919,7 @@ export function encodeServiceReply(m: Init<T.ServiceReply>, w: Writer): void {
   if (m.auditLog != null) { const at = w.open(8322); encodeAuditLog(m.auditLog, w); w.close(at); }
 }
 
-const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList', 'settingList', 'assetSetList', 'joinCheck', 'accessGrantCreated', 'accessGrant', 'accessGrantList', 'auditLog'] as const;
+const ServiceReply_type = ['success', 'error', 'client', 'device', 'server', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'stringList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'service', 'serviceList', 'lockstepProcessingReply', 'component', 'componentList', 'notifyCondition', 'topicStatistics', 'masterStatus', 'nodeList', 'clientReport', 'limitList', 'logTail', 'moduleVersionList', 'settingList', 'assetSetList', 'topicSubscribersList', 'joinCheck', 'accessGrantCreated', 'accessGrant', 'accessGrantList', 'auditLog'] as const;
 export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceReply {
   const m: T.ServiceReply = into ?? {};
   let type = into && setMember(into, ServiceReply_type);
@@ -2880,6 +2957,7 @@ export function decodeServiceReply(r: Reader, into?: T.ServiceReply): T.ServiceR
       case 8050: type = only(m, type, 'moduleVersionList'); { const end = r.enter(); m.moduleVersionList = decodeModuleVersionList(r, m.moduleVersionList); r.end = end; break; }
       case 8058: type = only(m, type, 'settingList'); { const end = r.enter(); m.settingList = decodeSettingList(r, m.settingList); r.end = end; break; }
       case 8066: type = only(m, type, 'assetSetList'); { const end = r.enter(); m.assetSetList = decodeAssetSetList(r, m.assetSetList); r.end = end; break; }
+      case 8074: type = only(m, type, 'topicSubscribersList'); { const end = r.enter(); m.topicSubscribersList = decodeTopicSubscribersList(r, m.topicSubscribersList); r.end = end; break; }
       case 8162: type = only(m, type, 'joinCheck'); { const end = r.enter(); m.joinCheck = decodeJoinCheck(r, m.joinCheck); r.end = end; break; }
       case 8170: type = only(m, type, 'accessGrantCreated'); { const end = r.enter(); m.accessGrantCreated = decodeAccessGrantCreated(r, m.accessGrantCreated); r.end = end; break; }
       case 8178: type = only(m, type, 'accessGrant'); { const end = r.enter(); m.accessGrant = decodeAccessGrant(r, m.accessGrant); r.end = end; break; }
@@ -2919,13 +2997,14 @@ export function encodeServiceRequest(m: Init<T.ServiceRequest>, w: Writer): void
   if (m.logRequest != null) { const at = w.open(8050); encodeLogRequest(m.logRequest, w); w.close(at); }
   if (m.moduleVersionRequest != null) { const at = w.open(8058); encodeModuleVersionRequest(m.moduleVersionRequest, w); w.close(at); }
   if (m.assetSetRequest != null) { const at = w.open(8066); encodeAssetSetRequest(m.assetSetRequest, w); w.close(at); }
+  if (m.topicSubscribersRequest != null) { const at = w.open(8074); encodeTopicSubscribersRequest(m.topicSubscribersRequest, w); w.close(at); }
   if (m.joinCheckRequest != null) { const at = w.open(8162); encodeJoinCheckRequest(m.joinCheckRequest, w); w.close(at); }
   if (m.accessGrantCreateRequest != null) { const at = w.open(8170); encodeAccessGrantCreateRequest(m.accessGrantCreateRequest, w); w.close(at); }
   if (m.accessGrantRevokeRequest != null) { const at = w.open(8178); encodeAccessGrantRevokeRequest(m.accessGrantRevokeRequest, w); w.close(at); }
   if (m.auditLogRequest != null) { const at = w.open(8322); encodeAuditLogRequest(m.auditLogRequest, w); w.close(at); }
 }
 
-const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest', 'clientReportRequest', 'clientRenameRequest', 'clientDisconnectRequest', 'clientThrottleRequest', 'logRequest', 'moduleVersionRequest', 'assetSetRequest', 'joinCheckRequest', 'accessGrantCreateRequest', 'accessGrantRevokeRequest', 'auditLogRequest'] as const;
+const ServiceRequest_type = ['client', 'device', 'topicSubscription', 'session', 'sessionList', 'processingModule', 'processingModuleList', 'topicMux', 'topicMuxList', 'topicDemux', 'topicDemuxList', 'clientList', 'deviceList', 'lockstepProcessingRequest', 'component', 'componentList', 'notifyCondition', 'topicStatisticsRequest', 'masterStatusRequest', 'clientReportRequest', 'clientRenameRequest', 'clientDisconnectRequest', 'clientThrottleRequest', 'logRequest', 'moduleVersionRequest', 'assetSetRequest', 'topicSubscribersRequest', 'joinCheckRequest', 'accessGrantCreateRequest', 'accessGrantRevokeRequest', 'auditLogRequest'] as const;
 export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.ServiceRequest {
   const m: T.ServiceRequest = into ?? { topic: '' };
   let type = into && setMember(into, ServiceRequest_type);
@@ -2959,6 +3038,7 @@ export function decodeServiceRequest(r: Reader, into?: T.ServiceRequest): T.Serv
       case 8050: type = only(m, type, 'logRequest'); { const end = r.enter(); m.logRequest = decodeLogRequest(r, m.logRequest); r.end = end; break; }
       case 8058: type = only(m, type, 'moduleVersionRequest'); { const end = r.enter(); m.moduleVersionRequest = decodeModuleVersionRequest(r, m.moduleVersionRequest); r.end = end; break; }
       case 8066: type = only(m, type, 'assetSetRequest'); { const end = r.enter(); m.assetSetRequest = decodeAssetSetRequest(r, m.assetSetRequest); r.end = end; break; }
+      case 8074: type = only(m, type, 'topicSubscribersRequest'); { const end = r.enter(); m.topicSubscribersRequest = decodeTopicSubscribersRequest(r, m.topicSubscribersRequest); r.end = end; break; }
       case 8162: type = only(m, type, 'joinCheckRequest'); { const end = r.enter(); m.joinCheckRequest = decodeJoinCheckRequest(r, m.joinCheckRequest); r.end = end; break; }
       case 8170: type = only(m, type, 'accessGrantCreateRequest'); { const end = r.enter(); m.accessGrantCreateRequest = decodeAccessGrantCreateRequest(r, m.accessGrantCreateRequest); r.end = end; break; }
       case 8178: type = only(m, type, 'accessGrantRevokeRequest'); { const end = r.enter(); m.accessGrantRevokeRequest = decodeAccessGrantRevokeRequest(r, m.accessGrantRevokeRequest); r.end = end; break; }
@@ -3482,9 +3562,13 @@ export const CODECS: {
   'ubii.extension.StatusEvent': { encode: encodeStatusEvent, decode: decodeStatusEvent },
   'ubii.extension.StatusProblem': { encode: encodeStatusProblem, decode: decodeStatusProblem },
   'ubii.extension.StatusSample': { encode: encodeStatusSample, decode: decodeStatusSample },
+  'ubii.extension.SubscribedModule': { encode: encodeSubscribedModule, decode: decodeSubscribedModule },
   'ubii.extension.TopicStatistic': { encode: encodeTopicStatistic, decode: decodeTopicStatistic },
   'ubii.extension.TopicStatistics': { encode: encodeTopicStatistics, decode: decodeTopicStatistics },
   'ubii.extension.TopicStatisticsRequest': { encode: encodeTopicStatisticsRequest, decode: decodeTopicStatisticsRequest },
+  'ubii.extension.TopicSubscribers': { encode: encodeTopicSubscribers, decode: decodeTopicSubscribers },
+  'ubii.extension.TopicSubscribersList': { encode: encodeTopicSubscribersList, decode: decodeTopicSubscribersList },
+  'ubii.extension.TopicSubscribersRequest': { encode: encodeTopicSubscribersRequest, decode: decodeTopicSubscribersRequest },
   'ubii.general.Error': { encode: encodeErrorMessage, decode: decodeErrorMessage },
   'ubii.general.ErrorList': { encode: encodeErrorList, decode: decodeErrorList },
   'ubii.general.Success': { encode: encodeSuccess, decode: decodeSuccess },

@@ -2254,6 +2254,22 @@ export interface StatusSample {
 }
 
 /**
+ * A module of a session with an input that gets the topic.
+ *
+ * `ubii.extension.SubscribedModule`
+ */
+export interface SubscribedModule {
+  /** Name of the module. */
+  name: string;
+  /** Id of its session. */
+  sessionId: string;
+  /** Name of its session. */
+  sessionName: string;
+  /** Id of the client, or of the master, that runs it. */
+  nodeId: string;
+}
+
+/**
  * Counters of one topic. All counts are totals since the topic appeared; a rate is the difference of
  * two replies over the difference of their master_time_ms.
  *
@@ -2306,6 +2322,42 @@ export interface TopicStatistics {
 export interface TopicStatisticsRequest {
   /** Cursor of the reply the client already has; 0 asks for every topic. */
   cursor: number;
+}
+
+/**
+ * Who receives the records of one topic.
+ *
+ * `ubii.extension.TopicSubscribers`
+ */
+export interface TopicSubscribers {
+  /** Which topic. */
+  topic: string;
+  /** Clients that receive it, whoever asks included; the master counts as one when its own modules do. */
+  count: number;
+  /** Their ids, that of the master for its own modules; empty when the caller may not list clients. */
+  clientIds: string[];
+  /** Modules of sessions that receive it; empty when the caller may not list sessions. */
+  modules: SubscribedModule[];
+}
+
+/**
+ * Who receives the records of topics, in the order of the request.
+ *
+ * `ubii.extension.TopicSubscribersList`
+ */
+export interface TopicSubscribersList {
+  /** One for each topic that was asked for. */
+  elements: TopicSubscribers[];
+}
+
+/**
+ * Asks who receives the records of topics. Rules EX-95 to EX-97.
+ *
+ * `ubii.extension.TopicSubscribersRequest`
+ */
+export interface TopicSubscribersRequest {
+  /** The topics, at most 16. */
+  topics: string[];
 }
 
 /**
@@ -2655,6 +2707,8 @@ export interface ServiceReply {
   settingList?: SettingList | undefined;
   /** Asset sets of the master. Rule EX-57. */
   assetSetList?: AssetSetList | undefined;
+  /** Who receives the records of topics. Rule EX-95. */
+  topicSubscribersList?: TopicSubscribersList | undefined;
   /** What a token is good for. Rule AC-16. */
   joinCheck?: JoinCheck | undefined;
   /** Leave to join, with its secrets. Rule AC-11. */
@@ -2727,6 +2781,8 @@ export interface ServiceRequest {
   moduleVersionRequest?: ModuleVersionRequest | undefined;
   /** Which asset set is to be downloaded. Rule EX-58. */
   assetSetRequest?: AssetSetRequest | undefined;
+  /** Topics whose subscribers are wanted. Rule EX-95. */
+  topicSubscribersRequest?: TopicSubscribersRequest | undefined;
   /** A token to be checked. Rule AC-16. */
   joinCheckRequest?: JoinCheckRequest | undefined;
   /** Leave to join that is wanted. Rule AC-10. */
@@ -3150,9 +3206,13 @@ export interface MessageTypes {
   'ubii.extension.StatusEvent': StatusEvent;
   'ubii.extension.StatusProblem': StatusProblem;
   'ubii.extension.StatusSample': StatusSample;
+  'ubii.extension.SubscribedModule': SubscribedModule;
   'ubii.extension.TopicStatistic': TopicStatistic;
   'ubii.extension.TopicStatistics': TopicStatistics;
   'ubii.extension.TopicStatisticsRequest': TopicStatisticsRequest;
+  'ubii.extension.TopicSubscribers': TopicSubscribers;
+  'ubii.extension.TopicSubscribersList': TopicSubscribersList;
+  'ubii.extension.TopicSubscribersRequest': TopicSubscribersRequest;
   'ubii.general.Error': ErrorMessage;
   'ubii.general.ErrorList': ErrorList;
   'ubii.general.Success': Success;

@@ -725,6 +725,11 @@ message ubii.extension.StatusSample
 4 busy_percent double
 5 delay_ms double
 6 records_out_per_second double
+message ubii.extension.SubscribedModule
+1 name string
+2 session_id string
+3 session_name string
+4 node_id string
 message ubii.extension.TopicStatistic
 1 topic string
 2 data_format string
@@ -743,6 +748,15 @@ message ubii.extension.TopicStatistics
 5 master_time_ms double
 message ubii.extension.TopicStatisticsRequest
 1 cursor double
+message ubii.extension.TopicSubscribers
+1 topic string
+2 count int32
+3 client_ids string *
+4 modules ubii.extension.SubscribedModule *
+message ubii.extension.TopicSubscribersList
+1 elements ubii.extension.TopicSubscribers *
+message ubii.extension.TopicSubscribersRequest
+1 topics string *
 message ubii.general.Error
 1 title string
 2 message string
@@ -862,6 +876,7 @@ message ubii.services.ServiceReply
 1006 module_version_list ubii.extension.ModuleVersionList type
 1007 setting_list ubii.extension.SettingList type
 1008 asset_set_list ubii.extension.AssetSetList type
+1009 topic_subscribers_list ubii.extension.TopicSubscribersList type
 1020 join_check ubii.extension.JoinCheck type
 1021 access_grant_created ubii.extension.AccessGrantCreated type
 1022 access_grant ubii.extension.AccessGrant type
@@ -895,6 +910,7 @@ message ubii.services.ServiceRequest
 1006 log_request ubii.extension.LogRequest type
 1007 module_version_request ubii.extension.ModuleVersionRequest type
 1008 asset_set_request ubii.extension.AssetSetRequest type
+1009 topic_subscribers_request ubii.extension.TopicSubscribersRequest type
 1020 join_check_request ubii.extension.JoinCheckRequest type
 1021 access_grant_create_request ubii.extension.AccessGrantCreateRequest type
 1022 access_grant_revoke_request ubii.extension.AccessGrantRevokeRequest type

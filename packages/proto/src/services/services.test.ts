@@ -31,6 +31,7 @@ describe('the service table', () => {
     );
     expect(INFOS.filter(({ isExtension }) => isExtension).map(({ topic }) => topic)).toEqual([
       '/services/ubii/topic_statistics',
+      '/services/ubii/topic_subscribers',
       '/services/ubii/master_status',
       '/services/ubii/node_list',
       '/services/ubii/session_pause',

@@ -121,6 +121,12 @@ export const SERVICES = {
     'topicStatistics',
     'Returns the counters of the topics that changed since a cursor.',
   ),
+  topicSubscribers: withPayload(
+    '/services/ubii/topic_subscribers',
+    'topicSubscribersRequest',
+    'topicSubscribersList',
+    'Returns who receives the records of topics: clients, and modules with their sessions.',
+  ),
   masterStatus: withPayload(
     '/services/ubii/master_status',
     'masterStatusRequest',

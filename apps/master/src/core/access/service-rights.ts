@@ -27,6 +27,8 @@ export const SERVICE_RIGHTS: { readonly [S in ServiceName]: ServiceRight } = {
   clientDeregistration: actsForClient(JOINED),
   topicSubscription: actsForClient(JOINED),
   serviceList: JOINED,
+  // Players learn how many receive their own topics, and no names. [EX-96]
+  topicSubscribers: JOINED,
 
   deviceRegistration: actsForClient(right('admin', 'participant', 'player')),
   deviceDeregistration: actsForClient(right('admin', 'participant', 'player')),

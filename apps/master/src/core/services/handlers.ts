@@ -55,6 +55,7 @@ import {
   updateSession,
 } from './sessions.ts';
 import { subscribe } from './topic-subscription.ts';
+import { topicSubscribers } from './topic-subscribers.ts';
 import { listTopics, topicStatistics } from './topics.ts';
 import { whenRemembered } from './when-remembered.ts';
 
@@ -72,6 +73,7 @@ const DOMAIN_HANDLERS = {
   deviceGetList: listDevices,
   componentGetList: listComponents,
   topicStatistics,
+  topicSubscribers,
   masterStatus,
   nodeList: listNodes,
   clientReport: reportClients,

@@ -145,6 +145,7 @@ export const TEXT_RULES: Readonly<Record<string, TextRule>> = {
   'ubii.extension.ModuleExtension.optional_assets': IDENTIFIER,
   'ubii.extension.AssetSetRequest.name': NOT_KEPT,
   'ubii.extension.ModuleExtension.grant_ids': OF_MASTER,
+  'ubii.extension.TopicSubscribersRequest.topics': TOPIC,
   'ubii.extension.ModuleVersionRequest.name': IDENTIFIER,
   'ubii.extension.ModuleVersionRequest.module_id': ID,
 

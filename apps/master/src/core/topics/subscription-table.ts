@@ -8,7 +8,7 @@ import type { Pattern } from './pattern.ts';
 import type { PatternTable } from './pattern-table.ts';
 import type { SelectionTable } from './selection-table.ts';
 import type { Subscriber } from './subscriber.ts';
-import { computeTargets, type Targets } from './targets.ts';
+import { computeTargets, ratesBySubscriber, type Targets } from './targets.ts';
 import type { TopicEntry } from './topic-entry.ts';
 import { quote, topicFault } from './topic-names.ts';
 import type { TopicTable } from './topic-table.ts';
@@ -40,6 +40,13 @@ export class SubscriptionTable {
       entry.targets = computeTargets(entry, this.#watchers);
     }
     return entry.targets!;
+  }
+
+  /** Ids of those who get the records of this topic, each once. */
+  subscriberIds(entry: TopicEntry): Set<string> {
+    return new Set(
+      [...ratesBySubscriber(entry, this.#watchers).keys()].map(({ clientId }) => clientId),
+    );
   }
 
   /** @throws ServiceError when the topic is none, or there are too many. */

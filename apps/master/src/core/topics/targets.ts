@@ -11,8 +11,11 @@ export interface Targets {
   readonly sampled: readonly SampledTopic[];
 }
 
-/** Computes who gets the records of this topic, from the subscriptions that match it. */
-export function computeTargets(entry: TopicEntry, watchers: Iterable<Subscriber>): Targets {
+/** Who gets the records of this topic by the subscriptions that match it, with their rates in Hz (0: every record). */
+export function ratesBySubscriber(
+  entry: TopicEntry,
+  watchers: Iterable<Subscriber>,
+): Map<Subscriber, number> {
   const rates = new Map<Subscriber, number>();
   const add = (subscriber: Subscriber, rateHz: number): void => {
     if (entry.isExtension && !subscriber.isExtension) return; // [TD-26]
@@ -29,12 +32,16 @@ export function computeTargets(entry: TopicEntry, watchers: Iterable<Subscriber>
     for (const [subscriber, rateHz] of subscribers) add(subscriber, rateHz);
   }
   for (const subscriber of watchers) add(subscriber, 0);
+  return rates;
+}
 
+/** Computes who gets the records of this topic. */
+export function computeTargets(entry: TopicEntry, watchers: Iterable<Subscriber>): Targets {
   const direct: Receiver[] = [];
   const sampled: SampledTopic[] = [];
   const before = new Map<Sampler, SampledTopic>();
   for (const sample of entry.targets?.sampled ?? []) before.set(sample.sampler, sample);
-  for (const [{ outbox, sampler }, rateHz] of rates) {
+  for (const [{ outbox, sampler }, rateHz] of ratesBySubscriber(entry, watchers)) {
     if (sampler === undefined) {
       direct.push(outbox);
       continue;

@@ -1,0 +1,73 @@
+import {
+  globToRegExpSource,
+  ServiceError,
+  type Init,
+  type SubscribedModule,
+  type TopicMux,
+  type TopicSubscribers,
+} from '@ubii/proto';
+import { roleRefusal } from '../access/join-refusals.ts';
+import type { Core } from '../core.ts';
+import { quote } from '../topics/topic-names.ts';
+import type { TopicEntry } from '../topics/topic-entry.ts';
+import type { ServiceCall, ServiceHandler } from './handler.ts';
+
+/** Topics of one request: what a page shows. */
+const MAX_TOPICS = 16;
+
+/** `/services/ubii/topic_subscribers` [EX-95] */
+export const topicSubscribers: ServiceHandler = (core, request, { caller }) => {
+  const { topics } = request.topicSubscribersRequest!;
+  if (topics.length > MAX_TOPICS) {
+    throw new ServiceError(
+      'invalid_argument',
+      `The request names ${topics.length} topics, but one request names at most ${MAX_TOPICS}.`,
+    );
+  }
+  if (caller.role !== 'player') {
+    return {
+      topicSubscribersList: { elements: topics.map((topic) => subscribersOf(core, topic)) },
+    };
+  }
+  for (const topic of topics) requireOwn(caller, topic);
+  const elements = topics.map((topic) => ({ topic, count: subscribersOf(core, topic).count }));
+  return { topicSubscribersList: { elements } };
+};
+
+/** [EX-96] */
+function requireOwn(caller: ServiceCall['caller'], topic: string): void {
+  if (caller.kind === 'client' && topic.startsWith(`/${caller.clientId}/`)) return;
+  throw roleRefusal(
+    `A player may ask who receives its own topics, and not ${quote(topic)}, which is none of them.`,
+  );
+}
+
+function subscribersOf(core: Core, topic: string): Init<TopicSubscribers> & { count: number } {
+  const entry = core.topics.get(topic);
+  if (entry === undefined) return { topic, count: 0 };
+  const clientIds = [...core.subscriptions.subscriberIds(entry)];
+  return { topic, count: clientIds.length, clientIds, modules: [...modulesOf(core, entry)] };
+}
+
+/** The modules of live sessions that have the topic on an input, each once [EX-97]. */
+function* modulesOf(core: Core, entry: TopicEntry): Iterable<Init<SubscribedModule>> {
+  for (const session of core.processing.sessions.list()) {
+    for (const module of session.isLive ? session.modules : []) {
+      const takes = module.mapping.inputMappings.some(({ topic, topicMux }) =>
+        topicMux === undefined ? topic === entry.topic : selects(core, topicMux, entry),
+      );
+      if (!takes || !module.isPlaced) continue;
+      const { name, nodeId } = module;
+      yield { name, nodeId, sessionId: session.id, sessionName: session.description.name };
+    }
+  }
+}
+
+/** The node of the module has subscribed to the same, so that it is known what matches. */
+function selects(core: Core, mux: TopicMux, entry: TopicEntry): boolean {
+  if (mux.component !== undefined) {
+    return core.selectionTable.get(mux.component)?.entries.has(entry) === true;
+  }
+  const source = mux.topicGlob === '' ? mux.topicSelector : globToRegExpSource(mux.topicGlob);
+  return core.patternTable.get(source)?.entries.has(entry) === true;
+}
