@@ -26,7 +26,13 @@ export const bodyPose = defineProcessingModule({
     smoothingMs: { format: 'double', default: 80 },
     maxRate: { format: 'double', default: 15 },
   },
-  outputs: { keypoints: 'object2DList', score: 'double', durationMs: 'double', error: 'string' },
+  outputs: {
+    keypoints: 'object2DList',
+    score: 'double',
+    decodeMs: 'double',
+    durationMs: 'double',
+    error: 'string',
+  },
   mode: { triggerOnInput: {} },
   createState: (): PoseState => ({
     detector: undefined,
@@ -67,10 +73,13 @@ export const bodyPose = defineProcessingModule({
       state.smoothingMs = smoothingMs;
     }
     const startedMs = performance.now();
+    let decodedMs = startedMs;
     let error = '';
     let pose: Vision.BodyPose | undefined;
     try {
-      const found = await state.detector.detect(await vision.readImage2D(image));
+      const picture = await vision.readImage2D(image);
+      decodedMs = performance.now();
+      const found = await state.detector.detect(picture);
       pose = state.smoother.smooth(found, sinceMs);
     } catch (thrown) {
       // What the sender of the image has to change.
@@ -89,6 +98,7 @@ export const bodyPose = defineProcessingModule({
           timestamp,
         },
         score: { double: pose.score },
+        decodeMs: { double: decodedMs - startedMs },
         durationMs: { double: performance.now() - startedMs },
         error: isNewError ? { string: '' } : undefined,
       },

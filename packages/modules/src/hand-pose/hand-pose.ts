@@ -28,6 +28,7 @@ export const handPose = defineProcessingModule({
     keypoints: 'object2DList',
     positions: 'object3DList',
     hands: 'double',
+    decodeMs: 'double',
     durationMs: 'double',
     error: 'string',
   },
@@ -59,10 +60,13 @@ export const handPose = defineProcessingModule({
 
     const vision = state.modules['vision'] as typeof Vision;
     const startedMs = performance.now();
+    let decodedMs = startedMs;
     let error = '';
     let hands: Vision.HandPose[] | undefined;
     try {
-      hands = await state.detector.detect(await vision.readImage2D(image), {
+      const picture = await vision.readImage2D(image);
+      decodedMs = performance.now();
+      hands = await state.detector.detect(picture, {
         threshold: number(inputs.threshold, 0.5),
         maxHands: number(inputs.maxHands, 2),
       });
@@ -106,6 +110,7 @@ export const handPose = defineProcessingModule({
           },
         },
         hands: { double: hands.length },
+        decodeMs: { double: decodedMs - startedMs },
         durationMs: { double: performance.now() - startedMs },
         error: isNewError ? { string: '' } : undefined,
       },

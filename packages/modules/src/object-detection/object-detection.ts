@@ -32,6 +32,7 @@ export const objectDetection = defineProcessingModule({
   },
   outputs: {
     predictions: 'object2DList',
+    decodeMs: 'double',
     durationMs: 'double',
     backend: 'string',
     error: 'string',
@@ -70,10 +71,12 @@ export const objectDetection = defineProcessingModule({
 
     const vision = state.modules['vision'] as typeof Vision;
     const startedMs = performance.now();
+    let decodedMs = startedMs;
     let error = '';
     let found: Vision.Detection[] | undefined;
     try {
       const picture = await vision.readImage2D(image);
+      decodedMs = performance.now();
       found = await choice.detect(picture, {
         threshold: number(inputs.threshold),
         maxObjects: number(inputs.maxObjects),
@@ -93,6 +96,7 @@ export const objectDetection = defineProcessingModule({
     return {
       outputs: {
         predictions: { object2DList: vision.object2DListOfDetections(found), timestamp },
+        decodeMs: { double: decodedMs - startedMs },
         durationMs: { double: performance.now() - startedMs },
         backend: { string: choice.backend },
         error: isNewError ? { string: error } : undefined,
