@@ -1,4 +1,4 @@
-import type { ComponentInit, RegisteredDevice } from '@ubii/client-web';
+import type { ComponentInit, PublishOptions, RegisteredDevice } from '@ubii/client-web';
 import type { DataFormatValues, TopicRecord } from '@ubii/proto';
 import { onScopeDispose, shallowRef, watch } from 'vue';
 import { useConnection } from '../connection/useConnection.ts';
@@ -83,7 +83,7 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
   function publish<N extends NameOf<C>>(
     component: N,
     value: ValueOf<C, N>,
-    options?: { readonly immediate?: boolean; readonly timestampMs?: number },
+    options?: PublishOptions,
   ): void {
     if (!isResting.value) device?.component(component).publish(value as never, options);
   }
@@ -92,9 +92,16 @@ export function useDevice<const C extends readonly ComponentInit[]>(plan: Device
     isRegistered,
     publish,
     /** Publishes what was taken `ageMs` ago, with the moment of it in the master's time. */
-    publishTaken<N extends NameOf<C>>(component: N, value: ValueOf<C, N>, ageMs: number): void {
-      publish(component, value, { timestampMs: client.masterTime.nowMs() - ageMs });
+    publishTaken<N extends NameOf<C>>(
+      component: N,
+      value: ValueOf<C, N>,
+      ageMs: number,
+      options?: PublishOptions,
+    ): void {
+      publish(component, value, { ...options, timestampMs: client.masterTime.nowMs() - ageMs });
     },
+    /** Says that a component's topic has no value any more. [TD-48] */
+    end: (component: NameOf<C>): void => device?.component(component).end(),
     topicOf: (component: NameOf<C>) => device?.component(component).topic,
   };
 }

@@ -11,12 +11,17 @@ export interface PictureSource {
   readonly element: CanvasImageSource;
   readonly width: number;
   readonly height: number;
+  /** When the picture was taken, on the clock of `performance.now()`; `undefined` where nobody tells. */
+  readonly takenMs?: number | undefined;
 }
 
 /** A video as a source; nothing before its first picture. */
-export function videoSource(video: HTMLVideoElement | null): PictureSource | undefined {
+export function videoSource(
+  video: HTMLVideoElement | null,
+  takenMs?: number,
+): PictureSource | undefined {
   if (!video || video.videoWidth === 0) return undefined;
-  return { element: video, width: video.videoWidth, height: video.videoHeight };
+  return { element: video, width: video.videoWidth, height: video.videoHeight, takenMs };
 }
 
 export interface PictureSettings {

@@ -1,5 +1,5 @@
 import { useEventListener } from '@vueuse/core';
-import { onScopeDispose, shallowRef } from 'vue';
+import { onScopeDispose, shallowRef, watch } from 'vue';
 import {
   CAMERA_ENDED,
   cameraProblemOf,
@@ -7,11 +7,14 @@ import {
   type CameraProblem,
 } from './camera-problem.ts';
 
-/** `paused`: the page is hidden, and the camera comes back with it. */
+/** `paused`: the page is hidden or not connected, and the camera comes back with it. */
 export type CameraStatus = 'off' | 'asking' | 'on' | 'paused';
 
 /** Browsers that have a light tell so; no declaration knows it. */
 type TorchCapabilities = MediaTrackCapabilities & { readonly torch?: boolean };
+
+/** A connection that was lost this long ago receives nothing: the camera is let go, milliseconds. */
+const UNNEEDED_MS = 3000;
 
 /** What is asked of a camera: enough for the largest picture that is published. */
 const WANTED = { width: { ideal: 640 }, height: { ideal: 480 }, frameRate: { ideal: 30 } };
@@ -20,8 +23,9 @@ const WANTED = { width: { ideal: 640 }, height: { ideal: 480 }, frameRate: { ide
  * The camera of this device, while the calling scope lives, the camera is needed, and the page is visible.
  *
  * @param first id of the one to be opened; when it is gone, any other is
+ * @param isNeeded false while nothing can be sent: the camera pauses soon, and its light goes out
  */
-export function useCamera(first = '') {
+export function useCamera(first = '', isNeeded: () => boolean = () => true) {
   const status = shallowRef<CameraStatus>('off');
   const problem = shallowRef<CameraProblem | undefined>(firstProblem());
   const stream = shallowRef<MediaStream>();
@@ -102,14 +106,25 @@ export function useCamera(first = '') {
     }
   }
 
-  // The camera stops while the page is hidden.
-  useEventListener(document, 'visibilitychange', () => {
-    if (document.visibilityState === 'hidden' && status.value === 'on') {
-      stop();
-      status.value = 'paused';
-    } else if (document.visibilityState === 'visible' && status.value === 'paused') {
+  function pause(): void {
+    if (status.value !== 'on') return;
+    stop();
+    status.value = 'paused';
+  }
+  function resume(): void {
+    if (status.value === 'paused' && document.visibilityState === 'visible' && isNeeded()) {
       void start();
     }
+  }
+  // The camera stops while the page is hidden.
+  useEventListener(document, 'visibilitychange', () => {
+    if (document.visibilityState === 'hidden') pause();
+    else resume();
+  });
+  watch(isNeeded, (needed, _before, onCleanup) => {
+    if (needed) return resume();
+    const timer = setTimeout(pause, UNNEEDED_MS);
+    onCleanup(() => clearTimeout(timer));
   });
   if (problem.value === undefined) {
     useEventListener(navigator.mediaDevices, 'devicechange', () => {

@@ -3,6 +3,9 @@ import { onScopeDispose, shallowRef } from 'vue';
 import { useDevice } from '../use-device.ts';
 import { CAMERA_COMPONENTS, CAMERA_DEVICE } from './components.ts';
 import { videoSource, type PictureSettings } from './encode-picture.ts';
+import { RateMeter } from '../sensors/rate-meter.ts';
+import type { PictureHabits } from './picture-habits.ts';
+import { useFrameTimes } from './use-frame-times.ts';
 import { usePictures } from './usePictures.ts';
 
 /** Boxes that nothing renews are of another picture by then, milliseconds. */
@@ -14,10 +17,13 @@ export function useCameraDevice(options: {
   /** True while the camera is on and has a receiver. */
   readonly isWanted: () => boolean;
   readonly settings: Readonly<PictureSettings>;
+  readonly habits: () => Readonly<PictureHabits>;
 }) {
   const objects = shallowRef<Object2DList>();
   /** From the newest picture that was sent to the boxes that came next, milliseconds. */
   const answerMs = shallowRef<number>();
+  const results = new RateMeter(OBJECTS_HOLD_MS);
+  const frames = useFrameTimes(options.video);
   let holdTimer: ReturnType<typeof setTimeout> | undefined;
 
   const device = useDevice({
@@ -27,6 +33,7 @@ export function useCameraDevice(options: {
     receivers: {
       objects(found) {
         objects.value = found;
+        results.note(performance.now());
         const { sentAtMs } = measures;
         if (sentAtMs !== undefined) answerMs.value = performance.now() - sentAtMs;
         clearTimeout(holdTimer);
@@ -38,10 +45,14 @@ export function useCameraDevice(options: {
     },
   });
   const measures = usePictures({
-    source: () => videoSource(options.video()),
+    source: () => videoSource(options.video(), frames.takenMs()),
     isWanted: () => options.isWanted() && device.isRegistered.value,
     settings: options.settings,
-    publish: (image, ageMs) => device.publishTaken('camera_image', image, ageMs),
+    habits: options.habits,
+    resultHz: () => results.rateHz(performance.now()),
+    publish: (image, { ageMs, expiryMs }) =>
+      device.publishTaken('camera_image', image, ageMs, { immediate: true, expiryMs }),
+    end: () => device.end('camera_image'),
   });
   onScopeDispose(() => clearTimeout(holdTimer));
 

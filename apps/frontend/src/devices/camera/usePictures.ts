@@ -1,12 +1,18 @@
 import type { Image2D } from '@ubii/proto';
-import { shallowReactive, watch } from 'vue';
+import { useIntervalFn } from '@vueuse/core';
+import { onScopeDispose, shallowReactive, watch } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
 import { RateMeter } from '../sensors/rate-meter.ts';
+import { adaptationWords } from './adapt/adaptation-words.ts';
+import { adaptedStep, adaptPictures, FIRST_STATE } from './adapt/adapt-pictures.ts';
+import { PictureMeter } from './adapt/picture-meter.ts';
 import {
   affordableRate,
   PictureEncoder,
   type PictureSettings,
   type PictureSource,
 } from './encode-picture.ts';
+import { pictureExpiryMs, type PictureHabits } from './picture-habits.ts';
 
 /** What was measured of the last pictures; all `undefined` while none are sent. */
 export interface PictureMeasures {
@@ -15,11 +21,26 @@ export interface PictureMeasures {
   bytes: number | undefined;
   /** Drawing, scaling and packing one picture, milliseconds. */
   encodeMs: number | undefined;
+  /** Until the system had taken it, milliseconds. */
+  leaveMs: number | undefined;
   rateHz: number | undefined;
   /** Fewer than wanted, to keep within the bound on bytes. */
   isSlowed: boolean;
+  /** What is sent otherwise than wanted, and why, one sentence. */
+  adapted: string | undefined;
   /** When the last one left, on the clock of `performance.now()`. */
   sentAtMs: number | undefined;
+}
+
+/** How a picture was made, and how it is to be published. */
+export interface TakenPicture {
+  /** From the light on the camera to the encoder; `undefined` where the browser does not tell. Milliseconds. */
+  readonly captureMs: number | undefined;
+  readonly encodeMs: number;
+  /** Since the picture was taken, milliseconds. */
+  readonly ageMs: number;
+  /** How long it stands on the master without a newer one; 0: as long as the client is there. [TD-49] */
+  readonly expiryMs: number;
 }
 
 const NOTHING: PictureMeasures = {
@@ -27,20 +48,74 @@ const NOTHING: PictureMeasures = {
   height: undefined,
   bytes: undefined,
   encodeMs: undefined,
+  leaveMs: undefined,
   rateHz: undefined,
   isSlowed: false,
+  adapted: undefined,
   sentAtMs: undefined,
 };
 
-/** Takes pictures of a source at a rate, one at a time, while they are wanted. */
+/** How often settings are decided on, milliseconds. */
+const DECIDE_MS = 500;
+/** How often is looked whether a picture has left: WebSocket has no event for it, milliseconds. */
+const LEAVE_POLL_MS = 4;
+/** A picture has left when no more than this share of it is here. */
+const LEFT_SHARE = 0.1;
+/** Round trips remembered for the shortest, two seconds each. */
+const ROUND_TRIPS = 30;
+
+/**
+ * Takes pictures of a source, one at a time, while they are wanted. The next one is taken when the one before has left:
+ * none waits anywhere on the way to the link, and what is sent is always the newest.
+ */
 export function usePictures(options: {
   readonly source: () => PictureSource | undefined;
   readonly isWanted: () => boolean;
+  /** What is wanted at most. */
   readonly settings: Readonly<PictureSettings>;
-  /** @param ageMs since the picture was taken */
-  readonly publish: (image: Image2D, ageMs: number) => void;
+  readonly habits: () => Readonly<PictureHabits>;
+  /** Results that modules give for the pictures, per second. */
+  readonly resultHz?: () => number | undefined;
+  readonly publish: (image: Image2D, taken: TakenPicture) => void;
+  /** Nothing of the pictures is to stay on the master. [TD-48] */
+  readonly end: () => void;
 }) {
+  const { client } = useConnection();
   const measures = shallowReactive<PictureMeasures>({ ...NOTHING });
+  const sent = new PictureMeter();
+  const roundTripsMs: number[] = [];
+  let state = FIRST_STATE;
+  onScopeDispose(
+    client.onRoundTrip(({ lastMs }) => {
+      roundTripsMs.push(lastMs);
+      if (roundTripsMs.length > ROUND_TRIPS) roundTripsMs.shift();
+    }),
+  );
+
+  function decide(): void {
+    const { settings, habits, resultHz } = options;
+    if (measures.sentAtMs === undefined) return;
+    const before = adaptedStep(state, settings);
+    state = habits().isAdaptive
+      ? adaptPictures(state, settings, {
+          nowMs: performance.now(),
+          sent: sent.summary(),
+          roundTripsMs,
+          resultHz: resultHz?.(),
+        })
+      : FIRST_STATE;
+    const after = adaptedStep(state, settings);
+    if (after.width !== before.width || after.quality !== before.quality) sent.clear();
+    measures.adapted = adaptationWords(state, settings);
+  }
+  const { pause, resume } = useIntervalFn(decide, DECIDE_MS, { immediate: false });
+  watch(
+    () => [{ ...options.settings }, options.habits().isAdaptive],
+    () => {
+      sent.clear();
+      decide();
+    },
+  );
 
   watch(
     options.isWanted,
@@ -50,30 +125,55 @@ export function usePictures(options: {
       const meter = new RateMeter();
       let isOver = false;
       let timer: ReturnType<typeof setTimeout> | undefined;
+      resume();
 
       async function takeOne(): Promise<void> {
         const beginMs = performance.now();
         const source = options.source();
-        let rateHz = options.settings.rateHz;
+        const step = adaptedStep(state, options.settings);
+        let { rateHz } = step;
         if (source) {
-          const image = await encoder.encode(source, options.settings);
+          const image = await encoder.encode(source, { ...options.settings, ...step });
           if (isOver) return;
-          options.publish(image, performance.now() - beginMs);
+          const encodedMs = performance.now();
+          const takenMs = source.takenMs ?? beginMs;
+          options.publish(image, {
+            captureMs: source.takenMs === undefined ? undefined : beginMs - takenMs,
+            encodeMs: encodedMs - beginMs,
+            ageMs: encodedMs - takenMs,
+            expiryMs: options.habits().keepsNewest ? 0 : pictureExpiryMs(rateHz),
+          });
           rateHz = affordableRate(rateHz, image.data.length);
-          note(image, beginMs, rateHz < options.settings.rateHz);
+          note(image, encodedMs - beginMs, rateHz < step.rateHz);
+          await left(image.data.length);
+          if (isOver) return;
+          const leaveMs = performance.now() - encodedMs;
+          measures.leaveMs = leaveMs;
+          sent.note({
+            atMs: encodedMs,
+            bytes: image.data.length,
+            encodeMs: encodedMs - beginMs,
+            leaveMs,
+          });
         }
         const passedMs = performance.now() - beginMs;
         timer = setTimeout(run, Math.max(0, 1000 / rateHz - passedMs));
       }
 
-      function note(image: Image2D, beginMs: number, isSlowed: boolean): void {
+      async function left(bytes: number): Promise<void> {
+        while (!isOver && client.bufferedBytes > bytes * LEFT_SHARE) {
+          await new Promise((resolve) => setTimeout(resolve, LEAVE_POLL_MS));
+        }
+      }
+
+      function note(image: Image2D, encodeMs: number, isSlowed: boolean): void {
         const nowMs = performance.now();
         meter.note(nowMs);
         Object.assign(measures, {
           width: image.width,
           height: image.height,
           bytes: image.data.length,
-          encodeMs: nowMs - beginMs,
+          encodeMs,
           rateHz: meter.rateHz(nowMs),
           isSlowed,
           sentAtMs: nowMs,
@@ -89,8 +189,11 @@ export function usePictures(options: {
       run();
       onCleanup(() => {
         isOver = true;
+        pause();
         clearTimeout(timer);
+        sent.clear();
         Object.assign(measures, NOTHING);
+        if (!options.habits().keepsNewest) options.end();
       });
     },
     { flush: 'post' },

@@ -1,11 +1,15 @@
 /** How many moments are looked at. */
 const MOMENTS = 32;
-/** Without anything for this long, nothing comes any more, milliseconds. */
-const STALE_MS = 1000;
 
 /** How often something happens, as measured: what a sensor really delivers, not what was asked for. */
 export class RateMeter {
   readonly #atMs: number[] = [];
+  readonly #staleMs: number;
+
+  /** @param staleMs without anything for this long, nothing comes any more, milliseconds */
+  constructor(staleMs = 1000) {
+    this.#staleMs = staleMs;
+  }
 
   /** It happened. */
   note(nowMs: number): void {
@@ -17,7 +21,7 @@ export class RateMeter {
   rateHz(nowMs: number): number | undefined {
     const first = this.#atMs[0];
     const last = this.#atMs.at(-1);
-    if (first === undefined || last === undefined || nowMs - last > STALE_MS) return undefined;
+    if (first === undefined || last === undefined || nowMs - last > this.#staleMs) return undefined;
     if (last === first) return undefined;
     return ((this.#atMs.length - 1) * 1000) / (last - first);
   }

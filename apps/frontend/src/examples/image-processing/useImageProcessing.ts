@@ -3,11 +3,13 @@ import { computed, reactive, shallowRef, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
 import { usePictures } from '../../devices/camera/usePictures.ts';
+import { usePictureHabits } from '../../devices/camera/picture-habits.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import { useModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
 import { useOverlays } from '../../topics/viewers/picture/use-overlays.ts';
+import { useCameraRelease } from '../pictures/use-camera-release.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
 import {
   outputTopic,
@@ -39,6 +41,7 @@ export function useImageProcessing(sources: PictureSources) {
   /** By module and parameter. */
   const set = shallowRef<ReadonlyMap<string, ReadonlyMap<string, string>>>(new Map());
   const settings = reactive<PictureSettings>({ ...SETTINGS });
+  const habits = usePictureHabits();
 
   const modules = computed(() =>
     (library.entries.value ?? []).map(({ module }) => module).filter(takesPictures),
@@ -72,8 +75,12 @@ export function useImageProcessing(sources: PictureSources) {
       device.isRegistered.value &&
       sources.element.value !== undefined,
     settings,
-    publish: (picture, ageMs) => device.publishTaken('source', picture, ageMs),
+    habits: () => habits.value,
+    publish: (picture, { ageMs, expiryMs }) =>
+      device.publishTaken('source', picture, ageMs, { immediate: true, expiryMs }),
+    end: () => device.end('source'),
   });
+  useCameraRelease(sources, isOn);
   watch(
     () => sources.kind.value,
     (kind) => (settings.rateHz = kind === 'photo' ? PHOTO_HZ : SETTINGS.rateHz),
@@ -134,6 +141,7 @@ export function useImageProcessing(sources: PictureSources) {
     },
     image,
     isOwn,
+    habits,
     measures,
     outputs,
     ...session,

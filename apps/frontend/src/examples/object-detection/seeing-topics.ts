@@ -44,6 +44,13 @@ export const SEEING_COMPONENTS = [
     description: 'Keypoints of the hands.',
   },
   {
+    name: 'decode',
+    format: 'double',
+    ioType: 'subscriber',
+    tags: ['detection'],
+    description: 'Time of decoding alone, milliseconds.',
+  },
+  {
     name: 'duration',
     format: 'double',
     ioType: 'subscriber',

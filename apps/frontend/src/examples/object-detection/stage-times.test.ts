@@ -28,6 +28,22 @@ it('the parts of the way sum up to the age of what is seen', () => {
   expect(count).toBe(1);
 });
 
+it('tells capture and decoding apart where they are known, and how sure the clocks are', () => {
+  const times = new StageTimes();
+  times.add(result({ takenMs: 980, captureMs: 20, decodeMs: 12 }));
+  const { stages, p50Ms } = times.summary(1062, 1.5)!;
+  expect(stages.map(({ name, ms, errorMs }) => [name, ms, errorMs])).toEqual([
+    ['Capture', 20, undefined],
+    ['Encode', 5, undefined],
+    ['To the module', 10, 1.5],
+    ['Decode', 12, undefined],
+    ['Detect', 23, undefined],
+    ['Back', 4, 1.5],
+    ['Draw', 8, undefined],
+  ]);
+  expect(p50Ms).toBe(82);
+});
+
 it('gives medians, and the 95th percentile of the whole', () => {
   const times = new StageTimes();
   for (let late = 0; late < 20; late++) times.add(result({ drawnMs: 1062 + late }));

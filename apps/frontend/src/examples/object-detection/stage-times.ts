@@ -5,6 +5,8 @@ export interface Stage {
   readonly kind: 'picture' | 'module' | 'result';
   /** Median, milliseconds. */
   readonly ms: number;
+  /** How far it may be from that: the stage begins on one machine and ends on another, whose clocks differ. Milliseconds. */
+  readonly errorMs?: number | undefined;
 }
 
 export interface StageSummary {
@@ -18,18 +20,23 @@ export interface StageSummary {
 
 interface Sample {
   readonly atMs: number;
-  readonly parts: readonly number[];
+  /** `undefined` for what nobody measured. */
+  readonly parts: readonly (number | undefined)[];
   readonly totalMs: number;
 }
 
 /** In the order of the way. */
 export const STAGES = [
+  { name: 'Capture', kind: 'picture' },
   { name: 'Encode', kind: 'picture' },
   { name: 'To the module', kind: 'picture' },
+  { name: 'Decode', kind: 'module' },
   { name: 'Detect', kind: 'module' },
   { name: 'Back', kind: 'result' },
   { name: 'Draw', kind: 'result' },
 ] as const;
+/** Those that begin on one machine and end on another. */
+const CROSSING: ReadonlySet<string> = new Set(['To the module', 'Back']);
 /** Results of this time count, milliseconds. */
 const WINDOW_MS = 10_000;
 const MAX_SAMPLES = 400;
@@ -38,11 +45,16 @@ const MAX_SAMPLES = 400;
 export interface ResultTimes {
   /** When the picture was taken: the timestamp of the result. */
   readonly takenMs: number;
+  /** From the light to the encoder; `undefined` where no camera tells. */
+  readonly captureMs?: number | undefined;
   /** Making a record of the picture; 0 for pictures of other clients. */
   readonly encodeMs: number;
   /** When the module had finished: the timestamp of its duration. */
   readonly finishedMs: number;
+  /** Decoding and detection. */
   readonly durationMs: number;
+  /** Decoding alone; `undefined` when the module does not tell. */
+  readonly decodeMs?: number | undefined;
   readonly arrivedMs: number;
   readonly drawnMs: number;
 }
@@ -52,16 +64,19 @@ export class StageTimes {
   #samples: Sample[] = [];
 
   add(times: ResultTimes): void {
-    const { takenMs, encodeMs, finishedMs, durationMs, arrivedMs, drawnMs } = times;
+    const { takenMs, captureMs, encodeMs, finishedMs, durationMs, decodeMs } = times;
+    const { arrivedMs, drawnMs } = times;
     const parts = [
+      captureMs,
       encodeMs,
-      finishedMs - durationMs - takenMs - encodeMs,
-      durationMs,
+      finishedMs - durationMs - takenMs - encodeMs - (captureMs ?? 0),
+      decodeMs,
+      durationMs - (decodeMs ?? 0),
       arrivedMs - finishedMs,
       drawnMs - arrivedMs,
       // Clocks are known to a millisecond or so: what is shorter than that may come out below 0.
-    ].map((ms) => Math.max(0, ms));
-    if (parts.some((ms) => !Number.isFinite(ms))) return;
+    ].map((ms) => (ms === undefined ? undefined : Math.max(0, ms)));
+    if (parts.some((ms) => ms !== undefined && !Number.isFinite(ms))) return;
     if (this.#samples.length >= MAX_SAMPLES) this.#samples.shift();
     this.#samples.push({ atMs: drawnMs, parts, totalMs: Math.max(0, drawnMs - takenMs) });
   }
@@ -71,19 +86,23 @@ export class StageTimes {
     this.#samples = [];
   }
 
-  /** @returns `undefined` without results in the last ten seconds */
-  summary(nowMs: number): StageSummary | undefined {
+  /**
+   * @param errorMs how far the clocks of this page and of the module's node may be apart; `undefined` when it is one clock
+   * @returns `undefined` without results in the last ten seconds
+   */
+  summary(nowMs: number, errorMs?: number): StageSummary | undefined {
     this.#samples = this.#samples.filter(({ atMs }) => nowMs - atMs <= WINDOW_MS);
     if (this.#samples.length === 0) return undefined;
     const totals = this.#samples.map(({ totalMs }) => totalMs);
     return {
-      stages: STAGES.map((stage, index) => ({
-        ...stage,
-        ms: percentile(
-          this.#samples.map(({ parts }) => parts[index]!),
-          0.5,
-        ),
-      })),
+      stages: STAGES.flatMap((stage, index) => {
+        const known = this.#samples.flatMap(({ parts }) => parts[index] ?? []);
+        if (known.length === 0) return [];
+        const ms = percentile(known, 0.5);
+        return CROSSING.has(stage.name) && errorMs !== undefined
+          ? [{ ...stage, ms, errorMs }]
+          : [{ ...stage, ms }];
+      }),
       p50Ms: percentile(totals, 0.5),
       p95Ms: percentile(totals, 0.95),
       count: totals.length,

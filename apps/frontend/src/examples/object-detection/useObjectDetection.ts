@@ -3,24 +3,27 @@ import { useIntervalFn, useRafFn } from '@vueuse/core';
 import { computed, reactive, shallowRef, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
+import { usePictureHabits } from '../../devices/camera/picture-habits.ts';
 import { seeingSession, type Seen } from '../../devices/camera/seeing-session.ts';
-import { usePictures } from '../../devices/camera/usePictures.ts';
+import { usePictures, type TakenPicture } from '../../devices/camera/usePictures.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
 import { planeShapes } from '../../topics/viewers/plane/plane-shapes.ts';
-import { adaptRate } from './adapt-rate.ts';
+import { useCameraRelease } from '../pictures/use-camera-release.ts';
 import { SEEING_COMPONENTS, SEEING_DEVICE } from './seeing-topics.ts';
+import { useClockError } from './use-clock-error.ts';
 import { useDetector } from './use-detector.ts';
 import { StageTimes, type StageSummary } from './stage-times.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
 
 /** Results that nothing renews are of another picture by then, milliseconds. */
 const HOLD_MS = 3000;
-/** How often figures are renewed and the rate is adapted, milliseconds. */
+/** How often figures are renewed, milliseconds. */
 const FIGURES_MS = 1000;
-const FIRST_HZ = 15;
+/** Slow modules are no missing ones, milliseconds. */
+const SLOW_MS = 5000;
 const WANTED_HZ = 30;
 const MAX_MODULE_HZ = 120;
 /** An image file changes when another one is chosen. */
@@ -41,10 +44,11 @@ export function useObjectDetection(sources: PictureSources) {
   const looksFor = reactive<Record<Seen, boolean>>({ objects: true, bodies: false, hands: false });
   const settings = reactive<PictureSettings>({
     width: 640,
-    rateHz: FIRST_HZ,
+    rateHz: WANTED_HZ,
     encoding: 'JPEG',
     quality: 0.8,
   });
+  const habits = usePictureHabits();
 
   const found = shallowRef<Found>(new Map());
   const backend = shallowRef('');
@@ -61,7 +65,9 @@ export function useObjectDetection(sources: PictureSources) {
   const newest = new Map<Seen, { readonly record: TopicRecord; readonly atMs: number }>();
   const times = new StageTimes();
   const seen = new RateMeter();
-  const encodeMs = new Map<number, number>();
+  const results = new RateMeter(SLOW_MS);
+  const made = new Map<number, Pick<TakenPicture, 'captureMs' | 'encodeMs'>>();
+  let decodeMs: number | undefined;
   let result: { readonly takenMs: number; readonly arrivedMs: number } | undefined;
   let hasChanged = false;
 
@@ -70,6 +76,7 @@ export function useObjectDetection(sources: PictureSources) {
     hasChanged = true;
     if (what !== 'objects') return;
     seen.note(performance.now());
+    results.note(performance.now());
     const takenMs = record.timestampMs;
     result = takenMs === undefined ? undefined : { takenMs, arrivedMs: client.masterTime.nowMs() };
   }
@@ -77,12 +84,15 @@ export function useObjectDetection(sources: PictureSources) {
   /** Comes after the objects of the same picture. */
   function takeDuration(durationMs: number, finishedMs: number | undefined): void {
     const of = result;
+    const decodedInMs = decodeMs;
     result = undefined;
+    decodeMs = undefined;
     if (of === undefined || finishedMs === undefined) return;
     requestAnimationFrame(() =>
       times.add({
         ...of,
-        encodeMs: encodeMs.get(Math.round(of.takenMs)) ?? 0,
+        ...(made.get(Math.round(of.takenMs)) ?? { encodeMs: 0 }),
+        decodeMs: decodedInMs,
         finishedMs,
         durationMs,
         drawnMs: client.masterTime.nowMs(),
@@ -98,12 +108,14 @@ export function useObjectDetection(sources: PictureSources) {
       objects: (_value, record) => take('objects', record),
       bodies: (_value, record) => take('bodies', record),
       hands: (_value, record) => take('hands', record),
+      decode: (value) => (decodeMs = value),
       duration: (value, { timestampMs }) => takeDuration(value, timestampMs),
       backend: (value) => (backend.value = value),
       error: (value) => (detector.problem.value = value),
     },
   });
   detector.publishOn(device);
+  const clocks = useClockError(place, isOn);
   const isOwn = computed(() => sources.kind.value !== 'topic');
   const image = computed(() => {
     if (!device.isRegistered.value) return undefined;
@@ -119,13 +131,21 @@ export function useObjectDetection(sources: PictureSources) {
       device.isRegistered.value &&
       sources.element.value !== undefined,
     settings,
-    publish(picture, ageMs) {
+    habits: () => habits.value,
+    // A photograph is looked at as often as it is sent, and by what looks for bodies and hands alone nobody knows.
+    resultHz: () =>
+      sources.kind.value !== 'photo' && looksFor.objects
+        ? results.rateHz(performance.now())
+        : undefined,
+    publish(picture, { ageMs, captureMs, encodeMs, expiryMs }) {
       const takenMs = client.masterTime.nowMs() - ageMs;
-      encodeMs.set(Math.round(takenMs), ageMs);
-      if (encodeMs.size > MAX_UNDERWAY) encodeMs.delete(encodeMs.keys().next().value!);
-      device.publish('image', picture, { timestampMs: takenMs });
+      made.set(Math.round(takenMs), { captureMs, encodeMs });
+      if (made.size > MAX_UNDERWAY) made.delete(made.keys().next().value!);
+      device.publish('image', picture, { timestampMs: takenMs, immediate: true, expiryMs });
     },
+    end: () => device.end('image'),
   });
+  useCameraRelease(sources, isOn);
 
   const session = usePageSession(
     () => {
@@ -148,6 +168,7 @@ export function useObjectDetection(sources: PictureSources) {
           // Its rate is that of the pictures, which is adapted.
           constants: { maxRate: { double: MAX_MODULE_HZ } },
           outputs: {
+            decodeMs: device.topicOf('decode'),
             durationMs: device.topicOf('duration'),
             backend: device.topicOf('backend'),
             error: device.topicOf('error'),
@@ -166,7 +187,7 @@ export function useObjectDetection(sources: PictureSources) {
   );
   watch(
     () => sources.kind.value,
-    (kind) => (settings.rateHz = kind === 'photo' ? PHOTO_HZ : FIRST_HZ),
+    (kind) => (settings.rateHz = kind === 'photo' ? PHOTO_HZ : WANTED_HZ),
   );
   watch([place, () => sources.kind.value, isOn], () => {
     times.clear();
@@ -190,22 +211,14 @@ export function useObjectDetection(sources: PictureSources) {
   });
   useIntervalFn(() => {
     const nowMs = performance.now();
-    stages.value = times.summary(client.masterTime.nowMs());
+    stages.value = times.summary(client.masterTime.nowMs(), clocks.errorMs());
     rates.value = { sentHz: measures.rateHz, seenHz: seen.rateHz(nowMs) };
-    const detect = stages.value?.stages.find(({ kind }) => kind === 'module');
+    const detect = stages.value?.stages.find(({ name }) => name === 'Detect');
     if (detect && backend.value !== '') {
       placeMs.value = new Map(placeMs.value).set(place.value, {
         ms: detect.ms,
         hint: backend.value,
       });
-    }
-    if (isOwn.value && sources.kind.value !== 'photo' && looksFor.objects) {
-      settings.rateHz = adaptRate(
-        settings.rateHz,
-        WANTED_HZ,
-        rates.value.sentHz,
-        rates.value.seenHz,
-      );
     }
   }, FIGURES_MS);
 
@@ -216,6 +229,7 @@ export function useObjectDetection(sources: PictureSources) {
     detector,
     looksFor,
     settings,
+    habits,
     measures,
     image,
     found,

@@ -9,6 +9,7 @@ import {
 } from 'vue';
 import type { PictureSource } from '../../devices/camera/encode-picture.ts';
 import { useCamera } from '../../devices/camera/useCamera.ts';
+import { useFrameTimes } from '../../devices/camera/use-frame-times.ts';
 import { CLIP_RATE_HZ, drawClip, loadClip } from './clip.ts';
 
 /** Where pictures come from. */
@@ -71,6 +72,7 @@ export function usePictureSource(): PictureSources {
     videoSize.value = width > 0 ? { width, height } : undefined;
   }
   useEventListener(video, ['loadedmetadata', 'resize'], measure);
+  const frames = useFrameTimes(() => video);
   watch(camera.stream, (stream) => {
     video.srcObject = stream ?? null;
     if (!stream) videoSize.value = undefined;
@@ -133,6 +135,9 @@ export function usePictureSource(): PictureSources {
     fileProblem,
     topic,
     takeFile,
-    source: () => element.value && size.value && { element: element.value, ...size.value },
+    source() {
+      const takenMs = element.value === video ? frames.takenMs() : undefined;
+      return element.value && size.value && { element: element.value, ...size.value, takenMs };
+    },
   };
 }

@@ -1,0 +1,36 @@
+import { ConnectionError } from '@ubii/client-web';
+import { ServiceError, type TopicSubscribers } from '@ubii/proto';
+import { computed, shallowRef, watch, type ShallowRef } from 'vue';
+import { usePoll } from './poll.ts';
+import { useConnection } from './useConnection.ts';
+
+/** How often the master is asked, milliseconds. */
+const INTERVAL_MS = 1000;
+
+/** Who receives the records of a topic now; `undefined` without a topic, and at masters that do not tell. [EX-95] */
+export function useTopicSubscribers(
+  topic: () => string | undefined,
+): Readonly<ShallowRef<TopicSubscribers | undefined>> {
+  const { client, isConnected } = useConnection();
+  const subscribers = shallowRef<TopicSubscribers>();
+
+  async function ask(): Promise<void> {
+    const asked = topic();
+    if (asked === undefined) return;
+    try {
+      const { elements } = await client.call('topicSubscribers', { topics: [asked] });
+      if (topic() === asked) subscribers.value = elements[0];
+    } catch (cause) {
+      if (cause instanceof ConnectionError) return;
+      if (!(cause instanceof ServiceError)) throw cause;
+      subscribers.value = undefined;
+    }
+  }
+  watch(topic, () => (subscribers.value = undefined));
+  usePoll(
+    ask,
+    INTERVAL_MS,
+    computed(() => isConnected.value && topic() !== undefined),
+  );
+  return subscribers;
+}

@@ -1,0 +1,49 @@
+import type { PictureSettings } from '../encode-picture.ts';
+
+/** Settings that pictures may be sent with. */
+export type PictureStep = Pick<PictureSettings, 'width' | 'quality' | 'rateHz'>;
+
+/** Below this quality, objects drown in blocks; smaller pictures lose less. */
+const LEAST_QUALITY = 0.5;
+const QUALITY_STEP = 0.15;
+/** Shares of the wanted width. */
+const WIDTH_SHARES = [0.75, 0.5, 0.375, 0.25];
+const LEAST_WIDTH = 160;
+/** Shares of the wanted rate. */
+const RATE_SHARES = [0.67, 0.5, 0.33, 0.2, 0.1];
+const LEAST_RATE_HZ = 1;
+
+/**
+ * From what is wanted to the least that is worth sending. Quality goes first, as it costs many bytes and is hardly
+ * seen; then size, as models scale pictures down anyway; then rate, because motion is what pictures are live for.
+ */
+export function pictureLadder(wanted: Readonly<PictureSettings>): readonly PictureStep[] {
+  let { width, quality, rateHz }: PictureStep = wanted;
+  const steps: PictureStep[] = [{ width, quality, rateHz }];
+  const add = (): unknown => steps.push({ width, quality, rateHz });
+  while (wanted.encoding === 'JPEG' && quality - QUALITY_STEP >= LEAST_QUALITY - 1e-9) {
+    quality = Math.round((quality - QUALITY_STEP) * 100) / 100;
+    add();
+  }
+  for (const share of WIDTH_SHARES) {
+    // Multiples of 16 are what JPEG blocks and cameras are made of.
+    const next = Math.round((wanted.width * share) / 16) * 16;
+    if (next < Math.min(LEAST_WIDTH, width)) break;
+    width = next;
+    add();
+  }
+  for (const share of RATE_SHARES) {
+    const next = wanted.rateHz * share;
+    if (next < Math.min(LEAST_RATE_HZ, rateHz)) break;
+    rateHz = next;
+    add();
+  }
+  return steps;
+}
+
+/** Bytes a second in relation to other steps; what a JPEG takes grows a little slower than its pixels. */
+export function stepCost({ width, quality, rateHz }: PictureStep): number {
+  // Of photographs: 0.35, 0.5, 0.65, 0.8, 0.95 take about 0.55, 0.68, 0.83, 1.15 and 2.6 of the bytes of 0.75.
+  const ofQuality = 0.3 + 0.6 * quality + 1.6 * quality ** 12;
+  return width ** 1.8 * ofQuality * rateHz;
+}

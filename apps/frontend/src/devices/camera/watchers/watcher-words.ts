@@ -1,0 +1,49 @@
+import type { SubscribedModule, TopicSubscribers } from '@ubii/proto';
+
+/** How clients are called. */
+export interface WatcherNames {
+  /** Id of this page's client. */
+  readonly selfId: string;
+  readonly masterId: string;
+  nameOf(clientId: string): string;
+}
+
+/** Names in the sentence; the others are a number there. */
+const MAX_NAMES = 2;
+
+/** Who receives the pictures besides this page, in one sentence. */
+export function watcherSentence(subscribers: TopicSubscribers, names: WatcherNames): string {
+  const { clientIds, count } = subscribers;
+  // Players are told a number alone. [EX-96]
+  if (clientIds.length === 0) return sentenceOf([], count);
+  const others = watcherNames(subscribers, names);
+  const named = others.length <= MAX_NAMES + 1 ? others : others.slice(0, MAX_NAMES);
+  return sentenceOf(named, others.length - named.length);
+}
+
+/** Everybody who receives the pictures, except this page, by name. */
+export function watcherNames({ clientIds }: TopicSubscribers, names: WatcherNames): string[] {
+  return clientIds.filter((id) => id !== names.selfId).map((id) => placeName(id, names));
+}
+
+/** A module that looks at the pictures, with its session and where it runs. */
+export function moduleWords(module: SubscribedModule, names: WatcherNames): string {
+  const { name, sessionName, nodeId } = module;
+  const session = sessionName === '' ? 'a session without a name' : `“${sessionName}”`;
+  if (nodeId === names.selfId) return `${name} of ${session}, in this tab`;
+  const place = nodeId === names.masterId ? 'the master' : names.nameOf(nodeId);
+  return `${name} of ${session}, on ${place}`;
+}
+
+function sentenceOf(names: readonly string[], others: number): string {
+  if (names.length + others === 0) return 'Nobody else receives these pictures.';
+  const kind = `${names.length > 0 ? 'other ' : ''}${others === 1 ? 'client' : 'clients'}`;
+  const parts = others === 0 ? names : [...names, `${others} ${kind}`];
+  const before = parts.length > 1 ? `${parts.slice(0, -1).join(', ')} and ` : '';
+  const verb = names.length + others === 1 ? 'receives' : 'receive';
+  return `${before}${parts.at(-1)} ${verb} these pictures.`;
+}
+
+function placeName(id: string, { masterId, nameOf }: WatcherNames): string {
+  return id === masterId ? 'The master' : nameOf(id);
+}

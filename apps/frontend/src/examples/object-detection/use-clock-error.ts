@@ -1,0 +1,30 @@
+import { ConnectionError } from '@ubii/client-web';
+import { ServiceError } from '@ubii/proto';
+import { shallowRef, watch, type Ref } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import type { ModulePlace } from '../../sessions/own/planned-session.ts';
+
+/** How far the clocks of this page and of the node where modules run may be apart. */
+export function useClockError(place: Ref<ModulePlace>, isOn: Ref<boolean>) {
+  const { client } = useConnection();
+  /** Of the node, as it says itself. [TS-10] */
+  const nodeErrorMs = shallowRef(0);
+
+  watch([place, isOn], async ([id, on]) => {
+    nodeErrorMs.value = 0;
+    if (!on || id === 'tab' || id === 'master') return;
+    try {
+      const { clients } = await client.call('clientReport', { clientIds: [id] });
+      if (place.value === id) nodeErrorMs.value = clients[0]?.clock?.errorMs ?? 0;
+    } catch (cause) {
+      if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
+    }
+  });
+  return {
+    /** Milliseconds; `undefined` for a module in this tab, which has the clock of this page. */
+    errorMs(): number | undefined {
+      const own = client.masterTime.estimate?.errorMs;
+      return own === undefined || place.value === 'tab' ? undefined : own + nodeErrorMs.value;
+    },
+  };
+}
