@@ -1,12 +1,14 @@
-import { deflateSync } from 'node:zlib';
+import { crc32, deflateSync } from 'node:zlib';
 import type { Picture } from '../src/picture.ts';
 
-/** A chunk of a PNG file, without a right checksum, which no decoder here reads. */
+/** A chunk of a PNG file: length, type, data, checksum. */
 export function chunk(type: string, data: Uint8Array): Buffer {
   const body = Buffer.concat([Buffer.from(type, 'latin1'), data]);
   const head = Buffer.alloc(4);
   head.writeUInt32BE(data.length);
-  return Buffer.concat([head, body, Buffer.alloc(4)]);
+  const checksum = Buffer.alloc(4);
+  checksum.writeUInt32BE(crc32(body));
+  return Buffer.concat([head, body, checksum]);
 }
 
 /** Writes a PNG file; rows begin with their filter. */

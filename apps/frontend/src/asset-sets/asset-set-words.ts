@@ -21,12 +21,13 @@ export function downloadWords(download: AssetSetDownload): string {
 
 /** Whether an asset set can be loaded, as a mark and a word. */
 export function assetSetLook({ state, bundled }: Pick<AssetSet, 'state' | 'bundled'>): {
-  readonly mark: MarkedState;
+  /** Absent when all is well. */
+  readonly mark?: MarkedState;
   readonly word: string;
 } {
   switch (state) {
     case AssetSetState.ASSET_SET_STATE_PRESENT:
-      return { mark: 'live', word: bundled ? 'Included' : 'Installed' };
+      return { word: bundled ? 'Included' : 'Installed' };
     case AssetSetState.ASSET_SET_STATE_DAMAGED:
       return { mark: 'error', word: 'Damaged' };
     default:
@@ -35,6 +36,10 @@ export function assetSetLook({ state, bundled }: Pick<AssetSet, 'state' | 'bundl
 }
 
 /** What an admin can do where the master cannot download a set. */
-export function wayOut({ name, address, folder }: Pick<AssetSet, 'name' | 'address' | 'folder'>) {
-  return `Without internet: download the files of ${address} on another machine, and put them into ${folder}. Or start the master with --model-mirror <url>, or run "npm run models -- get ${name}" where there is internet.`;
+export function wayOut({
+  name,
+  publisherAddress,
+  folder,
+}: Pick<AssetSet, 'name' | 'publisherAddress' | 'folder'>): string {
+  return `On a machine with internet, run "npm run models -- get ${name}" or download the files of ${publisherAddress}, and put them into ${folder} on the machine of the master. Or start the master with --model-mirror <url>.`;
 }

@@ -1045,10 +1045,11 @@ export function encodeAssetSet(m: Init<T.AssetSet>, w: Writer): void {
   if (m.address != null) w.string(90, m.address);
   if (m.folder != null) w.string(98, m.folder);
   if (m.download != null) { const at = w.open(106); encodeAssetSetDownload(m.download, w); w.close(at); }
+  if (m.publisherAddress != null) w.string(114, m.publisherAddress);
 }
 
 export function decodeAssetSet(r: Reader, into?: T.AssetSet): T.AssetSet {
-  const m: T.AssetSet = into ?? { name: '', description: '', version: '', licence: '', source: '', bytes: 0, files: 0, state: 0, problem: '', bundled: false, address: '', folder: '', download: undefined };
+  const m: T.AssetSet = into ?? { name: '', description: '', version: '', licence: '', source: '', bytes: 0, files: 0, state: 0, problem: '', bundled: false, address: '', folder: '', download: undefined, publisherAddress: '' };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1065,6 +1066,7 @@ export function decodeAssetSet(r: Reader, into?: T.AssetSet): T.AssetSet {
       case 90: m.address = r.string(); break;
       case 98: m.folder = r.string(); break;
       case 106: { const end = r.enter(); m.download = decodeAssetSetDownload(r, m.download); r.end = end; break; }
+      case 114: m.publisherAddress = r.string(); break;
       default: skipField(r, tag);
     }
   }

@@ -1239,6 +1239,8 @@ export interface AssetSet {
   folder: string;
   /** The download under way, or the last one that failed. */
   download: AssetSetDownload | undefined;
+  /** Where its publisher has the files; empty when unknown. */
+  publisherAddress: string;
 }
 
 /**

@@ -386,6 +386,7 @@ message ubii.extension.AssetSet
 11 address string
 12 folder string
 13 download ubii.extension.AssetSetDownload
+14 publisher_address string
 message ubii.extension.AssetSetDownload
 1 running bool
 2 loaded_bytes double

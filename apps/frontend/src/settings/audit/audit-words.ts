@@ -17,6 +17,11 @@ const DEEDS: Readonly<Record<string, readonly [done: string, tried: string]>> = 
   'ubii/client_rename': ['renamed', 'rename'],
   'ubii/client_disconnect': ['disconnected', 'disconnect'],
   'ubii/client_throttle': ['throttled', 'throttle'],
+  'ubii/asset_set_download': ['started the download of the model', 'download the model'],
+  'ubii/asset_set_cancel': [
+    'cancelled the download of the model',
+    'cancel the download of the model',
+  ],
   'ubii/lan_open': ['turned on the local network', 'turn on the local network'],
   'ubii/access_grant_create': ['made the invitation', 'make the invitation'],
   'ubii/access_grant_revoke': ['revoked the invitation', 'revoke the invitation'],

@@ -39,6 +39,7 @@ export async function describeAssetSet(
     problem: '',
     bundled: false,
     address: model === undefined ? '' : modelAddress(model, mirror),
+    publisherAddress: model?.address ?? '',
     folder: join(folder, name),
     download: undefined,
   };
