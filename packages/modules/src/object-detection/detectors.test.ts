@@ -85,7 +85,7 @@ it('each detector has its own threshold where none is given', async () => {
 }, 60_000);
 
 it('says how to get a model that is missing, goes on with CenterNet, and uses it when it arrives', async () => {
-  const { look, lookUntil } = looker(await driveWithVision(objectDetection, models));
+  const { lookUntil } = looker(await driveWithVision(objectDetection, models));
   const missing = await lookUntil(hasError, { detector: 'coco-ssd' });
   expect(missing.error).toContain('npm run models -- get coco-ssd');
   expect(classes(missing)).toEqual([]);
@@ -98,13 +98,13 @@ it('says how to get a model that is missing, goes on with CenterNet, and uses it
 it('names what is damaged in a model', async () => {
   const files = tinyCocoSsd();
   install({ ...files, 'group1-shard1of1': files['group1-shard1of1']!.slice(1) });
-  const { look, lookUntil } = looker(await driveWithVision(objectDetection, models));
+  const { lookUntil } = looker(await driveWithVision(objectDetection, models));
   const { error } = await lookUntil(hasError, { detector: 'coco-ssd' });
   expect(error).toMatch(/^COCO-SSD cannot be used: The weights of "model.json" have \d+ bytes/);
 }, 60_000);
 
 it('says why a backend is not used, and which one is', async () => {
-  const { look, lookUntil } = looker(await driveWithVision(objectDetection, models));
+  const { lookUntil } = looker(await driveWithVision(objectDetection, models));
   const refused = await lookUntil(hasError, { backend: 'webgl' });
   expect(refused).toMatchObject({
     backend: 'wasm',

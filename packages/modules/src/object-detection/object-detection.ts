@@ -72,7 +72,7 @@ export const objectDetection = defineProcessingModule({
     const vision = state.modules['vision'] as typeof Vision;
     const startedMs = performance.now();
     let decodedMs = startedMs;
-    let error = '';
+    let error: string;
     let found: Vision.Detection[] | undefined;
     try {
       const picture = await vision.readImage2D(image);

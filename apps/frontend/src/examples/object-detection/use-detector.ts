@@ -1,5 +1,5 @@
 import { shallowRef, watch, type Ref } from 'vue';
-import { useDevice } from '../../devices/use-device.ts';
+import type { useDevice } from '../../devices/use-device.ts';
 import type { SEEING_COMPONENTS } from './seeing-topics.ts';
 
 /** Detectors of the module, with the threshold that each has by itself: their scores differ. */
