@@ -69,6 +69,45 @@ describe('delivery', () => {
     expect(ben.takeValues()).toEqual([['/a', 1000]]);
   });
 
+  it('keeps one picture for each slow viewer, the newest, and lets its publisher go on [TD-31] [TD-32]', async () => {
+    const { master, ada, ben } = await createPair();
+    const fast = await master.extension('fast');
+    const topic = '/camera';
+    for (const viewer of [ben, fast]) await viewer.subscribe({ subscribeTopics: [topic] });
+    const picture = (number: number) => ({
+      width: 250,
+      height: 400,
+      dataFormat: 0 as const,
+      data: new Uint8Array(100_000).fill(number),
+    });
+    const numbers = (viewer: typeof ben) =>
+      viewer.takeValues().map(([, value]) => (value as { data: Uint8Array }).data[0]);
+    const queued = async () => {
+      const { clientReport } = await master.call({
+        topic: '/services/ubii/client_report',
+        clientReportRequest: { clientIds: [ben.id] },
+      });
+      const { queuedRecords, dropped } = clientReport!.clients[0]!;
+      return { queuedRecords, dropped };
+    };
+    ben.connection.stall();
+    for (let i = 0; i < 200; i++) {
+      ada.publish(topic, 'image2D', picture(i));
+      expect((await queued()).queuedRecords).toBeLessThanOrEqual(1);
+    }
+    expect(numbers(fast)).toHaveLength(200);
+    expect(ada.takeErrors()).toEqual([]);
+    expect(await queued()).toEqual({ queuedRecords: 1, dropped: 199 });
+    ben.connection.take();
+    ben.socket.handleDrain();
+    expect(numbers(ben)).toEqual([199]);
+    // Back after a pause, it gets the newest one alone.
+    ben.drop();
+    for (let i = 200; i < 250; i++) ada.publish(topic, 'image2D', picture(i));
+    ben.open();
+    expect(numbers(ben)).toEqual([249]);
+  });
+
   it('keeps every event for a socket that takes nothing [TD-31]', async () => {
     const { ada, ben, keyEvent } = await createPair();
     ben.connection.stall();
@@ -106,6 +145,20 @@ describe('delivery', () => {
       ['/a', 2],
       ['/b', 3],
     ]);
+  });
+
+  it('lets fewer bytes of pictures lie in a socket than of other records [TD-35]', async () => {
+    const { ada, ben } = await createPair();
+    const large = 'x'.repeat(100_000);
+    ben.connection.stall(300_000);
+    ada.publish('/a', 'string', large);
+    expect(ben.takeValues()).toEqual([]);
+    ben.connection.take();
+    ben.socket.handleDrain();
+    expect(ben.takeValues()).toHaveLength(1);
+    ben.connection.stall(300_000);
+    ada.publish('/b', 'double', 1);
+    expect(ben.takeValues()).toEqual([['/b', 1]]);
   });
 
   it('bounds the bytes that wait [TD-32]', async () => {

@@ -1,4 +1,4 @@
-import { decodeRecord } from '@ubii/proto';
+import { decodeRecord, type KeyEvent } from '@ubii/proto';
 import type { EncodedRecord } from '@ubii/pm-sandbox';
 import { describe, expect, it } from 'vitest';
 import { createTestClient } from '../testing/create-test-client.ts';
@@ -47,6 +47,26 @@ describe('topics over a client, with their devices', () => {
     expect(seen(records).at(-1)).toEqual([12, pad.id]);
     for (const { deviceId } of records) expect(deviceId).toBe(pad.id);
     expect(gone).toEqual(['/pads/a']);
+  });
+
+  it('holds the newest value of a topic, and every event, while it asks for devices', async () => {
+    const { master, register, port, records, listener } = await setup();
+    await register('a');
+    port.subscribe({ kind: 'glob', glob: '/pads/*' }, listener);
+    // In the turns between the subscription and the list of components.
+    for (let value = 1; value <= 240; value++) {
+      if (value % 20 === 1) await Promise.resolve();
+      master.publish({ topic: '/pads/a', format: 'double', value });
+      master.publish({ topic: '/pads/keys', format: 'keyEvent', value: { key: String(value) } });
+    }
+    await settle();
+    const of = (topic: string) => records.filter((record) => record.topic === topic);
+    const keys = of('/pads/keys').map(({ bytes }) => (decodeRecord(bytes).value as KeyEvent).key);
+    expect(keys.length).toBeGreaterThan(40);
+    expect(keys).toEqual(Array.from(keys, (_, i) => String(240 - keys.length + 1 + i)));
+    // What came while it asked is one value and all events; what came later is told as it comes.
+    expect(of('/pads/a').length).toBeLessThanOrEqual(keys.length - 19);
+    expect(decodeRecord(of('/pads/a').at(-1)!.bytes).value).toBe(240);
   });
 
   it('asks nothing for single topics, and watches no longer than it is used', async () => {

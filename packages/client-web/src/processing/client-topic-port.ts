@@ -1,4 +1,4 @@
-import { isMasterTopic } from '@ubii/proto';
+import { DATA_FORMATS, dataFormatOfField, isMasterTopic } from '@ubii/proto';
 import { encodeNodeMessageFrame } from '@ubii/proto/wire';
 import type { TopicListener, TopicPort, TopicSelector } from '@ubii/pm-sandbox';
 import type { EncodedListener, EncodedRecord } from '../core/encoded-record.ts';
@@ -51,11 +51,22 @@ export class ClientTopicPort implements TopicPort {
   }
 }
 
+/** A record that waits until devices are known. */
+interface HeldRecord {
+  readonly topic: string;
+  /** A newer one does not replace it. */
+  readonly isEvent: boolean;
+  readonly tell: () => void;
+}
+
+/** Records that wait for an answer; more are let go, oldest first. */
+const MAX_HELD_RECORDS = 4096;
+
 /** Adds the device to each record. What comes while devices are being asked for waits for the answer. */
 class WithDevices implements EncodedListener {
   readonly #listener: TopicListener;
   readonly #devices: DeviceTopics;
-  #held: (() => void)[] | undefined;
+  #held: HeldRecord[] | undefined;
   #isClosed = false;
 
   constructor(listener: TopicListener, devices: DeviceTopics) {
@@ -64,14 +75,21 @@ class WithDevices implements EncodedListener {
   }
 
   onRecord(record: EncodedRecord): void {
-    this.#inOrder(() => {
-      const deviceId = this.#devices.deviceOf(record.topic);
-      this.#listener.onRecord(deviceId === undefined ? record : { ...record, deviceId });
+    const { topic, valueField } = record;
+    const format = dataFormatOfField(valueField);
+    const isEvent = format !== undefined && DATA_FORMATS[format].isEvent;
+    this.#inOrder({
+      topic,
+      isEvent,
+      tell: () => {
+        const deviceId = this.#devices.deviceOf(topic);
+        this.#listener.onRecord(deviceId === undefined ? record : { ...record, deviceId });
+      },
     });
   }
 
   onGone(topic: string): void {
-    this.#inOrder(() => this.#listener.onGone(topic));
+    this.#inOrder({ topic, isEvent: true, tell: () => this.#listener.onGone(topic) });
   }
 
   /** What waits is not told any more. */
@@ -79,18 +97,24 @@ class WithDevices implements EncodedListener {
     this.#isClosed = true;
   }
 
-  #inOrder(tell: () => void): void {
+  #inOrder(next: HeldRecord): void {
     if (this.#held !== undefined) {
-      this.#held.push(tell);
+      // Of a state the newest counts: pictures must not queue up behind a slow answer.
+      const last = next.isEvent
+        ? -1
+        : this.#held.findLastIndex(({ topic }) => topic === next.topic);
+      if (last >= 0 && !this.#held[last]!.isEvent) this.#held.splice(last, 1);
+      this.#held.push(next);
+      if (this.#held.length > MAX_HELD_RECORDS) this.#held.shift();
       return;
     }
     const { reading } = this.#devices;
-    if (reading === undefined) return tell();
-    this.#held = [tell];
+    if (reading === undefined) return next.tell();
+    this.#held = [next];
     void reading.then(() => {
       const held = this.#held ?? [];
       this.#held = undefined;
-      for (const next of held) if (!this.#isClosed) next();
+      for (const { tell } of held) if (!this.#isClosed) tell();
     });
   }
 }

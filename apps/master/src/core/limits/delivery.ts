@@ -42,6 +42,12 @@ export const DELIVERY_LIMITS = {
     'queues',
     "Unsent bytes of a socket, above which records stay in the client's queue. A fast network sends them in a few milliseconds.",
   ),
+  connectionQueuedLargeBytes: limit(
+    256 * 1024,
+    'bytes',
+    'queues',
+    "Unsent bytes of a socket, above which large records, such as pictures, stay in the client's queue: on a slow network the newest one leaves next, and not one that is seconds old.",
+  ),
   queueBytes: limit(
     64 * MIB,
     'bytes',

@@ -9,6 +9,9 @@ import type { EndOfTurn, Flushable } from './end-of-turn.ts';
 import { isEventField, type TopicEntry } from './topic-entry.ts';
 import { WaitingRecords } from './waiting-records.ts';
 
+/** Records of this size are large [TD-35], bytes. */
+const LARGE_RECORD_BYTES = 16 * 1024;
+
 /** What an outbox needs to know of the master around it. */
 export interface OutboxContext {
   readonly clock: Clock;
@@ -159,7 +162,7 @@ export class Outbox implements Flushable {
 
   /** The connection can take more: what waits leaves, in pieces, as far as it goes. */
   handleDrain(): void {
-    while (this.#waiting !== undefined && this.#canSend()) {
+    while (this.#waiting !== undefined && this.#canSend(this.#waiting)) {
       let batch = this.#context.endOfTurn.emptyBatch;
       while (batch.byteLength < this.#context.limits.batchBytes) {
         const taken = this.#waiting.take();
@@ -174,7 +177,7 @@ export class Outbox implements Flushable {
   #send(): void {
     const batch = this.#batch;
     if (batch === undefined) return;
-    if (this.#waiting === undefined && this.#canSend()) {
+    if (this.#waiting === undefined && this.#canSend(batch)) {
       this.#batch = undefined;
       this.#hand(batch);
     } else {
@@ -209,12 +212,18 @@ export class Outbox implements Flushable {
     this.deliver(entry, entry.record!, isEventField(entry.valueField));
   }
 
-  #canSend(): boolean {
-    const connection = this.#connection;
-    return (
-      connection !== undefined &&
-      connection.queuedBytes <= this.#context.limits.connectionQueuedBytes
-    );
+  /** Of large records fewer lie in the socket, where no newer one can take their place [TD-35]. */
+  #canSend({
+    byteLength,
+    count,
+  }: {
+    readonly byteLength: number;
+    readonly count: number;
+  }): boolean {
+    const { connectionQueuedBytes, connectionQueuedLargeBytes } = this.#context.limits;
+    const isLarge = byteLength >= LARGE_RECORD_BYTES * count;
+    const maxBytes = isLarge ? connectionQueuedLargeBytes : connectionQueuedBytes;
+    return this.#connection !== undefined && this.#connection.queuedBytes <= maxBytes;
   }
 
   #hand(batch: BatchNode): void {
