@@ -86,5 +86,5 @@ test('the session of one tab looks at the pictures of another one, here of the c
   await anna.page.getByRole('button', { name: '/web-example-object-detection/image Mara' }).click();
   await start(anna).click();
   await expect(anna.page.getByRole('main')).toContainText(/Live/);
-  await expect(mara.page.getByRole('main')).toContainText('1 other client receives them.');
+  await expect(mara.page.getByRole('main')).toContainText('Anna receives these pictures.');
 });
