@@ -22,8 +22,6 @@ import type { PictureSources } from '../pictures/use-picture-source.ts';
 const HOLD_MS = 3000;
 /** How often figures are renewed, milliseconds. */
 const FIGURES_MS = 1000;
-/** Slow modules are no missing ones, milliseconds. */
-const SLOW_MS = 5000;
 const WANTED_HZ = 30;
 const MAX_MODULE_HZ = 120;
 /** An image file changes when another one is chosen. */
@@ -64,8 +62,7 @@ export function useObjectDetection(sources: PictureSources) {
 
   const newest = new Map<Seen, { readonly record: TopicRecord; readonly atMs: number }>();
   const times = new StageTimes();
-  const seen = new RateMeter();
-  const results = new RateMeter(SLOW_MS);
+  const results = new RateMeter(HOLD_MS);
   const made = new Map<number, Pick<TakenPicture, 'captureMs' | 'encodeMs'>>();
   let decodeMs: number | undefined;
   let result: { readonly takenMs: number; readonly arrivedMs: number } | undefined;
@@ -75,7 +72,6 @@ export function useObjectDetection(sources: PictureSources) {
     newest.set(what, { record, atMs: performance.now() });
     hasChanged = true;
     if (what !== 'objects') return;
-    seen.note(performance.now());
     results.note(performance.now());
     const takenMs = record.timestampMs;
     result = takenMs === undefined ? undefined : { takenMs, arrivedMs: client.masterTime.nowMs() };
@@ -212,7 +208,7 @@ export function useObjectDetection(sources: PictureSources) {
   useIntervalFn(() => {
     const nowMs = performance.now();
     stages.value = times.summary(client.masterTime.nowMs(), clocks.errorMs());
-    rates.value = { sentHz: measures.rateHz, seenHz: seen.rateHz(nowMs) };
+    rates.value = { sentHz: measures.rateHz, seenHz: results.rateHz(nowMs) };
     const detect = stages.value?.stages.find(({ name }) => name === 'Detect');
     if (detect && backend.value !== '') {
       placeMs.value = new Map(placeMs.value).set(place.value, {

@@ -48,7 +48,7 @@ function rateChange(wantedHz: number, rateHz: number): string[] {
 }
 
 function rate(hz: number): string {
-  return formatNumber(hz, hz < 9.95 && hz % 1 !== 0 ? 1 : 0);
+  return formatNumber(hz, hz < 2.95 && hz % 1 !== 0 ? 1 : 0);
 }
 
 function percent(share: number): string {
