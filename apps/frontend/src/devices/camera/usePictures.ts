@@ -118,6 +118,14 @@ export function usePictures(options: {
   );
 
   watch(
+    () => options.habits().keepsNewest,
+    (keeps) => {
+      // What was kept is not to be there any longer.
+      if (!keeps && !options.isWanted()) options.end();
+    },
+  );
+
+  watch(
     options.isWanted,
     (isWanted, _before, onCleanup) => {
       if (!isWanted) return;
