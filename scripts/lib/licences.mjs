@@ -75,12 +75,13 @@ export function filesOfSandbox() {
   return foldersBelow(inRoot('packages/pm-sandbox')).map((folder) => join(folder, 'package.json'));
 }
 
-/** What the library of vision is built from, and the package that its models are from. */
+/** What the library of vision is built from, and the packages that asset sets are from. */
 export function filesOfVision() {
   const own = inRoot('packages/vision');
-  return [...foldersBelow(own), resolveFrom(own, '@vladmandic/human')].map((folder) =>
-    join(folder, 'package.json'),
+  const ofSets = ['@vladmandic/human', '@techstark/opencv-js'].map((name) =>
+    resolveFrom(own, name),
   );
+  return [...foldersBelow(own), ...ofSets].map((folder) => join(folder, 'package.json'));
 }
 
 /**

@@ -6,8 +6,12 @@ export interface AssetSet {
   /** SPDX expression. */
   readonly licence: string;
   readonly source: string;
-  readonly folder: () => string;
+  readonly folder?: () => string;
   readonly files: readonly string[];
+  /** The file that is a script, whose value is a library. */
+  readonly library?: string;
+  /** Makes the files of what is installed. */
+  readonly make?: () => Record<string, Uint8Array>;
   /** The licence that has to go with copies. */
   readonly licenceFile?: () => string;
 }

@@ -2,6 +2,7 @@ import { createHash } from 'node:crypto';
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename, dirname, join } from 'node:path';
+import { opencvFolder, readOpenCv } from './opencv.mjs';
 
 const { resolve } = createRequire(import.meta.url);
 
@@ -21,8 +22,10 @@ const wasmFolder = () => dirname(resolve('@tensorflow/tfjs-backend-wasm'));
  * @property {string} version of the package that carries the files
  * @property {string} licence SPDX expression
  * @property {string} source where the files come from
- * @property {() => string} folder where they are installed
+ * @property {() => string} [folder] where they are installed
  * @property {readonly string[]} files
+ * @property {string} [library] the file that is a script, whose value is a library
+ * @property {() => Record<string, Uint8Array>} [make] makes the files of what is installed
  * @property {() => string} [licenceFile] the licence that has to go with copies
  */
 
@@ -66,6 +69,16 @@ export const ASSET_SETS = [
     licenceFile: humanLicence,
     files: ['handtrack.json', 'handtrack.bin', 'handlandmark-lite.json', 'handlandmark-lite.bin'],
   },
+  {
+    name: 'opencv',
+    version: '4.12.0-release.1',
+    licence: 'Apache-2.0 AND BSD-3-Clause AND BSD-2-Clause AND MIT AND Zlib',
+    source: 'https://github.com/opencv/opencv, npm @techstark/opencv-js',
+    licenceFile: () => join(opencvFolder(), 'LICENSE'),
+    files: ['opencv.js', 'opencv.wasm'],
+    library: 'opencv.js',
+    make: readOpenCv,
+  },
 ];
 
 /**
@@ -77,6 +90,7 @@ export const ASSET_SETS = [
 export function readAssetSet(name) {
   const set = ASSET_SETS.find((one) => one.name === name);
   if (set === undefined) throw new Error(`There is no asset set "${name}".`);
+  if (set.make !== undefined) return set.make();
   return Object.fromEntries(
     set.files.map((file) => [
       basename(file),
@@ -98,8 +112,8 @@ export function writeAssetSets(outdir, library) {
     const bytes = new Uint8Array(readFileSync(library));
     writeSet(outdir, { ...about, source, library: LIBRARY_FILE }, { [LIBRARY_FILE]: bytes });
   }
-  for (const { name, version, licence, source, licenceFile } of ASSET_SETS) {
-    writeSet(outdir, { name, version, licence, source }, readAssetSet(name));
+  for (const { name, version, licence, source, library, licenceFile } of ASSET_SETS) {
+    writeSet(outdir, { name, version, licence, source, library }, readAssetSet(name));
     if (licenceFile !== undefined) copyFileSync(licenceFile(), join(outdir, name, 'LICENSE'));
   }
 }
