@@ -16,6 +16,7 @@ export {
   lowPassVector4,
 } from './low-pass/low-pass.ts';
 export { mapRange } from './map-range/map-range.ts';
+export { markerTracking } from './marker-tracking/marker-tracking.ts';
 export { mergeVector2, mergeVector3, mergeVector4 } from './merge-vector/merge-vector.ts';
 export { mirrorPointer } from './mirror-pointer/mirror-pointer.ts';
 export { mix } from './mix/mix.ts';

@@ -16,6 +16,7 @@ import {
   lowPassVector4,
 } from './low-pass/low-pass.ts';
 import { mapRange } from './map-range/map-range.ts';
+import { markerTracking } from './marker-tracking/marker-tracking.ts';
 import { mergeVector2, mergeVector3, mergeVector4 } from './merge-vector/merge-vector.ts';
 import { mirrorPointer } from './mirror-pointer/mirror-pointer.ts';
 import { mix } from './mix/mix.ts';
@@ -54,6 +55,7 @@ export const MODULES: readonly AnyModuleDefinition[] = [
   lowPassVector3,
   lowPassVector4,
   mapRange,
+  markerTracking,
   mergeVector2,
   mergeVector3,
   mergeVector4,

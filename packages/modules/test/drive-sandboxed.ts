@@ -19,6 +19,9 @@ const instances = { count: 0 };
 const RECORD = 'ubii.topicData.TopicDataRecord';
 const MODULE = 'ubii.processing.ProcessingModule';
 
+/** What a driven instance tells its test. */
+export type DrivenEvents = Partial<Pick<SandboxEvents, 'onLog' | 'onLoadAssets'>>;
+
 /**
  * The callbacks as text in a sandbox, records encoded on both ways.
  *
@@ -28,10 +31,10 @@ export function driveIn(
   createSandboxes: (libraries: { readonly [name: string]: unknown }) => SandboxFactory,
   isTrusted = true,
   assets: readonly LoadedAssets[] = [],
-  onLoadAssets?: SandboxEvents['onLoadAssets'],
+  events: DrivenEvents = {},
 ): Drive {
   return (definition, libraries = {}) =>
-    drive(createSandboxes(libraries), definition, isTrusted, assets, onLoadAssets);
+    drive(createSandboxes(libraries), definition, isTrusted, assets, events);
 }
 
 async function drive(
@@ -39,7 +42,7 @@ async function drive(
   definition: AnyModuleDefinition,
   isTrusted: boolean,
   assets: readonly LoadedAssets[],
-  onLoadAssets: SandboxEvents['onLoadAssets'],
+  events: DrivenEvents,
 ): Promise<DrivenModule> {
   const { name, outputs, source, ...parsed } = parseModule(
     decode(MODULE, encode(MODULE, moduleToWire(definition))),
@@ -58,7 +61,7 @@ async function drive(
       limits: LIMITS,
     },
     // What is pending rejects with the same fault.
-    { onLog: () => undefined, onKilled: () => undefined, ...(onLoadAssets && { onLoadAssets }) },
+    { onLog: () => undefined, onKilled: () => undefined, ...events },
   );
   await sandbox.create();
 

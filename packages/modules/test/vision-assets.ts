@@ -14,10 +14,11 @@ import { driveIn } from './drive-sandboxed.ts';
  * An instance of a module with its real asset sets, on the thread of the test.
  *
  * @param models folder of optional asset sets; default: there are none
+ * @param log takes what the module writes to its console
  */
 export async function driveWithVision(
   definition: AnyModuleDefinition,
-  models?: string,
+  { models, log = [] }: { readonly models?: string; readonly log?: string[] } = {},
 ): Promise<DrivenModule> {
   const folder = mkdtempSync(join(tmpdir(), 'ubii-vision-'));
   try {
@@ -29,8 +30,10 @@ export async function driveWithVision(
     const assets = await store.load(definition.assets ?? [], signal, () => undefined);
     const sandboxes = createInlineSandboxes({ nowMs: () => performance.now() });
     const optional = createAssetStore(new AssetFolders(models === undefined ? [] : [models]));
-    const load = async (name: string) => (await optional.load([name], signal, () => undefined))[0]!;
-    return await driveIn(() => sandboxes, true, assets, load)(definition);
+    return await driveIn(() => sandboxes, true, assets, {
+      onLog: ({ text }) => log.push(text),
+      onLoadAssets: async (name) => (await optional.load([name], signal, () => undefined))[0]!,
+    })(definition);
   } finally {
     rmSync(folder, { recursive: true });
   }

@@ -954,6 +954,103 @@ export const LIBRARY: readonly JsonObject[] = [
     },
   },
   {
+    name: 'marker-tracking',
+    authors: ['Ubi-Interact'],
+    tags: ['image', 'vision', 'pose'],
+    description: 'Finds printed markers and their poses.',
+    processingMode: {
+      triggerOnInput: {
+        minDelayMs: 0,
+        allInputsNeedUpdate: false,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'image',
+        messageFormat: 'ubii.dataStructure.Image2D',
+        isRecordList: false,
+      },
+      {
+        internalName: 'dictionary',
+        messageFormat: 'string',
+        isRecordList: false,
+        defaultJson: '{"string":"aruco_4x4_50"}',
+      },
+      {
+        internalName: 'markerSize',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":0.05}',
+      },
+      {
+        internalName: 'ids',
+        messageFormat: 'ubii.dataStructure.Int32List',
+        isRecordList: false,
+      },
+      {
+        internalName: 'calibration',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+      {
+        internalName: 'fieldOfView',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":60}',
+      },
+      {
+        internalName: 'smoothingMs',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":0}',
+      },
+      {
+        internalName: 'maxRate',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":30}',
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'markers',
+        messageFormat: 'ubii.dataStructure.Object3DList',
+        isRecordList: false,
+      },
+      {
+        internalName: 'outlines',
+        messageFormat: 'ubii.dataStructure.Object2DList',
+        isRecordList: false,
+      },
+      {
+        internalName: 'durationMs',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'error',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record, fallback) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : fallback;\n    };\n    const clamp = (value, min, max) => Math.min(max, Math.max(min, value));\n    state.sinceMs += deltaTimeMs;\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew || state.tracker === void 0) return void 0;\n    const rateHz = clamp(number(inputs.maxRate, 30), 0.1, 240);\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    const sinceMs = state.sinceMs;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const startedMs = performance.now();\n    const fieldOfViewDegrees = clamp(number(inputs.fieldOfView, 60), 10, 150);\n    let error = "";\n    let found;\n    try {\n      const json = inputs.calibration?.string ?? "";\n      if (json !== state.calibrationJson) {\n        state.calibration = json === "" ? void 0 : vision.parseCalibration(json);\n        state.calibrationJson = json;\n      }\n      if (state.calibration === void 0 && !state.hasToldAssumption) {\n        state.hasToldAssumption = true;\n        console.info(\n          `There is no calibration: a field of view of ${fieldOfViewDegrees}\\xB0 and no distortion are assumed, so distances may be wrong. Calibrate the camera.`\n        );\n      }\n      found = await state.tracker.track(await vision.readImage2D(image), {\n        dictionary: inputs.dictionary?.string || "aruco_4x4_50",\n        sizeMetres: clamp(number(inputs.markerSize, 0.05), 1e-3, 100),\n        ids: inputs.ids?.int32List.elements ?? [],\n        smoothingMs: clamp(number(inputs.smoothingMs, 0), 0, 1e4),\n        calibration: state.calibration,\n        fieldOfViewDegrees,\n        sinceMs\n      });\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (found === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    return {\n      outputs: {\n        markers: { object3DList: vision.object3DListOfMarkers(found), timestamp },\n        outlines: { object2DList: vision.object2DListOfMarkers(found), timestamp },\n        durationMs: { double: performance.now() - startedMs },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
+    onCreatedStringified:
+      '(state) => { Object.assign(state, (() => ({\n    tracker: void 0,\n    calibrationJson: "",\n    calibration: void 0,\n    hasToldAssumption: false,\n    sinceMs: Infinity,\n    error: ""\n  })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    const factory = state.modules["opencv"];\n    state.tracker = await vision.createMarkerTracker(\n      vision.sharedOpenCv(factory, state.assets["opencv"])\n    );\n  } })["onCreated"]\n)(state); }',
+    onDestroyedStringified:
+      '({ onDestroyed(state) {\n    state.tracker?.dispose();\n  } })["onDestroyed"]',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+      assets: ['vision', 'opencv'],
+      optionalAssets: [],
+    },
+  },
+  {
     name: 'merge-vector2',
     authors: ['Ubi-Interact'],
     tags: ['vector', 'number', 'merge'],

@@ -58,7 +58,7 @@ const classes = ({ predictions }: Results) => predictions?.elements.map(({ id })
 
 it('detects with COCO-SSD, chosen while it runs, and with CenterNet again', async () => {
   install(tinyCocoSsd());
-  const { look, lookUntil } = looker(await driveWithVision(objectDetection, models));
+  const { look, lookUntil } = looker(await driveWithVision(objectDetection, { models }));
   expect(classes(await look())).toEqual([]);
   // CenterNet goes on while the model is loaded.
   expect(classes(await look({ detector: 'coco-ssd' }))).toEqual([]);
@@ -78,14 +78,14 @@ it('each detector has its own threshold where none is given', async () => {
   const grey = squares({ x: 160, y: 120, rgb: [127, 0, 0] });
   const image = { ...RED_SQUARE, data: new Uint8Array(grey.data) };
   install(tinyCocoSsd());
-  const { look, lookUntil } = looker(await driveWithVision(objectDetection, models));
+  const { look, lookUntil } = looker(await driveWithVision(objectDetection, { models }));
   await lookUntil((results) => classes(results)?.length === 1, { detector: 'coco-ssd' });
   expect(classes(await look({ image }))).toEqual([]);
   expect(classes(await look({ image, threshold: 0.4 }))).toEqual(['person']);
 }, 60_000);
 
 it('says how to get a model that is missing, goes on with CenterNet, and uses it when it arrives', async () => {
-  const { lookUntil } = looker(await driveWithVision(objectDetection, models));
+  const { lookUntil } = looker(await driveWithVision(objectDetection, { models }));
   const missing = await lookUntil(hasError, { detector: 'coco-ssd' });
   expect(missing.error).toContain('npm run models -- get coco-ssd');
   expect(classes(missing)).toEqual([]);
@@ -98,13 +98,13 @@ it('says how to get a model that is missing, goes on with CenterNet, and uses it
 it('names what is damaged in a model', async () => {
   const files = tinyCocoSsd();
   install({ ...files, 'group1-shard1of1': files['group1-shard1of1']!.slice(1) });
-  const { lookUntil } = looker(await driveWithVision(objectDetection, models));
+  const { lookUntil } = looker(await driveWithVision(objectDetection, { models }));
   const { error } = await lookUntil(hasError, { detector: 'coco-ssd' });
   expect(error).toMatch(/^COCO-SSD cannot be used: The weights of "model.json" have \d+ bytes/);
 }, 60_000);
 
 it('says why a backend is not used, and which one is', async () => {
-  const { lookUntil } = looker(await driveWithVision(objectDetection, models));
+  const { lookUntil } = looker(await driveWithVision(objectDetection, { models }));
   const refused = await lookUntil(hasError, { backend: 'webgl' });
   expect(refused).toMatchObject({
     backend: 'wasm',

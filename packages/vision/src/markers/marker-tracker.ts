@@ -51,6 +51,16 @@ export interface TrackedMarker extends MarkerPose {
 const REFINE_SUBPIXEL = 1;
 const MAX_SIZE_METRES = 100;
 
+/**
+ * A tracker whose OpenCV is loaded.
+ *
+ * @throws OpenCvError when OpenCV cannot start
+ */
+export async function createMarkerTracker(runtime: OpenCvRuntime): Promise<MarkerTracker> {
+  await runtime.run(() => undefined);
+  return new MarkerTracker(runtime);
+}
+
 /** Finds the markers of pictures, one after the other, with their poses. Holds memory of OpenCV until it is disposed. */
 export class MarkerTracker {
   readonly #runtime: OpenCvRuntime;

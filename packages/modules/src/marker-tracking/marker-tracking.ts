@@ -1,0 +1,125 @@
+import { defineProcessingModule } from '@ubii/pm-sandbox';
+import type * as Vision from '@ubii/vision';
+import type { NumberRecord } from '../number-record.ts';
+
+/** What an instance keeps. */
+interface MarkerState {
+  tracker: Vision.MarkerTracker | undefined;
+  /** The text that `calibration` was read from. */
+  calibrationJson: string;
+  calibration: Vision.CameraCalibration | undefined;
+  hasToldAssumption: boolean;
+  /** Milliseconds from the start of the last detection to now. */
+  sinceMs: number;
+  error: string;
+}
+
+/** Finds ArUco markers and AprilTags in images, with their poses, by OpenCV. */
+export const markerTracking = defineProcessingModule({
+  name: 'marker-tracking',
+  description: 'Finds printed markers and their poses.',
+  tags: ['image', 'vision', 'pose'],
+  authors: ['Ubi-Interact'],
+  version: '1.0.0',
+  assets: ['vision', 'opencv'],
+  inputs: {
+    image: 'image2D',
+    dictionary: { format: 'string', default: 'aruco_4x4_50' },
+    markerSize: { format: 'double', default: 0.05 },
+    ids: 'int32List',
+    calibration: 'string',
+    fieldOfView: { format: 'double', default: 60 },
+    smoothingMs: { format: 'double', default: 0 },
+    maxRate: { format: 'double', default: 30 },
+  },
+  outputs: {
+    markers: 'object3DList',
+    outlines: 'object2DList',
+    durationMs: 'double',
+    error: 'string',
+  },
+  mode: { triggerOnInput: {} },
+  createState: (): MarkerState => ({
+    tracker: undefined,
+    calibrationJson: '',
+    calibration: undefined,
+    hasToldAssumption: false,
+    sinceMs: Infinity,
+    error: '',
+  }),
+  async onCreated(state) {
+    const vision = state.modules['vision'] as typeof Vision;
+    const factory = state.modules['opencv'] as Vision.OpenCvFactory;
+    state.tracker = await vision.createMarkerTracker(
+      vision.sharedOpenCv(factory, state.assets['opencv']!),
+    );
+  },
+  async onProcessing(deltaTimeMs, inputs, state) {
+    const number = (record: NumberRecord | undefined, fallback: number): number => {
+      const value = record?.double ?? record?.float ?? record?.int32;
+      return Number.isFinite(value) ? value! : fallback;
+    };
+    const clamp = (value: number, min: number, max: number): number =>
+      Math.min(max, Math.max(min, value));
+    state.sinceMs += deltaTimeMs;
+    const image = inputs.image?.image2D;
+    const timestamp = inputs.image?.timestamp;
+    const triggers = state.inputTriggerNames;
+    // A parameter that changes counts for the next image.
+    const isNew = triggers === undefined || triggers.includes('image');
+    if (image === undefined || !isNew || state.tracker === undefined) return undefined;
+    const rateHz = clamp(number(inputs.maxRate, 30), 0.1, 240);
+    // Half a millisecond for what timers round.
+    if (state.sinceMs + 0.5 < 1000 / rateHz) return undefined;
+    const sinceMs = state.sinceMs;
+    state.sinceMs = 0;
+
+    const vision = state.modules['vision'] as typeof Vision;
+    const startedMs = performance.now();
+    const fieldOfViewDegrees = clamp(number(inputs.fieldOfView, 60), 10, 150);
+    let error = '';
+    let found: Vision.TrackedMarker[] | undefined;
+    try {
+      const json = inputs.calibration?.string ?? '';
+      if (json !== state.calibrationJson) {
+        state.calibration = json === '' ? undefined : vision.parseCalibration(json);
+        state.calibrationJson = json;
+      }
+      if (state.calibration === undefined && !state.hasToldAssumption) {
+        state.hasToldAssumption = true;
+        // eslint-disable-next-line no-console -- the log of the module
+        console.info(
+          `There is no calibration: a field of view of ${fieldOfViewDegrees}° and no distortion are assumed, so distances may be wrong. Calibrate the camera.`,
+        );
+      }
+      found = await state.tracker.track(await vision.readImage2D(image), {
+        dictionary: inputs.dictionary?.string || 'aruco_4x4_50',
+        sizeMetres: clamp(number(inputs.markerSize, 0.05), 0.001, 100),
+        ids: inputs.ids?.int32List.elements ?? [],
+        smoothingMs: clamp(number(inputs.smoothingMs, 0), 0, 10_000),
+        calibration: state.calibration,
+        fieldOfViewDegrees,
+        sinceMs,
+      });
+    } catch (thrown) {
+      // What the sender of the image or of a parameter has to change.
+      if (!(thrown instanceof RangeError)) throw thrown;
+      error = thrown.message;
+    }
+    const isNewError = error !== state.error;
+    state.error = error;
+    if (found === undefined)
+      return isNewError ? { outputs: { error: { string: error } } } : undefined;
+    return {
+      outputs: {
+        markers: { object3DList: vision.object3DListOfMarkers(found), timestamp },
+        outlines: { object2DList: vision.object2DListOfMarkers(found), timestamp },
+        durationMs: { double: performance.now() - startedMs },
+        error: isNewError ? { string: '' } : undefined,
+      },
+    };
+  },
+  onDestroyed(state) {
+    state.tracker?.dispose();
+  },
+});
