@@ -9,6 +9,7 @@ import { graphRoutes } from './graph/routes.ts';
 import { installRoutes } from './install/routes.ts';
 import { joinRoutes } from './join/routes.ts';
 import { learnRoutes } from './learn/routes.ts';
+import { markersRoutes } from './markers/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
 import { performanceRoutes } from './performance/routes.ts';
 import { publishRoutes } from './publish/routes.ts';
@@ -47,6 +48,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...clientsRoutes,
   ...performanceRoutes,
   ...devicesRoutes,
+  ...markersRoutes,
   ...examplesRoutes,
   ...learnRoutes,
   ...settingsRoutes,
