@@ -47,6 +47,14 @@ export const EXAMPLES: readonly Example[] = [
     thumbnail: () => import('./object-detection/ObjectDetectionThumbnail.vue'),
   },
   {
+    id: 'marker-tracking',
+    title: 'Marker tracking',
+    sentence: 'Finds printed markers in space',
+    path: '/examples/marker-tracking',
+    page: () => import('./marker-tracking/MarkerTrackingPage.vue'),
+    thumbnail: () => import('./marker-tracking/MarkerTrackingThumbnail.vue'),
+  },
+  {
     id: 'image-processing',
     title: 'Image processing',
     sentence: 'Sends pictures through modules',

@@ -40,8 +40,14 @@ const CLIP_SIZE = { width: 640, height: 480 };
 /** Larger photographs are reduced, pixels of the longer side. */
 const MAX_PHOTO_SIDE = 1280;
 
-/** The sources of a page, while the calling scope lives; the built-in clip at first. */
-export function usePictureSource(): PictureSources {
+/**
+ * The sources of a page, while the calling scope lives; the built-in clip at first.
+ *
+ * @param drawOwn draws a moment of another clip, in place of the one with photographs
+ */
+export function usePictureSource(
+  drawOwn?: (canvas: HTMLCanvasElement, timeMs: number) => void,
+): PictureSources {
   const kind = shallowRef<SourceKind>('clip');
   const topic = shallowRef('');
   const fileName = shallowRef<string>();
@@ -56,9 +62,10 @@ export function usePictureSource(): PictureSources {
   let isLoading = false;
   const { pause, resume } = useIntervalFn(
     () => {
-      if (!clipPhotos.value) return;
+      if (!clipPhotos.value && !drawOwn) return;
       clipMs += 1000 / CLIP_RATE_HZ;
-      drawClip(clip, clipPhotos.value, clipMs);
+      if (drawOwn) drawOwn(clip, clipMs);
+      else drawClip(clip, clipPhotos.value!, clipMs);
     },
     1000 / CLIP_RATE_HZ,
     { immediate: false },
@@ -84,7 +91,7 @@ export function usePictureSource(): PictureSources {
       if (next !== 'camera') camera.stop();
       if (next !== 'clip') return pause();
       resume();
-      if (isLoading) return;
+      if (isLoading || drawOwn) return;
       isLoading = true;
       loadClip().then(
         (photos) => (clipPhotos.value = photos),
@@ -116,7 +123,7 @@ export function usePictureSource(): PictureSources {
   }
 
   const element = computed((): PictureElement | undefined => {
-    if (kind.value === 'clip') return clipPhotos.value && clip;
+    if (kind.value === 'clip') return (clipPhotos.value || drawOwn) && clip;
     if (kind.value === 'camera') return camera.stream.value && video;
     return kind.value === 'photo' ? photo.value : undefined;
   });

@@ -1,3 +1,4 @@
+import { outlineIn, type MarkerOutline } from './marker-outline.ts';
 import {
   TouchEventType,
   type Object2D,
@@ -21,6 +22,8 @@ export interface PlaneShape {
   readonly angle?: number;
   /** How sure a detector is, 0 to 1; absent when it does not say. */
   readonly score?: number;
+  /** Corners of what is no upright box, and the ends of its axes from the first place; in units of x and y. */
+  readonly outline?: MarkerOutline;
   /** Drawn hollow: a finger that left. */
   readonly isGone?: boolean;
 }
@@ -89,9 +92,11 @@ function posed(key: string, name: string, { position, angle, direction }: Pose2D
 
 function object({ id, pose, size, userDataJson }: Object2D, key: string): PlaneShape {
   const score = scoreIn(userDataJson);
+  const outline = outlineIn(userDataJson);
   const place = {
     ...(pose ? posed(key, id, pose) : point(key, id, undefined)),
     ...(score === undefined ? {} : { score }),
+    ...(outline === undefined ? {} : { outline }),
   };
   if (!size || !(size.x > 0 || size.y > 0)) return place;
   // Detectors say no angle, and others say 0: a box that is not turned has no arrow.

@@ -1,0 +1,162 @@
+import type { Object3D, TopicRecord } from '@ubii/proto';
+import { DEFAULT_DICTIONARY } from '@ubii/vision/markers';
+import { useIntervalFn, useRafFn } from '@vueuse/core';
+import { computed, reactive, shallowRef, watch } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
+import { usePictures } from '../../devices/camera/usePictures.ts';
+import { RateMeter } from '../../devices/sensors/rate-meter.ts';
+import { useDevice } from '../../devices/use-device.ts';
+import type { ModulePlace } from '../../sessions/own/planned-session.ts';
+import { usePageSession } from '../../sessions/own/use-page-session.ts';
+import type { PictureSources } from '../pictures/use-picture-source.ts';
+import { CLIP_MARKER_METRES } from './marker-clip.ts';
+import { TRACKING_COMPONENTS, TRACKING_DEVICE, trackingSession } from './tracking-session.ts';
+
+/** Results that nothing renews are of another picture by then, milliseconds. */
+const HOLD_MS = 1000;
+const FIGURES_MS = 1000;
+const RATE_HZ = 20;
+/** An image file changes when another one is chosen. */
+const PHOTO_HZ = 2;
+
+/** Finds markers in the pictures of a source with a session of this page. */
+export function useMarkerTracking(sources: PictureSources) {
+  const { isConnected, name } = useConnection();
+  const isOn = shallowRef(false);
+  const place = shallowRef<ModulePlace>('tab');
+  const options = reactive({
+    dictionary: DEFAULT_DICTIONARY,
+    sizeMm: String(CLIP_MARKER_METRES * 1000),
+    smoothingMs: 0,
+  });
+  /** Corners need more pixels than objects: the width is larger than that of other examples. */
+  const settings = reactive<PictureSettings>({
+    width: 1280,
+    rateHz: RATE_HZ,
+    encoding: 'JPEG',
+    quality: 0.9,
+  });
+
+  const markers = shallowRef<readonly Object3D[]>([]);
+  const outlines = shallowRef<TopicRecord>();
+  const error = shallowRef('');
+  const figures = shallowRef<{ readonly seenHz?: number | undefined; readonly ms?: number }>({});
+  const placeMs = shallowRef<
+    ReadonlyMap<ModulePlace, { readonly ms: number; readonly hint: string }>
+  >(new Map());
+  const seen = new RateMeter();
+  let newest: { markers: readonly Object3D[]; outlines?: TopicRecord } = { markers: [] };
+  let newestAtMs = -Infinity;
+  let durationMs: number | undefined;
+  let hasChanged = false;
+
+  const device = useDevice({
+    name: TRACKING_DEVICE,
+    tags: ['example', 'camera'],
+    components: TRACKING_COMPONENTS,
+    receivers: {
+      markers(value) {
+        newest = { ...newest, markers: value.elements };
+        newestAtMs = performance.now();
+        seen.note(newestAtMs);
+        hasChanged = true;
+      },
+      outlines(_value, record) {
+        newest = { ...newest, outlines: record };
+        hasChanged = true;
+      },
+      duration: (value) => (durationMs = value),
+      error: (value) => (error.value = value),
+    },
+  });
+  const isOwn = computed(() => sources.kind.value !== 'topic');
+  const image = computed(() => {
+    if (!device.isRegistered.value) return undefined;
+    return isOwn.value ? device.topicOf('image') : sources.topic.value || undefined;
+  });
+  usePictures({
+    source: () => sources.source(),
+    isWanted: () =>
+      isOn.value &&
+      isOwn.value &&
+      isConnected.value &&
+      device.isRegistered.value &&
+      sources.element.value !== undefined,
+    settings,
+    publish: (picture, ageMs) => device.publishTaken('image', picture, ageMs),
+  });
+
+  const sizeMetres = computed(() => Number(options.sizeMm) / 1000);
+  const session = usePageSession(
+    () => {
+      if (!isOn.value || image.value === undefined || !(sizeMetres.value > 0)) return undefined;
+      return {
+        place: place.value,
+        session: trackingSession({
+          owner: name.value,
+          image: image.value,
+          outputs: {
+            markers: device.topicOf('markers')!,
+            outlines: device.topicOf('outlines')!,
+            durationMs: device.topicOf('duration')!,
+            error: device.topicOf('error')!,
+          },
+          dictionary: options.dictionary,
+          sizeMetres: sizeMetres.value,
+          smoothingMs: options.smoothingMs,
+          calibration: '',
+        }),
+      };
+    },
+    () => (isOn.value = false),
+  );
+
+  function clear(): void {
+    newest = { markers: [] };
+    hasChanged = true;
+    durationMs = undefined;
+    error.value = '';
+    figures.value = {};
+  }
+  watch(
+    () => sources.kind.value,
+    (kind) => (settings.rateHz = kind === 'photo' ? PHOTO_HZ : RATE_HZ),
+  );
+  watch([place, () => sources.kind.value, isOn, () => options.dictionary], clear);
+
+  useRafFn(() => {
+    const isOld = performance.now() - newestAtMs > HOLD_MS;
+    if (isOld && newest.outlines !== undefined) {
+      newest = { markers: [] };
+      hasChanged = true;
+    }
+    if (!hasChanged) return;
+    hasChanged = false;
+    markers.value = newest.markers;
+    outlines.value = newest.outlines;
+  });
+  useIntervalFn(() => {
+    const seenHz = seen.rateHz(performance.now());
+    figures.value = { seenHz, ...(durationMs !== undefined && { ms: durationMs }) };
+    if (durationMs !== undefined && seenHz !== undefined) {
+      placeMs.value = new Map(placeMs.value).set(place.value, { ms: durationMs, hint: '' });
+    }
+  }, FIGURES_MS);
+
+  return {
+    isOn,
+    place,
+    options,
+    sizeMetres,
+    image,
+    isOwn,
+    topicOf: device.topicOf,
+    markers,
+    outlines,
+    error,
+    figures,
+    placeMs,
+    ...session,
+  };
+}
