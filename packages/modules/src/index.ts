@@ -1,5 +1,6 @@
 export { averagePositions } from './average-positions/average-positions.ts';
 export { bodyPose } from './body-pose/body-pose.ts';
+export { cameraCalibration } from './camera-calibration/camera-calibration.ts';
 export { clock } from './clock/clock.ts';
 export { counter } from './counter/counter.ts';
 export { EXAMPLE_SESSIONS } from './examples/example-sessions.ts';

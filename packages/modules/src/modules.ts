@@ -1,6 +1,7 @@
 import type { AnyModuleDefinition } from '@ubii/pm-sandbox';
 import { averagePositions } from './average-positions/average-positions.ts';
 import { bodyPose } from './body-pose/body-pose.ts';
+import { cameraCalibration } from './camera-calibration/camera-calibration.ts';
 import { clock } from './clock/clock.ts';
 import { counter } from './counter/counter.ts';
 import { handPose } from './hand-pose/hand-pose.ts';
@@ -42,6 +43,7 @@ import { touchProximity } from './touch-proximity/touch-proximity.ts';
 export const MODULES: readonly AnyModuleDefinition[] = [
   averagePositions,
   bodyPose,
+  cameraCalibration,
   clock,
   counter,
   handPose,

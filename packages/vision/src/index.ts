@@ -24,7 +24,10 @@ export { OPENCV_WASM_FILE, OpenCvError, sharedOpenCv } from './opencv/open-cv-ru
 export type { OpenCvRuntime } from './opencv/open-cv-runtime.ts';
 export type { OpenCvFactory } from './opencv/open-cv.ts';
 export * from './markers/camera-calibration.ts';
+export * from './markers/camera-calibrator.ts';
+export { WANTED_VIEWS } from './markers/calibration-views.ts';
+export * from './markers/charuco-board.ts';
 export * from './markers/dictionaries.ts';
 export * from './markers/marker-tracker.ts';
 export type { MarkerPose, PixelPoint } from './markers/marker-pose.ts';
-export * from './messages/object3d-list.ts';
+export * from './messages/marker-lists.ts';

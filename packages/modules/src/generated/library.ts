@@ -131,6 +131,109 @@ export const LIBRARY: readonly JsonObject[] = [
     },
   },
   {
+    name: 'camera-calibration',
+    authors: ['Ubi-Interact'],
+    tags: ['image', 'vision', 'camera'],
+    description: 'Calibrates a camera by a printed board.',
+    processingMode: {
+      triggerOnInput: {
+        minDelayMs: 0,
+        allInputsNeedUpdate: false,
+      },
+    },
+    inputs: [
+      {
+        internalName: 'image',
+        messageFormat: 'ubii.dataStructure.Image2D',
+        isRecordList: false,
+      },
+      {
+        internalName: 'startOver',
+        messageFormat: 'bool',
+        isRecordList: false,
+      },
+      {
+        internalName: 'columns',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":5}',
+      },
+      {
+        internalName: 'rows',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":7}',
+      },
+      {
+        internalName: 'squareSize',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":0.032}',
+      },
+      {
+        internalName: 'markerSize',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":0.024}',
+      },
+      {
+        internalName: 'dictionary',
+        messageFormat: 'string',
+        isRecordList: false,
+        defaultJson: '{"string":"aruco_5x5_50"}',
+      },
+      {
+        internalName: 'maxRate',
+        messageFormat: 'double',
+        isRecordList: false,
+        defaultJson: '{"double":5}',
+      },
+    ],
+    outputs: [
+      {
+        internalName: 'calibration',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+      {
+        internalName: 'views',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'hint',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+      {
+        internalName: 'corners',
+        messageFormat: 'ubii.dataStructure.Object2DList',
+        isRecordList: false,
+      },
+      {
+        internalName: 'error',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+    ],
+    language: 'JS',
+    onProcessingStringified:
+      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record, fallback) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : fallback;\n    };\n    state.sinceMs += deltaTimeMs;\n    const vision = state.modules["vision"];\n    const triggers = state.inputTriggerNames;\n    if (triggers?.includes("startOver") && inputs.startOver?.bool === true) {\n      state.calibrator?.reset();\n      state.isDone = false;\n    }\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew || state.calibrator === void 0) return void 0;\n    const rateHz = Math.min(30, Math.max(0.1, number(inputs.maxRate, 5)));\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    state.sinceMs = 0;\n    let error = "";\n    let look;\n    try {\n      const board = {\n        columns: Math.round(number(inputs.columns, 5)),\n        rows: Math.round(number(inputs.rows, 7)),\n        squareMetres: number(inputs.squareSize, 0.032),\n        markerMetres: number(inputs.markerSize, 0.024),\n        dictionary: inputs.dictionary?.string || "aruco_5x5_50"\n      };\n      const text = JSON.stringify(board);\n      if (text !== state.board) {\n        const factory = state.modules["opencv"];\n        const runtime = vision.sharedOpenCv(factory, state.assets["opencv"]);\n        const next = await vision.createCameraCalibrator(runtime, board);\n        state.calibrator.dispose();\n        state.calibrator = next;\n        state.board = text;\n        state.isDone = false;\n      }\n      look = await state.calibrator.look(await vision.readImage2D(image));\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (look === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    const { calibration, corners, views, hint } = look;\n    const isDone = calibration !== void 0;\n    const isNewlyDone = isDone && !state.isDone;\n    state.isDone = isDone;\n    const isNewHint = hint !== state.hint;\n    state.hint = hint;\n    return {\n      outputs: {\n        calibration: isNewlyDone ? { string: JSON.stringify(calibration) } : void 0,\n        views: { double: views },\n        hint: isNewHint ? { string: hint } : void 0,\n        corners: { object2DList: vision.object2DListOfCorners(corners), timestamp },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
+    onCreatedStringified:
+      '(state) => { Object.assign(state, (() => ({\n    calibrator: void 0,\n    board: "",\n    isDone: false,\n    hint: "",\n    sinceMs: Infinity,\n    error: ""\n  })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    const factory = state.modules["opencv"];\n    const runtime = vision.sharedOpenCv(factory, state.assets["opencv"]);\n    state.calibrator = await vision.createCameraCalibrator(runtime, vision.DEFAULT_BOARD);\n    state.board = JSON.stringify(vision.DEFAULT_BOARD);\n  } })["onCreated"]\n)(state); }',
+    onDestroyedStringified:
+      '({ onDestroyed(state) {\n    state.calibrator?.dispose();\n  } })["onDestroyed"]',
+    extension: {
+      version: '1.0.0',
+      libraries: [],
+      replaceable: false,
+      origin: 'MODULE_ORIGIN_UNKNOWN',
+      grantIds: [],
+      assets: ['vision', 'opencv'],
+      optionalAssets: [],
+    },
+  },
+  {
     name: 'clock',
     authors: ['Ubi-Interact'],
     tags: ['source', 'generator', 'time', 'number', 'wave', 'sine'],

@@ -49,10 +49,7 @@ export function checkBoard(board: CharucoBoard): void {
 }
 
 /** The squares with markers, in the order of their ids: rows from the top; the first square is black. */
-export function boardMarkers({
-  columns,
-  rows,
-}: CharucoBoard): readonly {
+export function boardMarkers({ columns, rows }: CharucoBoard): readonly {
   readonly id: number;
   readonly column: number;
   readonly row: number;

@@ -97,9 +97,14 @@ export function markerPoses(
     .sort((a, b) => a.errorPx - b.errorPx)
     .map(({ turn, at, errorPx }) => ({
       position: { x: at.x, y: -at.y, z: -at.z },
-      orientation: withPositiveW(multiply(HALF_TURN, turn)),
+      orientation: orientationOf(turn),
       errorPx,
     }));
+}
+
+/** An orientation of OpenCV's frame in ours. */
+export function orientationOf(turn: QuaternionValue): QuaternionValue {
+  return withPositiveW(multiply(HALF_TURN, turn));
 }
 
 /** Where the centre of a marker and the ends of its axes are in the picture, in this order: centre, x, y, z. */

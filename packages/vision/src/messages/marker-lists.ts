@@ -1,3 +1,4 @@
+import type { CalibrationLook } from '../markers/camera-calibrator.ts';
 import type { TrackedMarker } from '../markers/marker-tracker.ts';
 import type { QuaternionValue, Vector3Value } from '../markers/rotations.ts';
 import type { Object2DListValue } from './object2d-list.ts';
@@ -44,6 +45,20 @@ export function object2DListOfMarkers(markers: readonly TrackedMarker[]): Object
         userDataJson: JSON.stringify({ corners: pairs(corners), axes: pairs(axes) }),
       };
     }),
+  };
+}
+
+/**
+ * Converts corners of a board to what clients draw over the picture. `userDataJson`: `{ "corner": 3 }`.
+ * Ids are empty: names of 24 points would cover the board.
+ */
+export function object2DListOfCorners(corners: CalibrationLook['corners']): Object2DListValue {
+  return {
+    elements: corners.map(({ id, x, y }) => ({
+      id: '',
+      pose: { position: { x, y } },
+      userDataJson: JSON.stringify({ corner: id }),
+    })),
   };
 }
 
