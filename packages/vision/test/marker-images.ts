@@ -33,7 +33,12 @@ export function markerImage(): Picture {
 
 /** The same as a JPEG file. */
 export function markerImageFile(): Uint8Array {
-  const { width, height, data } = convertPicture(markerImage(), 'RGBA8');
+  return jpegFile(markerImage());
+}
+
+/** A picture as a JPEG file. */
+export function jpegFile(picture: Picture): Uint8Array {
+  const { width, height, data } = convertPicture(picture, 'RGBA8');
   return new Uint8Array(encode({ width, height, data }, 90).data);
 }
 

@@ -12,6 +12,13 @@ export const CAMERA_COMPONENTS = [
     description: 'The newest picture, raw pixels or a JPEG file in its data.',
   },
   {
+    name: 'calibration',
+    format: 'string',
+    tags: ['camera'],
+    description:
+      'What the camera is like, as JSON for marker-tracking; empty until it is calibrated.',
+  },
+  {
     name: 'objects',
     format: 'object2DList',
     ioType: 'subscriber',

@@ -1,5 +1,5 @@
 import type { Object2DList } from '@ubii/proto';
-import { onScopeDispose, shallowRef } from 'vue';
+import { onScopeDispose, shallowRef, watch } from 'vue';
 import { useDevice } from '../use-device.ts';
 import { CAMERA_COMPONENTS, CAMERA_DEVICE } from './components.ts';
 import { videoSource, type PictureSettings } from './encode-picture.ts';
@@ -18,6 +18,8 @@ export function useCameraDevice(options: {
   readonly isWanted: () => boolean;
   readonly settings: Readonly<PictureSettings>;
   readonly habits: () => Readonly<PictureHabits>;
+  /** JSON; empty while there is none. */
+  readonly calibration: () => string;
 }) {
   const objects = shallowRef<Object2DList>();
   /** From the newest picture that was sent to the boxes that came next, milliseconds. */
@@ -54,6 +56,11 @@ export function useCameraDevice(options: {
       device.publishTaken('camera_image', image, ageMs, { immediate: true, expiryMs }),
     end: () => device.end('camera_image'),
   });
+  watch(
+    [options.calibration, device.isRegistered],
+    ([json, isKnown]) => isKnown && device.publish('calibration', json),
+    { immediate: true },
+  );
   onScopeDispose(() => clearTimeout(holdTimer));
 
   return {

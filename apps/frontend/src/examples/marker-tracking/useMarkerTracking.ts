@@ -3,6 +3,7 @@ import { DEFAULT_DICTIONARY } from '@ubii/vision/markers';
 import { useIntervalFn, useRafFn } from '@vueuse/core';
 import { computed, reactive, shallowRef, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
+import { useCalibrations } from '../../devices/camera/calibration-memory.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
 import { usePictures } from '../../devices/camera/usePictures.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
@@ -87,6 +88,11 @@ export function useMarkerTracking(sources: PictureSources) {
     publish: (picture, ageMs) => device.publishTaken('image', picture, ageMs),
   });
 
+  const calibrations = useCalibrations();
+  /** Of the camera that is the source, when it was calibrated in this browser. */
+  const calibration = computed(() =>
+    sources.kind.value === 'camera' ? (calibrations.of(sources.camera.chosen.value) ?? '') : '',
+  );
   const sizeMetres = computed(() => Number(options.sizeMm) / 1000);
   const session = usePageSession(
     () => {
@@ -105,7 +111,7 @@ export function useMarkerTracking(sources: PictureSources) {
           dictionary: options.dictionary,
           sizeMetres: sizeMetres.value,
           smoothingMs: options.smoothingMs,
-          calibration: '',
+          calibration: calibration.value,
         }),
       };
     },
@@ -149,6 +155,7 @@ export function useMarkerTracking(sources: PictureSources) {
     place,
     options,
     sizeMetres,
+    calibration,
     image,
     isOwn,
     topicOf: device.topicOf,

@@ -1,0 +1,102 @@
+import type { ComponentInit } from '@ubii/client-web';
+import type { Init, Session } from '@ubii/proto';
+
+/** The page as a device; topics are `/<client id>/web-camera-calibration/<name>`. */
+export const CALIBRATION_DEVICE = 'web-camera-calibration';
+
+export const CALIBRATION_COMPONENTS = [
+  {
+    name: 'image',
+    format: 'image2D',
+    tags: ['camera', 'image'],
+    description: 'The newest picture of the camera, a JPEG file in its data.',
+  },
+  {
+    name: 'start_over',
+    format: 'bool',
+    tags: ['camera'],
+    description: 'True forgets all views.',
+  },
+  {
+    name: 'calibration',
+    format: 'string',
+    ioType: 'subscriber',
+    tags: ['camera'],
+    description: 'The calibration as JSON, once it is computed.',
+  },
+  {
+    name: 'views',
+    format: 'double',
+    ioType: 'subscriber',
+    tags: ['camera'],
+    description: 'Views of the board so far; 12 are enough.',
+  },
+  {
+    name: 'hint',
+    format: 'string',
+    ioType: 'subscriber',
+    tags: ['camera'],
+    description: 'What to do next.',
+  },
+  {
+    name: 'corners',
+    format: 'object2DList',
+    ioType: 'subscriber',
+    tags: ['camera'],
+    description: 'Corners of the board in the picture; 0 to 1 from the top left.',
+  },
+  {
+    name: 'error',
+    format: 'string',
+    ioType: 'subscriber',
+    tags: ['camera'],
+    description: 'What is wrong with the picture or the board.',
+  },
+] as const satisfies readonly ComponentInit[];
+
+const OUTPUTS = ['calibration', 'views', 'hint', 'corners', 'error'] as const;
+export type CalibrationComponent = (typeof CALIBRATION_COMPONENTS)[number]['name'];
+
+/** The board as it was printed, and measured. */
+export interface PrintedBoard {
+  readonly columns: number;
+  readonly rows: number;
+  readonly squareMetres: number;
+  readonly markerMetres: number;
+}
+
+/** A session with the module `camera-calibration` between topics of this page. */
+export function calibrationSession(
+  owner: string,
+  board: PrintedBoard,
+  topicOf: (component: CalibrationComponent) => string,
+): Init<Session> {
+  const module = 'camera-calibration';
+  const constants = {
+    columns: board.columns,
+    rows: board.rows,
+    squareSize: board.squareMetres,
+    markerSize: board.markerMetres,
+    maxRate: 10,
+  };
+  return {
+    name: `Camera calibration of ${owner}`,
+    description: 'Calibrates a camera by a printed board. It ends with the page.',
+    tags: ['camera'],
+    processingModules: [{ name: module }],
+    ioMappings: [
+      {
+        processingModuleName: module,
+        inputMappings: [
+          { inputName: 'image', topic: topicOf('image') },
+          { inputName: 'startOver', topic: topicOf('start_over') },
+          ...Object.entries(constants).map(([inputName, value]) => ({
+            inputName,
+            constantJson: JSON.stringify({ double: value }),
+          })),
+        ],
+        outputMappings: OUTPUTS.map((name) => ({ outputName: name, topic: topicOf(name) })),
+      },
+    ],
+  };
+}

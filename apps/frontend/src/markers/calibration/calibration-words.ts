@@ -1,0 +1,28 @@
+import type { CameraCalibration } from '@ubii/vision/markers';
+
+/** Pixels up to which a calibration is good, and fair. */
+const GOOD_PX = 0.5;
+const FAIR_PX = 1;
+
+/** A calibration in words: how good it is, what to do about it, and its figures. */
+export function calibrationWords(calibration: CameraCalibration) {
+  const { width, height, fx, fy, reprojectionErrorPx: errorPx = NaN } = calibration;
+  const angle = (side: number, focal: number): string =>
+    `${((Math.atan(side / 2 / focal) * 360) / Math.PI).toFixed(1)}°`;
+  const [quality, advice] =
+    errorPx <= GOOD_PX
+      ? (['Good', 'The views fit together well.'] as const)
+      : errorPx <= FAIR_PX
+        ? (['Fair', 'Usable. More light and a board that is held still make it better.'] as const)
+        : (['Poor', 'Start over with a flat board, in bright light, and check its size.'] as const);
+  return {
+    quality,
+    advice,
+    facts: [
+      { name: 'Reprojection error', value: `${errorPx.toFixed(2)} px` },
+      { name: 'Field of view', value: `${angle(width, fx)} × ${angle(height, fy)}` },
+      { name: 'Focal lengths', value: `${fx.toFixed(0)} × ${fy.toFixed(0)} px` },
+      { name: 'Picture', value: `${width} × ${height}` },
+    ],
+  };
+}

@@ -1,0 +1,6 @@
+// What pages need of markers and cameras, without OpenCV and TensorFlow.js.
+export * from './camera-calibration.ts';
+export { WANTED_VIEWS } from './calibration-views.ts';
+export * from './charuco-board.ts';
+export * from './dictionaries.ts';
+export * from './marker-cells.ts';
