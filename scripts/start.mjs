@@ -10,7 +10,8 @@ const { onStop } = await import('./lib/stopping.mjs');
 
 await runScript(async () => {
   await ensureInstalled();
-  await ensureBuilt(['master', 'frontend']);
+  // Modules that see get their models and libraries from the master.
+  await ensureBuilt(['master', 'frontend', 'vision']);
   const master = launch(
     process.execPath,
     ['--enable-source-maps', inRoot(masterProgram), ...process.argv.slice(2)],
