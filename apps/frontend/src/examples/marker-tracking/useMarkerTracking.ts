@@ -5,11 +5,13 @@ import { computed, reactive, shallowRef, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useCalibrations } from '../../devices/camera/calibration-memory.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
+import { usePictureHabits } from '../../devices/camera/picture-habits.ts';
 import { usePictures } from '../../devices/camera/usePictures.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
+import { useCameraRelease } from '../pictures/use-camera-release.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
 import { CLIP_MARKER_METRES } from './marker-clip.ts';
 import { TRACKING_COMPONENTS, TRACKING_DEVICE, trackingSession } from './tracking-session.ts';
@@ -24,6 +26,7 @@ const PHOTO_HZ = 2;
 /** Finds markers in the pictures of a source with a session of this page. */
 export function useMarkerTracking(sources: PictureSources) {
   const { isConnected, name } = useConnection();
+  const habits = usePictureHabits();
   const isOn = shallowRef(false);
   const place = shallowRef<ModulePlace>('tab');
   const options = reactive({
@@ -85,8 +88,13 @@ export function useMarkerTracking(sources: PictureSources) {
       device.isRegistered.value &&
       sources.element.value !== undefined,
     settings,
-    publish: (picture, ageMs) => device.publishTaken('image', picture, ageMs),
+    habits: () => habits.value,
+    resultHz: () => (sources.kind.value === 'photo' ? undefined : seen.rateHz(performance.now())),
+    publish: (picture, { ageMs, expiryMs }) =>
+      device.publishTaken('image', picture, ageMs, { immediate: true, expiryMs }),
+    end: () => device.end('image'),
   });
+  useCameraRelease(sources, isOn);
 
   const calibrations = useCalibrations();
   /** Of the camera that is the source, when it was calibrated in this browser. */

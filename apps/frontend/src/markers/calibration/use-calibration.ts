@@ -4,6 +4,7 @@ import { computed, reactive, shallowRef, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useCalibrations } from '../../devices/camera/calibration-memory.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
+import type { PictureHabits } from '../../devices/camera/picture-habits.ts';
 import { usePictures } from '../../devices/camera/usePictures.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import type { PictureSources } from '../../examples/pictures/use-picture-source.ts';
@@ -16,6 +17,8 @@ import {
 
 /** The board needs sharp corners; the module looks at ten pictures a second. */
 const SETTINGS: PictureSettings = { width: 640, rateHz: 10, encoding: 'JPEG', quality: 0.9 };
+/** A smaller picture would be of another camera. */
+const HABITS: PictureHabits = { isAdaptive: false, keepsNewest: false };
 const MARKER_PART = DEFAULT_BOARD.markerMetres / DEFAULT_BOARD.squareMetres;
 
 /** Calibrates the camera of this page with a session of its own, in a worker of this tab. */
@@ -60,7 +63,10 @@ export function useCalibration(sources: PictureSources) {
       device.isRegistered.value &&
       sources.element.value !== undefined,
     settings: SETTINGS,
-    publish: (picture, ageMs) => device.publishTaken('image', picture, ageMs),
+    habits: () => HABITS,
+    publish: (picture, { ageMs, expiryMs }) =>
+      device.publishTaken('image', picture, ageMs, { immediate: true, expiryMs }),
+    end: () => device.end('image'),
   });
   const session = usePageSession(() => {
     const squareMetres = Number(board.squareMm) / 1000;
