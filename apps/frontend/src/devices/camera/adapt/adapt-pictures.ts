@@ -31,7 +31,9 @@ export interface AdaptState {
   readonly changedMs: number;
   /** More is sent than the link was seen to take. */
   readonly isProbing: boolean;
-  /** Calm time that has to pass before that is tried again, milliseconds. */
+  /** The link took more than before: it has recovered, and more may be tried soon. */
+  readonly isRecovered: boolean;
+  /** Calm time before more is tried than the link was seen to take, milliseconds. */
   readonly probeMs: number;
 }
 
@@ -47,8 +49,10 @@ const MAX_CUT = 0.3;
 const SETTLE_MS = 3000;
 /** Calm time before a level up, milliseconds. */
 const HOLD_MS = 4000;
-const FIRST_PROBE_MS = 10_000;
-const MAX_PROBE_MS = 80_000;
+/** A link that takes this much more than before has recovered. */
+const RECOVERED = 1.1;
+const FIRST_PROBE_MS = 15_000;
+const MAX_PROBE_MS = 120_000;
 /** Share of its time that a device may encode pictures. */
 const MAX_ENCODING = 0.6;
 /** A module is sent a few more pictures than it looks at, so that it never waits for one. */
@@ -71,6 +75,7 @@ export const FIRST_STATE: AdaptState = {
   lastResultMs: 0,
   changedMs: 0,
   isProbing: false,
+  isRecovered: false,
   probeMs: FIRST_PROBE_MS,
 };
 
@@ -115,20 +120,22 @@ function followLink(
   const taken = sent.bytesPerSecond;
   if (busyShare > BUSY_SHARE || queueMs(roundTripsMs) > MAX_QUEUE_MS) {
     const share = Math.max((USED_SHARE * taken) / offered, MAX_CUT);
-    const next = levelFor(ladder, level, share);
+    // An attempt at more has failed: the level before was borne.
+    const isBorne = state.isProbing && level + 1 < ladder.length;
+    const next = isBorne ? level + 1 : levelFor(ladder, level, share);
     const probeMs = state.isProbing ? Math.min(2 * state.probeMs, MAX_PROBE_MS) : state.probeMs;
-    const link = { linkBytesPerSecond: taken, isProbing: false, probeMs };
+    const link = { linkBytesPerSecond: taken, isProbing: false, isRecovered: false, probeMs };
     return { ...state, ...link, level: next, changedMs: next === level ? state.changedMs : nowMs };
   }
   const { linkBytesPerSecond: known = Infinity } = state;
   if (state.isProbing && sinceMs >= 2 * HOLD_MS) {
-    const link = { linkBytesPerSecond: Math.max(known, taken / USED_SHARE), isProbing: false };
-    return { ...state, ...link, probeMs: FIRST_PROBE_MS };
+    if (taken <= RECOVERED * known) return { ...state, isProbing: false };
+    return { ...state, isProbing: false, isRecovered: true, probeMs: FIRST_PROBE_MS };
   }
   if (level === 0) return state;
   const growth = stepCost(ladder[level - 1]!) / stepCost(ladder[level]!);
   const isKnownToFit = offered * growth <= USED_SHARE * known;
-  const calmMs = isKnownToFit ? HOLD_MS : state.probeMs;
+  const calmMs = isKnownToFit || state.isRecovered ? HOLD_MS : state.probeMs;
   if (busyShare * growth > USED_SHARE || sinceMs < calmMs) return state;
   return { ...state, level: level - 1, changedMs: nowMs, isProbing: !isKnownToFit };
 }

@@ -31,8 +31,8 @@ export function adaptationWords(
   return parts.length === 0 ? undefined : `${parts.join('; ')}.`;
 }
 
-function linkReason({ linkBytesPerSecond }: AdaptState): string {
-  if (linkBytesPerSecond === undefined) return 'the link took less before';
+/** The link alone leads down the ladder, and then it is known what it took. */
+function linkReason({ linkBytesPerSecond = 0 }: AdaptState): string {
   const { digits, unit } = formatBytes(linkBytesPerSecond, 'B/s');
   return `the link takes ${digits} ${unit}`;
 }

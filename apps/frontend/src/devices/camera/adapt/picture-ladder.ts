@@ -41,9 +41,11 @@ export function pictureLadder(wanted: Readonly<PictureSettings>): readonly Pictu
   return steps;
 }
 
-/** Bytes a second in relation to other steps; what a JPEG takes grows a little slower than its pixels. */
+/**
+ * Bytes a second in relation to other steps, as JPEG encoders made of the photographs of the clip: qualities of 0.35, 0.5,
+ * 0.65, 0.8 and 0.95 take 0.45, 0.54, 0.69, 1 and 1.87 times as much, widths of 1, 0.75, 0.5 and 0.25 take 1, 0.56, 0.29 and 0.1.
+ */
 export function stepCost({ width, quality, rateHz }: PictureStep): number {
-  // Of photographs: 0.35, 0.5, 0.65, 0.8, 0.95 take about 0.55, 0.68, 0.83, 1.15 and 2.6 of the bytes of 0.75.
-  const ofQuality = 0.3 + 0.6 * quality + 1.6 * quality ** 12;
+  const ofQuality = 0.3 + 0.45 * quality + 1.48 * quality ** 6.6;
   return width ** 1.8 * ofQuality * rateHz;
 }

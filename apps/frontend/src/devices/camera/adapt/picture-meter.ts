@@ -10,7 +10,6 @@ export interface SentPicture {
 
 /** Pictures of the last seconds, in figures. */
 export interface SentSummary {
-  readonly count: number;
   /** Medians. */
   readonly bytes: number;
   readonly encodeMs: number;
@@ -54,7 +53,6 @@ export class PictureMeter {
     const seconds = (last.atMs - first.atMs) / 1000;
     const bytes = pictures.slice(0, -1).reduce((sum, picture) => sum + picture.bytes, 0);
     return {
-      count: pictures.length,
       bytes: median(pictures.map((picture) => picture.bytes)),
       encodeMs: median(pictures.map((picture) => picture.encodeMs)),
       leaveMs: median(pictures.map((picture) => picture.leaveMs)),
