@@ -3,6 +3,7 @@ import { detection } from './detection.ts';
 import { fanOut } from './fan-out.ts';
 import { graphEditor, graphEditorOpen } from './graph-editor.ts';
 import { hostileBodies } from './hostile-bodies.ts';
+import { markers } from './markers.ts';
 import { masterTime } from './master-time.ts';
 import { MODULE_CALLS } from './module-call.ts';
 import { MODULE_CALLS_IN_BROWSER } from './module-call-browser.ts';
@@ -23,6 +24,7 @@ export const WORKLOADS: readonly Workload[] = [
   ...MODULE_CALLS_IN_BROWSER,
   detection,
   ...SEEING,
+  markers,
   trigger,
   ...LOCKSTEPS,
   modules100,

@@ -8,6 +8,8 @@ import { DEFAULT_BOARD } from '../src/markers/charuco-board.ts';
 import { boardBrightness } from './board-print.ts';
 import { cellPrint, renderScene, turned } from './marker-scene.ts';
 
+export { createOpenCvRuntime } from './open-cv-set.ts';
+
 /** Side of the markers in `markerImage`, metres. */
 export const MARKER_IMAGE_SIZE = 0.08;
 

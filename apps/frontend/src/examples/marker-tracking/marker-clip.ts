@@ -5,6 +5,9 @@ export const CLIP_MARKER_METRES = 0.06;
 /** What the clip's longer side shows, as the module assumes without calibration. */
 const FIELD_OF_VIEW_DEGREES = 60;
 
+/** A turn of the marker that turns, milliseconds. */
+const TURN_MS = 12_000;
+
 /** A marker in front of the clip's camera: metres and radians, as the module puts them out. */
 interface ClipMarker {
   readonly id: number;
@@ -18,7 +21,7 @@ interface ClipMarker {
 
 /** Where the three markers of the clip are at a moment. */
 export function clipMarkers(timeMs: number): readonly ClipMarker[] {
-  const turn = (timeMs / 6000) * 2 * Math.PI;
+  const turn = (timeMs / TURN_MS) * 2 * Math.PI;
   return [
     { id: 7, x: -0.09, y: 0.03, z: -0.34, yaw: 0.6 * Math.sin(turn), pitch: 0.35, roll: 0 },
     { id: 12, x: 0.02, y: -0.05, z: -0.3, yaw: 0.2, pitch: -0.5, roll: turn },
