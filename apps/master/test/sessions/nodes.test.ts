@@ -5,6 +5,7 @@ import {
   SessionState,
   SessionStatus,
 } from '@ubii/proto';
+import { encodeNodeMessageFrame } from '@ubii/proto/wire';
 import { describe, expect, it } from 'vitest';
 import { codes, doubler, doubling, SessionWorld, TOPICS } from './session-world.ts';
 import { OUR_NODE, TestNode } from './test-node.ts';
@@ -176,6 +177,22 @@ describe('a module that is not reported', () => {
     const { extension } = await world.get(session);
     expect(extension?.state).toBe(SessionState.SESSION_RUNNING);
     expect(codes(extension?.problems)).not.toContain('module_not_started');
+  });
+
+  it('is not late while its node reports that it loads an asset set [SE-12] [PM-94]', async () => {
+    const world = await SessionWorld.create();
+    const node = await TestNode.original(world.master, 'nodejs', { processingModules: [offered] });
+    const session = await world.ask(TOPICS.start, { processingModules: [{ name: 'detector' }] });
+    const [module] = node.own(node.told('start'));
+    for (let loadedBytes = 0; loadedBytes < 3; loadedBytes++) {
+      const loading = { loadingSet: 'model', loadedBytes, loadingBytes: 3 };
+      const statistics = [{ moduleId: module!.id, ...loading }];
+      node.client.socket.handleBinary(encodeNodeMessageFrame({ moduleReports: { statistics } }));
+      await node.pass(9000);
+    }
+    expect((await world.get(session)).extension?.state).toBe(SessionState.SESSION_STARTING);
+    await node.ran([module!]);
+    expect((await world.get(session)).extension?.state).toBe(SessionState.SESSION_RUNNING);
   });
 
   it('alone stops the session again [SE-12]', async () => {

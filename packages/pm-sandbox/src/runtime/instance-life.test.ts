@@ -1,5 +1,5 @@
 import { ModuleEventKind, ProcessingModuleStatus } from '@ubii/proto';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { EMPTY_RESULT, inputValues, sandboxOutput } from '../testing/fake-sandboxes.ts';
 import { createAssetStore } from '../assets/asset-store.ts';
 import { FakeAssets } from '../testing/fake-assets.ts';
@@ -29,6 +29,28 @@ describe('the asset sets of an instance [PM-90]', () => {
     expect(events.map(({ message }) => message)).toEqual([
       'Loading the asset set model: 100 % of 0.0 MB.',
     ]);
+  });
+
+  it('are in its statistics while they load [PM-94]', async () => {
+    const { source, runtime } = world();
+    source.add('library', { 'b.js': '0123456789' });
+    const pauses: (() => void)[] = [];
+    Object.defineProperty(source, 'pause', {
+      get: () => new Promise<void>((resolve) => pauses.push(resolve)),
+    });
+    const created = runtime.create(instanceSpec({ ...needing, assets: ['library', 'model'] }));
+    const loading = () => {
+      const [{ loadingSet, loadedBytes, loadingBytes } = {}] = runtime.statistics();
+      return [loadingSet, loadedBytes, loadingBytes];
+    };
+    expect(loading()).toEqual(['', 0, 0]);
+    await vi.waitFor(() => expect(pauses).toHaveLength(1));
+    pauses[0]!();
+    await vi.waitFor(() => expect(pauses).toHaveLength(2));
+    expect(loading()).toEqual(['library', 10, 10]);
+    pauses[1]!();
+    await created;
+    expect(loading()).toEqual(['', 0, 0]);
   });
 
   it('are for trusted modules only', async () => {

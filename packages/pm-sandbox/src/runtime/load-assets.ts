@@ -15,6 +15,9 @@ export interface AssetContext {
   readonly clock: Pick<Clock, 'monotonicMs'>;
 }
 
+/** What is told about loading. */
+type LoadingReports = Pick<InstanceReports, 'log' | 'noteLoading'>;
+
 /**
  * Loads an asset set that a running module asks for. [PM-96]
  * @throws AssetError
@@ -23,7 +26,7 @@ export async function loadOptionalAssets(
   name: string,
   { module }: Pick<InstanceSpec, 'module'>,
   context: AssetContext,
-  reports: Pick<InstanceReports, 'log'>,
+  reports: LoadingReports,
   signal: AbortSignal,
 ): Promise<LoadedAssets> {
   if (!(module.extension?.optionalAssets ?? []).includes(name)) {
@@ -35,7 +38,9 @@ export async function loadOptionalAssets(
   if (context.assets === undefined) {
     throw new AssetError('missing', 'This node does not load asset sets.');
   }
-  const [set] = await context.assets.load([name], signal, tellProgress(context, reports));
+  const [set] = await context.assets
+    .load([name], signal, tellProgress(context, reports))
+    .finally(() => reports.noteLoading(undefined));
   if (set!.library === undefined) return set!;
   throw new AssetError(
     'damaged',
@@ -43,13 +48,15 @@ export async function loadOptionalAssets(
   );
 }
 
-/** Tells how far loading is, as log lines of the module. [PM-94] */
+/** Tells how far loading is, in statistics and as log lines of the module. [PM-94] */
 function tellProgress(
   { clock }: AssetContext,
-  reports: Pick<InstanceReports, 'log'>,
+  reports: LoadingReports,
 ): (progress: AssetProgress) => void {
   let toldMs = -Infinity;
-  return ({ name, loadedBytes, totalBytes }) => {
+  return (progress) => {
+    reports.noteLoading(progress);
+    const { name, loadedBytes, totalBytes } = progress;
     const nowMs = clock.monotonicMs();
     if (nowMs - toldMs < TELL_MS && loadedBytes < totalBytes) return;
     toldMs = nowMs;
@@ -63,7 +70,7 @@ function tellProgress(
 export async function loadAssets(
   { module, isTrusted }: Pick<InstanceSpec, 'module' | 'isTrusted'>,
   context: AssetContext,
-  reports: Pick<InstanceReports, 'log'>,
+  reports: LoadingReports,
   signal: AbortSignal,
 ): Promise<{ readonly sets: readonly LoadedAssets[] } | { readonly fault: ModuleFault }> {
   const { assets: names = [], optionalAssets = [] } = module.extension ?? {};
@@ -82,5 +89,7 @@ export async function loadAssets(
     if (signal.aborted) return failed('The module was stopped while its asset sets were loaded.');
     if (cause instanceof AssetError) return failed(cause.message);
     throw cause;
+  } finally {
+    reports.noteLoading(undefined);
   }
 }

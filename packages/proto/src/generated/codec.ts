@@ -1930,10 +1930,13 @@ export function encodeModuleStatistics(m: Init<T.ModuleStatistics>, w: Writer): 
   if (m.topicsRefused != null) w.double(129, m.topicsRefused);
   if (m.refusedOutput != null) w.string(138, m.refusedOutput);
   if (m.memoryBytes != null) w.double(145, m.memoryBytes);
+  if (m.loadingSet != null) w.string(154, m.loadingSet);
+  if (m.loadedBytes != null) w.double(161, m.loadedBytes);
+  if (m.loadingBytes != null) w.double(169, m.loadingBytes);
 }
 
 export function decodeModuleStatistics(r: Reader, into?: T.ModuleStatistics): T.ModuleStatistics {
-  const m: T.ModuleStatistics = into ?? { moduleId: '', moduleName: '', nodeId: '', status: 0, runs: 0, runsPerSecond: 0, runP50Ms: 0, runP95Ms: 0, overruns: 0, errors: 0, restarts: 0, outputs: 0, outputsRefused: 0, waiting: 0, topics: 0, topicsRefused: 0, refusedOutput: '', memoryBytes: 0 };
+  const m: T.ModuleStatistics = into ?? { moduleId: '', moduleName: '', nodeId: '', status: 0, runs: 0, runsPerSecond: 0, runP50Ms: 0, runP95Ms: 0, overruns: 0, errors: 0, restarts: 0, outputs: 0, outputsRefused: 0, waiting: 0, topics: 0, topicsRefused: 0, refusedOutput: '', memoryBytes: 0, loadingSet: '', loadedBytes: 0, loadingBytes: 0 };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -1955,6 +1958,9 @@ export function decodeModuleStatistics(r: Reader, into?: T.ModuleStatistics): T.
       case 129: m.topicsRefused = r.double(); break;
       case 138: m.refusedOutput = r.string(); break;
       case 145: m.memoryBytes = r.double(); break;
+      case 154: m.loadingSet = r.string(); break;
+      case 161: m.loadedBytes = r.double(); break;
+      case 169: m.loadingBytes = r.double(); break;
       default: skipField(r, tag);
     }
   }

@@ -1952,6 +1952,12 @@ export interface ModuleStatistics {
   refusedOutput: string;
   /** Memory of the instance, bytes; 0 when it is not known. Rule SE-64. */
   memoryBytes: number;
+  /** Asset set that loads before the module starts; empty when none does. Rule PM-94. */
+  loadingSet: string;
+  /** Bytes of this set that have arrived. */
+  loadedBytes: number;
+  /** Bytes of this set. */
+  loadingBytes: number;
 }
 
 /**

@@ -627,6 +627,9 @@ message ubii.extension.ModuleStatistics
 16 topics_refused double
 17 refused_output string
 18 memory_bytes double
+19 loading_set string
+20 loaded_bytes double
+21 loading_bytes double
 message ubii.extension.ModuleVersion
 1 number int32
 2 time_ms double

@@ -84,7 +84,10 @@ export class NodeReports {
       const module = this.#context.table.findModule(one.moduleId)?.module;
       if (module?.nodeId === client.id) {
         const bounded = cutTexts('ubii.extension.ModuleStatistics', one, this.#context.limits);
-        module.statistics = { ...bounded, nodeId: client.id, moduleName: module.name };
+        module.noteStatistics(
+          { ...bounded, nodeId: client.id, moduleName: module.name },
+          this.#context.clock.monotonicMs(),
+        );
       }
     }
     for (const told of events) {

@@ -33,7 +33,7 @@ export class SessionModule {
   /** The source is the library's own [PM-51]. */
   isTrusted: boolean;
   phase: ModulePhase = 'idle';
-  /** When it was given to its node last, monotonic milliseconds. */
+  /** When it was given to its node last, or its node last said that it loads, monotonic milliseconds. */
   waitingSinceMs = 0;
   /** Why it does not run as it should. */
   problem: SessionProblem | undefined = undefined;
@@ -50,6 +50,12 @@ export class SessionModule {
     this.mapping = parts.mapping;
     this.wishedNodeId = parts.wishedNodeId;
     this.isTrusted = parts.isTrusted;
+  }
+
+  /** Its node reported how it does. What loads its asset sets is not late, however slow the network is [SE-12]. */
+  noteStatistics(statistics: ModuleStatistics, nowMs: number): void {
+    this.statistics = statistics;
+    if (this.phase === 'waiting' && statistics.loadingSet !== '') this.waitingSinceMs = nowMs;
   }
 
   get nodeId(): string {

@@ -51,7 +51,7 @@ export class Supervision {
   }
 
   #look(): void {
-    const { local, sessions } = this.#context;
+    const { clock, local, sessions } = this.#context;
     this.#looks++;
     const watched = [...sessions()].filter(isWatched);
     if (watched.length === 0) return this.close();
@@ -59,8 +59,7 @@ export class Supervision {
       watched.flatMap((session) => session.modules.map((one) => [one.id, one])),
     );
     for (const statistics of local.statistics()) {
-      const module = modules.get(statistics.moduleId);
-      if (module !== undefined) module.statistics = statistics;
+      modules.get(statistics.moduleId)?.noteStatistics(statistics, clock.monotonicMs());
     }
     for (const session of watched) {
       this.#lookAt(session);

@@ -189,6 +189,7 @@ export const TEXT_RULES: Readonly<Record<string, TextRule>> = {
   'ubii.extension.ModuleStatistics.module_name': OF_MASTER,
   'ubii.extension.ModuleStatistics.node_id': OF_MASTER,
   'ubii.extension.ModuleStatistics.refused_output': line('identifierCharacters'),
+  'ubii.extension.ModuleStatistics.loading_set': line('identifierCharacters'),
   'ubii.extension.ModuleEvent.session_id': OF_MASTER,
   'ubii.extension.ModuleEvent.module_id': NOT_KEPT,
   'ubii.extension.ModuleEvent.module_name': OF_MASTER,

@@ -1,4 +1,5 @@
 import { ModuleEventKind, type ModuleEvent, type ModuleStatistics } from '@ubii/proto';
+import type { AssetProgress } from '../../assets/asset-store.ts';
 import type { RuntimeLimits } from '../../limits.ts';
 import type { Clock } from '../../ports/clock.ts';
 import type { ModuleFault } from '../../ports/module-fault.ts';
@@ -34,6 +35,7 @@ export class InstanceReports {
   #topicsRefused = 0;
   #refusedOutput = '';
   #memoryBytes = 0;
+  #loading: AssetProgress | undefined = undefined;
   #lastRuns = 0;
   #lastTakenMs: number;
 
@@ -101,6 +103,11 @@ export class InstanceReports {
     this.#memoryBytes = bytes;
   }
 
+  /** @param progress of its asset sets; `undefined`: nothing loads any more [PM-94] */
+  noteLoading(progress: AssetProgress | undefined): void {
+    this.#loading = progress;
+  }
+
   countRestart(): void {
     this.#restarts++;
     const message = 'The module restarted with an empty state.';
@@ -163,6 +170,9 @@ export class InstanceReports {
       topicsRefused: this.#topicsRefused,
       refusedOutput: this.#refusedOutput,
       memoryBytes: this.#memoryBytes,
+      loadingSet: this.#loading?.name ?? '',
+      loadedBytes: this.#loading?.loadedBytes ?? 0,
+      loadingBytes: this.#loading?.totalBytes ?? 0,
     };
   }
 
