@@ -1545,6 +1545,11 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
       },
       {
+        internalName: 'belowThreshold',
+        messageFormat: 'ubii.dataStructure.Object2DList',
+        isRecordList: false,
+      },
+      {
         internalName: 'decodeMs',
         messageFormat: 'double',
         isRecordList: false,
@@ -1560,6 +1565,11 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
       },
       {
+        internalName: 'backendFault',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+      {
         internalName: 'error',
         messageFormat: 'string',
         isRecordList: false,
@@ -1567,9 +1577,9 @@ export const LIBRARY: readonly JsonObject[] = [
     ],
     language: 'JS',
     onProcessingStringified:
-      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : void 0;\n    };\n    state.sinceMs += deltaTimeMs;\n    const { choice } = state;\n    if (choice === void 0) return void 0;\n    choice.choose(inputs.detector?.string || "centernet", inputs.backend?.string || "auto");\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew) return void 0;\n    const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate) ?? 15));\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const startedMs = performance.now();\n    let decodedMs = startedMs;\n    let error;\n    let found;\n    try {\n      const picture = await vision.readImage2D(image);\n      decodedMs = performance.now();\n      found = await choice.detect(picture, {\n        threshold: number(inputs.threshold),\n        maxObjects: number(inputs.maxObjects),\n        classes: inputs.classes?.stringList.elements ?? [],\n        inputSize: number(inputs.inputSize)\n      });\n      error = choice.problem;\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (found === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    return {\n      outputs: {\n        predictions: { object2DList: vision.object2DListOfDetections(found), timestamp },\n        decodeMs: { double: decodedMs - startedMs },\n        durationMs: { double: performance.now() - startedMs },\n        backend: { string: choice.backend },\n        error: isNewError ? { string: error } : void 0\n      }\n    };\n  } })["onProcessing"]',
+      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : void 0;\n    };\n    state.sinceMs += deltaTimeMs;\n    const { choice } = state;\n    if (choice === void 0) return void 0;\n    choice.choose(inputs.detector?.string || "centernet", inputs.backend?.string || "auto");\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew) return void 0;\n    const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate) ?? 15));\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const startedMs = performance.now();\n    let decodedMs = startedMs;\n    let error;\n    let found;\n    const threshold2 = Math.min(1, Math.max(0, number(inputs.threshold) ?? choice.defaultThreshold));\n    try {\n      const picture = await vision.readImage2D(image);\n      decodedMs = performance.now();\n      found = await choice.detect(picture, {\n        // What falls below the threshold is told, too; scores under 0.1 are noise.\n        threshold: Math.min(0.1, threshold2),\n        maxObjects: number(inputs.maxObjects),\n        classes: inputs.classes?.stringList.elements ?? [],\n        inputSize: number(inputs.inputSize)\n      });\n      error = choice.problem;\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    const detections = found;\n    if (detections === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    const { backend, backendFault } = choice;\n    const isNewFault = backendFault !== state.backendFault;\n    state.backendFault = backendFault;\n    const listOf = (isIn) => vision.object2DListOfDetections(detections.filter(isIn));\n    return {\n      outputs: {\n        predictions: { object2DList: listOf(({ score }) => score >= threshold2), timestamp },\n        belowThreshold: { object2DList: listOf(({ score }) => score < threshold2), timestamp },\n        decodeMs: { double: decodedMs - startedMs },\n        durationMs: { double: performance.now() - startedMs },\n        backend: { string: backend },\n        backendFault: isNewFault ? { string: backendFault } : void 0,\n        error: isNewError ? { string: error } : void 0\n      }\n    };\n  } })["onProcessing"]',
     onCreatedStringified:
-      '(state) => { Object.assign(state, (() => ({ choice: void 0, sinceMs: Infinity, error: "" })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    state.choice = await vision.DetectorChoice.create({\n      tensorflow: state.assets["tfjs-wasm"],\n      centerNet: state.assets["centernet-coco"],\n      loadCocoSsd: () => state.loadAssets("coco-ssd"),\n      // eslint-disable-next-line no-console -- the log of the module\n      onChange: (text) => console.info(text)\n    });\n  } })["onCreated"]\n)(state); }',
+      '(state) => { Object.assign(state, (() => ({\n    choice: void 0,\n    backendFault: void 0,\n    sinceMs: Infinity,\n    error: ""\n  })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    state.choice = await vision.DetectorChoice.create({\n      tensorflow: state.assets["tfjs-wasm"],\n      centerNet: state.assets["centernet-coco"],\n      loadCocoSsd: () => state.loadAssets("coco-ssd"),\n      // eslint-disable-next-line no-console -- the log of the module\n      onChange: (text) => console.info(text)\n    });\n  } })["onCreated"]\n)(state); }',
     onDestroyedStringified:
       '({ onDestroyed(state) {\n    state.choice?.dispose();\n  } })["onDestroyed"]',
     extension: {

@@ -18,6 +18,7 @@ beforeAll(async () => {
 const detect = async (image: unknown, parameters: object = {}) =>
   (await module.run(1000, { image, ...parameters }, ['image'])) as {
     predictions?: Object2DList;
+    belowThreshold?: Object2DList;
     error?: string;
     backend?: string;
     decodeMs?: number;
@@ -87,6 +88,21 @@ describe('object-detection on images of every format', () => {
 });
 
 describe('object-detection', () => {
+  it('tells apart what is above and below the threshold, and leaves out noise', async () => {
+    const scores = (list: Object2DList | undefined): number[] =>
+      list!.elements.map(
+        ({ userDataJson }) => (JSON.parse(userDataJson) as { score: number }).score,
+      );
+    const low = await detect(photoImage('coffee.jpg'), { threshold: 0.1 });
+    const high = await detect(photoImage('coffee.jpg'), { threshold: 0.95 });
+    await module.run(0, { threshold: 0.4 }, ['threshold']);
+    expect(scores(low.belowThreshold)).toEqual([]);
+    expect(scores(high.predictions)).toEqual([]);
+    expect(scores(high.belowThreshold)).toEqual(scores(low.predictions));
+    expect(scores(high.belowThreshold).length).toBeGreaterThan(1);
+    expect(Math.min(...scores(high.belowThreshold))).toBeGreaterThanOrEqual(0.1);
+  });
+
   it('gives its results the time at which the image was taken', async () => {
     const timestamp = { seconds: 1_800_000_000, nanos: 250_000_000 };
     const image = new Sample(photoImage('coffee.jpg'), { timestamp });

@@ -5,6 +5,8 @@ import type { NumberRecord } from '../number-record.ts';
 /** What an instance keeps. */
 interface DetectionState {
   choice: Vision.DetectorChoice | undefined;
+  /** What was put out last. */
+  backendFault: string | undefined;
   /** Milliseconds from the start of the last detection to now. */
   sinceMs: number;
   error: string;
@@ -32,13 +34,20 @@ export const objectDetection = defineProcessingModule({
   },
   outputs: {
     predictions: 'object2DList',
+    belowThreshold: 'object2DList',
     decodeMs: 'double',
     durationMs: 'double',
     backend: 'string',
+    backendFault: 'string',
     error: 'string',
   },
   mode: { triggerOnInput: {} },
-  createState: (): DetectionState => ({ choice: undefined, sinceMs: Infinity, error: '' }),
+  createState: (): DetectionState => ({
+    choice: undefined,
+    backendFault: undefined,
+    sinceMs: Infinity,
+    error: '',
+  }),
   async onCreated(state) {
     const vision = state.modules['vision'] as typeof Vision;
     state.choice = await vision.DetectorChoice.create({
@@ -74,11 +83,13 @@ export const objectDetection = defineProcessingModule({
     let decodedMs = startedMs;
     let error: string;
     let found: Vision.Detection[] | undefined;
+    const threshold = Math.min(1, Math.max(0, number(inputs.threshold) ?? choice.defaultThreshold));
     try {
       const picture = await vision.readImage2D(image);
       decodedMs = performance.now();
       found = await choice.detect(picture, {
-        threshold: number(inputs.threshold),
+        // What falls below the threshold is told, too; scores under 0.1 are noise.
+        threshold: Math.min(0.1, threshold),
         maxObjects: number(inputs.maxObjects),
         classes: inputs.classes?.stringList.elements ?? [],
         inputSize: number(inputs.inputSize),
@@ -91,14 +102,22 @@ export const objectDetection = defineProcessingModule({
     }
     const isNewError = error !== state.error;
     state.error = error;
-    if (found === undefined)
+    const detections = found;
+    if (detections === undefined)
       return isNewError ? { outputs: { error: { string: error } } } : undefined;
+    const { backend, backendFault } = choice;
+    const isNewFault = backendFault !== state.backendFault;
+    state.backendFault = backendFault;
+    const listOf = (isIn: (one: Vision.Detection) => boolean): Vision.Object2DListValue =>
+      vision.object2DListOfDetections(detections.filter(isIn));
     return {
       outputs: {
-        predictions: { object2DList: vision.object2DListOfDetections(found), timestamp },
+        predictions: { object2DList: listOf(({ score }) => score >= threshold), timestamp },
+        belowThreshold: { object2DList: listOf(({ score }) => score < threshold), timestamp },
         decodeMs: { double: decodedMs - startedMs },
         durationMs: { double: performance.now() - startedMs },
-        backend: { string: choice.backend },
+        backend: { string: backend },
+        backendFault: isNewFault ? { string: backendFault } : undefined,
         error: isNewError ? { string: error } : undefined,
       },
     };

@@ -63,6 +63,7 @@ export async function createCenterNet(tensorflow: Tensorflow, files: Files): Pro
   return {
     name: 'CenterNet',
     classNames: COCO_CLASSES,
+    defaultThreshold: DEFAULTS.threshold,
     detect: async (picture, options = {}) => {
       const resolved = resolveOptions(options, COCO_CLASSES, DEFAULTS);
       const longSide = Math.round(resolved.inputSize / STEP) * STEP;

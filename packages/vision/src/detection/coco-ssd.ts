@@ -35,6 +35,7 @@ export async function createCocoSsd(tensorflow: Tensorflow, files: Files): Promi
   return {
     name: 'COCO-SSD',
     classNames: COCO_CLASSES,
+    defaultThreshold: DEFAULTS.threshold,
     detect: async (picture, options = {}) => {
       const resolved = resolveOptions(options, COCO_CLASSES, DEFAULTS);
       const { threshold, maxObjects, classIndices, inputSize } = resolved;

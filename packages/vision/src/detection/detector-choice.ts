@@ -91,6 +91,20 @@ export class DetectorChoice {
     return this.#inUse.tensorflow.backend;
   }
 
+  /** Threshold of the detector in use where the caller names none. */
+  get defaultThreshold(): number {
+    return this.#inUse.detector.defaultThreshold;
+  }
+
+  /** Which backends failed when the one in use was chosen, and what replaces them; empty when none did. */
+  get backendFault(): string {
+    const { trials, backend } = this.#inUse.tensorflow;
+    return trials
+      .filter(({ outcome }) => outcome === 'failed' || outcome === 'wrong')
+      .map(({ name, reason }) => `${name} does not work: ${reason} ${backend} replaces it.`)
+      .join(' ');
+  }
+
   /** Why detector or backend are not those that were chosen, for people; empty when they are. */
   get problem(): string {
     return this.#problem;

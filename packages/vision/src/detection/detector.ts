@@ -34,6 +34,8 @@ export interface Detector {
   readonly name: string;
   /** All classes that it can detect. */
   readonly classNames: readonly string[];
+  /** Least score where the caller names none, 0 to 1. */
+  readonly defaultThreshold: number;
   /**
    * Returns the objects in a picture, the highest score first.
    *
