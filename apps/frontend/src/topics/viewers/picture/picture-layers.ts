@@ -10,29 +10,37 @@ export interface PictureLayer {
   /** Its places are in pixels, against the schema. */
   readonly pixels: boolean;
   readonly color: string;
-  readonly scaleX: (x: number) => number;
-  readonly scaleY: (y: number) => number;
 }
 
-/** Boxes, poses and points of some records, for an SVG with the size of the picture. */
-export function pictureLayers(
-  records: readonly TopicRecord[],
-  { width, height }: { readonly width: number; readonly height: number },
-): PictureLayer[] {
+/** Boxes, poses and points of some records. */
+export function pictureLayers(records: readonly TopicRecord[]): PictureLayer[] {
   return records.flatMap((record) => {
     const found = planeShapes(record);
     if (!found) return [];
-    const pixels = isInPixels(found.shapes);
     return {
       topic: record.topic,
       shapes: found.shapes,
-      pixels,
+      pixels: isInPixels(found.shapes),
       color: found.shapes.some(isKeypoint)
         ? 'var(--family-pose)'
         : `var(--family-${formatLook(record.format).family})`,
-      scaleX: (x: number) => (pixels ? x : x * width),
-      scaleY: (y: number) => (pixels ? y : y * height),
     };
+  });
+}
+
+/** The layers as a mirror shows them. Words stay readable: only places change. */
+export function mirroredLayers(
+  layers: readonly PictureLayer[],
+  pictureWidth: number,
+): PictureLayer[] {
+  return layers.map((layer) => {
+    const end = layer.pixels ? pictureWidth : 1;
+    const shapes = layer.shapes.map((shape) => ({
+      ...shape,
+      x: end - shape.x - (shape.size?.width ?? 0),
+      ...(shape.angle !== undefined && { angle: Math.PI - shape.angle }),
+    }));
+    return { ...layer, shapes };
   });
 }
 

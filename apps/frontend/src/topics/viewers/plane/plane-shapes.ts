@@ -26,6 +26,10 @@ export interface PlaneShape {
   readonly outline?: MarkerOutline;
   /** Drawn hollow: a finger that left. */
   readonly isGone?: boolean;
+  /** Tells it apart from others of its name while it is seen: `A`. */
+  readonly letter?: string;
+  /** 0 to 1, below 1 while it vanishes. @default 1 */
+  readonly opacity?: number;
 }
 
 /** More are not drawn; how many there are is said. */

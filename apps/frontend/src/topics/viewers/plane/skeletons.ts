@@ -17,6 +17,13 @@ const KEYPOINTS: ReadonlySet<string> = new Set(BONES.flat());
 export const isKeypoint = ({ name, size }: PlaneShape): boolean =>
   size === undefined && KEYPOINTS.has(name);
 
+/** Keypoints of a lower score are guesses, of what is hidden or outside of the picture. */
+const SEEN_SCORE = 0.5;
+
+/** True for a point of a body or a hand that its detector is not sure of. */
+export const isGuessed = (shape: PlaneShape): boolean =>
+  isKeypoint(shape) && shape.score !== undefined && shape.score < SEEN_SCORE;
+
 /** The bones of all bodies and hands; a name that comes again begins the next body or hand. */
 export function bonesOf(shapes: readonly PlaneShape[]): Bone[] {
   const bones: Bone[] = [];

@@ -1,5 +1,5 @@
 import { shallowRef } from 'vue';
-import type { MeasureText } from '../../../ui/names/fit-text.ts';
+import type { MeasureText } from './fit-text.ts';
 
 /** Texts that are remembered with their width, in all fonts together. */
 const MAX_REMEMBERED = 5000;

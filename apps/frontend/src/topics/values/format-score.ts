@@ -1,0 +1,2 @@
+/** How sure a detector is: `.87`, and `1.00` for 1. */
+export const formatScore = (score: number): string => score.toFixed(2).replace(/^0/, '');
