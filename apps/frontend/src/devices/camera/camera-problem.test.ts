@@ -22,4 +22,21 @@ describe('what stands between a page and the camera', () => {
     expect(problem.wayOut).not.toBe('');
     expect(problem.canRetry).toBe(true);
   });
+
+  it.each([
+    [
+      'Mozilla/5.0 (X11; Linux x86_64) AppleWebKit/537.36 Chrome/126.0 Safari/537.36',
+      /turn Camera on/,
+    ],
+    ['Mozilla/5.0 (Windows NT 10.0; rv:128.0) Gecko/20100101 Firefox/128.0', /remove “Blocked”/],
+    [
+      'Mozilla/5.0 (iPhone; CPU iPhone OS 17_5) Version/17.5 Mobile Safari/604.1',
+      /Website Settings/,
+    ],
+    ['Mozilla/5.0 (Linux; Android 14; Pixel 7) Chrome/126.0 Mobile Safari/537.36', /Permissions/],
+    ['Mozilla/5.0 (Macintosh; Intel Mac OS X 14_5) Version/17.5 Safari/605.1.15', /Safari menu/],
+    ['Other/1.0', /beside the address/],
+  ])('after a refusal, the way out is that of the browser %s', (userAgent, way) => {
+    expect(cameraProblemOf('NotAllowedError', userAgent).wayOut).toMatch(way);
+  });
 });

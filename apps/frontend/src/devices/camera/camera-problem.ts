@@ -1,3 +1,5 @@
+import { allowCameraWay } from './allow-camera.ts';
+
 /** Why there is no picture, and the way out, one sentence each. */
 export interface CameraProblem {
   readonly kind: 'insecure' | 'unsupported' | 'refused' | 'missing' | 'in-use' | 'ended' | 'failed';
@@ -39,15 +41,14 @@ export function firstCameraProblem(page: {
 }
 
 /** What a browser says when it opens no camera, by the name of its error. */
-export function cameraProblemOf(errorName: string): CameraProblem {
+export function cameraProblemOf(errorName: string, userAgent = navigator.userAgent): CameraProblem {
   switch (errorName) {
     case 'NotAllowedError':
     case 'SecurityError':
       return {
         kind: 'refused',
         text: 'Camera access was denied.',
-        wayOut:
-          'Allow it in the browser’s settings of this page, beside the address, and in the system’s settings of the browser. Then start it again.',
+        wayOut: `${allowCameraWay(userAgent)} Then start the camera again.`,
         canRetry: true,
       };
     case 'NotFoundError':
