@@ -14,7 +14,7 @@ import type { TopicRate } from '../../connection/topic-rates.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useSessionEvents } from '../../sessions/live/useSessionEvents.ts';
 import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.ts';
-import { isAlive } from '../../sessions/state/session-state.ts';
+import { isWatched } from '../../sessions/state/session-state.ts';
 import { usePatterns } from '../../patterns/usePatterns.ts';
 import { RowValues } from '../../topics/rows/row-values.ts';
 import type { Graph } from '../model/graph.ts';
@@ -138,7 +138,7 @@ export function useLiveGraph(
   /** What was reported of each module and is not drawn yet. */
   const reported = new Map<string, Report>();
   watch(
-    () => (isAlive(session.value) ? statistics.value.get(session.value.id)?.modules : undefined),
+    () => (isWatched(session.value) ? statistics.value.get(session.value.id)?.modules : undefined),
     (all = []) => {
       const ids = new Set(all.map(({ moduleId }) => moduleId));
       for (const id of [...modules.keys()]) if (!ids.has(id)) modules.delete(id);

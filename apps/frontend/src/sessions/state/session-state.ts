@@ -49,6 +49,10 @@ export function isAlive(session: Living): boolean {
   return state === SESSION_RUNNING || state === SESSION_DEGRADED || state === SESSION_PAUSED;
 }
 
+/** True when its modules are reported of: they run, or start and may load models. [SE-50] [PM-94] */
+export const isWatched = (session: Living): boolean =>
+  isAlive(session) || sessionState(session) === SESSION_STARTING;
+
 /** True when it runs, or should, and something keeps it from doing so well. */
 export function hasTrouble(session: Living): boolean {
   const hasError = session.extension?.problems.some(({ isError }) => isError) === true;

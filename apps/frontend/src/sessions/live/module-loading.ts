@@ -1,0 +1,43 @@
+import type { ModuleStatistics } from '@ubii/proto';
+
+/** An asset set that loads before a module starts [PM-94]. */
+export interface ModuleLoading {
+  readonly moduleId: string;
+  readonly moduleName: string;
+  readonly set: string;
+  readonly loadedBytes: number;
+  readonly totalBytes: number;
+  /** 0 to 1. */
+  readonly share: number;
+  /** Until the set is there, milliseconds; `undefined` while its pace is not known. */
+  readonly leftMs: number | undefined;
+}
+
+/** What a set needs to be observed for before its pace is told, milliseconds. */
+const LEAST_MS = 500;
+
+/** What a module loads now; `undefined` when nothing. */
+export function loadingOf(statistics: ModuleStatistics | undefined): ModuleLoading | undefined {
+  if (statistics === undefined || statistics.loadingSet === '') return undefined;
+  const { moduleId, moduleName, loadingSet: set, loadedBytes, loadingBytes } = statistics;
+  const totalBytes = Math.max(loadedBytes, loadingBytes);
+  const share = totalBytes > 0 ? loadedBytes / totalBytes : 0;
+  return { moduleId, moduleName, set, loadedBytes, totalBytes, share, leftMs: undefined };
+}
+
+/** Tells how long a set still loads, by how fast it loaded so far. */
+export class LoadingPace {
+  #first: { readonly key: string; readonly bytes: number; readonly atMs: number } | undefined;
+
+  with(loading: ModuleLoading, nowMs: number): ModuleLoading {
+    const key = `${loading.moduleId} ${loading.set}`;
+    if (this.#first?.key !== key) {
+      this.#first = { key, bytes: loading.loadedBytes, atMs: nowMs };
+    }
+    const passedMs = nowMs - this.#first.atMs;
+    const bytes = loading.loadedBytes - this.#first.bytes;
+    if (passedMs < LEAST_MS || bytes <= 0) return loading;
+    const left = loading.totalBytes - loading.loadedBytes;
+    return { ...loading, leftMs: (left * passedMs) / bytes };
+  }
+}
