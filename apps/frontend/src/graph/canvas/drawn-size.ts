@@ -1,4 +1,6 @@
-import type { GraphNode, ModuleNode, Point, Port, Size } from '../model/graph.ts';
+import type { DataFormat } from '@ubii/proto';
+import type { Graph, GraphNode, ModuleNode, Point, Port, Size } from '../model/graph.ts';
+import { portFormat } from '../model/port-format.ts';
 import { isTypable } from '../values/value-parts.ts';
 import { canCollapse } from './collapse.ts';
 
@@ -41,6 +43,10 @@ export function moduleWidth({ module: { name }, ports }: ModuleNode): number {
   return Math.min(MAX_WIDTH, Math.max(WIDTH, Math.ceil(longest)));
 }
 
+/** Topics that show a picture: their own, or the one in which their things were found. */
+const isPicture = (format: DataFormat | undefined): boolean =>
+  format === 'image2D' || format === 'object2DList';
+
 /** About how large a node will be drawn, before it is. */
 export function drawnSize(node: GraphNode): Size {
   if (node.isCollapsed && canCollapse(node)) {
@@ -49,7 +55,7 @@ export function drawnSize(node: GraphNode): Size {
   if (node.size !== undefined) return node.size;
   switch (node.kind) {
     case 'topic':
-      return node.format === 'image2D' ? { ...TOPIC, height: TOPIC.height + PICTURE } : TOPIC;
+      return isPicture(node.format) ? { ...TOPIC, height: TOPIC.height + PICTURE } : TOPIC;
     case 'module':
       return { width: moduleWidth(node), height: BARE + ROW * node.ports.length + FOOT };
     case 'muxer':
@@ -64,6 +70,15 @@ export function drawnSize(node: GraphNode): Size {
       return { width: 320, height: 200 };
   }
 }
+
+/** The same for nodes of a graph, in which wires tell the formats of topics. */
+export const drawnSizeIn =
+  (graph: Graph) =>
+  (node: GraphNode): Size => {
+    if (node.kind !== 'topic' || node.format !== undefined) return drawnSize(node);
+    const at = (port: string): DataFormat | undefined => portFormat(graph, { node: node.id, port });
+    return drawnSize({ ...node, format: at('out') ?? at('in') });
+  };
 
 /**
  * About where a socket will be drawn, seen from the top left of its node.
