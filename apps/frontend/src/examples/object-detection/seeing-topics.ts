@@ -30,6 +30,13 @@ export const SEEING_COMPONENTS = [
     description: 'Objects found in the picture; 0 to 1 from the top left.',
   },
   {
+    name: 'belowThreshold',
+    format: 'object2DList',
+    ioType: 'subscriber',
+    tags: ['objects'],
+    description: 'What was found with a score below the threshold.',
+  },
+  {
     name: 'bodies',
     format: 'object2DList',
     ioType: 'subscriber',
@@ -70,5 +77,12 @@ export const SEEING_COMPONENTS = [
     ioType: 'subscriber',
     tags: ['detection'],
     description: 'What is wrong with image, detector or backend; empty when all is well.',
+  },
+  {
+    name: 'backendFault',
+    format: 'string',
+    ioType: 'subscriber',
+    tags: ['detection'],
+    description: 'Which backends failed, and what replaces them.',
   },
 ] as const satisfies readonly ComponentInit[];

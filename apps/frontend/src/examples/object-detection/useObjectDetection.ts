@@ -10,7 +10,6 @@ import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
-import { planeShapes } from '../../topics/viewers/plane/plane-shapes.ts';
 import { useCameraRelease } from '../pictures/use-camera-release.ts';
 import { SEEING_COMPONENTS, SEEING_DEVICE } from './seeing-topics.ts';
 import { useClockError } from './use-clock-error.ts';
@@ -49,7 +48,9 @@ export function useObjectDetection(sources: PictureSources) {
   const habits = usePictureHabits();
 
   const found = shallowRef<Found>(new Map());
+  const belowThreshold = shallowRef<TopicRecord>();
   const backend = shallowRef('');
+  const backendFault = shallowRef('');
   const stages = shallowRef<StageSummary>();
   const rates = shallowRef<{
     readonly sentHz?: number | undefined;
@@ -102,12 +103,14 @@ export function useObjectDetection(sources: PictureSources) {
     components: SEEING_COMPONENTS,
     receivers: {
       objects: (_value, record) => take('objects', record),
+      belowThreshold: (_value, record) => (belowThreshold.value = record),
       bodies: (_value, record) => take('bodies', record),
       hands: (_value, record) => take('hands', record),
       decode: (value) => (decodeMs = value),
       duration: (value, { timestampMs }) => takeDuration(value, timestampMs),
       backend: (value) => (backend.value = value),
       error: (value) => (detector.problem.value = value),
+      backendFault: (value) => (backendFault.value = value),
     },
   });
   detector.publishOn(device);
@@ -168,6 +171,8 @@ export function useObjectDetection(sources: PictureSources) {
             durationMs: device.topicOf('duration'),
             backend: device.topicOf('backend'),
             error: device.topicOf('error'),
+            belowThreshold: device.topicOf('belowThreshold'),
+            backendFault: device.topicOf('backendFault'),
           },
         }),
       };
@@ -190,6 +195,8 @@ export function useObjectDetection(sources: PictureSources) {
     stages.value = undefined;
     backend.value = '';
     detector.problem.value = '';
+    backendFault.value = '';
+    belowThreshold.value = undefined;
     newest.clear();
     hasChanged = true;
   });
@@ -229,18 +236,13 @@ export function useObjectDetection(sources: PictureSources) {
     measures,
     image,
     found,
+    belowThreshold,
     backend,
+    backendFault,
     stages,
     rates,
     placeMs,
     isOwn,
     ...session,
   };
-}
-
-/** The objects of a record, those with the highest score first. */
-export function seenObjects(found: Found): { readonly name: string; readonly score: number }[] {
-  const record = found.get('objects');
-  const { shapes = [] } = (record && planeShapes(record)) ?? {};
-  return shapes.map(({ name, score = 0 }) => ({ name, score }));
 }

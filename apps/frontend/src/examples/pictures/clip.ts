@@ -5,6 +5,8 @@ import coffee from '@ubii/vision/photos/coffee.jpg?url';
 
 /** What the built-in clip shows; rights: `packages/vision/photos/README.md`. */
 const PHOTOS = [coffee, astronaut, chelsea, camera];
+/** Which part of each is seen where it is cut, from the top (0) to the bottom (1). */
+const FOCUS_Y = [0.4, 0.05, 0.4, 0.2];
 /** Each photograph, milliseconds. */
 const SHOWN_MS = 5000;
 const FADE_MS = 400;
@@ -51,7 +53,7 @@ export function drawClip(
     context.drawImage(
       photo,
       (canvas.width - width) / 2,
-      (canvas.height - height) / 2,
+      (canvas.height - height) * FOCUS_Y[index]!,
       width,
       height,
     );

@@ -10,6 +10,7 @@ import {
 import type { PictureSource } from '../../devices/camera/encode-picture.ts';
 import { useCamera } from '../../devices/camera/useCamera.ts';
 import { useFrameTimes } from '../../devices/camera/use-frame-times.ts';
+import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { CLIP_RATE_HZ, drawClip, loadClip } from './clip.ts';
 
 /** Where pictures come from. */
@@ -34,9 +35,11 @@ export interface PictureSources {
   takeFile(file: File): Promise<void>;
   /** What pictures are taken of now. */
   source(): PictureSource | undefined;
+  /** Pictures per second of the clip or the camera, as measured; `undefined` for other sources. */
+  givenHz(): number | undefined;
 }
 
-const CLIP_SIZE = { width: 640, height: 480 };
+const CLIP_SIZE = { width: 960, height: 540 };
 /** Larger photographs are reduced, pixels of the longer side. */
 const MAX_PHOTO_SIDE = 1280;
 
@@ -55,6 +58,8 @@ export function usePictureSource(
   const photo = shallowRef<HTMLCanvasElement>();
   const camera = useCamera();
 
+  const given = new RateMeter();
+
   const clip = document.createElement('canvas');
   Object.assign(clip, CLIP_SIZE);
   const clipPhotos = shallowRef<readonly ImageBitmap[]>();
@@ -64,6 +69,7 @@ export function usePictureSource(
     () => {
       if (!clipPhotos.value && !drawOwn) return;
       clipMs += 1000 / CLIP_RATE_HZ;
+      given.note(performance.now());
       if (drawOwn) drawOwn(clip, clipMs);
       else drawClip(clip, clipPhotos.value!, clipMs);
     },
@@ -82,8 +88,16 @@ export function usePictureSource(
   const frames = useFrameTimes(() => video);
   watch(camera.stream, (stream) => {
     video.srcObject = stream ?? null;
-    if (!stream) videoSize.value = undefined;
+    if (stream) countFrame();
+    else videoSize.value = undefined;
   });
+  /** Browsers that do not tell of the pictures of a video have no figure for them. */
+  function countFrame(): void {
+    video.requestVideoFrameCallback?.(() => {
+      given.note(performance.now());
+      if (camera.stream.value) countFrame();
+    });
+  }
 
   watch(
     kind,
@@ -122,6 +136,7 @@ export function usePictureSource(
     }
   }
 
+  const isMeasured = computed(() => kind.value === 'clip' || kind.value === 'camera');
   const element = computed((): PictureElement | undefined => {
     if (kind.value === 'clip') return (clipPhotos.value || drawOwn) && clip;
     if (kind.value === 'camera') return camera.stream.value && video;
@@ -146,5 +161,6 @@ export function usePictureSource(
       const takenMs = element.value === video ? frames.takenMs() : undefined;
       return element.value && size.value && { element: element.value, ...size.value, takenMs };
     },
+    givenHz: () => (isMeasured.value ? given.rateHz(performance.now()) : undefined),
   };
 }
