@@ -3,6 +3,7 @@ import type { Locator } from '@playwright/test';
 import { LAUNCH_WITH_CAMERA } from '../../fixtures/chromium.ts';
 import type { Person } from '../../fixtures/person.ts';
 import { expect, test } from '../../fixtures/test.ts';
+import { GraphPage } from '../../pages/graph-page.ts';
 
 test.use({ launchOptions: LAUNCH_WITH_CAMERA });
 
@@ -33,10 +34,16 @@ test('the example finds objects in its clip at once, in a tab and on the master,
     (await robot.call('sessionRuntimeGetList')).elements[0]?.processingModules[0]?.nodeId;
 
   await test.step('in a worker of this tab', async () => {
+    await expect(place(/^Master/)).toContainText('not measured');
     await start(anna).click();
     await expect(page.getByRole('main')).toContainText(/Live/);
     await expect(seen(anna)).toContainText('cup');
     await expect(place(/^This tab/)).toContainText(/\d ms/);
+    await expect(page.locator('[data-label="cup"]')).toBeAttached();
+    await expect(page.getByRole('term').filter({ hasText: 'Looked at' })).toBeVisible();
+    await expect(page.getByRole('region', { name: 'From light to screen' })).toContainText(
+      'Detect',
+    );
   });
 
   await test.step('on the master, as the same session', async () => {
@@ -57,8 +64,21 @@ test('the example finds objects in its clip at once, in a tab and on the master,
     await expect(seen(anna)).toContainText('person');
     await page.getByRole('switch', { name: /^Body/ }).click();
     await expect(page.locator('[data-bone]').first()).toBeAttached();
+    await expect(page.locator('[data-label="person"]').first()).toContainText('A');
     await page.getByRole('slider', { name: 'Lowest score of an object' }).press('End');
     await expect(seen(anna)).toContainText('Nothing above the threshold');
+    await expect(seen(anna)).toContainText('person, below threshold');
+    await expect(page.locator('[data-shape="person"]')).toHaveCount(0);
+  });
+
+  await test.step('boxes and skeletons are drawn as long as they are wanted', async () => {
+    await page.getByRole('slider', { name: 'Lowest score of an object' }).press('Home');
+    await expect(page.locator('[data-shape="person"]').first()).toBeAttached();
+    await page.getByRole('switch', { name: 'Boxes' }).click();
+    await expect(page.locator('[data-shape="person"]')).toHaveCount(0);
+    await expect(page.locator('[data-bone]').first()).toBeAttached();
+    await page.getByRole('switch', { name: 'Skeletons' }).click();
+    await expect(page.locator('[data-bone]')).toHaveCount(0);
   });
 
   await test.step('the session ends with the page, and no other host was asked', async () => {
@@ -66,6 +86,35 @@ test('the example finds objects in its clip at once, in a tab and on the master,
     await expect.poll(async () => (await robot.call('sessionRuntimeGetList')).elements).toEqual([]);
     expect(foreign).toEqual([]);
   });
+});
+
+test('while a model loads, the page, the session and the graph show how far it is [PM-94]', async ({
+  room,
+}) => {
+  const robot = await room.program('Robot');
+  const anna = await room.atDesk('Anna');
+  const ben = await room.atDesk('Ben');
+  let release!: () => void;
+  const held = new Promise<void>((resolve) => (release = resolve));
+  await anna.page.route('**/asset-sets/centernet-coco/**/*.bin', async (route) => {
+    await held;
+    await route.continue();
+  });
+  await anna.page.goto(PATH);
+  await start(anna).click();
+  const loading = { name: 'Loading centernet-coco for object-detection' };
+  await expect(anna.page.getByRole('progressbar', loading)).toBeVisible();
+  const [session] = (await robot.call('sessionRuntimeGetList')).elements;
+  await ben.page.goto(`/sessions/${session!.id}`);
+  await expect(ben.page.getByRole('progressbar', loading)).toBeVisible();
+  const graph = new GraphPage(ben);
+  await graph.open(session!.id);
+  await expect(
+    graph.node('Module object-detection').getByTitle(/^Loading centernet/),
+  ).toBeVisible();
+  release();
+  await expect(anna.page.getByRole('main')).toContainText(/Live/);
+  await expect(anna.page.getByRole('progressbar')).toHaveCount(0);
 });
 
 test('the session of one tab looks at the pictures of another one, here of the camera of a phone', async ({

@@ -1,0 +1,60 @@
+import AxeBuilder from '@axe-core/playwright';
+import { expect, test } from '../../fixtures/test.ts';
+import { Shell } from '../../pages/shell.ts';
+
+const PATH = '/examples/object-detection';
+
+test('a device without a camera shows the built-in clip, and says so', async ({ room }) => {
+  const { page } = await room.atDesk('Anna', { permissions: ['camera'] });
+  await page.goto(PATH);
+  await page.getByRole('radio', { name: 'Camera' }).click();
+  await expect(page.getByRole('status').filter({ hasText: 'no camera' })).toContainText(
+    'The built-in clip is shown instead.',
+  );
+  await expect(page.getByRole('radio', { name: 'Built-in clip' })).toBeChecked();
+  await expect(page.getByRole('button', { name: 'Start', exact: true })).toBeEnabled();
+});
+
+test('a camera that is refused says how to allow it in this browser', async ({ room }) => {
+  const { page } = await room.atDesk('Anna');
+  await page.goto(PATH);
+  // Nobody answers the question of a browser without a window: it refuses.
+  await page.evaluate(() => {
+    navigator.mediaDevices.getUserMedia = () =>
+      Promise.reject(new DOMException('Permission denied', 'NotAllowedError'));
+  });
+  await page.getByRole('radio', { name: 'Camera' }).click();
+  await expect(page.getByRole('alert')).toContainText('Camera access was denied.');
+  await expect(page.getByRole('alert')).toContainText(
+    'Click the icon left of the address, and turn Camera on.',
+  );
+});
+
+for (const colorScheme of ['dark', 'light'] as const) {
+  test(`what is seen is accessible and fits a phone while it runs, ${colorScheme}`, async ({
+    room,
+  }) => {
+    test.slow();
+    const options = { colorScheme, reducedMotion: 'reduce' } as const;
+    for (const person of [
+      await room.atDesk('Anna', options),
+      await room.withPhone('Ben', options),
+    ]) {
+      const { page } = person;
+      await page.goto(PATH);
+      await page.getByRole('button', { name: 'Start', exact: true }).click();
+      await expect(page.getByRole('main')).toContainText(/Live/);
+      await page.getByRole('switch', { name: /^Body/ }).click();
+      await expect(page.locator('[data-label]').first()).toBeAttached();
+      const { violations } = await new AxeBuilder({ page }).analyze();
+      const found = violations.flatMap(({ id, nodes }) =>
+        nodes.map(
+          ({ target, failureSummary }) => `${id} at ${target.join(' ')}: ${failureSummary}`,
+        ),
+      );
+      expect(found).toEqual([]);
+      expect(await new Shell(page).overflowPx()).toBe(0);
+      await page.goto('/examples');
+    }
+  });
+}
