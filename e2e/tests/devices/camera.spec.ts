@@ -44,6 +44,7 @@ test('a phone sends pictures once it is told to, and shows what is found in them
     expect(device!.components).toMatchObject([
       { topic: `${prefix}/camera_image`, messageFormat: 'ubii.dataStructure.Image2D', ioType: 0 },
       { topic: `${prefix}/objects`, messageFormat: 'ubii.dataStructure.Object2DList', ioType: 1 },
+      { topic: `${prefix}/calibration`, messageFormat: 'string', ioType: 0 },
     ]);
     await expect(page.getByText('Start it to publish pictures')).toBeVisible();
     expect(count).toBe(0);

@@ -12,17 +12,18 @@ export const CAMERA_COMPONENTS = [
     description: 'The newest picture, raw pixels or a JPEG file in its data.',
   },
   {
-    name: 'calibration',
-    format: 'string',
-    tags: ['camera'],
-    description:
-      'What the camera is like, as JSON for marker-tracking; empty until it is calibrated.',
-  },
-  {
     name: 'objects',
     format: 'object2DList',
     ioType: 'subscriber',
     tags: ['camera', 'objects'],
     description: 'Objects found in the picture, drawn over it; 0 to 1 from the top left.',
+  },
+  // After those of existing programs, which may count
+  {
+    name: 'calibration',
+    format: 'string',
+    tags: ['camera'],
+    description:
+      'What the camera is like, as JSON for marker-tracking; empty until it is calibrated.',
   },
 ] as const satisfies readonly ComponentInit[];
