@@ -54,7 +54,7 @@ test('objects in pictures are found on the master and, moved while it runs, in a
       await expect.poll(() => newest?.by).not.toBe(master);
       await expect.poll(classes).toEqual(['cat']);
       await expect(session.events).toContainText('Loading the asset set centernet-coco: 100 %');
-      await expect(session.events).toContainText('TensorFlow.js uses');
+      await expect(session.events).toContainText('CenterNet uses wasm');
     });
 
     await test.step('on a Node process, which gets the models from the master, too', async () => {
