@@ -181,7 +181,7 @@ describe('a module that is not reported', () => {
 
   it('is not late while its node reports that it loads an asset set [SE-12] [PM-94]', async () => {
     const world = await SessionWorld.create();
-    const node = await TestNode.original(world.master, 'nodejs', { processingModules: [offered] });
+    const node = await TestNode.ours(world.master, 'lab', { processingModules: [offered] });
     const session = await world.ask(TOPICS.start, { processingModules: [{ name: 'detector' }] });
     const [module] = node.own(node.told('start'));
     for (let loadedBytes = 0; loadedBytes < 3; loadedBytes++) {
