@@ -4,10 +4,10 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { announceMaster } from '@ubii/discovery';
-import { beforeAll, describe, expect, it, onTestFinished } from 'vitest';
+import { describe, expect, it, onTestFinished } from 'vitest';
 import { discoverMaster } from '../src/discover-master.ts';
 import { ConfigError } from '../src/read-config.ts';
-import { buildPrograms, masterProgram, nodeProgram } from './programs.ts';
+import { masterProgram, nodeProgram } from './build-programs.ts';
 
 const TIMEOUT_MS = 60_000;
 const LOOPBACK = '127.0.0.1';
@@ -43,8 +43,6 @@ function freePort(): Promise<number> {
 }
 
 describe.skipIf(!canIsolate)('--discover [DI-5]', { timeout: TIMEOUT_MS }, () => {
-  beforeAll(buildPrograms, TIMEOUT_MS);
-
   it('finds the built master in a network, and the master exits with code 0 [DI-1] [DI-4]', async () => {
     const folder = mkdtempSync(join(tmpdir(), 'ubii-discover-'));
     onTestFinished(() => rmSync(folder, { recursive: true, force: true }));

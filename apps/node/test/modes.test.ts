@@ -2,14 +2,12 @@ import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
 import type { UbiiClient } from '@ubii/client-web/node';
 import { MuxIdentity, ProcessingModuleLanguage } from '@ubii/proto';
 import type { Init, ProcessingMode, ProcessingModule, Session, Vector2 } from '@ubii/proto';
-import { beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
-import { buildPrograms, startMaster, startNode } from './programs.ts';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { startMaster, startNode } from './programs.ts';
 
 // Each test starts three programs, which takes long on a busy machine.
 vi.setConfig({ testTimeout: 90_000 });
 const POLL = { timeout: 45_000 };
-
-beforeAll(buildPrograms, 120_000);
 
 /** Starts a master and two nodes, each as a separate process. */
 async function startRoom() {

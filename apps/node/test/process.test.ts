@@ -5,14 +5,12 @@ import { AccessRole, SessionState } from '@ubii/proto';
 import type { Init, ProcessingModule, Session } from '@ubii/proto';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
-import { buildPrograms, newFolder, startMaster, startNode } from './programs.ts';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { newFolder, startMaster, startNode } from './programs.ts';
 
 // Each test starts two programs, which takes long on a busy machine.
 vi.setConfig({ testTimeout: 60_000 });
 const POLL = { timeout: 30_000 };
-
-beforeAll(buildPrograms, 120_000);
 
 interface Printed {
   readonly id: string;

@@ -1,31 +1,10 @@
-import { execFileSync, spawn } from 'node:child_process';
+import { spawn } from 'node:child_process';
 import type { ChildProcess } from 'node:child_process';
-import { copyFileSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { onTestFinished } from 'vitest';
-
-const inPackage = (path: string): string => fileURLToPath(new URL(`../${path}`, import.meta.url));
-const nodeFolder = inPackage('.cache/node/');
-const masterFolder = inPackage('.cache/master/');
-
-/** The built programs. */
-export const nodeProgram = join(nodeFolder, 'main.js');
-export const masterProgram = join(masterFolder, 'main.js');
-
-/** Builds both programs into a folder of these tests. */
-export function buildPrograms(): void {
-  mkdirSync(inPackage('.cache'), { recursive: true });
-  // The programs read their version from it.
-  copyFileSync(inPackage('package.json'), inPackage('.cache/package.json'));
-  for (const [builder, folder] of [
-    ['build.mjs', nodeFolder],
-    ['../master/build.mjs', masterFolder],
-  ] as const) {
-    execFileSync(process.execPath, [inPackage(builder), folder], { stdio: 'inherit' });
-  }
-}
+import { masterProgram, nodeProgram } from './build-programs.ts';
 
 /** Creates a temporary folder for the test. */
 export function newFolder(): string {
