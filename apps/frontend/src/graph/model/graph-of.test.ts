@@ -24,6 +24,16 @@ describe('a session as a graph', { timeout: TIMEOUT_MS }, () => {
     );
   });
 
+  it('has no constant without a value', () => {
+    const nodes = {
+      'constant:1': { kind: 'constant' },
+      'constant:2': { kind: 'constant', json: '1' },
+    };
+    const editorJson = JSON.stringify({ format: 'ubi-interact.graph', version: 1, nodes });
+    const graph = graphOf(session({ extension: { editorJson } }));
+    expect([...graph.nodes.keys()]).toEqual(['constant:2']);
+  });
+
   it('is the same each time', () => {
     fc.assert(
       fc.property(arbitrarySession, (one) => {

@@ -231,7 +231,8 @@ function editorNode(id: string, record: NodeRecord): GraphNode | undefined {
   if (!id.startsWith(`${kind}:`)) return undefined;
   if (kind === 'comment') return commentNode(id, text, record);
   if (kind === 'frame') return frameNode(id, title, record);
-  if (kind === 'constant') return constantNode(id, json ?? '', { ...record, name });
+  // One without a value says nothing: an input that was wired to it would lose its wire.
+  if (kind === 'constant') return json ? constantNode(id, json, { ...record, name }) : undefined;
   if (!isLoose) return undefined;
   if (kind === 'topic' && topic !== undefined && id === topicNodeId(topic)) {
     return topicNode(topic, record);
