@@ -1,3 +1,4 @@
+// @vitest-environment happy-dom
 import { DATA_FORMATS, type DataFormat } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { viewerById, viewerOf, viewersOf, VIEWERS } from './viewers.ts';
