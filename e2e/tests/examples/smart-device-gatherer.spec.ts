@@ -96,10 +96,12 @@ test('four phones come and go while it runs, and exactly those who touch near fe
     await stage.page.getByRole('radio', { name: 'Session' }).click();
     await expect(stage.page.getByRole('dialog')).toContainText('topicMux');
     await stage.page.keyboard.press('Escape');
+    const opened = stage.page.waitForEvent('popup');
     await stage.page.getByRole('link', { name: 'Open session' }).click();
-    await expect(stage.page).toHaveURL(/\/sessions\/.*\/graph$/);
+    const graph = await opened;
+    await expect(graph).toHaveURL(/\/sessions\/.*\/graph$/);
     // By its name: what stands on the node is cut in the middle when it is long
-    const muxer = stage.page.getByRole('group', { name: 'Muxer touches of all phones' });
+    const muxer = graph.getByRole('group', { name: 'Muxer touches of all phones' });
     await expect(muxer).toBeVisible();
   });
 });

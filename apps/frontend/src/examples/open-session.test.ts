@@ -1,0 +1,32 @@
+// @vitest-environment happy-dom
+import { expect, it } from 'vitest';
+import { createApp, h } from 'vue';
+import { createMemoryHistory, createRouter } from 'vue-router';
+import OpenSession from './OpenSession.vue';
+
+it('opens the session in a new tab, so that the page that owns it stays', () => {
+  const app = createApp({ render: () => h(OpenSession, { id: 'a b' }) });
+  const routes = [{ path: '/:rest(.*)*', component: { render: () => null } }];
+  app.use(createRouter({ history: createMemoryHistory(), routes }));
+  const host = document.createElement('div');
+  app.mount(host);
+  const link = host.querySelector('a');
+  expect(link?.getAttribute('href')).toBe('/sessions/a%20b/graph');
+  expect(link?.target).toBe('_blank');
+  app.unmount();
+});
+
+it('is how every page of an example links to its session', () => {
+  const pages = import.meta.glob<string>('./**/*.vue', {
+    query: '?raw',
+    import: 'default',
+    eager: true,
+  });
+  const others = Object.entries(pages).filter(
+    ([path, text]) =>
+      path !== './OpenSession.vue' &&
+      /:to="(graph|session)Location\(/.test(text) &&
+      !text.includes('target="_blank"'),
+  );
+  expect(others.map(([path]) => path)).toEqual([]);
+});
