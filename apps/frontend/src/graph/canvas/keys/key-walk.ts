@@ -1,11 +1,12 @@
 import { shallowRef, type ShallowRef } from 'vue';
 import type { GraphEditor } from '../../editor/graph-editor.ts';
 import type { Graph, Point, Port, PortRef } from '../../model/graph.ts';
+import { openInput } from '../../model/open-input.ts';
 import { portOf } from '../../model/port-format.ts';
 import { wiresAt, wiresOf } from '../../model/wires-of.ts';
 import type { CanvasStage } from '../canvas-stage.ts';
 import { viewShowing } from '../view-showing.ts';
-import { nearestTo, neighbour } from './neighbour.ts';
+import { firstIn, neighbour } from './neighbour.ts';
 
 /** What the keyboard is at: a node, or one of its sockets. */
 export interface KeyPlace {
@@ -75,10 +76,10 @@ export class KeyWalk {
     if (!isFound) await this.focusNode(ref.node);
   }
 
-  /** From the canvas itself: to what is selected, else to what is nearest to the middle of the view. */
+  /** From the canvas itself: to what is selected, else to the first node in view. */
   #enter(): boolean {
     const [selected] = this.#editor.selection.value.nodes;
-    const id = selected ?? nearestTo(this.#stage.boxes(), this.#stage.middle)?.id;
+    const id = selected ?? firstIn(this.#stage.boxes(), this.#stage.seen)?.id;
     if (id === undefined) return false;
     void this.focusNode(id);
     return true;
@@ -163,7 +164,10 @@ export function placeOf(element: Element): KeyPlace | undefined {
   return { node, port };
 }
 
-/** Where a wire starts that is asked for at a node: an output, else an input, that has none yet. */
+/**
+ * Where a wire starts that is asked for at a node: at the main input of a module that nothing feeds, else
+ * at an output, else at an input, that has none yet.
+ */
 export function startOf(graph: Graph, node: string): Port | undefined {
   const ports = graph.nodes.get(node)?.ports ?? [];
   const { in: incoming, out } = wiresOf(graph, node);
@@ -171,5 +175,6 @@ export function startOf(graph: Graph, node: string): Port | undefined {
     !incoming.some(({ to }) => to.port === id) && !out.some(({ from }) => from.port === id);
   const outputs = ports.filter(({ direction }) => direction === 'out');
   const inputs = ports.filter(({ direction }) => direction === 'in');
-  return outputs.find(isFree) ?? inputs.find(isFree) ?? outputs[0] ?? inputs[0];
+  const main = openInput(graph, graph.nodes.get(node));
+  return main ?? outputs.find(isFree) ?? inputs.find(isFree) ?? outputs[0] ?? inputs[0];
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Box } from '../../model/selection/arrange.ts';
-import { nearestTo, neighbour } from './neighbour.ts';
+import { firstIn, neighbour } from './neighbour.ts';
 
 const at = (id: string, x: number, y: number): Box => ({ id, x, y, width: 180, height: 80 });
 const boxes = [at('a', 0, 0), at('b', 300, 0), at('c', 300, 200), at('d', 700, 20)];
@@ -26,9 +26,14 @@ describe('neighbour', () => {
   });
 });
 
-describe('nearestTo', () => {
-  it('is the node around the middle of the view', () => {
-    expect(nearestTo(boxes, { x: 380, y: 230 })?.id).toBe('c');
-    expect(nearestTo([], { x: 0, y: 0 })).toBeUndefined();
+describe('firstIn', () => {
+  it('is the leftmost node in view, of those the topmost', () => {
+    expect(firstIn(boxes, { x: -50, y: -50, width: 1000, height: 400 })?.id).toBe('a');
+    expect(firstIn(boxes, { x: 250, y: -50, width: 700, height: 400 })?.id).toBe('b');
+  });
+
+  it('is the first of all where none is in view', () => {
+    expect(firstIn(boxes, { x: 5000, y: 0, width: 100, height: 100 })?.id).toBe('a');
+    expect(firstIn([], { x: 0, y: 0, width: 100, height: 100 })).toBeUndefined();
   });
 });

@@ -1,4 +1,4 @@
-import type { Point } from '../../model/graph.ts';
+import type { Point, Size } from '../../model/graph.ts';
 import type { Box } from '../../model/selection/arrange.ts';
 
 /** How much a way aside counts against a way ahead. */
@@ -26,10 +26,16 @@ export function neighbour(boxes: readonly Box[], from: Box, way: Point): Box | u
   return best;
 }
 
-/** The box whose middle is nearest to a place. */
-export function nearestTo(boxes: readonly Box[], { x, y }: Point): Box | undefined {
-  const far = (box: Box): number => Math.hypot(middleOf(box).x - x, middleOf(box).y - y);
-  return boxes.toSorted((a, b) => far(a) - far(b))[0];
+/** The first of the boxes in an area as values flow: the leftmost, and of those the topmost; of all boxes when none is in it. */
+export function firstIn(boxes: readonly Box[], area: Point & Size): Box | undefined {
+  const isIn = ({ x, y, width, height }: Box): boolean =>
+    x < area.x + area.width &&
+    x + width > area.x &&
+    y < area.y + area.height &&
+    y + height > area.y;
+  const seen = boxes.filter(isIn);
+  const order = seen.length > 0 ? seen : boxes;
+  return order.toSorted((a, b) => a.x - b.x || a.y - b.y)[0];
 }
 
 const middleOf = ({ x, y, width, height }: Box): Point => ({

@@ -52,4 +52,9 @@ describe('startOf', () => {
     expect(startOf(graph, 'module:sink')?.name).toBe('free');
     expect(startOf(graph, 'nowhere')).toBeUndefined();
   });
+
+  it('is the main input of a module that nothing feeds', () => {
+    const low = aGraphOf([aModule('low-pass', { value: 'double' }, { smoothed: 'double' })]);
+    expect(startOf(low, 'module:low-pass')?.name).toBe('value');
+  });
 });

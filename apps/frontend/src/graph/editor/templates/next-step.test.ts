@@ -1,6 +1,7 @@
 import { expect, it } from 'vitest';
 import { aSession } from '../../../sessions/testing/a-session.ts';
 import { graphOf } from '../../model/graph-of.ts';
+import { aGraphOf, aModule } from '../../model/testing/small-graph.ts';
 import { nextStep } from './next-step.ts';
 
 const PORTS = {
@@ -39,4 +40,22 @@ it('leads from a module to its input, its output and the start', () => {
   expect(nextStep(withModule({}))).toContain('drag a topic');
   expect(nextStep(withModule({ inputMappings }))).toContain('output');
   expect(nextStep(withModule({ inputMappings, outputMappings }))).toBe('Next: press Start.');
+});
+
+it('stays at the input of a module while another module has a wire', () => {
+  const modules = [
+    aModule('low-pass', { value: 'double' }, { smoothed: 'double' }),
+    aModule('clock', { waveHz: 'double' }, { sine: 'double' }),
+  ];
+  const graph = aGraphOf(modules, { 'low-pass.smoothed': '/a', 'clock.waveHz': '/a' });
+  expect(nextStep(graph)).toContain('input “value” of low-pass');
+  expect(nextStep(graph, true)).toContain('input');
+});
+
+it('says which keys do it to a user who works with keys', () => {
+  expect(nextStep(withModule({}), true)).toMatch(/low-pass with the arrow keys.* L .* its input/);
+  expect(nextStep(withModule({ inputMappings }), true)).toMatch(/ L .* its output/);
+  expect(nextStep(withModule({ inputMappings, outputMappings }), true)).toBe(
+    'Next: press Ctrl Enter to start.',
+  );
 });
