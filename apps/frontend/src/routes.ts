@@ -25,6 +25,8 @@ declare module 'vue-router' {
     parent?: { readonly title: string; readonly to: string };
     /** A second skip link: to what the page is about. */
     skip?: { readonly title: string; readonly id: string };
+    /** Letters that have their own meaning on the page, in upper case: shortcuts of the program leave them. */
+    ownKeys?: string;
     /** On phones it says itself who this is and how it stands with the master: no top bar. */
     hasOwnHeader?: boolean;
     /** Stands alone, without rail and top bar, and also for those who have not joined. */

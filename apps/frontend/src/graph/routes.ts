@@ -1,5 +1,6 @@
 import type { RouteLocationRaw, RouteRecordRaw } from 'vue-router';
 import { randomUuid } from '../connection/random-uuid.ts';
+import { CANVAS_LETTERS } from './canvas-letters.ts';
 import { GRAPH_CANVAS_ID } from './graph-canvas-id.ts';
 
 /**
@@ -44,6 +45,7 @@ export const graphRoutes: readonly RouteRecordRaw[] = [
     meta: {
       title: 'Graph',
       parent: { title: 'Sessions', to: '/sessions' },
+      ownKeys: CANVAS_LETTERS,
       skip: { title: 'Skip to the graph', id: GRAPH_CANVAS_ID },
     },
   },

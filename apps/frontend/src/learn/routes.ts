@@ -1,4 +1,5 @@
 import type { RouteRecordRaw } from 'vue-router';
+import { CANVAS_LETTERS } from '../graph/canvas-letters.ts';
 
 const component = () => import('./LearnPage.vue');
 const parent = { title: 'Learn', to: '/learn' };
@@ -7,5 +8,6 @@ export const learnRoutes: readonly RouteRecordRaw[] = [
   { path: '/learn', component, meta: { title: 'Learn' } },
   { path: '/learn/how-to/:howTo', component, meta: { title: 'How to', parent } },
   { path: '/learn/reference/:page', component, meta: { title: 'Reference', parent } },
-  { path: '/learn/:lesson', component, meta: { title: 'Lesson', parent } },
+  // Lessons have a graph beside the text.
+  { path: '/learn/:lesson', component, meta: { title: 'Lesson', parent, ownKeys: CANVAS_LETTERS } },
 ];

@@ -25,17 +25,23 @@ export const SHORTCUTS: readonly Shortcut[] = [
 /** How long the second key of a pair may take, milliseconds. */
 export const PAIR_MS = 1000;
 
+/** Shortcuts of the program on a page; single keys that mean something else there are left out. */
+export function shortcutsOn({ ownKeys = '' }: { readonly ownKeys?: string }): readonly Shortcut[] {
+  return SHORTCUTS.filter(({ keys }) => keys.length > 1 || !ownKeys.includes(keys));
+}
+
 /** What a key press leads to: a shortcut, the first half of one, or nothing. */
 export function matchShortcut(
   pending: string | undefined,
   key: string,
+  shortcuts: readonly Shortcut[] = SHORTCUTS,
 ): { readonly shortcut?: Shortcut; readonly pending?: string } {
   const pressed = key.length === 1 ? key.toUpperCase() : key;
   const keys = pending === undefined ? pressed : `${pending} ${pressed}`;
-  const shortcut = SHORTCUTS.find((candidate) => candidate.keys === keys);
+  const shortcut = shortcuts.find((candidate) => candidate.keys === keys);
   if (shortcut) return { shortcut };
-  if (SHORTCUTS.some((candidate) => candidate.keys.startsWith(`${keys} `)))
+  if (shortcuts.some((candidate) => candidate.keys.startsWith(`${keys} `)))
     return { pending: keys };
   // A pair that was not completed may be the start of something else
-  return pending === undefined ? {} : matchShortcut(undefined, key);
+  return pending === undefined ? {} : matchShortcut(undefined, key, shortcuts);
 }

@@ -12,7 +12,10 @@ async function setup() {
   const shell = createShell();
   const router = createRouter({
     history: createMemoryHistory(),
-    routes: [{ path: '/:path(.*)*', component: Page }],
+    routes: [
+      { path: '/graph', component: Page, meta: { title: 'Graph', ownKeys: 'BC' } },
+      { path: '/:path(.*)*', component: Page },
+    ],
   });
   await router.push('/');
   const push = vi.spyOn(router, 'push');
@@ -33,7 +36,7 @@ async function setup() {
     await router.isReady();
     await Promise.resolve();
   };
-  return { shell, push, wrapper, press };
+  return { shell, router, push, wrapper, press };
 }
 
 describe('shortcuts', () => {
@@ -52,6 +55,18 @@ describe('shortcuts', () => {
     expect(world.shell.dialog.value).toBe('palette');
     await world.press('k', { ctrlKey: true });
     expect(world.shell.dialog.value).toBeUndefined();
+  });
+
+  it('leave a letter to the page that uses it itself', async () => {
+    await world.router.push('/graph');
+    await world.press('c');
+    expect(world.shell.dialog.value).toBeUndefined();
+    await world.press('?');
+    expect(world.shell.dialog.value).toBe('shortcuts');
+    world.shell.close();
+    await world.router.push('/');
+    await world.press('c');
+    expect(world.shell.dialog.value).toBe('connect-phone');
   });
 
   it('do nothing while the user types or a dialog of the shell is open', async () => {

@@ -3,7 +3,7 @@ import type { Ref } from 'vue';
 import { useRouter } from 'vue-router';
 import { isSingleKeyShortcut } from '../ui/keys/single-key.ts';
 import type { Shell } from './shell.ts';
-import { matchShortcut, PAIR_MS } from './shortcuts.ts';
+import { matchShortcut, PAIR_MS, shortcutsOn } from './shortcuts.ts';
 
 /** Single keys can be switched off, for people who speak or shake their input (WCAG 2.1.4). */
 export function useSingleKeyShortcuts(): Ref<boolean> {
@@ -32,7 +32,7 @@ export function useGlobalShortcuts(shell: Shell): void {
     }
 
     if (event.timeStamp - pendingSinceMs > PAIR_MS) pending = undefined;
-    const match = matchShortcut(pending, event.key);
+    const match = matchShortcut(pending, event.key, shortcutsOn(router.currentRoute.value.meta));
     pending = match.pending;
     pendingSinceMs = event.timeStamp;
     if (!match.shortcut) return;

@@ -23,6 +23,7 @@ import { useTabNode } from '../../tab-node/useTabNode.ts';
 import { useThemeChoice } from '../../theme/useTheme.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import { useShell } from '../shell.ts';
+import { shortcutsOn } from '../shortcuts.ts';
 import type { Command } from './command.ts';
 
 /** The actions that are available on every page. */
@@ -35,6 +36,7 @@ export function useActionCommands(): ComputedRef<Command[]> {
   const { master, isConnected, connect } = useConnection();
   const { copy } = useClipboard({ legacy: true });
   const saveDiagnostics = useDiagnostics();
+  const hasPhoneKey = shortcutsOn(router.currentRoute.value.meta).some(({ keys }) => keys === 'C');
   const go = (to: string) => () => void router.push(to);
 
   async function copyAddress(): Promise<void> {
@@ -53,7 +55,7 @@ export function useActionCommands(): ComputedRef<Command[]> {
   const always: Command[] = [
     action('connect-phone', 'Connect a phone', {
       icon: QrCode,
-      shortcut: 'C',
+      ...(hasPhoneKey ? { shortcut: 'C' } : {}),
       run: () => shell.open('connect-phone'),
     }),
     action('new-session', 'New session', { icon: Plus, run: go('/sessions/new') }),
