@@ -165,7 +165,7 @@ export class ModuleInstance {
       after: (delayMs, fn) => clock.after(delayMs, fn),
       atEndOfTurn: (task) => endOfTurn.add(task),
       run: (triggers) => this.#run({ inputs: this.#inputs.read(), triggers }, this.#publish),
-      countOverrun: () => this.#reports.countOverrun(),
+      countOverrun: (intervalMs) => this.#reports.countOverrun(intervalMs),
     };
   }
 }

@@ -5,7 +5,8 @@ export const FIGURE_HINTS: Readonly<Record<string, string>> = {
   p95: '95 of 100 runs take at most this long.',
   Waiting: 'Triggers that wait for the current run or for the minimal delay.',
   Errors: 'Runs that ended with an error.',
-  Overruns: 'Runs that took longer than their mode allows.',
+  Overruns:
+    'Runs skipped because the previous run was not over: it took too long, or its node was too busy. The log says which.',
   Refused: 'Outputs that were refused: over a limit, in a wrong format, or without parameters.',
   Restarts: 'How often the module was restarted after it was killed.',
   Memory: 'Memory that the module uses.',

@@ -52,7 +52,7 @@ export class FrequencyDriver implements ModeDriver, TurnTask {
     this.#cancel = undefined;
     if (this.#host.isBusy) {
       this.#isOverrun = true;
-      this.#host.countOverrun();
+      this.#host.countOverrun(this.#intervalMs);
       return;
     }
     this.#wait();

@@ -92,6 +92,19 @@ describe('a module with a frequency', () => {
     expect(events).toMatchObject([{ kind: ModuleEventKind.OVERRUN, moduleId: 'pm-1' }]);
   });
 
+  it.each([
+    ['the run took too long', 150, 'because the previous run had not finished'],
+    ['its node was late', 2, 'because the node was too busy'],
+  ])('[PM-22] tells at the end of the run that %s', async (_, durationMs, words) => {
+    const { clock, sandboxes, events, begin } = createModuleWorld();
+    await begin({ mode: hertz(10) });
+    await clock.advance(150);
+    expect(events).toEqual([]);
+    sandboxes.last.finish({ durationMs });
+    await clock.advance(1);
+    expect(events.map(({ message }) => message)).toEqual([expect.stringContaining(words)]);
+  });
+
   it('[PM-11] tells the time since the start of the run before, first 0', async () => {
     const { clock, sandboxes, begin } = createStopwatch();
     await begin({ mode: hertz(10) });

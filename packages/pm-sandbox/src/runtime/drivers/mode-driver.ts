@@ -30,6 +30,10 @@ export interface RunHost {
    * @param triggers names of the inputs that caused it [PM-12]
    */
   run(triggers?: readonly string[]): void;
-  /** A run was still under way when the next one was due. [PM-22] */
-  countOverrun(): void;
+  /**
+   * A run was still under way when the next one was due. [PM-22]
+   *
+   * @param intervalMs between two runs
+   */
+  countOverrun(intervalMs: number): void;
 }

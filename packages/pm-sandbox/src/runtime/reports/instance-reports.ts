@@ -28,6 +28,8 @@ export class InstanceReports {
   readonly #durations = new RunDurations();
   #runs = 0;
   #overruns = 0;
+  /** The interval that the run under way exceeded, milliseconds. */
+  #exceededMs: number | undefined;
   #errors = 0;
   #restarts = 0;
   #outputs = 0;
@@ -60,6 +62,7 @@ export class InstanceReports {
   /** A run ended by itself, well or not. */
   countEnd(durationMs: number): void {
     this.#durations.add(durationMs);
+    this.#tellOverrun(durationMs);
   }
 
   countError(fault: ModuleFault): void {
@@ -70,16 +73,21 @@ export class InstanceReports {
   /** A run ended with its sandbox. */
   countLostRun(): void {
     this.#errors++;
+    this.#tellOverrun(Infinity);
   }
 
   countOutputs(count: number): void {
     this.#outputs += count;
   }
 
-  countOverrun(): void {
+  /**
+   * A run was still under way when the next one was due. Its end tells why.
+   *
+   * @param intervalMs between two runs
+   */
+  countOverrun(intervalMs: number): void {
     this.#overruns++;
-    const message = 'A run was skipped because the previous run had not finished.';
-    this.#tell({ kind: ModuleEventKind.OVERRUN, phase: 'onProcessing', message });
+    this.#exceededMs = intervalMs;
   }
 
   /** @param count records that were not published */
@@ -179,6 +187,17 @@ export class InstanceReports {
   /** Tells what was left out so far. */
   close(): void {
     this.#throttle.close();
+  }
+
+  /** The module was slow, or its node, which started the run or took its result late. [PM-22] */
+  #tellOverrun(durationMs: number): void {
+    if (this.#exceededMs === undefined) return;
+    const message =
+      durationMs >= this.#exceededMs
+        ? 'A run was skipped because the previous run had not finished.'
+        : 'A run was skipped because the node was too busy to start runs on time.';
+    this.#exceededMs = undefined;
+    this.#tell({ kind: ModuleEventKind.OVERRUN, phase: 'onProcessing', message });
   }
 
   #tell(event: Partial<ModuleEvent> & Pick<ModuleEvent, 'kind' | 'message'>): void {
