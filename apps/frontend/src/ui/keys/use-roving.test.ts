@@ -58,6 +58,12 @@ it('keeps a Tab stop while items come and go', async () => {
   expect(stops()).toEqual(['d']);
 });
 
+it('starts at the first item, also when it comes later', async () => {
+  await wrapper.setProps({ names: ['z', 'a', 'b'] });
+  await new Promise((resolve) => setTimeout(resolve));
+  expect(stops()).toEqual(['z']);
+});
+
 it('leaves keys to fields beside the items', () => {
   wrapper.get('input').element.focus();
   expect(press('ArrowDown')).toBe(true);

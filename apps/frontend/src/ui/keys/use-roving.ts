@@ -23,8 +23,8 @@ export function useRoving(host: Readonly<Ref<HTMLElement | null>>, selector: str
   let last: HTMLElement | undefined;
   function settle(): void {
     const all = items();
-    if (last === undefined || !all.includes(last)) last = all[0];
-    stopAt(last);
+    if (last !== undefined && !all.includes(last)) last = undefined;
+    stopAt(last ?? all[0]);
   }
   onMounted(settle);
   useMutationObserver(host, settle, { childList: true, subtree: true });
