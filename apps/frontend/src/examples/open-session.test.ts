@@ -16,7 +16,7 @@ it('opens the session in a new tab, so that the page that owns it stays', () => 
   app.unmount();
 });
 
-it('is how every page of an example links to its session', () => {
+it('no page of an example leaves itself for its session', () => {
   const pages = import.meta.glob<string>('./**/*.vue', {
     query: '?raw',
     import: 'default',

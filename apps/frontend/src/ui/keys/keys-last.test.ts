@@ -3,12 +3,15 @@ import { expect, it } from 'vitest';
 import { effectScope } from 'vue';
 import { useKeysLast } from './keys-last.ts';
 
-it('follows keys and pointers, and ignores keys that are held while a pointer works', () => {
+it('follows keys and pointers, and ignores keys that users of a pointer press, too', () => {
   const scope = effectScope();
   const isKeys = scope.run(useKeysLast)!;
-  const press = (key: string): boolean =>
-    window.dispatchEvent(new KeyboardEvent('keydown', { key }));
+  const field = document.createElement('input');
+  document.body.append(field);
+  const press = (key: string, target: Element = document.body): boolean =>
+    target.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
   press('Shift');
+  press('l', field);
   expect(isKeys.value).toBe(false);
   press('l');
   expect(isKeys.value).toBe(true);
@@ -17,4 +20,5 @@ it('follows keys and pointers, and ignores keys that are held while a pointer wo
   scope.stop();
   press('l');
   expect(isKeys.value).toBe(false);
+  field.remove();
 });
