@@ -1,4 +1,4 @@
-import type { Locator, Page } from '@playwright/test';
+import { expect, type Locator, type Page } from '@playwright/test';
 
 /** One record as a form and as JSON. */
 export class PublishPage {
@@ -27,6 +27,13 @@ export class PublishPage {
 
   async publish(): Promise<void> {
     await this.page.getByRole('button', { name: 'Publish', exact: true }).click();
+  }
+
+  /** The button is disabled for this reason. */
+  async expectBlocked(reason: string): Promise<void> {
+    const button = this.page.getByRole('button', { name: 'Publish', exact: true });
+    await expect(button).toHaveAttribute('aria-disabled', 'true');
+    await expect(button).toHaveAttribute('aria-description', reason);
   }
 
   /** A field of the form by its label. */

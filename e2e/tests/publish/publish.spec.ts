@@ -54,14 +54,37 @@ test('form and JSON are one record, and what is wrong stands beside the field an
   await expect(
     publish.page.getByRole('button', { name: /Line 1 vector3\.y must be/ }),
   ).toBeVisible();
-  await publish.publish();
-  await expect(publish.page.getByText(/Not published: vector3\.y must be a number/)).toBeVisible();
-  await expect(publish.sent).toContainText('0');
+  await publish.expectBlocked('vector3.y must be a number, got "up".');
+  await publish.json.press('Control+Enter');
+  const notPublished = publish.page.getByText(/Not published: vector3\.y must be a number/);
+  await expect(notPublished).toBeVisible();
   await publish.json.fill('{"topic": ');
+  await expect(notPublished).toHaveCount(0);
   await expect(publish.page.getByRole('button', { name: /Line 1 Expected a value/ })).toBeVisible();
+  await publish.expectBlocked('The JSON is not valid. Line 1: Expected a value, found the end.');
+  await expect(publish.sent).toContainText('0');
   await publish.json.fill('{"topic":"/lab/point","vector3":{"x":7,"y":1}}');
   await publish.publish();
   await expect(publish.sent).toContainText('1');
+});
+
+test('hints about the topic move no control', async ({ room }) => {
+  const robot = await room.program('Robot');
+  robot.publish('/lab/light', 'double', 1);
+  for (const { page } of [await room.atDesk(), await room.withPhone()]) {
+    const publish = new PublishPage({ page });
+    await publish.open();
+    await new Shell(page).expectConnected();
+    const button = page.getByRole('button', { name: 'Publish', exact: true });
+    const before = await button.boundingBox();
+    await publish.topic.pressSequentially('lab');
+    await expect(page.getByText('"lab" and "/lab" are two different topics')).toBeVisible();
+    expect(await button.boundingBox()).toEqual(before);
+    await publish.topic.fill('/lab/light');
+    await publish.choose('vector2');
+    await expect(page.getByText('This topic holds double.')).toBeVisible();
+    expect(await button.boundingBox()).toEqual(before);
+  }
 });
 
 test('a record is repeated at a rate, with a new count in each, until it is stopped', async ({

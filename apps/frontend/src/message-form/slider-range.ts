@@ -9,3 +9,7 @@ export function sliderBound(value: number, isInteger: boolean): number {
 /** Numbers of which the schema says that they go from 0 to 1. */
 const UNIT_MEMBERS = /(^|\.)(color\.[rgba]|force)$|Color\.[rgba]$/;
 export const isUnitMember = (path: string): boolean => UNIT_MEMBERS.test(path);
+
+/** Sizes of pictures: whole numbers from 0, not from a range to both sides of it. */
+const SIZE_MEMBERS = /(^|\.)image2D(List\.elements\[\d+\])?\.(width|height)$/;
+export const isSizeMember = (path: string): boolean => SIZE_MEMBERS.test(path);

@@ -1,7 +1,7 @@
 import { DATA_FORMATS, encodeRecord, type DataFormat } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { checkRecord, formatOfJson, newRecord, readRecord } from './record-json.ts';
-import { fillIn, variableSource } from './variables.ts';
+import { fillIn, unknownVariables, variableSource } from './variables.ts';
 
 const source = {
   uuid: () => 'u-1',
@@ -27,7 +27,13 @@ describe('a record as JSON', () => {
       { path: 'double', sentence: 'must be a number, got "abc"' },
       { path: 'topic', sentence: 'must not be empty. Example: /lab/light.' },
     ]);
-    expect(checkRecord({ topic: '/a' }, source)[0]!.path).toBe('');
+    expect(checkRecord({ topic: '/a' }, source)).toEqual([
+      { path: '', sentence: 'The record has no value. Add one, for example "double": 0.5.' },
+    ]);
+    expect(checkRecord({ topic: 5, double: 1 }, source)).toEqual([
+      { path: 'topic', sentence: 'must be a text in double quotes' },
+    ]);
+    expect(checkRecord({ topic: [], double: 1 }, source)).toHaveLength(1);
     expect(checkRecord({ topic: '/a', double: 1, timestamp: {} }, source)[0]!.path).toBe(
       'timestamp',
     );
@@ -47,6 +53,8 @@ describe('a record as JSON', () => {
     });
     expect(formatOfJson(json)).toBe('vector2');
     expect(fillIn(['{{timestamp}} ms', '{{other}}'], source)).toEqual(['1000 ms', '{{other}}']);
+    expect(unknownVariables('{{counter}} {{ nope }} {{nope}} {{x}}')).toEqual(['nope', 'x']);
+    expect(unknownVariables('{{uuid}} {a} {{a b}}')).toEqual([]);
     expect(variableSource(() => 3).counter()).toBe('3');
   });
 });

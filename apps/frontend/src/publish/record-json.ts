@@ -48,15 +48,22 @@ export function checkRecord(json: JsonObject, source: VariableSource): JsonProbl
   const filled = fillIn(json, source) as JsonObject;
   const problems = findJsonProblems(RECORD, filled);
   const topic = topicOfJson(filled);
-  if (topic === '')
+  if (filled.topic !== undefined && typeof filled.topic !== 'string') {
+    if (!problems.some(({ path }) => path === 'topic'))
+      problems.push({ path: 'topic', sentence: 'must be a text in double quotes' });
+  } else if (topic === '') {
     problems.push({ path: 'topic', sentence: 'must not be empty. Example: /lab/light.' });
+  }
   for (const key of Object.keys(json)) {
     if (NOT_TYPED.has(key))
       problems.push({ path: key, sentence: 'is set automatically. Remove it.' });
   }
   const format = formatOfJson(json);
   if (format === undefined) {
-    problems.push({ path: '', sentence: 'has no value. Add one, for example "double": 0.5.' });
+    problems.push({
+      path: '',
+      sentence: 'The record has no value. Add one, for example "double": 0.5.',
+    });
   } else if (problems.length === 0) {
     // Checks that need the whole value: the bytes of an image.
     const sentence = DATA_FORMATS[format].validate(valueOf(filled, format));

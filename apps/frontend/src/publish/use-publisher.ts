@@ -1,7 +1,18 @@
 import type { JsonObject } from '@ubii/proto';
-import { onScopeDispose, ref, shallowRef, type Ref, type ShallowRef } from 'vue';
+import {
+  computed,
+  onScopeDispose,
+  ref,
+  shallowRef,
+  watch,
+  type ComputedRef,
+  type Ref,
+  type ShallowRef,
+} from 'vue';
 import { useConnection } from '../connection/useConnection.ts';
-import { checkRecord, readRecord, topicOfJson } from './record-json.ts';
+import { draftReason } from '../message-form/draft-reason.ts';
+import { createMessageDraft, type MessageDraft } from '../message-form/message-draft.ts';
+import { checkRecord, newRecord, readRecord, topicOfJson } from './record-json.ts';
 import { variableSource } from './variables.ts';
 
 /** Limits of the repeat rate, records per second. */
@@ -9,13 +20,16 @@ export const RATE_HZ = { least: 0.1, most: 100 } as const;
 /** How long values published here stay after this tab was closed, minutes. Longer than a reload or a break. */
 export const KEPT_MINUTES = 60;
 
-/** Publishes records from this page, once or repeatedly. */
+/** Edits the record of this page, and publishes it once or repeatedly. */
 export interface Publisher {
+  readonly draft: MessageDraft;
+  /** Why the record cannot be published now, one sentence; undefined when it can. */
+  readonly reason: ComputedRef<string | undefined>;
   /** Records published since the page was opened. */
   readonly sent: Readonly<Ref<number>>;
   /** Topic of the last record; empty before the first. */
   readonly sentTo: Readonly<Ref<string>>;
-  /** Why the last record was not published, one sentence. */
+  /** Why the last record was not published, one sentence; until the next edit. */
   readonly error: Readonly<ShallowRef<string | undefined>>;
   readonly isRepeating: Readonly<Ref<boolean>>;
   send(): boolean;
@@ -24,16 +38,19 @@ export interface Publisher {
   /** Publishes now and then at this rate, until `stop` or until the page is left. */
   repeat(rateHz: number): void;
   stop(): void;
-  check(json: JsonObject): ReturnType<typeof checkRecord>;
 }
 
-export function usePublisher(json: () => JsonObject): Publisher {
+export function usePublisher(): Publisher {
   const { client, isConnected } = useConnection();
   const sent = ref(0);
   const sentTo = ref('');
   const error = shallowRef<string>();
   const isRepeating = ref(false);
   const source = variableSource(() => sent.value);
+  const draft = createMessageDraft(newRecord('', 'double'), (json) => checkRecord(json, source));
+  const reason = computed(() =>
+    isConnected.value ? draftReason(draft) : 'This page is not connected to the master.',
+  );
   let timer: ReturnType<typeof setInterval> | undefined;
 
   onScopeDispose(
@@ -42,11 +59,16 @@ export function usePublisher(json: () => JsonObject): Publisher {
     }),
   );
 
-  const send = (): boolean => sendRecord(json());
+  watch(draft.text, () => (error.value = undefined), { flush: 'sync' });
 
+  function send(): boolean {
+    if (reason.value === undefined) return sendRecord(draft.json.value);
+    error.value = `Not published: ${reason.value}`;
+    return false;
+  }
   function sendRecord(record: JsonObject): boolean {
     if (!isConnected.value) {
-      error.value = 'Not published: this page has no connection to the master.';
+      error.value = 'Not published: This page is not connected to the master.';
       return false;
     }
     const [problem] = checkRecord(record, source);
@@ -74,6 +96,8 @@ export function usePublisher(json: () => JsonObject): Publisher {
   onScopeDispose(stop);
 
   return {
+    draft,
+    reason,
     sent,
     sentTo,
     error,
@@ -81,7 +105,6 @@ export function usePublisher(json: () => JsonObject): Publisher {
     send,
     sendRecord,
     stop,
-    check: (record) => checkRecord(record, source),
     repeat(rateHz) {
       stop();
       const hz = Math.min(RATE_HZ.most, Math.max(RATE_HZ.least, rateHz));

@@ -37,3 +37,10 @@ export function fillIn(json: JsonValue, source: VariableSource): JsonValue {
     Object.entries(json).map(([key, member]) => [key, fillIn(member as JsonValue, source)]),
   );
 }
+
+/** Returns the names in `{{…}}` that are no variables; they are published as they are. */
+export function unknownVariables(text: string): string[] {
+  const known: ReadonlySet<string> = new Set(VARIABLES.map(({ name }) => name));
+  const named = Array.from(text.matchAll(/\{\{\s*(\w{1,40})\s*\}\}/g), ([, name]) => name!);
+  return [...new Set(named)].filter((name) => !known.has(name));
+}

@@ -263,6 +263,14 @@ describe('looking for everything that is wrong', () => {
     expect(findJsonProblems(RECORD, [])).toHaveLength(1);
   });
 
+  it('proposes the name of a misspelt member, and names a few of many members', () => {
+    expect(findJsonProblems(RECORD, { topic: '/a', strin: 'b' })).toEqual([
+      { path: 'strin', sentence: 'is not known here. Did you mean string?' },
+    ]);
+    const [{ sentence }] = findJsonProblems(RECORD, { nothingLikeIt: 1 }) as [{ sentence: string }];
+    expect(sentence).toMatch(/^is not known here; there are (\w+, ){4}\w+ and \d+ more$/);
+  });
+
   it('names what cannot stand side by side, and finds nothing in what is fine', () => {
     expect(findJsonProblems(RECORD, { double: 1, bool: true })).toEqual([
       { path: 'bool', sentence: 'cannot stand beside double' },

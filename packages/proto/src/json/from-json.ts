@@ -10,6 +10,7 @@ import {
 import type { MessageTypes } from '../generated/messages.ts';
 import { parseBase64 } from './base64.ts';
 import { withoutLegacyMapping } from './legacy-mapping.ts';
+import { similarName } from './similar-name.ts';
 
 const MIN_INT32 = -(2 ** 31);
 const MAX_INT32 = 2 ** 31 - 1;
@@ -94,9 +95,7 @@ function readMessage(
     const memberPath = path === '' ? key : `${path}.${key}`;
     // Only for those who look for it: a list of the members costs more than the rest.
     if (field === undefined && context.problems !== undefined) {
-      const members = type.fields.map(({ jsonName }) => jsonName).join(', ');
-      const sentence = `is not known here; there are ${members}`;
-      context.problems.push({ path: memberPath, sentence });
+      context.problems.push({ path: memberPath, sentence: unknownMember(type, key) });
     }
     if (field === undefined || value === null || value === undefined) continue;
     if (field.repeated) {
@@ -113,6 +112,18 @@ function readMessage(
     chosen.set(field.oneof, field.jsonName);
   }
   return message;
+}
+
+/** Members named for a key that resembles none. */
+const MAX_NAMED_MEMBERS = 5;
+
+function unknownMember({ fields }: MessageDescriptor, key: string): string {
+  const names = fields.map(({ jsonName }) => jsonName);
+  const meant = similarName(key, names);
+  if (meant !== undefined) return `is not known here. Did you mean ${meant}?`;
+  const more = names.length - MAX_NAMED_MEMBERS;
+  const named = names.slice(0, MAX_NAMED_MEMBERS).join(', ');
+  return `is not known here; there are ${named}${more > 0 ? ` and ${more} more` : ''}`;
 }
 
 /** A message as `decode` returns it for no bytes. */
