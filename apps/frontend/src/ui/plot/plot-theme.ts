@@ -1,4 +1,7 @@
-/** Colours and faces of the theme in force, as a canvas takes them. */
+/**
+ * Colours and faces of the theme in force, as a canvas takes them. Sizes of fonts are whole pixels: uPlot
+ * multiplies the digits before `px` by the device pixel ratio, and misreads a decimal point.
+ */
 export interface PlotTheme {
   color(token: `--${string}`): string;
   readonly font: string;
@@ -17,7 +20,7 @@ export function plotTheme(probe: HTMLElement): PlotTheme {
       probe.style.color = `var(${token})`;
       return getComputedStyle(probe).color;
     },
-    font: `${STRETCH} 10.5px ${face('--font-mono')}`,
+    font: `${STRETCH} 11px ${face('--font-mono')}`,
     labelFont: `11px ${face('--font-ui')}`,
   };
 }
