@@ -138,6 +138,13 @@ describe('the status of the master', () => {
       { code: 'client_silent', severity: StatusProblemSeverity.WARNING, clientId: ada.id },
     ]);
     expect(problems[0]?.sinceMs).toBe(nowMs - 1_000);
+    expect(problems[0]?.text).toMatch(
+      /nothing for 6 s\. After 10 s its retained values are deleted/,
+    );
+    clock.advance(100_000);
+    expect((await status()).problems[0]?.text).toMatch(
+      /nothing for 106 s\. After 10 s its retained values were deleted/,
+    );
     ada.socket.handleText('PONG');
     expect((await status()).problems).toEqual([]);
   });

@@ -1,5 +1,6 @@
 import { StatusProblemSeverity } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
+import { LOST_AFTER_MS } from '../clients/liveness.ts';
 import { describeThrottle } from '../clients/throttle.ts';
 import type { Core } from '../core.ts';
 import type { LimitName } from '../limits/index.ts';
@@ -93,10 +94,15 @@ function* clientProblems({ clock }: Core, client: Client): Iterable<Problem> {
   // A client that closed its socket and stays away is an event, not a problem.
   if (client.status === 'inactive' || (client.status === 'unavailable' && socket !== undefined)) {
     const silentSeconds = Math.round((nowMs - client.lastSignMs) / 1000);
+    const lostSeconds = LOST_AFTER_MS / 1000;
+    const values =
+      client.status === 'inactive'
+        ? `After ${lostSeconds} s its retained values are deleted.`
+        : `After ${lostSeconds} s its retained values were deleted, except those that it keeps longer.`; // [CL-13]
     yield {
       ...warning,
       code: 'client_silent',
-      text: `${label} has sent nothing for ${silentSeconds} s. After 10 s its retained values are deleted.`,
+      text: `${label} has sent nothing for ${silentSeconds} s. ${values}`,
       remedy: 'Check whether the device sleeps or lost its network. It reconnects by itself.',
       sinceMs: epochMs(clock, client.statusSinceMs),
     };
