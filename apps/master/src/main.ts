@@ -8,6 +8,7 @@ import { StreamLog } from './adapters/log/stream-log.ts';
 import { FaultGuard } from './adapters/process/fault-guard.ts';
 import { bestPhoneUrl, formatBanner, joinUrl } from './adapters/terminal/banner.ts';
 import { formatEndpoints } from './adapters/terminal/endpoints-line.ts';
+import { formatFarewell } from './adapters/terminal/farewell.ts';
 import { formatQrCode } from './adapters/terminal/qr-code.ts';
 import type { Config } from './config.ts';
 import { DEFAULT_LIMITS, LogTail } from './index.ts';
@@ -59,7 +60,7 @@ async function run(args: readonly string[]): Promise<void> {
     workerFile,
     decodeWorkerFile,
   });
-  endInGoodOrder(master, log);
+  endInGoodOrder(master, log, config);
   await present(master, config);
 }
 
@@ -80,7 +81,7 @@ function createLog({ logLevel, logFormat, limits }: Config): LogTail {
   return new LogTail(written, Date.now, logLevel === 'debug', { ...DEFAULT_LIMITS, ...limits });
 }
 
-function endInGoodOrder(master: RunningMaster, log: LogTail): void {
+function endInGoodOrder(master: RunningMaster, log: LogTail, config: Config): void {
   let endingSince: number | undefined;
   const end = (exitCode: number): void => {
     if (endingSince !== undefined) {
@@ -88,9 +89,14 @@ function endInGoodOrder(master: RunningMaster, log: LogTail): void {
       return;
     }
     endingSince = performance.now();
+    const farewell = formatFarewell(master.sessionsToStartAgain());
     setTimeout(() => process.exit(exitCode), SHUTDOWN_DEADLINE_MS).unref();
     master.close().then(
-      () => process.exit(exitCode),
+      () => {
+        // For programs standard output is one line of JSON.
+        if (config.printEndpoints === 'json') process.exit(exitCode);
+        process.stdout.write(`${farewell}\n`, () => process.exit(exitCode));
+      },
       (error: unknown) => {
         log.error('closing failed', { reason: String(error) });
         process.exit(1);

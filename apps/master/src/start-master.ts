@@ -71,6 +71,8 @@ export interface RunningMaster {
   readonly terminal: TerminalAccess | undefined;
   /** What callers of this machine are, and whether the system tells them from others [AC-1] [AC-40]. */
   readonly loopback: LoopbackFacts;
+  /** How many sessions that run now start again with the master [SE-24]. */
+  sessionsToStartAgain(): number;
   /** Closes everything, within a second. */
   close(): Promise<void>;
 }
@@ -283,7 +285,14 @@ export async function startMaster({
     });
     if (lan.isOpen) announceIfWished();
     const terminal = await openTerminal();
-    return { ports: listeners.ports, reachability, terminal, loopback: loopbackFacts, close };
+    return {
+      ports: listeners.ports,
+      reachability,
+      terminal,
+      loopback: loopbackFacts,
+      sessionsToStartAgain: () => master.sessionsToStartAgain(),
+      close,
+    };
   } catch (error) {
     await close();
     throw error;

@@ -104,6 +104,9 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     metrics(): MasterMetrics {
       return readMetrics(core);
     },
+    sessionsToStartAgain(): number {
+      return core.processing.sessions.countToStartAgain();
+    },
     async close(): Promise<void> {
       liveness.close();
       expiring.close();

@@ -113,6 +113,8 @@ export interface Master {
    * @throws Error when it cannot be kept
    */
   openTerminal(isReachable: boolean): Promise<TerminalAccess>;
+  /** How many sessions that run now start again with the master [SE-24]. */
+  sessionsToStartAgain(): number;
   /** Ends every timer, closes every connection with code 1001, and ends modules and workers. */
   close(): Promise<void>;
 }

@@ -109,6 +109,21 @@ describe('the master as a process', () => {
     expect((await ended).code).toBe(0);
   });
 
+  it('says in the terminal that it stopped, and nothing on the line for programs', async () => {
+    const shown = new Program(
+      quiet.filter((flag) => !['--print-endpoints', 'json'].includes(flag)),
+    );
+    await vi.waitFor(() => expect(shown.stdout).toContain('http://localhost:'), 30_000);
+    const ended = shown.ended();
+    shown.child.kill('SIGINT');
+    expect((await ended).stdout).toMatch(/\nStopped\.\n$/);
+    const master = start();
+    await master.ready();
+    const endedToo = master.ended();
+    master.child.kill('SIGINT');
+    expect((await endedToo).stdout).not.toContain('Stopped');
+  });
+
   it('ends with the program that started it', async () => {
     const master = new Program(quiet, { withChannel: true });
     await master.ready();

@@ -101,6 +101,12 @@ export class Sessions {
       .flatMap((session) => session.toMessage().processingModules);
   }
 
+  /** How many of those that run start again with the master [SE-24]. */
+  countToStartAgain(): number {
+    return this.list().filter(({ isLive, description }) => isLive && description.startWithMaster)
+      .length;
+  }
+
   /** Those that clients of a grant made or changed [AC-90]. */
   madeWith(grantId: string): Session[] {
     return this.list().filter(({ grantIds }) => grantIds.has(grantId));
