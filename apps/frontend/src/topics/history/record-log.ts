@@ -22,7 +22,7 @@ export interface KeptRecord {
 }
 
 /** Larger values are not kept, only their one line, bytes. */
-const MAX_VALUE_BYTES = 16_384;
+export const MAX_VALUE_BYTES = 16_384;
 /** What a record needs beside its value, bytes, about. */
 const OVERHEAD_BYTES = 160;
 
