@@ -22,7 +22,7 @@ test('home says how the master is, and what to do first while nothing happens', 
 test('home draws what the master takes', async ({ room }) => {
   const { page } = await room.atDesk();
   await page.goto('/');
-  for (const name of ['Main-thread load', 'CPU load', 'Event-loop delay']) {
+  for (const name of ['Main-thread load', 'CPU load of the master', 'Event-loop delay']) {
     await expect(
       page.getByRole('img', { name: new RegExp(`^${name} over the last ten minutes: now \\d`) }),
     ).toBeVisible();

@@ -2,6 +2,7 @@ import type { MasterStatus, StatusSample } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { measureClock } from './clock-offset.ts';
 import {
+  cpuShare,
   HISTORY_MS,
   mergeMasterStatus,
   nextSinceMs,
@@ -36,6 +37,13 @@ const event = (timeMs: number, text: string) => ({ timeMs, kind: 0, text, client
 function merge(known: MasterView | undefined, next: MasterStatus): MasterView {
   return mergeMasterStatus(known, next, next.nowMs - 10, next.nowMs + 10);
 }
+
+it('tells the master’s share of all processors of its machine, by the newest sample', () => {
+  const samples = [sample(START, 1), { ...sample(START + 2000, 1), cpuPercent: 32 }];
+  expect(cpuShare(merge(undefined, reply(START + 2500, { samples, processors: 4 })))).toBe(8);
+  expect(cpuShare(merge(undefined, reply(START, { processors: 4 })))).toBeUndefined();
+  expect(cpuShare(undefined)).toBeUndefined();
+});
 
 describe('mergeMasterStatus', () => {
   it('puts the samples of several replies together, each once', () => {

@@ -54,6 +54,12 @@ export function nextSinceMs(known: MasterView | undefined): number {
   return known === undefined ? 0 : known.latest.nowMs - 1;
 }
 
+/** The master's share of all processors of its machine now, percent; `undefined` before the first sample. */
+export function cpuShare(view: MasterView | undefined): number | undefined {
+  const sample = view?.samples.at(-1);
+  return sample && sample.cpuPercent / Math.max(1, view!.latest.processors);
+}
+
 /** Records per second now; `undefined` before the first sample. */
 export function recordsPerSecond(view: MasterView | undefined): number | undefined {
   return view?.samples.at(-1)?.recordsPerSecond;
