@@ -7,6 +7,6 @@ export const callsRoutes: readonly RouteRecordRaw[] = [
   {
     path: '/calls/:service?',
     component: () => import('./CallsPage.vue'),
-    meta: { title: 'Services', parent: { title: 'Topics', to: '/topics' } },
+    meta: { title: 'Services' },
   },
 ];

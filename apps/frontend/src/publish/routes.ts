@@ -10,6 +10,6 @@ export const publishRoutes: readonly RouteRecordRaw[] = [
     // `?topic=/a/b` starts with the newest value of that topic.
     path: '/publish',
     component: () => import('./PublishPage.vue'),
-    meta: { title: 'Publish', parent: { title: 'Topics', to: '/topics' } },
+    meta: { title: 'Publish' },
   },
 ];
