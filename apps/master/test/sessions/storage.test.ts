@@ -341,6 +341,7 @@ describe('a master that ends', () => {
       extension: { startWithMaster: true },
     });
     await world.ask(TOPICS.start, { ...doubling('/in', '/other'), name: 'passing' });
+    expect(world.master.master.sessionsToStartAgain()).toBe(1);
     await world.master.master.close();
 
     const next = await SessionWorld.create({ storage });
