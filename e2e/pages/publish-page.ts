@@ -30,7 +30,7 @@ export class PublishPage {
   }
 
   /** The button is disabled for this reason. */
-  async expectBlocked(reason: string): Promise<void> {
+  async expectBlocked(reason: string | RegExp): Promise<void> {
     const button = this.page.getByRole('button', { name: 'Publish', exact: true });
     await expect(button).toHaveAttribute('aria-disabled', 'true');
     await expect(button).toHaveAttribute('aria-description', reason);

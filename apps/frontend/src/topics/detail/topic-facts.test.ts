@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { TopicRate } from '../../connection/topic-rates.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
-import { endedSentence, lifeOf, topicFacts } from './topic-facts.ts';
+import { lifeOf, topicFacts } from './topic-facts.ts';
 
 const NOW = 1_000_000;
 const rateOf = (more: Partial<TopicRate['statistic']> = {}, dropped = 0): TopicRate => ({
@@ -50,12 +50,6 @@ describe('topicFacts', () => {
 });
 
 describe('lifeOf', () => {
-  it('tells a restart of the master from the end of a value', () => {
-    expect(endedSentence(1000, 2000)).toMatch(/^The master was restarted, and/);
-    expect(endedSentence(1000, 1000)).toMatch(/^The topic has no value any more\./);
-    expect(endedSentence(undefined, 1000)).toMatch(/^The topic has no value any more\./);
-  });
-
   it('tells a topic that ended from one that never had a value', () => {
     expect(lifeOf(rateOf(), false)).toBe('live');
     expect(lifeOf(rateOf({ dataFormat: '' }), true)).toBe('ended');

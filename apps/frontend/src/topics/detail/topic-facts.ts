@@ -50,18 +50,6 @@ export function topicFacts(rate: TopicRate | undefined, nowMs: number): TopicFac
 export type TopicLife = 'waiting' | 'live' | 'ended';
 
 /**
- * Says why a topic that had a value has none.
- * @param liveMs start of the master that had the value, `nowMs` of the one that runs; `undefined` when unknown
- */
-export function endedSentence(liveMs: number | undefined, nowMs: number | undefined): string {
-  const isOther = liveMs !== undefined && nowMs !== undefined && liveMs !== nowMs;
-  const why = isOther
-    ? 'The master was restarted, and the topic has no value since.'
-    : 'The topic has no value any more.';
-  return `${why} Its last value is shown until you leave this page.`;
-}
-
-/**
  * @param rate what the master says now; `undefined` when it does not know the topic
  * @param hasRecord whether a record was seen here
  */

@@ -1,0 +1,31 @@
+import { computed, shallowRef, watch, type ComputedRef } from 'vue';
+
+/**
+ * Says why a topic that had a value has none.
+ *
+ * @param count records seen of the topic
+ * @param masterMs when the master started that runs now; `undefined` while unknown
+ */
+export function useEndedSentence(
+  topic: () => string,
+  count: () => number,
+  masterMs: () => number | undefined,
+): ComputedRef<string> {
+  /** When the master started that sent the last record. */
+  const sentByMs = shallowRef<number>();
+  watch(
+    [topic, count, masterMs] as const,
+    ([name, seen, startedMs], [nameBefore, seenBefore]) => {
+      const isNew = name !== nameBefore || seen !== seenBefore;
+      if (isNew || sentByMs.value === undefined) sentByMs.value = startedMs;
+    },
+    { immediate: true },
+  );
+  return computed(() => {
+    const isOther = sentByMs.value !== undefined && masterMs() !== sentByMs.value;
+    const why = isOther
+      ? 'The master was restarted, and the topic has no value since.'
+      : 'The topic has no value any more.';
+    return `${why} Its last value is shown until you leave this page.`;
+  });
+}
