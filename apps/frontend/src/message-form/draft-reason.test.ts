@@ -25,4 +25,6 @@ it('names the member that is wrong', () => {
   const wrong = draft();
   wrong.setJson({ topic: '/a', double: 'a' });
   expect(draftReason(wrong)).toBe('double must be a number, got "a".');
+  wrong.setJson({ topic: '/a', doubl: 1 });
+  expect(draftReason(wrong)).toBe('doubl is not known here. Did you mean double?');
 });

@@ -1,3 +1,4 @@
+import { asSentence } from './form-problems.ts';
 import type { MessageDraft } from './message-draft.ts';
 
 /** Returns why a draft cannot be sent, one sentence for its button; undefined when it can. */
@@ -6,6 +7,5 @@ export function draftReason({ problems, isJson }: MessageDraft): string | undefi
   if (problem === undefined) return undefined;
   const { path, line, sentence } = problem;
   if (!isJson.value) return `The JSON is not valid. Line ${line}: ${sentence}`;
-  const text = path === '' ? sentence : `${path} ${sentence}`;
-  return text.endsWith('.') ? text : `${text}.`;
+  return asSentence(path === '' ? sentence : `${path} ${sentence}`);
 }

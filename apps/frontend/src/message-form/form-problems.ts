@@ -5,6 +5,9 @@ export type FormProblems = ReadonlyMap<string, string>;
 
 const PROBLEMS: InjectionKey<ComputedRef<FormProblems>> = Symbol('form problems');
 
+/** Ends a text with a full stop, unless it ends as a sentence already. */
+export const asSentence = (text: string): string => (/[.?]$/.test(text) ? text : `${text}.`);
+
 export function provideFormProblems(problems: ComputedRef<FormProblems>): void {
   provide(PROBLEMS, problems);
 }
@@ -17,6 +20,6 @@ export function useFormProblem(path: () => string): ComputedRef<string | undefin
   );
   return computed(() => {
     const found = problems.value.get(path());
-    return found && `${found[0]!.toUpperCase()}${found.slice(1)}${found.endsWith('.') ? '' : '.'}`;
+    return found && asSentence(`${found[0]!.toUpperCase()}${found.slice(1)}`);
   });
 }

@@ -267,8 +267,8 @@ describe('looking for everything that is wrong', () => {
     expect(findJsonProblems(RECORD, { topic: '/a', strin: 'b' })).toEqual([
       { path: 'strin', sentence: 'is not known here. Did you mean string?' },
     ]);
-    const [{ sentence }] = findJsonProblems(RECORD, { nothingLikeIt: 1 }) as [{ sentence: string }];
-    expect(sentence).toMatch(/^is not known here; there are (\w+, ){4}\w+ and \d+ more$/);
+    const [problem] = findJsonProblems(RECORD, { nothingLikeIt: 1 });
+    expect(problem?.sentence).toMatch(/^is not known here; there are (\w+, ){4}\w+ and \d+ more$/);
   });
 
   it('names what cannot stand side by side, and finds nothing in what is fine', () => {
