@@ -21,11 +21,13 @@ export interface SessionsStore {
   drop(id: string): void;
 }
 
+const revisionOf = (session: Session | undefined): number => session?.extension?.revision ?? 0;
+
 export function createSessionsStore(client: UbiiClient, isConnected: Ref<boolean>): SessionsStore {
   const list = shallowRef<readonly Session[]>();
   const error = shallowRef<ServiceError>();
   const known = new Map<string, Session>();
-  /** Heard of while a list was on its way: newer than the list. `undefined` for one that is gone. */
+  /** Heard of while a list was on its way. `undefined` for one that is gone. */
   const heard = new Map<string, Session | undefined>();
   let hasList = false;
 
@@ -37,6 +39,9 @@ export function createSessionsStore(client: UbiiClient, isConnected: Ref<boolean
     if (session === undefined) known.delete(id);
     else known.set(id, session);
   }
+  /** Retained announcements can be older than the list, which would make its sessions look changed twice. */
+  const isOld = (id: string, session: Session | undefined): boolean =>
+    session !== undefined && revisionOf(session) < revisionOf(known.get(id));
 
   async function refresh(): Promise<void> {
     heard.clear();
@@ -44,7 +49,7 @@ export function createSessionsStore(client: UbiiClient, isConnected: Ref<boolean
       const { elements } = await client.call('sessionRuntimeGetList');
       known.clear();
       for (const element of elements) known.set(element.id, element);
-      for (const [id, session] of heard) apply(id, session);
+      for (const [id, session] of heard) if (!isOld(id, session)) apply(id, session);
       error.value = undefined;
       hasList = true;
       draw();
@@ -66,7 +71,8 @@ export function createSessionsStore(client: UbiiClient, isConnected: Ref<boolean
   }
 
   client.subscribe({ glob: ANNOUNCEMENTS }, { format: 'session' }).onRecord(({ topic, value }) => {
-    hear(value.id, topic === INFO_TOPICS.deleteSession ? undefined : value);
+    const session = topic === INFO_TOPICS.deleteSession ? undefined : value;
+    if (!isOld(value.id, session)) hear(value.id, session);
     refreshSoon();
   });
   watch(isConnected, (connected) => connected && void refresh(), { immediate: true });

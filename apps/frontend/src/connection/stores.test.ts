@@ -264,6 +264,28 @@ describe('sessions store', () => {
     expect(names()).toEqual(['a']);
   });
 
+  it('a retained announcement of an older revision does not replace a session of the list', async () => {
+    const saved = (revision: number) => ({
+      ...session('a', `v${revision}`),
+      extension: { revision },
+    });
+    const { names, hear, store } = setup([saved(4)]);
+    // What is retained may arrive before the list does, or after it.
+    hear('/info/session/new', saved(1));
+    await settle();
+    expect(names()).toEqual(['v4']);
+    hear('/info/session/change', saved(3));
+    await settle();
+    expect(names()).toEqual(['v4']);
+    hear('/info/session/change', saved(5));
+    await settle();
+    expect(names()).toEqual(['v5']);
+    // The reply to a call counts in any case: a restarted master begins again.
+    store.take(saved(2) as never);
+    await settle();
+    expect(names()).toEqual(['v2']);
+  });
+
   it('takes what a service answered at once', async () => {
     const { store, names } = setup([]);
     await settle();
