@@ -3,15 +3,13 @@ import {
   moduleEventTopic,
   ServiceError,
   sessionStatisticsTopic,
-  SERVICES,
-  toJson,
   type ModuleStatistics,
   type Session,
 } from '@ubii/proto';
-import { useEventListener } from '@vueuse/core';
 import { computed, onScopeDispose, shallowRef, watch, type ComputedRef, type Ref } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { eventPlace } from '../../sessions/live/event-log.ts';
+import { removeOnPageHide } from '../../sessions/own/remove-on-page-hide.ts';
 import { useTabNode } from '../../tab-node/useTabNode.ts';
 import { isMirrorSessionOf, mirrorSession, onNode } from './mirror-session.ts';
 
@@ -152,13 +150,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
     end();
     releaseTab?.();
   });
-  // A page that is closed has no time for an answer
-  useEventListener(window, 'pagehide', () => {
-    if (id.value === undefined) return;
-    const request = { topic: SERVICES.sessionRuntimeRemove.topic, session: { id: id.value } };
-    const body = JSON.stringify(toJson('ubii.services.ServiceRequest', request));
-    navigator.sendBeacon('/services/json', new Blob([body], { type: 'application/json' }));
-  });
+  removeOnPageHide(() => id.value);
 
   return {
     session,

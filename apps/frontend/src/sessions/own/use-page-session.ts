@@ -1,11 +1,11 @@
 import { ConnectionError } from '@ubii/client-web';
-import { ServiceError, SERVICES, toJson, type Session } from '@ubii/proto';
-import { useEventListener } from '@vueuse/core';
+import { ServiceError, type Session } from '@ubii/proto';
 import { computed, onScopeDispose, shallowRef, watch, type ComputedRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useTabNode } from '../../tab-node/useTabNode.ts';
 import { isAlive } from '../state/session-state.ts';
 import { plannedSession, type SessionPlan } from './planned-session.ts';
+import { removeOnPageHide } from './remove-on-page-hide.ts';
 
 /** A session that a page starts, changes while it runs, and ends when it is left. */
 export interface PageSession {
@@ -100,13 +100,7 @@ export function usePageSession(
     isOver = true;
     end();
   });
-  // A page that is closed has no time for an answer.
-  useEventListener(window, 'pagehide', () => {
-    if (id.value === undefined) return;
-    const request = { topic: SERVICES.sessionRuntimeRemove.topic, session: { id: id.value } };
-    const body = JSON.stringify(toJson('ubii.services.ServiceRequest', request));
-    navigator.sendBeacon('/services/json', new Blob([body], { type: 'application/json' }));
-  });
+  removeOnPageHide(() => id.value);
 
   return {
     session,
