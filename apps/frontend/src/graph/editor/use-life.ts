@@ -1,4 +1,9 @@
-import { sessionState, stateLook, type LifeAction } from '../../sessions/state/session-state.ts';
+import {
+  isAlive,
+  sessionState,
+  stateLook,
+  type LifeAction,
+} from '../../sessions/state/session-state.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import type { GraphEditor } from './graph-editor.ts';
 import type { Saving } from './use-save.ts';
@@ -14,17 +19,24 @@ export interface Life {
 
 export function useLife(editor: GraphEditor, saving: Saving): Life {
   const { show } = useToasts();
+  /** A session that is not stored was not saved: it ends with the master or the page that made it. */
+  function tell(done: string): void {
+    const isStored = editor.session.value.extension?.stored === true;
+    show(isStored ? `Saved and ${done}` : `${done[0]?.toUpperCase()}${done.slice(1)}`);
+  }
   return {
     can: (action) => stateLook(sessionState(editor.session.value)).actions.includes(action),
     async act(action) {
       const isUnsaved = editor.changes.value > 0;
       await saving.act(action);
       if (!isUnsaved || editor.changes.value > 0 || saving.failure.value !== undefined) return;
-      show(`Saved and ${DONE[action]}.`);
+      tell(DONE[action]);
     },
     async save() {
       const isUnsaved = editor.changes.value > 0;
-      if ((await saving.save()) && isUnsaved) show('Saved.');
+      if (!(await saving.save()) || !isUnsaved) return;
+      if (isAlive(editor.session.value)) tell('applied');
+      else show('Saved');
     },
   };
 }
