@@ -13,7 +13,7 @@ export class ModulesPage {
     this.list = page.getByRole('list', { name: 'Modules' });
     this.search = page.getByRole('searchbox', { name: /^Search modules/ });
     this.detail = page.getByRole('article', { name: /^Module / });
-    this.tabSwitch = page.getByRole('switch', { name: /^This tab runs modules/ });
+    this.tabSwitch = page.getByRole('switch', { name: /^Run modules in this tab/ });
   }
 
   async open(): Promise<void> {

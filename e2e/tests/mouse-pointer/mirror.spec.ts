@@ -52,7 +52,7 @@ test('the pointer is mirrored in somebody else’s tab, and the page says when t
 }) => {
   const ben = await room.atDesk('Ben');
   await ben.page.goto('/settings');
-  const runsModules = ben.page.getByRole('switch', { name: /^This tab runs modules/ });
+  const runsModules = ben.page.getByRole('switch', { name: /^Run modules in this tab/ });
   await runsModules.click();
   await expect(ben.page.getByRole('status').filter({ hasText: 'Ready' })).toBeVisible();
 

@@ -75,7 +75,7 @@ test('a module is moved to somebody’s tab, and back when the tab is gone [SE-3
   const anna = await room.atDesk('Anna');
   const ben = await room.atDesk('Ben');
   await ben.page.goto('/settings');
-  await ben.page.getByRole('switch', { name: /^This tab runs modules/ }).click();
+  await ben.page.getByRole('switch', { name: /^Run modules in this tab/ }).click();
   await expect(ben.page.getByRole('status').filter({ hasText: 'Ready' })).toBeVisible();
 
   const session = new SessionPage(anna);
@@ -87,7 +87,7 @@ test('a module is moved to somebody’s tab, and back when the tab is gone [SE-3
   await session.expectState('Running');
   await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
 
-  await ben.page.getByRole('switch', { name: /^This tab runs modules/ }).click();
+  await ben.page.getByRole('switch', { name: /^Run modules in this tab/ }).click();
   await session.expectState('Degraded');
   await expect(session.problems).toContainText('clock');
   await session.place('clock', /^Master/);

@@ -25,7 +25,7 @@ export const EXAMPLES: readonly Example[] = [
   {
     id: 'smart-device-gatherer',
     title: 'Smart-device gatherer',
-    sentence: 'Vibrates phones on near touches',
+    sentence: 'Vibrates phones that are touched in nearly the same place',
     path: '/examples/smart-device-gatherer',
     page: () => import('./smart-device-gatherer/SmartDeviceGathererPage.vue'),
     thumbnail: () => import('./smart-device-gatherer/SmartDeviceGathererThumbnail.vue'),

@@ -70,7 +70,7 @@ export function useJoin(beforeLeaving: () => void) {
     beforeLeaving();
     if (invitation.value?.target) rememberStart(target.value);
     if (invitation.value !== undefined && wantsAnother() && client.role === 'admin')
-      toasts.show('This browser is now an admin.');
+      toasts.show('This browser is now an admin');
     // In place of this page: the way back does not lead through the token
     void router.replace(target.value);
   }

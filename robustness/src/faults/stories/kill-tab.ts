@@ -102,7 +102,7 @@ class CrashingTab {
 
   /** Turns on that the tab runs modules. @returns id of its client */
   async becomeNode(): Promise<string> {
-    await this.#page.getByRole('switch', { name: /^This tab runs modules/ }).click();
+    await this.#page.getByRole('switch', { name: /^Run modules in this tab/ }).click();
     await this.#page.getByRole('status').filter({ hasText: 'Ready' }).waitFor();
     return this.clientId();
   }

@@ -94,7 +94,7 @@ export function formatBanner(facts: BannerFacts): string {
       ? networkAddresses[0]?.url.startsWith('https:')
         ? 'Phones in the same network open the address and type the code, or scan the QR code; they accept the certificate once.'
         : 'Phones in the same network open the address and type the code, or scan the QR code.'
-      : 'Phones cannot reach this master. To connect phones, stop it and start it without --lan off and --host.',
+      : 'Phones cannot reach this master. To connect phones, turn on the local network on the page "Connect a phone", or start the master without --lan off and --host.',
     'Ctrl-C stops the master. All flags:  npm start -- --help',
   ];
   return [
