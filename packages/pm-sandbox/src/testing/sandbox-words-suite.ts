@@ -173,6 +173,17 @@ export function describeMistakes(create: (init: SandboxInit) => Promise<OpenSand
       expect(fault.line).toBe(onProcessing.split('\n').length - 1);
     });
 
+    it('members that are taken from nothing are told at their line', async () => {
+      const { run } = await create({
+        onProcessing:
+          '(dt, inputs) => {\n  if (!inputs.anchor) return;\n  const { x, y } = inputs.anchor.vector3;\n  return x + y;\n}',
+        inputs: ['anchor'],
+      });
+      const fault = await faultFrom(run({ inputs: INPUTS }));
+      expect(fault).toMatchObject({ kind: 'threw', line: 3 });
+      expect(fault.message).toContain('inputs.anchor.vector3');
+    });
+
     it('another error keeps its own words', async () => {
       const { run } = await create({
         onProcessing:

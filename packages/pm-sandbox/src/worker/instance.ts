@@ -3,6 +3,7 @@ import type { SandboxCall, SandboxRequest, SandboxResult } from '../ports/sandbo
 import { MAX_LOG_LINES_PER_CALL } from '../sandbox-limits.ts';
 import { encodeOutputs } from './encode-outputs.ts';
 import type { Engine, EngineHooks, EngineInstance, EngineRequest, MaybePromise } from './engine.ts';
+import { explainDestructuring } from './explain-destructuring.ts';
 import { explainThrow } from './explain-throw.ts';
 import { cutText, faultOf, ModuleError, moduleFault } from './module-error.ts';
 import { decodeInputs } from './module-records.ts';
@@ -68,8 +69,11 @@ export class Instance {
           ? raw.then((result) => this.#result(result, startMs))
           : this.#result(raw, startMs);
       },
-      (fault) =>
-        explainThrow(fault, this.#request.source.onProcessing, this.#request.inputs, call.inputs),
+      (fault) => {
+        const { source, inputs } = this.#request;
+        const placed = explainDestructuring(fault, source.onProcessing);
+        return explainThrow(placed, source.onProcessing, inputs, call.inputs);
+      },
     );
   }
 
