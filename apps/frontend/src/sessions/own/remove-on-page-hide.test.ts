@@ -11,11 +11,11 @@ it('removes the session of a page that is closed, and none while there is none',
   vi.stubGlobal('navigator', {
     sendBeacon: (path: string, body: Blob) => sent.push([path, body]) > 0,
   });
-  let id: string | undefined;
-  scope.run(() => removeOnPageHide(() => id));
+  const shown: { id?: string } = {};
+  scope.run(() => removeOnPageHide(() => shown.id));
   window.dispatchEvent(new Event('pagehide'));
   expect(sent).toEqual([]);
-  id = 's1';
+  shown.id = 's1';
   window.dispatchEvent(new Event('pagehide'));
   expect(sent.map(([path]) => path)).toEqual(['/services/json']);
   expect(JSON.parse(await sent[0]![1].text())).toMatchObject({
