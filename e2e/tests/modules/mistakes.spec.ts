@@ -82,7 +82,7 @@ test('a mistake in an output is told in the words of the author, once, in all pl
     await editor.input('value').getByRole('textbox', { name: 'value' }).fill('21');
     await expect(cause).toBeVisible();
     await editor.typeAfter('reslt: 3', ' +');
-    const wrong = editor.tryIt.getByRole('alert').filter({ hasText: 'SyntaxError' });
+    const wrong = editor.tryIt.getByRole('alert').filter({ hasText: 'syntax error' });
     await expect(wrong).toBeVisible();
     await expect(editor.problems).not.toContainText('SyntaxError');
     await expect(cause).toBeHidden();

@@ -4,6 +4,8 @@ import type { SandboxCall, SandboxFactory, SandboxResult } from '@ubii/pm-sandbo
 export function tapSandboxes(
   sandboxes: SandboxFactory,
   onResult: (result: SandboxResult, call: SandboxCall) => void,
+  /** A run that failed has no result. */
+  onFailure: () => void = () => undefined,
 ): SandboxFactory {
   return {
     open(request, events) {
@@ -14,7 +16,10 @@ export function tapSandboxes(
         destroy: () => sandbox.destroy(),
         terminate: () => sandbox.terminate(),
         async run(call) {
-          const result = await sandbox.run(call);
+          const result = await sandbox.run(call).catch((fault: unknown) => {
+            onFailure();
+            throw fault;
+          });
           onResult(result, call);
           return result;
         },

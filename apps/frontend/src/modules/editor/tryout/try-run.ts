@@ -22,6 +22,8 @@ export type TryStatus = 'off' | 'starting' | 'ready' | 'running' | 'failed';
 
 export interface TryRunEvents {
   onResult(result: SandboxResult): void;
+  /** A run threw, or took too long. */
+  onFailedRun(): void;
   onEvent(event: ModuleEvent): void;
   onStatus(status: TryStatus): void;
   /** It could not be made, or it was killed. */
@@ -65,7 +67,11 @@ export class TryRun {
       clock,
       topics: this.topics,
       patterns,
-      sandboxes: tapSandboxes(sandboxes, (result) => events.onResult(result)),
+      sandboxes: tapSandboxes(
+        sandboxes,
+        (result) => events.onResult(result),
+        () => events.onFailedRun(),
+      ),
       libraries: [],
       // What is killed stays so: a person looks at it
       limits: { maxRestarts: 0 },

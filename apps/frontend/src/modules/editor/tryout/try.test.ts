@@ -17,9 +17,11 @@ function setup() {
   const events: ModuleEvent[] = [];
   const faults: ModuleFault[] = [];
   const statuses: TryStatus[] = [];
+  const failedRuns: true[] = [];
   const clock = new FakeClock();
   const run = new TryRun(createInlineSandboxes(), new Re2Patterns(), clock, {
     onResult: (result) => results.push(result),
+    onFailedRun: () => failedRuns.push(true),
     onEvent: (event) => events.push(event),
     onFault: (fault) => faults.push(fault),
     onStatus: (status) => statuses.push(status),
@@ -36,7 +38,7 @@ function setup() {
       moduleOf(draft),
       tryMapping(draft, () => undefined),
     );
-  return { run, results, events, faults, statuses, clock, put, open };
+  return { run, results, failedRuns, events, faults, statuses, clock, put, open };
 }
 
 describe('trying a module', () => {
@@ -51,6 +53,16 @@ describe('trying a module', () => {
       format: 'vector2',
       value: { x: 1, y: 0 },
     });
+  });
+
+  it('tells a run that throws, which has no result', async () => {
+    const { run, results, failedRuns, open } = setup();
+    const code = "onProcessing = () => { throw new Error('no'); };";
+    await open({ ...template('Generate'), code });
+    await run.step();
+    await run.step();
+    expect(failedRuns).toHaveLength(2);
+    expect(results).toEqual([]);
   });
 
   it('gives lists an identity for each element [PM-43]', async () => {

@@ -119,6 +119,10 @@ export function useTryRun(
       ([sandboxes, compiler]) =>
         new TryRun(sandboxes, compiler, browserClock, {
           onResult: handleResult,
+          onFailedRun() {
+            count += 1;
+            draw();
+          },
           onEvent(event) {
             // The one that gave up says what the kill said
             if (event.kind === ModuleEventKind.FAILED) return;
