@@ -79,7 +79,7 @@ test('pictures of two cameras are seen by who is named, and none is left when th
     room.withPhone('Tom', CAMERA),
   ]);
   for (const phone of [mara, tom]) await startCamera(phone);
-  await expect(watchers(mara)).toContainText('Nobody else receives these pictures.');
+  await expect(watchers(mara)).toContainText('No other client receives these pictures.');
   await expect.poll(async () => (await picturesOnMaster(program)).size).toBe(2);
 
   await test.step('a session of each looks at its own pictures, on the master', async () => {

@@ -7,8 +7,8 @@ const sentence = (clientIds: string[], count = clientIds.length): string =>
   watcherSentence({ topic: '/t', count, clientIds, modules: [] }, names);
 
 it.each([
-  [[], 'Nobody else receives these pictures.'],
-  [['self'], 'Nobody else receives these pictures.'],
+  [[], 'No other client receives these pictures.'],
+  [['self'], 'No other client receives these pictures.'],
   [['a', 'self'], 'Anna receives these pictures.'],
   [['master', 'a'], 'The master and Anna receive these pictures.'],
   [['a', 'b', 'c'], 'Anna, Ben and Cleo receive these pictures.'],

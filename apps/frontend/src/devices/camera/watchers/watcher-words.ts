@@ -36,7 +36,7 @@ export function moduleWords(module: SubscribedModule, names: WatcherNames): stri
 }
 
 function sentenceOf(names: readonly string[], others: number): string {
-  if (names.length + others === 0) return 'Nobody else receives these pictures.';
+  if (names.length + others === 0) return 'No other client receives these pictures.';
   const kind = `${names.length > 0 ? 'other ' : ''}${others === 1 ? 'client' : 'clients'}`;
   const parts = others === 0 ? names : [...names, `${others} ${kind}`];
   const before = parts.length > 1 ? `${parts.slice(0, -1).join(', ')} and ` : '';
