@@ -1,16 +1,14 @@
 import { parseDataFormat, type TopicRecord } from '@ubii/proto';
-import { computed, reactive, shallowRef, watch } from 'vue';
+import { computed, reactive, shallowRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
-import { usePictures } from '../../devices/camera/usePictures.ts';
-import { usePictureHabits } from '../../devices/camera/picture-habits.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import { useModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
 import { useOverlays } from '../../topics/viewers/picture/use-overlays.ts';
-import { useCameraRelease } from '../pictures/use-camera-release.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
+import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import {
   outputTopic,
   parametersOf,
@@ -21,7 +19,6 @@ import {
 
 const FIRST_MODULE = 'image-tools';
 const SETTINGS: PictureSettings = { width: 480, rateHz: 10, encoding: 'RGB8', quality: 0.8 };
-const PHOTO_HZ = 2;
 
 /** One output and its newest value. */
 export interface ShownOutput {
@@ -33,7 +30,7 @@ export interface ShownOutput {
 
 /** Sends the pictures of a source through one module, in a session of this page. */
 export function useImageProcessing(sources: PictureSources) {
-  const { client, isConnected, name } = useConnection();
+  const { client, name } = useConnection();
   const library = useModuleLibrary();
   const isOn = shallowRef(false);
   const place = shallowRef<ModulePlace>('tab');
@@ -41,7 +38,6 @@ export function useImageProcessing(sources: PictureSources) {
   /** By module and parameter. */
   const set = shallowRef<ReadonlyMap<string, ReadonlyMap<string, string>>>(new Map());
   const settings = reactive<PictureSettings>({ ...SETTINGS });
-  const habits = usePictureHabits();
 
   const modules = computed(() =>
     (library.entries.value ?? []).map(({ module }) => module).filter(takesPictures),
@@ -61,30 +57,16 @@ export function useImageProcessing(sources: PictureSources) {
       },
     ],
   });
-  const isOwn = computed(() => sources.kind.value !== 'topic');
-  const image = computed(() => {
-    if (!device.isRegistered.value) return undefined;
-    return isOwn.value ? device.topicOf('source') : sources.topic.value || undefined;
-  });
-  const measures = usePictures({
-    source: () => sources.source(),
-    isWanted: () =>
-      isOn.value &&
-      isOwn.value &&
-      isConnected.value &&
-      device.isRegistered.value &&
-      sources.element.value !== undefined,
+  const { isOwn, image, habits, measures } = useSentPictures({
+    sources,
+    isOn,
     settings,
-    habits: () => habits.value,
+    isRegistered: device.isRegistered,
+    ownTopic: () => device.topicOf('source'),
     publish: (picture, { ageMs, expiryMs }) =>
       device.publishTaken('source', picture, ageMs, { immediate: true, expiryMs }),
     end: () => device.end('source'),
   });
-  useCameraRelease(sources, isOn);
-  watch(
-    () => sources.kind.value,
-    (kind) => (settings.rateHz = kind === 'photo' ? PHOTO_HZ : SETTINGS.rateHz),
-  );
 
   const session = usePageSession(
     () => {

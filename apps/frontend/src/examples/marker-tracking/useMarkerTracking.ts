@@ -5,14 +5,12 @@ import { computed, reactive, shallowRef, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useCalibrations } from '../../devices/camera/calibration-memory.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
-import { usePictureHabits } from '../../devices/camera/picture-habits.ts';
-import { usePictures } from '../../devices/camera/usePictures.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
-import { useCameraRelease } from '../pictures/use-camera-release.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
+import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import { CLIP_MARKER_METRES } from './marker-clip.ts';
 import { TRACKING_COMPONENTS, TRACKING_DEVICE, trackingSession } from './tracking-session.ts';
 
@@ -20,13 +18,10 @@ import { TRACKING_COMPONENTS, TRACKING_DEVICE, trackingSession } from './trackin
 const HOLD_MS = 1000;
 const FIGURES_MS = 1000;
 const RATE_HZ = 20;
-/** An image file changes when another one is chosen. */
-const PHOTO_HZ = 2;
 
 /** Finds markers in the pictures of a source with a session of this page. */
 export function useMarkerTracking(sources: PictureSources) {
-  const { isConnected, name } = useConnection();
-  const habits = usePictureHabits();
+  const { name } = useConnection();
   const isOn = shallowRef(false);
   const place = shallowRef<ModulePlace>('tab');
   const options = reactive({
@@ -74,27 +69,17 @@ export function useMarkerTracking(sources: PictureSources) {
       error: (value) => (error.value = value),
     },
   });
-  const isOwn = computed(() => sources.kind.value !== 'topic');
-  const image = computed(() => {
-    if (!device.isRegistered.value) return undefined;
-    return isOwn.value ? device.topicOf('image') : sources.topic.value || undefined;
-  });
-  usePictures({
-    source: () => sources.source(),
-    isWanted: () =>
-      isOn.value &&
-      isOwn.value &&
-      isConnected.value &&
-      device.isRegistered.value &&
-      sources.element.value !== undefined,
+  const { isOwn, image, habits, measures } = useSentPictures({
+    sources,
+    isOn,
     settings,
-    habits: () => habits.value,
-    resultHz: () => (sources.kind.value === 'photo' ? undefined : seen.rateHz(performance.now())),
+    isRegistered: device.isRegistered,
+    ownTopic: () => device.topicOf('image'),
+    resultHz: () => seen.rateHz(performance.now()),
     publish: (picture, { ageMs, expiryMs }) =>
       device.publishTaken('image', picture, ageMs, { immediate: true, expiryMs }),
     end: () => device.end('image'),
   });
-  useCameraRelease(sources, isOn);
 
   const calibrations = useCalibrations();
   /** Of the camera that is the source, when it was calibrated in this browser. */
@@ -133,10 +118,6 @@ export function useMarkerTracking(sources: PictureSources) {
     error.value = '';
     figures.value = {};
   }
-  watch(
-    () => sources.kind.value,
-    (kind) => (settings.rateHz = kind === 'photo' ? PHOTO_HZ : RATE_HZ),
-  );
   watch([place, () => sources.kind.value, isOn, () => options.dictionary], clear);
 
   useRafFn(() => {
@@ -166,6 +147,8 @@ export function useMarkerTracking(sources: PictureSources) {
     calibration,
     image,
     isOwn,
+    habits,
+    measures,
     topicOf: device.topicOf,
     markers,
     outlines,

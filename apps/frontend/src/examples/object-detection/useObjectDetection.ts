@@ -1,16 +1,15 @@
 import type { TopicRecord } from '@ubii/proto';
 import { useIntervalFn, useRafFn } from '@vueuse/core';
-import { computed, reactive, shallowRef, watch } from 'vue';
+import { reactive, shallowRef, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
-import { usePictureHabits } from '../../devices/camera/picture-habits.ts';
 import { seeingSession, type Seen } from '../../devices/camera/seeing-session.ts';
-import { usePictures, type TakenPicture } from '../../devices/camera/usePictures.ts';
+import type { TakenPicture } from '../../devices/camera/usePictures.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
-import { useCameraRelease } from '../pictures/use-camera-release.ts';
+import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import { SEEING_COMPONENTS, SEEING_DEVICE } from './seeing-topics.ts';
 import { useClockError } from './use-clock-error.ts';
 import { useDetector } from './use-detector.ts';
@@ -23,8 +22,6 @@ const HOLD_MS = 3000;
 const FIGURES_MS = 1000;
 const WANTED_HZ = 30;
 const MAX_MODULE_HZ = 120;
-/** An image file changes when another one is chosen. */
-const PHOTO_HZ = 2;
 /** Pictures whose encoding time is remembered until their result comes. */
 const MAX_UNDERWAY = 64;
 
@@ -33,7 +30,7 @@ export type Found = ReadonlyMap<Seen, TopicRecord>;
 
 /** Looks at the pictures of a source with a session of this page. */
 export function useObjectDetection(sources: PictureSources) {
-  const { client, isConnected, name } = useConnection();
+  const { client, name } = useConnection();
   const isOn = shallowRef(false);
   const place = shallowRef<ModulePlace>('tab');
   const threshold = shallowRef(0.4);
@@ -45,7 +42,6 @@ export function useObjectDetection(sources: PictureSources) {
     encoding: 'JPEG',
     quality: 0.8,
   });
-  const habits = usePictureHabits();
 
   const found = shallowRef<Found>(new Map());
   const belowThreshold = shallowRef<TopicRecord>();
@@ -115,27 +111,14 @@ export function useObjectDetection(sources: PictureSources) {
   });
   detector.publishOn(device);
   const clocks = useClockError(place, isOn);
-  const isOwn = computed(() => sources.kind.value !== 'topic');
-  const image = computed(() => {
-    if (!device.isRegistered.value) return undefined;
-    return isOwn.value ? device.topicOf('image') : sources.topic.value || undefined;
-  });
-
-  const measures = usePictures({
-    source: () => sources.source(),
-    isWanted: () =>
-      isOn.value &&
-      isOwn.value &&
-      isConnected.value &&
-      device.isRegistered.value &&
-      sources.element.value !== undefined,
+  const { isOwn, image, habits, measures } = useSentPictures({
+    sources,
+    isOn,
     settings,
-    habits: () => habits.value,
-    // A photograph is looked at as often as it is sent, and by what looks for bodies and hands alone nobody knows.
-    resultHz: () =>
-      sources.kind.value !== 'photo' && looksFor.objects
-        ? results.rateHz(performance.now())
-        : undefined,
+    isRegistered: device.isRegistered,
+    ownTopic: () => device.topicOf('image'),
+    // Only the results for objects are counted.
+    resultHz: () => (looksFor.objects ? results.rateHz(performance.now()) : undefined),
     publish(picture, { ageMs, captureMs, encodeMs, expiryMs }) {
       const takenMs = client.masterTime.nowMs() - ageMs;
       made.set(Math.round(takenMs), { captureMs, encodeMs });
@@ -144,7 +127,6 @@ export function useObjectDetection(sources: PictureSources) {
     },
     end: () => device.end('image'),
   });
-  useCameraRelease(sources, isOn);
 
   const session = usePageSession(
     () => {
@@ -185,10 +167,6 @@ export function useObjectDetection(sources: PictureSources) {
     [threshold, device.isRegistered],
     ([value, isKnown]) => isKnown && device.publish('threshold', value),
     { immediate: true },
-  );
-  watch(
-    () => sources.kind.value,
-    (kind) => (settings.rateHz = kind === 'photo' ? PHOTO_HZ : WANTED_HZ),
   );
   watch([place, () => sources.kind.value, isOn], () => {
     times.clear();
