@@ -101,6 +101,10 @@ export function useCalibration(sources: PictureSources) {
     corners,
     result,
     isOn,
+    /** Topic of the pictures while they are sent. */
+    sentTopic: computed(() =>
+      isOn.value && device.isRegistered.value ? device.topicOf('image') : undefined,
+    ),
     isSaved,
     /** Of the camera that is on, from another time. */
     saved: computed(() => {
