@@ -130,6 +130,7 @@ test('the address of a session that is gone says so, and what can be done', asyn
   await ben.page.goto('/sessions');
   await new SessionsPage(ben).choose('Placed', 'Delete');
   await expect(anna.page.getByText('The master no longer has this session')).toBeVisible();
+  await expect(anna.life).toContainText('Not started');
   await anna.page.getByRole('button', { name: 'Save again' }).click();
   await expect(new SessionsPage(ben).link('Placed')).toHaveAttribute('href', `/sessions/${id}`);
   await expect(anna.page.getByText('The master no longer has this session')).toBeHidden();

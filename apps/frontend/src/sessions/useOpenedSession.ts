@@ -3,6 +3,7 @@ import { ServiceError, type Session } from '@ubii/proto';
 import { computed, shallowRef, toValue, watch, type ComputedRef, type MaybeRefOrGetter } from 'vue';
 import { useConnection } from '../connection/useConnection.ts';
 import { useSessionActions } from './actions/useSessionActions.ts';
+import { sessionAtRest } from './state/session-state.ts';
 
 /** The session of an address. */
 export interface OpenedSession {
@@ -77,9 +78,12 @@ export function useOpenedSession(
     { immediate: true },
   );
 
+  const isGone = computed(() => answer.value === 'gone');
   return {
-    session: computed(() => known.value),
-    isGone: computed(() => answer.value === 'gone'),
+    session: computed(() =>
+      isGone.value && known.value ? sessionAtRest(known.value) : known.value,
+    ),
+    isGone,
     failure: computed(() => (typeof answer.value === 'object' ? answer.value.failure : undefined)),
     openings: computed(() => openings.value),
   };

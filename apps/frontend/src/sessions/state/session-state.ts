@@ -74,3 +74,13 @@ export const ACTION_WORDS: Readonly<Record<LifeAction, string>> = {
   stop: 'Stop',
   restart: 'Restart',
 };
+
+/** The session as it is when the master does not have it any more: nothing of it runs. */
+export function sessionAtRest(session: Session): Session {
+  const { extension } = session;
+  return {
+    ...session,
+    status: SessionStatus.CREATED,
+    extension: extension && { ...extension, state: SESSION_CREATED, problems: [] },
+  };
+}
