@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { mount } from '@vue/test-utils';
-import { afterEach, beforeEach, expect, it } from 'vitest';
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick, useTemplateRef } from 'vue';
 import { useRoving } from './use-roving.ts';
 
@@ -51,17 +51,14 @@ it('keeps a Tab stop while items come and go', async () => {
   wrapper.get('button').element.focus();
   press('ArrowDown');
   await wrapper.setProps({ names: ['c', 'd', 'b'] });
-  await new Promise((resolve) => setTimeout(resolve));
-  expect(stops()).toEqual(['b']);
+  await vi.waitFor(() => expect(stops()).toEqual(['b']));
   await wrapper.setProps({ names: ['d', 'c'] });
-  await new Promise((resolve) => setTimeout(resolve));
-  expect(stops()).toEqual(['d']);
+  await vi.waitFor(() => expect(stops()).toEqual(['d']));
 });
 
 it('starts at the first item, also when it comes later', async () => {
   await wrapper.setProps({ names: ['z', 'a', 'b'] });
-  await new Promise((resolve) => setTimeout(resolve));
-  expect(stops()).toEqual(['z']);
+  await vi.waitFor(() => expect(stops()).toEqual(['z']));
 });
 
 it('leaves keys to fields beside the items', () => {
