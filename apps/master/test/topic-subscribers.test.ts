@@ -28,7 +28,7 @@ async function createWorld() {
 }
 
 describe('subscribers of a topic', () => {
-  it('are told, each client once, however it subscribed [EX-95]', async () => {
+  it('are listed, each client once, however it subscribed [EX-95]', async () => {
     const { master, ada, ben, topic, ask, who } = await createWorld();
     expect(await who()).toEqual({ topic, count: 0, clientIds: [], modules: [] });
     await ben.subscribe({ subscribeTopics: [topic], subscribeTopicRegexp: ['image$'] });
@@ -43,7 +43,7 @@ describe('subscribers of a topic', () => {
     expect(await who()).toMatchObject({ count: 1, clientIds: [cleo.id] });
   });
 
-  it('are told with the modules that get it, by topic and by muxer [EX-97]', async () => {
+  it('are listed with the modules that get it, by topic and by muxer [EX-97]', async () => {
     const { master, ada, topic, who } = await createWorld();
     const start = async (name: string, input: object) => {
       const { session, error } = await ada.call({
@@ -94,7 +94,7 @@ describe('subscribers of a topic', () => {
     expect((await ask(ada, own)).elements![0]!.clientIds).toEqual([ben.id]);
   });
 
-  it('are told of at most 16 topics at once [EX-95]', async () => {
+  it('are listed for at most 16 topics at once [EX-95]', async () => {
     const { ada, ask } = await createWorld();
     const topics = Array.from({ length: 17 }, (_, i) => `/${i}`);
     expect((await ask(ada, ...topics)).error).toMatchObject({ code: 'invalid_argument' });

@@ -93,7 +93,7 @@ test('pictures of two cameras are seen by who is named, and none is left when th
     );
   });
 
-  await test.step('somebody who looks at a picture is named on the phone that sends it', async () => {
+  await test.step('a client that shows a picture is named on the phone that sends it', async () => {
     const anna = await room.atDesk('Anna');
     const [topic] = await topicsOf(program, 'Mara');
     await anna.page.goto(`/topics/${encodeURIComponent(topic!)}`);

@@ -93,7 +93,7 @@ test('an admin gets the model of a detector, cancels, and sees why it cannot be 
   });
 });
 
-test('somebody who is no admin is told who can get the model [EX-58]', async ({ browser }) => {
+test('a participant sees who can get the model [EX-58]', async ({ browser }) => {
   const master = await MasterProcess.start({ trustsLoopback: false });
   const page = await browser.newPage({ baseURL: master.url });
   try {

@@ -18,7 +18,7 @@ test('a device without a camera shows the built-in clip, and says so', async ({ 
 test('a camera that is refused says how to allow it in this browser', async ({ room }) => {
   const { page } = await room.atDesk('Anna');
   await page.goto(PATH);
-  // Nobody answers the question of a browser without a window: it refuses.
+  // A browser without a window refuses the camera, as its prompt cannot be answered.
   await page.evaluate(() => {
     navigator.mediaDevices.getUserMedia = () =>
       Promise.reject(new DOMException('Permission denied', 'NotAllowedError'));

@@ -11,7 +11,7 @@ const DOWNLOADING_MS = 400;
 /**
  * The asset sets of the master, kept up to date while the calling component lives. [EX-57]
  *
- * @param enabled false while nobody looks at them
+ * @param enabled false while they are not shown
  */
 export function useAssetSets(enabled: MaybeRefOrGetter<boolean> = true) {
   const { client, isConnected } = useConnection();

@@ -76,7 +76,7 @@ describe('models of a master [EX-57] [EX-58]', () => {
     });
   });
 
-  it('are downloaded once for all that ask at the same time, and progress is told', async () => {
+  it('are downloaded once for all that ask at the same time, and report progress', async () => {
     const { bucket, call, tiny, settled } = await setUp();
     let answer!: () => void;
     bucket.onRequest = () => new Promise((resolve) => (answer = resolve));

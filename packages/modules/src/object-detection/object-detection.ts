@@ -88,7 +88,7 @@ export const objectDetection = defineProcessingModule({
       const picture = await vision.readImage2D(image);
       decodedMs = performance.now();
       found = await choice.detect(picture, {
-        // What falls below the threshold is told, too; scores under 0.1 are noise.
+        // Detections below the threshold are an output, too; scores under 0.1 are noise.
         threshold: Math.min(0.1, threshold),
         maxObjects: number(inputs.maxObjects),
         classes: inputs.classes?.stringList.elements ?? [],

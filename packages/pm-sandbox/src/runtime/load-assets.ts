@@ -15,7 +15,7 @@ export interface AssetContext {
   readonly clock: Pick<Clock, 'monotonicMs'>;
 }
 
-/** What is told about loading. */
+/** Reports about loading. */
 type LoadingReports = Pick<InstanceReports, 'log' | 'noteLoading'>;
 
 /**

@@ -173,7 +173,7 @@ export function describeMistakes(create: (init: SandboxInit) => Promise<OpenSand
       expect(fault.line).toBe(onProcessing.split('\n').length - 1);
     });
 
-    it('members that are taken from nothing are told at their line', async () => {
+    it('members that are taken from nothing are reported at their line', async () => {
       const { run } = await create({
         onProcessing:
           '(dt, inputs) => {\n  if (!inputs.anchor) return;\n  const { x, y } = inputs.anchor.vector3;\n  return x + y;\n}',

@@ -2340,7 +2340,7 @@ export interface TopicStatisticsRequest {
 export interface TopicSubscribers {
   /** Which topic. */
   topic: string;
-  /** Clients that receive it, whoever asks included; the master counts as one when its own modules do. */
+  /** Clients that receive it, with the caller if it does; the master counts as one when its own modules do. */
   count: number;
   /** Their ids, that of the master for its own modules; empty when the caller may not list clients. */
   clientIds: string[];

@@ -47,7 +47,7 @@ export function assumedCalibration(
 /**
  * A calibration for pictures of another resolution.
  *
- * @throws RangeError when the sides have another ratio: cameras crop then, and nobody knows where
+ * @throws RangeError when the sides have another ratio: cameras crop then, at an unknown place
  */
 export function calibrationFor(
   calibration: CameraCalibration,

@@ -17,7 +17,7 @@ interface Seen {
 /** Poses of the markers of the picture before: which of two solutions goes on, and smoothing. */
 export class PoseMemory {
   #before = new Map<string, Seen>();
-  /** Undefined for a marker that is there twice: nobody can tell which was which. */
+  /** Undefined for a marker that is there twice: which was which is unknown. */
   #now = new Map<string, Seen | undefined>();
 
   /** Begins a picture. @param sinceMs since the picture before */

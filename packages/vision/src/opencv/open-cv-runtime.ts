@@ -76,7 +76,7 @@ export class OpenCvRuntime {
         reject(new OpenCvError(`OpenCV cannot start: ${text}.`));
       };
       const cv = this.#factory({
-        // Emscripten's own way would leave a rejected promise behind that nobody handles
+        // Emscripten's own way would leave an unhandled rejection behind
         instantiateWasm: (imports, receive) => {
           const source = WebAssembly.instantiate(this.#wasm.slice(), imports);
           source.then(({ instance }) => receive(instance)).catch(fail);

@@ -11,7 +11,7 @@ export interface PictureSource {
   readonly element: CanvasImageSource;
   readonly width: number;
   readonly height: number;
-  /** When the picture was taken, on the clock of `performance.now()`; `undefined` where nobody tells. */
+  /** When the picture was taken, on the clock of `performance.now()`; `undefined` where the browser does not say. */
   readonly takenMs?: number | undefined;
 }
 

@@ -10,7 +10,7 @@ export interface SeenThing {
   readonly isBelow: boolean;
 }
 
-/** What falls below the threshold is told from this score, and of these only so many. */
+/** Lowest score of things below the threshold that are listed, and the most of them. */
 const LEAST_SCORE = 0.2;
 const MAX_BELOW = 4;
 

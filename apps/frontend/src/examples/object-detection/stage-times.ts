@@ -20,7 +20,7 @@ export interface StageSummary {
 
 interface Sample {
   readonly atMs: number;
-  /** `undefined` for what nobody measured. */
+  /** `undefined` where it was not measured. */
   readonly parts: readonly (number | undefined)[];
   readonly totalMs: number;
 }

@@ -13,7 +13,7 @@ export interface ModuleLoading {
   readonly leftMs: number | undefined;
 }
 
-/** What a set needs to be observed for before its pace is told, milliseconds. */
+/** How long a set is observed before its pace is shown, milliseconds. */
 const LEAST_MS = 500;
 
 /** What a module loads now; `undefined` when nothing. */

@@ -36,7 +36,7 @@ export class StoredAssetSets implements AssetSets {
 
   constructor(options: StoredAssetSetsOptions) {
     this.#options = options;
-    // Nobody has to wait for it: they are never looked at.
+    // Not awaited: leftovers are never read.
     for (const { name } of options.models)
       void removeLeftovers(options.folder, name).catch(() => {});
   }

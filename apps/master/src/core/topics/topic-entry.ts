@@ -36,7 +36,7 @@ export class TopicEntry {
   isKept = false;
   /** Sequence of the record that the search for expired values saw here last [TD-47]. */
   seenSequence = 0;
-  /** When that record expires, monotonic milliseconds; `undefined` while nobody had to know. */
+  /** When that record expires, monotonic milliseconds; `undefined` until a sweep computes it. */
   expiresMs: number | undefined = undefined;
   owner: TopicOwner | undefined = undefined;
   /** The account that this topic and its retained record count for [AC-80]. */

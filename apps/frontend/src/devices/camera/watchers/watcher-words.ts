@@ -14,7 +14,7 @@ const MAX_NAMES = 2;
 /** Who receives the pictures besides this page, in one sentence. */
 export function watcherSentence(subscribers: TopicSubscribers, names: WatcherNames): string {
   const { clientIds, count } = subscribers;
-  // Players are told a number alone. [EX-96]
+  // Players get a number alone. [EX-96]
   if (clientIds.length === 0) return sentenceOf([], count);
   const others = watcherNames(subscribers, names);
   const named = others.length <= MAX_NAMES + 1 ? others : others.slice(0, MAX_NAMES);
