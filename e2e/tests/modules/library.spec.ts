@@ -107,7 +107,7 @@ test('a tab that was let run modules still does after a reload [PM-60]', async (
   const anna = await room.atDesk('Anna');
   const session = new SessionPage(anna);
   await new SessionsPage(anna).open();
-  await new SessionsPage(anna).startExample('smoothing-chain');
+  await new SessionsPage(anna).startExample('Smoothing chain');
   await session.place('clock', /^Ben/);
   await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
   await new Shell(ben.page).go('Home');

@@ -8,8 +8,8 @@ test('somebody who has no session starts an example, and sees what flows', async
   const sessions = new SessionsPage(anna);
   const session = new SessionPage(anna);
   await sessions.open();
-  await sessions.startExample('smoothing-chain');
-  await expect(session.heading).toHaveText('smoothing-chain');
+  await sessions.startExample('Smoothing chain');
+  await expect(session.heading).toHaveText('Smoothing chain');
   await session.expectState('Running');
   await expect(session.fact('clock', 'Runs/s')).toHaveText(/^[1-9]/);
   await expect(session.fact('clock', 'p95')).toHaveText(/ms$/);
@@ -26,7 +26,7 @@ test('somebody who has no session starts an example, and sees what flows', async
     await expect(anna.page.getByRole('heading', { level: 1 })).toContainText(
       'One session is running',
     );
-    await expect(sessions.row('smoothing-chain')).toContainText('Running');
+    await expect(sessions.row('Smoothing chain')).toContainText('Running');
   });
 });
 
@@ -38,17 +38,17 @@ test('a session is paused, resumed, stopped and started again, and others see it
   const list = new SessionsPage(ben);
   await list.open();
   await new SessionsPage(anna).open();
-  await new SessionsPage(anna).startExample('smoothing-chain');
+  await new SessionsPage(anna).startExample('Smoothing chain');
   const session = new SessionPage(anna);
   await session.expectState('Running');
-  const row = list.row('smoothing-chain');
+  const row = list.row('Smoothing chain');
   await expect(row).toContainText('Running');
   await expect(row).toContainText(/runs\/s/);
 
   await session.act('Pause');
   await session.expectState('Paused');
   await expect(row).toContainText('Paused');
-  await row.getByRole('button', { name: 'Resume smoothing-chain' }).click();
+  await row.getByRole('button', { name: 'Resume Smoothing chain' }).click();
   await session.expectState('Running');
   await session.act('Stop');
   await session.expectState('Stopped');
@@ -65,7 +65,7 @@ test('a session is found, renamed, duplicated, deleted and brought back', async 
   const sessions = new SessionsPage(anna);
   const session = new SessionPage(anna);
   await sessions.open();
-  await sessions.startExample('smoothing-chain');
+  await sessions.startExample('Smoothing chain');
   await session.expectState('Running');
 
   await session.choose('Rename');
@@ -97,14 +97,14 @@ test('sessions are handled with the keyboard alone', async ({ room }) => {
   const { page } = await room.atDesk('Anna');
   const sessions = new SessionsPage({ page });
   await sessions.open();
-  await sessions.startExample('smoothing-chain');
+  await sessions.startExample('Smoothing chain');
   await new SessionPage({ page }).expectState('Running');
   await page.keyboard.press('g');
   await page.keyboard.press('n');
   await expect(page).toHaveURL(/\/sessions$/);
-  await sessions.link('smoothing-chain').focus();
+  await sessions.link('Smoothing chain').focus();
   await page.keyboard.press('Space');
-  await expect(sessions.row('smoothing-chain')).toContainText('Paused');
+  await expect(sessions.row('Smoothing chain')).toContainText('Paused');
   await page.keyboard.press('F2');
   await page.getByRole('dialog').getByRole('textbox').fill('Renamed');
   await page.keyboard.press('Enter');
@@ -122,7 +122,7 @@ test('a session that was started here runs again after a restart of the master [
   const sessions = new SessionsPage(anna);
   const session = new SessionPage(anna);
   await sessions.open();
-  await sessions.startExample('smoothing-chain');
+  await sessions.startExample('Smoothing chain');
   await session.expectState('Running');
   const again = anna.page.getByRole('switch', { name: /^Resume when the master restarts/ });
   await expect(again).toBeChecked();
@@ -143,7 +143,7 @@ test('a session that was made here is there after a restart of the master, and o
   const sessions = new SessionsPage(anna);
   const session = new SessionPage(anna);
   await sessions.open();
-  await sessions.startExample('smoothing-chain');
+  await sessions.startExample('Smoothing chain');
   await session.expectState('Running');
   const again = anna.page.getByRole('switch', { name: /^Resume when the master restarts/ });
   await again.click();
@@ -153,15 +153,15 @@ test('a session that was made here is there after a restart of the master, and o
   await master.stop();
   await expect(new Shell(anna.page).disconnectedStrip).toBeVisible();
   await master.startAgain();
-  await expect(sessions.row('smoothing-chain')).toContainText('Stopped');
-  await sessions.link('smoothing-chain').click();
-  await expect(session.heading).toHaveText('smoothing-chain');
+  await expect(sessions.row('Smoothing chain')).toContainText('Stopped');
+  await sessions.link('Smoothing chain').click();
+  await expect(session.heading).toHaveText('Smoothing chain');
   await session.act('Start');
   await session.expectState('Running');
 
   await test.step('deleted, it is gone for good', async () => {
     await session.choose('Delete');
     await expect(anna.page).toHaveURL(/\/sessions$/);
-    await expect(anna.page.getByRole('button', { name: 'Start smoothing-chain' })).toBeVisible();
+    await expect(anna.page.getByRole('button', { name: 'Start Smoothing chain' })).toBeVisible();
   });
 });

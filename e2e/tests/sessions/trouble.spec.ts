@@ -80,7 +80,7 @@ test('a module is moved to somebody’s tab, and back when the tab is gone [SE-3
 
   const session = new SessionPage(anna);
   await new SessionsPage(anna).open();
-  await new SessionsPage(anna).startExample('smoothing-chain');
+  await new SessionsPage(anna).startExample('Smoothing chain');
   await session.expectState('Running');
   await session.place('clock', /^Ben/);
   await expect(ben.page.getByRole('status').filter({ hasText: 'Runs 1 module' })).toBeVisible();
@@ -98,7 +98,7 @@ test('“This tab” can be chosen at once: it is turned on by that', async ({ r
   const anna = await room.atDesk('Anna');
   const session = new SessionPage(anna);
   await new SessionsPage(anna).open();
-  await new SessionsPage(anna).startExample('smoothing-chain');
+  await new SessionsPage(anna).startExample('Smoothing chain');
   await session.expectState('Running');
   await session.place('statistics', /^This tab/);
   await expect(anna.page.getByRole('banner')).toContainText('1 here');

@@ -3,6 +3,6 @@ import { writeFileSync } from 'node:fs';
 import { EXAMPLE_SESSIONS } from '../src/index.ts';
 import { sessionFile } from './session-file.ts';
 
-for (const [name, session] of Object.entries(EXAMPLE_SESSIONS)) {
-  writeFileSync(new URL(`../sessions/${name}.session`, import.meta.url), sessionFile(session));
+for (const [id, session] of Object.entries(EXAMPLE_SESSIONS)) {
+  writeFileSync(new URL(`../sessions/${id}.session`, import.meta.url), sessionFile(session));
 }

@@ -2,7 +2,7 @@ import type { Init, Session } from '@ubii/proto';
 
 /** Shows events instead of a stream: the module runs only when an event arrives, and keeps its count as state. */
 export const clickCounterSession = {
-  name: 'click-counter',
+  name: 'Click counter',
   description: 'Counts pointer presses; the Escape key sets the count to 0.',
   tags: ['example'],
   processingModules: [{ name: 'counter' }],

@@ -17,8 +17,8 @@ import { smoothingChainSession } from './smoothing-chain-session.ts';
 import { touchProximitySession } from './touch-proximity-session.ts';
 
 /**
- * Example sessions by name. They only name their modules; the master adds the definitions. [SE-1]
- * `sessions/<name>.session` has the same session as JSON.
+ * Example sessions by id; the name of each is its title. They only name their modules; the master adds the definitions. [SE-1]
+ * `sessions/<id>.session` has the same session as JSON.
  */
 export const EXAMPLE_SESSIONS: {
   readonly 'sine-wave': Init<Session>;

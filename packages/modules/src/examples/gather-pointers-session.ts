@@ -5,7 +5,7 @@ import { UUID_PATTERN, type Init, type Session } from '@ubii/proto';
  * near one another. The muxer includes clients that join later.
  */
 export const gatherPointersSession = {
-  name: 'gather-pointers',
+  name: 'Gather pointers',
   description: 'Collects the pointers of all clients, and counts those that are near one another.',
   tags: ['example'],
   processingModules: [{ name: 'touch-proximity' }],

@@ -2,7 +2,7 @@ import type { Init, Session } from '@ubii/proto';
 
 /** A noisy wave crosses a threshold. With hysteresis, each crossing causes only one event. */
 export const hysteresisSession = {
-  name: 'hysteresis',
+  name: 'Threshold with hysteresis',
   description:
     'Converts a noisy wave to events: when it rises to 0.2, and when it falls below −0.2.',
   tags: ['example'],

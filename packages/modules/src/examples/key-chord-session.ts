@@ -2,7 +2,7 @@ import type { Init, Session } from '@ubii/proto';
 
 /** Converts key events to a text, with a module that stores the keys that are held. */
 export const keyChordSession = {
-  name: 'key-chord',
+  name: 'Keys to text',
   description: 'Joins the keys that are held down into one text.',
   tags: ['example'],
   processingModules: [{ name: 'key-chord' }],

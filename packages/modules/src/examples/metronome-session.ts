@@ -5,7 +5,7 @@ import type { Init, Session } from '@ubii/proto';
  * other one runs in the lockstep passes of the session. The difference of their times is the drift.
  */
 export const metronomeSession = {
-  name: 'metronome',
+  name: 'Metronome and drift',
   description:
     'Ticks at 2 Hz, and compares the time of a frequency module with that of a lockstep module.',
   tags: ['example'],

@@ -5,7 +5,7 @@ import type { Init, Session } from '@ubii/proto';
  * two switches.
  */
 export const mirrorPointerSession = {
-  name: 'mirror-pointer',
+  name: 'Mirror a pointer',
   description: 'Mirrors the position of one topic and publishes it on another topic.',
   tags: ['example'],
   processingModules: [{ name: 'mirror-pointer' }],

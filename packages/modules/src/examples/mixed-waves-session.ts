@@ -2,7 +2,7 @@ import type { Init, Session } from '@ubii/proto';
 
 /** Two instances of one module with different constants, and a module that adds their waves. */
 export const mixedWavesSession = {
-  name: 'mixed-waves',
+  name: 'Two waves, mixed',
   description: 'Adds two waves of different frequencies.',
   tags: ['example'],
   processingModules: [

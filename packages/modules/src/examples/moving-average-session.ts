@@ -2,7 +2,7 @@ import type { Init, Session } from '@ubii/proto';
 
 /** Computes the mean of noise over the last second: a source, a mixer, and statistics with a time window. */
 export const movingAverageSession = {
-  name: 'moving-average',
+  name: 'Moving average',
   description: 'Computes the mean of a noisy random walk over the last second.',
   tags: ['example'],
   processingModules: [

@@ -2,7 +2,7 @@ import type { Init, Session } from '@ubii/proto';
 
 /** Images are records as all values: one module generates images, another one detects their edges. */
 export const pictureEdgesSession = {
-  name: 'picture-edges',
+  name: 'Edges of a picture',
   description: 'Generates an image, converts it to greyscale, and detects its edges.',
   tags: ['example'],
   processingModules: [{ name: 'test-picture' }, { name: 'picture-edges' }],

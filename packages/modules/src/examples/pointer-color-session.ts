@@ -2,7 +2,7 @@ import type { Init, Session } from '@ubii/proto';
 
 /** Converts between data formats: a vector to a colour, each time it changes. */
 export const pointerColorSession = {
-  name: 'pointer-color',
+  name: 'Pointer to colour',
   description: 'Converts a position to a colour: hue from x, lightness from y.',
   tags: ['example'],
   processingModules: [{ name: 'position-color' }],

@@ -2,7 +2,7 @@ import type { Init, Session } from '@ubii/proto';
 
 /** Computes the speed of a position. Runs at a frequency, so that the speed of a resting pointer is 0. */
 export const pointerSpeedSession = {
-  name: 'pointer-speed',
+  name: 'Pointer speed',
   description: 'Computes the velocity and the speed of a position.',
   tags: ['example'],
   processingModules: [{ name: 'speed-vector2', processingMode: { frequency: { hertz: 30 } } }],

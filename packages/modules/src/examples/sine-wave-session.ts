@@ -2,7 +2,7 @@ import type { Init, Session } from '@ubii/proto';
 
 /** The smallest session without inputs: one module that runs at a frequency and generates a wave. */
 export const sineWaveSession = {
-  name: 'sine-wave',
+  name: 'Sine wave',
   description: 'Generates a sine wave of 0.5 Hz with 60 values per second.',
   tags: ['example'],
   processingModules: [{ name: 'clock', processingMode: { frequency: { hertz: 60 } } }],

@@ -5,7 +5,7 @@ import type { Init, Session } from '@ubii/proto';
  * the topic of a pointer.
  */
 export const smoothPointerSession = {
-  name: 'smooth-pointer',
+  name: 'Smooth a pointer',
   description:
     'Smooths the position of one topic with a 1€ filter and publishes it on another topic.',
   tags: ['example'],

@@ -5,7 +5,7 @@ import type { Init, Session } from '@ubii/proto';
  * the last module computes its statistics. It has no inputs, so that it runs everywhere.
  */
 export const smoothingChainSession = {
-  name: 'smoothing-chain',
+  name: 'Smoothing chain',
   description:
     'Maps a square wave to 0 to 100, smooths it with a 1€ filter, and computes statistics.',
   tags: ['example'],

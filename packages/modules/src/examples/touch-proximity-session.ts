@@ -5,7 +5,7 @@ import { UUID_PATTERN, type Init, type Session } from '@ubii/proto';
  * part, and phones that are touched near one another vibrate.
  */
 export const touchProximitySession = {
-  name: 'touch-proximity',
+  name: 'Touch proximity',
   description: 'Makes phones vibrate that are touched at nearly the same position.',
   tags: ['example'],
   processingModules: [{ name: 'touch-proximity' }],

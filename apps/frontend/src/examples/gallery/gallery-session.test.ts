@@ -18,9 +18,10 @@ const topicsOf = ({ ioMappings }: Session): string[] =>
   ioMappings.flatMap(({ inputMappings }) => inputMappings.flatMap(({ topic }) => topic || []));
 
 describe('the gallery', () => {
-  it('has twelve sessions, each once, with a sentence and what it shows', () => {
+  it('has twelve sessions, each once, with its name, a sentence and what it shows', () => {
     expect(new Set(GALLERY.map(({ id }) => id)).size).toBe(12);
-    for (const { sentence, shows } of GALLERY) {
+    for (const { id, title, sentence, shows } of GALLERY) {
+      expect(EXAMPLE_SESSIONS[id].name).toBe(title);
       expect(sentence).toMatch(/^[A-Z].*\.$/);
       expect(shows.length).toBeGreaterThan(0);
     }

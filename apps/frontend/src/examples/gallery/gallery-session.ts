@@ -5,7 +5,7 @@ import { inputTopic } from './inputs/page-device.ts';
 
 const tagOf = ({ id }: Pick<GalleryEntry, 'id'>): string => `example:${id}`;
 
-/** Returns the session of an example with a title, a tag to find it again, and the inputs of a client. */
+/** Returns the session of an example with a tag to find it again and the inputs of a client. */
 export function gallerySession(
   entry: GalleryEntry,
   spec: Init<Session>,
@@ -16,7 +16,6 @@ export function gallerySession(
   );
   return {
     ...spec,
-    name: entry.title,
     description: entry.sentence,
     tags: [...(spec.tags ?? []), tagOf(entry)],
     ioMappings: (spec.ioMappings ?? []).map((mapping) => ({

@@ -14,7 +14,7 @@ export const DEFAULT_DISTANCE = 0.1;
 export const HYSTERESIS = 0.02;
 
 /** Name of the shared session. */
-export const PROXIMITY_SESSION = 'touch-proximity';
+export const PROXIMITY_SESSION = 'Touch proximity';
 
 /** Returns the topic that tells a phone whether another touch is near. */
 export function nearTopic(clientId: string): string {

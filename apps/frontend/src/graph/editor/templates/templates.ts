@@ -3,7 +3,7 @@ import type { Init, Session } from '@ubii/proto';
 
 /** A session to start from. */
 export interface Template {
-  /** Its name among the example sessions. */
+  /** Its key among the example sessions. */
   readonly id: keyof typeof EXAMPLE_SESSIONS;
   /** What it does, two or three words. */
   readonly title: string;
@@ -21,12 +21,11 @@ export interface Template {
 
 const template = (
   id: Template['id'],
-  title: string,
   sentence: string,
   { pointerTopic, needsPointer = pointerTopic !== undefined }: Partial<Template> = {},
 ): Template => ({
   id,
-  title,
+  title: EXAMPLE_SESSIONS[id].name ?? id,
   sentence,
   session: EXAMPLE_SESSIONS[id],
   pointerTopic,
@@ -35,19 +34,14 @@ const template = (
 
 /** Simple ones first. */
 export const TEMPLATES: readonly Template[] = [
-  template('smooth-pointer', 'Smooth a pointer', 'A 1€ filter removes the jitter of a pointer.', {
+  template('smooth-pointer', 'A 1€ filter removes the jitter of a pointer.', {
     pointerTopic: '/examples/smooth-pointer/pointer',
   }),
-  template(
-    'mirror-pointer',
-    'Mirror a pointer',
-    'Mirrors a pointer in x or y, as two switches select.',
-    {
-      pointerTopic: '/examples/mirror-pointer/pointer',
-    },
-  ),
-  template('gather-pointers', 'Gather pointers', 'A muxer collects the pointers of all clients.', {
+  template('mirror-pointer', 'Mirrors a pointer in x or y, as two switches select.', {
+    pointerTopic: '/examples/mirror-pointer/pointer',
+  }),
+  template('gather-pointers', 'A muxer collects the pointers of all clients.', {
     needsPointer: true,
   }),
-  template('smoothing-chain', 'Smoothing chain', 'Four modules in a row, without inputs.'),
+  template('smoothing-chain', 'Four modules in a row, without inputs.'),
 ];
