@@ -150,8 +150,8 @@ test('a module is written, tried, saved, used by a session, changed under it and
     await editor.typeAfter('const factor', ' for (;;) {}');
     await editor.step();
     await expect(editor.tryIt.getByRole('alert')).toContainText('longer than');
-    await expect(editor.tryIt.getByRole('alert')).toContainText('Line 3');
-    await expect(editor.problems.getByRole('button')).toContainText(['3:']);
+    await expect(editor.tryIt.getByRole('alert')).toContainText('Line 4');
+    await expect(editor.problems.getByRole('button')).toContainText(['4:']);
   });
 
   await test.step('what does not parse is not saved, and says where', async () => {

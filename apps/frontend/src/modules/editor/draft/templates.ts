@@ -43,7 +43,9 @@ export const TEMPLATES: readonly ModuleTemplate[] = [
       inputs: [io('value', 'double')],
       outputs: [io('result', 'double')],
       code: `onProcessing = (deltaTimeMs, inputs, state) => {
+  // The latest record of each input; an input without a record is undefined.
   if (!inputs.value) return;
+  // A record for each output. What is stored in state stays for the next run.
   return { outputs: { result: { double: inputs.value.double } } };
 };
 `,
