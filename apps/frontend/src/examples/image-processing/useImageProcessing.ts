@@ -18,6 +18,8 @@ import {
 } from './processing-session.ts';
 
 const FIRST_MODULE = 'image-tools';
+/** In grey, so that one sees at once that the module did something; its own defaults change nothing. */
+const FIRST_PARAMETERS: ReadonlyMap<string, string> = new Map([['format', '{"string":"GRAY8"}']]);
 const SETTINGS: PictureSettings = { width: 480, rateHz: 10, encoding: 'RGB8', quality: 0.8 };
 
 /** One output and its newest value. */
@@ -36,7 +38,9 @@ export function useImageProcessing(sources: PictureSources) {
   const place = shallowRef<ModulePlace>('tab');
   const moduleName = shallowRef(FIRST_MODULE);
   /** By module and parameter. */
-  const set = shallowRef<ReadonlyMap<string, ReadonlyMap<string, string>>>(new Map());
+  const set = shallowRef<ReadonlyMap<string, ReadonlyMap<string, string>>>(
+    new Map([[FIRST_MODULE, FIRST_PARAMETERS]]),
+  );
   const settings = reactive<PictureSettings>({ ...SETTINGS });
 
   const modules = computed(() =>
