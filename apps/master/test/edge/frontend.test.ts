@@ -24,7 +24,7 @@ function builtFrontend(): string {
 }
 
 describe('the frontend', () => {
-  it.each(['/', '/topics', '/topics/a/b', '/clients?x=1'])(
+  it.each(['/', '/topics', '/topics/a/b', '/clients?x=1', '/services'])(
     'is one document for %s',
     async (path) => {
       const { port } = await startEdgeMaster({ frontendFolder: builtFrontend() });

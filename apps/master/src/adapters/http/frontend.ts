@@ -46,13 +46,16 @@ function policyOf(name: string): string {
   return worker?.csp ?? CONTENT_SECURITY_POLICY;
 }
 
-/** Browsers ask for a page with `text/html`; what has an extension is a file. */
+/**
+ * Browsers ask for a page with `text/html`; what has an extension is a file. `/services` alone is what people type who
+ * look for the page of the services; below it, clients call them.
+ */
 function isPageRequest({ method, headers, url }: FastifyRequest): boolean {
   const path = pathOf(url);
   return (
     (method === 'GET' || method === 'HEAD') &&
     (headers.accept ?? '').includes('text/html') &&
-    !/^\/(services|topicdata)(\/|$)/.test(path) &&
+    !/^\/(services\/|topicdata(\/|$))/.test(path) &&
     !/\.[a-z0-9]+$/i.test(path)
   );
 }
