@@ -63,6 +63,13 @@ test('a phone in the page is touched and its values are read', async ({ room }) 
   await expect(
     page.getByRole('navigation', { name: 'Contents' }).getByRole('link', { name: /, done/ }),
   ).toContainText('See a phone live');
+
+  await test.step('a phone that is there already needs no other', async () => {
+    await page.getByRole('button', { name: 'Close the last phone' }).click();
+    const tom = await room.withPhone('Tom');
+    await tom.page.goto('/devices/smart-device');
+    await expect(page.getByText('Tom is connected. Use that phone')).toBeVisible();
+  });
 });
 
 test('two topics are wired with a mouse, and the answer can be undone', async ({ room }) => {

@@ -110,6 +110,10 @@ test('where no phone can reach the master, a phone opens in this browser', async
   await dialog.getByRole('button', { name: 'Open a phone in this browser' }).click();
   const phone = await opened;
   await expect(phone).toHaveURL(/\/devices\/smart-device$/);
+  await test.step('the dialog says who joined', async () => {
+    await expect(dialog.getByText('Ben 2 joined')).toBeVisible();
+    await expect(dialog.getByText('Ben joined')).toHaveCount(0);
+  });
   await page.keyboard.press('Escape');
   await expect(dialog).toBeHidden();
 
