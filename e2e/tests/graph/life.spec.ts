@@ -114,6 +114,16 @@ test('a session is renamed, copied, saved as another one, opened, deleted and br
     await expect(anna.life).not.toContainText('Save');
   });
 
+  await test.step('who clicks elsewhere has renamed, and goes on there', async () => {
+    await anna.title.click();
+    await anna.page.getByRole('textbox', { name: 'Name of the session' }).fill('Third');
+    const filter = anna.palette.getByRole('searchbox');
+    await filter.click();
+    await expect(anna.title).toHaveText('Third');
+    await expect(filter).toBeFocused();
+    await anna.rename('First');
+  });
+
   await test.step('a copy takes along what is not saved', async () => {
     await anna.drag(anna.paletteModule('statistics'), await anna.spot(0.6, 0.2));
     await expect(anna.node('Module statistics')).toBeVisible();
