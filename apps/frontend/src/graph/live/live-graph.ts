@@ -17,6 +17,8 @@ import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.t
 import { isWatched } from '../../sessions/state/session-state.ts';
 import { usePatterns } from '../../patterns/usePatterns.ts';
 import { RowValues } from '../../topics/rows/row-values.ts';
+import { isPublisherAway } from '../../topics/tree/publisher.ts';
+import { useFindPublisher } from '../../topics/useFindPublisher.ts';
 import type { Graph } from '../model/graph.ts';
 import {
   muxPreview,
@@ -67,6 +69,7 @@ export function useLiveGraph(
   graph: Readonly<Ref<Graph>>,
 ): LiveGraph {
   const { client, topics } = useConnection();
+  const findPublisher = useFindPublisher();
   const patterns = usePatterns();
   topics.watch(STATISTICS_MS);
   const statistics = useSessionStatistics(session.value.id);
@@ -127,7 +130,8 @@ export function useLiveGraph(
       shown.delete(topic);
       return;
     }
-    const next = liveTopic(rate, values.get(topic), topics.masterTimeMs.value);
+    const isAway = isPublisherAway(topic, rate.statistic.publisherId, findPublisher);
+    const next = liveTopic(rate, values.get(topic), isAway, topics.masterTimeMs.value);
     const old = shown.get(topic);
     if (old === undefined || hasChanged(old, next)) shown.set(topic, next);
   }

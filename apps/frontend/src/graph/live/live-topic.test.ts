@@ -23,10 +23,20 @@ const rate = (publishedMs: number): TopicRate => ({
 
 describe('hasChanged', () => {
   it('reports the first publication, also of a record without a value', () => {
-    const before = liveTopic(rate(0), undefined, NOW_MS);
-    const after = liveTopic(rate(NOW_MS - 20), undefined, NOW_MS);
+    const before = liveTopic(rate(0), undefined, false, NOW_MS);
+    const after = liveTopic(rate(NOW_MS - 20), undefined, false, NOW_MS);
     expect(before.ageMs).toBeUndefined();
     expect(hasChanged(before, after)).toBe(true);
-    expect(hasChanged(after, liveTopic(rate(NOW_MS - 20), undefined, NOW_MS + 5))).toBe(false);
+    expect(hasChanged(after, liveTopic(rate(NOW_MS - 20), undefined, false, NOW_MS + 5))).toBe(
+      false,
+    );
+  });
+});
+
+describe('a value whose client has left', () => {
+  it('is as stale on the canvas as in the list of topics', () => {
+    const old = rate(NOW_MS - 6000);
+    expect(liveTopic(old, undefined, false, NOW_MS).isStale).toBe(false);
+    expect(liveTopic(old, undefined, true, NOW_MS).isStale).toBe(true);
   });
 });

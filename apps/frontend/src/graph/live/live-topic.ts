@@ -22,7 +22,12 @@ export interface LiveTopic {
 }
 
 /** @param nowMs of the master's clock, epoch milliseconds */
-export function liveTopic(rate: TopicRate, value: RowValue | undefined, nowMs: number): LiveTopic {
+export function liveTopic(
+  rate: TopicRate,
+  value: RowValue | undefined,
+  isPublisherAway: boolean,
+  nowMs: number,
+): LiveTopic {
   const { publishedMs, dataFormat, publisherId } = rate.statistic;
   return {
     hz: rate.hz,
@@ -30,7 +35,7 @@ export function liveTopic(rate: TopicRate, value: RowValue | undefined, nowMs: n
     record: value?.record,
     spark: value?.spark ?? NO_SPARK,
     ageMs: publishedMs === 0 ? undefined : Math.max(0, nowMs - publishedMs),
-    isStale: isStale(rate, false, nowMs),
+    isStale: isStale(rate, isPublisherAway, nowMs),
     droppedPerSecond: rate.droppedPerSecond ?? 0,
     format: dataFormat,
     publisherId,

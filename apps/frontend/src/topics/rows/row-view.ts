@@ -2,7 +2,7 @@ import { formatBytes } from '../../ui/readouts/format-bytes.ts';
 import { formatRate } from '../../ui/readouts/format-rate.ts';
 import { formatAge } from '../../ui/readouts/format-time.ts';
 import { NO_VALUE, type Readout } from '../../ui/readouts/readout.ts';
-import type { FindPublisher, Publisher } from '../tree/publisher.ts';
+import { isPublisherAway, type FindPublisher, type Publisher } from '../tree/publisher.ts';
 import type { TopicNode } from '../tree/topic-node.ts';
 import { rootLabel } from '../tree/topic-path.ts';
 import { isStale } from './staleness.ts';
@@ -49,11 +49,10 @@ export function rowView(node: TopicNode, findPublisher: FindPublisher, nowMs: nu
 
 /** A topic by its own habit; a branch only when its client is away. */
 function isNodeStale(node: TopicNode, findPublisher: FindPublisher, nowMs: number): boolean {
-  const isRootAway = findPublisher(rootLabel(node.key))?.isAway ?? false;
   if (node.rate === undefined || node.isBranch) {
+    const isRootAway = findPublisher(rootLabel(node.key))?.isAway === true;
     return isRootAway && node.publishedMs > 0 && nowMs - node.publishedMs > 5000;
   }
   const { publisherId } = node.rate.statistic;
-  const isAway = isRootAway || (findPublisher(publisherId)?.isAway ?? false);
-  return isStale(node.rate, isAway, nowMs);
+  return isStale(node.rate, isPublisherAway(node.key, publisherId, findPublisher), nowMs);
 }

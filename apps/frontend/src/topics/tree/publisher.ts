@@ -1,3 +1,5 @@
+import { rootLabel } from './topic-path.ts';
+
 /** What the tree needs to know of a client. */
 export interface Publisher {
   readonly name: string;
@@ -7,3 +9,12 @@ export interface Publisher {
 
 /** Finds a client by its id. */
 export type FindPublisher = (clientId: string) => Publisher | undefined;
+
+/** Whether nobody is left who publishes a topic: its client, or whoever published on it last, is away. */
+export function isPublisherAway(
+  topic: string,
+  publisherId: string,
+  findPublisher: FindPublisher,
+): boolean {
+  return [rootLabel(topic), publisherId].some((id) => findPublisher(id)?.isAway);
+}
