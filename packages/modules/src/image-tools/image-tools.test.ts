@@ -16,6 +16,8 @@ const run = async (image: unknown, parameters: object = {}) =>
     motion?: number;
     changed?: number;
     histogram?: DoubleList;
+    decodeMs?: number;
+    durationMs?: number;
     error?: string;
   };
 /** Left half black, right half of this brightness. */
@@ -45,9 +47,11 @@ describe('image-tools', () => {
 
   it('reads a JPEG file', async () => {
     const file = { width: 0, height: 0, dataFormat: 0, data: photoFile('coffee.jpg') };
-    const { image } = await run(file, { maxSide: 64, format: 'GRAY8' });
+    const { image, decodeMs, durationMs } = await run(file, { maxSide: 64, format: 'GRAY8' });
     expect(image).toMatchObject({ width: 64, dataFormat: 0 });
     expect(new Set(image!.data).size).toBeGreaterThan(20);
+    expect(decodeMs).toBeGreaterThan(0);
+    expect(durationMs).toBeGreaterThan(decodeMs!);
   });
 
   it('measures motion from the second image on', async () => {

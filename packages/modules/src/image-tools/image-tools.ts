@@ -15,7 +15,7 @@ export const imageTools = defineProcessingModule({
   description: 'Crops, scales, converts and measures images.',
   tags: ['image', 'vision', 'filter'],
   authors: ['Ubi-Interact'],
-  version: '1.0.0',
+  version: '1.1.0',
   assets: ['vision'],
   inputs: {
     image: 'image2D',
@@ -33,6 +33,8 @@ export const imageTools = defineProcessingModule({
     motion: 'double',
     changed: 'double',
     histogram: 'doubleList',
+    decodeMs: 'double',
+    durationMs: 'double',
     error: 'string',
   },
   mode: { triggerOnInput: {} },
@@ -57,6 +59,8 @@ export const imageTools = defineProcessingModule({
     const formats = ['GRAY8', 'RGB8', 'RGBA8'] as const;
     const wanted = inputs.format?.string ?? '';
     const bins = Math.round(number(inputs.bins, 16, 1, 256));
+    const startedMs = performance.now();
+    let decodedMs = startedMs;
     let error = '';
     let picture: Vision.Picture | undefined;
     try {
@@ -64,6 +68,7 @@ export const imageTools = defineProcessingModule({
       if (format === undefined && wanted !== '')
         throw new RangeError(`The format is ${formats.join(', ')} or empty, not "${wanted}".`);
       picture = await vision.readImage2D(image);
+      decodedMs = performance.now();
       const part = {
         x: number(inputs.x, 0, 0, 1) * picture.width,
         y: number(inputs.y, 0, 0, 1) * picture.height,
@@ -115,6 +120,8 @@ export const imageTools = defineProcessingModule({
           timestamp,
           doubleList: { elements: Array.from(counts, (count) => count / (width * height)) },
         },
+        decodeMs: { double: decodedMs - startedMs },
+        durationMs: { double: performance.now() - startedMs },
         error: isNewError ? { string: '' } : undefined,
       },
     };

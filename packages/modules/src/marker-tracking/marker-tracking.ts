@@ -20,7 +20,7 @@ export const markerTracking = defineProcessingModule({
   description: 'Finds printed markers and their poses.',
   tags: ['image', 'vision', 'pose'],
   authors: ['Ubi-Interact'],
-  version: '1.0.0',
+  version: '1.1.0',
   assets: ['vision', 'opencv'],
   inputs: {
     image: 'image2D',
@@ -35,6 +35,7 @@ export const markerTracking = defineProcessingModule({
   outputs: {
     markers: 'object3DList',
     outlines: 'object2DList',
+    decodeMs: 'double',
     durationMs: 'double',
     error: 'string',
   },
@@ -76,6 +77,7 @@ export const markerTracking = defineProcessingModule({
 
     const vision = state.modules['vision'] as typeof Vision;
     const startedMs = performance.now();
+    let decodedMs = startedMs;
     const fieldOfViewDegrees = clamp(number(inputs.fieldOfView, 60), 10, 150);
     let error = '';
     let found: Vision.TrackedMarker[] | undefined;
@@ -92,7 +94,9 @@ export const markerTracking = defineProcessingModule({
           `There is no calibration: a field of view of ${fieldOfViewDegrees}° and no distortion are assumed, so distances may be wrong. Calibrate the camera.`,
         );
       }
-      found = await state.tracker.track(await vision.readImage2D(image), {
+      const picture = await vision.readImage2D(image);
+      decodedMs = performance.now();
+      found = await state.tracker.track(picture, {
         dictionary: inputs.dictionary?.string || 'aruco_4x4_50',
         sizeMetres: clamp(number(inputs.markerSize, 0.05), 0.001, 100),
         ids: inputs.ids?.int32List.elements ?? [],
@@ -114,6 +118,7 @@ export const markerTracking = defineProcessingModule({
       outputs: {
         markers: { object3DList: vision.object3DListOfMarkers(found), timestamp },
         outlines: { object2DList: vision.object2DListOfMarkers(found), timestamp },
+        decodeMs: { double: decodedMs - startedMs },
         durationMs: { double: performance.now() - startedMs },
         error: isNewError ? { string: '' } : undefined,
       },

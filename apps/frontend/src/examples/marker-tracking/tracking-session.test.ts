@@ -8,6 +8,7 @@ const SPEC = {
   outputs: {
     markers: '/a/markers',
     outlines: '/a/outlines',
+    decodeMs: '/a/decode',
     durationMs: '/a/ms',
     error: '/a/error',
   },

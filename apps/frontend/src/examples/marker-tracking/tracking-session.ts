@@ -27,6 +27,13 @@ export const TRACKING_COMPONENTS = [
     description: 'The markers in the picture: boxes, corners and axes; 0 to 1 from the top left.',
   },
   {
+    name: 'decode',
+    format: 'double',
+    ioType: 'subscriber',
+    tags: ['detection'],
+    description: 'Time of decoding alone, milliseconds.',
+  },
+  {
     name: 'duration',
     format: 'double',
     ioType: 'subscriber',
@@ -42,7 +49,7 @@ export const TRACKING_COMPONENTS = [
   },
 ] as const satisfies readonly ComponentInit[];
 
-type Output = 'markers' | 'outlines' | 'durationMs' | 'error';
+type Output = 'markers' | 'outlines' | 'decodeMs' | 'durationMs' | 'error';
 
 /** What a session of tracking is made of. */
 export interface TrackingSpec {

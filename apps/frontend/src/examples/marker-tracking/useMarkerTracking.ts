@@ -40,7 +40,11 @@ export function useMarkerTracking(sources: PictureSources) {
   const markers = shallowRef<readonly Object3D[]>([]);
   const outlines = shallowRef<TopicRecord>();
   const error = shallowRef('');
-  const figures = shallowRef<{ readonly seenHz?: number | undefined; readonly ms?: number }>({});
+  const figures = shallowRef<{
+    readonly seenHz?: number | undefined;
+    readonly ms?: number | undefined;
+    readonly decodeMs?: number | undefined;
+  }>({});
   const placeMs = shallowRef<
     ReadonlyMap<ModulePlace, { readonly ms: number; readonly hint: string }>
   >(new Map());
@@ -48,6 +52,7 @@ export function useMarkerTracking(sources: PictureSources) {
   let newest: { markers: readonly Object3D[]; outlines?: TopicRecord } = { markers: [] };
   let newestAtMs = -Infinity;
   let durationMs: number | undefined;
+  let decodeMs: number | undefined;
   let hasChanged = false;
 
   const device = useDevice({
@@ -65,6 +70,7 @@ export function useMarkerTracking(sources: PictureSources) {
         newest = { ...newest, outlines: record };
         hasChanged = true;
       },
+      decode: (value) => (decodeMs = value),
       duration: (value) => (durationMs = value),
       error: (value) => (error.value = value),
     },
@@ -98,6 +104,7 @@ export function useMarkerTracking(sources: PictureSources) {
           outputs: {
             markers: device.topicOf('markers')!,
             outlines: device.topicOf('outlines')!,
+            decodeMs: device.topicOf('decode')!,
             durationMs: device.topicOf('duration')!,
             error: device.topicOf('error')!,
           },
@@ -115,6 +122,7 @@ export function useMarkerTracking(sources: PictureSources) {
     newest = { markers: [] };
     hasChanged = true;
     durationMs = undefined;
+    decodeMs = undefined;
     error.value = '';
     figures.value = {};
   }
@@ -133,7 +141,7 @@ export function useMarkerTracking(sources: PictureSources) {
   });
   useIntervalFn(() => {
     const seenHz = seen.rateHz(performance.now());
-    figures.value = { seenHz, ...(durationMs !== undefined && { ms: durationMs }) };
+    figures.value = { seenHz, ms: durationMs, decodeMs };
     if (durationMs !== undefined && seenHz !== undefined) {
       placeMs.value = new Map(placeMs.value).set(place.value, { ms: durationMs, hint: '' });
     }
