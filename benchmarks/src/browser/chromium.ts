@@ -8,7 +8,7 @@ const SYSTEM_CHROMIUM = '/usr/bin/chromium';
 export const CHROMIUM_FLAGS = [
   // The browser's own sandbox does not start as root.
   ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
-  '--disable-gpu',
+  ...(process.env['UBII_BENCH_GPU'] === '1' ? [] : ['--disable-gpu']),
   '--no-first-run',
   '--disable-background-networking',
   '--disable-component-update',

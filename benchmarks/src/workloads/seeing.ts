@@ -66,8 +66,19 @@ function seeing(backend: DetectionBackend): Workload {
   };
 }
 
-/** By backend. */
-export const SEEING: readonly Workload[] = [seeing('wasm')];
+/** By backend. Software WebGL is slow, but what the module adds to it can be compared; software WebGPU takes 10 s for a picture. */
+export const SEEING: readonly Workload[] = [
+  seeing('wasm'),
+  seeing('webgl'),
+  {
+    ...seeing('webgpu'),
+    whyNot: () =>
+      IN_CHROMIUM.whyNot?.() ??
+      (process.env['UBII_BENCH_GPU'] === '1'
+        ? undefined
+        : 'WebGPU needs a graphics card; set UBII_BENCH_GPU=1 where there is one'),
+  },
+];
 
 async function accuracyIn(
   browser: SeeingBrowser,

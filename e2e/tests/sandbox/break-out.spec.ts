@@ -70,6 +70,10 @@ const WAYS_OUT = [
   'new BroadcastChannel("x").postMessage(1)',
   'self.postMessage({ messages: [] })',
   'close()',
+  'EventTarget.prototype.addEventListener.call(self, "message", () => undefined)',
+  'new OffscreenCanvas(1, 1).addEventListener.call(self, "message", () => undefined)',
+  'Object.create(OffscreenCanvas.prototype).addEventListener("message", () => undefined)',
+  'navigator.serviceWorker.getRegistrations()',
   'await new (async () => {}).constructor("return fetch(\\"/out-constructed\\")")()',
 ];
 

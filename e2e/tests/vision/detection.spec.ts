@@ -11,8 +11,14 @@ const SESSION = {
   ioMappings: [
     {
       processingModuleName: 'object-detection',
-      inputMappings: [{ inputName: 'image', topic: '/kitchen/image' }],
-      outputMappings: [{ outputName: 'predictions', topic: '/kitchen/objects' }],
+      inputMappings: [
+        { inputName: 'image', topic: '/kitchen/image' },
+        { inputName: 'backend', topic: '/kitchen/wanted' },
+      ],
+      outputMappings: [
+        { outputName: 'predictions', topic: '/kitchen/objects' },
+        { outputName: 'backend', topic: '/kitchen/backend' },
+      ],
     },
   ],
 };
@@ -55,6 +61,19 @@ test('objects in pictures are found on the master and, moved while it runs, in a
       await expect.poll(classes).toEqual(['cat']);
       await expect(session.events).toContainText('Loading the asset set centernet-coco: 100 %');
       await expect(session.events).toContainText('CenterNet uses wasm');
+    });
+
+    await test.step('with WebGL in its worker, and the same result', async () => {
+      let backend = '';
+      robot.subscribe('/kitchen/backend', { format: 'string' }).onRecord(({ value }) => {
+        backend = value;
+      });
+      robot.publish('/kitchen/wanted', 'string', 'webgl');
+      await expect.poll(() => backend, { timeout: 40_000 }).toBe('webgl');
+      newest = undefined;
+      await expect.poll(classes, { timeout: 20_000 }).toEqual(['cat']);
+      robot.publish('/kitchen/wanted', 'string', 'auto');
+      await expect.poll(() => backend, { timeout: 20_000 }).toBe('wasm');
     });
 
     await test.step('on a Node process, which gets the models from the master, too', async () => {

@@ -6,6 +6,8 @@ export * from './image-tools/crop-picture.ts';
 export * from './image-tools/histogram.ts';
 export * from './image-tools/motion-energy.ts';
 export * from './image-tools/scale-picture.ts';
+export { ModelChoice } from './model-choice.ts';
+export type { ModelSource, ModelSources } from './model-choice.ts';
 export * from './picture.ts';
 export * from './detection/boxes.ts';
 export { CENTER_NET_MODEL, createCenterNet } from './detection/center-net.ts';

@@ -15,8 +15,19 @@ const detect = async (image: unknown, parameters: object = {}) =>
   (await module.run(1000, { image, ...parameters }, ['image'])) as {
     keypoints?: Object2DList;
     score?: number;
+    backend?: string;
+    backendFault?: string;
     error?: string;
   };
+type Results = Awaited<ReturnType<typeof detect>>;
+/** Sends images until a result is as expected: backends are loaded meanwhile. */
+async function until(isDone: (results: Results) => boolean, parameters: object = {}) {
+  for (let given = parameters; ; given = {}) {
+    const results = await detect(photoImage('astronaut.jpg'), given);
+    if (isDone(results)) return results;
+    await new Promise((resolve) => setImmediate(resolve));
+  }
+}
 const placeOf = ({ keypoints }: { keypoints?: Object2DList }, name: string) =>
   keypoints?.elements.find(({ id }) => id === name)?.pose?.position;
 
@@ -41,6 +52,20 @@ describe('body-pose', () => {
     expect(sure.keypoints!.elements.length).toBeLessThan(17);
     await module.run(0, { minScore: 0.3 }, ['minScore']);
   });
+
+  it('names its backend, and says why another one is not used', async () => {
+    const { backend, error } = await until(({ error }) => error !== undefined, {
+      backend: 'webgl',
+    });
+    expect(backend).toBe('wasm');
+    expect(error).toBe(
+      'wasm instead of webgl: WebGL in workers needs OffscreenCanvas, which is missing here.',
+    );
+    const onCpu = await until(({ backend }) => backend === 'cpu', { backend: 'cpu' });
+    const { x = 0, y = 0 } = placeOf(onCpu, 'nose') ?? {};
+    expect(Math.hypot(x - 0.44, y - 0.25)).toBeLessThan(0.03);
+    await until(({ backend }) => backend === 'wasm', { backend: undefined });
+  }, 60_000);
 
   it('smooths from one picture to the next', async () => {
     const away = placeOf(await detect(photoImage('astronaut.jpg'), { smoothingMs: 0 }), 'nose')!;

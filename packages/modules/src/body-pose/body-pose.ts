@@ -4,7 +4,9 @@ import type { NumberRecord } from '../number-record.ts';
 
 /** What an instance keeps. */
 interface PoseState {
-  detector: Vision.BodyPoseDetector | undefined;
+  choice: Vision.ModelChoice<'movenet', Vision.BodyPoseDetector> | undefined;
+  /** What was put out last. */
+  backendFault: string | undefined;
   smoother: Vision.PoseSmoother | undefined;
   smoothingMs: number;
   /** Milliseconds from the start of the last detection to now. */
@@ -18,24 +20,28 @@ export const bodyPose = defineProcessingModule({
   description: 'Finds the 17 keypoints of a body in images.',
   tags: ['image', 'vision', 'pose'],
   authors: ['Ubi-Interact'],
-  version: '1.0.0',
+  version: '1.1.0',
   assets: ['vision', 'tfjs-wasm', 'movenet-lightning'],
   inputs: {
     image: 'image2D',
     minScore: { format: 'double', default: 0.3 },
     smoothingMs: { format: 'double', default: 80 },
     maxRate: { format: 'double', default: 15 },
+    backend: { format: 'string', default: 'auto' },
   },
   outputs: {
     keypoints: 'object2DList',
     score: 'double',
     decodeMs: 'double',
     durationMs: 'double',
+    backend: 'string',
+    backendFault: 'string',
     error: 'string',
   },
   mode: { triggerOnInput: {} },
   createState: (): PoseState => ({
-    detector: undefined,
+    choice: undefined,
+    backendFault: undefined,
     smoother: undefined,
     smoothingMs: -1,
     sinceMs: Infinity,
@@ -43,10 +49,18 @@ export const bodyPose = defineProcessingModule({
   }),
   async onCreated(state) {
     const vision = state.modules['vision'] as typeof Vision;
-    const tensorflow = await vision.sharedTensorflow(state.assets['tfjs-wasm']!);
-    state.detector = await vision.createBodyPose(tensorflow, state.assets['movenet-lightning']!);
-    // eslint-disable-next-line no-console -- the log of the module
-    console.info(`TensorFlow.js uses ${tensorflow.backend}. ${tensorflow.reason}`);
+    state.choice = await vision.ModelChoice.create({
+      tensorflow: state.assets['tfjs-wasm']!,
+      models: {
+        movenet: {
+          title: 'MoveNet',
+          load: () => state.assets['movenet-lightning']!,
+          create: (tensorflow, files) => vision.createBodyPose(tensorflow, files),
+        },
+      },
+      // eslint-disable-next-line no-console -- the log of the module
+      onChange: (text) => console.info(text),
+    });
   },
   async onProcessing(deltaTimeMs, inputs, state) {
     const number = (record: NumberRecord | undefined, fallback: number): number => {
@@ -54,12 +68,15 @@ export const bodyPose = defineProcessingModule({
       return Number.isFinite(value) ? value! : fallback;
     };
     state.sinceMs += deltaTimeMs;
+    const { choice } = state;
+    if (choice === undefined) return undefined;
+    choice.choose('movenet', inputs.backend?.string || 'auto');
     const image = inputs.image?.image2D;
     const timestamp = inputs.image?.timestamp;
     const triggers = state.inputTriggerNames;
     // A parameter that changes counts for the next image.
     const isNew = triggers === undefined || triggers.includes('image');
-    if (image === undefined || !isNew || state.detector === undefined) return undefined;
+    if (image === undefined || !isNew) return undefined;
     const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate, 15)));
     // Half a millisecond for what timers round.
     if (state.sinceMs + 0.5 < 1000 / rateHz) return undefined;
@@ -74,13 +91,14 @@ export const bodyPose = defineProcessingModule({
     }
     const startedMs = performance.now();
     let decodedMs = startedMs;
-    let error = '';
+    let error: string;
     let pose: Vision.BodyPose | undefined;
     try {
       const picture = await vision.readImage2D(image);
       decodedMs = performance.now();
-      const found = await state.detector.detect(picture);
+      const found = await choice.use((model) => model.detect(picture));
       pose = state.smoother.smooth(found, sinceMs);
+      error = choice.problem;
     } catch (thrown) {
       // What the sender of the image has to change.
       if (!(thrown instanceof RangeError)) throw thrown;
@@ -90,6 +108,9 @@ export const bodyPose = defineProcessingModule({
     state.error = error;
     if (pose === undefined)
       return isNewError ? { outputs: { error: { string: error } } } : undefined;
+    const { backend, backendFault } = choice;
+    const isNewFault = backendFault !== state.backendFault;
+    state.backendFault = backendFault;
     const minScore = Math.min(1, Math.max(0, number(inputs.minScore, 0.3)));
     return {
       outputs: {
@@ -100,11 +121,13 @@ export const bodyPose = defineProcessingModule({
         score: { double: pose.score },
         decodeMs: { double: decodedMs - startedMs },
         durationMs: { double: performance.now() - startedMs },
-        error: isNewError ? { string: '' } : undefined,
+        backend: { string: backend },
+        backendFault: isNewFault ? { string: backendFault } : undefined,
+        error: isNewError ? { string: error } : undefined,
       },
     };
   },
   onDestroyed(state) {
-    state.detector?.dispose();
+    state.choice?.dispose();
   },
 });

@@ -85,6 +85,12 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
         defaultJson: '{"double":15}',
       },
+      {
+        internalName: 'backend',
+        messageFormat: 'string',
+        isRecordList: false,
+        defaultJson: '{"string":"auto"}',
+      },
     ],
     outputs: [
       {
@@ -108,6 +114,16 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
       },
       {
+        internalName: 'backend',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+      {
+        internalName: 'backendFault',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+      {
         internalName: 'error',
         messageFormat: 'string',
         isRecordList: false,
@@ -115,13 +131,13 @@ export const LIBRARY: readonly JsonObject[] = [
     ],
     language: 'JS',
     onProcessingStringified:
-      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record, fallback) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : fallback;\n    };\n    state.sinceMs += deltaTimeMs;\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew || state.detector === void 0) return void 0;\n    const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate, 15)));\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    const sinceMs = state.sinceMs;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const smoothingMs = Math.min(1e4, Math.max(0, number(inputs.smoothingMs, 80)));\n    if (state.smoother === void 0 || state.smoothingMs !== smoothingMs) {\n      state.smoother = new vision.PoseSmoother({ timeConstantMs: smoothingMs });\n      state.smoothingMs = smoothingMs;\n    }\n    const startedMs = performance.now();\n    let decodedMs = startedMs;\n    let error = "";\n    let pose;\n    try {\n      const picture = await vision.readImage2D(image);\n      decodedMs = performance.now();\n      const found = await state.detector.detect(picture);\n      pose = state.smoother.smooth(found, sinceMs);\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (pose === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    const minScore = Math.min(1, Math.max(0, number(inputs.minScore, 0.3)));\n    return {\n      outputs: {\n        keypoints: {\n          object2DList: vision.object2DListOfKeypoints(pose.keypoints, minScore),\n          timestamp\n        },\n        score: { double: pose.score },\n        decodeMs: { double: decodedMs - startedMs },\n        durationMs: { double: performance.now() - startedMs },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
+      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record, fallback) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : fallback;\n    };\n    state.sinceMs += deltaTimeMs;\n    const { choice } = state;\n    if (choice === void 0) return void 0;\n    choice.choose("movenet", inputs.backend?.string || "auto");\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew) return void 0;\n    const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate, 15)));\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    const sinceMs = state.sinceMs;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const smoothingMs = Math.min(1e4, Math.max(0, number(inputs.smoothingMs, 80)));\n    if (state.smoother === void 0 || state.smoothingMs !== smoothingMs) {\n      state.smoother = new vision.PoseSmoother({ timeConstantMs: smoothingMs });\n      state.smoothingMs = smoothingMs;\n    }\n    const startedMs = performance.now();\n    let decodedMs = startedMs;\n    let error;\n    let pose;\n    try {\n      const picture = await vision.readImage2D(image);\n      decodedMs = performance.now();\n      const found = await choice.use((model) => model.detect(picture));\n      pose = state.smoother.smooth(found, sinceMs);\n      error = choice.problem;\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (pose === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    const { backend, backendFault } = choice;\n    const isNewFault = backendFault !== state.backendFault;\n    state.backendFault = backendFault;\n    const minScore = Math.min(1, Math.max(0, number(inputs.minScore, 0.3)));\n    return {\n      outputs: {\n        keypoints: {\n          object2DList: vision.object2DListOfKeypoints(pose.keypoints, minScore),\n          timestamp\n        },\n        score: { double: pose.score },\n        decodeMs: { double: decodedMs - startedMs },\n        durationMs: { double: performance.now() - startedMs },\n        backend: { string: backend },\n        backendFault: isNewFault ? { string: backendFault } : void 0,\n        error: isNewError ? { string: error } : void 0\n      }\n    };\n  } })["onProcessing"]',
     onCreatedStringified:
-      '(state) => { Object.assign(state, (() => ({\n    detector: void 0,\n    smoother: void 0,\n    smoothingMs: -1,\n    sinceMs: Infinity,\n    error: ""\n  })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    const tensorflow = await vision.sharedTensorflow(state.assets["tfjs-wasm"]);\n    state.detector = await vision.createBodyPose(tensorflow, state.assets["movenet-lightning"]);\n    console.info(`TensorFlow.js uses ${tensorflow.backend}. ${tensorflow.reason}`);\n  } })["onCreated"]\n)(state); }',
+      '(state) => { Object.assign(state, (() => ({\n    choice: void 0,\n    backendFault: void 0,\n    smoother: void 0,\n    smoothingMs: -1,\n    sinceMs: Infinity,\n    error: ""\n  })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    state.choice = await vision.ModelChoice.create({\n      tensorflow: state.assets["tfjs-wasm"],\n      models: {\n        movenet: {\n          title: "MoveNet",\n          load: () => state.assets["movenet-lightning"],\n          create: (tensorflow, files) => vision.createBodyPose(tensorflow, files)\n        }\n      },\n      // eslint-disable-next-line no-console -- the log of the module\n      onChange: (text) => console.info(text)\n    });\n  } })["onCreated"]\n)(state); }',
     onDestroyedStringified:
-      '({ onDestroyed(state) {\n    state.detector?.dispose();\n  } })["onDestroyed"]',
+      '({ onDestroyed(state) {\n    state.choice?.dispose();\n  } })["onDestroyed"]',
     extension: {
-      version: '1.0.0',
+      version: '1.1.0',
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
@@ -413,6 +429,12 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
         defaultJson: '{"double":10}',
       },
+      {
+        internalName: 'backend',
+        messageFormat: 'string',
+        isRecordList: false,
+        defaultJson: '{"string":"auto"}',
+      },
     ],
     outputs: [
       {
@@ -441,6 +463,16 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
       },
       {
+        internalName: 'backend',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+      {
+        internalName: 'backendFault',
+        messageFormat: 'string',
+        isRecordList: false,
+      },
+      {
         internalName: 'error',
         messageFormat: 'string',
         isRecordList: false,
@@ -448,13 +480,13 @@ export const LIBRARY: readonly JsonObject[] = [
     ],
     language: 'JS',
     onProcessingStringified:
-      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record, fallback) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : fallback;\n    };\n    state.sinceMs += deltaTimeMs;\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew || state.detector === void 0) return void 0;\n    const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate, 10)));\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const startedMs = performance.now();\n    let decodedMs = startedMs;\n    let error = "";\n    let hands;\n    try {\n      const picture = await vision.readImage2D(image);\n      decodedMs = performance.now();\n      hands = await state.detector.detect(picture, {\n        threshold: number(inputs.threshold, 0.5),\n        maxHands: number(inputs.maxHands, 2)\n      });\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (hands === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    const points = hands.flatMap(\n      ({ side, score, keypoints }, hand) => keypoints.map(({ name, x, y, metric }) => ({\n        id: `${side}.${name}`,\n        userDataJson: JSON.stringify({ hand, score: Math.round(score * 100) / 100 }),\n        place: { x, y },\n        metric\n      }))\n    );\n    return {\n      outputs: {\n        keypoints: {\n          timestamp,\n          object2DList: {\n            elements: points.map(({ id, userDataJson, place }) => ({\n              id,\n              userDataJson,\n              pose: { position: place }\n            }))\n          }\n        },\n        positions: {\n          timestamp,\n          object3DList: {\n            elements: points.map(({ id, userDataJson, metric }) => ({\n              id,\n              userDataJson,\n              pose: { position: metric }\n            }))\n          }\n        },\n        hands: { double: hands.length },\n        decodeMs: { double: decodedMs - startedMs },\n        durationMs: { double: performance.now() - startedMs },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
+      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record, fallback) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : fallback;\n    };\n    state.sinceMs += deltaTimeMs;\n    const { choice } = state;\n    if (choice === void 0) return void 0;\n    choice.choose("hands", inputs.backend?.string || "auto");\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew) return void 0;\n    const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate, 10)));\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const startedMs = performance.now();\n    let decodedMs = startedMs;\n    let error;\n    let hands;\n    try {\n      const picture = await vision.readImage2D(image);\n      decodedMs = performance.now();\n      const threshold2 = number(inputs.threshold, 0.5);\n      const maxHands = number(inputs.maxHands, 2);\n      hands = await choice.use((model) => model.detect(picture, { threshold: threshold2, maxHands }));\n      error = choice.problem;\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (hands === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    const { backend, backendFault } = choice;\n    const isNewFault = backendFault !== state.backendFault;\n    state.backendFault = backendFault;\n    const points = hands.flatMap(\n      ({ side, score, keypoints }, hand) => keypoints.map(({ name, x, y, metric }) => ({\n        id: `${side}.${name}`,\n        userDataJson: JSON.stringify({ hand, score: Math.round(score * 100) / 100 }),\n        place: { x, y },\n        metric\n      }))\n    );\n    return {\n      outputs: {\n        keypoints: {\n          timestamp,\n          object2DList: {\n            elements: points.map(({ id, userDataJson, place }) => ({\n              id,\n              userDataJson,\n              pose: { position: place }\n            }))\n          }\n        },\n        positions: {\n          timestamp,\n          object3DList: {\n            elements: points.map(({ id, userDataJson, metric }) => ({\n              id,\n              userDataJson,\n              pose: { position: metric }\n            }))\n          }\n        },\n        hands: { double: hands.length },\n        decodeMs: { double: decodedMs - startedMs },\n        durationMs: { double: performance.now() - startedMs },\n        backend: { string: backend },\n        backendFault: isNewFault ? { string: backendFault } : void 0,\n        error: isNewError ? { string: error } : void 0\n      }\n    };\n  } })["onProcessing"]',
     onCreatedStringified:
-      '(state) => { Object.assign(state, (() => ({ detector: void 0, sinceMs: Infinity, error: "" })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    const tensorflow = await vision.sharedTensorflow(state.assets["tfjs-wasm"]);\n    state.detector = await vision.createHandPose(tensorflow, state.assets["hand-pose"]);\n    console.info(`TensorFlow.js uses ${tensorflow.backend}. ${tensorflow.reason}`);\n  } })["onCreated"]\n)(state); }',
+      '(state) => { Object.assign(state, (() => ({\n    choice: void 0,\n    backendFault: void 0,\n    sinceMs: Infinity,\n    error: ""\n  })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    state.choice = await vision.ModelChoice.create({\n      tensorflow: state.assets["tfjs-wasm"],\n      models: {\n        hands: {\n          title: "Hand landmarks",\n          load: () => state.assets["hand-pose"],\n          create: (tensorflow, files) => vision.createHandPose(tensorflow, files)\n        }\n      },\n      // eslint-disable-next-line no-console -- the log of the module\n      onChange: (text) => console.info(text)\n    });\n  } })["onCreated"]\n)(state); }',
     onDestroyedStringified:
-      '({ onDestroyed(state) {\n    state.detector?.dispose();\n  } })["onDestroyed"]',
+      '({ onDestroyed(state) {\n    state.choice?.dispose();\n  } })["onDestroyed"]',
     extension: {
-      version: '1.0.0',
+      version: '1.1.0',
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
@@ -622,6 +654,16 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
       },
       {
+        internalName: 'decodeMs',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
+        internalName: 'durationMs',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
         internalName: 'error',
         messageFormat: 'string',
         isRecordList: false,
@@ -629,11 +671,11 @@ export const LIBRARY: readonly JsonObject[] = [
     ],
     language: 'JS',
     onProcessingStringified:
-      '({ async onProcessing(_deltaTimeMs, inputs, state) {\n    const number = (record, fallback, min, max) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : fallback;\n    };\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    if (image === void 0 || triggers !== void 0 && !triggers.includes("image"))\n      return void 0;\n    const vision = state.modules["vision"];\n    const formats = ["GRAY8", "RGB8", "RGBA8"];\n    const wanted = inputs.format?.string ?? "";\n    const bins = Math.round(number(inputs.bins, 16, 1, 256));\n    let error = "";\n    let picture;\n    try {\n      const format = formats.find((one) => one === wanted);\n      if (format === void 0 && wanted !== "")\n        throw new RangeError(`The format is ${formats.join(", ")} or empty, not "${wanted}".`);\n      picture = await vision.readImage2D(image);\n      const part = {\n        x: number(inputs.x, 0, 0, 1) * picture.width,\n        y: number(inputs.y, 0, 0, 1) * picture.height,\n        width: number(inputs.width, 1, 0, 1) * picture.width,\n        height: number(inputs.height, 1, 0, 1) * picture.height\n      };\n      const isWhole = part.width === picture.width && part.height === picture.height;\n      if (!isWhole || part.x > 0 || part.y > 0) picture = vision.cropPicture(picture, part);\n      const maxSide = number(inputs.maxSide, 0, 0, 16384);\n      const scale = maxSide / Math.max(picture.width, picture.height);\n      if (maxSide >= 1 && scale < 1) {\n        const sideOf = (side) => Math.max(1, Math.round(side * scale));\n        picture = vision.scalePicture(picture, sideOf(picture.width), sideOf(picture.height));\n      }\n      if (format !== void 0) picture = vision.convertPicture(picture, format);\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n      picture = void 0;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (picture === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    const { before } = state;\n    state.before = picture;\n    const isSameSize = before?.width === picture.width && before.height === picture.height;\n    const motion = isSameSize ? vision.motionEnergy(before, picture, number(inputs.motionThreshold, 0.1, 0, 1)) : void 0;\n    const { width, height, data } = picture;\n    const [counts = []] = vision.histogram(vision.greyPicture(picture), bins);\n    return {\n      outputs: {\n        image: {\n          timestamp,\n          image2D: {\n            width,\n            height,\n            dataFormat: formats.indexOf(picture.format),\n            data: new Uint8Array(data)\n          }\n        },\n        motion: motion && { timestamp, double: motion.energy },\n        changed: motion && { timestamp, double: motion.changedShare },\n        histogram: {\n          timestamp,\n          doubleList: { elements: Array.from(counts, (count) => count / (width * height)) }\n        },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
+      '({ async onProcessing(_deltaTimeMs, inputs, state) {\n    const number = (record, fallback, min, max) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : fallback;\n    };\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    if (image === void 0 || triggers !== void 0 && !triggers.includes("image"))\n      return void 0;\n    const vision = state.modules["vision"];\n    const formats = ["GRAY8", "RGB8", "RGBA8"];\n    const wanted = inputs.format?.string ?? "";\n    const bins = Math.round(number(inputs.bins, 16, 1, 256));\n    const startedMs = performance.now();\n    let decodedMs = startedMs;\n    let error = "";\n    let picture;\n    try {\n      const format = formats.find((one) => one === wanted);\n      if (format === void 0 && wanted !== "")\n        throw new RangeError(`The format is ${formats.join(", ")} or empty, not "${wanted}".`);\n      picture = await vision.readImage2D(image);\n      decodedMs = performance.now();\n      const part = {\n        x: number(inputs.x, 0, 0, 1) * picture.width,\n        y: number(inputs.y, 0, 0, 1) * picture.height,\n        width: number(inputs.width, 1, 0, 1) * picture.width,\n        height: number(inputs.height, 1, 0, 1) * picture.height\n      };\n      const isWhole = part.width === picture.width && part.height === picture.height;\n      if (!isWhole || part.x > 0 || part.y > 0) picture = vision.cropPicture(picture, part);\n      const maxSide = number(inputs.maxSide, 0, 0, 16384);\n      const scale = maxSide / Math.max(picture.width, picture.height);\n      if (maxSide >= 1 && scale < 1) {\n        const sideOf = (side) => Math.max(1, Math.round(side * scale));\n        picture = vision.scalePicture(picture, sideOf(picture.width), sideOf(picture.height));\n      }\n      if (format !== void 0) picture = vision.convertPicture(picture, format);\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n      picture = void 0;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (picture === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    const { before } = state;\n    state.before = picture;\n    const isSameSize = before?.width === picture.width && before.height === picture.height;\n    const motion = isSameSize ? vision.motionEnergy(before, picture, number(inputs.motionThreshold, 0.1, 0, 1)) : void 0;\n    const { width, height, data } = picture;\n    const [counts = []] = vision.histogram(vision.greyPicture(picture), bins);\n    return {\n      outputs: {\n        image: {\n          timestamp,\n          image2D: {\n            width,\n            height,\n            dataFormat: formats.indexOf(picture.format),\n            data: new Uint8Array(data)\n          }\n        },\n        motion: motion && { timestamp, double: motion.energy },\n        changed: motion && { timestamp, double: motion.changedShare },\n        histogram: {\n          timestamp,\n          doubleList: { elements: Array.from(counts, (count) => count / (width * height)) }\n        },\n        decodeMs: { double: decodedMs - startedMs },\n        durationMs: { double: performance.now() - startedMs },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
     onCreatedStringified:
       '(state) => { Object.assign(state, (() => ({ before: void 0, error: "" })\n)()); }',
     extension: {
-      version: '1.0.0',
+      version: '1.1.0',
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',
@@ -1126,6 +1168,11 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
       },
       {
+        internalName: 'decodeMs',
+        messageFormat: 'double',
+        isRecordList: false,
+      },
+      {
         internalName: 'durationMs',
         messageFormat: 'double',
         isRecordList: false,
@@ -1138,13 +1185,13 @@ export const LIBRARY: readonly JsonObject[] = [
     ],
     language: 'JS',
     onProcessingStringified:
-      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record, fallback) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : fallback;\n    };\n    const clamp = (value, min, max) => Math.min(max, Math.max(min, value));\n    state.sinceMs += deltaTimeMs;\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew || state.tracker === void 0) return void 0;\n    const rateHz = clamp(number(inputs.maxRate, 30), 0.1, 240);\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    const sinceMs = state.sinceMs;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const startedMs = performance.now();\n    const fieldOfViewDegrees = clamp(number(inputs.fieldOfView, 60), 10, 150);\n    let error = "";\n    let found;\n    try {\n      const json = inputs.calibration?.string ?? "";\n      if (json !== state.calibrationJson) {\n        state.calibration = json === "" ? void 0 : vision.parseCalibration(json);\n        state.calibrationJson = json;\n      }\n      if (state.calibration === void 0 && !state.hasToldAssumption) {\n        state.hasToldAssumption = true;\n        console.info(\n          `There is no calibration: a field of view of ${fieldOfViewDegrees}\\xB0 and no distortion are assumed, so distances may be wrong. Calibrate the camera.`\n        );\n      }\n      found = await state.tracker.track(await vision.readImage2D(image), {\n        dictionary: inputs.dictionary?.string || "aruco_4x4_50",\n        sizeMetres: clamp(number(inputs.markerSize, 0.05), 1e-3, 100),\n        ids: inputs.ids?.int32List.elements ?? [],\n        smoothingMs: clamp(number(inputs.smoothingMs, 0), 0, 1e4),\n        calibration: state.calibration,\n        fieldOfViewDegrees,\n        sinceMs\n      });\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (found === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    return {\n      outputs: {\n        markers: { object3DList: vision.object3DListOfMarkers(found), timestamp },\n        outlines: { object2DList: vision.object2DListOfMarkers(found), timestamp },\n        durationMs: { double: performance.now() - startedMs },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
+      '({ async onProcessing(deltaTimeMs, inputs, state) {\n    const number = (record, fallback) => {\n      const value = record?.double ?? record?.float ?? record?.int32;\n      return Number.isFinite(value) ? value : fallback;\n    };\n    const clamp = (value, min, max) => Math.min(max, Math.max(min, value));\n    state.sinceMs += deltaTimeMs;\n    const image = inputs.image?.image2D;\n    const timestamp = inputs.image?.timestamp;\n    const triggers = state.inputTriggerNames;\n    const isNew = triggers === void 0 || triggers.includes("image");\n    if (image === void 0 || !isNew || state.tracker === void 0) return void 0;\n    const rateHz = clamp(number(inputs.maxRate, 30), 0.1, 240);\n    if (state.sinceMs + 0.5 < 1e3 / rateHz) return void 0;\n    const sinceMs = state.sinceMs;\n    state.sinceMs = 0;\n    const vision = state.modules["vision"];\n    const startedMs = performance.now();\n    let decodedMs = startedMs;\n    const fieldOfViewDegrees = clamp(number(inputs.fieldOfView, 60), 10, 150);\n    let error = "";\n    let found;\n    try {\n      const json = inputs.calibration?.string ?? "";\n      if (json !== state.calibrationJson) {\n        state.calibration = json === "" ? void 0 : vision.parseCalibration(json);\n        state.calibrationJson = json;\n      }\n      if (state.calibration === void 0 && !state.hasToldAssumption) {\n        state.hasToldAssumption = true;\n        console.info(\n          `There is no calibration: a field of view of ${fieldOfViewDegrees}\\xB0 and no distortion are assumed, so distances may be wrong. Calibrate the camera.`\n        );\n      }\n      const picture = await vision.readImage2D(image);\n      decodedMs = performance.now();\n      found = await state.tracker.track(picture, {\n        dictionary: inputs.dictionary?.string || "aruco_4x4_50",\n        sizeMetres: clamp(number(inputs.markerSize, 0.05), 1e-3, 100),\n        ids: inputs.ids?.int32List.elements ?? [],\n        smoothingMs: clamp(number(inputs.smoothingMs, 0), 0, 1e4),\n        calibration: state.calibration,\n        fieldOfViewDegrees,\n        sinceMs\n      });\n    } catch (thrown) {\n      if (!(thrown instanceof RangeError)) throw thrown;\n      error = thrown.message;\n    }\n    const isNewError = error !== state.error;\n    state.error = error;\n    if (found === void 0)\n      return isNewError ? { outputs: { error: { string: error } } } : void 0;\n    return {\n      outputs: {\n        markers: { object3DList: vision.object3DListOfMarkers(found), timestamp },\n        outlines: { object2DList: vision.object2DListOfMarkers(found), timestamp },\n        decodeMs: { double: decodedMs - startedMs },\n        durationMs: { double: performance.now() - startedMs },\n        error: isNewError ? { string: "" } : void 0\n      }\n    };\n  } })["onProcessing"]',
     onCreatedStringified:
       '(state) => { Object.assign(state, (() => ({\n    tracker: void 0,\n    calibrationJson: "",\n    calibration: void 0,\n    hasToldAssumption: false,\n    sinceMs: Infinity,\n    error: ""\n  })\n)());\nreturn (({ async onCreated(state) {\n    const vision = state.modules["vision"];\n    const factory = state.modules["opencv"];\n    state.tracker = await vision.createMarkerTracker(\n      vision.sharedOpenCv(factory, state.assets["opencv"])\n    );\n  } })["onCreated"]\n)(state); }',
     onDestroyedStringified:
       '({ onDestroyed(state) {\n    state.tracker?.dispose();\n  } })["onDestroyed"]',
     extension: {
-      version: '1.0.0',
+      version: '1.1.0',
       libraries: [],
       replaceable: false,
       origin: 'MODULE_ORIGIN_UNKNOWN',

@@ -4,7 +4,9 @@ import type { NumberRecord } from '../number-record.ts';
 
 /** What an instance keeps. */
 interface HandState {
-  detector: Vision.HandPoseDetector | undefined;
+  choice: Vision.ModelChoice<'hands', Vision.HandPoseDetector> | undefined;
+  /** What was put out last. */
+  backendFault: string | undefined;
   /** Milliseconds from the start of the last detection to now. */
   sinceMs: number;
   error: string;
@@ -16,13 +18,14 @@ export const handPose = defineProcessingModule({
   description: 'Finds the 21 keypoints of hands in images.',
   tags: ['image', 'vision', 'pose'],
   authors: ['Ubi-Interact'],
-  version: '1.0.0',
+  version: '1.1.0',
   assets: ['vision', 'tfjs-wasm', 'hand-pose'],
   inputs: {
     image: 'image2D',
     threshold: { format: 'double', default: 0.5 },
     maxHands: { format: 'double', default: 2 },
     maxRate: { format: 'double', default: 10 },
+    backend: { format: 'string', default: 'auto' },
   },
   outputs: {
     keypoints: 'object2DList',
@@ -30,16 +33,31 @@ export const handPose = defineProcessingModule({
     hands: 'double',
     decodeMs: 'double',
     durationMs: 'double',
+    backend: 'string',
+    backendFault: 'string',
     error: 'string',
   },
   mode: { triggerOnInput: {} },
-  createState: (): HandState => ({ detector: undefined, sinceMs: Infinity, error: '' }),
+  createState: (): HandState => ({
+    choice: undefined,
+    backendFault: undefined,
+    sinceMs: Infinity,
+    error: '',
+  }),
   async onCreated(state) {
     const vision = state.modules['vision'] as typeof Vision;
-    const tensorflow = await vision.sharedTensorflow(state.assets['tfjs-wasm']!);
-    state.detector = await vision.createHandPose(tensorflow, state.assets['hand-pose']!);
-    // eslint-disable-next-line no-console -- the log of the module
-    console.info(`TensorFlow.js uses ${tensorflow.backend}. ${tensorflow.reason}`);
+    state.choice = await vision.ModelChoice.create({
+      tensorflow: state.assets['tfjs-wasm']!,
+      models: {
+        hands: {
+          title: 'Hand landmarks',
+          load: () => state.assets['hand-pose']!,
+          create: (tensorflow, files) => vision.createHandPose(tensorflow, files),
+        },
+      },
+      // eslint-disable-next-line no-console -- the log of the module
+      onChange: (text) => console.info(text),
+    });
   },
   async onProcessing(deltaTimeMs, inputs, state) {
     const number = (record: NumberRecord | undefined, fallback: number): number => {
@@ -47,12 +65,15 @@ export const handPose = defineProcessingModule({
       return Number.isFinite(value) ? value! : fallback;
     };
     state.sinceMs += deltaTimeMs;
+    const { choice } = state;
+    if (choice === undefined) return undefined;
+    choice.choose('hands', inputs.backend?.string || 'auto');
     const image = inputs.image?.image2D;
     const timestamp = inputs.image?.timestamp;
     const triggers = state.inputTriggerNames;
     // A parameter that changes counts for the next image.
     const isNew = triggers === undefined || triggers.includes('image');
-    if (image === undefined || !isNew || state.detector === undefined) return undefined;
+    if (image === undefined || !isNew) return undefined;
     const rateHz = Math.min(240, Math.max(0.1, number(inputs.maxRate, 10)));
     // Half a millisecond for what timers round.
     if (state.sinceMs + 0.5 < 1000 / rateHz) return undefined;
@@ -61,15 +82,15 @@ export const handPose = defineProcessingModule({
     const vision = state.modules['vision'] as typeof Vision;
     const startedMs = performance.now();
     let decodedMs = startedMs;
-    let error = '';
+    let error: string;
     let hands: Vision.HandPose[] | undefined;
     try {
       const picture = await vision.readImage2D(image);
       decodedMs = performance.now();
-      hands = await state.detector.detect(picture, {
-        threshold: number(inputs.threshold, 0.5),
-        maxHands: number(inputs.maxHands, 2),
-      });
+      const threshold = number(inputs.threshold, 0.5);
+      const maxHands = number(inputs.maxHands, 2);
+      hands = await choice.use((model) => model.detect(picture, { threshold, maxHands }));
+      error = choice.problem;
     } catch (thrown) {
       // What the sender of the image has to change.
       if (!(thrown instanceof RangeError)) throw thrown;
@@ -79,6 +100,9 @@ export const handPose = defineProcessingModule({
     state.error = error;
     if (hands === undefined)
       return isNewError ? { outputs: { error: { string: error } } } : undefined;
+    const { backend, backendFault } = choice;
+    const isNewFault = backendFault !== state.backendFault;
+    state.backendFault = backendFault;
     const points = hands.flatMap(({ side, score, keypoints }, hand) =>
       keypoints.map(({ name, x, y, metric }) => ({
         id: `${side}.${name}`,
@@ -112,11 +136,13 @@ export const handPose = defineProcessingModule({
         hands: { double: hands.length },
         decodeMs: { double: decodedMs - startedMs },
         durationMs: { double: performance.now() - startedMs },
-        error: isNewError ? { string: '' } : undefined,
+        backend: { string: backend },
+        backendFault: isNewFault ? { string: backendFault } : undefined,
+        error: isNewError ? { string: error } : undefined,
       },
     };
   },
   onDestroyed(state) {
-    state.detector?.dispose();
+    state.choice?.dispose();
   },
 });

@@ -108,7 +108,7 @@ it('says why a backend is not used, and which one is', async () => {
   const refused = await lookUntil(hasError, { backend: 'webgl' });
   expect(refused).toMatchObject({
     backend: 'wasm',
-    error: 'wasm instead of webgl: WebGL is missing here.',
+    error: 'wasm instead of webgl: WebGL in workers needs OffscreenCanvas, which is missing here.',
   });
   expect(await lookUntil(hasError, { backend: 'auto' })).toMatchObject({ error: '' });
 }, 60_000);

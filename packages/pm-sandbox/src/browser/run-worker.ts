@@ -10,10 +10,15 @@ interface WorkerScope {
   addEventListener(type: string, listener: (event: never) => void): void;
 }
 
-/** The program of a browser's worker; the first message tells it how to start. */
+/**
+ * The program of a browser's worker; the first message tells it how to start.
+ *
+ * @param kept globals that stay, see `stripGlobals`
+ */
 export function runWorker(
   createEngine: (memory: MemoryAccount) => MaybePromise<Engine>,
   extras: Pick<WorkerPlatform, 'evaluateLibrary'> = {},
+  kept: Readonly<Record<string, unknown>> = {},
 ): void {
   const scope = globalThis as unknown as WorkerScope;
   const post = scope.postMessage.bind(scope);
@@ -39,7 +44,7 @@ export function runWorker(
     event.preventDefault();
     loop?.handleStray(event.reason);
   });
-  stripGlobals();
+  stripGlobals(kept);
 }
 
 async function startLoop(

@@ -39,8 +39,12 @@ const REACHING = [
   'dispatchEvent',
 ] as const;
 
-/** Takes away, from the global object and what it inherits from, what reaches out of the worker. */
-export function stripGlobals(): void {
+/**
+ * Takes away, from the global object and what it inherits from, what reaches out of the worker.
+ *
+ * @param kept what stands in place of a global that is taken away, by name
+ */
+export function stripGlobals(kept: Readonly<Record<string, unknown>> = {}): void {
   for (const name of REACHING) {
     for (
       let holder: object | null = globalThis;
@@ -49,6 +53,6 @@ export function stripGlobals(): void {
     ) {
       Reflect.deleteProperty(holder, name);
     }
-    Reflect.defineProperty(globalThis, name, { value: undefined, writable: false });
+    Reflect.defineProperty(globalThis, name, { value: kept[name], writable: false });
   }
 }

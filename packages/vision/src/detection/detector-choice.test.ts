@@ -76,7 +76,9 @@ describe('a choice of detectors', () => {
     const { choose } = await setUp();
     const [, backend, problem] = await choose('centernet', 'webgl');
     expect(backend).toBe('wasm');
-    expect(problem).toBe('wasm instead of webgl: WebGL is missing here.');
+    expect(problem).toBe(
+      'wasm instead of webgl: WebGL in workers needs OffscreenCanvas, which is missing here.',
+    );
     expect(await choose('centernet', 'auto')).toEqual(['centernet', 'wasm', '']);
   });
 

@@ -29,6 +29,7 @@ describe('chooseBackend', () => {
     expect(choice).toEqual({
       backend: 'wasm',
       reason: 'wasm is the fastest backend with right results.',
+      isProvisional: false,
       trials: [
         { name: 'webgl', outcome: 'slower', reason: 'wasm is faster.', startMs: 30, probeMs: 30 },
         {
@@ -51,7 +52,7 @@ describe('chooseBackend', () => {
     expect(backend).toBe('wasm');
     expect(trials[0]).toMatchObject({
       outcome: 'wrong',
-      reason: 'The results of its probe are off by 25.0 %.',
+      reason: 'Its numbers differ from the reference by 25.0 %.',
     });
   });
 
@@ -61,7 +62,7 @@ describe('chooseBackend', () => {
       [candidate('webgpu', 1, { error: Infinity }), candidate('wasm', 10)],
       { now },
     );
-    expect(trials[0]!.reason).toBe('The results of its probe are no numbers.');
+    expect(trials[0]!.reason).toBe('Its results are not numbers.');
   });
 
   it('takes the wanted backend although another would be faster', async () => {
@@ -80,6 +81,35 @@ describe('chooseBackend', () => {
     const { backend, reason } = await chooseBackend(candidates, { now, wanted: 'webgl' });
     expect(backend).toBe('wasm');
     expect(reason).toBe('wasm instead of webgl: The graphics card was lost.');
+  });
+
+  it('starts with the backend that starts soonest, and leaves the others for later', async () => {
+    const { now, candidate } = world();
+    const candidates = [candidate('webgl', 3), candidate('wasm', 10)];
+    const choice = await chooseBackend(candidates, { now, wanted: 'wasm', isProvisional: true });
+    expect(choice.reason).toBe(
+      'wasm starts soonest; the others are measured after the first result.',
+    );
+    expect(choice.isProvisional).toBe(true);
+    expect(choice.trials[1]).toEqual({
+      name: 'webgl',
+      outcome: 'not tried',
+      reason: 'wasm works.',
+    });
+  });
+
+  it('leaves nothing for later when the others are absent or a last resort', async () => {
+    const { now, candidate } = world();
+    const absence = 'This browser has no WebGL 2 in workers.';
+    const candidates = [
+      candidate('webgpu', 1, { absence }),
+      candidate('webgl', 90, { isLastResort: true }),
+      candidate('wasm', 10),
+    ];
+    const choice = await chooseBackend(candidates, { now, wanted: 'wasm', isProvisional: true });
+    expect(choice.isProvisional).toBe(false);
+    expect(choice.reason).toBe('wasm is the fastest backend with right results.');
+    expect(choice.trials[1]).toEqual({ name: 'webgpu', outcome: 'absent', reason: absence });
   });
 
   it('tries the last resort only when nothing else works', async () => {

@@ -33,11 +33,15 @@ export interface BackendChoice {
   readonly reason: string;
   /** All candidates, in the order in which they were tried. */
   readonly trials: readonly BackendTrial[];
+  /** Backends that may be faster were not measured. */
+  readonly isProvisional: boolean;
 }
 
 export interface ChooseBackendOptions {
   /** The requested backend, used when it works; default: the fastest. */
   readonly wanted?: BackendName;
+  /** `wanted` is not a request but starts soonest: it computes until the others are measured. */
+  readonly isProvisional?: boolean;
   /** Milliseconds of a steady clock. */
   readonly now: () => number;
 }
@@ -61,7 +65,7 @@ const MAX_PROBING_MS = 300;
  */
 export async function chooseBackend(
   candidates: readonly BackendCandidate[],
-  { wanted, now }: ChooseBackendOptions,
+  { wanted, isProvisional: isSoonest = false, now }: ChooseBackendOptions,
 ): Promise<BackendChoice> {
   const order = [
     ...candidates.filter(({ name }) => name === wanted),
@@ -73,7 +77,7 @@ export async function chooseBackend(
     const best = fastest(trials);
     const isDone = best !== undefined && (wanted === best.name || candidate.isLastResort === true);
     trials.push(
-      isDone
+      isDone && candidate.absence === undefined
         ? { name: candidate.name, outcome: 'not tried', reason: `${best.name} works.` }
         : await tryBackend(candidate, now),
     );
@@ -83,15 +87,24 @@ export async function chooseBackend(
     const reasons = trials.map(({ name, reason }) => `${name}: ${reason}`);
     throw new Error(`No backend of TensorFlow.js works here. ${reasons.join(' ')}`);
   }
-  const refused = trials.find(({ name }) => name === wanted && name !== best.name);
+  const isProvisional =
+    isSoonest &&
+    order.some(
+      ({ isLastResort }, index) => isLastResort !== true && trials[index]!.outcome === 'not tried',
+    );
+  const refused = isSoonest
+    ? undefined
+    : trials.find(({ name }) => name === wanted && name !== best.name);
   return {
     backend: best.name,
-    reason:
-      wanted === best.name
+    reason: isProvisional
+      ? `${best.name} starts soonest; the others are measured after the first result.`
+      : wanted === best.name && !isSoonest
         ? `${best.name} was asked for and works.`
         : refused === undefined
           ? `${best.name} is the fastest backend with right results.`
           : `${best.name} instead of ${refused.name}: ${refused.reason}`,
+    isProvisional,
     trials: trials.map((trial) =>
       trial.outcome !== 'slower'
         ? trial
@@ -112,8 +125,10 @@ async function tryBackend(candidate: BackendCandidate, now: () => number): Promi
     const error = await candidate.probe();
     const startMs = now() - startedAt;
     if (!(error <= MAX_PROBE_ERROR)) {
-      const size = Number.isFinite(error) ? `off by ${(error * 100).toFixed(1)} %` : 'no numbers';
-      return { name, outcome: 'wrong', reason: `The results of its probe are ${size}.`, startMs };
+      const reason = Number.isFinite(error)
+        ? `Its numbers differ from the reference by ${(error * 100).toFixed(1)} %.`
+        : 'Its results are not numbers.';
+      return { name, outcome: 'wrong', reason, startMs };
     }
     let probeMs = Infinity;
     const probingSince = now();

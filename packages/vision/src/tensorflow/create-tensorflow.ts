@@ -10,6 +10,8 @@ import {
   type BackendName,
   chooseBackend,
 } from './choose-backend.ts';
+import { BackendLostError, lossOf, runUnlessLost, startBackend } from './gpu-backend.ts';
+import { type GpuSupport, webglSupport, webgpuSupport } from './gpu-support.ts';
 import { type Files, useMemoryPlatform } from './memory-platform.ts';
 import { readModelFiles } from './model-files.ts';
 import { knownResults, probeError, runProbe } from './probe.ts';
@@ -17,15 +19,20 @@ import { knownResults, probeError, runProbe } from './probe.ts';
 /** The file of the backend `wasm`: the build with SIMD, for one thread. */
 export const WASM_FILE = 'tfjs-backend-wasm-simd.wasm';
 
+/** A backend by name, the fastest, or the one that starts first. */
+export type WantedBackend = BackendName | 'auto' | 'soonest';
+
 export interface TensorflowOptions {
-  /** Backend to use when it works; default `auto`, the fastest. */
-  readonly backend?: BackendName | 'auto';
+  /** Backend to use when it works; `soonest`: the one that starts first; default `auto`, the fastest. */
+  readonly backend?: WantedBackend;
   /** Milliseconds of a steady clock; default `performance.now`. */
   readonly now?: () => number;
 }
 
 /** TensorFlow.js with a verified backend. All instances in a worker share its memory. */
 export interface Tensorflow extends BackendChoice {
+  /** The backend of TensorFlow.js itself: models on the same one share its memory. */
+  readonly instance: object;
   /**
    * Loads a graph model.
    *
@@ -37,6 +44,8 @@ export interface Tensorflow extends BackendChoice {
   /**
    * Runs a task on this backend. Tasks of one worker run one after the other: the backend in use is
    * a single variable of TensorFlow.js.
+   *
+   * @throws BackendLostError when the graphics card takes the backend away before the end
    */
   run<Result>(task: () => Promise<Result> | Result): Promise<Result>;
 }
@@ -65,33 +74,41 @@ export function createTensorflow(
     useMemoryPlatform(files);
     // Suppresses the advice to install other packages, which is written to the console.
     tf.env().set('PROD', true);
+    // Software renderers are a last resort here (`isLastResort`), and not refused by TensorFlow.js.
+    if (typeof OffscreenCanvas !== 'undefined') tf.env().set('SOFTWARE_WEBGL_ENABLED', true);
     const known = knownResults();
     const candidates = [
       // Before software renderers, which are not faster and take seconds to start.
       cpuCandidate(),
-      gpuCandidate('webgpu', 'WebGPU'),
-      gpuCandidate('webgl', 'WebGL'),
+      gpuCandidate('webgpu', await webgpuSupport()),
+      gpuCandidate('webgl', webglSupport()),
       wasmCandidate(files),
     ].map((candidate) => ({
       ...candidate,
       start: async () => {
         await candidate.start?.();
-        if (!(await tf.setBackend(candidate.name))) throw new Error('It could not be started.');
-        await tf.ready();
+        await startBackend(candidate.name);
       },
-      probe: async () => probeError(await runProbe(), known),
+      probe: async () => probeError(await runUnlessLost(runProbe), known),
     }));
     const choice = await chooseBackend(candidates, {
-      wanted: backend === 'auto' ? undefined : backend,
+      wanted: backend === 'auto' ? undefined : backend === 'soonest' ? 'wasm' : backend,
+      isProvisional: backend === 'soonest',
       now,
     });
+    // Models live in the memory of this one: another one of the same name does not have them.
+    const instance = tf.engine().registry[choice.backend]!;
     const run: Tensorflow['run'] = (task) =>
       inTurn(async () => {
+        if (tf.engine().registry[choice.backend] !== instance) {
+          throw lossOf(instance) ?? new BackendLostError(`${choice.backend} was started anew.`);
+        }
         if (tf.getBackend() !== choice.backend) await tf.setBackend(choice.backend);
-        return task();
+        return runUnlessLost(task);
       });
     return {
       ...choice,
+      instance,
       run,
       loadModel: async (modelFiles, modelName) => {
         const artifacts = readModelFiles(modelFiles, modelName);
@@ -101,24 +118,30 @@ export function createTensorflow(
   });
 }
 
-const shared = new Map<BackendName | 'auto', Promise<Tensorflow>>();
+const shared = new Map<WantedBackend, Promise<Tensorflow>>();
 
 /**
  * The one TensorFlow.js of this worker for a backend, which is made by the first caller: the choice of a
- * backend takes longer than a detection. A failure is not kept.
+ * backend takes longer than a detection. A failure is not kept, nor a backend that was lost.
  */
 export function sharedTensorflow(
   files: Files,
-  backend: BackendName | 'auto' = 'auto',
+  backend: WantedBackend = 'auto',
 ): Promise<Tensorflow> {
   const known = shared.get(backend);
-  if (known !== undefined) return known;
-  const made = createTensorflow(files, { backend }).catch((error: unknown) => {
-    shared.delete(backend);
-    throw error;
-  });
+  const made = known === undefined ? start() : known.then((one) => (isLost(one) ? start() : one));
   shared.set(backend, made);
   return made;
+
+  function start(): Promise<Tensorflow> {
+    const started = createTensorflow(files, { backend });
+    started.catch(() => shared.delete(backend));
+    return started;
+  }
+}
+
+function isLost({ backend, instance }: Tensorflow): boolean {
+  return tf.engine().registry[backend] !== instance || lossOf(instance) !== undefined;
 }
 
 type Candidate = Pick<BackendCandidate, 'name' | 'absence' | 'isLastResort'> & {
@@ -126,26 +149,11 @@ type Candidate = Pick<BackendCandidate, 'name' | 'absence' | 'isLastResort'> & {
 };
 
 /** Backends for graphics cards register themselves when the browser supports them. */
-function gpuCandidate(name: 'webgl' | 'webgpu', label: string): Candidate {
-  return {
-    name,
-    absence: tf.findBackendFactory(name) == null ? `${label} is missing here.` : undefined,
-    // A software renderer has a tenth of the speed of wasm and compiles its shaders for seconds.
-    isLastResort: isSoftwareRenderer(),
-  };
-}
-
-/** Names of renderers that work without a graphics card. */
-const SOFTWARE_RENDERERS = /swiftshader|llvmpipe|softpipe|basic render|software/i;
-
-function isSoftwareRenderer(): boolean {
-  if (typeof OffscreenCanvas === 'undefined') return false;
-  const context = new OffscreenCanvas(1, 1).getContext('webgl2');
-  const info = context?.getExtension('WEBGL_debug_renderer_info');
-  if (context == null || info == null) return false;
-  const name = String(context.getParameter(info.UNMASKED_RENDERER_WEBGL));
-  context.getExtension('WEBGL_lose_context')?.loseContext();
-  return SOFTWARE_RENDERERS.test(name);
+function gpuCandidate(name: 'webgl' | 'webgpu', support: GpuSupport): Candidate {
+  const absence =
+    support.absence ??
+    (tf.findBackendFactory(name) == null ? `TensorFlow.js does not know ${name} here.` : undefined);
+  return { name, absence, isLastResort: support.isSoftware };
 }
 
 function wasmCandidate(files: Files): Candidate {

@@ -1,0 +1,296 @@
+import type { BackendName } from './tensorflow/choose-backend.ts';
+import {
+  sharedTensorflow,
+  type Tensorflow,
+  type WantedBackend,
+} from './tensorflow/create-tensorflow.ts';
+import type { Files } from './tensorflow/memory-platform.ts';
+
+const BACKENDS = ['auto', 'webgpu', 'webgl', 'wasm', 'cpu'] as const;
+/** What is used in place of a backend that fails while it computes. */
+const NEXT_BACKEND: Readonly<Record<BackendName, BackendName | undefined>> = {
+  webgpu: 'wasm',
+  webgl: 'wasm',
+  wasm: 'cpu',
+  cpu: undefined,
+};
+/** How often the files of a model that are missing are asked for again, milliseconds. */
+const RETRY_MS = 5_000;
+
+/** A model that can be chosen. */
+export interface ModelSource<Model extends { dispose(): void }> {
+  readonly title: string;
+  /** Loads files that are not there from the start. Rejects with an error whose `code` is `missing` when they are not installed. */
+  load(): Files | Promise<Files>;
+  create(tensorflow: Tensorflow, files: Files): Promise<Model>;
+}
+
+/** What a choice of models needs. */
+export interface ModelSources<Name extends string, Model extends { dispose(): void }> {
+  /** For `createTensorflow`. */
+  readonly tensorflow: Files;
+  /** By name; the first one is the default and replaces others. */
+  readonly models: Readonly<Record<Name, ModelSource<Model>>>;
+  /** Told of each model and backend in use, one sentence. */
+  onChange?(text: string): void;
+  /** Milliseconds of a steady clock; default `performance.now`. */
+  now?(): number;
+  /** Default: the TensorFlow.js that the worker shares. */
+  createTensorflow?(files: Files, backend: WantedBackend): Promise<Tensorflow>;
+}
+
+interface Wish<Name> {
+  readonly model: Name;
+  readonly backend: BackendName | 'auto';
+  /** Why it is not what the caller asked for; empty when it is. */
+  readonly problem: string;
+}
+
+interface Loaded<Name, Model> {
+  readonly name: Name;
+  readonly model: Model;
+  readonly tensorflow: Tensorflow;
+}
+
+/**
+ * One model and one backend out of several, which can be changed while it computes: the model in use
+ * goes on until the next one is loaded. What cannot be had is replaced, and `problem` says why.
+ */
+export class ModelChoice<Name extends string, Model extends { dispose(): void }> {
+  readonly #sources: ModelSources<Name, Model>;
+  readonly #names: readonly Name[];
+  #inUse: Loaded<Name, Model>;
+  /** What the caller asked for last. */
+  #asked: string;
+  #wish: Wish<Name>;
+  #problem = '';
+  /** Backends that failed while they computed, as in `backendFault`. */
+  readonly #failures: string[] = [];
+  /** The fastest backend is measured after the first result. */
+  #isUnmeasured = true;
+  #following: Promise<void> | undefined;
+  #retryAtMs = Infinity;
+  #isDisposed = false;
+
+  /**
+   * Starts with the first model on the backend that starts soonest.
+   * @throws Error when no backend works, or its files are damaged
+   */
+  static async create<Name extends string, Model extends { dispose(): void }>(
+    sources: ModelSources<Name, Model>,
+  ): Promise<ModelChoice<Name, Model>> {
+    const name = namesOf(sources)[0]!;
+    const tensorflow = await tensorflowOf(sources, 'soonest');
+    const { create, load } = sources.models[name];
+    const model = await create(tensorflow, await load());
+    return new ModelChoice(sources, { name, model, tensorflow });
+  }
+
+  private constructor(sources: ModelSources<Name, Model>, inUse: Loaded<Name, Model>) {
+    this.#sources = sources;
+    this.#names = namesOf(sources);
+    this.#inUse = inUse;
+    this.#asked = `${inUse.name} auto`;
+    this.#wish = { model: inUse.name, backend: 'auto', problem: '' };
+    this.#tell();
+  }
+
+  get name(): Name {
+    return this.#inUse.name;
+  }
+
+  get model(): Model {
+    return this.#inUse.model;
+  }
+
+  get backend(): BackendName {
+    return this.#inUse.tensorflow.backend;
+  }
+
+  /** Which backends failed, when one was chosen or later, why, and what replaced them; empty when none did. */
+  get backendFault(): string {
+    const { trials, backend } = this.#inUse.tensorflow;
+    return trials
+      .filter(({ outcome }) => outcome === 'failed' || outcome === 'wrong')
+      .map(({ name, reason }) => `${name} does not work: ${reason} ${backend} replaces it.`)
+      .concat(this.#failures)
+      .join(' ');
+  }
+
+  /** Why model or backend are not those that were chosen, for people; empty when they are. */
+  get problem(): string {
+    return this.#problem;
+  }
+
+  /**
+   * Chooses model and backend, which are loaded meanwhile. The same choice again does nothing, except to
+   * look again for files that were missing.
+   *
+   * @param backend `auto`, `webgpu`, `webgl`, `wasm` or `cpu`
+   */
+  choose(model: string, backend: string): void {
+    const asked = `${model} ${backend}`;
+    if (asked !== this.#asked) {
+      this.#asked = asked;
+      this.#wish = this.#readWish(model, backend);
+      this.#isUnmeasured = false;
+    } else if (this.#now() < this.#retryAtMs) return;
+    this.#retryAtMs = Infinity;
+    void this.#follow();
+  }
+
+  /**
+   * Runs a task with the model in use. When its backend fails, the task is run again on the next one: no
+   * input is lost.
+   */
+  async use<Result>(task: (model: Model) => Promise<Result>): Promise<Result> {
+    const used = this.#inUse;
+    try {
+      const result = await task(used.model);
+      if (this.#isUnmeasured && used.tensorflow.isProvisional && !this.#isDisposed) {
+        this.#isUnmeasured = false;
+        void this.#follow();
+      }
+      return result;
+    } catch (error) {
+      const { backend } = used.tensorflow;
+      const next = NEXT_BACKEND[backend];
+      // A picture or a class is wrong; or nothing is left to be tried.
+      if (error instanceof RangeError || next === undefined || this.#isDisposed) throw error;
+      if (this.#inUse === used) await this.#fallBack(backend, next, error);
+      return this.use(task);
+    }
+  }
+
+  /** Resolves when nothing is being loaded. */
+  async settled(): Promise<void> {
+    await this.#following;
+  }
+
+  dispose(): void {
+    this.#isDisposed = true;
+    this.#inUse.model.dispose();
+  }
+
+  async #fallBack(backend: BackendName, next: BackendName, error: unknown): Promise<void> {
+    const reason = messageOf(error);
+    this.#isUnmeasured = false;
+    const problem = `The backend ${backend} failed: ${reason} ${next} is used instead.`;
+    this.#failures.push(`${backend} failed during use: ${reason} ${next} replaces it.`);
+    this.#wish = { ...this.#wish, backend: next, problem };
+    await this.#follow();
+    // Nothing replaces it: it must not be asked again and again.
+    if (this.backend === backend) throw error;
+  }
+
+  /** Loads one after the other what is wished, until that is in use. */
+  #follow(): Promise<void> {
+    this.#following ??= (async () => {
+      for (let wish: Wish<Name> | undefined; wish !== this.#wish;) {
+        wish = this.#wish;
+        const problems = await this.#apply(wish);
+        this.#problem = [wish.problem, ...problems].filter(Boolean).join(' ');
+      }
+    })().finally(() => (this.#following = undefined));
+    return this.#following;
+  }
+
+  /** @returns what did not work */
+  async #apply({ model, backend }: Wish<Name>): Promise<string[]> {
+    const problems: string[] = [];
+    let tensorflow: Tensorflow;
+    try {
+      tensorflow = await tensorflowOf(this.#sources, backend);
+    } catch (error) {
+      return [messageOf(error)];
+    }
+    if (backend !== 'auto' && tensorflow.backend !== backend) problems.push(tensorflow.reason);
+    try {
+      await this.#load(model, tensorflow);
+    } catch (error) {
+      problems.push(this.#whyNot(model, error));
+      // On the chosen backend all the same.
+      await this.#load(this.#names[0]!, tensorflow).catch((other: unknown) =>
+        problems.push(messageOf(other)),
+      );
+    }
+    return problems;
+  }
+
+  async #load(name: Name, tensorflow: Tensorflow): Promise<void> {
+    const before = this.#inUse;
+    if (before.name === name && before.tensorflow.instance === tensorflow.instance) {
+      this.#inUse = { ...before, tensorflow };
+      return;
+    }
+    const { create, load } = this.#sources.models[name];
+    const model = await create(tensorflow, await load());
+    if (this.#isDisposed) return model.dispose();
+    this.#inUse = { name, model, tensorflow };
+    this.#tell();
+    // After a task under way. A backend that is lost took the memory of its models along.
+    await before.tensorflow
+      .run(() => before.model.dispose())
+      .catch(() => before.model.dispose())
+      .catch(() => undefined);
+  }
+
+  #whyNot(name: Name, error: unknown): string {
+    const { title } = this.#sources.models[name];
+    const substitute = this.#sources.models[this.#names[0]!].title;
+    const isMissing = (error as { code?: unknown } | null)?.code === 'missing';
+    if (!isMissing)
+      return `${title} cannot be used: ${messageOf(error)} ${substitute} detects instead.`;
+    this.#retryAtMs = this.#now() + RETRY_MS;
+    return `The model of ${title} is not installed. Get it on the page of this module, or with "npm run models -- get ${name}" on the machine of the master. Until then, ${substitute} detects.`;
+  }
+
+  /** Names that are unknown are a problem, and leave things as they are. */
+  #readWish(model: string, backend: string): Wish<Name> {
+    const { models } = this.#sources;
+    const problems: string[] = [];
+    const isModel = Object.hasOwn(models, model);
+    if (!isModel) {
+      problems.push(
+        `There is no detector "${model}". There are ${this.#names.join(' and ')}. ${models[this.name].title} detects.`,
+      );
+    }
+    const isBackend = (BACKENDS as readonly string[]).includes(backend);
+    if (!isBackend) {
+      problems.push(`There is no backend "${backend}". There are ${BACKENDS.join(', ')}.`);
+    }
+    return {
+      model: isModel ? (model as Name) : this.name,
+      backend: isBackend ? (backend as Wish<Name>['backend']) : 'auto',
+      problem: problems.join(' '),
+    };
+  }
+
+  #tell(): void {
+    const { name, tensorflow } = this.#inUse;
+    const { title } = this.#sources.models[name];
+    this.#sources.onChange?.(`${title} uses ${tensorflow.backend}. ${tensorflow.reason}`);
+  }
+
+  #now(): number {
+    return this.#sources.now?.() ?? performance.now();
+  }
+}
+
+function namesOf<Name extends string>(sources: {
+  readonly models: Readonly<Record<Name, unknown>>;
+}): readonly Name[] {
+  return Object.keys(sources.models) as Name[];
+}
+
+function tensorflowOf<Name extends string, Model extends { dispose(): void }>(
+  { tensorflow, createTensorflow = sharedTensorflow }: ModelSources<Name, Model>,
+  backend: WantedBackend,
+): Promise<Tensorflow> {
+  return createTensorflow(tensorflow, backend);
+}
+
+function messageOf(error: unknown): string {
+  const text = error instanceof Error ? error.message : String(error);
+  return text.endsWith('.') ? text : `${text}.`;
+}

@@ -1,0 +1,120 @@
+import type { MathBackendWebGL } from '@tensorflow/tfjs-backend-webgl';
+import type { WebGPUBackend } from '@tensorflow/tfjs-backend-webgpu';
+import * as tf from '@tensorflow/tfjs-core';
+import type { BackendName } from './choose-backend.ts';
+
+/** The graphics card took away what a backend computes with: a driver was reset, or memory ran out. */
+export class BackendLostError extends Error {
+  override readonly name = 'BackendLostError';
+}
+
+type Factory = NonNullable<ReturnType<typeof tf.findBackendFactory>>;
+
+/** What TensorFlow.js registered, before it was wrapped. */
+const factories = new Map<BackendName, Factory>();
+const startErrors = new Map<BackendName, unknown>();
+
+/**
+ * Starts a backend and makes it the one in use. One that was lost is started anew.
+ *
+ * @throws the error that kept the backend from starting; TensorFlow.js only writes it to the console
+ */
+export async function startBackend(name: BackendName): Promise<void> {
+  const factory = factories.get(name) ?? tf.findBackendFactory(name);
+  const known = tf.engine().registry[name];
+  if (factory != null && (known === undefined || lossOf(known) !== undefined)) {
+    factories.set(name, factory);
+    tf.removeBackend(name);
+    tf.registerBackend(name, () => keepError(name, factory));
+  }
+  startErrors.delete(name);
+  if (await tf.setBackend(name)) return;
+  const error = startErrors.get(name);
+  throw error instanceof Error ? error : new Error(`TensorFlow.js did not start ${name}.`);
+}
+
+function keepError(name: BackendName, factory: Factory): ReturnType<Factory> {
+  const keep = (error: unknown): never => {
+    startErrors.set(name, error);
+    throw error;
+  };
+  try {
+    const made = factory();
+    return made instanceof Promise ? made.catch(keep) : made;
+  } catch (error) {
+    return keep(error);
+  }
+}
+
+/**
+ * Runs a task on the backend in use.
+ *
+ * @throws BackendLostError when the backend is lost before the end, also when the task never ends or seems to succeed
+ */
+export async function runUnlessLost<Result>(task: () => Promise<Result> | Result): Promise<Result> {
+  const watch = watchOf(tf.backend());
+  watch.throwIfLost();
+  const loss = new Promise<never>((_resolve, reject) => (watch.onLost = reject));
+  try {
+    const result = await Promise.race([loss, (async () => task())()]);
+    watch.throwIfLost();
+    return result;
+  } catch (error) {
+    watch.throwIfLost();
+    throw error;
+  } finally {
+    watch.onLost = undefined;
+  }
+}
+
+/** Notices that a backend is lost. Tasks run one after the other, so one is told. */
+class LossWatch {
+  error: BackendLostError | undefined;
+  onLost: ((error: BackendLostError) => void) | undefined;
+  readonly #context: WebGL2RenderingContext | undefined;
+
+  constructor(backend: object) {
+    if ('gpgpu' in backend) {
+      const gl = (backend as MathBackendWebGL).gpgpu.gl as WebGL2RenderingContext;
+      this.#context = gl;
+      gl.canvas.addEventListener('webglcontextlost', () => this.#check());
+    } else if ('device' in backend) {
+      void (backend as WebGPUBackend).device.lost.then(({ message }) =>
+        this.#lose(`The WebGPU device was lost. ${message}`.trim()),
+      );
+    }
+  }
+
+  throwIfLost(): void {
+    // The event comes later than what it is about.
+    this.#check();
+    if (this.error !== undefined) throw this.error;
+  }
+
+  #check(): void {
+    const gl = this.#context;
+    if (gl?.isContextLost() !== true) return;
+    // TensorFlow.js asks for ever whether a lost context has finished.
+    gl.clientWaitSync = () => gl.ALREADY_SIGNALED;
+    this.#lose('The WebGL context was lost.');
+  }
+
+  #lose(message: string): void {
+    if (this.error !== undefined) return;
+    this.error = new BackendLostError(message);
+    this.onLost?.(this.error);
+  }
+}
+
+const watches = new WeakMap<object, LossWatch>();
+
+function watchOf(backend: object): LossWatch {
+  let watch = watches.get(backend);
+  if (watch === undefined) watches.set(backend, (watch = new LossWatch(backend)));
+  return watch;
+}
+
+/** Why a backend was lost; undefined when it was not. */
+export function lossOf(backend: object): BackendLostError | undefined {
+  return watches.get(backend)?.error;
+}
