@@ -1,5 +1,5 @@
 import { isExtensionTopic, isMasterTopic, type ProcessingModule } from '@ubii/proto';
-import { rankModules } from '../../modules/library/rank-modules.ts';
+import { rankModules, type FormatsAtHand } from '../../modules/library/rank-modules.ts';
 import { formatsAtHand } from '../model/fit/at-hand.ts';
 import { fittingNodes, type KnownTopic, type NodeOffer } from '../model/fit/fitting.ts';
 import type { Graph, PortRef } from '../model/graph.ts';
@@ -27,6 +27,8 @@ export type Addable = {
 );
 
 const MAX_SHOWN = 60;
+/** So many topics leave room for what else fits a wire; words find the others. */
+const MAX_TOPICS = 30;
 const PARTS = {
   muxer: 'Muxer',
   demuxer: 'Demuxer',
@@ -46,11 +48,16 @@ export function addables(
   end: PortRef | undefined,
 ): Addable[] {
   const known = topics.filter(({ topic }) => !isMasterTopic(topic) && !isExtensionTopic(topic));
-  const all = end === undefined ? looseItems(modules, known) : offers(graph, end, modules, known);
-  return [
-    ...bestFirst(graph, all, typed, nameTopic),
-    ...newTopic(graph, typed.trim(), known, end),
-  ].slice(0, MAX_SHOWN);
+  const found =
+    end === undefined
+      ? bestFirst(looseItems(modules, known), typed, formatsAtHand(graph), nameTopic)
+      : withFewTopics(bestFirst(offers(graph, end, modules, known), typed, undefined, nameTopic));
+  return [...found, ...newTopic(graph, typed.trim(), known, end)].slice(0, MAX_SHOWN);
+}
+
+function withFewTopics(found: readonly Addable[]): Addable[] {
+  let topics = 0;
+  return found.filter(({ offer }) => offer?.kind !== 'topic' || (topics += 1) <= MAX_TOPICS);
 }
 
 /** Modules that fit the words typed, and can go into a wire. */
@@ -65,7 +72,7 @@ export function insertables(
   const fitting = modules.filter(
     (module) => insertionOf(graph, wire, moduleNode(module)) !== undefined,
   );
-  return bestFirst(graph, looseModules(fitting), typed).slice(0, MAX_SHOWN);
+  return bestFirst(looseModules(fitting), typed, formatsAtHand(graph)).slice(0, MAX_SHOWN);
 }
 
 /** The module that is added; undefined when it is something else. */
@@ -74,11 +81,14 @@ export function moduleOf({ item, offer }: Addable): ProcessingModule | undefined
   return offer?.kind === 'module' ? offer.module : undefined;
 }
 
-/** What has all the words; the modules among it with the best first. */
+/**
+ * What has all the words; the modules among it with the best first.
+ * @param atHand undefined: modules that are equally good keep their order
+ */
 function bestFirst(
-  graph: Graph,
   all: readonly Addable[],
   typed: string,
+  atHand: FormatsAtHand | undefined,
   nameTopic: AddableSources['nameTopic'] = (topic) => topic,
 ): Addable[] {
   const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
@@ -88,12 +98,7 @@ function bestFirst(
   const at = Math.max(0, all.findIndex(isModule));
   const others = (part: readonly Addable[]): Addable[] =>
     part.filter((one) => !isModule(one) && has(one));
-  const modules = rankModules(
-    all.filter(isModule),
-    (one) => moduleOf(one)!,
-    words,
-    formatsAtHand(graph),
-  );
+  const modules = rankModules(all.filter(isModule), (one) => moduleOf(one)!, words, atHand);
   return [...others(all.slice(0, at)), ...modules, ...others(all.slice(at))];
 }
 

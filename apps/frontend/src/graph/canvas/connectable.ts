@@ -1,20 +1,24 @@
 import { portName } from '../model/commands/command-label.ts';
-import { fittingPorts } from '../model/fit/fitting.ts';
+import { endOf } from '../model/fit/fit-of.ts';
+import { fittingPorts, type KnownTopic } from '../model/fit/fitting.ts';
+import { closeness, isInUse } from '../model/fit/rank-offers.ts';
 import type { Graph, Point, PortRef } from '../model/graph.ts';
 import { portFormat, portOf } from '../model/port-format.ts';
 import { wiresAt } from '../model/wires-of.ts';
 import type { Addable } from './addable.ts';
 
 /**
- * The sockets in the graph that a wire from this one fits, nearest first; those that take no other
- * wire off come before those that do.
+ * The sockets in the graph that a wire from this one fits: those that take no other wire off first,
+ * then those that fit best, then the nearest. Topics in use are no sockets to write to. [SE-70]
  * @param typed words that the names have
+ * @param published topics that have a publisher
  * @param placeOf where a socket is on the canvas
  */
 export function connectables(
   graph: Graph,
   from: PortRef,
   typed: string,
+  published: readonly KnownTopic[],
   placeOf: (ref: PortRef) => Point | undefined,
 ): Addable[] {
   const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
@@ -27,13 +31,26 @@ export function connectables(
     wiresAt(graph, ref).some(({ from: a, to: b }) =>
       [a, b].some(({ node, port }) => node === from.node && port === from.port),
     );
+  const isPublished = new Set(published.map(({ topic }) => topic));
+  const isOutput = portOf(graph, from)?.direction === 'out';
+  const mixes = ({ node }: PortRef): boolean => {
+    const other = graph.nodes.get(node);
+    return (
+      isOutput && other?.kind === 'topic' && isInUse(graph, from.node, other.topic, isPublished)
+    );
+  };
   return (
     fittingPorts(graph, from)
-      .filter((port) => !isJoined(port))
+      .filter((port) => !isJoined(port) && !mixes(port))
       // A module is seldom wired to itself: only who asks for it by name is offered that.
       .filter(({ node }) => node !== from.node || words.length > 0)
-      .map((port) => ({ port, isTaken: isTaken(graph, port), far: far(port) }))
-      .sort((a, b) => Number(a.isTaken) - Number(b.isTaken) || a.far - b.far)
+      .map((port) => ({
+        port,
+        isTaken: isTaken(graph, port),
+        close: closenessOf(graph, from, port),
+        far: far(port),
+      }))
+      .sort((a, b) => Number(a.isTaken) - Number(b.isTaken) || a.close - b.close || a.far - b.far)
       .map(({ port, isTaken: taken }) => {
         const format = portFormat(graph, port) ?? portOf(graph, port)?.formatText ?? '';
         const hint = [format, taken ? 'replaces a wire' : ''].filter(Boolean).join(', ');
@@ -48,6 +65,11 @@ export function connectables(
         words.every((word) => `${text} ${hint}`.toLowerCase().includes(word)),
       )
   );
+}
+
+function closenessOf(graph: Graph, from: PortRef, to: PortRef): number {
+  const [own, other] = [endOf(graph, from), endOf(graph, to)];
+  return own === undefined || other === undefined ? 0 : closeness(own, other);
 }
 
 /** An input of a module takes one wire: a new one takes the place of the old one. */

@@ -26,17 +26,18 @@ export function moduleScore(module: ProcessingModule, words: readonly string[]):
 /**
  * Modules that answer the words, the best first; of those that are equally good, the ones that take
  * what is at hand, then those with the fewest inputs: they are the quickest to use.
+ * @param atHand undefined: those that are equally good keep their order
  */
 export function rankModules<T>(
   all: readonly T[],
   moduleOf: (one: T) => ProcessingModule,
   words: readonly string[],
-  atHand: FormatsAtHand = new Set(),
+  atHand: FormatsAtHand | undefined,
 ): T[] {
   const takes = ({ inputs }: ProcessingModule): number =>
     inputs.some(({ messageFormat }) => {
       const format = parseDataFormat(messageFormat);
-      return format !== undefined && atHand.has(format);
+      return format !== undefined && atHand?.has(format) === true;
     })
       ? 1
       : 0;
@@ -47,7 +48,9 @@ export function rankModules<T>(
       (a, b) =>
         takes(b.module) - takes(a.module) ||
         b.score - a.score ||
-        (words.length > 0 ? a.module.inputs.length - b.module.inputs.length : 0),
+        (atHand !== undefined && words.length > 0
+          ? a.module.inputs.length - b.module.inputs.length
+          : 0),
     )
     .map(({ one }) => one);
 }

@@ -79,15 +79,15 @@ describe('a wire in the hand', () => {
     ];
     const offers = fittingNodes(graph, ref(graph, 'all.one'), library, topics);
     expect(offers.map(({ kind, label }) => `${kind} ${label}`)).toEqual([
+      'topic /point',
       'constant Constant',
       'module average-positions',
       'module low-pass-vector2',
       'module merge-vector2',
       'module mirror-pointer',
       'module one-euro-filter-vector2',
-      'module pick-field',
       'module speed-vector2',
-      'topic /point',
+      'module pick-field',
       'topic /unknown',
     ]);
     for (const offer of offers) {

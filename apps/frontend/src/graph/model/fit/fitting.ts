@@ -4,9 +4,12 @@ import { proposedTopic } from '../commands/free-topic.ts';
 import type { GraphCommand } from '../commands/graph-command.ts';
 import type { Graph, GraphNode, PortRef } from '../graph.ts';
 import { moduleNode, topicNode } from '../make-node.ts';
+import { portFormat } from '../port-format.ts';
+import { OUT } from '../ports.ts';
 import { newConstantNode, newDemuxerNode, newModuleNode, newMuxerNode } from '../new-node.ts';
 import type { NewNodes } from './adapt.ts';
 import { endOf, fitEnds, type WireEnd } from './fit-of.ts';
+import { rankOffers } from './rank-offers.ts';
 
 /** All ports a wire from this port may go to; the others are to be dimmed. */
 export function fittingPorts(graph: Graph, ref: PortRef): PortRef[] {
@@ -48,7 +51,11 @@ export type NodeOffer =
   | { readonly kind: 'muxer' | 'demuxer'; readonly label: string; readonly dataType: string }
   | { readonly kind: 'constant'; readonly label: string; readonly format: DataFormat };
 
-/** What can be made where a wire was dropped, by what fits; modules with their first fitting port. */
+/**
+ * What a wire that was dropped on nothing can lead to, best first; modules with their first fitting
+ * port. [SE-70]
+ * @param topics those that have a publisher; those of the graph are offered, too
+ */
 export function fittingNodes(
   graph: Graph,
   ref: PortRef,
@@ -57,11 +64,26 @@ export function fittingNodes(
 ): NodeOffer[] {
   const own = endOf(graph, ref);
   if (own === undefined) return [];
-  return [
+  const offers = [
     ...plainOffers(graph, own),
     ...library.flatMap((module) => moduleOffer(graph, own, module) ?? []),
-    ...topics.flatMap((topic) => topicOffer(graph, own, topic) ?? []),
+    ...topicsToOffer(graph, topics).flatMap((topic) => topicOffer(graph, own, topic) ?? []),
   ];
+  return rankOffers(graph, ref, offers, topics);
+}
+
+/** Topics of the graph before others: they are what the session is about. */
+function topicsToOffer(graph: Graph, topics: readonly KnownTopic[]): KnownTopic[] {
+  const all = new Map<string, KnownTopic>();
+  for (const node of graph.nodes.values()) {
+    if (node.kind !== 'topic') continue;
+    const format = portFormat(graph, { node: node.id, port: OUT }) ?? '';
+    all.set(node.topic, { topic: node.topic, format });
+  }
+  for (const known of topics) {
+    if (known.format !== '' || !all.has(known.topic)) all.set(known.topic, known);
+  }
+  return [...all.values()];
 }
 
 function plainOffers(graph: Graph, own: WireEnd): NodeOffer[] {
