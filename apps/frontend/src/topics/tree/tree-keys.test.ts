@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { TopicRate } from '../../connection/topic-rates.ts';
 import { TopicsModel } from './topics-model.ts';
-import { keyOutcome, TypeAhead } from './tree-keys.ts';
+import { keyOutcome } from './tree-keys.ts';
 
 const rateOf = (topic: string) =>
   ({ statistic: { topic, dataFormat: 'double', publisherId: '' } }) as TopicRate;
@@ -51,29 +51,5 @@ describe('keyOutcome', () => {
     expect(press('ArrowRight', '/a', ['/a'])).toBe('expand /a');
     expect(press('Enter', '/a', ['/a'])).toBe('expand /a');
     expect(press('ArrowLeft', '/a', ['/a'])).toBeUndefined();
-  });
-});
-
-describe('TypeAhead', () => {
-  const names = ['alpha', 'beta', 'bravo', 'acceleration', 'battery'];
-
-  it('goes to the next row that begins with the letter', () => {
-    const typeAhead = new TypeAhead();
-    expect(typeAhead.type('b', names, 0, 0)).toBe(1);
-    expect(typeAhead.type('b', names, 1, 100)).toBe(2);
-    expect(typeAhead.type('B', names, 2, 200)).toBe(4);
-    expect(typeAhead.type('b', names, 4, 300)).toBe(1);
-  });
-
-  it('puts letters together into a word until there is a pause', () => {
-    const typeAhead = new TypeAhead();
-    expect(typeAhead.type('a', names, 1, 0)).toBe(3);
-    expect(typeAhead.type('l', names, 3, 100)).toBe(0);
-    expect(typeAhead.type('b', names, 0, 2000)).toBe(1);
-  });
-
-  it('stays where it is when nothing begins like that', () => {
-    expect(new TypeAhead().type('z', names, 0, 0)).toBeUndefined();
-    expect(new TypeAhead().type('z', [], -1, 0)).toBeUndefined();
   });
 });

@@ -56,33 +56,3 @@ export function keyOutcome(key: string, situation: TreeSituation): KeyOutcome | 
       return undefined;
   }
 }
-
-/** A pause this long begins a new word, milliseconds. */
-const WORD_MS = 700;
-
-/** Finds rows by typing the beginning of their names. */
-export class TypeAhead {
-  #word = '';
-  #typedMs = -Infinity;
-
-  /**
-   * @param names of the rows, in lower case
-   * @param index the row with the focus
-   * @param nowMs any clock
-   * @returns the row to go to; `undefined` when none begins like that
-   */
-  type(key: string, names: readonly string[], index: number, nowMs: number): number | undefined {
-    const letter = key.toLowerCase();
-    const isNewWord = nowMs - this.#typedMs > WORD_MS;
-    this.#typedMs = nowMs;
-    // The same letter again goes on to the next row, as in every list.
-    const isRepeated = !isNewWord && this.#word === letter;
-    this.#word = isNewWord || isRepeated ? letter : this.#word + letter;
-    const from = isNewWord || isRepeated ? index + 1 : index;
-    for (let i = 0; i < names.length; i++) {
-      const at = (from + i) % names.length;
-      if (names[at]!.startsWith(this.#word)) return at;
-    }
-    return undefined;
-  }
-}

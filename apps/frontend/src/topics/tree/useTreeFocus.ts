@@ -2,7 +2,8 @@ import { useElementSize } from '@vueuse/core';
 import { computed, nextTick, onUpdated, shallowRef, type ComputedRef, type Ref } from 'vue';
 import type { TopicTreeView } from '../useTopicTree.ts';
 import type { TopicNode } from './topic-node.ts';
-import { keyOutcome, TypeAhead } from './tree-keys.ts';
+import { isTypeAhead, TypeAhead } from '../../ui/keys/type-ahead.ts';
+import { keyOutcome } from './tree-keys.ts';
 
 /** What the keys of the tree need from it. */
 export interface TreeFocusOptions {
@@ -60,7 +61,7 @@ export function useTreeFocus(options: TreeFocusOptions): {
       else if (outcome.kind === 'select') choose(outcome.node);
       else if (outcome.kind === 'expand-siblings') view.expandSiblings(outcome.node);
       else view.setExpanded(outcome.node, outcome.kind === 'expand');
-    } else if (/^[\p{L}\p{N}_]$/u.test(event.key)) {
+    } else if (isTypeAhead(event)) {
       event.preventDefault(); // also keeps the letter from the program's own shortcuts
       const names = rows.value.map((node) => view.nameOf(node).toLowerCase());
       const found = typeAhead.type(event.key, names, activeIndex.value, event.timeStamp);

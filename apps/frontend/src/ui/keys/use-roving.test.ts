@@ -61,8 +61,19 @@ it('starts at the first item, also when it comes later', async () => {
   await vi.waitFor(() => expect(stops()).toEqual(['z']));
 });
 
+it('goes to the item whose text begins with the letters typed', async () => {
+  await wrapper.setProps({ names: ['mix', 'low-pass', 'mirror', 'mux'] });
+  wrapper.get('button').element.focus();
+  expect(press('m')).toBe(false);
+  expect(focused()).toBe('mirror');
+  press('u');
+  expect(focused()).toBe('mux');
+  expect(stops()).toEqual(['mux']);
+});
+
 it('leaves keys to fields beside the items', () => {
   wrapper.get('input').element.focus();
   expect(press('ArrowDown')).toBe(true);
+  expect(press('a')).toBe(true);
   expect(document.activeElement?.tagName).toBe('INPUT');
 });

@@ -1,5 +1,6 @@
 import { useEventListener, useMutationObserver } from '@vueuse/core';
 import { onMounted, type Ref } from 'vue';
+import { isTypeAhead, TypeAhead } from './type-ahead.ts';
 
 const STEPS: Readonly<Record<string, (index: number, count: number) => number>> = {
   ArrowDown: (index, count) => Math.min(index + 1, count - 1),
@@ -9,8 +10,8 @@ const STEPS: Readonly<Record<string, (index: number, count: number) => number>> 
 };
 
 /**
- * Makes the items of an element one Tab stop: Up, Down, Home and End move among them. Tab comes back to
- * the item that had the focus last.
+ * Makes the items of an element one Tab stop: Up, Down, Home, End and the first letters of a text move
+ * among them. Tab comes back to the item that had the focus last.
  * @param selector of the items
  */
 export function useRoving(host: Readonly<Ref<HTMLElement | null>>, selector: string): void {
@@ -33,13 +34,21 @@ export function useRoving(host: Readonly<Ref<HTMLElement | null>>, selector: str
     last = target;
     stopAt(last);
   });
+  const typeAhead = new TypeAhead();
   useEventListener(host, 'keydown', (event: KeyboardEvent) => {
     const all = items();
     const index = all.indexOf(event.target as HTMLElement);
+    if (index === -1) return;
     const step = STEPS[event.key];
     const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey && !event.shiftKey;
-    if (index === -1 || step === undefined || !isPlain) return;
-    event.preventDefault();
-    all[step(index, all.length)]?.focus();
+    if (step !== undefined && isPlain) {
+      event.preventDefault();
+      all[step(index, all.length)]?.focus();
+    } else if (isTypeAhead(event)) {
+      event.preventDefault(); // also keeps the letter from the program's own shortcuts
+      const texts = all.map(({ textContent }) => textContent.trim().toLowerCase());
+      const found = typeAhead.type(event.key, texts, index, event.timeStamp);
+      if (found !== undefined) all[found]?.focus();
+    }
   });
 }
