@@ -197,6 +197,23 @@ export default ts.config(
     },
   },
   { files: ['apps/node/**'], rules: restrict(noApps) },
+  {
+    files: ['demos/ubi-party/src/sim/**'],
+    ignores: ['**/*.test.ts', '**/testing/**'],
+    rules: {
+      ...restrict(noApps, noVue, noClient, noRuntimes, noModules, noNode),
+      'no-restricted-properties': [
+        'error',
+        ...['sin', 'cos', 'tan', 'asin', 'acos', 'atan', 'atan2', 'exp', 'log', 'pow', 'hypot']
+          .concat('cbrt', 'random')
+          .map((property) => ({
+            object: 'Math',
+            property,
+            message: 'Its last bit differs between machines: a round must be the same on all.',
+          })),
+      ],
+    },
+  },
   { files: ['apps/master/src/adapters/**', 'apps/master/src/*.ts'], rules: restrict(noClient) },
   {
     files: ['apps/master/src/core/**'],

@@ -5,6 +5,6 @@ export default defineConfig({
   test: {
     // Vitest leaves one core free, which is half of a machine with two.
     maxWorkers: Math.max(2, availableParallelism() - 1),
-    projects: ['packages/*', 'apps/*', 'benchmarks', 'robustness'],
+    projects: ['packages/*', 'apps/*', 'demos/*', 'benchmarks', 'robustness'],
   },
 });

@@ -63,7 +63,7 @@ async function checkGeneratedCode() {
 
 /** Workspace folders with their own tsconfig. */
 function packagesWithTypes() {
-  return ['packages', 'apps', '.']
+  return ['packages', 'apps', 'demos', '.']
     .flatMap((parent) =>
       readdirSync(inRoot(parent), { withFileTypes: true })
         .filter((entry) => entry.isDirectory())

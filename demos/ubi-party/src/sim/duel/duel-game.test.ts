@@ -1,0 +1,64 @@
+import { describe, expect, it } from 'vitest';
+import { AT_REST, STEPS_PER_SECOND, type Controls } from '../game.ts';
+import { duelGame, LEAST_REACTION_MS, type DuelState } from './duel-game.ts';
+
+const start = (): DuelState => duelGame.start({ seats: [0, 1], seed: 2, startsAtMs: 50_000 });
+const nowMs = (state: DuelState): number =>
+  state.startsAtMs + (state.step * 1000) / STEPS_PER_SECOND;
+
+/** Plays one bout: each seat's press arrives when `arrives` says, with the time at which it was. */
+function bout(
+  state: DuelState,
+  presses: Record<number, { atMs: number; arrivesMs: number }>,
+): void {
+  const before = state.decided.length;
+  while (state.decided.length === before) {
+    const controls = (seat: number): Controls => {
+      const press = presses[seat];
+      if (!press || nowMs(state) < press.arrivesMs) return AT_REST;
+      return { x: 0, y: 0, isPressed: true, pressedAtMs: press.atMs };
+    };
+    duelGame.step(state, controls, duelGame.settings);
+  }
+}
+
+describe('Quick Draw', () => {
+  it('judges by when the button went down, not by when that arrived', () => {
+    const state = start();
+    const { signalAtMs } = state.bout;
+    bout(state, {
+      0: { atMs: signalAtMs + 250, arrivesMs: signalAtMs + 260 },
+      1: { atMs: signalAtMs + 240, arrivesMs: signalAtMs + 500 },
+    });
+    expect(state.decided).toEqual([{ winner: 1, reactionMs: 240 }]);
+  });
+
+  it('lets nobody win who pressed before the signal, or too soon after it to have seen it', () => {
+    const state = start();
+    const { signalAtMs } = state.bout;
+    bout(state, {
+      0: { atMs: signalAtMs - 300, arrivesMs: signalAtMs - 280 },
+      1: { atMs: signalAtMs + LEAST_REACTION_MS - 1, arrivesMs: signalAtMs + 150 },
+    });
+    expect(state.decided).toEqual([{}]);
+  });
+
+  it('does not take a time that is still to come', () => {
+    const state = start();
+    const { signalAtMs } = state.bout;
+    bout(state, {
+      0: { atMs: signalAtMs + 1e9, arrivesMs: signalAtMs + 400 },
+      1: { atMs: signalAtMs + 300, arrivesMs: signalAtMs + 310 },
+    });
+    expect(state.decided[0]!.winner).toBe(1);
+  });
+
+  it('does not count a press of one bout in the next', () => {
+    const state = start();
+    const { signalAtMs } = state.bout;
+    const press = { atMs: signalAtMs + 200, arrivesMs: signalAtMs + 210 };
+    bout(state, { 0: press });
+    bout(state, { 0: press });
+    expect(state.decided).toEqual([{ winner: 0, reactionMs: 200 }, {}]);
+  });
+});

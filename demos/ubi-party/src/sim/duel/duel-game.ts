@@ -1,0 +1,107 @@
+import { AT_REST, placesByScore, STEPS_PER_SECOND, type Game, type Seat } from '../game.ts';
+import { drawInteger, randomState, type WithRandom } from '../random.ts';
+
+/** One signal, and who pressed when. */
+interface Bout {
+  /** Milliseconds since the Unix epoch, master's clock; a press before belongs to the bout before. */
+  readonly beganAtMs: number;
+  /** On the same clock. */
+  readonly signalAtMs: number;
+  /** When each pressed first in this bout. */
+  readonly presses: Record<Seat, number>;
+}
+
+export interface DuelState extends WithRandom {
+  readonly startsAtMs: number;
+  /** Steps since the start. */
+  step: number;
+  readonly seats: readonly Seat[];
+  bout: Bout;
+  /** Bouts that are decided, with who won (undefined: nobody) and how fast, milliseconds. */
+  readonly decided: { readonly winner?: Seat; readonly reactionMs?: number }[];
+}
+
+export interface DuelSettings {
+  readonly [name: string]: number;
+  /** How long one waits for the signal: 1 is 1.5 to 5 seconds. */
+  readonly patience: number;
+}
+
+const BOUTS = 5;
+/** Faster is guessed, not seen (World Athletics, technical rules: 100 ms). */
+export const LEAST_REACTION_MS = 100;
+const LONGEST_REACTION_MS = 1500;
+/** Presses of slow links arrive so much later. The time of the press counts, not that of its arrival. */
+const WAIT_FOR_LATE_MS = 400;
+
+/** Reaction duel: press when the screen turns. What counts is when the button went down. */
+export const duelGame: Game<DuelState, DuelSettings> = {
+  id: 'duel',
+  title: 'Quick Draw',
+  explanation: [
+    'Wait until the flag falls, then press. Five times.',
+    'Who presses too early is out until the next time.',
+    'Slow Wi-Fi does not matter: the time of your press counts.',
+  ],
+  settings: { patience: 1 },
+  start({ seats, seed, startsAtMs }) {
+    const random = { random: randomState(seed) };
+    return {
+      ...random,
+      startsAtMs,
+      step: 0,
+      seats,
+      bout: nextBout(random, startsAtMs, 1),
+      decided: [],
+    };
+  },
+  step(state, controls, { patience }) {
+    state.step += 1;
+    const nowMs = state.startsAtMs + (state.step * 1000) / STEPS_PER_SECOND;
+    const { presses, beganAtMs, signalAtMs } = state.bout;
+    for (const seat of state.seats) {
+      const { pressedAtMs } = controls(seat);
+      if (pressedAtMs === undefined || seat in presses || pressedAtMs <= beganAtMs) continue;
+      // Nobody pressed after now
+      presses[seat] = Math.min(pressedAtMs, nowMs);
+    }
+    if (nowMs < signalAtMs + LONGEST_REACTION_MS + WAIT_FOR_LATE_MS && !isDecidable(state, nowMs))
+      return;
+    state.decided.push(decide(state));
+    state.bout = nextBout(state, nowMs, patience);
+  },
+  isOver: ({ decided }) => decided.length >= BOUTS,
+  places: ({ seats, decided }) =>
+    placesByScore(seats, (seat) => decided.filter(({ winner }) => winner === seat).length),
+  bot(state, seat) {
+    const nowMs = state.startsAtMs + (state.step * 1000) / STEPS_PER_SECOND;
+    const pressedAtMs =
+      state.bout.signalAtMs + 260 + ((seat * 37 + state.decided.length * 53) % 160);
+    return nowMs < pressedAtMs ? AT_REST : { x: 0, y: 0, isPressed: true, pressedAtMs };
+  },
+};
+
+function nextBout(state: WithRandom, nowMs: number, patience: number): Bout {
+  const signalAtMs = nowMs + 1500 + drawInteger(state, 0, 3500) * patience;
+  return { beganAtMs: nowMs, signalAtMs, presses: {} };
+}
+
+/** All have pressed, and nobody's earlier press can be under way. */
+function isDecidable({ seats, bout: { presses } }: DuelState, nowMs: number): boolean {
+  return (
+    seats.every((seat) => seat in presses) &&
+    nowMs >= Math.max(...Object.values(presses)) + WAIT_FOR_LATE_MS
+  );
+}
+
+function decide({ seats, bout: { presses, signalAtMs } }: DuelState): DuelState['decided'][number] {
+  const [best] = seats
+    .flatMap((seat) =>
+      seat in presses ? { winner: seat, reactionMs: presses[seat]! - signalAtMs } : [],
+    )
+    .filter(
+      ({ reactionMs }) => reactionMs >= LEAST_REACTION_MS && reactionMs <= LONGEST_REACTION_MS,
+    )
+    .sort((a, b) => a.reactionMs - b.reactionMs);
+  return best ?? {};
+}

@@ -1,0 +1,78 @@
+/** A player's place in the room, from 0 to 31. It decides shape, colour and letter. */
+export type Seat = number;
+
+/** Steps of a game per second, on every machine. */
+export const STEPS_PER_SECOND = 60;
+/** Seconds of one step. */
+export const STEP_S = 1 / STEPS_PER_SECOND;
+
+/** What a controller says in one step. */
+export interface Controls {
+  /** Stick or tilt, -1 (left) to 1 (right). */
+  readonly x: number;
+  /** Stick or tilt, -1 (towards the player) to 1 (away). */
+  readonly y: number;
+  /** The one button is down. */
+  readonly isPressed: boolean;
+  /** When the button went down last, milliseconds since the Unix epoch, master's clock. */
+  readonly pressedAtMs?: number;
+}
+
+/** A controller that nobody touches: of a player who is away, too. */
+export const AT_REST: Controls = { x: 0, y: 0, isPressed: false };
+
+/** The controls of a seat in this step. */
+export type ReadControls = (seat: Seat) => Controls;
+
+/** What a round begins with. The same setup and the same controls give the same round. */
+export interface RoundSetup {
+  readonly seats: readonly Seat[];
+  /** Any 32-bit integer. */
+  readonly seed: number;
+  /** When the first step is, milliseconds since the Unix epoch, master's clock. */
+  readonly startsAtMs: number;
+}
+
+/** Seats by place, the best first; seats that share a place stand together. */
+export type Places = readonly (readonly Seat[])[];
+
+/**
+ * A game: pure rules in fixed steps. A state is plain data (numbers, texts, arrays, objects), so that it can be
+ * stored, hashed and sent. Only +, -, *, / and square roots are used: these give the same bits on every machine,
+ * sine and cosine do not.
+ */
+export interface Game<State, Settings extends GameSettings = GameSettings> {
+  /** In addresses and topics: lower case, letters and dashes. */
+  readonly id: string;
+  readonly title: string;
+  /** What the game is about and how it is played, for the 20 seconds before it. */
+  readonly explanation: readonly string[];
+  /** What can be changed while it runs, with the values it has at first. */
+  readonly settings: Settings;
+  start(setup: RoundSetup): State;
+  /** Changes the state to that of one step later. */
+  step(state: State, controls: ReadControls, settings: Settings): void;
+  isOver(state: State): boolean;
+  /** Of the state as it is now: the running table, and the result once it is over. */
+  places(state: State): Places;
+  /** The controls of a bot on a seat. */
+  bot(state: State, seat: Seat): Controls;
+}
+
+/** Numbers that people change while a game runs: 1 is as the game is meant. */
+export type GameSettings = Readonly<Record<string, number>>;
+
+/** Groups seats that have the same score, the highest score first. */
+export function placesByScore(
+  seats: readonly Seat[],
+  score: (seat: Seat) => number,
+): readonly (readonly Seat[])[] {
+  const groups = new Map<number, Seat[]>();
+  for (const seat of seats) {
+    const value = score(seat);
+    const group = groups.get(value);
+    if (group) group.push(seat);
+    else groups.set(value, [seat]);
+  }
+  return [...groups].sort(([a], [b]) => b - a).map(([, group]) => group);
+}

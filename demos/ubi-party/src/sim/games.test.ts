@@ -1,0 +1,76 @@
+import { describe, expect, it } from 'vitest';
+import { AT_REST, type Controls, type Game, type GameSettings } from './game.ts';
+import { GAMES } from './games.ts';
+import { PlayedRound } from './rounds/played-round.ts';
+import { stateHash } from './state-hash.ts';
+import { playWithBots } from './testing/play-with-bots.ts';
+
+type AnyGame = Game<unknown, GameSettings>;
+const SEATS = Array.from({ length: 32 }, (_, seat) => seat);
+
+/** What every game keeps to, whatever it is about. */
+describe.each(Object.entries(GAMES) as unknown as [string, AnyGame][])('%s', (id, game) => {
+  it('is found by its id, and is explained', () => {
+    expect(game.id).toBe(id);
+    expect(game.explanation.length).toBeGreaterThan(0);
+  });
+
+  it.each([2, 7, 32])('ends with each of %i players in one place', (players) => {
+    const places = game.places(playWithBots(game, players, 5));
+    expect(places.flat().sort((a, b) => a - b)).toEqual(SEATS.slice(0, players));
+  });
+
+  it('ends although nobody touches a controller', () => {
+    const state = game.start({ seats: SEATS.slice(0, 4), seed: 3, startsAtMs: 0 });
+    let steps = 0;
+    while (!game.isOver(state) && steps < 300 * 60) {
+      game.step(state, () => AT_REST, game.settings);
+      steps += 1;
+    }
+    expect(game.isOver(state)).toBe(true);
+  });
+
+  it('has a state that is plain data, and goes on from it as if nothing had happened', () => {
+    const seats = [0, 1, 2];
+    const state = game.start({ seats, seed: 8, startsAtMs: 0 });
+    const controls = (): Controls => ({ x: 0.5, y: 0.25, isPressed: false });
+    for (let step = 0; step < 200; step += 1) game.step(state, controls, game.settings);
+    const copy = JSON.parse(JSON.stringify(state)) as unknown;
+    expect(copy).toEqual(state);
+    for (const one of [state, copy])
+      for (let step = 0; step < 200; step += 1) game.step(one, controls, game.settings);
+    expect(stateHash(copy)).toBe(stateHash(state));
+  });
+
+  it('stays finite whatever controllers say', () => {
+    const wild = [1, -1, 1e9, -1e9, 0];
+    const state = game.start({ seats: SEATS, seed: 1, startsAtMs: 0 });
+    for (let step = 0; step < 400 && !game.isOver(state); step += 1) {
+      const value = (seat: number): number => wild[(seat + step) % wild.length]!;
+      const controls = (seat: number): Controls => ({
+        x: value(seat),
+        y: value(seat + 2),
+        isPressed: (seat + step) % 3 === 0,
+        pressedAtMs: value(seat) * step,
+      });
+      game.step(state, controls, game.settings);
+    }
+    expect(JSON.stringify(state)).not.toContain('null');
+  });
+
+  it('plays its last seconds again, exactly', () => {
+    const state = game.start({ seats: [0, 1, 2], seed: 4, startsAtMs: 0 });
+    const round = new PlayedRound(game, state);
+    const hashes: string[] = [];
+    for (let step = 0; step < 20 * 60 && !game.isOver(state); step += 1) {
+      const controls = new Map([0, 1, 2].map((seat) => [seat, game.bot(state, seat)]));
+      round.step(controls, game.settings);
+      hashes.push(stateHash(state));
+    }
+    const replayed = [...round.replay(4)].length;
+    expect(replayed).toBe(240);
+    const again: string[] = [];
+    for (const one of round.replay(4)) again.push(stateHash(one));
+    expect(again).toEqual(hashes.slice(-240));
+  });
+});

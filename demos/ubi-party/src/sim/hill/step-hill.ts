@@ -1,0 +1,123 @@
+import { STEP_S, STEPS_PER_SECOND, type Controls, type ReadControls } from '../game.ts';
+import { collide, type Disc } from '../plane/collide.ts';
+import { length, unit, withinOne } from '../plane/vector.ts';
+import { MIDDLE_RADIUS, standing, type HillState, type Piece } from './hill-state.ts';
+import { stepPowers } from './powers.ts';
+import { radiusAt } from './rings.ts';
+
+/** What can be changed while the game runs: 1 is as it is meant. */
+export interface HillSettings {
+  readonly [name: string]: number;
+  /** 0 is ice without end. */
+  readonly friction: number;
+  /** How fast pieces get. */
+  readonly speed: number;
+  /** How far a piece flies that is pushed. */
+  readonly push: number;
+}
+
+/** Units per second squared. */
+const ACCELERATION = 9;
+/** Share of the speed that is lost per second. */
+const FRICTION = 1.4;
+/** Units per second, for a touch of the button and added for a full charge. */
+const DASH = { least: 4, charged: 7 };
+const STEPS_TO_CHARGE = 0.6 * STEPS_PER_SECOND;
+const STEPS_OF_DASH = 0.3 * STEPS_PER_SECOND;
+const STEPS_BETWEEN_DASHES = 1.5 * STEPS_PER_SECOND;
+/** A push counts for so long, when the pushed one falls. */
+const PUSH_COUNTS = 2.5 * STEPS_PER_SECOND;
+/** Units per second; a softer touch is no push. */
+const LEAST_PUSH = 1.5;
+
+export function stepHill(state: HillState, controls: ReadControls, settings: HillSettings): void {
+  state.step += 1;
+  state.radius = radiusAt(state.step);
+  for (const piece of standing(state)) {
+    if (piece.power && piece.power.until <= state.step) delete piece.power;
+    drive(piece, controls(piece.seat), state.step, settings);
+  }
+  push(state, settings);
+  fall(state);
+  crown(state);
+  stepPowers(state, controls);
+}
+
+function drive(piece: Piece, controls: Controls, step: number, settings: HillSettings): void {
+  const { position, velocity } = piece;
+  const stick = withinOne(controls);
+  const feather = piece.power?.kind === 'feather' ? 1.5 : 1;
+  const gain = ACCELERATION * settings.speed * feather * STEP_S;
+  velocity.x += stick.x * gain;
+  velocity.y += stick.y * gain;
+  dash(piece, controls, step, settings);
+  const kept = 1 - Math.min(1, FRICTION * settings.friction * STEP_S);
+  velocity.x *= kept;
+  velocity.y *= kept;
+  position.x += velocity.x * STEP_S;
+  position.y += velocity.y * STEP_S;
+}
+
+/** Held, the button charges; let go, the piece dashes where its stick points. */
+function dash(piece: Piece, controls: Controls, step: number, settings: HillSettings): void {
+  if (controls.isPressed) {
+    if (step >= piece.dashReadyAt) piece.charge = Math.min(1, piece.charge + 1 / STEPS_TO_CHARGE);
+    return;
+  }
+  if (piece.charge === 0) return;
+  const direction = unit(controls, unit(piece.velocity, { x: 0, y: 1 }));
+  const gain = (DASH.least + DASH.charged * piece.charge) * settings.speed;
+  piece.velocity.x += direction.x * gain;
+  piece.velocity.y += direction.y * gain;
+  piece.charge = 0;
+  piece.dashUntil = step + STEPS_OF_DASH;
+  piece.dashReadyAt = step + STEPS_BETWEEN_DASHES;
+}
+
+function push(state: HillState, settings: HillSettings): void {
+  const discs = standing(state).map((piece) => asDisc(piece, state.step, settings));
+  for (const { a, b, speed } of collide(discs)) {
+    if (speed < LEAST_PUSH) continue;
+    a.piece.lastPush = { by: b.piece.seat, at: state.step };
+    b.piece.lastPush = { by: a.piece.seat, at: state.step };
+  }
+}
+
+function asDisc(piece: Piece, step: number, { push }: HillSettings): Disc & { piece: Piece } {
+  const power = piece.power?.kind;
+  const mass = (power === 'anchor' ? 4 : 1) * (piece.dashUntil > step ? 2 : 1);
+  const { position, velocity } = piece;
+  return {
+    piece,
+    position,
+    velocity,
+    radius: 1,
+    mass,
+    bounce: (power === 'spring' ? 1.8 : 0.9) * push,
+  };
+}
+
+/** A piece falls when its middle is over the edge. */
+function fall(state: HillState): void {
+  for (const piece of standing(state)) {
+    if (length(piece.position) <= state.radius) continue;
+    piece.outAt = state.step;
+    const { lastPush } = piece;
+    if (!lastPush || state.step - lastPush.at > PUSH_COUNTS) continue;
+    const pusher = state.pieces.find(({ seat }) => seat === lastPush.by);
+    if (pusher) pusher.pushes += 1;
+  }
+}
+
+/** Whoever was last in the middle wears it; of several, who wears it already, else who is nearest to the centre. */
+function crown(state: HillState): void {
+  const there = standing(state)
+    .filter(({ position }) => length(position) <= MIDDLE_RADIUS)
+    .sort((a, b) => length(a.position) - length(b.position) || a.seat - b.seat);
+  const wearer = state.pieces.find(({ seat }) => seat === state.crown);
+  if (wearer?.outAt !== undefined) delete state.crown;
+  if (there.length > 0 && !there.some(({ seat }) => seat === state.crown))
+    state.crown = there[0]!.seat;
+  const now = state.pieces.find(({ seat }) => seat === state.crown);
+  if (now) now.crownSteps += 1;
+}

@@ -1,0 +1,37 @@
+import { placesByScore, type Game } from '../game.ts';
+import { raceBot } from './race-bot.ts';
+import { LONGEST_RACE, startRace, STEPS_AFTER_FIRST, type RaceState } from './race-state.ts';
+import { stepRace, type RaceSettings } from './step-race.ts';
+
+/** Marble Dash: three laps; who left the track is put back. */
+export const raceGame: Game<RaceState, RaceSettings> = {
+  id: 'race',
+  title: 'Marble Dash',
+  explanation: [
+    'Steer by tilting the phone, or with your thumb. The cart drives by itself.',
+    'Chevrons boost you. Press when the pad is full for a boost of your own.',
+    'Who leaves the track is put back. When the first has finished, the others have 20 seconds.',
+  ],
+  settings: { speed: 1, grip: 1, gravity: 1 },
+  start: startRace,
+  step: stepRace,
+  isOver,
+  places: (state) =>
+    placesByScore(
+      state.carts.map(({ seat }) => seat),
+      (seat) => scoreOf(state, seat),
+    ),
+  bot: raceBot,
+};
+
+function isOver({ step, carts }: RaceState): boolean {
+  const finished = carts.flatMap(({ finishedAt }) => finishedAt ?? []);
+  if (finished.length === carts.length || step >= LONGEST_RACE) return true;
+  return finished.length > 0 && step >= Math.min(...finished) + STEPS_AFTER_FIRST;
+}
+
+/** Whoever has finished stands before all others, the earlier the higher; of those, who is further. */
+function scoreOf({ carts }: RaceState, seat: number): number {
+  const { finishedAt, distance } = carts.find((cart) => cart.seat === seat)!;
+  return finishedAt === undefined ? distance - 1e6 : -finishedAt;
+}

@@ -1,0 +1,154 @@
+import type { Places } from '../game.ts';
+import { pointsOf } from './points.ts';
+import { gameOf, playersOf, type Phase, type Room } from './room.ts';
+import { RoomRefusal, type Asker, type RoomEvent } from './room-event.ts';
+import { fill, handOver, join, remove, removeLongAway, setAway, setReady } from './seating.ts';
+
+/** Milliseconds. */
+const EXPLANATION = 20_000;
+const COUNTDOWN = 3_000;
+const PODIUM = 15_000;
+export const MIN_PLAYERS = 2;
+const MAX_TEAMS = 4;
+
+/**
+ * The room after an event. Pure: what is stored of a room is enough to go on.
+ *
+ * @param nowMs milliseconds since the Unix epoch, master's clock
+ * @throws RoomRefusal with the sentence for who asked; the room stays as it was
+ */
+export function nextRoom(room: Room, event: RoomEvent, nowMs: number): Room {
+  switch (event.type) {
+    case 'join':
+      return join(room, event.key, event.name);
+    case 'leave':
+      return remove(room, (player) => player.key === event.key);
+    case 'away':
+      return setAway(room, event.key, nowMs);
+    case 'back':
+      return setAway(room, event.key, undefined);
+    case 'hand-over':
+      return handOver(room, event.key, event.to);
+    case 'ready':
+      return whenAllReady(setReady(room, event.key, event.isReady), nowMs);
+    case 'round-over':
+      return endRound(room, event.places, nowMs);
+    case 'time':
+      return passTime(room, nowMs);
+    default:
+      checkLeads(room, event.by);
+      return lead(room, event, nowMs);
+  }
+}
+
+function lead(room: Room, event: Extract<RoomEvent, { by: Asker }>, nowMs: number): Room {
+  switch (event.type) {
+    case 'kick':
+      return remove(room, ({ seat }) => seat === event.seat);
+    case 'lead':
+      if (!room.players.some(({ seat, key }) => seat === event.seat && key !== undefined))
+        throw new RoomRefusal('Nobody plays on this seat.');
+      return { ...room, leader: event.seat };
+    case 'lock':
+      return { ...room, isLocked: event.on };
+    case 'hide-code':
+      return { ...room, isCodeHidden: event.on };
+    case 'set-teams':
+      checkInLobby(room, 'Teams');
+      if (
+        !Number.isInteger(event.teams) ||
+        event.teams < 0 ||
+        event.teams > MAX_TEAMS ||
+        event.teams === 1
+      )
+        throw new RoomRefusal(`Teams: 0 or 2 to ${MAX_TEAMS}.`);
+      return { ...room, teams: event.teams };
+    case 'set-games':
+      checkInLobby(room, 'Games');
+      if (event.games.length === 0) throw new RoomRefusal('Choose one game or more.');
+      return { ...room, games: event.games };
+    case 'fill':
+      checkInLobby(room, 'Bots');
+      return fill(room, event.players);
+    case 'proceed':
+      return proceed(room, nowMs);
+  }
+}
+
+function checkLeads(room: Room, by: Asker): void {
+  if (by === 'host') return;
+  const leader = room.players.find(({ seat }) => seat === room.leader);
+  if (leader?.key !== by.key)
+    throw new RoomRefusal(`${leader?.name ?? 'The host'} leads the game.`);
+}
+
+function checkInLobby({ phase }: Room, what: string): void {
+  if (phase !== 'lobby') throw new RoomRefusal(`${what} can be changed in the lobby only.`);
+}
+
+/** What comes after a phase, by itself or because somebody leads on. */
+function proceed(room: Room, nowMs: number): Room {
+  switch (room.phase) {
+    case 'lobby':
+      if (room.players.length < MIN_PLAYERS)
+        throw new RoomRefusal(`A game needs ${MIN_PLAYERS} players. Bots can fill the seats.`);
+      return enter(everybodyPlays(room), 'explanation', nowMs + EXPLANATION);
+    case 'explanation':
+      return enter(room, 'countdown', nowMs + COUNTDOWN);
+    case 'countdown':
+      return enter(room, 'play');
+    case 'play':
+      throw new RoomRefusal('The round is being played.');
+    case 'podium':
+      return room.results.length < room.games.length
+        ? enter(everybodyPlays(room), 'explanation', nowMs + EXPLANATION)
+        : enter(room, 'end');
+    case 'end':
+      return enter(newTable(everybodyPlays(room)), 'lobby');
+  }
+}
+
+function enter(room: Room, phase: Phase, endsAtMs?: number): Room {
+  const { endsAtMs: _, ...rest } = room;
+  const players = rest.players.map((player) => ({ ...player, isReady: player.key === undefined }));
+  return { ...rest, players, phase, ...(endsAtMs !== undefined && { endsAtMs }) };
+}
+
+function everybodyPlays(room: Room): Room {
+  return { ...room, players: room.players.map((player) => ({ ...player, isWaiting: false })) };
+}
+
+function newTable(room: Room): Room {
+  return {
+    ...room,
+    results: [],
+    players: room.players.map((player) => ({ ...player, points: 0 })),
+  };
+}
+
+/** In the lobby and during an explanation one goes on when all are ready who are there: nobody waits for who is away. */
+function whenAllReady(room: Room, nowMs: number): Room {
+  const isAsked = room.phase === 'explanation' || room.phase === 'podium';
+  const present = playersOf(room).filter(({ awaySinceMs }) => awaySinceMs === undefined);
+  return isAsked && present.length > 0 && present.every(({ isReady }) => isReady)
+    ? proceed(room, nowMs)
+    : room;
+}
+
+function endRound(room: Room, places: Places, nowMs: number): Room {
+  const game = gameOf(room);
+  if (room.phase !== 'play' || game === undefined)
+    throw new RoomRefusal('No round is being played.');
+  const points = pointsOf(places);
+  const players = room.players.map((player) => ({
+    ...player,
+    points: player.points + (points[player.seat] ?? 0),
+  }));
+  const results = [...room.results, { game, places, points }];
+  return enter({ ...room, players, results }, 'podium', nowMs + PODIUM);
+}
+
+function passTime(room: Room, nowMs: number): Room {
+  const left = removeLongAway(room, nowMs);
+  return left.endsAtMs !== undefined && nowMs >= left.endsAtMs ? proceed(left, nowMs) : left;
+}

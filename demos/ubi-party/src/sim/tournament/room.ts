@@ -1,0 +1,70 @@
+import type { Places, Seat } from '../game.ts';
+
+/** Whoever sits on a seat. */
+export interface Player {
+  readonly seat: Seat;
+  /** The client that plays; a bot has none. Who has the key of a seat has the seat. */
+  readonly key?: string;
+  readonly name: string;
+  readonly isReady: boolean;
+  /** Milliseconds since the Unix epoch, master's clock, since when nothing is heard of them. */
+  readonly awaySinceMs?: number;
+  /** Came while a round was played, and plays from the next one on. */
+  readonly isWaiting: boolean;
+  /** Of the tournament so far. */
+  readonly points: number;
+}
+
+export const PHASES = ['lobby', 'explanation', 'countdown', 'play', 'podium', 'end'] as const;
+export type Phase = (typeof PHASES)[number];
+
+/** A round that was played, for the table. */
+export interface RoundResult {
+  readonly game: string;
+  readonly places: Places;
+  /** By seat. */
+  readonly points: Readonly<Record<Seat, number>>;
+}
+
+/** All that a tournament is, as plain data: stored, it goes on after a reload or a restart. */
+export interface Room {
+  readonly phase: Phase;
+  /** When the phase ends by itself, milliseconds since the Unix epoch, master's clock. */
+  readonly endsAtMs?: number;
+  readonly players: readonly Player[];
+  /** Who leads with the phone: the first who joined, or whom the host or the leader names. */
+  readonly leader?: Seat;
+  readonly isLocked: boolean;
+  readonly isCodeHidden: boolean;
+  /** 0: each plays alone. Seats are dealt to the teams in turn. */
+  readonly teams: number;
+  /** The games of the tournament, in their order. */
+  readonly games: readonly string[];
+  readonly results: readonly RoundResult[];
+}
+
+export const EMPTY_ROOM: Room = {
+  phase: 'lobby',
+  players: [],
+  isLocked: false,
+  isCodeHidden: false,
+  teams: 0,
+  games: ['race', 'hill', 'duel'],
+  results: [],
+};
+
+/** The game that is played now, or next. */
+export function gameOf({ games, results, phase }: Room): string | undefined {
+  // The result of a round stands in the list while its podium is shown
+  return games[phase === 'podium' || phase === 'end' ? results.length - 1 : results.length];
+}
+
+/** Those who play the round: not who came during it. */
+export function playersOf(room: Room): readonly Player[] {
+  return room.players.filter(({ isWaiting }) => !isWaiting);
+}
+
+/** The team of a seat, from 0; undefined when each plays alone. */
+export function teamOf({ teams }: Room, seat: Seat): number | undefined {
+  return teams === 0 ? undefined : seat % teams;
+}
