@@ -24,4 +24,14 @@ describe('a rate meter', () => {
     for (let i = 1; i < 40; i++) meter.note(99 + i * 100);
     expect(meter.rateHz(4000)).toBeCloseTo(10, 10);
   });
+
+  it('knows nothing of what was before it was cleared', () => {
+    const meter = new RateMeter();
+    for (let i = 0; i < 10; i++) meter.note(i * 500);
+    meter.clear();
+    meter.note(4600);
+    expect(meter.rateHz(4600)).toBeUndefined();
+    meter.note(4610);
+    expect(meter.rateHz(4610)).toBe(100);
+  });
 });

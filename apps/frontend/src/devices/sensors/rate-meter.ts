@@ -17,6 +17,11 @@ export class RateMeter {
     if (this.#atMs.length > MOMENTS) this.#atMs.shift();
   }
 
+  /** Forgets what was: something else is measured from now on. */
+  clear(): void {
+    this.#atMs.length = 0;
+  }
+
   /** Times a second over the last moments; `undefined` when it does not happen now, or did once only. */
   rateHz(nowMs: number): number | undefined {
     const first = this.#atMs[0];

@@ -64,3 +64,13 @@ it('forgets results after ten seconds, and takes none without a time', () => {
   times.add(result());
   expect(times.summary(11_063)).toBeUndefined();
 });
+
+it('mixes nothing of another source: pictures that were under way do not count', () => {
+  const times = new StageTimes();
+  times.add(result());
+  times.clear(1005);
+  times.add(result({ takenMs: 1000, drawnMs: 2500 }));
+  expect(times.summary(2500)).toBeUndefined();
+  times.add(result({ takenMs: 1010, drawnMs: 1090 }));
+  expect(times.summary(2500)).toMatchObject({ p50Ms: 80, count: 1 });
+});

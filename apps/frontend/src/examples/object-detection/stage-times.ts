@@ -62,6 +62,7 @@ export interface ResultTimes {
 /** Percentiles of what each stage took, of the results of the last ten seconds. */
 export class StageTimes {
   #samples: Sample[] = [];
+  #sinceMs = -Infinity;
 
   add(times: ResultTimes): void {
     const { takenMs, captureMs, encodeMs, finishedMs, durationMs, decodeMs } = times;
@@ -76,14 +77,25 @@ export class StageTimes {
       drawnMs - arrivedMs,
       // Clocks are known to a millisecond or so: what is shorter than that may come out below 0.
     ].map((ms) => (ms === undefined ? undefined : Math.max(0, ms)));
+    if (!this.counts(takenMs)) return;
     if (parts.some((ms) => ms !== undefined && !Number.isFinite(ms))) return;
     if (this.#samples.length >= MAX_SAMPLES) this.#samples.shift();
     this.#samples.push({ atMs: drawnMs, parts, totalMs: Math.max(0, drawnMs - takenMs) });
   }
 
-  /** Forgets everything: another source or place. */
-  clear(): void {
+  /**
+   * Forgets everything: another source or place.
+   *
+   * @param sinceMs pictures that were taken before do not count: they are on their way still
+   */
+  clear(sinceMs = -Infinity): void {
     this.#samples = [];
+    this.#sinceMs = sinceMs;
+  }
+
+  /** Whether a picture belongs to what is measured. */
+  counts(takenMs: number): boolean {
+    return takenMs >= this.#sinceMs;
   }
 
   /**

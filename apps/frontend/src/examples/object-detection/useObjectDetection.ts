@@ -66,6 +66,7 @@ export function useObjectDetection(sources: PictureSources) {
   let hasChanged = false;
 
   function take(what: Seen, record: TopicRecord): void {
+    if (record.timestampMs !== undefined && !times.counts(record.timestampMs)) return;
     newest.set(what, { record, atMs: performance.now() });
     hasChanged = true;
     if (what !== 'objects') return;
@@ -169,7 +170,9 @@ export function useObjectDetection(sources: PictureSources) {
     { immediate: true },
   );
   watch([place, () => sources.kind.value, isOn], () => {
-    times.clear();
+    // Pictures of other clients may be old: a retained one is looked at as it is
+    times.clear(isOwn.value ? client.masterTime.nowMs() : undefined);
+    results.clear();
     stages.value = undefined;
     backend.value = '';
     detector.problem.value = '';
