@@ -115,8 +115,10 @@ export class StoredAssetSets implements AssetSets {
   async #describe(name: string): Promise<AssetSet> {
     const { assets, folder, mirror, models } = this.#options;
     const model = models.find((one) => one.name === name);
+    // First: a download that ends while the files are looked at would leave a set that is missing and not under way.
+    const download = this.#progress(name, model);
     const set = await describeAssetSet(name, { assets, folder, mirror, model });
-    return { ...set, download: this.#progress(name, model) };
+    return { ...set, download };
   }
 
   #progress(name: string, model: KnownModel | undefined): AssetSet['download'] {
