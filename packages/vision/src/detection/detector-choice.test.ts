@@ -149,8 +149,33 @@ describe('a choice of detectors', () => {
       'cpu',
       'The backend wasm failed: The device is lost. cpu is used instead.',
     ]);
+    expect(choice.backendFault).toBe(
+      'wasm failed during use: The device is lost. cpu replaces it.',
+    );
     // The same choice does not go back to what failed.
     expect((await choose('centernet', 'auto'))[1]).toBe('cpu');
+  });
+
+  it('measures the fastest backend after the first result, and tells which one has wrong numbers', async () => {
+    const asked: string[] = [];
+    const { choice } = await setUp({
+      createTensorflow: async (files, backend) => {
+        asked.push(backend);
+        const real = await sharedTensorflow(files, 'wasm');
+        if (backend === 'soonest') return { ...real, isProvisional: true };
+        const reason = 'Its numbers differ from the reference by 25.0 %.';
+        return { ...real, trials: [{ name: 'webgl', outcome: 'wrong', reason }, ...real.trials] };
+      },
+    });
+    expect(asked).toEqual(['soonest']);
+    await choice.detect(RED_SQUARE);
+    await choice.settled();
+    await choice.detect(RED_SQUARE);
+    await choice.settled();
+    expect(asked).toEqual(['soonest', 'auto']);
+    expect(choice.backendFault).toBe(
+      'webgl does not work: Its numbers differ from the reference by 25.0 %. wasm replaces it.',
+    );
   });
 
   it('leaves what is wrong with a picture or a class to the caller', async () => {
