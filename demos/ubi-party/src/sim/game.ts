@@ -18,7 +18,7 @@ export interface Controls {
   readonly pressedAtMs?: number;
 }
 
-/** A controller that nobody touches: of a player who is away, too. */
+/** A controller without input: also that of a player who is away. */
 export const AT_REST: Controls = { x: 0, y: 0, isPressed: false };
 
 /** The controls of a seat in this step. */

@@ -20,7 +20,7 @@ describe.each(Object.entries(GAMES) as unknown as [string, AnyGame][])('%s', (id
     expect(places.flat().sort((a, b) => a - b)).toEqual(SEATS.slice(0, players));
   });
 
-  it('ends although nobody touches a controller', () => {
+  it('ends without any input', () => {
     const state = game.start({ seats: SEATS.slice(0, 4), seed: 3, startsAtMs: 0 });
     let steps = 0;
     while (!game.isOver(state) && steps < 300 * 60) {

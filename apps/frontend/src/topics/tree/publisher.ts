@@ -10,7 +10,7 @@ export interface Publisher {
 /** Finds a client by its id. */
 export type FindPublisher = (clientId: string) => Publisher | undefined;
 
-/** Whether nobody is left who publishes a topic: its client, or whoever published on it last, is away. */
+/** True when the client of a topic, or the client that published on it last, is away. */
 export function isPublisherAway(
   topic: string,
   publisherId: string,

@@ -33,7 +33,7 @@ describe('Quick Draw', () => {
     expect(state.decided).toEqual([{ winner: 1, reactionMs: 240 }]);
   });
 
-  it('lets nobody win who pressed before the signal, or too soon after it to have seen it', () => {
+  it('gives no win for a press before the signal, or too soon after it to be a reaction', () => {
     const state = start();
     const { signalAtMs } = state.bout;
     bout(state, {

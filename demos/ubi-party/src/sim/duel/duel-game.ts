@@ -1,4 +1,11 @@
-import { AT_REST, placesByScore, STEPS_PER_SECOND, type Game, type Seat } from '../game.ts';
+import {
+  AT_REST,
+  placesByScore,
+  STEPS_PER_SECOND,
+  type Game,
+  type Seat,
+  type GameSettings,
+} from '../game.ts';
 import { drawInteger, randomState, type WithRandom } from '../random.ts';
 
 /** One signal, and who pressed when. */
@@ -17,12 +24,11 @@ export interface DuelState extends WithRandom {
   step: number;
   readonly seats: readonly Seat[];
   bout: Bout;
-  /** Bouts that are decided, with who won (undefined: nobody) and how fast, milliseconds. */
+  /** Bouts that are decided, with the winner (undefined: none) and the reaction time, milliseconds. */
   readonly decided: { readonly winner?: Seat; readonly reactionMs?: number }[];
 }
 
-export interface DuelSettings {
-  readonly [name: string]: number;
+export interface DuelSettings extends GameSettings {
   /** How long one waits for the signal: 1 is 1.5 to 5 seconds. */
   readonly patience: number;
 }
@@ -62,7 +68,7 @@ export const duelGame: Game<DuelState, DuelSettings> = {
     for (const seat of state.seats) {
       const { pressedAtMs } = controls(seat);
       if (pressedAtMs === undefined || seat in presses || pressedAtMs <= beganAtMs) continue;
-      // Nobody pressed after now
+      // A press cannot be later than now
       presses[seat] = Math.min(pressedAtMs, nowMs);
     }
     if (nowMs < signalAtMs + LONGEST_REACTION_MS + WAIT_FOR_LATE_MS && !isDecidable(state, nowMs))
@@ -86,7 +92,7 @@ function nextBout(state: WithRandom, nowMs: number, patience: number): Bout {
   return { beganAtMs: nowMs, signalAtMs, presses: {} };
 }
 
-/** All have pressed, and nobody's earlier press can be under way. */
+/** All players have pressed, and no earlier press can be on its way. */
 function isDecidable({ seats, bout: { presses } }: DuelState, nowMs: number): boolean {
   return (
     seats.every((seat) => seat in presses) &&

@@ -82,7 +82,7 @@ describe('King of the Hill', () => {
     expect(state.pieces[0]!.pushes).toBe(1);
   });
 
-  it('crowns whoever was last in the middle, who keeps the crown outside of it', () => {
+  it('crowns the piece that was last in the middle, which keeps the crown outside of it', () => {
     const state = pair();
     place(state, 0, 0, 0);
     place(state, 1, 6, 0);

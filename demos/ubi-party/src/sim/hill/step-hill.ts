@@ -1,4 +1,10 @@
-import { STEP_S, STEPS_PER_SECOND, type Controls, type ReadControls } from '../game.ts';
+import {
+  STEP_S,
+  STEPS_PER_SECOND,
+  type Controls,
+  type ReadControls,
+  type GameSettings,
+} from '../game.ts';
 import { collide, type Disc } from '../plane/collide.ts';
 import { length, unit, withinOne } from '../plane/vector.ts';
 import { MIDDLE_RADIUS, standing, type HillState, type Piece } from './hill-state.ts';
@@ -6,8 +12,7 @@ import { stepPowers } from './powers.ts';
 import { radiusAt } from './rings.ts';
 
 /** What can be changed while the game runs: 1 is as it is meant. */
-export interface HillSettings {
-  readonly [name: string]: number;
+export interface HillSettings extends GameSettings {
   /** 0 is ice without end. */
   readonly friction: number;
   /** How fast pieces get. */
@@ -109,7 +114,7 @@ function fall(state: HillState): void {
   }
 }
 
-/** Whoever was last in the middle wears it; of several, who wears it already, else who is nearest to the centre. */
+/** The piece that was last in the middle wears it; of several, the one that wears it already, else the nearest to the centre. */
 function crown(state: HillState): void {
   const there = standing(state)
     .filter(({ position }) => length(position) <= MIDDLE_RADIUS)

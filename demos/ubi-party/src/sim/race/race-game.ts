@@ -30,7 +30,7 @@ function isOver({ step, carts }: RaceState): boolean {
   return finished.length > 0 && step >= Math.min(...finished) + STEPS_AFTER_FIRST;
 }
 
-/** Whoever has finished stands before all others, the earlier the higher; of those, who is further. */
+/** Carts that have finished come first, the earliest at the top; the others by the distance driven. */
 function scoreOf({ carts }: RaceState, seat: number): number {
   const { finishedAt, distance } = carts.find((cart) => cart.seat === seat)!;
   return finishedAt === undefined ? distance - 1e6 : -finishedAt;

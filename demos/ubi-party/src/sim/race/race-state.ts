@@ -75,7 +75,7 @@ export function trackOf(state: RaceState): Track {
 
 /** After the first has finished, the others have so long. */
 export const STEPS_AFTER_FIRST = 20 * STEPS_PER_SECOND;
-/** Nobody waits longer. */
+/** A race ends then, whatever happened. */
 export const LONGEST_RACE = 240 * STEPS_PER_SECOND;
 
 /** The lap a cart is in, from 1. */

@@ -1,12 +1,17 @@
-import { STEP_S, STEPS_PER_SECOND, type Controls, type ReadControls } from '../game.ts';
+import {
+  STEP_S,
+  STEPS_PER_SECOND,
+  type Controls,
+  type ReadControls,
+  type GameSettings,
+} from '../game.ts';
 import { collide, type Disc } from '../plane/collide.ts';
 import { clamp, dot, length, turned } from '../plane/vector.ts';
 import { trackOf, type Cart, type RaceState } from './race-state.ts';
 import { findOnTrack, isOn, placeAt, type Track } from './track.ts';
 
 /** What can be changed while the race runs: 1 is as it is meant. */
-export interface RaceSettings {
-  readonly [name: string]: number;
+export interface RaceSettings extends GameSettings {
   /** How fast carts get. */
   readonly speed: number;
   /** How little they slide sideways. */
@@ -27,7 +32,7 @@ const LOCK = 1.25 * STEP_S;
 const GRIP = 7;
 const STEPS_OF_BOOST = 1.2 * STEPS_PER_SECOND;
 const STEPS_OF_JUMP = 0.55 * STEPS_PER_SECOND;
-/** Within 0.8 seconds, whoever left the track is back. */
+/** A cart that left the track is back within 0.8 seconds. */
 const STEPS_OF_LIFT = 0.75 * STEPS_PER_SECOND;
 const SECONDS_TO_FILL = 9;
 /** A cart is off when its middle is so far beyond the kerb. */
@@ -39,7 +44,7 @@ export function stepRace(state: RaceState, controls: ReadControls, settings: Rac
   const track = trackOf(state);
   for (const cart of state.carts) {
     if (cart.liftSteps > 0) lift(cart, track);
-    // Whoever has finished rolls out
+    // A cart that has finished rolls out
     else drive(cart, cart.finishedAt === undefined ? controls(cart.seat) : ROLL_OUT, settings);
   }
   collide(state.carts.filter(isOnGround).map(asDisc));

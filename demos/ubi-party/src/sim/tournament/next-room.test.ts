@@ -75,14 +75,14 @@ describe('seats', () => {
 });
 
 describe('who leads', () => {
-  it('is the leader or the big screen, nobody else', () => {
+  it('is the leader or the big screen alone', () => {
     expect(() => after(pair, { type: 'proceed', by: { key: 'bob' } })).toThrow(
       'ada leads the game.',
     );
     expect(after(pair, { type: 'proceed', by: { key: 'ada' } }).phase).toBe('explanation');
   });
 
-  it('is handed on when the leader goes, to somebody who is there', () => {
+  it('is handed on when the leader goes, to a player who is there', () => {
     const three = after(pair, join('cleo'), { type: 'away', key: 'bob' });
     expect(after(three, { type: 'leave', key: 'ada' }).leader).toBe(2);
     expect(after(pair, { type: 'lead', by: { key: 'ada' }, seat: 1 }).leader).toBe(1);

@@ -47,7 +47,7 @@ function lead(room: Room, event: Extract<RoomEvent, { by: Asker }>, nowMs: numbe
       return remove(room, ({ seat }) => seat === event.seat);
     case 'lead':
       if (!room.players.some(({ seat, key }) => seat === event.seat && key !== undefined))
-        throw new RoomRefusal('Nobody plays on this seat.');
+        throw new RoomRefusal('No player has this seat.');
       return { ...room, leader: event.seat };
     case 'lock':
       return { ...room, isLocked: event.on };
@@ -86,7 +86,7 @@ function checkInLobby({ phase }: Room, what: string): void {
   if (phase !== 'lobby') throw new RoomRefusal(`${what} can be changed in the lobby only.`);
 }
 
-/** What comes after a phase, by itself or because somebody leads on. */
+/** What comes after a phase, by itself or by the leader. */
 function proceed(room: Room, nowMs: number): Room {
   switch (room.phase) {
     case 'lobby':
@@ -126,7 +126,7 @@ function newTable(room: Room): Room {
   };
 }
 
-/** In the lobby and during an explanation one goes on when all are ready who are there: nobody waits for who is away. */
+/** An explanation or a podium ends when all players who are present are ready: absent players do not block it. */
 function whenAllReady(room: Room, nowMs: number): Room {
   const isAsked = room.phase === 'explanation' || room.phase === 'podium';
   const present = playersOf(room).filter(({ awaySinceMs }) => awaySinceMs === undefined);

@@ -1,6 +1,6 @@
 import type { Places, Seat } from '../game.ts';
 
-/** By place; whoever shares a place gets all of its points. */
+/** By place; players who share a place all get its points. */
 const BY_PLACE = [10, 8, 6, 5, 4, 3, 2, 1];
 
 /** The points of a round, by seat. Everybody who played gets one at least. */

@@ -24,7 +24,7 @@ export type RoomEvent =
   | { readonly type: 'round-over'; readonly places: Places }
   | { readonly type: 'time' };
 
-/** Why an event changed nothing, for whoever asked. */
+/** Why an event changed nothing, a sentence for the one who asked. */
 export class RoomRefusal extends Error {
   override readonly name = 'RoomRefusal';
 }

@@ -1,6 +1,6 @@
 import type { Places, Seat } from '../game.ts';
 
-/** Whoever sits on a seat. */
+/** A person or a bot with a seat. */
 export interface Player {
   readonly seat: Seat;
   /** The client that plays; a bot has none. Who has the key of a seat has the seat. */

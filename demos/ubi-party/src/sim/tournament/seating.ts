@@ -58,7 +58,7 @@ export function setReady(room: Room, key: string, isReady: boolean): Room {
 
 export function handOver(room: Room, key: string, to: string): Room {
   if (!room.players.some((player) => player.key === key))
-    throw new RoomRefusal('This seat has been given to somebody else.');
+    throw new RoomRefusal('Another phone has this seat.');
   if (room.players.some((player) => player.key === to))
     throw new RoomRefusal('This phone has a seat already. Leave it first.');
   return setAway(changed(room, key, { key: to }), to, undefined);
