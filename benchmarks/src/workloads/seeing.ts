@@ -66,7 +66,7 @@ function seeing(backend: DetectionBackend): Workload {
   };
 }
 
-/** By backend. Software WebGL is slow, but what the module adds to it can be compared; software WebGPU takes 10 s for a picture. */
+/** By backend. Software WebGL is slow, but what the module adds to it can be compared; software WebGPU takes over 10 s for its first picture, the limit of a call. */
 export const SEEING: readonly Workload[] = [
   seeing('wasm'),
   seeing('webgl'),

@@ -64,8 +64,8 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
   #asked: string;
   #wish: Wish<Name>;
   #problem = '';
-  /** Backends that failed while they computed, as in `backendFault`. */
-  readonly #failures: string[] = [];
+  /** Why backends failed while they computed, as in `backendFault`. */
+  readonly #failures = new Map<BackendName, string>();
   /** The fastest backend is measured after the first result. */
   #isUnmeasured = true;
   #following: Promise<void> | undefined;
@@ -113,7 +113,7 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
     return trials
       .filter(({ outcome }) => outcome === 'failed' || outcome === 'wrong')
       .map(({ name, reason }) => `${name} does not work: ${reason} ${backend} replaces it.`)
-      .concat(this.#failures)
+      .concat(...this.#failures.values())
       .join(' ');
   }
 
@@ -176,7 +176,7 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
     const reason = messageOf(error);
     this.#isUnmeasured = false;
     const problem = `The backend ${backend} failed: ${reason} ${next} is used instead.`;
-    this.#failures.push(`${backend} failed during use: ${reason} ${next} replaces it.`);
+    this.#failures.set(backend, `${backend} failed during use: ${reason} ${next} replaces it.`);
     this.#wish = { ...this.#wish, backend: next, problem };
     await this.#follow();
     // Nothing replaces it: it must not be asked again and again.
@@ -227,6 +227,7 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
     const model = await create(tensorflow, await load());
     if (this.#isDisposed) return model.dispose();
     this.#inUse = { name, model, tensorflow };
+    this.#failures.delete(tensorflow.backend);
     this.#tell();
     // After a task under way. A backend that is lost took the memory of its models along.
     await before.tensorflow
@@ -239,8 +240,10 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
     const { title } = this.#sources.models[name];
     const substitute = this.#sources.models[this.#names[0]!].title;
     const isMissing = (error as { code?: unknown } | null)?.code === 'missing';
-    if (!isMissing)
-      return `${title} cannot be used: ${messageOf(error)} ${substitute} detects instead.`;
+    if (!isMissing) {
+      const problem = `${title} cannot be used: ${messageOf(error)}`;
+      return title === substitute ? problem : `${problem} ${substitute} detects instead.`;
+    }
     this.#retryAtMs = this.#now() + RETRY_MS;
     return `The model of ${title} is not installed. Get it on the page of this module, or with "npm run models -- get ${name}" on the machine of the master. Until then, ${substitute} detects.`;
   }

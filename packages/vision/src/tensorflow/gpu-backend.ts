@@ -67,7 +67,7 @@ export async function runUnlessLost<Result>(task: () => Promise<Result> | Result
   }
 }
 
-/** Notices that a backend is lost. Tasks run one after the other, so one is told. */
+/** Notices that a backend is lost, and rejects the task under way: there is one at a time. */
 class LossWatch {
   error: BackendLostError | undefined;
   onLost: ((error: BackendLostError) => void) | undefined;

@@ -33,7 +33,7 @@ export async function webgpuSupport(): Promise<GpuSupport> {
   const { isFallbackAdapter, vendor, architecture, description } = adapter.info;
   const isSoftware =
     isFallbackAdapter || SOFTWARE_RENDERERS.test(`${vendor} ${architecture} ${description}`);
-  // A detection takes longer than a call may: 10 s.
+  // Its first detection takes longer than the 10 s that a call may wait.
   return isSoftware
     ? absent('WebGPU has no graphics card here, and its software renderer is too slow.')
     : { isSoftware };
