@@ -1,4 +1,3 @@
-import type { PatternSource } from '@ubii/patterns';
 import { ServiceError } from '@ubii/proto';
 import type {
   DataFormat,
@@ -25,11 +24,8 @@ import type { Link } from './link.ts';
 import type { ClientRole } from './join.ts';
 import { failureOf, LEFT } from './link-failure.ts';
 import { Listeners } from './listeners.ts';
+import type { ClientPorts } from './ports/client-ports.ts';
 import type { Clock } from './ports/clock.ts';
-import type { IdSource } from './ports/id-source.ts';
-import type { RandomSource } from './ports/random.ts';
-import type { ServiceTransport } from './ports/service-transport.ts';
-import type { TopicDataTransport } from './ports/topic-data-transport.ts';
 import { endingRecord, toWaitingRecord, waitingRecordOf } from './publication.ts';
 import { PublishBuffer } from './publish-buffer.ts';
 import type { PublishOptions } from './publish-buffer.ts';
@@ -54,17 +50,6 @@ import type {
   UbiiClient,
   Unsubscribe,
 } from './ubii-client.ts';
-
-/** What a client stands on. */
-export interface ClientPorts {
-  readonly clock: Clock;
-  readonly random: RandomSource;
-  /** Matches the regular expressions of subscriptions. */
-  readonly patterns: PatternSource;
-  readonly uuid: IdSource;
-  readonly services: ServiceTransport;
-  readonly topicData: TopicDataTransport;
-}
 
 const DEFAULT_PUBLISH_INTERVAL_MS = 15;
 const DEFAULT_SERVICE_TIMEOUT_MS = 10_000;

@@ -1,0 +1,17 @@
+import type { PatternSource } from '@ubii/patterns';
+import type { Clock } from './clock.ts';
+import type { IdSource } from './id-source.ts';
+import type { RandomSource } from './random.ts';
+import type { ServiceTransport } from './service-transport.ts';
+import type { TopicDataTransport } from './topic-data-transport.ts';
+
+/** What a client stands on. */
+export interface ClientPorts {
+  readonly clock: Clock;
+  readonly random: RandomSource;
+  /** Matches the regular expressions of subscriptions. */
+  readonly patterns: PatternSource;
+  readonly uuid: IdSource;
+  readonly services: ServiceTransport;
+  readonly topicData: TopicDataTransport;
+}
