@@ -1,4 +1,5 @@
 import { nodeName, portName } from '../commands/command-label.ts';
+import { replaceValue } from '../commands/connect.ts';
 import type { GraphCommand } from '../commands/graph-command.ts';
 import { GraphEdit } from '../commands/graph-edit.ts';
 import { revealTopic } from '../commands/reveal-topic.ts';
@@ -180,6 +181,7 @@ function settled(
   );
   edit.removeWires(dangling.map(({ id }) => id));
   for (const wire of edit.graph.wires.values()) settleInput(edit, wire, both, conflicts);
+  for (const wire of edit.graph.wires.values()) replaceValue(edit, wire);
   const writers = new Map<string, string>();
   for (const { via, from } of edit.graph.wires.values()) {
     if (via === undefined) continue;

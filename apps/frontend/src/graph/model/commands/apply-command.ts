@@ -2,7 +2,7 @@ import type { Graph } from '../graph.ts';
 import { topicNodeId } from '../make-node.ts';
 import { wouldLoop } from '../selection/nesting.ts';
 import { commandLabel } from './command-label.ts';
-import { connect, isLegal } from './connect.ts';
+import { connect, isLegal, replaceValue } from './connect.ts';
 import {
   editNode,
   moved,
@@ -51,7 +51,9 @@ const RUNNERS: { readonly [K in CommandKind]: Runner<K> } = {
   add: (edit, { nodes, wires = [] }) => {
     placeTopics(edit, nodes);
     edit.putNodes(nodes);
-    edit.putWires(wires.filter(({ from, to }) => isLegal(edit.graph, from, to)));
+    const legal = wires.filter(({ from, to }) => isLegal(edit.graph, from, to));
+    edit.putWires(legal);
+    for (const wire of legal) replaceValue(edit, wire);
     for (const { via } of wires) {
       if (via !== undefined && edit.graph.nodes.has(topicNodeId(via))) revealTopic(edit, via);
     }

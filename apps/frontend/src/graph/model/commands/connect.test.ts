@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Graph } from '../graph.ts';
-import { topicNode } from '../make-node.ts';
+import { constantNode, topicNode } from '../make-node.ts';
 import { aGraphOf, aModule, ref, wiresIn } from '../testing/small-graph.ts';
 import { applyCommand } from './apply-command.ts';
 
@@ -51,6 +51,40 @@ describe('connecting modules', () => {
     let graph = aGraphOf(modules, { 'b.i': '/t' });
     graph = connected(graph, 'a.o', 'b.i');
     expect(wiresIn(graph)).toEqual(['a.o > b.i (/Test/a/o)']);
+  });
+});
+
+describe('a constant at an input that has a value', () => {
+  const plain = applyCommand(aGraphOf(modules, { 'b.i': { constantJson: '1' } }), {
+    kind: 'add',
+    nodes: [constantNode('constant:1', '2', { position: { x: 0, y: 0 } })],
+  }).graph;
+  const valueOf = (graph: Graph): unknown => {
+    const node = graph.nodes.get('module:b');
+    return node?.kind === 'module' ? node.constants.get('i') : undefined;
+  };
+  const wired = connected(plain, 'constant:1', 'b.i');
+
+  it('takes the place of the value, and leaves an empty input when its wire goes', () => {
+    expect(valueOf(wired)).toBeUndefined();
+    expect(wiresIn(wired)).toEqual(['constant:1 > b.i']);
+    const [wire = ''] = wired.wires.keys();
+    const cut = applyCommand(wired, { kind: 'remove', wires: [wire] }).graph;
+    expect(valueOf(cut)).toBeUndefined();
+  });
+
+  it('gives way to a value that is set', () => {
+    const set = { kind: 'setConstant', node: 'module:b', input: 'i', json: '3' } as const;
+    const { graph, inverse } = applyCommand(wired, set);
+    expect(valueOf(graph)).toBe('3');
+    expect(wiresIn(graph)).toEqual([]);
+    expect(applyCommand(graph, inverse).graph).toEqual(wired);
+  });
+
+  it('comes with what is added', () => {
+    const [wire] = wired.wires.values();
+    const { graph } = applyCommand(plain, { kind: 'add', nodes: [], wires: [wire!] });
+    expect(graph).toEqual(wired);
   });
 });
 

@@ -1,9 +1,10 @@
 import type { Graph, NodeKind, PortRef, Wire } from '../graph.ts';
 import { wireId } from '../graph.ts';
 import { topicNodeId } from '../make-node.ts';
-import { OUT, IN } from '../ports.ts';
+import { OUT, IN, ioName } from '../ports.ts';
 import { portOf } from '../port-format.ts';
 import { wiresAt } from '../wires-of.ts';
+import { setConstant } from './edit-node.ts';
 import { freeTopic } from './free-topic.ts';
 import type { CommandOf } from './graph-command.ts';
 import type { GraphEdit } from './graph-edit.ts';
@@ -83,4 +84,11 @@ export function putWire(edit: GraphEdit, from: PortRef, to: PortRef, via?: strin
   }
   const wire: Wire = { id, from, to, via, points: old?.points ?? [] };
   edit.putWires([wire]);
+  replaceValue(edit, wire);
+}
+
+/** A constant that is wired to an input takes the place of the value set there. */
+export function replaceValue(edit: GraphEdit, { from, to }: Wire): void {
+  if (edit.graph.nodes.get(from.node)?.kind !== 'constant') return;
+  setConstant(edit, { kind: 'setConstant', node: to.node, input: ioName(to.port), json: undefined });
 }

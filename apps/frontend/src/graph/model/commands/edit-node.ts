@@ -1,8 +1,8 @@
 import type { Graph, GraphNode, NodeKind, Point, Wire } from '../graph.ts';
 import { constantNode, demuxerNode, moduleNode, muxerNode } from '../make-node.ts';
-import { ioName } from '../ports.ts';
+import { inputPort, ioName } from '../ports.ts';
 import { framesAround } from '../selection/nesting.ts';
-import { wiresOf } from '../wires-of.ts';
+import { wiresAt, wiresOf } from '../wires-of.ts';
 import type { CommandOf } from './graph-command.ts';
 import type { GraphEdit } from './graph-edit.ts';
 
@@ -67,17 +67,25 @@ export const setModule = (edit: GraphEdit, { node, changes }: CommandOf<'setModu
 const names = (wires: readonly Wire[], portOf: (wire: Wire) => string): string[] =>
   wires.map((wire) => ioName(portOf(wire)));
 
+/** A value set at an input takes the place of a constant that is wired to it. */
 export const setConstant = (
   edit: GraphEdit,
-  { node, input, json }: CommandOf<'setConstant'>,
-): void =>
+  { node, input, json = '' }: CommandOf<'setConstant'>,
+): void => {
   editOf(edit, node, 'module', (old) => {
-    if (old.constants.get(input) === json) return old;
+    if ((old.constants.get(input) ?? '') === json) return old;
     const constants = new Map(old.constants);
-    if (json === undefined || json === '') constants.delete(input);
+    if (json === '') constants.delete(input);
     else constants.set(input, json);
     return { ...old, constants };
   });
+  if (json === '') return;
+  const wired = wiresAt(edit.graph, { node, port: inputPort(input) });
+  const fromConstants = wired.filter(
+    ({ from }) => edit.graph.nodes.get(from.node)?.kind === 'constant',
+  );
+  edit.removeWires(fromConstants.map(({ id }) => id));
+};
 
 export const setStanding = (
   edit: GraphEdit,
