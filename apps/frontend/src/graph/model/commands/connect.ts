@@ -90,5 +90,10 @@ export function putWire(edit: GraphEdit, from: PortRef, to: PortRef, via?: strin
 /** A constant that is wired to an input takes the place of the value set there. */
 export function replaceValue(edit: GraphEdit, { from, to }: Wire): void {
   if (edit.graph.nodes.get(from.node)?.kind !== 'constant') return;
-  setConstant(edit, { kind: 'setConstant', node: to.node, input: ioName(to.port), json: undefined });
+  setConstant(edit, {
+    kind: 'setConstant',
+    node: to.node,
+    input: ioName(to.port),
+    json: undefined,
+  });
 }
