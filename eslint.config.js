@@ -58,6 +58,10 @@ const noVue = {
   group: ['vue', 'vue-router', 'reka-ui'],
   message: 'Packages do not know the frontend.',
 };
+const noEngine = {
+  group: ['three', 'three/*', '**/view/**', '**/screen/**'],
+  message: 'Phones and the network draw nothing in three dimensions: that is the big screen.',
+};
 /** [TD-60] */
 const noNativePatterns = ['NewExpression', 'CallExpression'].map((call) => ({
   selector: `${call}[callee.name="RegExp"][arguments.0.type!="Literal"]`,
@@ -213,6 +217,15 @@ export default ts.config(
           })),
       ],
     },
+  },
+  {
+    files: ['demos/ubi-party/src/{net,modules}/**'],
+    ignores: ['**/*.test.ts', '**/testing/**'],
+    rules: restrict(noApps, noVue, noEngine),
+  },
+  {
+    files: ['demos/ubi-party/src/phone/**'],
+    rules: restrict(noApps, noEngine),
   },
   { files: ['apps/master/src/adapters/**', 'apps/master/src/*.ts'], rules: restrict(noClient) },
   {

@@ -1,3 +1,5 @@
+import type { Controller, Feedback } from './feedback.ts';
+
 /** A player's place in the room, from 0 to 31. It decides shape, colour and letter. */
 export type Seat = number;
 
@@ -47,6 +49,8 @@ export interface Game<State, Settings extends GameSettings = GameSettings> {
   readonly title: string;
   /** What the game is about and how it is played, for the 20 seconds before it. */
   readonly explanation: readonly string[];
+  /** What it is played with. */
+  readonly controller: Controller;
   /** What can be changed while it runs, with the values it has at first. */
   readonly settings: Settings;
   start(setup: RoundSetup): State;
@@ -55,6 +59,8 @@ export interface Game<State, Settings extends GameSettings = GameSettings> {
   isOver(state: State): boolean;
   /** Of the state as it is now: the running table, and the result once it is over. */
   places(state: State): Places;
+  /** How a player stands, for the phone. */
+  feedback(state: State, seat: Seat): Feedback;
   /** The controls of a bot on a seat. */
   bot(state: State, seat: Seat): Controls;
 }

@@ -20,6 +20,22 @@ describe.each(Object.entries(GAMES) as unknown as [string, AnyGame][])('%s', (id
     expect(places.flat().sort((a, b) => a - b)).toEqual(SEATS.slice(0, players));
   });
 
+  it('says to every player in every moment how they stand', () => {
+    let steps = 0;
+    playWithBots(game, 5, 3, (state) => {
+      if ((steps += 1) % 50 !== 0) return;
+      for (const seat of SEATS.slice(0, 5)) {
+        const { place, of, headline, sentence, progress, gauge } = game.feedback(state, seat);
+        expect(place).toBeGreaterThanOrEqual(1);
+        expect(place).toBeLessThanOrEqual(of);
+        expect(headline.length).toBeLessThanOrEqual(16);
+        expect(sentence).toMatch(/^[A-Z0-9].*[.!]$/);
+        for (const share of [progress, gauge]) expect(share).toBeGreaterThanOrEqual(0);
+        for (const share of [progress, gauge]) expect(share).toBeLessThanOrEqual(1);
+      }
+    });
+  });
+
   it('ends without any input', () => {
     const state = game.start({ seats: SEATS.slice(0, 4), seed: 3, startsAtMs: 0 });
     let steps = 0;

@@ -1,5 +1,12 @@
+export type { Controller, Feedback } from './feedback.ts';
 export * from './game.ts';
 export { GAMES, type GameId } from './games.ts';
+export { isSignalled, type DuelState } from './duel/duel-game.ts';
+export * from './hill/hill-state.ts';
+export { nextRing, RINGS, SUDDEN_DEATH_AT } from './hill/rings.ts';
+export { lapOf, trackOf, type Cart, type RaceState } from './race/race-state.ts';
+export { placeAt, type Track, type TrackPoint } from './race/track.ts';
+export { TRACKS } from './race/tracks.ts';
 export { PlayedRound } from './rounds/played-round.ts';
 export { identityOf, MAX_SEATS, type Identity, type Shape } from './seats/identity.ts';
 export { stateHash } from './state-hash.ts';

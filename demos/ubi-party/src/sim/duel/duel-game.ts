@@ -1,8 +1,10 @@
+import { placeOf, type Feedback } from '../feedback.ts';
 import {
   AT_REST,
   placesByScore,
   STEPS_PER_SECOND,
   type Game,
+  type Places,
   type Seat,
   type GameSettings,
 } from '../game.ts';
@@ -49,6 +51,7 @@ export const duelGame: Game<DuelState, DuelSettings> = {
     'Who presses too early is out until the next time.',
     'Slow Wi-Fi does not matter: the time of your press counts.',
   ],
+  controller: { steering: 'none', button: 'Draw', isHeld: false },
   settings: { patience: 1 },
   start({ seats, seed, startsAtMs }) {
     const random = { random: randomState(seed) };
@@ -77,8 +80,8 @@ export const duelGame: Game<DuelState, DuelSettings> = {
     state.bout = nextBout(state, nowMs, patience);
   },
   isOver: ({ decided }) => decided.length >= BOUTS,
-  places: ({ seats, decided }) =>
-    placesByScore(seats, (seat) => decided.filter(({ winner }) => winner === seat).length),
+  places,
+  feedback,
   bot(state, seat) {
     const nowMs = state.startsAtMs + (state.step * 1000) / STEPS_PER_SECOND;
     const pressedAtMs =
@@ -86,6 +89,45 @@ export const duelGame: Game<DuelState, DuelSettings> = {
     return nowMs < pressedAtMs ? AT_REST : { x: 0, y: 0, isPressed: true, pressedAtMs };
   },
 };
+
+function places({ seats, decided }: DuelState): Places {
+  return placesByScore(seats, (seat) => winsOf(decided, seat));
+}
+
+function winsOf(decided: DuelState['decided'], seat: Seat): number {
+  return decided.filter(({ winner }) => winner === seat).length;
+}
+
+function feedback(state: DuelState, seat: Seat): Feedback {
+  const { seats, decided, bout } = state;
+  const pressedAtMs = bout.presses[seat];
+  const isEarly = pressedAtMs !== undefined && pressedAtMs < bout.signalAtMs + LEAST_REACTION_MS;
+  const last = decided.at(-1);
+  const sentence =
+    pressedAtMs === undefined
+      ? last?.winner === seat
+        ? `You won with ${Math.round(last.reactionMs ?? 0)} ms. Wait for the next flag.`
+        : 'Wait until the flag falls, then press.'
+      : isEarly
+        ? 'Too early. You are back in the next bout.'
+        : `You pressed after ${Math.round(pressedAtMs - bout.signalAtMs)} ms.`;
+  return {
+    place: placeOf(places(state), seat),
+    of: seats.length,
+    headline: `Flag ${Math.min(BOUTS, decided.length + 1)} of ${BOUTS}`,
+    sentence,
+    progress: decided.length / BOUTS,
+    gauge: pressedAtMs === undefined ? 1 : 0,
+    isReady: pressedAtMs === undefined,
+    isOut: false,
+    hitAt: isEarly ? state.step : 0,
+  };
+}
+
+/** Whether the flag has fallen, for who draws it. */
+export function isSignalled({ bout, startsAtMs, step }: DuelState): boolean {
+  return startsAtMs + (step * 1000) / STEPS_PER_SECOND >= bout.signalAtMs;
+}
 
 function nextBout(state: WithRandom, nowMs: number, patience: number): Bout {
   const signalAtMs = nowMs + 1500 + drawInteger(state, 0, 3500) * patience;

@@ -1,4 +1,5 @@
-import { placesByScore, STEPS_PER_SECOND, type Game } from '../game.ts';
+import { placesByScore, STEPS_PER_SECOND, type Game, type Places } from '../game.ts';
+import { hillFeedback } from './hill-feedback.ts';
 import { hillBot } from './hill-bot.ts';
 import { standing, startHill, type HillState } from './hill-state.ts';
 import { LONGEST } from './rings.ts';
@@ -16,17 +17,22 @@ export const hillGame: Game<HillState, HillSettings> = {
     'Hold the button to charge, let it go to dash. Push the others off.',
     'The rings fall, from the outside in. The last one who stands gets 20 seconds.',
   ],
+  controller: { steering: 'stick', button: 'Dash', isHeld: true },
   settings: { friction: 1, speed: 1, push: 1 },
   start: startHill,
   step: stepHill,
   isOver: (state) => state.step >= LONGEST || standing(state).length <= 1,
-  places: (state) =>
-    placesByScore(
-      state.pieces.map(({ seat }) => seat),
-      (seat) => scoreOf(state, seat),
-    ),
+  places,
+  feedback: (state, seat) => hillFeedback(state, seat, places(state)),
   bot: hillBot,
 };
+
+function places(state: HillState): Places {
+  return placesByScore(
+    state.pieces.map(({ seat }) => seat),
+    (seat) => scoreOf(state, seat),
+  );
+}
 
 /** Steps with the crown, with what the last one who stands gets. */
 function scoreOf(state: HillState, seat: number): number {

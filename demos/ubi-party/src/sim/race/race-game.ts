@@ -1,4 +1,5 @@
-import { placesByScore, type Game } from '../game.ts';
+import { placesByScore, type Game, type Places } from '../game.ts';
+import { raceFeedback } from './race-feedback.ts';
 import { raceBot } from './race-bot.ts';
 import { LONGEST_RACE, startRace, STEPS_AFTER_FIRST, type RaceState } from './race-state.ts';
 import { stepRace, type RaceSettings } from './step-race.ts';
@@ -12,17 +13,22 @@ export const raceGame: Game<RaceState, RaceSettings> = {
     'Chevrons boost you. Press when the pad is full for a boost of your own.',
     'Who leaves the track is put back. When the first has finished, the others have 20 seconds.',
   ],
+  controller: { steering: 'wheel', button: 'Boost', isHeld: false },
   settings: { speed: 1, grip: 1, gravity: 1 },
   start: startRace,
   step: stepRace,
   isOver,
-  places: (state) =>
-    placesByScore(
-      state.carts.map(({ seat }) => seat),
-      (seat) => scoreOf(state, seat),
-    ),
+  places,
+  feedback: (state, seat) => raceFeedback(state, seat, places(state)),
   bot: raceBot,
 };
+
+function places(state: RaceState): Places {
+  return placesByScore(
+    state.carts.map(({ seat }) => seat),
+    (seat) => scoreOf(state, seat),
+  );
+}
 
 function isOver({ step, carts }: RaceState): boolean {
   const finished = carts.flatMap(({ finishedAt }) => finishedAt ?? []);

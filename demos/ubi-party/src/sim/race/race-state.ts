@@ -21,6 +21,8 @@ export interface Cart {
   boostSteps: number;
   jumpSteps: number;
   liftSteps: number;
+  /** The step of the newest hit by another cart, or of leaving the track; 0 for none. */
+  hitAt: number;
   /** Steps from the start to the finish, with the fraction of the last one. */
   finishedAt?: number;
 }
@@ -66,6 +68,7 @@ function cartAt(seat: Seat, track: Track, slot: number): Cart {
     boostSteps: 0,
     jumpSteps: 0,
     liftSteps: 0,
+    hitAt: 0,
   };
 }
 
@@ -79,6 +82,6 @@ export const STEPS_AFTER_FIRST = 20 * STEPS_PER_SECOND;
 export const LONGEST_RACE = 240 * STEPS_PER_SECOND;
 
 /** The lap a cart is in, from 1. */
-export function lapOf(cart: Cart, track: Track): number {
+export function lapOf(cart: Pick<Cart, 'distance'>, track: Track): number {
   return Math.min(track.laps, Math.max(1, Math.floor(cart.distance / track.length) + 1));
 }

@@ -38,6 +38,8 @@ const SECONDS_TO_FILL = 9;
 /** A cart is off when its middle is so far beyond the kerb. */
 const BEYOND_KERB = 0.6;
 const LEAST_TO_JUMP = 6;
+/** Units per second; a softer touch is no hit. */
+const LEAST_HIT = 2;
 
 export function stepRace(state: RaceState, controls: ReadControls, settings: RaceSettings): void {
   state.step += 1;
@@ -47,7 +49,9 @@ export function stepRace(state: RaceState, controls: ReadControls, settings: Rac
     // A cart that has finished rolls out
     else drive(cart, cart.finishedAt === undefined ? controls(cart.seat) : ROLL_OUT, settings);
   }
-  collide(state.carts.filter(isOnGround).map(asDisc));
+  for (const { a, b, speed } of collide(state.carts.filter(isOnGround).map(asDisc))) {
+    if (speed > LEAST_HIT) a.cart.hitAt = b.cart.hitAt = state.step;
+  }
   for (const cart of state.carts) {
     if (cart.liftSteps === 0) follow(cart, track, state.step, settings);
   }
@@ -91,8 +95,9 @@ function isOnGround(cart: Cart): boolean {
   return cart.liftSteps === 0 && cart.jumpSteps === 0;
 }
 
-function asDisc({ position, velocity }: Cart): Disc {
-  return { position, velocity, radius: 1, mass: 1, bounce: 0.5 };
+function asDisc(cart: Cart): Disc & { readonly cart: Cart } {
+  const { position, velocity } = cart;
+  return { cart, position, velocity, radius: 1, mass: 1, bounce: 0.5 };
 }
 
 /** Says where the cart is now, and what the track does to it. */
@@ -107,6 +112,7 @@ function follow(cart: Cart, track: Track, step: number, settings: RaceSettings):
   if (Math.abs(cart.toLeft) > track.halfWidth + BEYOND_KERB) {
     cart.liftSteps = STEPS_OF_LIFT;
     cart.boostSteps = 0;
+    cart.hitAt = step;
     return;
   }
   if (track.boosts.some((stretch) => isOn(stretch, track, cart.distance)))

@@ -1,0 +1,24 @@
+import type { Room, Seat } from '../sim/index.ts';
+
+/** The round that is played or about to begin. */
+export interface RoundView {
+  /** Of each round its own. */
+  readonly id: string;
+  readonly game: string;
+  readonly seed: number;
+  /** Milliseconds since the Unix epoch, master's clock: everybody starts at the same time. */
+  readonly startsAtMs: number;
+  readonly seats: readonly Seat[];
+  /** The session it runs in, which can be opened in the graph editor. */
+  readonly sessionId?: string;
+}
+
+/** What everybody sees of a room. */
+export interface RoomView {
+  readonly room: Room;
+  /** The client of the big screen. */
+  readonly hostId: string;
+  readonly round?: RoundView;
+  /** Round trips of the players, milliseconds, by seat. */
+  readonly lags: Readonly<Record<Seat, number>>;
+}

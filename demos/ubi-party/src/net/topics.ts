@@ -1,0 +1,43 @@
+import type { DataFormat } from '@ubii/proto';
+
+/** Retained: the room as everybody sees it, JSON of a `RoomView`. */
+export const ROOM_TOPIC = '/party/room';
+/** Retained: who sits where in the round, JSON of `RoundSeats`; an input of the modules. */
+export const SEATS_TOPIC = '/party/seats';
+/** All that a player may read beside the own topics. */
+export const PLAYER_READS = [ROOM_TOPIC] as const;
+/** The state of the running round, JSON, 60 times a second. */
+export const stateTopic = (game: string): string => `/party/${game}/state`;
+/** A setting of a game that anybody may change while it runs, a number; 1 is as it is meant. */
+export const settingTopic = (game: string, setting: string): string => `/party/${game}/${setting}`;
+
+/** Components of a phone, with their data formats. What a phone publishes, and (`feedback`, `reply`) what it receives. */
+export const PHONE_COMPONENTS = {
+  /** Stick, wheel or tilt, each from -1 to 1: right and away from the player are positive. */
+  stick: { format: 'vector2', ioType: 'publisher' },
+  /** Whether the button is down. */
+  button: { format: 'bool', ioType: 'publisher' },
+  /** When it went down last, milliseconds since the Unix epoch, master's clock. */
+  pressed: { format: 'double', ioType: 'publisher' },
+  /** Once a second while the page is seen: the round trip to the master, milliseconds. */
+  here: { format: 'double', ioType: 'publisher' },
+  /** What the player asks the host for, JSON of a `PhoneRequest`. */
+  request: { format: 'string', ioType: 'publisher' },
+  /** What the host answers, JSON of a `HostReply`. */
+  reply: { format: 'string', ioType: 'subscriber' },
+  /** How the player stands, JSON of a `Feedback`. */
+  feedback: { format: 'string', ioType: 'subscriber' },
+} as const satisfies Record<string, { format: DataFormat; ioType: string }>;
+export type PhoneComponent = keyof typeof PHONE_COMPONENTS;
+
+/** The name of the device that a phone registers, and the tag of its components. */
+export const PHONE_DEVICE = 'party';
+
+export const phoneTopic = (clientId: string, component: PhoneComponent): string =>
+  `/${clientId}/${PHONE_DEVICE}/${component}`;
+
+/** The client whose topic it is, if it is one of a phone. */
+export function phoneOf(topic: string, component: PhoneComponent): string | undefined {
+  const match = /^\/([^/]+)\/party\/([^/]+)$/.exec(topic);
+  return match?.[2] === component ? match[1] : undefined;
+}

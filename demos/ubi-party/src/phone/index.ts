@@ -1,0 +1,1 @@
+export type { PhoneFacts, PhoneLink } from './phone-link.ts';

@@ -1,0 +1,35 @@
+import type { Feedback, Player } from '../sim/index.ts';
+import type { PhoneWish } from '../net/messages.ts';
+import type { RoomView } from '../net/room-view.ts';
+
+/** What a phone knows of the party, as it is now. */
+export interface PhoneFacts {
+  /** Undefined until the room is known. */
+  readonly view: RoomView | undefined;
+  /** The player of this phone; undefined before it has joined, and after it was removed. */
+  readonly me: Player | undefined;
+  /** Undefined while no round is played by this player. */
+  readonly feedback: Feedback | undefined;
+  readonly link: 'connecting' | 'connected' | 'lost';
+  /** Round trip to the master, milliseconds. */
+  readonly lagMs: number | undefined;
+  /** The clock of the master, milliseconds since the Unix epoch. */
+  nowMs(): number;
+}
+
+/** The phone of one player: what it knows, and what it can do. */
+export interface PhoneLink {
+  readonly facts: PhoneFacts;
+  /** Calls after each change of the facts. @returns ends it */
+  onChange(fn: () => void): () => void;
+  /**
+   * Asks the host. @returns the code of `offer`
+   * @throws Error whose message is a sentence for the player
+   */
+  ask(wish: PhoneWish): Promise<{ readonly code?: string }>;
+  /** Where stick, wheel or tilt is, each from -1 to 1. */
+  steer(x: number, y: number): void;
+  /** The button goes down or up. */
+  press(isDown: boolean): void;
+  close(): void;
+}

@@ -1,0 +1,41 @@
+/** What one player is told of the round, for the phone. The texts are the game's, so that phones know no game. */
+export interface Feedback {
+  /** In the running table, from 1. */
+  readonly place: number;
+  /** How many play. */
+  readonly of: number;
+  /** The largest words on the phone, such as `Lap 2 of 3`; at most 16 characters. */
+  readonly headline: string;
+  /** One sentence below it. */
+  readonly sentence: string;
+  /** How far on the way to the goal, 0 to 1: the ring around the token. */
+  readonly progress: number;
+  /** What the pad shows, 0 to 1: boost that is saved up, charge of a dash. */
+  readonly gauge: number;
+  /** The button does something now. */
+  readonly isReady: boolean;
+  /** Has nothing to steer any more in this round. */
+  readonly isOut: boolean;
+  /** The step of the newest hit, 0 for none: the phone vibrates when it changes. */
+  readonly hitAt: number;
+}
+
+/** What the phone shows to play a game with. */
+export interface Controller {
+  /** wheel: left and right, by tilting or with the thumb; stick: all directions; none: only the button. */
+  readonly steering: 'wheel' | 'stick' | 'none';
+  /** On the button. */
+  readonly button: string;
+  /** A held button charges, letting it go acts. */
+  readonly isHeld: boolean;
+}
+
+/** The place of a seat in a table, from 1. */
+export function placeOf(places: readonly (readonly number[])[], seat: number): number {
+  let before = 0;
+  for (const seats of places) {
+    if (seats.includes(seat)) return before + 1;
+    before += seats.length;
+  }
+  return before + 1;
+}

@@ -1,0 +1,26 @@
+import type { DuelState, HillState, Player, RaceState, Seat } from '../sim/index.ts';
+
+/** What the stage shows. */
+export type Scene =
+  | { readonly kind: 'lobby'; readonly players: readonly Player[] }
+  | {
+      readonly kind: 'podium';
+      readonly players: readonly Player[];
+      readonly first: readonly Seat[];
+    }
+  | { readonly kind: 'race'; readonly state: RaceState }
+  | { readonly kind: 'hill'; readonly state: HillState }
+  | { readonly kind: 'duel'; readonly state: DuelState };
+
+/** The three-dimensional part of the big screen; words stand on a page above it. */
+export interface Stage {
+  /** Shows a scene, or the next state of the one that is shown. May be called more often than frames are drawn. */
+  show(scene: Scene): void;
+  /** No swaying camera, no confetti, fades instead of springs. */
+  setReducedMotion(isReduced: boolean): void;
+  /** Where the token of a seat is on the page, CSS pixels; undefined while it is not seen. For names beside it. */
+  placeOf(seat: Seat): { readonly x: number; readonly y: number } | undefined;
+  /** Milliseconds between the newest frames, and the level of quality that they lead to. */
+  readonly frames: { readonly p95Ms: number; readonly quality: 'low' | 'middle' | 'high' };
+  dispose(): void;
+}

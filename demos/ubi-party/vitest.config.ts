@@ -1,0 +1,12 @@
+import vue from '@vitejs/plugin-vue';
+import { defineConfig } from 'vitest/config';
+
+export default defineConfig({
+  plugins: [vue()],
+  test: {
+    name: '@ubii/party',
+    // Tests that need a DOM begin with `@vitest-environment happy-dom`.
+    environment: 'node',
+    include: ['src/**/*.test.ts'],
+  },
+});
