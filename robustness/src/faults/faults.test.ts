@@ -1,6 +1,6 @@
-import { beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 
-import { BUILT_NODE, buildForTests } from '../master/built-master.ts';
+import { BUILT_NODE, MASTER_FOR_TESTS } from '../master/built-master.ts';
 import { Random } from '../random.ts';
 import { SmallDisk } from './small-disk.ts';
 import { fullDisk } from './stories/full-disk.ts';
@@ -10,14 +10,13 @@ import { killMaster } from './stories/kill-master.ts';
 const SEED = 20_261_122;
 
 describe(`faults, seed ${SEED}`, () => {
-  let program: string;
-
-  beforeAll(() => {
-    program = buildForTests();
-  });
-
   it('kill -9 of the master loses nothing that it acknowledged', async () => {
-    const stage = { program, node: BUILT_NODE, random: new Random(SEED), times: 1 };
+    const stage = {
+      program: MASTER_FOR_TESTS,
+      node: BUILT_NODE,
+      random: new Random(SEED),
+      times: 1,
+    };
     const { acknowledged, losses, backMs } = await killMaster.run(stage);
     expect(losses).toEqual([]);
     expect(acknowledged).toBeGreaterThan(0);
@@ -27,7 +26,12 @@ describe(`faults, seed ${SEED}`, () => {
   const reason = SmallDisk.reasonAgainst();
   if (reason !== undefined) console.warn(`The test of the full disk is left out: ${reason}.`);
   it.skipIf(reason !== undefined)('a full disk loses nothing that was acknowledged', async () => {
-    const stage = { program, node: BUILT_NODE, random: new Random(SEED), times: 1 };
+    const stage = {
+      program: MASTER_FOR_TESTS,
+      node: BUILT_NODE,
+      random: new Random(SEED),
+      times: 1,
+    };
     const { losses, refused } = await fullDisk.run(stage);
     expect(losses).toEqual([]);
     expect(refused).toBeGreaterThan(0);

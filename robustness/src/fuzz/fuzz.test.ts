@@ -1,6 +1,6 @@
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 
-import { buildForTests } from '../master/built-master.ts';
+import { MASTER_FOR_TESTS } from '../master/built-master.ts';
 import { Arena } from './arena.ts';
 import { readCorpus } from './corpus.ts';
 import type { FuzzTarget } from './entrance.ts';
@@ -13,12 +13,10 @@ const SEED = 20_261_122;
 const CASES = { running: 18, start: 2, parser: 150 } as const;
 
 describe(`mutated inputs, seed ${SEED}`, () => {
-  let program: string;
   let arena: Arena;
 
   beforeAll(async () => {
-    program = buildForTests();
-    arena = await Arena.open(program);
+    arena = await Arena.open(MASTER_FOR_TESTS);
   });
   afterAll(() => arena?.close());
 
@@ -31,7 +29,7 @@ describe(`mutated inputs, seed ${SEED}`, () => {
         const deliver =
           entrance.kind === 'running'
             ? arena.deliver(entrance, input)
-            : entrance.deliver(input, { program } as FuzzTarget);
+            : entrance.deliver(input, { program: MASTER_FOR_TESTS } as FuzzTarget);
         await deliver.catch((error: unknown) => {
           const text = Buffer.from(input).toString('base64');
           throw new Error(`Case ${index} (${text}): ${String(error)}`);
@@ -49,7 +47,7 @@ describe(`mutated inputs, seed ${SEED}`, () => {
       const entrance = ENTRANCES.find((one) => one.name === name)!;
       for (const input of fromBase64(inputs)) {
         if (entrance.kind === 'running') await arena.deliver(entrance, input);
-        else await entrance.deliver(input, { program } as FuzzTarget);
+        else await entrance.deliver(input, { program: MASTER_FOR_TESTS } as FuzzTarget);
       }
       await arena.check();
     },
