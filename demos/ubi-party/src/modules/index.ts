@@ -1,1 +1,2 @@
-export {};
+export { PARTY_SET, partyModuleName, partyModules } from './party-modules.ts';
+export type { RoundPlan, RoundSeats, RoundState } from './round.ts';

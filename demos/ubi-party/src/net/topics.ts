@@ -4,6 +4,8 @@ import type { DataFormat } from '@ubii/proto';
 export const ROOM_TOPIC = '/party/room';
 /** Retained: who sits where in the round, JSON of `RoundSeats`; an input of the modules. */
 export const SEATS_TOPIC = '/party/seats';
+/** Retained: the round, JSON of a `RoundPlan`; an input of the modules. */
+export const ROUND_TOPIC = '/party/round';
 /** All that a player may read beside the own topics. */
 export const PLAYER_READS = [ROOM_TOPIC] as const;
 /** The state of the running round, JSON, 60 times a second. */

@@ -16,7 +16,7 @@ export interface Controls {
   readonly y: number;
   /** The one button is down. */
   readonly isPressed: boolean;
-  /** When the button went down last, milliseconds since the Unix epoch, master's clock. */
+  /** When the button went down last, milliseconds since the start of the round on the master's clock. */
   readonly pressedAtMs?: number;
 }
 
@@ -31,8 +31,6 @@ export interface RoundSetup {
   readonly seats: readonly Seat[];
   /** Any 32-bit integer. */
   readonly seed: number;
-  /** When the first step is, milliseconds since the Unix epoch, master's clock. */
-  readonly startsAtMs: number;
 }
 
 /** Seats by place, the best first; seats that share a place stand together. */

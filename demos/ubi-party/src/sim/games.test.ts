@@ -37,7 +37,7 @@ describe.each(Object.entries(GAMES) as unknown as [string, AnyGame][])('%s', (id
   });
 
   it('ends without any input', () => {
-    const state = game.start({ seats: SEATS.slice(0, 4), seed: 3, startsAtMs: 0 });
+    const state = game.start({ seats: SEATS.slice(0, 4), seed: 3 });
     let steps = 0;
     while (!game.isOver(state) && steps < 300 * 60) {
       game.step(state, () => AT_REST, game.settings);
@@ -48,7 +48,7 @@ describe.each(Object.entries(GAMES) as unknown as [string, AnyGame][])('%s', (id
 
   it('has a state that is plain data, and goes on from it as if nothing had happened', () => {
     const seats = [0, 1, 2];
-    const state = game.start({ seats, seed: 8, startsAtMs: 0 });
+    const state = game.start({ seats, seed: 8 });
     const controls = (): Controls => ({ x: 0.5, y: 0.25, isPressed: false });
     for (let step = 0; step < 200; step += 1) game.step(state, controls, game.settings);
     const copy = JSON.parse(JSON.stringify(state)) as unknown;
@@ -60,7 +60,7 @@ describe.each(Object.entries(GAMES) as unknown as [string, AnyGame][])('%s', (id
 
   it('stays finite whatever controllers say', () => {
     const wild = [1, -1, 1e9, -1e9, 0];
-    const state = game.start({ seats: SEATS, seed: 1, startsAtMs: 0 });
+    const state = game.start({ seats: SEATS, seed: 1 });
     for (let step = 0; step < 400 && !game.isOver(state); step += 1) {
       const value = (seat: number): number => wild[(seat + step) % wild.length]!;
       const controls = (seat: number): Controls => ({
@@ -75,7 +75,7 @@ describe.each(Object.entries(GAMES) as unknown as [string, AnyGame][])('%s', (id
   });
 
   it('plays its last seconds again, exactly', () => {
-    const state = game.start({ seats: [0, 1, 2], seed: 4, startsAtMs: 0 });
+    const state = game.start({ seats: [0, 1, 2], seed: 4 });
     const round = new PlayedRound(game, state);
     const hashes: string[] = [];
     for (let step = 0; step < 20 * 60 && !game.isOver(state); step += 1) {

@@ -9,7 +9,7 @@ import { playWithBots } from './testing/play-with-bots.ts';
 const KNOWN: Readonly<Record<GameId, string>> = {
   race: 'a5af9c4c',
   hill: '4f6f99fc',
-  duel: '647e4e28',
+  duel: 'e6e81d03',
 };
 
 describe('the same round everywhere', () => {

@@ -2,9 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { AT_REST, STEPS_PER_SECOND, type Controls } from '../game.ts';
 import { duelGame, LEAST_REACTION_MS, type DuelState } from './duel-game.ts';
 
-const start = (): DuelState => duelGame.start({ seats: [0, 1], seed: 2, startsAtMs: 50_000 });
-const nowMs = (state: DuelState): number =>
-  state.startsAtMs + (state.step * 1000) / STEPS_PER_SECOND;
+const start = (): DuelState => duelGame.start({ seats: [0, 1], seed: 2 });
+const nowMs = (state: DuelState): number => (state.step * 1000) / STEPS_PER_SECOND;
 
 /** Plays one bout: each seat's press arrives when `arrives` says, with the time at which it was. */
 function bout(
@@ -51,6 +50,21 @@ describe('Quick Draw', () => {
       1: { atMs: signalAtMs + 300, arrivesMs: signalAtMs + 310 },
     });
     expect(state.decided[0]!.winner).toBe(1);
+  });
+
+  it('goes on after five bouts while nobody leads, three times at most', () => {
+    const state = start();
+    for (let won = 0; won < 4; won += 1) {
+      const { signalAtMs } = state.bout;
+      bout(state, { [won % 2]: { atMs: signalAtMs + 200, arrivesMs: signalAtMs + 200 } });
+    }
+    bout(state, {});
+    expect(duelGame.isOver(state)).toBe(false);
+    expect(duelGame.feedback(state, 0).headline).toBe('Sudden death');
+    const { signalAtMs } = state.bout;
+    bout(state, { 1: { atMs: signalAtMs + 200, arrivesMs: signalAtMs + 200 } });
+    expect(duelGame.isOver(state)).toBe(true);
+    expect(duelGame.places(state)).toEqual([[1], [0]]);
   });
 
   it('does not count a press of one bout in the next', () => {

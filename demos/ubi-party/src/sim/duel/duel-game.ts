@@ -12,7 +12,7 @@ import { drawInteger, randomState, type WithRandom } from '../random.ts';
 
 /** One signal, and who pressed when. */
 interface Bout {
-  /** Milliseconds since the Unix epoch, master's clock; a press before belongs to the bout before. */
+  /** Milliseconds since the start of the round; a press before belongs to the bout before. */
   readonly beganAtMs: number;
   /** On the same clock. */
   readonly signalAtMs: number;
@@ -21,7 +21,6 @@ interface Bout {
 }
 
 export interface DuelState extends WithRandom {
-  readonly startsAtMs: number;
   /** Steps since the start. */
   step: number;
   readonly seats: readonly Seat[];
@@ -36,6 +35,7 @@ export interface DuelSettings extends GameSettings {
 }
 
 const BOUTS = 5;
+const MOST_EXTRA = 3;
 /** Faster is guessed, not seen (World Athletics, technical rules: 100 ms). */
 export const LEAST_REACTION_MS = 100;
 const LONGEST_REACTION_MS = 1500;
@@ -53,20 +53,19 @@ export const duelGame: Game<DuelState, DuelSettings> = {
   ],
   controller: { steering: 'none', button: 'Draw', isHeld: false },
   settings: { patience: 1 },
-  start({ seats, seed, startsAtMs }) {
+  start({ seats, seed }) {
     const random = { random: randomState(seed) };
     return {
       ...random,
-      startsAtMs,
       step: 0,
       seats,
-      bout: nextBout(random, startsAtMs, 1),
+      bout: nextBout(random, 0, 1),
       decided: [],
     };
   },
   step(state, controls, { patience }) {
     state.step += 1;
-    const nowMs = state.startsAtMs + (state.step * 1000) / STEPS_PER_SECOND;
+    const nowMs = (state.step * 1000) / STEPS_PER_SECOND;
     const { presses, beganAtMs, signalAtMs } = state.bout;
     for (const seat of state.seats) {
       const { pressedAtMs } = controls(seat);
@@ -79,16 +78,22 @@ export const duelGame: Game<DuelState, DuelSettings> = {
     state.decided.push(decide(state));
     state.bout = nextBout(state, nowMs, patience);
   },
-  isOver: ({ decided }) => decided.length >= BOUTS,
+  isOver,
   places,
   feedback,
   bot(state, seat) {
-    const nowMs = state.startsAtMs + (state.step * 1000) / STEPS_PER_SECOND;
+    const nowMs = (state.step * 1000) / STEPS_PER_SECOND;
     const pressedAtMs =
       state.bout.signalAtMs + 260 + ((seat * 37 + state.decided.length * 53) % 160);
     return nowMs < pressedAtMs ? AT_REST : { x: 0, y: 0, isPressed: true, pressedAtMs };
   },
 };
+
+/** Sudden death: while several lead, one more flag, three times at most. */
+function isOver(state: DuelState): boolean {
+  const { length } = state.decided;
+  return length >= BOUTS + MOST_EXTRA || (length >= BOUTS && places(state)[0]!.length === 1);
+}
 
 function places({ seats, decided }: DuelState): Places {
   return placesByScore(seats, (seat) => winsOf(decided, seat));
@@ -114,9 +119,9 @@ function feedback(state: DuelState, seat: Seat): Feedback {
   return {
     place: placeOf(places(state), seat),
     of: seats.length,
-    headline: `Flag ${Math.min(BOUTS, decided.length + 1)} of ${BOUTS}`,
+    headline: decided.length < BOUTS ? `Flag ${decided.length + 1} of ${BOUTS}` : 'Sudden death',
     sentence,
-    progress: decided.length / BOUTS,
+    progress: Math.min(1, decided.length / BOUTS),
     gauge: pressedAtMs === undefined ? 1 : 0,
     isReady: pressedAtMs === undefined,
     isOut: false,
@@ -125,8 +130,8 @@ function feedback(state: DuelState, seat: Seat): Feedback {
 }
 
 /** Whether the flag has fallen, for who draws it. */
-export function isSignalled({ bout, startsAtMs, step }: DuelState): boolean {
-  return startsAtMs + (step * 1000) / STEPS_PER_SECOND >= bout.signalAtMs;
+export function isSignalled({ bout, step }: DuelState): boolean {
+  return (step * 1000) / STEPS_PER_SECOND >= bout.signalAtMs;
 }
 
 function nextBout(state: WithRandom, nowMs: number, patience: number): Bout {

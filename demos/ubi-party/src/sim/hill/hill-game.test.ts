@@ -21,12 +21,12 @@ function run(
     hillGame.step(state, (seat) => controls(seat, step), hillGame.settings);
 }
 
-const pair = (): HillState => startHill({ seats: [0, 1], seed: 1, startsAtMs: 0 });
+const pair = (): HillState => startHill({ seats: [0, 1], seed: 1 });
 
 describe('King of the Hill', () => {
   it('places up to 32 pieces on the platform, none in another', () => {
     const seats = Array.from({ length: 32 }, (_, seat) => seat);
-    const { pieces } = startHill({ seats, seed: 0, startsAtMs: 0 });
+    const { pieces } = startHill({ seats, seed: 0 });
     for (const a of pieces)
       for (const b of pieces)
         if (a !== b)
@@ -117,7 +117,7 @@ describe('King of the Hill', () => {
   });
 
   it('lets who fell vote for the next power, which the first who is there gets', () => {
-    const state = startHill({ seats: [0, 1, 2], seed: 1, startsAtMs: 0 });
+    const state = startHill({ seats: [0, 1, 2], seed: 1 });
     place(state, 2, PLATFORM_RADIUS + 1, 0);
     run(state, 8 * STEPS_PER_SECOND, (seat) => (seat === 2 ? stick(0, 1) : AT_REST));
     expect(state.offer?.kind).toBe('anchor');

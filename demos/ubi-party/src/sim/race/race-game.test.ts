@@ -56,7 +56,7 @@ describe.each(TRACKS.map((track, index) => [track.title, track, index] as const)
 
 describe('Marble Dash', () => {
   it('puts a cart that left the track back within 0.8 seconds, facing forward', () => {
-    const state = startRace({ seats: [0], seed: 0, startsAtMs: 0 });
+    const state = startRace({ seats: [0], seed: 0 });
     const [cart] = state.carts;
     let steps = 0;
     while (cart!.liftSteps === 0 && steps < 600) {
@@ -72,20 +72,20 @@ describe('Marble Dash', () => {
 
   it('gives a boost for a press when it is saved up, and none for a button that is held', () => {
     const speedAfter = (isPressed: boolean): number => {
-      const state = startRace({ seats: [0], seed: 0, startsAtMs: 0 });
+      const state = startRace({ seats: [0], seed: 0 });
       state.carts[0]!.energy = 1;
       drive(state, 60, { x: 0, y: 0, isPressed });
       return Math.hypot(state.carts[0]!.velocity.x, state.carts[0]!.velocity.y);
     };
     expect(speedAfter(true)).toBeGreaterThan(speedAfter(false) * 1.2);
-    const state = startRace({ seats: [0], seed: 0, startsAtMs: 0 });
+    const state = startRace({ seats: [0], seed: 0 });
     state.carts[0]!.energy = 0.995;
     drive(state, 120, { x: 0, y: 0, isPressed: true });
     expect(state.carts[0]!.boostSteps).toBe(0);
   });
 
   it('lets two carts that meet bounce off each other', () => {
-    const state = startRace({ seats: [0, 1], seed: 0, startsAtMs: 0 });
+    const state = startRace({ seats: [0, 1], seed: 0 });
     const [a, b] = state.carts;
     Object.assign(b!.position, { x: a!.position.x + 0.5, y: a!.position.y });
     drive(state, 1, AT_REST);
@@ -106,7 +106,7 @@ describe('Marble Dash', () => {
   });
 
   it('counts laps, ranks by the way driven, and by time at the finish', () => {
-    const state = startRace({ seats: [4, 7, 9], seed: 0, startsAtMs: 0 });
+    const state = startRace({ seats: [4, 7, 9], seed: 0 });
     const track = trackOf(state);
     const [a, b, c] = state.carts;
     expect(lapOf(a!, track)).toBe(1);
@@ -120,7 +120,7 @@ describe('Marble Dash', () => {
   });
 
   it('is over 20 seconds after the first has finished', () => {
-    const state = startRace({ seats: [0, 1], seed: 0, startsAtMs: 0 });
+    const state = startRace({ seats: [0, 1], seed: 0 });
     state.carts[0]!.finishedAt = 100;
     state.step = 100 + 20 * STEPS_PER_SECOND - 1;
     expect(raceGame.isOver(state)).toBe(false);
@@ -130,7 +130,7 @@ describe('Marble Dash', () => {
 
   it('starts in another order with another seed', () => {
     const orders = [0, 3, 6].map((seed) =>
-      startRace({ seats: [0, 1, 2], seed, startsAtMs: 0 }).carts.map(({ distance, toLeft }) =>
+      startRace({ seats: [0, 1, 2], seed }).carts.map(({ distance, toLeft }) =>
         [distance, toLeft].join(),
       ),
     );

@@ -10,7 +10,7 @@ export function playWithBots<State, Settings extends GameSettings>(
   onStep: (state: State) => void = () => {},
 ): State {
   const seats = Array.from({ length: players }, (_, seat) => seat);
-  const state = game.start({ seats, seed, startsAtMs: 1_000_000 });
+  const state = game.start({ seats, seed });
   for (let step = 0; !game.isOver(state); step += 1) {
     if (step > MOST_STEPS) throw new Error(`${game.title} does not end.`);
     const controls = new Map<Seat, Controls>(seats.map((seat) => [seat, game.bot(state, seat)]));

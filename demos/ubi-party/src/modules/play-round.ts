@@ -1,0 +1,177 @@
+import { GAMES, STEPS_PER_SECOND, type Controls, type Game, type Seat } from '../sim/index.ts';
+import { isRoundPlan, isRoundSeats } from './check-plan.ts';
+import type { RoundPlan, RoundSeats, RoundState } from './round.ts';
+
+/** The inputs of a module that plays a game, as they come from the runtime. */
+export interface RoundInputs {
+  readonly round?: { readonly string?: string };
+  readonly seats?: { readonly string?: string };
+  readonly sticks?: List<{ readonly vector2?: { readonly x: number; readonly y: number } }>;
+  readonly buttons?: List<{ readonly bool?: boolean }>;
+  readonly pressed?: List<{ readonly double?: number }>;
+  readonly [setting: string]: unknown;
+}
+interface List<T> {
+  readonly elements: readonly (T & { readonly identity?: string })[];
+}
+
+/** What an instance of the module keeps. */
+export interface Playing {
+  plan?: RoundPlan;
+  /** The text that `plan` was read from. */
+  planText?: string;
+  seats?: RoundSeats;
+  seatsText?: string;
+  /** Of the game. */
+  state?: unknown;
+  step?: number;
+  isOver?: boolean;
+  /** When each seat pressed last, as it was last used. */
+  usedPresses?: Record<Seat, number>;
+  /** What each client was told last, with the step. */
+  told?: Record<string, { readonly text: string; readonly hitAt: number }>;
+}
+
+/** What the module puts out. */
+export interface RoundOutputs {
+  readonly outputs: {
+    readonly state?: { readonly string: string };
+    readonly feedback?: {
+      readonly elements: readonly {
+        readonly string: string;
+        readonly outputTopicParams: readonly string[];
+      }[];
+    };
+  };
+}
+
+/** A module that was held up catches up so many steps a run. */
+const MOST_STEPS_A_RUN = 12;
+/** Phones are told ten times a second, and at once of a hit. */
+const STEPS_BETWEEN_FEEDBACK = 6;
+/** A press that says to be older is none, milliseconds. */
+const OLDEST_PRESS_MS = 2000;
+const MOST_SETTING = 5;
+
+/**
+ * One run of a module that plays a game: as many steps as are due, with what the phones say now.
+ *
+ * @param nowMs milliseconds since the Unix epoch, clock of the node
+ */
+export function playRound(
+  id: keyof typeof GAMES,
+  inputs: RoundInputs,
+  playing: Playing,
+  nowMs: number,
+): RoundOutputs | undefined {
+  const game = GAMES[id] as Game<unknown>;
+  readPlan(game, inputs.round?.string, playing);
+  readSeats(inputs.seats?.string, playing);
+  const { plan } = playing;
+  if (!plan || playing.isOver === true) return undefined;
+  const due = Math.floor(((nowMs - plan.startsAtMs) * STEPS_PER_SECOND) / 1000);
+  const steps = Math.min(MOST_STEPS_A_RUN, due - playing.step!);
+  if (steps <= 0) return undefined;
+  const settings = readSettings(game, inputs);
+  const controls = readControls(inputs, playing, nowMs);
+  for (let count = 0; count < steps && !playing.isOver; count += 1) {
+    const read = (seat: Seat): Controls =>
+      playing.seats?.bots.includes(seat) ? game.bot(playing.state, seat) : controls(seat);
+    game.step(playing.state, read, settings);
+    playing.step! += 1;
+    playing.isOver = game.isOver(playing.state);
+  }
+  return { outputs: { state: { string: describe(game, playing) }, ...tell(game, playing) } };
+}
+
+function readPlan(game: Game<unknown>, text: string | undefined, playing: Playing): void {
+  if (text === undefined || text === playing.planText) return;
+  playing.planText = text;
+  const plan = readJson(text, isRoundPlan);
+  if (!plan || plan.id === playing.plan?.id) return;
+  playing.plan = plan;
+  playing.state = plan.resume?.state ?? game.start(plan);
+  playing.step = plan.resume?.step ?? 0;
+  playing.isOver = false;
+  playing.usedPresses = {};
+  playing.told = {};
+}
+
+function readSeats(text: string | undefined, playing: Playing): void {
+  if (text === undefined || text === playing.seatsText) return;
+  playing.seatsText = text;
+  playing.seats = readJson(text, isRoundSeats) ?? playing.seats;
+}
+
+function readJson<T>(text: string, isIt: (value: unknown) => value is T): T | undefined {
+  try {
+    const value: unknown = JSON.parse(text);
+    return isIt(value) ? value : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+function readSettings(game: Game<unknown>, inputs: RoundInputs): Record<string, number> {
+  return Object.fromEntries(
+    Object.entries(game.settings).map(([name, fallback]) => {
+      const { double, float, int32 } = (inputs[name] ?? {}) as Record<string, number | undefined>;
+      const value = double ?? float ?? int32 ?? fallback;
+      return [name, Number.isFinite(value) ? Math.min(MOST_SETTING, Math.max(0, value)) : fallback];
+    }),
+  );
+}
+
+/** The controls of each seat in this run, from what its client says. */
+function readControls(
+  { sticks, buttons, pressed }: RoundInputs,
+  playing: Playing,
+  nowMs: number,
+): (seat: Seat) => Controls {
+  const bySeat = new Map<Seat, Controls>();
+  const { startsAtMs } = playing.plan!;
+  const used = playing.usedPresses!;
+  for (const [key, client] of Object.entries(playing.seats?.clients ?? {})) {
+    const seat = Number(key);
+    const of = <T>(list: List<T> | undefined): T | undefined =>
+      list?.elements.find(({ identity }) => identity === client);
+    const { x = 0, y = 0 } = of(sticks)?.vector2 ?? {};
+    const at = of(pressed)?.double;
+    const isFresh = at !== undefined && at <= nowMs + 100 && at > nowMs - OLDEST_PRESS_MS;
+    // A tap may be over before the step that looks at the button
+    const isNew = isFresh && at > (used[seat] ?? -Infinity);
+    if (isNew) used[seat] = at;
+    bySeat.set(seat, {
+      x: toShare(x),
+      y: toShare(y),
+      isPressed: isNew || of(buttons)?.bool === true,
+      ...(isFresh && { pressedAtMs: at - startsAtMs }),
+    });
+  }
+  return (seat) => bySeat.get(seat) ?? { x: 0, y: 0, isPressed: false };
+}
+
+const toShare = (value: number): number =>
+  Number.isFinite(value) ? Math.min(1, Math.max(-1, value)) : 0;
+
+function describe(game: Game<unknown>, playing: Playing): string {
+  const { plan, step, state, isOver } = playing;
+  const places = game.places(state);
+  return JSON.stringify({ id: plan!.id, step, state, places, isOver } as RoundState);
+}
+
+/** What phones are told: when it is time, when they were hit, and at the end. */
+function tell(game: Game<unknown>, playing: Playing): RoundOutputs['outputs'] {
+  const isTime = playing.step! % STEPS_BETWEEN_FEEDBACK === 0 || playing.isOver;
+  const elements: { string: string; outputTopicParams: string[] }[] = [];
+  for (const [seat, client] of Object.entries(playing.seats?.clients ?? {})) {
+    const feedback = game.feedback(playing.state, Number(seat));
+    const before = playing.told![client];
+    if (!isTime && before?.hitAt === feedback.hitAt) continue;
+    const text = JSON.stringify(feedback);
+    if (text === before?.text) continue;
+    playing.told![client] = { text, hitAt: feedback.hitAt };
+    elements.push({ string: text, outputTopicParams: [client] });
+  }
+  return elements.length > 0 ? { feedback: { elements } } : {};
+}

@@ -1,0 +1,30 @@
+import type { Seat } from '../sim/index.ts';
+
+/** What a module is told to play: JSON at its input `round`. */
+export interface RoundPlan {
+  /** Another id is another round. */
+  readonly id: string;
+  readonly seed: number;
+  readonly seats: readonly Seat[];
+  /** When the first step is, milliseconds since the Unix epoch, master's clock. */
+  readonly startsAtMs: number;
+  /** The state to go on from, after the module was started again. */
+  readonly resume?: { readonly step: number; readonly state: unknown };
+}
+
+/** Who plays on which seat: JSON at the input `seats`. Seats without a client that are no bots' are at rest. */
+export interface RoundSeats {
+  /** Client ids of those who are present, by seat. */
+  readonly clients: Readonly<Record<Seat, string>>;
+  readonly bots: readonly Seat[];
+}
+
+/** What a module says of the round: JSON at its output `state`. */
+export interface RoundState<State = unknown> {
+  readonly id: string;
+  /** Steps since the start. */
+  readonly step: number;
+  readonly state: State;
+  readonly places: readonly (readonly Seat[])[];
+  readonly isOver: boolean;
+}

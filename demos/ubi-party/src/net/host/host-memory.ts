@@ -1,0 +1,19 @@
+import { EMPTY_ROOM, type Room } from '../../sim/index.ts';
+import type { RoundState } from '../../modules/index.ts';
+import type { RoundView } from '../room-view.ts';
+
+/** What the big screen needs to go on after a reload, or after a restart of the master. */
+export interface HostMemory {
+  readonly room: Room;
+  readonly round?: RoundView;
+  /** The newest state of the round that is played. */
+  readonly state?: RoundState;
+}
+
+/** Where it is kept: the storage of the browser, or nothing. */
+export interface HostStorage {
+  load(): HostMemory | undefined;
+  save(memory: HostMemory): void;
+}
+
+export const EMPTY_MEMORY: HostMemory = { room: EMPTY_ROOM };

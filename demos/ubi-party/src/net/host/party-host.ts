@@ -1,0 +1,401 @@
+import type { Clock, Subscription, UbiiClient } from '@ubii/client-web';
+import type { RoundPlan, RoundSeats, RoundState } from '../../modules/index.ts';
+import {
+  GAMES,
+  gameOf,
+  nextRoom,
+  playersOf,
+  RoomRefusal,
+  type GameId,
+  type Room,
+  type RoomEvent,
+  type Seat,
+} from '../../sim/index.ts';
+import type { HostReply, PhoneRequest, PhoneWish } from '../messages.ts';
+import type { RoomView, RoundView } from '../room-view.ts';
+import {
+  phoneOf,
+  phoneTopic,
+  ROOM_TOPIC,
+  ROUND_TOPIC,
+  SEATS_TOPIC,
+  settingTopic,
+  stateTopic,
+} from '../topics.ts';
+import { GameSessions } from './game-sessions.ts';
+import { EMPTY_MEMORY, type HostStorage } from './host-memory.ts';
+import { parseRequest } from './parse-request.ts';
+import { Presence } from './presence.ts';
+import { RequestLimit } from './request-limit.ts';
+import { SeatOffers } from './seat-offers.ts';
+
+/** What the big screen follows. */
+export interface PartyHostListener {
+  /** The room, the round or the lags changed. */
+  handleView?(view: RoomView): void;
+  /** The newest state of the round, 60 times a second. */
+  handleState?(game: GameId, state: RoundState): void;
+  /** Another screen has taken over: this one leads no longer. */
+  handleSuperseded?(byId: string): void;
+  /** Something failed that the host should know, one sentence. */
+  handleTrouble?(sentence: string): void;
+}
+
+export interface PartyHostOptions {
+  readonly client: UbiiClient;
+  readonly clock: Clock;
+  readonly storage: HostStorage;
+  /** A random integer from 0 to 255. */
+  readonly drawByte: () => number;
+  readonly listener: PartyHostListener;
+}
+
+const TICK_MS = 250;
+/** The room is told again so often: who joins late, and another screen, see that it is led. */
+const TELL_AGAIN_MS = 2000;
+const SAVE_STATE_MS = 1000;
+/** The round goes on so long after a restart of its module. */
+const RESUME_IN_MS = 3000;
+/** A value that the master has comes right after the subscription. */
+const ADOPT_WITHIN_MS = 500;
+
+/**
+ * Leads a party: knows the room, starts the session of each game, and tells everybody. It is where the big screen is,
+ * or in a program without a screen. What it knows is stored, and told on topics.
+ */
+export class PartyHost {
+  readonly #options: PartyHostOptions;
+  readonly #client: UbiiClient;
+  readonly #sessions: GameSessions;
+  readonly #presence = new Presence();
+  readonly #offers: SeatOffers;
+  readonly #requests = new RequestLimit();
+  readonly #ends: (() => void)[] = [];
+  #room: Room;
+  #round: RoundView | undefined;
+  #state: RoundState | undefined;
+  #states: Subscription<'string'> | undefined;
+  #toldAtMs = -Infinity;
+  #toldText = '';
+  #seatsText = '';
+  #savedAtMs = -Infinity;
+  #isClosed = false;
+
+  constructor(options: PartyHostOptions) {
+    this.#options = options;
+    this.#client = options.client;
+    const { room, round, state } = options.storage.load() ?? EMPTY_MEMORY;
+    this.#room = room;
+    this.#round = round;
+    this.#state = state;
+    this.#offers = new SeatOffers(options.drawByte);
+    this.#sessions = new GameSessions(options.client, (sentence) =>
+      options.listener.handleTrouble?.(sentence),
+    );
+  }
+
+  get view(): RoomView {
+    const lags = this.#presence.lags(this.#room.players, this.#nowMs());
+    const { id } = this.#client;
+    return { room: this.#room, hostId: id, lags, ...(this.#round && { round: this.#round }) };
+  }
+
+  /** Begins to lead, with what was stored. The client is connected. */
+  async start(): Promise<void> {
+    const client = this.#client;
+    const requests = client.subscribe({ glob: '/*/party/request' }, { format: 'string' });
+    requests.onRecord(({ topic, value }) => {
+      const key = phoneOf(topic, 'request');
+      if (key !== undefined) this.#handleRequest(key, value);
+    });
+    const here = client.subscribe({ glob: '/*/party/here' }, { format: 'double' });
+    here.onRecord(({ topic, value }) => {
+      const key = phoneOf(topic, 'here');
+      if (key !== undefined) this.#handleHere(key, value);
+    });
+    const rooms = client.subscribe(ROOM_TOPIC, { format: 'string' });
+    rooms.onRecord(({ value }) => this.#handleRoomOfOthers(value));
+    const stopState = client.onState(({ status }) => {
+      if (status === 'connected') void this.#handleConnected();
+    });
+    this.#ends.push(
+      () => void requests.close(),
+      () => void here.close(),
+      () => void rooms.close(),
+      stopState,
+      this.#options.clock.every(TICK_MS, () => this.#tick()),
+    );
+    await Promise.all([requests.ready, here.ready, rooms.ready]);
+    await this.#adopt();
+    await this.#handleConnected();
+    this.#tell();
+  }
+
+  /** What the host does by itself; what the phones of leaders do comes as wishes. @throws RoomRefusal */
+  apply(event: RoomEvent): void {
+    this.#become(nextRoom(this.#room, event, this.#nowMs()));
+  }
+
+  /** A code with which another phone takes a seat over; undefined for a seat without a person. */
+  offerSeat(seat: Seat): string | undefined {
+    const key = this.#room.players.find((player) => player.seat === seat)?.key;
+    return key === undefined ? undefined : this.#offers.offer(key, this.#nowMs());
+  }
+
+  /** Changes a setting of a game for everybody, now. */
+  setSetting(game: GameId, setting: string, value: number): void {
+    this.#client.publish(settingTopic(game, setting), 'double', value);
+  }
+
+  /** Leads no longer. The sessions and what was told stay, so that another screen can go on. */
+  close(): void {
+    if (this.#isClosed) return;
+    this.#isClosed = true;
+    for (const end of this.#ends) end();
+    void this.#states?.close();
+  }
+
+  /** Ends the party: sessions, and what the topics say. */
+  async end(): Promise<void> {
+    this.close();
+    for (const topic of [ROOM_TOPIC, ROUND_TOPIC, SEATS_TOPIC]) this.#client.endTopic(topic);
+    this.#options.storage.save(EMPTY_MEMORY);
+    await this.#sessions.removeAll();
+  }
+
+  #nowMs(): number {
+    return this.#client.masterTime.nowMs();
+  }
+
+  #handleRequest(key: string, text: string): void {
+    const nowMs = this.#nowMs();
+    if (!this.#requests.isAllowed(key, nowMs)) return;
+    const request = parseRequest(text);
+    if (!request) return;
+    this.#presence.hear(key, 0, nowMs);
+    this.#reply(key, this.#answer(key, request));
+  }
+
+  #answer(key: string, { number, wish }: PhoneRequest): HostReply {
+    try {
+      if (wish.type === 'offer') return { number, code: this.#offerOwn(key) };
+      this.#become(nextRoom(this.#room, this.#eventOf(key, wish), this.#nowMs()));
+      if (wish.type === 'leave' || wish.type === 'away') this.#presence.forget(key);
+      return { number };
+    } catch (cause) {
+      if (!(cause instanceof RoomRefusal)) throw cause;
+      return { number, refusal: cause.message };
+    }
+  }
+
+  #offerOwn(key: string): string {
+    if (!this.#room.players.some((player) => player.key === key))
+      throw new RoomRefusal('This phone has no seat.');
+    return this.#offers.offer(key, this.#nowMs());
+  }
+
+  #eventOf(key: string, wish: Exclude<PhoneWish, { type: 'offer' }>): RoomEvent {
+    switch (wish.type) {
+      case 'take': {
+        const owner = this.#offers.take(wish.code, this.#nowMs());
+        if (owner === undefined)
+          throw new RoomRefusal('This code is not valid any more. Ask for a new one.');
+        return { type: 'hand-over', key: owner, to: key };
+      }
+      case 'join':
+      case 'leave':
+      case 'away':
+      case 'back':
+      case 'ready':
+        return { ...wish, key };
+      default:
+        return { ...wish, by: { key } };
+    }
+  }
+
+  #reply(key: string, reply: HostReply): void {
+    this.#client.publish(phoneTopic(key, 'reply'), 'string', JSON.stringify(reply), {
+      immediate: true,
+    });
+  }
+
+  #handleHere(key: string, lagMs: number): void {
+    this.#presence.hear(key, lagMs, this.#nowMs());
+    const player = this.#room.players.find((one) => one.key === key);
+    if (player?.awaySinceMs !== undefined) this.apply({ type: 'back', key });
+  }
+
+  /** Another big screen says that it leads: the last one who began does. */
+  #handleRoomOfOthers(text: string): void {
+    let hostId: unknown;
+    try {
+      hostId = (JSON.parse(text) as Partial<RoomView>).hostId;
+    } catch {
+      return;
+    }
+    if (typeof hostId !== 'string' || hostId === this.#client.id || text === this.#toldText) return;
+    // What an earlier screen left behind comes once, before this one has told anything
+    if (this.#toldText === '') return;
+    this.close();
+    this.#options.listener.handleSuperseded?.(hostId);
+  }
+
+  /** A screen that knows of no party goes on with the one that another screen has led. */
+  async #adopt(): Promise<void> {
+    if (this.#room.players.length > 0) return;
+    const found = await firstOf(this.#client, ROOM_TOPIC, this.#options.clock, ADOPT_WITHIN_MS);
+    const view = found === undefined ? undefined : (JSON.parse(found) as RoomView);
+    if (view?.room === undefined || view.room.players.length === 0) return;
+    this.#room = view.room;
+    this.#round = view.round;
+  }
+
+  /** New, or again: the master may have lost the session, and with it the round. */
+  async #handleConnected(): Promise<void> {
+    const game = gameOf(this.#room) as GameId | undefined;
+    const { phase } = this.#room;
+    if (game === undefined || phase === 'lobby' || phase === 'end') return;
+    this.#listenTo(game);
+    const isNew = await this.#sessions.open(game);
+    if (this.#isClosed) return;
+    if (isNew && phase === 'play' && this.#round) this.#resume(this.#round);
+    this.#tell();
+  }
+
+  /** The module was started anew: it goes on from the newest state that came here. */
+  #resume(round: RoundView): void {
+    const { step = 0, state } = this.#state?.id === round.id ? this.#state : {};
+    const id = `${round.id.split('~')[0]}~${this.#nowMs()}`;
+    const startsAtMs = this.#nowMs() + RESUME_IN_MS - (step * 1000) / 60;
+    this.#round = { ...round, id, startsAtMs };
+    this.#publishPlan(state === undefined ? undefined : { step, state });
+  }
+
+  #become(room: Room): void {
+    const before = this.#room;
+    if (room === before) return;
+    this.#room = room;
+    if (room.phase !== before.phase) this.#enter(room);
+    this.#tell();
+    this.#save();
+  }
+
+  #enter(room: Room): void {
+    const game = gameOf(room) as GameId | undefined;
+    if (game === undefined) return;
+    if (room.phase === 'explanation') {
+      this.#listenTo(game);
+      void this.#sessions.open(game).then(() => this.#tell());
+    }
+    if (room.phase === 'countdown') this.#plan(game, room);
+    if (room.phase === 'lobby' || room.phase === 'end') {
+      this.#round = undefined;
+      this.#state = undefined;
+      void this.#sessions.removeAll();
+    }
+  }
+
+  #plan(game: GameId, room: Room): void {
+    const [a, b, c] = [0, 0, 0].map(() => this.#options.drawByte()) as [number, number, number];
+    const seed = (a << 16) | (b << 8) | c;
+    const startsAtMs = room.endsAtMs ?? this.#nowMs();
+    const seats = playersOf(room).map(({ seat }) => seat);
+    this.#state = undefined;
+    this.#round = { id: `${game}-${startsAtMs}-${seed}`, game, seed, startsAtMs, seats };
+    this.#publishPlan(undefined);
+  }
+
+  #publishPlan(resume: RoundPlan['resume']): void {
+    const { id, seed, seats, startsAtMs } = this.#round!;
+    const plan: RoundPlan = { id, seed, seats, startsAtMs, ...(resume && { resume }) };
+    this.#client.publish(ROUND_TOPIC, 'string', JSON.stringify(plan), { immediate: true });
+  }
+
+  #listenTo(game: GameId): void {
+    void this.#states?.close();
+    this.#states = this.#client.subscribe(stateTopic(game), { format: 'string' });
+    this.#states.onRecord(({ value }) => this.#handleState(game, value));
+  }
+
+  #handleState(game: GameId, text: string): void {
+    const state = JSON.parse(text) as RoundState;
+    if (state.id !== this.#round?.id) return;
+    this.#state = state;
+    this.#options.listener.handleState?.(game, state);
+    if (this.#room.phase === 'countdown') this.apply({ type: 'time' });
+    if (state.isOver && this.#room.phase === 'play')
+      this.apply({ type: 'round-over', places: state.places });
+    else if (this.#nowMs() - this.#savedAtMs > SAVE_STATE_MS) this.#save();
+  }
+
+  #tick(): void {
+    const nowMs = this.#nowMs();
+    for (const { key, awaySinceMs } of this.#room.players) {
+      if (key === undefined || awaySinceMs !== undefined) continue;
+      if (!this.#presence.isHere(key, nowMs)) this.apply({ type: 'away', key });
+    }
+    this.apply({ type: 'time' });
+    this.#presence.tidy(nowMs);
+    this.#tell();
+  }
+
+  /** What changed is told at once, and all of it now and then. */
+  #tell(): void {
+    if (this.#isClosed) return;
+    this.#tellSeats();
+    const round = this.#round;
+    const sessionId = round && this.#sessions.idOf(round.game as GameId);
+    if (round && sessionId !== round.sessionId) {
+      this.#round = { ...round, ...(sessionId !== undefined && { sessionId }) };
+    }
+    const view = this.view;
+    const text = JSON.stringify(view);
+    const nowMs = this.#nowMs();
+    if (text === this.#toldText && nowMs - this.#toldAtMs < TELL_AGAIN_MS) return;
+    this.#toldText = text;
+    this.#toldAtMs = nowMs;
+    this.#client.publish(ROOM_TOPIC, 'string', text);
+    this.#options.listener.handleView?.(view);
+  }
+
+  #tellSeats(): void {
+    const clients: Record<Seat, string> = {};
+    const bots: Seat[] = [];
+    for (const { seat, key, awaySinceMs } of playersOf(this.#room)) {
+      if (key === undefined) bots.push(seat);
+      else if (awaySinceMs === undefined) clients[seat] = key;
+    }
+    const seats: RoundSeats = { clients, bots };
+    const text = JSON.stringify(seats);
+    if (text === this.#seatsText) return;
+    this.#seatsText = text;
+    this.#client.publish(SEATS_TOPIC, 'string', text, { immediate: true });
+  }
+
+  #save(): void {
+    this.#savedAtMs = this.#nowMs();
+    const [room, round, state] = [this.#room, this.#round, this.#state];
+    this.#options.storage.save({ room, ...(round && { round }), ...(state && { state }) });
+  }
+}
+
+/** The first value of a topic; undefined when none comes in time. */
+async function firstOf(
+  client: UbiiClient,
+  topic: string,
+  clock: Clock,
+  withinMs: number,
+): Promise<string | undefined> {
+  const subscription = client.subscribe(topic, { format: 'string' });
+  const value = await new Promise<string | undefined>((resolve) => {
+    clock.after(withinMs, () => resolve(undefined));
+    subscription.onRecord(({ value: first }) => resolve(first));
+  });
+  await subscription.close();
+  return value;
+}
+
+/** Whether a text is the id of a game. */
+export function isGame(id: string): id is GameId {
+  return Object.hasOwn(GAMES, id);
+}

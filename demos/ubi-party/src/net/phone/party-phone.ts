@@ -1,0 +1,191 @@
+import type { Clock, RegisteredDevice, UbiiClient } from '@ubii/client-web';
+import type { PhoneFacts, PhoneLink } from '../../phone/phone-link.ts';
+import type { Feedback } from '../../sim/index.ts';
+import type { HostReply, PhoneRequest, PhoneWish } from '../messages.ts';
+import type { RoomView } from '../room-view.ts';
+import { PHONE_COMPONENTS, PHONE_DEVICE, phoneTopic, ROOM_TOPIC } from '../topics.ts';
+
+/** A phone says once a second that it is there. */
+const HERE_MS = 1000;
+const ANSWER_WITHIN_MS = 5000;
+
+const NO_ANSWER = 'The big screen does not answer. Is its page still open?';
+
+const components = (Object.keys(PHONE_COMPONENTS) as (keyof typeof PHONE_COMPONENTS)[]).map(
+  (name) => ({
+    name,
+    ...PHONE_COMPONENTS[name],
+    topic: (clientId: string) => phoneTopic(clientId, name),
+    tags: ['party'],
+  }),
+);
+
+interface Waiting {
+  resolve(reply: HostReply): void;
+  reject(error: Error): void;
+  readonly cancel: () => void;
+}
+
+/** The phone of a player as a client: a device with components, and the room as it is told. */
+export class PartyPhone implements PhoneLink {
+  readonly #client: UbiiClient;
+  readonly #clock: Clock;
+  readonly #listeners = new Set<() => void>();
+  readonly #waiting = new Map<number, Waiting>();
+  readonly #ends: (() => void)[] = [];
+  #number = 0;
+  #view: RoomView | undefined;
+  #feedback: Feedback | undefined;
+  #device: RegisteredDevice | undefined;
+  #isSeen = true;
+  #steered = { x: 0, y: 0 };
+
+  /** @param client connected, or soon */
+  constructor(client: UbiiClient, clock: Clock) {
+    this.#client = client;
+    this.#clock = clock;
+    // Of another start of the page, numbers go on: an old answer is for nobody
+    this.#number = clock.nowMs();
+  }
+
+  /** Registers the device and follows the room. */
+  async start(): Promise<void> {
+    const client = this.#client;
+    this.#device = (await client.registerDevice({
+      name: PHONE_DEVICE,
+      components,
+      tags: ['party'],
+    })) as unknown as RegisteredDevice;
+    this.#ends.push(() => void this.#device?.close());
+    this.#follow(client.id);
+    this.#ends.push(
+      client.onIdentityChange(({ clientId }) => this.#follow(clientId)),
+      client.onState(() => this.#changed()),
+      client.onRoundTrip(() => this.#changed()),
+      this.#clock.every(HERE_MS, () => this.#sayHere()),
+    );
+    this.steer(0, 0);
+    this.press(false);
+    this.#sayHere();
+  }
+
+  get facts(): PhoneFacts {
+    const { status } = this.#client.state;
+    const { id } = this.#client;
+    const me = this.#view?.room.players.find(({ key }) => key === id);
+    const { phase } = this.#view?.room ?? {};
+    return {
+      view: this.#view,
+      me,
+      feedback: phase === 'play' && me?.isWaiting === false ? this.#feedback : undefined,
+      link: status === 'connected' ? 'connected' : status === 'connecting' ? 'connecting' : 'lost',
+      lagMs: this.#client.roundTrip?.lastMs,
+      nowMs: () => this.#client.masterTime.nowMs(),
+    };
+  }
+
+  onChange(fn: () => void): () => void {
+    this.#listeners.add(fn);
+    return () => this.#listeners.delete(fn);
+  }
+
+  async ask(wish: PhoneWish): Promise<{ readonly code?: string }> {
+    this.#number += 1;
+    const request: PhoneRequest = { number: this.#number, wish };
+    const answer = new Promise<HostReply>((resolve, reject) => {
+      const { number } = request;
+      const cancel = this.#clock.after(ANSWER_WITHIN_MS, () => {
+        this.#waiting.delete(number);
+        reject(new Error(NO_ANSWER));
+      });
+      this.#waiting.set(number, { resolve, reject, cancel });
+    });
+    this.#publish('request', JSON.stringify(request));
+    const { refusal, code } = await answer;
+    if (refusal !== undefined) throw new Error(refusal);
+    return code === undefined ? {} : { code };
+  }
+
+  steer(x: number, y: number): void {
+    this.#steered = { x, y };
+    this.#publish('stick', { x, y });
+  }
+
+  press(isDown: boolean): void {
+    if (isDown) this.#publish('pressed', this.#client.masterTime.nowMs());
+    this.#publish('button', isDown);
+  }
+
+  /** The page is seen, or is not: who does not look at it is away, and steers nothing. */
+  setSeen(isSeen: boolean): void {
+    if (this.#isSeen === isSeen) return;
+    this.#isSeen = isSeen;
+    if (isSeen) {
+      this.#sayHere();
+      return;
+    }
+    this.press(false);
+    if (this.#steered.x !== 0 || this.#steered.y !== 0) this.steer(0, 0);
+    this.ask({ type: 'away' }).catch(() => undefined);
+  }
+
+  close(): void {
+    for (const end of this.#ends) end();
+    for (const { reject, cancel } of this.#waiting.values()) {
+      cancel();
+      reject(new Error('The page was left.'));
+    }
+    this.#waiting.clear();
+  }
+
+  #stopFollowing: (() => void) | undefined;
+
+  /** Feedback and answers come on topics of the client, whose id another master may change. */
+  #follow(clientId: string): void {
+    this.#stopFollowing?.();
+    const client = this.#client;
+    const rooms = client.subscribe(ROOM_TOPIC, { format: 'string' });
+    rooms.onRecord(({ value }) => {
+      this.#view = JSON.parse(value) as RoomView;
+      this.#changed();
+    });
+    const feedback = client.subscribe(phoneTopic(clientId, 'feedback'), { format: 'string' });
+    feedback.onRecord(({ value }) => {
+      this.#feedback = JSON.parse(value) as Feedback;
+      this.#changed();
+    });
+    const replies = client.subscribe(phoneTopic(clientId, 'reply'), { format: 'string' });
+    replies.onRecord(({ value }) => this.#handleReply(JSON.parse(value) as HostReply));
+    this.#stopFollowing = () => {
+      for (const one of [rooms, feedback, replies]) void one.close();
+    };
+    if (this.#ends.length === 1) this.#ends.push(() => this.#stopFollowing?.());
+  }
+
+  #handleReply(reply: HostReply): void {
+    const waiting = this.#waiting.get(reply.number);
+    this.#waiting.delete(reply.number);
+    waiting?.cancel();
+    waiting?.resolve(reply);
+  }
+
+  #sayHere(): void {
+    if (this.#isSeen) this.#publish('here', this.#client.roundTrip?.lastMs ?? 0);
+  }
+
+  #publish(component: 'stick', value: { x: number; y: number }): void;
+  #publish(component: 'button', value: boolean): void;
+  #publish(component: 'pressed' | 'here', value: number): void;
+  #publish(component: 'request', value: string): void;
+  #publish(component: keyof typeof PHONE_COMPONENTS, value: unknown): void {
+    const { format } = PHONE_COMPONENTS[component];
+    // What people do leaves at once: 15 ms of waiting would be a frame
+    this.#client.publish(phoneTopic(this.#client.id, component), format, value as never, {
+      immediate: true,
+    });
+  }
+
+  #changed(): void {
+    for (const fn of this.#listeners) fn();
+  }
+}
