@@ -13,6 +13,7 @@ const everywhere = [
   'packages/patterns',
   'packages/pm-sandbox',
   'packages/modules',
+  'demos/ubi-party',
   'scripts/lib/builds.mjs',
 ];
 
@@ -50,6 +51,12 @@ const builds = {
     inputs: ['pnpm-lock.yaml', 'tsconfig.base.json', 'packages/vision', 'scripts/lib/builds.mjs'],
     build: async () =>
       expectSuccess(await runNode(inRoot('packages/vision/scripts/build.mjs'), [])),
+  },
+  party: {
+    output: 'demos/ubi-party/dist/party.js',
+    inputs: ['pnpm-lock.yaml', 'demos/ubi-party', 'packages/pm-sandbox', 'scripts/lib/builds.mjs'],
+    build: async () =>
+      expectSuccess(await runNode(inRoot('demos/ubi-party/scripts/build.mjs'), [])),
   },
   node: {
     output: 'apps/node/dist/main.js',

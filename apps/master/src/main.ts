@@ -26,8 +26,8 @@ const { version } = JSON.parse(
 // From src as well as from dist.
 const frontendFolder = fileURLToPath(new URL('../../frontend/dist', import.meta.url));
 // Those that come with the program; the operator's are in the data directory.
-const assetsFolder = fileURLToPath(
-  new URL('../../../packages/vision/dist/assets', import.meta.url),
+const assetsFolders = ['packages/vision', 'demos/ubi-party'].map((folder) =>
+  fileURLToPath(new URL(`../../../${folder}/dist/assets`, import.meta.url)),
 );
 const workerFile = findBuilt('pm-worker.js');
 const decodeWorkerFile = findBuilt('decode-worker.js');
@@ -56,7 +56,7 @@ async function run(args: readonly string[]): Promise<void> {
     log,
     version,
     frontendFolder,
-    assetsFolder,
+    assetsFolders,
     workerFile,
     decodeWorkerFile,
   });

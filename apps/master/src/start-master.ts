@@ -2,6 +2,7 @@ import { homedir } from 'node:os';
 import { join } from 'node:path';
 import type { AnnouncedMaster } from '@ubii/discovery';
 import { moduleLibrary } from '@ubii/modules';
+import { partyModules } from '@ubii/party/modules';
 import { createAssetStore } from '@ubii/pm-sandbox';
 import { AssetFolders } from '@ubii/pm-sandbox/node';
 import { Re2Patterns } from '@ubii/patterns/re2';
@@ -52,8 +53,8 @@ export interface MasterParts {
   readonly version: string;
   /** The built frontend. */
   readonly frontendFolder: string;
-  /** Asset sets that come with the program. */
-  readonly assetsFolder: string;
+  /** Folders of asset sets that come with the program. */
+  readonly assetsFolders: readonly string[];
   /** The built worker of processing modules. */
   readonly workerFile: URL;
   /** Models that admins can download. Default: those that modules of the library use. */
@@ -87,7 +88,7 @@ export async function startMaster({
   log,
   version,
   frontendFolder,
-  assetsFolder,
+  assetsFolders,
   workerFile,
   models = KNOWN_MODELS,
   decodeWorkerFile,
@@ -124,13 +125,17 @@ export async function startMaster({
   const { sandboxes, libraries } = openSandboxes(workerFile, config.allowFetch, limits);
   const storage = openStorage(config.dataDir);
   const modelsFolder = join(config.dataDir, 'models');
-  const assets = new AssetFolders([assetsFolder, modelsFolder]);
+  const assets = new AssetFolders([...assetsFolders, modelsFolder]);
   const audit = new AuditFile({
     folder: join(config.dataDir, 'audit'),
     maxLines: limits.auditEntries ?? DEFAULT_LIMITS.auditEntries,
     log,
   });
-  const library = await TrustedLibrary.open(moduleLibrary(), config.modules, log);
+  const library = await TrustedLibrary.open(
+    [...moduleLibrary(), ...partyModules()],
+    config.modules,
+    log,
+  );
   const reachability = (): Reachability =>
     describeReachability(
       lan.host,

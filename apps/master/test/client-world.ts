@@ -16,7 +16,7 @@ import type {
   ConnectionHandle,
   Limits,
 } from '../src/index.ts';
-import { FakeClock, TestMaster } from '../src/testing/index.ts';
+import { FakeClock, TestMaster, type TestMasterOptions } from '../src/testing/index.ts';
 
 /** Time passes in steps of this size, with a turn for promises after each, milliseconds. */
 const STEP_MS = 50;
@@ -35,14 +35,14 @@ export class ClientWorld implements MemoryMaster {
   isDown = false;
   /** Where clients are, to the transport. */
   standing: CallerStanding = 'trusted';
-  readonly #limits: Partial<Limits>;
+  readonly #options: Omit<TestMasterOptions, 'clock'>;
   #test: TestMaster;
   #runs = 0;
   readonly #open = new Set<{ peer: MemoryPeer; handle: ConnectionHandle }>();
 
-  constructor(limits: Partial<Limits> = {}) {
-    this.#limits = limits;
-    this.#test = new TestMaster({ clock: this.clock, limits });
+  constructor(limits: Partial<Limits> = {}, options: Omit<TestMasterOptions, 'clock'> = {}) {
+    this.#options = { limits, ...options };
+    this.#test = new TestMaster({ ...this.#options, clock: this.clock });
   }
 
   /** The master of this moment. */
@@ -97,8 +97,8 @@ export class ClientWorld implements MemoryMaster {
     await this.#test.master.close();
     await this.drop();
     this.#test = new TestMaster({
+      ...this.#options,
       clock: this.clock,
-      limits: this.#limits,
       storage: this.#test.storage,
       grants: this.#test.grants,
       idsGiven: 1_000 * ++this.#runs,

@@ -3,6 +3,7 @@ import type { ConnectionError, ConnectionState, UbiiClient } from '@ubii/client-
 import { createProcessingNode } from '@ubii/client-web/processing';
 import type { NodeInstance, ProcessingNode } from '@ubii/client-web/processing';
 import { moduleLibrary } from '@ubii/modules';
+import { partyModules } from '@ubii/party/modules';
 import { createAssetStore, createHttpAssets } from '@ubii/pm-sandbox';
 import type { SandboxFactory } from '@ubii/pm-sandbox';
 import { watchModuleFolder } from '@ubii/pm-sandbox/folder';
@@ -44,7 +45,9 @@ export async function startNode({
   libraries,
   log,
 }: NodeSetup): Promise<RunningNode> {
-  const own = moduleLibrary().filter((module) => isRunnable(module, libraries));
+  const own = [...moduleLibrary(), ...partyModules()].filter((module) =>
+    isRunnable(module, libraries),
+  );
   let folder: FolderWatch | undefined;
   const client = createClient({
     url: config.master,

@@ -1,4 +1,5 @@
-import { readFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
@@ -103,4 +104,23 @@ function browserBuild(kind) {
     external: ['module'],
     define: { 'import.meta.url': '"file:///"' },
   };
+}
+
+/**
+ * Writes an asset set: a folder of its name with its files and `manifest.json`. [PM-92]
+ *
+ * @param {string} outdir where the folders of all sets are
+ * @param {{ name: string }} about members of the manifest
+ * @param {Record<string, Uint8Array>} contents by path
+ */
+export function writeAssetSet(outdir, about, contents) {
+  const folder = join(outdir, about.name);
+  mkdirSync(folder, { recursive: true });
+  const files = Object.entries(contents).map(([path, bytes]) => {
+    writeFileSync(join(folder, path), bytes);
+    const sha256 = createHash('sha256').update(bytes).digest('hex');
+    return { path, bytes: bytes.length, sha256 };
+  });
+  const manifest = { ...about, files };
+  writeFileSync(join(folder, 'manifest.json'), `${JSON.stringify(manifest, undefined, 2)}\n`);
 }

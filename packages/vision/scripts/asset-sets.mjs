@@ -1,7 +1,7 @@
-import { createHash } from 'node:crypto';
-import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename, dirname, join } from 'node:path';
+import { writeAssetSet } from '@ubii/pm-sandbox/build';
 import { opencvFolder, readOpenCv } from './opencv.mjs';
 
 const { resolve } = createRequire(import.meta.url);
@@ -110,27 +110,10 @@ export function writeAssetSets(outdir, library) {
     const about = { name: 'vision', version, licence: 'BSD-3-Clause AND Apache-2.0 AND MIT' };
     const source = 'Ubi-Interact, packages/vision';
     const bytes = new Uint8Array(readFileSync(library));
-    writeSet(outdir, { ...about, source, library: LIBRARY_FILE }, { [LIBRARY_FILE]: bytes });
+    writeAssetSet(outdir, { ...about, source, library: LIBRARY_FILE }, { [LIBRARY_FILE]: bytes });
   }
   for (const { name, version, licence, source, library, licenceFile } of ASSET_SETS) {
-    writeSet(outdir, { name, version, licence, source, library }, readAssetSet(name));
+    writeAssetSet(outdir, { name, version, licence, source, library }, readAssetSet(name));
     if (licenceFile !== undefined) copyFileSync(licenceFile(), join(outdir, name, 'LICENSE'));
   }
-}
-
-/**
- * @param {string} outdir
- * @param {{ name: string }} about members of the manifest
- * @param {Record<string, Uint8Array>} contents by path
- */
-function writeSet(outdir, about, contents) {
-  const folder = join(outdir, about.name);
-  mkdirSync(folder, { recursive: true });
-  const files = Object.entries(contents).map(([path, bytes]) => {
-    writeFileSync(join(folder, path), bytes);
-    const sha256 = createHash('sha256').update(bytes).digest('hex');
-    return { path, bytes: bytes.length, sha256 };
-  });
-  const manifest = { ...about, files };
-  writeFileSync(join(folder, 'manifest.json'), `${JSON.stringify(manifest, undefined, 2)}\n`);
 }

@@ -18,7 +18,7 @@ import { LogTail } from '../core/status/log-tail.ts';
 import type { MasterEndpoints, MasterSettings } from '../core/settings.ts';
 import { FakeClock } from './fake-clock.ts';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
-import type { SandboxFactory } from '@ubii/pm-sandbox';
+import type { AssetStore, SandboxFactory } from '@ubii/pm-sandbox';
 import { FakeAssetSets } from './fake-asset-sets.ts';
 import { FakeLan } from './fake-lan.ts';
 import { FixedUsage } from './fixed-usage.ts';
@@ -50,6 +50,8 @@ export interface TestMasterOptions {
   readonly audit?: MemoryAudit;
   /** Trusted modules. Default: none. */
   readonly library?: readonly ProcessingModule[];
+  /** Asset sets of trusted modules. Default: none. */
+  readonly assets?: AssetStore;
 }
 
 /** A whole master in memory, with fakes all around and clients that talk to it directly. */
@@ -88,6 +90,7 @@ export class TestMaster {
         lan: this.lan,
         assetSets: this.assetSets,
         sandboxes: sandboxes ?? createInlineSandboxes(),
+        ...(options.assets && { assets: options.assets }),
         storage: this.storage,
         library: () => library,
       },

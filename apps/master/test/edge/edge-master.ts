@@ -56,7 +56,7 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     log,
     version: '1.2.3',
     frontendFolder: options.frontendFolder ?? join(newFolder(), 'not-there'),
-    assetsFolder: options.assetsFolder ?? join(newFolder(), 'not-there'),
+    assetsFolders: [options.assetsFolder ?? join(newFolder(), 'not-there')],
     workerFile: options.workerFile ?? new URL('not-built.js', import.meta.url),
     ...(options.models && { models: options.models }),
     decodeWorkerFile: options.decodeWorkerFile,

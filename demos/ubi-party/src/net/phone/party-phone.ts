@@ -45,7 +45,7 @@ export class PartyPhone implements PhoneLink {
     this.#client = client;
     this.#clock = clock;
     // Of another start of the page, numbers go on: an old answer is for nobody
-    this.#number = clock.nowMs();
+    this.#number = Math.floor(clock.nowMs());
   }
 
   /** Registers the device and follows the room. */

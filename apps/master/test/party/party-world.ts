@@ -1,0 +1,188 @@
+import { build } from 'esbuild';
+import { fileURLToPath } from 'node:url';
+import { createAssetStore } from '@ubii/pm-sandbox';
+import { FakeAssets } from '@ubii/pm-sandbox/testing';
+import { settle } from '@ubii/client-web/testing';
+import { createMemoryIdentity } from '@ubii/client-web/node';
+import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
+import { PARTY_SET, partyModules, type RoundState } from '@ubii/party/modules';
+import { PartyHost, PartyPhone, type HostMemory, type RoomView } from '@ubii/party/net';
+import { GAMES, type Controls, type Game, type GameId, type Seat } from '@ubii/party/sim';
+import { vi } from 'vitest';
+import { ClientWorld } from '../client-world.ts';
+
+const STEP_MS = 1000 / 60;
+
+/** The script that modules of the games call, as the build makes it. */
+export async function buildPartyLibrary(): Promise<FakeAssets> {
+  const entry = fileURLToPath(
+    new URL('../../../../demos/ubi-party/src/modules/library.ts', import.meta.url),
+  );
+  const { outputFiles } = await build({
+    entryPoints: [entry],
+    bundle: true,
+    write: false,
+    platform: 'neutral',
+    format: 'iife',
+    globalName: 'ubiiParty',
+    footer: { js: 'ubiiParty;' },
+  });
+  const assets = new FakeAssets();
+  assets.add(PARTY_SET, { 'party.js': outputFiles[0]!.text }, 'party.js');
+  return assets;
+}
+
+/** A phone whose player plays as a bot would, from what the big screen shows. */
+export interface ScriptedPhone {
+  readonly name: string;
+  readonly identity: IdentityStorage;
+  client: UbiiClient;
+  phone: PartyPhone;
+  /** Neither looks nor presses. */
+  isAsleep: boolean;
+}
+
+/** A party in memory: a master that plays the games, a big screen without a screen, and phones. */
+export class PartyWorld {
+  readonly world: ClientWorld;
+  readonly phones: ScriptedPhone[] = [];
+  readonly troubles: string[] = [];
+  /** Clients of screens that were superseded. */
+  readonly superseded: string[] = [];
+  memory: HostMemory | undefined;
+  host!: PartyHost;
+  view!: RoomView;
+  states: { readonly game: GameId; readonly state: RoundState }[] = [];
+  readonly #screenIdentity = createMemoryIdentity();
+  #bytes = 0;
+  #screen: UbiiClient | undefined;
+
+  constructor(library: FakeAssets) {
+    this.world = new ClientWorld(
+      {},
+      { library: partyModules(), assets: createAssetStore(library) },
+    );
+    // The module asks the clock of its node
+    vi.spyOn(Date, 'now').mockImplementation(() => this.world.clock.nowMs());
+  }
+
+  get room(): RoomView['room'] {
+    return this.view.room;
+  }
+
+  async openScreen(identity: IdentityStorage = this.#screenIdentity): Promise<void> {
+    const { client } = await this.world.connect('screen', { identity });
+    this.#screen = client;
+    this.host = new PartyHost({
+      client,
+      clock: this.world.clock,
+      storage: {
+        load: () => this.memory,
+        save: (memory) => (this.memory = structuredClone(memory)),
+      },
+      drawByte: () => (this.#bytes = (this.#bytes * 73 + 41) % 256),
+      listener: {
+        handleView: (view) => (this.view = view),
+        handleState: (game, state) => this.#handleState(game, state),
+        handleSuperseded: (id) => this.superseded.push(id),
+        handleTrouble: (sentence) => this.troubles.push(sentence),
+      },
+    });
+    const started = this.host.start();
+    await this.pass(700);
+    await started;
+    await this.pass(100);
+  }
+
+  /** The page is closed, as a reload begins. */
+  closeScreen(): void {
+    this.host.close();
+    this.#screen?.leave();
+  }
+
+  async addPhone(name: string): Promise<ScriptedPhone> {
+    const identity = createMemoryIdentity();
+    const scripted = { name, identity, isAsleep: false } as ScriptedPhone;
+    await this.connectPhone(scripted);
+    await this.ask(scripted, { type: 'join', name });
+    this.phones.push(scripted);
+    return scripted;
+  }
+
+  /** Opens the page of a phone, or opens it again. */
+  async connectPhone(scripted: ScriptedPhone): Promise<void> {
+    const { client } = await this.world.connect(scripted.name, { identity: scripted.identity });
+    scripted.client = client;
+    scripted.phone = new PartyPhone(client, this.world.clock);
+    const started = scripted.phone.start();
+    await this.pass(100);
+    await started;
+  }
+
+  async ask(
+    { phone }: ScriptedPhone,
+    wish: Parameters<PartyPhone['ask']>[0],
+  ): Promise<{ code?: string }> {
+    const answer = phone.ask(wish);
+    answer.catch(() => undefined);
+    await this.pass(100);
+    return answer;
+  }
+
+  seatOf({ client }: ScriptedPhone): Seat | undefined {
+    return this.room.players.find(({ key }) => key === client.id)?.seat;
+  }
+
+  /** Lets time pass in steps of the games. */
+  async pass(durationMs: number): Promise<void> {
+    await settle();
+    for (let passed = 0; passed < durationMs; passed += STEP_MS) {
+      this.world.clock.advance(STEP_MS);
+      await settle();
+    }
+  }
+
+  /** Lets time pass until something holds. @throws Error after ten minutes */
+  async until(holds: () => boolean): Promise<void> {
+    for (let passed = 0; !holds(); passed += 50) {
+      if (passed > 600_000)
+        throw new Error(`not within ten minutes: ${String(holds)}, ${JSON.stringify(this.view)}`);
+      await this.pass(50);
+    }
+  }
+
+  /** All who are there are ready, again and again, until a phase is reached. */
+  async playTo(phase: RoomView['room']['phase']): Promise<void> {
+    while (this.room.phase !== phase) {
+      const before = this.room.phase;
+      if (before === 'lobby') this.host.apply({ type: 'proceed', by: 'host' });
+      for (const phone of this.phones) {
+        if (!phone.isAsleep) void phone.phone.ask({ type: 'ready', isReady: true }).catch(() => {});
+      }
+      await this.until(() => this.room.phase !== before);
+    }
+  }
+
+  #handleState(game: GameId, state: RoundState): void {
+    this.states.push({ game, state });
+    for (const scripted of this.phones) {
+      const seat = this.seatOf(scripted);
+      if (seat === undefined || scripted.isAsleep || state.step % 4 !== 0) continue;
+      const controls = botOf(game)(state.state, seat);
+      scripted.phone.steer(controls.x, controls.y);
+      scripted.phone.press(controls.isPressed);
+    }
+  }
+
+  async close(): Promise<void> {
+    this.host.close();
+    for (const { phone } of this.phones) phone.close();
+    await this.world.test.master.close();
+    vi.restoreAllMocks();
+  }
+}
+
+const botOf = (id: GameId): ((state: unknown, seat: Seat) => Controls) => {
+  const game = GAMES[id] as unknown as Game<unknown>;
+  return (state, seat) => game.bot(state, seat);
+};

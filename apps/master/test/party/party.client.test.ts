@@ -1,0 +1,159 @@
+import type { FakeAssets } from '@ubii/pm-sandbox/testing';
+import { createMemoryIdentity } from '@ubii/client-web/node';
+import { afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { buildPartyLibrary, PartyWorld } from './party-world.ts';
+
+let library: FakeAssets;
+let party: PartyWorld;
+
+beforeAll(async () => {
+  library = await buildPartyLibrary();
+});
+beforeEach(async () => {
+  party = new PartyWorld(library);
+  await party.openScreen();
+});
+afterEach(() => party.close());
+
+async function addPhones(...names: string[]) {
+  const phones = [];
+  for (const name of names) phones.push(await party.addPhone(name));
+  return phones;
+}
+
+describe('a party', () => {
+  it('is a tournament that phones play to its end, and nobody is lost', async () => {
+    await addPhones('Mara', 'Theo', 'Ines', 'Jo');
+    party.host.apply({ type: 'set-games', by: 'host', games: ['hill', 'duel'] });
+    await party.playTo('end');
+    const { results, players } = party.room;
+    expect(results.map(({ game }) => game)).toEqual(['hill', 'duel']);
+    for (const { places } of results) expect(places.flat().sort()).toEqual([0, 1, 2, 3]);
+    for (const { seat, points } of players) {
+      const sum = results.reduce((total, result) => total + (result.points[seat] ?? 0), 0);
+      expect(points).toBe(sum);
+    }
+    expect(party.troubles).toEqual([]);
+  }, 120_000);
+
+  it('plays each game in a session that can be opened, and leaves none behind', async () => {
+    await addPhones('Mara', 'Theo');
+    await party.playTo('play');
+    await party.pass(500);
+    const { sessionList } = await party.world.test.call({
+      topic: '/services/session/runtime/get_list',
+    });
+    expect(sessionList?.elements.map(({ name }) => name)).toEqual(['Ubi-Party: Marble Dash']);
+    expect(party.view.round?.sessionId).toBe(sessionList?.elements[0]?.id);
+    await party.host.end();
+    await party.pass(100);
+    const after = await party.world.test.call({ topic: '/services/session/runtime/get_list' });
+    expect(after.sessionList?.elements ?? []).toEqual([]);
+  });
+
+  it('says to each phone how its player stands', async () => {
+    const [mara] = await addPhones('Mara', 'Theo');
+    await party.playTo('play');
+    await party.pass(2000);
+    expect(mara!.phone.facts.feedback).toMatchObject({ of: 2, headline: 'Lap 1 of 3' });
+  });
+});
+
+describe('a player', () => {
+  it('keeps seat and points through a reload, and is back within two seconds', async () => {
+    const [, theo] = await addPhones('Mara', 'Theo');
+    const seat = party.seatOf(theo!);
+    theo!.phone.close();
+    theo!.client.leave();
+    await party.until(() => party.room.players[1]?.awaySinceMs !== undefined);
+    await party.connectPhone(theo!);
+    await party.pass(1500);
+    expect(party.seatOf(theo!)).toBe(seat);
+    expect(party.room.players[1]?.awaySinceMs).toBeUndefined();
+  });
+
+  it('who sleeps holds up no round', async () => {
+    const [, theo] = await addPhones('Mara', 'Theo');
+    party.host.apply({ type: 'set-games', by: 'host', games: ['duel'] });
+    await party.playTo('explanation');
+    theo!.isAsleep = true;
+    theo!.phone.setSeen(false);
+    await party.pass(200);
+    await party.playTo('end');
+    expect(party.room.results[0]?.places).toEqual([[0], [1]]);
+  }, 60_000);
+
+  it('hands the seat over to another phone with a code, once', async () => {
+    const [mara, theo] = await addPhones('Mara', 'Theo');
+    const { code } = await party.ask(mara!, { type: 'offer' });
+    const other = await party.addPhone('Other');
+    await party.ask(other, { type: 'leave' });
+    await party.ask(other, { type: 'take', code: code!.toLowerCase() });
+    expect(party.seatOf(other)).toBe(0);
+    expect(party.seatOf(mara!)).toBeUndefined();
+    await expect(party.ask(mara!, { type: 'take', code: code! })).rejects.toThrow(
+      'This code is not valid any more',
+    );
+    expect(party.seatOf(theo!)).toBe(1);
+  });
+
+  it('is refused what only the leader may do, with who leads', async () => {
+    const [, theo] = await addPhones('Mara', 'Theo');
+    await expect(party.ask(theo!, { type: 'lock', on: true })).rejects.toThrow('Mara leads');
+  });
+
+  it('who floods the host with wishes is held back, the others are not', async () => {
+    const [mara, theo] = await addPhones('Mara', 'Theo');
+    for (let i = 0; i < 2000; i += 1) {
+      const text = i % 2 === 0 ? '{"number":1,"wish":{"type":"constructor"}}' : '}'.repeat(5000);
+      mara!.client.publish(`/${mara!.client.id}/party/request`, 'string', text);
+      void mara!.phone.ask({ type: 'ready', isReady: i % 2 === 0 }).catch(() => undefined);
+      mara!.phone.steer(Number.NaN, 1e300);
+    }
+    await party.pass(200);
+    await party.ask(theo!, { type: 'ready', isReady: true });
+    expect(party.room.players[1]?.isReady).toBe(true);
+    expect(party.room.players).toHaveLength(2);
+  });
+});
+
+describe('the big screen', () => {
+  it('goes on after a reload in the middle of a round', async () => {
+    await addPhones('Mara', 'Theo');
+    await party.playTo('play');
+    await party.pass(1500);
+    const before = party.view.round!.id;
+    const { step } = party.states.at(-1)!.state;
+    party.closeScreen();
+    await party.openScreen();
+    await party.pass(500);
+    expect(party.view.round!.id).toBe(before);
+    expect(party.states.at(-1)!.state.step).toBeGreaterThan(step);
+    expect(party.room.phase).toBe('play');
+  });
+
+  it('goes on after a restart of the master, from where the round was', async () => {
+    await addPhones('Mara', 'Theo');
+    await party.playTo('play');
+    await party.pass(1500);
+    const { step } = party.states.at(-1)!.state;
+    const { players } = party.room;
+    await party.world.restart();
+    await party.pass(8000);
+    const after = party.states.at(-1)!.state;
+    expect(after.step).toBeGreaterThan(step);
+    expect(after.step).toBeLessThan(step + 60 * 8);
+    expect(party.room.players.map(({ seat, name }) => [seat, name])).toEqual(
+      players.map(({ seat, name }) => [seat, name]),
+    );
+    expect(party.room.players.every(({ awaySinceMs }) => awaySinceMs === undefined)).toBe(true);
+  }, 60_000);
+
+  it('is taken over by another screen, which knows the room', async () => {
+    await addPhones('Mara', 'Theo');
+    party.memory = undefined;
+    await party.openScreen(createMemoryIdentity());
+    expect(party.room.players.map(({ name }) => name)).toEqual(['Mara', 'Theo']);
+    expect(party.superseded).toHaveLength(1);
+  });
+});
