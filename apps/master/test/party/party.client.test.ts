@@ -157,3 +157,41 @@ describe('the big screen', () => {
     expect(party.superseded).toHaveLength(1);
   });
 });
+
+describe('thirty-two phones', () => {
+  it('with jitter, drops and sleeps finish a tournament: nobody is lost, the order is right', async () => {
+    const names = Array.from({ length: 32 }, (_, index) => `P${index}`);
+    const phones = await addPhones(...names);
+    party.host.apply({ type: 'set-games', by: 'host', games: ['hill', 'race', 'duel'] });
+    await party.playTo('play');
+    for (const [index, scripted] of phones.entries()) {
+      // Every fourth sleeps through a part of the first game, every fifth loses its connection
+      if (index % 4 === 1) {
+        scripted.isAsleep = true;
+        scripted.phone.setSeen(false);
+      }
+      if (index % 5 === 2) {
+        scripted.phone.close();
+        scripted.client.leave();
+      }
+    }
+    await party.pass(5000);
+    for (const [index, scripted] of phones.entries()) {
+      if (index % 4 === 1) {
+        scripted.isAsleep = false;
+        scripted.phone.setSeen(true);
+      }
+      if (index % 5 === 2) await party.connectPhone(scripted);
+    }
+    await party.playTo('end');
+    const { players, results } = party.room;
+    expect(players.map(({ name }) => name)).toEqual(names);
+    expect(players.filter(({ awaySinceMs }) => awaySinceMs !== undefined)).toEqual([]);
+    for (const { places } of results) expect(places.flat()).toHaveLength(32);
+    // The table is the sum of the rounds, by the places that the modules told
+    for (const { seat, points } of players) {
+      expect(points).toBe(results.reduce((sum, one) => sum + (one.points[seat] ?? 0), 0));
+    }
+    expect(party.troubles).toEqual([]);
+  }, 120_000);
+});
