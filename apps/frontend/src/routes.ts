@@ -10,6 +10,7 @@ import { installRoutes } from './install/routes.ts';
 import { joinRoutes } from './join/routes.ts';
 import { learnRoutes } from './learn/routes.ts';
 import { markersRoutes } from './markers/routes.ts';
+import { partyRoutes } from './party/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
 import { performanceRoutes } from './performance/routes.ts';
 import { publishRoutes } from './publish/routes.ts';
@@ -31,6 +32,8 @@ declare module 'vue-router' {
     hasOwnHeader?: boolean;
     /** Stands alone, without rail and top bar, and also for those who have not joined. */
     isBare?: boolean;
+    /** Fills the window: no rail, no top bar, no column. */
+    isWhole?: boolean;
   }
 }
 
@@ -53,6 +56,7 @@ export const routes: readonly RouteRecordRaw[] = [
   ...markersRoutes,
   ...examplesRoutes,
   ...learnRoutes,
+  ...partyRoutes,
   ...settingsRoutes,
   ...installRoutes,
   ...joinRoutes,

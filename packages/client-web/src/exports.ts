@@ -27,6 +27,7 @@ export { createMemoryIdentity } from './core/identity.ts';
 export type { Identity } from './core/identity.ts';
 export { clientRole, joinProblem } from './core/join.ts';
 export type { ClientRole, JoinProblem } from './core/join.ts';
+export { systemClock } from './system-clock.ts';
 export type { Cancel, Clock } from './core/ports/clock.ts';
 export type { IdentityStorage } from './core/ports/identity-storage.ts';
 export type { RandomSource } from './core/ports/random.ts';

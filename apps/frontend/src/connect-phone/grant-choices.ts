@@ -8,6 +8,8 @@ export interface GrantChoice {
   readonly lifetimeMs: number;
   /** How long joined clients stay connected, milliseconds; 0: as long as the invitation is open. [AC-91] */
   readonly stayMs: number;
+  /** Players: globs of topics they may read beside their own. @default none */
+  readonly readTopics?: readonly string[];
 }
 
 const MINUTE_MS = 60_000;
@@ -79,6 +81,7 @@ export function reusable(
     (grant) =>
       grant.role === choice.role &&
       grant.target === choice.target &&
+      grant.readTopics.join(' ') === (choice.readTopics ?? []).join(' ') &&
       Math.abs(grant.expiresMs - grant.createdMs - choice.lifetimeMs) < MINUTE_MS &&
       Math.abs(grant.staysUntilMs - grant.createdMs - Math.max(choice.stayMs, choice.lifetimeMs)) <
         MINUTE_MS &&

@@ -5,9 +5,9 @@ const HEIGHT = 844;
 export const PHONE_PATH = '/devices/smart-device';
 
 /**
- * Opens the device page in a window of the size of a phone, as a client of its own. Without an opener it starts with
+ * Opens the device page, or another page for phones, in a window of the size of a phone, as a client of its own. Without an opener it starts with
  * an empty session storage; else it would take the identity of this tab.
  */
-export function openPhoneWindow(): void {
-  window.open(PHONE_PATH, '_blank', `popup,noopener,width=${WIDTH},height=${HEIGHT}`);
+export function openPhoneWindow(path = PHONE_PATH): void {
+  window.open(path, '_blank', `popup,noopener,width=${WIDTH},height=${HEIGHT}`);
 }

@@ -61,13 +61,14 @@ export function useGrants(
     if (isMaking.value || current.value !== undefined || grants.value === undefined) return;
     isMaking.value = true;
     try {
-      const { target, role: wanted, lifetimeMs, stayMs } = choice.value;
+      const { target, role: wanted, lifetimeMs, stayMs, readTopics = [] } = choice.value;
       const created = await client.call('accessGrantCreate', {
         label: 'Connect a phone',
         role: wanted,
         target,
         lifetimeMs,
         stayMs,
+        readTopics: [...readTopics],
       });
       if (created.grant === undefined) return;
       secrets.add(created.grant.id, created);

@@ -1,4 +1,5 @@
 import type { Controller, Feedback } from './feedback.ts';
+import type { Hud } from './hud.ts';
 
 /** A player's place in the room, from 0 to 31. It decides shape, colour and letter. */
 export type Seat = number;
@@ -59,6 +60,8 @@ export interface Game<State, Settings extends GameSettings = GameSettings> {
   places(state: State): Places;
   /** How a player stands, for the phone. */
   feedback(state: State, seat: Seat): Feedback;
+  /** What the big screen says of the round. @param nameOf the name of a seat */
+  hud(state: State, nameOf: (seat: Seat) => string): Hud;
   /** The controls of a bot on a seat. */
   bot(state: State, seat: Seat): Controls;
 }

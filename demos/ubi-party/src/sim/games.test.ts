@@ -25,6 +25,9 @@ describe.each(Object.entries(GAMES) as unknown as [string, AnyGame][])('%s', (id
     playWithBots(game, 5, 3, (state) => {
       if ((steps += 1) % 50 !== 0) return;
       for (const seat of SEATS.slice(0, 5)) {
+        const hud = game.hud(state, (one) => `P${one}`);
+        expect(hud.headline.length).toBeLessThanOrEqual(16);
+        expect(hud.notes[seat]).toMatch(/\S/);
         const { place, of, headline, sentence, progress, gauge } = game.feedback(state, seat);
         expect(place).toBeGreaterThanOrEqual(1);
         expect(place).toBeLessThanOrEqual(of);

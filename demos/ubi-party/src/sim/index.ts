@@ -1,3 +1,4 @@
+export { NEWS_STEPS, type Hud } from './hud.ts';
 export type { Controller, Feedback } from './feedback.ts';
 export * from './game.ts';
 export { GAMES, type GameId } from './games.ts';

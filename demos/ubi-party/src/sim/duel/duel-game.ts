@@ -1,3 +1,4 @@
+import { duelHud } from './duel-hud.ts';
 import { placeOf, type Feedback } from '../feedback.ts';
 import {
   AT_REST,
@@ -81,6 +82,7 @@ export const duelGame: Game<DuelState, DuelSettings> = {
   isOver,
   places,
   feedback,
+  hud: (state, nameOf) => duelHud(state, headlineOf(state), nameOf),
   bot(state, seat) {
     const nowMs = (state.step * 1000) / STEPS_PER_SECOND;
     const pressedAtMs =
@@ -103,6 +105,10 @@ function winsOf(decided: DuelState['decided'], seat: Seat): number {
   return decided.filter(({ winner }) => winner === seat).length;
 }
 
+function headlineOf({ decided }: DuelState): string {
+  return decided.length < BOUTS ? `Flag ${decided.length + 1} of ${BOUTS}` : 'Sudden death';
+}
+
 function feedback(state: DuelState, seat: Seat): Feedback {
   const { seats, decided, bout } = state;
   const pressedAtMs = bout.presses[seat];
@@ -119,7 +125,7 @@ function feedback(state: DuelState, seat: Seat): Feedback {
   return {
     place: placeOf(places(state), seat),
     of: seats.length,
-    headline: decided.length < BOUTS ? `Flag ${decided.length + 1} of ${BOUTS}` : 'Sudden death',
+    headline: headlineOf(state),
     sentence,
     progress: Math.min(1, decided.length / BOUTS),
     gauge: pressedAtMs === undefined ? 1 : 0,

@@ -1,4 +1,5 @@
 import { placesByScore, STEPS_PER_SECOND, type Game, type Places } from '../game.ts';
+import { hillHud } from './hill-hud.ts';
 import { hillFeedback } from './hill-feedback.ts';
 import { hillBot } from './hill-bot.ts';
 import { standing, startHill, type HillState } from './hill-state.ts';
@@ -24,6 +25,7 @@ export const hillGame: Game<HillState, HillSettings> = {
   isOver: (state) => state.step >= LONGEST || standing(state).length <= 1,
   places,
   feedback: (state, seat) => hillFeedback(state, seat, places(state)),
+  hud: hillHud,
   bot: hillBot,
 };
 

@@ -1,4 +1,5 @@
 import { placesByScore, type Game, type Places } from '../game.ts';
+import { raceHud } from './race-hud.ts';
 import { raceFeedback } from './race-feedback.ts';
 import { raceBot } from './race-bot.ts';
 import { LONGEST_RACE, startRace, STEPS_AFTER_FIRST, type RaceState } from './race-state.ts';
@@ -20,6 +21,7 @@ export const raceGame: Game<RaceState, RaceSettings> = {
   isOver,
   places,
   feedback: (state, seat) => raceFeedback(state, seat, places(state)),
+  hud: (state, nameOf) => raceHud(state, places(state), nameOf),
   bot: raceBot,
 };
 

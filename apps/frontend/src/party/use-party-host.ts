@@ -1,0 +1,100 @@
+import { systemClock } from '@ubii/client-web';
+import { PartyHost, type HostMemory, type PartyHostListener } from '@ubii/party/net';
+import type { ScreenLink } from '@ubii/party/screen';
+import { RoomRefusal } from '@ubii/party/sim';
+import { onBeforeUnmount, ref, shallowRef } from 'vue';
+import { useConnection } from '../connection/useConnection.ts';
+
+const MEMORY_KEY = 'ubii.party';
+
+function load(): HostMemory | undefined {
+  try {
+    const text = localStorage.getItem(MEMORY_KEY);
+    return text === null ? undefined : (JSON.parse(text) as HostMemory);
+  } catch {
+    return undefined; // storage that is blocked or damaged: the party begins anew
+  }
+}
+
+function save(memory: HostMemory): void {
+  try {
+    localStorage.setItem(MEMORY_KEY, JSON.stringify(memory));
+  } catch {
+    // The party goes on; a reload would begin anew
+  }
+}
+
+/** Leads the party of this page, as long as the page is open. */
+export function usePartyHost() {
+  const { client } = useConnection();
+  const trouble = ref('');
+  /** Another screen leads now. */
+  const isSuperseded = ref(false);
+  const views = new Set<NonNullable<PartyHostListener['handleView']>>();
+  const states = new Set<NonNullable<PartyHostListener['handleState']>>();
+
+  const open = (): PartyHost =>
+    new PartyHost({
+      client,
+      clock: systemClock,
+      storage: { load, save },
+      drawByte: () => crypto.getRandomValues(new Uint8Array(1))[0]!,
+      listener: {
+        handleView: (view) => views.forEach((fn) => fn(view)),
+        handleState: (game, state) => states.forEach((fn) => fn(game, state)),
+        handleSuperseded: () => (isSuperseded.value = true),
+        handleTrouble: (sentence) => (trouble.value = sentence),
+      },
+    });
+  const host = shallowRef(open());
+
+  async function start(): Promise<void> {
+    try {
+      await client.connect();
+      await host.value.start();
+    } catch (cause) {
+      trouble.value = cause instanceof Error ? cause.message : String(cause);
+    }
+  }
+  void start();
+  onBeforeUnmount(() => host.value.close());
+
+  const link: ScreenLink = {
+    get view() {
+      return host.value.view;
+    },
+    nowMs: () => client.masterTime.nowMs(),
+    onView(fn) {
+      views.add(fn);
+      return () => views.delete(fn);
+    },
+    onState(fn) {
+      states.add(fn);
+      return () => states.delete(fn);
+    },
+    apply(event) {
+      try {
+        host.value.apply(event);
+        return undefined;
+      } catch (cause) {
+        if (cause instanceof RoomRefusal) return cause.message;
+        throw cause;
+      }
+    },
+    offerSeat: (seat) => host.value.offerSeat(seat),
+    setSetting: (game, setting, value) => host.value.setSetting(game, setting, value),
+  };
+
+  return {
+    link,
+    trouble,
+    isSuperseded,
+    /** Leads again, after another screen has. */
+    takeBack(): void {
+      isSuperseded.value = false;
+      host.value = open();
+      void start();
+    },
+    end: (): Promise<void> => host.value.end(),
+  };
+}

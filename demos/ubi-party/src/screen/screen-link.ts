@@ -1,0 +1,30 @@
+import type { RoundState } from '../modules/index.ts';
+import type { RoomView } from '../net/index.ts';
+import type { GameId, RoomEvent, Seat } from '../sim/index.ts';
+
+/** What the big screen follows and does; a `PartyHost` behind it. */
+export interface ScreenLink {
+  /** Undefined until the party is known. */
+  readonly view: RoomView | undefined;
+  /** The clock of the master, milliseconds since the Unix epoch. */
+  nowMs(): number;
+  /** Calls after each change of the view. @returns ends it */
+  onView(fn: (view: RoomView) => void): () => void;
+  /** Calls for each state of the round, 60 times a second. @returns ends it */
+  onState(fn: (game: GameId, state: RoundState) => void): () => void;
+  /** @returns why nothing changed, a sentence; undefined when it did */
+  apply(event: RoomEvent): string | undefined;
+  /** A code with which another phone takes the seat over; undefined for a bot. */
+  offerSeat(seat: Seat): string | undefined;
+  setSetting(game: GameId, setting: string, value: number): void;
+}
+
+/** How people join. */
+export interface Invitation {
+  /** Without `https://`, as people type it. */
+  readonly address: string;
+  /** What to type there; undefined when nothing is asked. */
+  readonly code?: string;
+  /** In the QR code. */
+  readonly scanned: string;
+}

@@ -1,0 +1,40 @@
+import type { RoundState } from '../../modules/index.ts';
+import type { RoundView } from '../../net/index.ts';
+import { GAMES, type Game, type GameId, type Room, type Seat } from '../../sim/index.ts';
+import type { Scene } from '../../view/stage.ts';
+
+/** What the stage shows of a room. @param state of the round that is played, or of its replay */
+export function sceneOf(
+  room: Room,
+  round: RoundView | undefined,
+  state: RoundState | undefined,
+): Scene {
+  const { phase, players, results } = room;
+  if (phase === 'play' || phase === 'countdown' || (phase === 'podium' && state)) {
+    const shown = state?.id === round?.id ? state?.state : undefined;
+    if (round) return gameScene(round.game as GameId, shown ?? startOf(round));
+  }
+  if (phase === 'podium') {
+    return { kind: 'podium', players, first: firstThree(results.at(-1)?.places ?? []) };
+  }
+  if (phase === 'end') {
+    const order = [...players].sort((a, b) => b.points - a.points || a.seat - b.seat);
+    return { kind: 'podium', players, first: order.slice(0, 3).map(({ seat }) => seat) };
+  }
+  return { kind: 'lobby', players };
+}
+
+const firstThree = (places: readonly (readonly Seat[])[]): Seat[] => places.flat().slice(0, 3);
+
+function gameScene(game: GameId, state: unknown): Scene {
+  return { kind: game, state } as Scene;
+}
+
+/** Where everybody stands before the first step: the rules give the same on every machine. */
+let started: { readonly id: string; readonly state: unknown } | undefined;
+function startOf({ id, game, seed, seats }: RoundView): unknown {
+  if (started?.id !== id) {
+    started = { id, state: (GAMES[game as GameId] as Game<unknown>).start({ seed, seats }) };
+  }
+  return started.state;
+}

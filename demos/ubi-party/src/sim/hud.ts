@@ -1,0 +1,18 @@
+import type { Seat } from './game.ts';
+
+/** What the big screen says of a round beside the picture. The texts are the game's. */
+export interface Hud {
+  /** The largest words, such as `Lap 2 of 3`. */
+  readonly headline: string;
+  /** A few words behind each name, such as `+0.6 s`. */
+  readonly notes: Readonly<Record<Seat, string>>;
+  /** Those who are out: their names are dimmed. */
+  readonly out: readonly Seat[];
+  /** A number that counts down, or counts, and what it is of. */
+  readonly corner?: { readonly value: string; readonly label: string };
+  /** What just happened, for a second and a half. */
+  readonly news?: { readonly seat: Seat; readonly sentence: string };
+}
+
+/** How long a piece of news is shown, steps. */
+export const NEWS_STEPS = 96;
