@@ -1,0 +1,39 @@
+import type { BufferGeometry } from 'three';
+import { identityOf, type Seat, type Shape } from '../../sim/index.ts';
+import { Paints } from '../light/paints.ts';
+import { buildFoot, buildFootRing, buildNeck } from '../toys/bases.ts';
+import { buildCrown } from '../toys/crown.ts';
+import { Letters } from './letters.ts';
+import { buildToken } from './token-geometry.ts';
+
+/** What all scenes share: paints, letters and the forms of the pieces. Made once, disposed with the stage. */
+export class PieceKit {
+  readonly paints = new Paints();
+  readonly letters = new Letters();
+  readonly foot = buildFoot();
+  readonly neck = buildNeck();
+  readonly footRing = buildFootRing();
+  readonly crown = buildCrown();
+  readonly #tokens = new Map<Shape, BufferGeometry>();
+
+  /** The token of a seat, with its bounding box. */
+  token(seat: Seat): BufferGeometry {
+    const { shape } = identityOf(seat);
+    let token = this.#tokens.get(shape);
+    if (!token) {
+      token = buildToken(shape);
+      token.computeBoundingBox();
+      this.#tokens.set(shape, token);
+    }
+    return token;
+  }
+
+  dispose(): void {
+    this.paints.dispose();
+    this.letters.dispose();
+    for (const part of [this.foot, this.neck, this.footRing, ...Object.values(this.crown)]) {
+      part.dispose();
+    }
+    for (const token of this.#tokens.values()) token.dispose();
+  }
+}

@@ -1,0 +1,43 @@
+export type Quality = 'low' | 'middle' | 'high';
+const LEVELS: readonly Quality[] = ['low', 'middle', 'high'];
+
+/** Milliseconds of a window's p95: above, a level is too much; below, one more may be tried. */
+const TOO_SLOW_MS = 24;
+const FAST_MS = 18.5;
+/** Windows in a row that must agree. */
+const SLOW_WINDOWS = 2;
+const FAST_WINDOWS = 4;
+/** Each step down doubles the windows that a step up takes; after so many, there is no way up. */
+const MOST_FALLS = 3;
+
+/** What is known of the frames so far. */
+export interface QualityState {
+  readonly quality: Quality;
+  readonly slowWindows: number;
+  readonly fastWindows: number;
+  /** How often quality went down. */
+  readonly falls: number;
+}
+
+export function startQuality(quality: Quality): QualityState {
+  return { quality, slowWindows: 0, fastWindows: 0, falls: 0 };
+}
+
+/**
+ * The level after a window of about two seconds. Goes down after two slow windows and up after four fast ones; between
+ * the two limits nothing changes. A device that goes up and down finds its level: each fall makes the next rise later,
+ * and after three there is none.
+ */
+export function nextQuality(state: QualityState, p95Ms: number): QualityState {
+  const level = LEVELS.indexOf(state.quality);
+  const slowWindows = p95Ms > TOO_SLOW_MS ? state.slowWindows + 1 : 0;
+  const fastWindows = p95Ms < FAST_MS ? state.fastWindows + 1 : 0;
+  if (slowWindows >= SLOW_WINDOWS && level > 0) {
+    return { ...startQuality(LEVELS[level - 1]!), falls: state.falls + 1 };
+  }
+  const needed = FAST_WINDOWS * 2 ** state.falls;
+  if (fastWindows >= needed && level < 2 && state.falls < MOST_FALLS) {
+    return { ...startQuality(LEVELS[level + 1]!), falls: state.falls };
+  }
+  return { ...state, slowWindows, fastWindows };
+}

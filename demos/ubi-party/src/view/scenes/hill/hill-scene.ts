@@ -1,0 +1,180 @@
+import { BoxGeometry, Group, MeshStandardMaterial, Vector3 } from 'three';
+import {
+  identityOf,
+  PLATFORM_RADIUS,
+  STEPS_PER_SECOND,
+  type HillState,
+  type Seat,
+} from '../../../sim/index.ts';
+import type { Framing } from '../../camera/camera-rig.ts';
+import { ContactShades, GroundShade } from '../../light/ground-shade.ts';
+import { HOURS } from '../../light/hours.ts';
+import { approach, scatter } from '../../motion/ease.ts';
+import { FlyingBits } from '../../motion/flying-bits.ts';
+import { PulseRings } from '../../motion/pulse-rings.ts';
+import { StepClock } from '../../motion/step-clock.ts';
+import { CrownMover } from '../../pieces/crown-mover.ts';
+import type { PieceKit } from '../../pieces/piece-kit.ts';
+import { PieceSet } from '../../pieces/piece-set.ts';
+import type { Frame, SceneView } from '../scene-view.ts';
+import { ChargeArcs } from './charge-arcs.ts';
+import { glanceAtHill, hillEvents, type HillEvent, type HillGlance } from './hill-events.ts';
+import { placePiece } from './hill-pieces.ts';
+import { buildHillProps } from './hill-props.ts';
+import { disposeToy, Offer } from './offer.ts';
+import { PLATFORM_Y } from './platform-motion.ts';
+import { Platform } from './platform.ts';
+import { PowerMarks } from './power-marks.ts';
+
+/** Degrees that the camera sways with a push. */
+const SWAY_DEG = 0.5;
+const CHIPS_OF_A_PUSH = 14;
+
+const AROUND = Array.from({ length: 16 }, (_, index) => (index / 16) * Math.PI * 2);
+const FRAMING: Framing = {
+  pitchDeg: 28,
+  points: [
+    ...AROUND.map((angle) => ({
+      x: Math.cos(angle) * (PLATFORM_RADIUS + 0.4),
+      y: PLATFORM_Y + (Math.sin(angle) > 0 ? 3.2 : 0),
+      z: -Math.sin(angle) * (PLATFORM_RADIUS + 0.4),
+    })),
+    ...[-1, 1].map((side) => ({ x: side * 14.4, y: 0, z: 4 })),
+  ],
+  rect: { left: 0.02, right: 0.98, top: 0.06, bottom: 0.8 },
+};
+
+/** King of the Hill. */
+export class HillScene implements SceneView<{ kind: 'hill'; state: HillState }> {
+  readonly root = new Group();
+  readonly hour = 'hill';
+  readonly reach = 22;
+  readonly framing = FRAMING;
+  zoom = 1;
+  swayDeg = 0;
+  readonly #pieces: PieceSet;
+  readonly #platform: Platform;
+  readonly #offer: Offer;
+  readonly #crown: CrownMover;
+  readonly #arcs: ChargeArcs;
+  readonly #marks: PowerMarks;
+  readonly #chips: FlyingBits;
+  readonly #rings: PulseRings;
+  readonly #shades: ContactShades;
+  readonly #ground: GroundShade;
+  readonly #props: Group;
+  readonly #clock = new StepClock();
+  readonly #crownAt = new Vector3();
+  readonly #chipPaint = new MeshStandardMaterial({ roughness: 0.7 });
+  readonly #chipForm = new BoxGeometry(1, 0.7, 0.5);
+  readonly #events: HillEvent[] = [];
+  #glance: HillGlance | undefined;
+  #state: HillState | undefined;
+  #push = 0;
+
+  constructor(kit: PieceKit) {
+    this.#pieces = new PieceSet(this.root, kit, 'foot');
+    this.#ground = new GroundShade(this.root, HOURS.hill);
+    this.#shades = new ContactShades(this.root, HOURS.hill, 48);
+    this.#platform = new Platform(this.root, kit.paints);
+    this.#offer = new Offer(kit.paints);
+    this.#crown = new CrownMover(kit);
+    this.#crown.root.scale.setScalar(1.15);
+    this.#arcs = new ChargeArcs(this.root);
+    this.#marks = new PowerMarks(this.root, kit.paints);
+    this.#chips = new FlyingBits(this.root, this.#chipForm, this.#chipPaint, 160);
+    this.#rings = new PulseRings(this.root, '#fff6e4');
+    this.#props = buildHillProps(kit.paints);
+    this.root.add(this.#offer.root, this.#crown.root, this.#props);
+  }
+
+  show({ state }: { state: HillState }, nowMs: number): void {
+    if (this.#glance) this.#events.push(...hillEvents(this.#glance, state));
+    if (this.#glance?.step !== state.step) this.#clock.take(state.step, nowMs);
+    this.#glance = glanceAtHill(state);
+    this.#state = state;
+    this.#pieces.keep(new Set(state.pieces.map(({ seat }) => seat)));
+  }
+
+  update(frame: Frame): void {
+    const state = this.#state;
+    if (!state) return;
+    const { dtS, isReduced } = frame;
+    for (const event of this.#events.splice(0)) this.#play(event, isReduced);
+    const step = state.step + this.#clock.aheadS(frame.nowMs) * STEPS_PER_SECOND;
+    this.#platform.update(step, state.radius, isReduced);
+    this.#placePieces(state, step, frame);
+    this.#offer.update(state.offer, dtS, isReduced);
+    this.#chips.update(dtS, 0);
+    this.#rings.update(dtS);
+    this.#push *= 1 - approach(dtS, 0.12);
+    this.swayDeg = this.#push * SWAY_DEG;
+    // What is left of the hill fills the picture
+    this.zoom = 1 + (0.2 * (PLATFORM_RADIUS - state.radius)) / PLATFORM_RADIUS;
+  }
+
+  footOf(seat: Seat, into: Vector3): boolean {
+    const piece = this.#pieces.find(seat);
+    if (!piece) return false;
+    into.copy(piece.root.position);
+    return true;
+  }
+
+  dispose(): void {
+    for (const part of [this.#platform, this.#offer, this.#arcs, this.#marks, this.#chips])
+      part.dispose();
+    for (const part of [this.#rings, this.#shades, this.#ground]) part.dispose();
+    this.#chipForm.dispose();
+    this.#chipPaint.dispose();
+    disposeToy(this.#props);
+  }
+
+  #placePieces(state: HillState, step: number, frame: Frame): void {
+    this.#shades.begin();
+    this.#shades.add(0, 0, 0, 21, 19);
+    this.#crownAt.set(0, PLATFORM_Y + 0.06, 0);
+    this.#marks.begin();
+    for (const one of state.pieces) {
+      const piece = this.#pieces.get(one.seat);
+      const ground = placePiece(piece, one, state, step, frame);
+      const { x, y, z } = piece.root.position;
+      if (ground !== undefined) this.#shades.add(x, ground, z, 2.7, 2.3);
+      this.#arcs.set(one.seat, one.outAt === undefined ? one.charge : 0, x, y, z);
+      this.#marks.set(piece, one.power?.kind);
+      if (one.seat === state.crown) {
+        this.#crownAt.set(0, piece.height + 0.12, 0).applyQuaternion(piece.body.quaternion);
+        this.#crownAt.multiplyScalar(piece.root.scale.x).add(piece.root.position);
+      }
+    }
+    this.#shades.end();
+    this.#crown.update(state.crown, this.#crownAt, frame.dtS, frame.isReduced);
+  }
+
+  #play(event: HillEvent, isReduced: boolean): void {
+    if (event.type !== 'push') return;
+    for (const seat of event.seats) this.#pieces.get(seat).hit(1);
+    if (isReduced) {
+      this.#rings.launch(event.x, PLATFORM_Y, -event.y);
+      return;
+    }
+    this.#push += event.seats[0] % 2 === 0 ? 1 : -1;
+    for (let chip = 0; chip < CHIPS_OF_A_PUSH; chip += 1) {
+      const angle = scatter(chip, event.seats[0]) * Math.PI * 2;
+      const out = 1 + 2.6 * scatter(chip, event.seats[1] + 40);
+      this.#chips.launch(
+        {
+          x: event.x,
+          y: PLATFORM_Y + 2.6,
+          // From behind the tokens: never over a letter
+          z: -event.y - 0.7,
+          vx: Math.cos(angle) * out,
+          vy: 4.5 + 4 * scatter(chip, 80),
+          vz: -1.2 - Math.abs(Math.sin(angle)) * out * 0.6,
+          size: 0.16 + 0.16 * scatter(chip, 90),
+          lifeS: 1.1 + 0.6 * scatter(chip, 100),
+        },
+        chip % 5 === 4 ? '#fff6e4' : identityOf(event.seats[chip % 2 === 0 ? 0 : 1]).colour,
+      );
+    }
+  }
+}

@@ -1,0 +1,18 @@
+import type { PieceKit } from '../pieces/piece-kit.ts';
+import type { Scene } from '../stage.ts';
+import { HillScene } from './hill/hill-scene.ts';
+import type { SceneView } from './scene-view.ts';
+
+type Openers = {
+  readonly [K in Scene['kind']]?: (kit: PieceKit) => SceneView<Extract<Scene, { kind: K }>>;
+};
+
+const OPENERS: Openers = {
+  hill: (kit) => new HillScene(kit),
+};
+
+export function openScene(kind: Scene['kind'], kit: PieceKit): SceneView {
+  const open = OPENERS[kind] ?? OPENERS.hill!;
+  // The stage shows a view only scenes of the kind it was opened for
+  return open(kit) as unknown as SceneView;
+}

@@ -1,0 +1,36 @@
+import type { Group, Vector3 } from 'three';
+import type { Seat } from '../../sim/index.ts';
+import type { Framing } from '../camera/camera-rig.ts';
+import type { HOURS } from '../light/hours.ts';
+import type { Quality } from '../quality/quality.ts';
+import type { Scene } from '../stage.ts';
+
+/** A frame that is drawn. */
+export interface Frame {
+  readonly nowMs: number;
+  /** Since the frame before. */
+  readonly dtS: number;
+  readonly isReduced: boolean;
+  readonly quality: Quality;
+  /** Where the camera was in the frame before. */
+  readonly eye: Readonly<Vector3>;
+}
+
+/** One kind of scene. It is made when it is shown first, and disposed when another kind is shown. */
+export interface SceneView<S extends Scene = Scene> {
+  readonly root: Group;
+  readonly hour: keyof typeof HOURS;
+  /** Units from the origin in which things have shadows. */
+  readonly reach: number;
+  /** What the camera frames; the same object for as long as nothing changes. */
+  readonly framing: Framing;
+  /** Above 1 is nearer than the framing needs. */
+  readonly zoom: number;
+  readonly swayDeg: number;
+  /** The next state. It may be the same object, changed. */
+  show(scene: S, nowMs: number): void;
+  update(frame: Frame): void;
+  /** Where the token of a seat stands. @returns whether it is there */
+  footOf(seat: Seat, into: Vector3): boolean;
+  dispose(): void;
+}

@@ -1,0 +1,108 @@
+import '@fontsource-variable/bricolage-grotesque/standard.css';
+import { WebGLRenderer } from 'three';
+import {
+  GAMES,
+  STEPS_PER_SECOND,
+  type Controls,
+  type Game,
+  type Player,
+  type Seat,
+} from '../../sim/index.ts';
+import { createStage } from '../create-stage.ts';
+import { StageCore } from '../stage-core.ts';
+import type { Scene } from '../stage.ts';
+
+/**
+ * Shows a scene at a step, played by bots: `gallery.html?scene=hill&players=6&step=900&seed=7`.
+ * `live=1` plays on; `reduced=1` and `quality=low` as in the settings. The title says `ready` when all is drawn.
+ */
+const query = new URLSearchParams(location.search);
+const number = (name: string, otherwise: number): number => Number(query.get(name) ?? otherwise);
+const kind = (query.get('scene') ?? 'hill') as Scene['kind'];
+const seats: readonly Seat[] = Array.from({ length: number('players', 6) }, (_, seat) => seat);
+const setup = { seats, seed: number('seed', 7), startsAtMs: 1_000_000 };
+const isReduced = query.get('reduced') === '1';
+const quality = (query.get('quality') ?? 'high') as 'low' | 'middle' | 'high';
+const canvas = document.querySelector('canvas')!;
+
+/** Gives the scene one step later, at each call. */
+function scenes(): () => Scene {
+  switch (kind) {
+    case 'hill':
+      return played(GAMES.hill, (state) => ({ kind, state }));
+    case 'race':
+      return played(GAMES.race, (state) => ({ kind, state }));
+    case 'duel':
+      return played(GAMES.duel, (state) => ({ kind, state }));
+    case 'lobby':
+      return joining();
+    case 'podium':
+      return () => ({ kind, players: players(seats), first: [...seats].reverse().slice(0, 3) });
+  }
+}
+
+function played<State>(game: Game<State>, scene: (state: State) => Scene): () => Scene {
+  const state = game.start(setup);
+  return () => {
+    const controls = new Map<Seat, Controls>(seats.map((seat) => [seat, game.bot(state, seat)]));
+    if (!game.isOver(state)) game.step(state, (seat) => controls.get(seat)!, game.settings);
+    return scene(state);
+  };
+}
+
+/** One joins each third of a second; with `away=2`, seat 2 is away. */
+function joining(): () => Scene {
+  let step = 0;
+  return () => {
+    step += 1;
+    return { kind: 'lobby', players: players(seats.slice(0, Math.ceil(step / 20))) };
+  };
+}
+
+function players(of: readonly Seat[]): Player[] {
+  return of.map((seat) => ({
+    seat,
+    name: `Player ${seat}`,
+    isReady: false,
+    isWaiting: false,
+    points: 0,
+    ...(query.get('away') === String(seat) && { awaySinceMs: 0 }),
+  }));
+}
+
+async function showStill(step: number): Promise<void> {
+  const core = new StageCore(new WebGLRenderer({ canvas, antialias: true }));
+  core.setReducedMotion(isReduced);
+  core.setQuality(quality);
+  core.resize(canvas.clientWidth, canvas.clientHeight);
+  const next = scenes();
+  for (let at = 0; at <= step; at += 1) {
+    core.show(next(), (at * 1000) / STEPS_PER_SECOND);
+    core.advance((at * 1000) / STEPS_PER_SECOND);
+  }
+  await document.fonts.load('800 100px "Bricolage Grotesque Variable"', 'ABC');
+  await document.fonts.ready;
+  requestAnimationFrame(function onFrame() {
+    core.draw();
+    document.title = 'ready';
+    // The buffer is cleared when it has been shown: a picture may be taken of any frame
+    setTimeout(() => requestAnimationFrame(onFrame), 300);
+  });
+}
+
+function playLive(step: number): void {
+  const stage = createStage(canvas, { quality, isReducedMotion: isReduced });
+  const next = scenes();
+  for (let at = 0; at < step; at += 1) next();
+  let stepsDone = 0;
+  const beganMs = performance.now();
+  requestAnimationFrame(function onFrame(nowMs) {
+    requestAnimationFrame(onFrame);
+    const wanted = Math.floor(((nowMs - beganMs) / 1000) * STEPS_PER_SECOND);
+    for (; stepsDone < wanted; stepsDone += 1) stage.show(next());
+    document.title = `${stage.frames.quality} ${stage.frames.p95Ms.toFixed(1)} ms`;
+  });
+}
+
+if (query.get('live') === '1') playLive(number('step', 0));
+else await showStill(number('step', 0));
