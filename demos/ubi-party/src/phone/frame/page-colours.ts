@@ -22,6 +22,8 @@ export interface PageColours {
   readonly onButton: string;
   /** What fills up, on a plate or on a button. */
   readonly accent: string;
+  /** The button while it is down. */
+  readonly pressed: string;
   /** What tables stand on, with ink. */
   readonly card: string;
 }
@@ -43,6 +45,7 @@ export function pageColoursOf(seat: Seat | undefined): PageColours {
     button: isInk ? PAPER : INK,
     onButton: isInk ? INK : PAPER,
     accent: page === YELLOW ? PAPER : YELLOW,
+    pressed: isInk || isPaper ? YELLOW : PAPER,
     card: isPaper ? BARE_WOOD : PAPER,
   };
 }

@@ -4,7 +4,8 @@ import { STRAIGHT, type Steering } from './stick.ts';
 /** What can steer, the strongest first. A hand on the pad always wins over what goes on by itself. */
 const STEERERS = ['thumb', 'keys', 'gamepad', 'one-button', 'tilt'] as const;
 export type Steerer = (typeof STEERERS)[number];
-export type Presser = 'pad' | 'keys' | 'gamepad';
+export const PRESSERS = ['pad', 'keys', 'gamepad'] as const;
+export type Presser = (typeof PRESSERS)[number];
 
 /** Finer than the eye sees; a sensor's noise below it is not sent. */
 const STEPS = 100;

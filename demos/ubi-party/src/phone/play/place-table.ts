@@ -1,0 +1,43 @@
+import { placeOf } from '../../sim/feedback.ts';
+import { playersOf, teamOf, type Player, type Room } from '../../sim/index.ts';
+
+export interface TableRow {
+  readonly player: Player;
+  /** From 1; equal points share a place. */
+  readonly place: number;
+  /** Points of the newest round; undefined: did not play it. */
+  readonly won: number | undefined;
+  /** From 0; undefined: each plays alone. */
+  readonly team: number | undefined;
+}
+
+/** The tournament's table, the best first. */
+export function placeTable(room: Room): readonly TableRow[] {
+  const last = room.results.at(-1);
+  const rows = room.players.map((player) => ({
+    player,
+    place: 1 + room.players.filter(({ points }) => points > player.points).length,
+    won: last?.points[player.seat],
+    team: teamOf(room, player.seat),
+  }));
+  return rows.sort((a, b) => a.place - b.place || a.player.seat - b.player.seat);
+}
+
+/** The place of a seat in the newest round; undefined: did not play it. */
+export function lastPlaceOf(room: Room, seat: number): number | undefined {
+  const places = room.results.at(-1)?.places;
+  return places?.some((seats) => seats.includes(seat)) ? placeOf(places, seat) : undefined;
+}
+
+/** How many of those who are asked are ready, such as `3 of 5 ready`. */
+export function readiness(room: Room): string {
+  const asked = playersOf(room).filter(({ awaySinceMs }) => awaySinceMs === undefined);
+  return `${asked.filter(({ isReady }) => isReady).length} of ${asked.length} ready`;
+}
+
+/** `1st`, `2nd`, `11th`, `23rd`. */
+export function ordinal(place: number): string {
+  const tens = place % 100;
+  if (tens >= 11 && tens <= 13) return `${place}th`;
+  return `${place}${['th', 'st', 'nd', 'rd'][place % 10] ?? 'th'}`;
+}

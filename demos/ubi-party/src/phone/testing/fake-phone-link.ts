@@ -1,0 +1,147 @@
+import type { PhoneWish, RoundView } from '../../net/index.ts';
+import {
+  EMPTY_ROOM,
+  nextRoom,
+  type Asker,
+  type Feedback,
+  type Room,
+  type RoomEvent,
+} from '../../sim/index.ts';
+import type { PhoneFacts, PhoneLink } from '../phone-link.ts';
+
+const KEY = 'this-phone';
+
+/** What a test says of the party. */
+export interface FakeParty {
+  readonly room: Room;
+  readonly round?: RoundView;
+  readonly feedback?: Feedback;
+  readonly link: PhoneFacts['link'];
+  readonly lagMs?: number;
+}
+
+/** A phone whose host is the rules of the room: wishes change it, refusals are those of the rules. */
+export class FakePhoneLink implements PhoneLink {
+  party: FakeParty;
+  readonly asked: PhoneWish[] = [];
+  /** What was sent while playing, in its order: steering or a press. */
+  readonly sent: ({ readonly x: number; readonly y: number } | boolean)[] = [];
+  readonly #listeners = new Set<() => void>();
+
+  readonly #nowMs: () => number;
+
+  /** @param nowMs the master's clock */
+  constructor(party: Partial<FakeParty> = {}, nowMs: () => number = () => 1_000_000) {
+    this.#nowMs = nowMs;
+    this.party = { room: EMPTY_ROOM, link: 'connected', lagMs: 24, ...party };
+  }
+
+  get facts(): PhoneFacts {
+    const { room, round, feedback, link, lagMs } = this.party;
+    const me = room.players.find(({ key }) => key === KEY);
+    return {
+      view: { room, hostId: 'host', lags: {}, ...(round && { round }) },
+      me,
+      feedback,
+      link,
+      lagMs,
+      nowMs: this.#nowMs,
+    };
+  }
+
+  /** Changes the party, and tells the page so. */
+  set(change: Partial<FakeParty>): void {
+    this.party = { ...this.party, ...change };
+    for (const listener of this.#listeners) listener();
+  }
+
+  /** Something happens in the room. */
+  happens(event: RoomEvent): void {
+    this.set({ room: nextRoom(this.party.room, event, this.#nowMs()) });
+  }
+
+  onChange(fn: () => void): () => void {
+    this.#listeners.add(fn);
+    return () => this.#listeners.delete(fn);
+  }
+
+  ask(wish: PhoneWish): Promise<{ readonly code?: string }> {
+    this.asked.push(wish);
+    try {
+      if (wish.type === 'offer') return Promise.resolve({ code: '7KQM' });
+      if (wish.type === 'take') this.#take(wish.code);
+      else this.happens(eventOf(wish));
+      return Promise.resolve({});
+    } catch (error) {
+      return Promise.reject(error as Error);
+    }
+  }
+
+  #take(code: string): void {
+    const away = this.party.room.players.find(({ awaySinceMs }) => awaySinceMs !== undefined);
+    if (code !== '7KQM' || away?.key === undefined)
+      throw new Error('No seat is offered with this code.');
+    this.happens({ type: 'hand-over', key: away.key, to: KEY });
+  }
+
+  steer(x: number, y: number): void {
+    this.sent.push({ x, y });
+  }
+
+  press(isDown: boolean): void {
+    this.sent.push(isDown);
+  }
+
+  close(): void {
+    this.#listeners.clear();
+  }
+}
+
+function eventOf(wish: Exclude<PhoneWish, { type: 'offer' | 'take' }>): RoomEvent {
+  const by: Asker = { key: KEY };
+  switch (wish.type) {
+    case 'join':
+    case 'leave':
+    case 'away':
+    case 'back':
+    case 'ready':
+      return { ...wish, key: KEY };
+    case 'proceed':
+    case 'kick':
+    case 'lead':
+    case 'lock':
+    case 'hide-code':
+    case 'set-teams':
+    case 'set-games':
+    case 'fill':
+      return { ...wish, by };
+  }
+}
+
+/** A room in which this phone has a seat, with others. */
+export function roomWith(seat: number, others: readonly string[] = ['Theo', 'Ines']): Room {
+  const names = [...others];
+  names.splice(Math.min(seat, names.length), 0, 'Mara');
+  let room = EMPTY_ROOM;
+  names.forEach((name, at) => {
+    room = nextRoom(room, { type: 'join', key: name === 'Mara' ? KEY : `key-${at}`, name }, 0);
+  });
+  return {
+    ...room,
+    players: room.players.map((player) => (player.key === KEY ? { ...player, seat } : player)),
+    ...(room.leader !== undefined && seat === 0 ? { leader: 0 } : { leader: room.leader ?? 0 }),
+  };
+}
+
+/** How a player stands in the middle of a round. */
+export const FEEDBACK: Feedback = {
+  place: 2,
+  of: 6,
+  headline: 'Lap 2 of 3',
+  sentence: 'The boost fills up.',
+  progress: 0.55,
+  gauge: 0.58,
+  isReady: false,
+  isOut: false,
+  hitAt: 0,
+};
