@@ -3,7 +3,7 @@ import { GAMES, type HillState } from '../../../sim/index.ts';
 import { playWithBots } from '../../../sim/testing/play-with-bots.ts';
 import { glanceAtHill, hillEvents, type HillEvent } from './hill-events.ts';
 
-const start = (): HillState => GAMES.hill.start({ seats: [0, 1, 2], seed: 3, startsAtMs: 0 });
+const start = (): HillState => GAMES.hill.start({ seats: [0, 1, 2], seed: 3 });
 
 describe('hill events', () => {
   it('tells a push of two pieces once, between them', () => {
@@ -43,9 +43,7 @@ describe('hill events', () => {
 
   it('tells as many falls as pieces fell in a round of bots', () => {
     const events: HillEvent[] = [];
-    let before = glanceAtHill(
-      GAMES.hill.start({ seats: [0, 1, 2, 3, 4, 5], seed: 7, startsAtMs: 1_000_000 }),
-    );
+    let before = glanceAtHill(GAMES.hill.start({ seats: [0, 1, 2, 3, 4, 5], seed: 7 }));
     const state = playWithBots(GAMES.hill, 6, 7, (now) => {
       events.push(...hillEvents(before, now));
       before = glanceAtHill(now);
