@@ -74,6 +74,21 @@ describe('an example session', () => {
     expect(events).toEqual([]);
   });
 
+  it('click-counter counts clicks whose press and release arrive together [PM-25]', async () => {
+    const { clock, topics, on, events } = await play('click-counter', 0);
+    const put = (value: boolean): void =>
+      topics.put('/examples/click-counter/pressed', 'bool', value);
+    put(false);
+    await clock.endTurn();
+    for (let click = 0; click < 5; click += 1) {
+      put(true);
+      put(false);
+      await clock.advance(10);
+    }
+    expect(on('count').at(-1)).toBe(5);
+    expect(events).toEqual([]);
+  });
+
   it('metronome beats twice a second, and compares both modes', async () => {
     const { clock, topics, runtime, on, events } = await play('metronome', 0);
     const PASS_MS = 20;

@@ -11,6 +11,8 @@ export interface RuntimeLimits {
   readonly haltTimeoutMs: number;
   /** Topics in the list of one muxer. [PM-44] */
   readonly maxMuxElements: number;
+  /** Events of one input that wait for a run of a module that they trigger. [PM-25] */
+  readonly maxWaitingEvents: number;
   /** Time that matching the patterns of one session's muxers may take at once. [PM-71] */
   readonly patternMatchMs: number;
   /** The same per second in the long run. [PM-71] */
@@ -54,6 +56,8 @@ export const DEFAULT_RUNTIME_LIMITS: RuntimeLimits = {
   haltTimeoutMs: 2_000,
   // As many players as a master takes clients, with room for their list in one message.
   maxMuxElements: 4_096,
+  // A chord on a keyboard and a fast hand: more is a stream, and a module that cannot follow it would act late.
+  maxWaitingEvents: 64,
   // Some 2 µs for a topic: four full muxers of ordinary patterns, when a session starts.
   patternMatchMs: 100,
   // As the master gives each client: a twentieth of the thread.

@@ -44,6 +44,7 @@ export class ModuleInstance {
       topics: context.topics,
       patterns: context.patterns.of(sessionId),
       maxMuxElements: limits.maxMuxElements,
+      maxWaitingEvents: () => (this.#keepsEvents ? limits.maxWaitingEvents : 0),
       onMark: () => this.#driver?.handleMark(),
       onProblem: (inputName, problem) => this.#reports.problem(`Input "${inputName}": ${problem}.`),
     };
@@ -122,6 +123,12 @@ export class ModuleInstance {
   /** In lockstep, snapshots may bring all that the inputs need. */
   get #isListening(): boolean {
     return this.#context.lockstepInputs === 'own' || this.#mode.kind !== 'lockstep';
+  }
+
+  /** With a delay between runs, or with inputs that wait for each other, a run has the inputs of its moment. [PM-24] */
+  get #keepsEvents(): boolean {
+    const mode = this.#mode;
+    return mode.kind === 'trigger' && mode.minDelayMs <= 0 && !mode.allInputsNeedUpdate;
   }
 
   /** @param deliver gets what the run put out, or nothing when it failed */

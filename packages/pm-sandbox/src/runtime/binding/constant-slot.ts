@@ -22,6 +22,14 @@ export class ConstantSlot implements InputSlot {
     return 'record' in this.#input && this.#input.record !== undefined;
   }
 
+  markValue(): void {
+    this.isMarked = this.hasValue;
+  }
+
+  takeMark(): void {
+    this.isMarked = false;
+  }
+
   read(): SandboxInput {
     return this.#input;
   }

@@ -77,7 +77,7 @@ export class InputBinding implements InputMarks {
   }
 
   markValues(): void {
-    for (const slot of this.#slots) slot.isMarked = slot.hasValue;
+    for (const slot of this.#slots) slot.markValue();
   }
 
   /** Constants are marked at the start only, and never waited for. */
@@ -94,7 +94,7 @@ export class InputBinding implements InputMarks {
     const names: string[] = [];
     for (const slot of this.#slots) {
       if (slot.isMarked) names.push(slot.name);
-      slot.isMarked = false;
+      slot.takeMark();
     }
     return names;
   }

@@ -12,8 +12,12 @@ export interface InputSlot {
   /** True: it waits for records; false: it has what it ever gets. */
   readonly isLive: boolean;
   readonly hasValue: boolean;
-  /** It was updated since the run before. [PM-23] */
-  isMarked: boolean;
+  /** It was updated since the run before, or has an update that no run had. [PM-23] [PM-25] */
+  readonly isMarked: boolean;
+  /** Marks it if it has a value, the newest alone. [PM-26] */
+  markValue(): void;
+  /** A run starts with the oldest update that no run had, and without an update with the newest value. */
+  takeMark(): void;
   /** What a run that starts now gets: the same object until something changes. */
   read(): SandboxInput;
   /** What a run of a pass gets. [PM-27] */
@@ -34,6 +38,8 @@ export interface SlotContext {
   readonly topics: TopicPort;
   readonly patterns: MeteredPatterns;
   readonly maxMuxElements: number;
+  /** Events of one input that wait for a run; 0: the newest replaces what came before it. [PM-25] */
+  readonly maxWaitingEvents: () => number;
   /** A slot was marked. */
   onMark(): void;
   /** Something does not fit; a sentence without the name of the input. */

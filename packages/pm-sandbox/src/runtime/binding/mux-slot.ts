@@ -60,6 +60,14 @@ export class MuxSlot implements InputSlot, TopicListener {
     this.#list.delete(topic);
   }
 
+  markValue(): void {
+    this.isMarked = this.hasValue;
+  }
+
+  takeMark(): void {
+    this.isMarked = false;
+  }
+
   read(): SandboxInput {
     const elements = this.#list.read();
     if (elements !== this.#input.elements) this.#input = { name: this.name, elements };

@@ -2,13 +2,15 @@ import type { Cancel } from '../../ports/clock.ts';
 import type { SandboxInput } from '../../ports/sandbox.ts';
 import type { EncodedRecord, TopicListener } from '../../ports/topic-port.ts';
 import { describeField, fieldFits } from './formats-fit.ts';
+import { isOtherEvent } from './other-event.ts';
 import type { InputSlot, SlotContext, SlotSpec, Snapshot } from './input-slot.ts';
 
-/** An input mapped to a topic: the newest record that fits. [PM-30] [PM-31] */
+/** An input mapped to a topic: the newest record that fits, or the oldest event that no run had. [PM-30] [PM-31] [PM-25] */
 export class TopicSlot implements InputSlot, TopicListener {
   readonly name: string;
   readonly isLive = true;
   isMarked = false;
+  readonly #waiting: SandboxInput[] = [];
   readonly #topic: string;
   readonly #fits: (valueField: number) => boolean;
   readonly #spec: SlotSpec;
@@ -16,7 +18,10 @@ export class TopicSlot implements InputSlot, TopicListener {
   #cancel: Cancel | undefined;
   #record: EncodedRecord | undefined;
   #input: SandboxInput;
+  /** Of the newest run, if events after it wait. */
+  #taken: SandboxInput | undefined;
   #isMisfitReported = false;
+  #isLossReported = false;
 
   constructor(spec: SlotSpec, topic: string, context: SlotContext) {
     this.name = spec.name;
@@ -33,6 +38,7 @@ export class TopicSlot implements InputSlot, TopicListener {
 
   onRecord(record: EncodedRecord): void {
     if (!this.#fits(record.valueField)) return this.#reportMisfit(record);
+    if (this.isMarked) this.#keep(this.#record, record);
     this.#record = record;
     this.#input = inputOf(this.name, record);
     this.isMarked = true;
@@ -40,12 +46,23 @@ export class TopicSlot implements InputSlot, TopicListener {
   }
 
   onGone(): void {
+    this.#forgetWaiting();
     this.#record = undefined;
     this.#input = { name: this.name, record: undefined };
   }
 
+  markValue(): void {
+    this.#forgetWaiting();
+    this.isMarked = this.hasValue;
+  }
+
+  takeMark(): void {
+    this.#taken = this.#waiting.shift();
+    this.isMarked = this.#taken !== undefined;
+  }
+
   read(): SandboxInput {
-    return this.#input;
+    return this.#taken ?? this.#input;
   }
 
   readFrom(snapshot: Snapshot): SandboxInput {
@@ -70,6 +87,26 @@ export class TopicSlot implements InputSlot, TopicListener {
     this.#cancel?.();
     this.#cancel = undefined;
     this.onGone();
+  }
+
+  #keep(before: EncodedRecord | undefined, next: EncodedRecord): void {
+    const maxWaitingEvents = this.#context.maxWaitingEvents();
+    if (maxWaitingEvents === 0 || before === undefined || !isOtherEvent(before, next)) return;
+    this.#waiting.push(this.#input);
+    // The newest does not wait here.
+    if (this.#waiting.length < maxWaitingEvents) return;
+    this.#waiting.shift();
+    if (this.#isLossReported) return;
+    this.#isLossReported = true;
+    this.#context.onProblem(
+      this.name,
+      `more than ${maxWaitingEvents} events waited for a run; the oldest are left out`,
+    );
+  }
+
+  #forgetWaiting(): void {
+    this.#waiting.length = 0;
+    this.#taken = undefined;
   }
 
   #reportMisfit(record: EncodedRecord): void {

@@ -8,7 +8,7 @@ export interface InputMarks {
   markValues(): void;
   /** Whether any input is marked, or all that wait for topics. [PM-23] */
   isDue(allInputsNeedUpdate: boolean): boolean;
-  /** Clears the marks. Returns the names of the inputs that had one. */
+  /** Clears the marks, except of inputs with more than one event. Returns the names of the inputs that had one. */
   takeMarks(): string[];
 }
 
@@ -85,8 +85,9 @@ export class TriggerDriver implements ModeDriver, TurnTask {
   };
 
   #run(): void {
-    this.#isDue = false;
-    this.#host.run(this.#marks.takeMarks());
+    const names = this.#marks.takeMarks();
+    this.#isDue = this.#marks.isDue(this.#options.allInputsNeedUpdate);
+    this.#host.run(names);
   }
 
   #delayMs(): number {

@@ -68,6 +68,7 @@ export class SnapshotInputs {
       topics,
       patterns: this.#patterns,
       maxMuxElements: DEFAULT_RUNTIME_LIMITS.maxMuxElements,
+      maxWaitingEvents: () => 0,
       onMark: () => undefined,
       // The node that runs the module finds the same, and tells it.
       onProblem: () => undefined,
