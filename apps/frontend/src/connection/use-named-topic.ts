@@ -1,14 +1,15 @@
+import { topicParts } from './topic-parts.ts';
 import { useConnection } from './useConnection.ts';
 
 /** Names a topic for people: of one that begins with the id of a client, the rest and the client's name. */
 export type NameTopic = (topic: string) => string;
 
 export function useNamedTopic(): NameTopic {
-  const { clients } = useConnection();
+  const { client, clients } = useConnection();
   return (topic) => {
     void clients.list.value;
-    const [, root = '', ...rest] = topic.split('/');
-    const name = clients.find(root)?.name;
-    return name && rest.length > 0 ? `${rest.join('/')} · ${name}` : topic;
+    const { name, place, owner } = topicParts(topic, client.id, (id) => clients.find(id)?.name);
+    if (owner === undefined) return topic;
+    return `${place === '' ? name : `${place}/${name}`} · ${owner}`;
   };
 }
