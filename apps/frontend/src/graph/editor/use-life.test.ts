@@ -40,8 +40,10 @@ async function said(
     { global: { plugins: [(app) => provideToasts(app, toasts)] } },
   );
   await flushPromises();
+  const said = toasts.list.value.at(-1)?.text;
   wrapper.unmount();
-  return toasts.list.value.at(-1)?.text;
+  expect(toasts.list.value, 'toasts after the editor').toEqual([]);
+  return said;
 }
 
 it('a save of a running session is told as applied, too', async () => {

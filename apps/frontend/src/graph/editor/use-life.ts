@@ -4,7 +4,7 @@ import {
   stateLook,
   type LifeAction,
 } from '../../sessions/state/session-state.ts';
-import { useToasts } from '../../ui/toasts/toasts.ts';
+import { useToastsOf } from '../../ui/toasts/toasts.ts';
 import type { GraphEditor } from './graph-editor.ts';
 import type { Saving } from './use-save.ts';
 
@@ -18,7 +18,7 @@ export interface Life {
 }
 
 export function useLife(editor: GraphEditor, saving: Saving): Life {
-  const { show } = useToasts();
+  const { show } = useToastsOf('life of a session');
   /** A session that is not stored was not saved: it ends with the master or the page that made it. */
   function tell(done: string): void {
     const isStored = editor.session.value.extension?.stored === true;

@@ -1,11 +1,18 @@
+import { replaceClientTopics } from '../../connection/topic-parts.ts';
+import { useTopicParts } from '../../connection/use-topic-parts.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import { useGraphContext } from '../editor/use-graph-editor.ts';
+import { doneLabel } from '../model/commands/done-label.ts';
 import type { GraphCommand } from '../model/commands/graph-command.ts';
 
-/** Does what was chosen in the list, says what that was, and offers to take it back. */
+/** Toasts about what was changed in the list. */
+export const LIST_EDITS = 'list edits';
+
+/** Does what was chosen in the list, says what was done, and offers to take it back. */
 export function useListEdits(): (command: GraphCommand) => void {
   const { editor } = useGraphContext();
   const toasts = useToasts();
+  const { parts } = useTopicParts();
   return (command) => {
     const before = editor.graph.value;
     editor.apply(command);
@@ -16,6 +23,7 @@ export function useListEdits(): (command: GraphCommand) => void {
       // Something else may have been done since: only the last step is taken back here.
       if (editor.graph.value === after) editor.undo();
     };
-    toasts.show(label, { text: 'Undo', run });
+    const words = replaceClientTopics(doneLabel(label), (topic) => parts(topic).name);
+    toasts.show(words, { text: 'Undo', run }, LIST_EDITS);
   };
 }

@@ -15,6 +15,17 @@ it('keeps the newest two', () => {
   expect(toasts.list.value.map(({ text }) => text)).toEqual(['three']);
 });
 
+it('has one about a place, which goes when the place is left', () => {
+  const toasts = createToasts();
+  const texts = (): string[] => toasts.list.value.map(({ text }) => text);
+  toasts.show('Copied');
+  toasts.show('Connected a', undefined, 'graph');
+  toasts.show('Connected b', undefined, 'graph');
+  expect(texts()).toEqual(['Copied', 'Connected b']);
+  toasts.leave('graph');
+  expect(texts()).toEqual(['Copied']);
+});
+
 it('leaves after its time, but not while a pointer is on it', async () => {
   const toast = mount(UiToast, { props: { toast: { id: 1, text: 'Copied' } } });
   await toast.trigger('pointerenter');

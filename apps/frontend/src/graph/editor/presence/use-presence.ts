@@ -3,7 +3,7 @@ import { useDocumentVisibility, useEventListener, useIntervalFn } from '@vueuse/
 import { computed, onScopeDispose, shallowRef, watch, type ComputedRef } from 'vue';
 import { useConnection } from '../../../connection/useConnection.ts';
 import { playerIdentity, type PlayerIdentity } from '../../../players/player-identity.ts';
-import { useToasts } from '../../../ui/toasts/toasts.ts';
+import { useToastsOf } from '../../../ui/toasts/toasts.ts';
 import type { GraphEditor } from '../graph-editor.ts';
 import type { Saving } from '../use-save.ts';
 import { PresenceBoard, type BoardChange, type Present } from './presence-board.ts';
@@ -37,7 +37,7 @@ const EXPIRE_MS = 5_000;
 /** Tells others that this session is open here, and hears of them. [EX-49] */
 export function usePresence(editor: GraphEditor, saving: Saving): Presence {
   const { client, clients, isConnected } = useConnection();
-  const toasts = useToasts();
+  const toasts = useToastsOf('presence');
   const visibility = useDocumentVisibility();
   const isSeen = computed(() => visibility.value === 'visible');
   const sessionId = editor.session.value.id;
