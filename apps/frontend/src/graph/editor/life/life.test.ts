@@ -68,7 +68,7 @@ describe('a session that is added to a graph', () => {
     expect(graph.wires.size).toBe(2 * before.wires.size);
   });
 
-  it('takes a live pointer: one that moves, then one of others', () => {
+  it('takes a live pointer: one that moves, then its own; on phones its own alone', () => {
     const format = 'vector2';
     const pointer = (id: string) => `/${id}/web-example-mouse-pointer/mouse_client_position`;
     const topics = [
@@ -78,7 +78,9 @@ describe('a session that is added to a graph', () => {
       { topic: '/ben/web-interface-smart-device/touch_position', format, hz: 30 },
     ];
     expect(livePointer(topics, 'me')).toBe('/ben/web-interface-smart-device/touch_position');
-    expect(livePointer(topics.slice(0, 3), 'me')).toBe(pointer('anna'));
+    expect(livePointer(topics.slice(0, 3), 'me')).toBe(pointer('me'));
+    expect(livePointer(topics, 'me', true)).toBe(pointer('me'));
+    expect(livePointer(topics.slice(2), 'me', true)).toBeUndefined();
     expect(livePointer(topics.slice(0, 1), 'me')).toBeUndefined();
     const session = withPointer(aSession(), '/a/position', '/mine');
     expect(session.ioMappings[0]?.inputMappings[0]?.topic).toBe('/mine');

@@ -49,13 +49,26 @@ it('stays at the input of a module while another module has a wire', () => {
   ];
   const graph = aGraphOf(modules, { 'low-pass.smoothed': '/a', 'clock.waveHz': '/a' });
   expect(nextStep(graph)).toContain('input “value” of low-pass');
-  expect(nextStep(graph, true)).toContain('input');
+  expect(nextStep(graph, 'keys')).toContain('input');
 });
 
 it('says which keys do it to a user who works with keys', () => {
-  expect(nextStep(withModule({}), true)).toMatch(/low-pass with the arrow keys.* L .* its input/);
-  expect(nextStep(withModule({ inputMappings }), true)).toMatch(/ L .* its output/);
-  expect(nextStep(withModule({ inputMappings, outputMappings }), true)).toBe(
+  expect(nextStep(withModule({}), 'keys')).toMatch(/low-pass with the arrow keys.* L .* its input/);
+  expect(nextStep(withModule({ inputMappings }), 'keys')).toMatch(/ L .* its output/);
+  expect(nextStep(withModule({ inputMappings, outputMappings }), 'keys')).toBe(
     'Next: press Ctrl Enter to start.',
   );
+});
+
+it('says what to press in the list', () => {
+  const step = (graph: Parameters<typeof nextStep>[0]) => nextStep(graph, 'list');
+  const topic = aGraphOf([], {});
+  expect(step(topic)).toBeUndefined();
+  expect(step(withModule({}))).toBe(
+    'Next: press the input “value” of low-pass, and choose its topic.',
+  );
+  expect(step(withModule({ inputMappings }))).toBe(
+    'Next: press the output “smoothed” of low-pass, and choose a topic.',
+  );
+  expect(step(withModule({ inputMappings, outputMappings }))).toBe('Next: press Start.');
 });

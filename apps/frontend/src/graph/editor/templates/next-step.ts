@@ -1,37 +1,66 @@
 import { nodeTitle } from '../../canvas/node-label.ts';
-import type { Graph } from '../../model/graph.ts';
+import type { Graph, GraphNode, Port } from '../../model/graph.ts';
 import { openInput } from '../../model/open-input.ts';
 
 /** Larger graphs are made by people who know what comes next. */
 const MAX_NODES = 5;
 
-/**
- * What comes next in a small graph until it can be started, in one line; undefined in larger ones.
- * @param byKeys the user worked with keys last: the line says which ones
- */
-export function nextStep(graph: Graph, byKeys = false): string | undefined {
+/** How the user works: with a pointer or with keys on the canvas, or in the list. */
+export type Way = 'pointer' | 'keys' | 'list';
+
+interface Steps {
+  readonly module: string;
+  input(title: string, input: Port, hasTopic: boolean): string;
+  output(title: string, output: Port | undefined): string;
+  readonly start: string;
+}
+
+const STEPS: Readonly<Record<Way, Steps>> = {
+  pointer: {
+    module: 'drag a module in.',
+    input: (title, { name }, hasTopic) =>
+      hasTopic
+        ? `pull a wire from the topic to the input “${name}” of ${title}.`
+        : `drag a topic onto the input “${name}” of ${title}.`,
+    output: () => 'pull the output of the module to an empty place.',
+    start: 'press Start.',
+  },
+  keys: {
+    module: 'press A to add a module.',
+    input: (title) => `go to ${title} with the arrow keys, then press L to connect its input.`,
+    output: (title) => `go to ${title} with the arrow keys, then press L to connect its output.`,
+    start: 'press Ctrl Enter to start.',
+  },
+  list: {
+    module: 'press Add, and choose a module.',
+    input: (title, { name }) => `press the input “${name}” of ${title}, and choose its topic.`,
+    output: (title, output) =>
+      output === undefined
+        ? 'press an output, and choose a topic.'
+        : `press the output “${output.name}” of ${title}, and choose a topic.`,
+    start: 'press Start.',
+  },
+};
+
+/** What comes next in a small graph until it can be started, in one line; undefined in larger ones. */
+export function nextStep(graph: Graph, way: Way = 'pointer'): string | undefined {
   const { nodes, wires } = graph;
   if (nodes.size === 0 || nodes.size > MAX_NODES) return undefined;
-  const modules = [...nodes.values()].filter(({ kind }) => kind === 'module');
+  const steps = STEPS[way];
+  const all = [...nodes.values()];
+  const modules = all.filter(({ kind }) => kind === 'module');
   const [first] = modules;
-  if (first === undefined) {
-    return byKeys ? 'Next: press A to add a module.' : 'Next: drag a module in.';
-  }
+  if (first === undefined) return `Next: ${steps.module}`;
   for (const module of modules) {
     const input = openInput(graph, module);
     if (input === undefined) continue;
-    const title = nodeTitle(module);
-    if (byKeys)
-      return `Next: go to ${title} with the arrow keys, then press L to connect its input.`;
-    const hasTopic = [...nodes.values()].some(({ kind }) => kind === 'topic');
-    return hasTopic
-      ? `Next: pull a wire from the topic to the input “${input.name}” of ${title}.`
-      : `Next: drag a topic onto the input “${input.name}” of ${title}.`;
+    const hasTopic = all.some(({ kind }) => kind === 'topic');
+    return `Next: ${steps.input(nodeTitle(module), input, hasTopic)}`;
   }
-  if (![...wires.values()].some(({ from }) => nodes.get(from.node)?.kind === 'module')) {
-    return byKeys
-      ? `Next: go to ${nodeTitle(first)} with the arrow keys, then press L to connect its output.`
-      : 'Next: pull the output of the module to an empty place.';
-  }
-  return byKeys ? 'Next: press Ctrl Enter to start.' : 'Next: press Start.';
+  if (![...wires.values()].some(({ from }) => nodes.get(from.node)?.kind === 'module'))
+    return `Next: ${steps.output(nodeTitle(first), firstOutput(first))}`;
+  return `Next: ${steps.start}`;
 }
+
+const firstOutput = ({ ports }: GraphNode): Port | undefined =>
+  ports.find(({ direction }) => direction === 'out');

@@ -10,18 +10,24 @@ export interface LiveTopic {
 const TOUCH = /^\/[^/]+\/[^/]+\/touch_position$/;
 
 /**
- * Returns the live topic with a pointer position: prefers a pointer that moves now, then those of
- * others, so that a phone in the hand counts more than the mouse beside it.
+ * Returns the live topic with a pointer position: prefers a pointer that moves now, so that a phone in the
+ * hand counts more than the mouse that rests, then that of this browser.
+ * @param onlyOwn only of this browser: on a phone, what a finger does there is what its user expects
  */
-export function livePointer(topics: Iterable<LiveTopic>, ownId: string): string | undefined {
+export function livePointer(
+  topics: Iterable<LiveTopic>,
+  ownId: string,
+  onlyOwn = false,
+): string | undefined {
   const isOwn = (topic: string): boolean => topic.startsWith(`/${ownId}/`);
   return [...topics]
     .filter(({ format }) => format === 'vector2')
     .filter(({ topic }) => clientOfPointerTopic(topic) !== undefined || TOUCH.test(topic))
+    .filter(({ topic }) => !onlyOwn || isOwn(topic))
     .sort(
       (a, b) =>
         Number(b.hz > 0) - Number(a.hz > 0) ||
-        Number(isOwn(a.topic)) - Number(isOwn(b.topic)) ||
+        Number(isOwn(b.topic)) - Number(isOwn(a.topic)) ||
         a.topic.localeCompare(b.topic),
     )
     .at(0)?.topic;

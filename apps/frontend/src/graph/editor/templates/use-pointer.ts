@@ -1,3 +1,4 @@
+import { useMediaQuery } from '@vueuse/core';
 import { computed, type ComputedRef } from 'vue';
 import { useConnection } from '../../../connection/useConnection.ts';
 import { useOwnPointer } from './own-pointer.ts';
@@ -16,6 +17,7 @@ export interface ExamplePointer {
 export function useExamplePointer(): ExamplePointer {
   const { client, topics } = useConnection();
   const own = useOwnPointer();
+  const isTouch = useMediaQuery('(pointer: coarse)');
   const live = computed(() =>
     livePointer(
       [...(topics.rates.value?.values() ?? [])].map(({ statistic, hz = 0 }) => ({
@@ -24,6 +26,7 @@ export function useExamplePointer(): ExamplePointer {
         hz,
       })),
       client.id,
+      isTouch.value,
     ),
   );
   return {
