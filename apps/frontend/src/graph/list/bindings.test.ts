@@ -45,6 +45,12 @@ describe('what an input can read', () => {
     expect(undo(done).graph).toEqual(graph);
   });
 
+  it('tells topics from ports and from topics that are not there yet', () => {
+    expect(found('sink.in', '/live/number').topic).toBe('/live/number');
+    expect(found('sink.in', 'source · out').topic).toBeUndefined();
+    expect(of('sink.in', 'later')[0]?.topic).toBeUndefined();
+  });
+
   it('says what does not fit, and makes it fit', () => {
     const point = found('sink.in', '/live/point');
     expect(point).toMatchObject({ group: 'misfits', command: undefined });

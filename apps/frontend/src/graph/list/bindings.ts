@@ -23,6 +23,8 @@ import { topicsOf } from '../live/topics-in-graph.ts';
 export interface Binding {
   readonly key: string;
   readonly text: string;
+  /** The topic that is chosen; undefined for a port of a node, or a topic that is not there yet. */
+  readonly topic?: string | undefined;
   /** Its data format, in short. */
   readonly hint: string;
   readonly group: 'session' | 'topics' | 'misfits';
@@ -101,6 +103,7 @@ function between(
     key: `${far.node} ${far.port}`,
     text:
       node.kind === 'topic' ? node.topic : [nodeTitle(node), port.name].filter(Boolean).join(' · '),
+    topic: node.kind === 'topic' ? node.topic : undefined,
     hint: `${format}${port.isList ? ' list' : ''}`,
     group: reason === undefined ? 'session' : 'misfits',
     command: reason === undefined ? { kind: 'connect', from, to } : undefined,
@@ -158,5 +161,5 @@ function newTopic(
   if (topicsOf(graph).has(topic) || known.some((one) => one.topic === topic)) return [];
   const binding = toTopic(graph, ref, topic, {}, [], uuid);
   if (binding?.command === undefined) return [];
-  return [{ ...binding, key: `new ${topic}`, text: `New topic ${topic}` }];
+  return [{ ...binding, key: `new ${topic}`, text: `New topic ${topic}`, topic: undefined }];
 }

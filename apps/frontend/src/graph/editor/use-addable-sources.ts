@@ -1,0 +1,43 @@
+import { useConnection } from '../../connection/useConnection.ts';
+import { useNamedTopic } from '../../connection/use-named-topic.ts';
+import { useTopicParts } from '../../connection/use-topic-parts.ts';
+import type { ModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
+import { isInternalTopic } from '../../topics/internal-topics.ts';
+import type { AddableSources } from '../canvas/addable.ts';
+import type { KnownTopic } from '../model/fit/fitting.ts';
+import { phoneTopics } from '../live/phone-topics.ts';
+import { useDeviceTopics } from '../live/use-device-topics.ts';
+
+/**
+ * Modules and topics to choose from: topics of this browser before those of others, and those of no known
+ * data format last. A phone has the topics of its smart device also while that page is not open, because
+ * only one page is.
+ */
+export function useAddableSources(library: ModuleLibrary): AddableSources {
+  const { client, topics } = useConnection();
+  const deviceTopics = useDeviceTopics();
+  const reader = useTopicParts();
+  // Read when a menu opens: rates change four times a second and must not cause a redraw.
+  return {
+    nameTopic: useNamedTopic(),
+    get modules() {
+      return (library.entries.value ?? []).map(({ module }) => module);
+    },
+    get topics() {
+      const published = [...(topics.rates.value?.values() ?? [])]
+        .filter(({ statistic }) => !isInternalTopic(statistic.topic))
+        .map(({ statistic }) => ({ topic: statistic.topic, format: statistic.dataFormat }));
+      const there = [...published, ...deviceTopics.value];
+      const known = new Set(there.filter(({ format }) => format !== '').map(({ topic }) => topic));
+      const absent = (reader.isPhone ? phoneTopics(client.id) : []).filter(
+        ({ topic }) => !known.has(topic),
+      );
+      const replaced = new Set(absent.map(({ topic }) => topic));
+      const rank = ({ topic, format }: KnownTopic): number =>
+        (format === '' ? 2 : 0) + (reader.parts(topic).isOwn ? 0 : 1);
+      return [...there.filter(({ topic }) => !replaced.has(topic)), ...absent].sort(
+        (a, b) => rank(a) - rank(b),
+      );
+    },
+  };
+}

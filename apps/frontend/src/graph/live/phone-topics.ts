@@ -1,0 +1,14 @@
+import { SMART_DEVICE_COMPONENTS } from '../../devices/smart-device/components.ts';
+import type { KnownTopic } from '../model/fit/fitting.ts';
+
+const PUBLISHERS = SMART_DEVICE_COMPONENTS.filter((component) => !('ioType' in component));
+
+/** What the smart device of a client publishes while its page is open. */
+export function phoneTopics(clientId: string): KnownTopic[] {
+  return PUBLISHERS.map(({ topic, format }) => ({ topic: topic(clientId), format }));
+}
+
+/** Tags of the component that publishes on a topic; undefined for a topic that is none of a smart device. */
+export function phoneTopicTags(topic: string, clientId: string): readonly string[] | undefined {
+  return PUBLISHERS.find((component) => component.topic(clientId) === topic)?.tags;
+}
