@@ -7,6 +7,7 @@ import { sameValue } from '../model/changes/same-value.ts';
 import { graphProblems, type GraphProblems } from '../model/live/graph-problems.ts';
 import { isMissing, type GraphProblem, type Surroundings } from '../model/live/own-problems.ts';
 import type { ModuleNode } from '../model/graph.ts';
+import { ownTopicRemedy } from './own-topic-remedy.ts';
 
 /** What is wrong in the graph, for the views that show it at its place. */
 export interface LiveProblems {
@@ -33,6 +34,7 @@ export function provideGraphProblems(editor: GraphEditor, library: ModuleLibrary
       modules: entries && new Set([...entries.map(({ module }) => module.name), ...offered]),
       nodes: list && new Set([...available, client.id]),
       writers: runningWriters(sessions.list.value ?? [], editor.session.value.id),
+      remedyOf: (topic) => ownTopicRemedy(topic, client.id),
     };
   });
   /** Lists come every few seconds; only what they say differently counts. */

@@ -108,6 +108,13 @@ describe('problems the master tells', () => {
     }),
   };
 
+  it('have what to do about a topic on which nothing is sent, where it is known', () => {
+    const remedy = { message: 'Touch the pad.', text: 'Open it', to: '/pad' };
+    const remedyOf = (topic: string) => (topic === '/in' ? remedy : undefined);
+    const { ofPort } = graphProblems(graphOf(session), session, { ...AROUND, remedyOf });
+    expect(ofPort.get('module:a in:i')).toMatchObject([{ message: 'Touch the pad.', remedy }]);
+  });
+
   it('come errors first, also those of the session as a whole', () => {
     const { all } = graphProblems(graphOf(session), session, AROUND);
     expect(all.map(({ message }) => message)).toEqual(['All is lost.', 'No client publishes.']);

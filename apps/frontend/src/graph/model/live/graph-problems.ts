@@ -26,7 +26,7 @@ export function graphProblems(
 ): GraphProblems {
   const own = ownProblems(graph, around);
   const told = problemsInGraph(graph, session).flatMap(
-    (placed) => toldProblem(graph, placed) ?? [],
+    (placed) => toldProblem(graph, placed, around) ?? [],
   );
   const isTold = ({ code, node, port }: GraphProblem): boolean =>
     told.some(
@@ -47,14 +47,26 @@ export function graphProblems(
 }
 
 /** Undefined when it has been dealt with since: the wire it was about is gone. */
-function toldProblem(graph: Graph, placed: PlacedProblem): GraphProblem | undefined {
+function toldProblem(
+  graph: Graph,
+  placed: PlacedProblem,
+  { remedyOf }: Surroundings,
+): GraphProblem | undefined {
   const { problem, node, port, wires } = placed;
   const { code, isError, message, path } = problem;
   const isAboutWire = path.endsWith('.topic') || path.includes('.topicMux');
   if (isAboutWire && node !== undefined && port !== undefined) {
     if (wiresAt(graph, { node, port }).length === 0) return undefined;
   }
-  return { code, isError, message, node, port, wires };
+  const topic = code === 'topic_without_record' ? sourceTopic(graph, wires) : undefined;
+  const remedy = topic === undefined ? undefined : remedyOf?.(topic);
+  const told = { code, isError, message, node, port, wires };
+  return remedy === undefined ? told : { ...told, message: remedy.message, remedy };
+}
+
+function sourceTopic(graph: Graph, [id]: readonly string[]): string | undefined {
+  const source = graph.nodes.get(graph.wires.get(id ?? '')?.from.node ?? '');
+  return source?.kind === 'topic' ? source.topic : undefined;
 }
 
 function grouped(

@@ -5,6 +5,16 @@ import { wiresOf } from '../wires-of.ts';
 import { cyclesIn } from './cycles.ts';
 import { writtenElsewhere, type OtherWriters } from './other-sessions.ts';
 
+/** What ends a problem, on another page. */
+export interface Remedy {
+  /** What is wrong and what to do, in place of the message of the problem. */
+  readonly message: string;
+  /** Of the link. */
+  readonly text: string;
+  /** Path of the page. */
+  readonly to: string;
+}
+
 /** Something wrong in a graph, at its place. */
 export interface GraphProblem {
   /** As the master names it. [SE-4] [SE-5] */
@@ -18,6 +28,7 @@ export interface GraphProblem {
   readonly wires: readonly string[];
   /** Said of something else already, and shown here because it is about this, too. */
   readonly isEcho?: boolean;
+  readonly remedy?: Remedy;
   /** Sessions it has to do with. */
   readonly others?: readonly SessionRef[];
 }
@@ -30,6 +41,8 @@ export interface Surroundings {
   readonly nodes: ReadonlySet<string> | undefined;
   /** What other sessions write that run. */
   readonly writers: OtherWriters;
+  /** What to do for a topic on which nothing is sent. */
+  readonly remedyOf?: (topic: string) => Remedy | undefined;
 }
 
 /** What can be seen to be wrong before the master has seen it. */

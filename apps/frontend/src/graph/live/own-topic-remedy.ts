@@ -1,0 +1,23 @@
+import type { Remedy } from '../model/live/own-problems.ts';
+import { phoneTopicTags } from './phone-topics.ts';
+
+const SMART_DEVICE_PATH = '/devices/smart-device';
+
+/** What to do for a topic of this browser's smart device on which nothing is sent; undefined for other topics. */
+export function ownTopicRemedy(topic: string, ownId: string): Remedy | undefined {
+  const tags = phoneTopicTags(topic, ownId);
+  if (tags === undefined) return undefined;
+  const name = topic.slice(topic.lastIndexOf('/') + 1);
+  return {
+    message: `Nothing is sent to ${name}. Open Smart device and ${deed(tags)}: it sends while its page is open.`,
+    text: 'Open Smart device',
+    to: SMART_DEVICE_PATH,
+  };
+}
+
+function deed(tags: readonly string[]): string {
+  if (tags.includes('touch')) return 'touch the pad';
+  if (tags.includes('button')) return 'press a button';
+  if (tags.includes('text')) return 'send a text';
+  return 'allow its sensors';
+}
