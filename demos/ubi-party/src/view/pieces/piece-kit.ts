@@ -1,15 +1,18 @@
 import type { BufferGeometry } from 'three';
-import { identityOf, type Seat, type Shape } from '../../sim/index.ts';
+import { identityOf, MAX_SEATS, type Seat, type Shape } from '../../sim/index.ts';
 import { Paints } from '../light/paints.ts';
 import { buildFoot, buildFootRing, buildNeck } from '../toys/bases.ts';
 import { buildCrown } from '../toys/crown.ts';
-import { Letters } from './letters.ts';
+import { GlyphSheet } from './glyph-sheet.ts';
 import { buildToken } from './token-geometry.ts';
 
 /** What all scenes share: paints, letters and the forms of the pieces. Made once, disposed with the stage. */
 export class PieceKit {
   readonly paints = new Paints();
-  readonly letters = new Letters();
+  /** By seat. */
+  readonly letters = new GlyphSheet(
+    Array.from({ length: MAX_SEATS }, (_, seat) => identityOf(seat).letter),
+  );
   readonly foot = buildFoot();
   readonly neck = buildNeck();
   readonly footRing = buildFootRing();

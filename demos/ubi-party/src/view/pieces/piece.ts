@@ -39,7 +39,7 @@ export class Piece {
 
     this.token.position.y = lift;
     this.token.add(solid(new Mesh(kit.token(seat), paint)));
-    const letter = new Mesh(kit.letters.square(seat), kit.letters.material(seat));
+    const letter = new Mesh(kit.letters.square(seat), kit.letters.material(onColour.letter));
     const at = outlineOf(shape).letter;
     letter.position.set(at.x, at.y, letterDepth(shape));
     letter.scale.setScalar(at.size);

@@ -1,6 +1,8 @@
 import type { PieceKit } from '../pieces/piece-kit.ts';
 import type { Scene } from '../stage.ts';
 import { HillScene } from './hill/hill-scene.ts';
+import { LobbyScene } from './lobby/lobby-scene.ts';
+import { PodiumScene } from './podium/podium-scene.ts';
 import type { SceneView } from './scene-view.ts';
 
 type Openers = {
@@ -8,6 +10,8 @@ type Openers = {
 };
 
 const OPENERS: Openers = {
+  lobby: (kit) => new LobbyScene(kit),
+  podium: (kit) => new PodiumScene(kit),
   hill: (kit) => new HillScene(kit),
 };
 

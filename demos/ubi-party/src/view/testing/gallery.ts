@@ -71,7 +71,9 @@ function players(of: readonly Seat[]): Player[] {
 }
 
 async function showStill(step: number): Promise<void> {
-  const core = new StageCore(new WebGLRenderer({ canvas, antialias: true }));
+  const core = new StageCore(
+    new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true }),
+  );
   core.setReducedMotion(isReduced);
   core.setQuality(quality);
   core.resize(canvas.clientWidth, canvas.clientHeight);
@@ -82,12 +84,8 @@ async function showStill(step: number): Promise<void> {
   }
   await document.fonts.load('800 100px "Bricolage Grotesque Variable"', 'ABC');
   await document.fonts.ready;
-  requestAnimationFrame(function onFrame() {
-    core.draw();
-    document.title = 'ready';
-    // The buffer is cleared when it has been shown: a picture may be taken of any frame
-    setTimeout(() => requestAnimationFrame(onFrame), 300);
-  });
+  core.draw();
+  document.title = 'ready';
 }
 
 function playLive(step: number): void {

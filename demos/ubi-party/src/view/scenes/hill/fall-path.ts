@@ -12,10 +12,10 @@ export interface Spot {
   readonly z: number;
 }
 
-const ROWS = 8;
-const ROW = 2.5;
+const ROWS = 6;
+const ROW = 3.1;
 /** The columns at each side, units from the middle. */
-const COLUMNS = [13, 15.5] as const;
+const COLUMNS = [12.4, 15.4, 18.4] as const;
 
 /** Where who fell lies: at the left or the right of the hill, near ones first, never under it. @param order among those at that side */
 export function lyingSpot(isRight: boolean, order: number): Spot {

@@ -16,12 +16,13 @@ import { StepClock } from '../../motion/step-clock.ts';
 import { CrownMover } from '../../pieces/crown-mover.ts';
 import type { PieceKit } from '../../pieces/piece-kit.ts';
 import { PieceSet } from '../../pieces/piece-set.ts';
+import { disposeToys } from '../../toys/toy-box.ts';
 import type { Frame, SceneView } from '../scene-view.ts';
 import { ChargeArcs } from './charge-arcs.ts';
 import { glanceAtHill, hillEvents, type HillEvent, type HillGlance } from './hill-events.ts';
 import { placePiece } from './hill-pieces.ts';
 import { buildHillProps } from './hill-props.ts';
-import { disposeToy, Offer } from './offer.ts';
+import { Offer } from './offer.ts';
 import { PLATFORM_Y } from './platform-motion.ts';
 import { Platform } from './platform.ts';
 import { PowerMarks } from './power-marks.ts';
@@ -39,7 +40,7 @@ const FRAMING: Framing = {
       y: PLATFORM_Y + (Math.sin(angle) > 0 ? 3.2 : 0),
       z: -Math.sin(angle) * (PLATFORM_RADIUS + 0.4),
     })),
-    ...[-1, 1].map((side) => ({ x: side * 14.4, y: 0, z: 4 })),
+    ...[-1, 1].map((side) => ({ x: side * 15.4, y: 0, z: 3 })),
   ],
   rect: { left: 0.02, right: 0.98, top: 0.06, bottom: 0.8 },
 };
@@ -110,7 +111,7 @@ export class HillScene implements SceneView<{ kind: 'hill'; state: HillState }> 
     this.#push *= 1 - approach(dtS, 0.12);
     this.swayDeg = this.#push * SWAY_DEG;
     // What is left of the hill fills the picture
-    this.zoom = 1 + (0.2 * (PLATFORM_RADIUS - state.radius)) / PLATFORM_RADIUS;
+    this.zoom = 1 + (0.12 * (PLATFORM_RADIUS - state.radius)) / PLATFORM_RADIUS;
   }
 
   footOf(seat: Seat, into: Vector3): boolean {
@@ -126,7 +127,7 @@ export class HillScene implements SceneView<{ kind: 'hill'; state: HillState }> 
     for (const part of [this.#rings, this.#shades, this.#ground]) part.dispose();
     this.#chipForm.dispose();
     this.#chipPaint.dispose();
-    disposeToy(this.#props);
+    disposeToys(this.#props);
   }
 
   #placePieces(state: HillState, step: number, frame: Frame): void {

@@ -2,6 +2,7 @@ import { Group, Mesh, TorusGeometry } from 'three';
 import { POWERS, type HillState, type Power } from '../../../sim/index.ts';
 import type { Paints } from '../../light/paints.ts';
 import { buildPower } from '../../toys/powers.ts';
+import { disposeToys } from '../../toys/toy-box.ts';
 import { PLATFORM_Y } from './platform-motion.ts';
 
 /** The power that lies on the platform, in a ring of paper. */
@@ -36,13 +37,6 @@ export class Offer {
 
   dispose(): void {
     this.#ring.dispose();
-    for (const toy of this.#toys.values()) disposeToy(toy);
+    for (const toy of this.#toys.values()) disposeToys(toy);
   }
-}
-
-/** Disposes the forms of a toy; its paints belong to the stage. */
-export function disposeToy(toy: Group): void {
-  toy.traverse((part) => {
-    if (part instanceof Mesh) part.geometry.dispose();
-  });
 }

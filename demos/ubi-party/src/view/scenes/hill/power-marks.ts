@@ -3,7 +3,7 @@ import type { Power, Seat } from '../../../sim/index.ts';
 import type { Paints } from '../../light/paints.ts';
 import type { Piece } from '../../pieces/piece.ts';
 import { buildPower } from '../../toys/powers.ts';
-import { disposeToy } from './offer.ts';
+import { disposeToys } from '../../toys/toy-box.ts';
 
 const SIZE = 0.62;
 
@@ -32,7 +32,7 @@ export class PowerMarks {
   }
 
   dispose(): void {
-    for (const toy of this.#toys.values()) disposeToy(toy);
+    for (const toy of this.#toys.values()) disposeToys(toy);
   }
 
   #toy(seat: Seat, power: Power): Group {

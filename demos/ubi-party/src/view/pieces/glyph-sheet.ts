@@ -4,29 +4,30 @@ import {
   PlaneGeometry,
   SRGBColorSpace,
   type BufferGeometry,
-  type Material,
 } from 'three';
-import { identityOf, MAX_SEATS, type Seat } from '../../sim/index.ts';
 
 const COLUMNS = 8;
-const ROWS = Math.ceil(MAX_SEATS / COLUMNS);
 const CELL_PX = 256;
 /** Of a cell. */
 const FONT_PX = 236;
 const FONT = `800 ${FONT_PX}px "Bricolage Grotesque Variable", system-ui, sans-serif`;
 
-/** The letters of all seats in one texture, as flat squares of size 1 that stand before a piece. */
-export class Letters {
+/** Letters or digits in one texture, as flat squares of size 1. */
+export class GlyphSheet {
+  readonly #glyphs: readonly string[];
+  readonly #rows: number;
   readonly #canvas: HTMLCanvasElement;
   readonly #texture: CanvasTexture;
   readonly #materials = new Map<string, MeshBasicMaterial>();
-  readonly #squares = new Map<Seat, BufferGeometry>();
+  readonly #squares = new Map<number, BufferGeometry>();
   #isDisposed = false;
 
-  constructor() {
+  constructor(glyphs: readonly string[]) {
+    this.#glyphs = glyphs;
+    this.#rows = Math.ceil(glyphs.length / COLUMNS);
     this.#canvas = document.createElement('canvas');
     this.#canvas.width = COLUMNS * CELL_PX;
-    this.#canvas.height = ROWS * CELL_PX;
+    this.#canvas.height = this.#rows * CELL_PX;
     this.#draw();
     this.#texture = new CanvasTexture(this.#canvas);
     this.#texture.colorSpace = SRGBColorSpace;
@@ -34,17 +35,17 @@ export class Letters {
     void this.#redrawWithFont();
   }
 
-  square(seat: Seat): BufferGeometry {
-    let square = this.#squares.get(seat);
+  square(index: number): BufferGeometry {
+    let square = this.#squares.get(index);
     if (!square) {
-      square = squareOf(seat);
-      this.#squares.set(seat, square);
+      square = this.#cut(index);
+      this.#squares.set(index, square);
     }
     return square;
   }
 
-  material(seat: Seat): Material {
-    const colour = identityOf(seat).onColour.letter;
+  /** Unlit: a letter has the same colour on each side of a scene. */
+  material(colour: string): MeshBasicMaterial {
     let material = this.#materials.get(colour);
     if (!material) {
       material = new MeshBasicMaterial({
@@ -80,23 +81,23 @@ export class Letters {
     context.font = FONT;
     context.textAlign = 'center';
     context.fillStyle = '#ffffff';
-    for (let seat = 0; seat < MAX_SEATS; seat += 1) {
-      const { letter } = identityOf(seat);
-      const { actualBoundingBoxAscent, actualBoundingBoxDescent } = context.measureText(letter);
-      const x = ((seat % COLUMNS) + 0.5) * CELL_PX;
-      const y = (Math.floor(seat / COLUMNS) + 0.5) * CELL_PX;
+    for (const [index, glyph] of this.#glyphs.entries()) {
+      const { actualBoundingBoxAscent, actualBoundingBoxDescent } = context.measureText(glyph);
+      const x = ((index % COLUMNS) + 0.5) * CELL_PX;
+      const y = (Math.floor(index / COLUMNS) + 0.5) * CELL_PX;
       // A capital in the middle of its cell, also those with a tail
-      context.fillText(letter, x, y + (actualBoundingBoxAscent - actualBoundingBoxDescent) / 2);
+      context.fillText(glyph, x, y + (actualBoundingBoxAscent - actualBoundingBoxDescent) / 2);
     }
   }
-}
 
-function squareOf(seat: Seat): BufferGeometry {
-  const geometry = new PlaneGeometry(1, 1);
-  const uv = geometry.getAttribute('uv');
-  const [column, row] = [seat % COLUMNS, Math.floor(seat / COLUMNS)];
-  for (let index = 0; index < uv.count; index += 1) {
-    uv.setXY(index, (column + uv.getX(index)) / COLUMNS, 1 - (row + 1 - uv.getY(index)) / ROWS);
+  #cut(index: number): BufferGeometry {
+    const geometry = new PlaneGeometry(1, 1);
+    const uv = geometry.getAttribute('uv');
+    const [column, row] = [index % COLUMNS, Math.floor(index / COLUMNS)];
+    for (let corner = 0; corner < uv.count; corner += 1) {
+      const u = (column + uv.getX(corner)) / COLUMNS;
+      uv.setXY(corner, u, 1 - (row + 1 - uv.getY(corner)) / this.#rows);
+    }
+    return geometry;
   }
-  return geometry;
 }
