@@ -3,6 +3,7 @@ import type { Scene } from '../stage.ts';
 import { HillScene } from './hill/hill-scene.ts';
 import { LobbyScene } from './lobby/lobby-scene.ts';
 import { PodiumScene } from './podium/podium-scene.ts';
+import { RaceScene } from './race/race-scene.ts';
 import type { SceneView } from './scene-view.ts';
 
 type Openers = {
@@ -11,6 +12,7 @@ type Openers = {
 
 const OPENERS: Openers = {
   lobby: (kit) => new LobbyScene(kit),
+  race: (kit) => new RaceScene(kit),
   podium: (kit) => new PodiumScene(kit),
   hill: (kit) => new HillScene(kit),
 };

@@ -1,0 +1,126 @@
+import { Group, type Vector3 } from 'three';
+import { placeAt, STEP_S, type Cart, type Seat, type Track } from '../../../sim/index.ts';
+import { hop, mix, scatter } from '../../motion/ease.ts';
+import { Piece } from '../../pieces/piece.ts';
+import type { PieceKit } from '../../pieces/piece-kit.ts';
+import type { Frame } from '../scene-view.ts';
+import { buildCartForms, CartModel, SEAT_Y, type CartForms } from './cart-model.ts';
+import { duckOf, roadHeight, underpassOf } from './road-height.ts';
+
+/** Tokens are as large as the road is wide: a circuit fits the picture, and they are still read from afar. */
+const TOKEN = { few: 2.55, many: 2.1, manyFrom: 17 } as const;
+const CART = 1.18;
+const JUMP_HEIGHT = 2.6;
+const LIFT_HEIGHT = 5;
+const LIFT_STEPS = 45;
+/** Lying back, so that it passes below the bridge. */
+const DUCKED = -1.25;
+
+interface Driver {
+  readonly root: Group;
+  readonly cart: CartModel;
+  readonly piece: Piece;
+  jumpOf: number;
+  yaw: number;
+}
+
+/** The carts with their tokens. */
+export class RaceCarts {
+  readonly #root: Group;
+  readonly #kit: PieceKit;
+  readonly #forms: CartForms = buildCartForms();
+  readonly #drivers = new Map<Seat, Driver>();
+  readonly #track: Track;
+  readonly #underpass: number | undefined;
+
+  constructor(root: Group, kit: PieceKit, track: Track) {
+    this.#root = root;
+    this.#kit = kit;
+    this.#track = track;
+    this.#underpass = underpassOf(track);
+  }
+
+  keep(seats: ReadonlySet<Seat>): void {
+    for (const [seat, { root }] of this.#drivers) {
+      if (seats.has(seat)) continue;
+      root.removeFromParent();
+      this.#drivers.delete(seat);
+    }
+  }
+
+  piece(seat: Seat): Piece | undefined {
+    return this.#drivers.get(seat)?.piece;
+  }
+
+  /** Moves a cart on. @param aheadS seconds from its state to the frame */
+  place(one: Cart, count: number, aheadS: number, frame: Frame): Vector3 {
+    const driver = this.#driver(one);
+    const { root, cart, piece } = driver;
+    const isLifted = one.liftSteps > 0;
+    const ahead = isLifted ? 0 : aheadS;
+    const distance = one.distance + ahead * Math.hypot(one.velocity.x, one.velocity.y);
+    root.position.set(
+      one.position.x + one.velocity.x * ahead,
+      roadHeight(this.#track, distance) + this.#airOf(driver, one, frame.isReduced, ahead),
+      -(one.position.y + one.velocity.y * ahead),
+    );
+    cart.root.rotation.y = this.#yawOf(driver, one);
+    cart.root.rotation.z = one.jumpSteps > 0 ? (one.jumpSteps / driver.jumpOf - 0.5) * 0.5 : 0;
+    cart.roll(distance);
+
+    const size = count >= TOKEN.manyFrom ? TOKEN.many : TOKEN.few;
+    piece.root.scale.setScalar(size);
+    const bend = -one.velocity.x * 0.006;
+    piece.settle(frame.dtS, 0, bend, frame.isReduced);
+    const duck = duckOf(this.#track, this.#underpass, distance);
+    piece.root.rotation.x = duck * (roadHeight(this.#track, distance) < 1 ? DUCKED : 0);
+    const { x, z } = root.position;
+    piece.token.rotation.set(-0.1, Math.atan2(frame.eye.x - x, frame.eye.z - z), 0, 'YXZ');
+    piece.root.position.y = SEAT_Y * CART;
+    return root.position;
+  }
+
+  dispose(): void {
+    for (const form of Object.values(this.#forms)) form.dispose();
+  }
+
+  /** Above the road, units: a jump, a lift back onto the track, and the trembling of the wheels. */
+  #airOf(driver: Driver, one: Cart, isReduced: boolean, ahead: number): number {
+    if (one.jumpSteps > driver.jumpOf || one.jumpSteps === 0)
+      driver.jumpOf = Math.max(1, one.jumpSteps);
+    if (one.jumpSteps > 0) {
+      const left = one.jumpSteps - ahead / STEP_S;
+      return hop(1 - left / driver.jumpOf) * JUMP_HEIGHT;
+    }
+    if (one.liftSteps > 0) return hop(1 - one.liftSteps / LIFT_STEPS) * LIFT_HEIGHT;
+    return isReduced ? 0 : Math.abs(Math.sin(one.distance * 1.7 + one.seat)) * 0.05;
+  }
+
+  /** Where it points; while it is lifted, it turns to where the track leads. */
+  #yawOf(driver: Driver, one: Cart): number {
+    const heading = Math.atan2(one.heading.y, one.heading.x);
+    if (one.liftSteps === 0) {
+      driver.yaw = heading;
+      return heading;
+    }
+    const { direction } = placeAt(this.#track, one.distance);
+    const goal = Math.atan2(direction.y, direction.x);
+    const turn = Math.atan2(Math.sin(goal - driver.yaw), Math.cos(goal - driver.yaw));
+    return driver.yaw + mix(0, turn, 1 - one.liftSteps / LIFT_STEPS);
+  }
+
+  #driver({ seat }: Cart): Driver {
+    let driver = this.#drivers.get(seat);
+    if (!driver) {
+      const root = new Group();
+      const cart = new CartModel(seat, this.#forms, this.#kit.paints);
+      cart.root.scale.setScalar(CART);
+      const piece = new Piece(seat, this.#kit, 'table');
+      root.add(cart.root, piece.root);
+      this.#root.add(root);
+      driver = { root, cart, piece, jumpOf: 1, yaw: scatter(seat, 1) };
+      this.#drivers.set(seat, driver);
+    }
+    return driver;
+  }
+}

@@ -1,0 +1,185 @@
+import { Group, Mesh, MeshStandardMaterial, Vector3 } from 'three';
+import {
+  lapOf,
+  placeAt,
+  trackOf,
+  type RaceState,
+  type Seat,
+  type Track,
+} from '../../../sim/index.ts';
+import type { Framing } from '../../camera/camera-rig.ts';
+import { ContactShades, GroundShade } from '../../light/ground-shade.ts';
+import { HOURS } from '../../light/hours.ts';
+import { approach } from '../../motion/ease.ts';
+import { StepClock } from '../../motion/step-clock.ts';
+import { CrownMover } from '../../pieces/crown-mover.ts';
+import type { PieceKit } from '../../pieces/piece-kit.ts';
+import type { Frame, SceneView } from '../scene-view.ts';
+import { RaceBits } from './race-bits.ts';
+import { RaceCarts } from './race-carts.ts';
+import {
+  glanceAtRace,
+  leaderOf,
+  raceEvents,
+  type RaceEvent,
+  type RaceGlance,
+} from './race-events.ts';
+import { RaceScenery } from './race-scenery.ts';
+import { buildRoad } from './road-geometry.ts';
+import { roadHeight } from './road-height.ts';
+
+/** The camera closes in on the last lap. */
+const LAST_LAP_ZOOM = 1.15;
+
+/** Marble Dash. */
+export class RaceScene implements SceneView<{ kind: 'race'; state: RaceState }> {
+  readonly root = new Group();
+  readonly hour = 'race';
+  readonly reach = 42;
+  readonly swayDeg = 0;
+  zoom = 1;
+  framing: Framing = NOTHING;
+  readonly #kit: PieceKit;
+  readonly #ground: GroundShade;
+  readonly #shades: ContactShades;
+  readonly #crown: CrownMover;
+  readonly #crownAt = new Vector3();
+  readonly #clock = new StepClock();
+  readonly #roadPaint = new MeshStandardMaterial({ vertexColors: true, roughness: 0.8 });
+  readonly #events: RaceEvent[] = [];
+  readonly #bits: RaceBits;
+  #world:
+    | {
+        readonly track: Track;
+        readonly road: Mesh;
+        readonly carts: RaceCarts;
+        readonly scenery: RaceScenery;
+      }
+    | undefined;
+  #glance: RaceGlance | undefined;
+  #state: RaceState | undefined;
+
+  constructor(kit: PieceKit) {
+    this.#kit = kit;
+    this.#ground = new GroundShade(this.root, HOURS.race, 320);
+    this.#shades = new ContactShades(this.root, HOURS.race, 96);
+    this.#bits = new RaceBits(this.root);
+    this.#crown = new CrownMover(kit);
+    this.#crown.root.scale.setScalar(2.5);
+    this.root.add(this.#crown.root);
+  }
+
+  show({ state }: { state: RaceState }, nowMs: number): void {
+    const track = trackOf(state);
+    if (track !== this.#world?.track) this.#lay(track);
+    if (this.#glance) this.#events.push(...raceEvents(this.#glance, state));
+    if (this.#glance?.step !== state.step) this.#clock.take(state.step, nowMs);
+    this.#glance = glanceAtRace(state);
+    this.#state = state;
+    this.#world!.carts.keep(new Set(state.carts.map(({ seat }) => seat)));
+  }
+
+  update(frame: Frame): void {
+    const [state, world] = [this.#state, this.#world];
+    if (!state || !world) return;
+    const { track, carts, scenery } = world;
+    const aheadS = this.#clock.aheadS(frame.nowMs);
+    const leader = leaderOf(state);
+    this.#shades.begin();
+    for (const { x, z, size } of scenery.shades) this.#shades.add(x, 0, z, size, size * 0.8);
+    for (const cart of state.carts) {
+      const { x, y, z } = carts.place(cart, state.carts.length, aheadS, frame);
+      this.#shades.add(x, roadHeight(track, cart.distance) + 0.04, z, 6, 4.6);
+      this.#bits.trail(cart, y, frame);
+      if (cart.seat === leader) this.#followCrown(carts, leader, x, y, z);
+    }
+    this.#shades.end();
+    for (const { type, seat } of this.#events.splice(0)) {
+      if (type !== 'hit') continue;
+      carts.piece(seat)?.hit(1);
+      const cart = state.carts.find((one) => one.seat === seat);
+      if (cart) this.#bits.hit(cart, roadHeight(track, cart.distance), frame.isReduced);
+    }
+    this.#bits.update(frame.dtS);
+    this.#crown.root.visible = state.step > 60 && leader !== undefined;
+    this.#crown.update(leader, this.#crownAt, frame.dtS, frame.isReduced);
+    const first = state.carts.find(({ seat }) => seat === leader);
+    const isLast = first !== undefined && lapOf(first, track) === track.laps;
+    this.zoom += ((isLast ? LAST_LAP_ZOOM : 1) - this.zoom) * approach(frame.dtS, 0.9);
+  }
+
+  footOf(seat: Seat, into: Vector3): boolean {
+    const cart = this.#world?.carts.piece(seat)?.root.parent;
+    if (!cart) return false;
+    into.copy(cart.position);
+    return true;
+  }
+
+  dispose(): void {
+    this.#clear();
+    for (const part of [this.#ground, this.#shades, this.#bits, this.#roadPaint]) part.dispose();
+  }
+
+  #followCrown(carts: RaceCarts, leader: Seat, x: number, y: number, z: number): void {
+    const piece = carts.piece(leader)!;
+    this.#crownAt.set(0, piece.height + 0.1, 0).applyEuler(piece.root.rotation);
+    this.#crownAt.multiplyScalar(piece.root.scale.x);
+    this.#crownAt.x += x;
+    this.#crownAt.y += y + piece.root.position.y;
+    this.#crownAt.z += z;
+  }
+
+  #lay(track: Track): void {
+    this.#clear();
+    const road = new Mesh(buildRoad(track), this.#roadPaint);
+    road.castShadow = true;
+    road.receiveShadow = true;
+    const scenery = new RaceScenery(track, this.#kit.paints);
+    const carts = new RaceCarts(this.root, this.#kit, track);
+    this.root.add(road, scenery.root);
+    this.#world = { track, road, carts, scenery };
+    this.#glance = undefined;
+    this.framing = framingOf(track);
+  }
+
+  #clear(): void {
+    if (!this.#world) return;
+    const { road, scenery, carts } = this.#world;
+    carts.keep(new Set());
+    carts.dispose();
+    scenery.dispose();
+    road.geometry.dispose();
+    road.removeFromParent();
+    scenery.root.removeFromParent();
+    this.#world = undefined;
+  }
+}
+
+const NOTHING: Framing = {
+  pitchDeg: 36,
+  points: [
+    { x: -30, y: 0, z: -20 },
+    { x: 30, y: 0, z: 20 },
+  ],
+  rect: { left: 0, right: 1, top: 0, bottom: 1 },
+};
+
+/** The whole circuit, with the tokens that stand on it; the table of places is at the left. */
+function framingOf(track: Track): Framing {
+  const points = track.points.filter((_, index) => index % 4 === 0);
+  return {
+    pitchDeg: 36,
+    points: points.flatMap(({ distance }) => {
+      const { position, direction } = placeAt(track, distance);
+      const edge = track.halfWidth + 1;
+      return [-edge, edge].flatMap((away) => {
+        const [x, z] = [position.x - direction.y * away, -(position.y + direction.x * away)];
+        return [
+          { x, y: 0, z },
+          { x, y: 5.5, z },
+        ];
+      });
+    }),
+    rect: { left: 0.25, right: 0.985, top: 0.1, bottom: 0.9 },
+  };
+}

@@ -1,0 +1,197 @@
+import {
+  CylinderGeometry,
+  Group,
+  InstancedMesh,
+  Matrix4,
+  SphereGeometry,
+  type BufferGeometry,
+} from 'three';
+import { placeAt, type Track } from '../../../sim/index.ts';
+import type { Paints } from '../../light/paints.ts';
+import { scatter } from '../../motion/ease.ts';
+import { merged } from '../../toys/crown.ts';
+import { buildArch, buildMarble, disposeToys, placer, WOOD } from '../../toys/toy-box.ts';
+import { buildBlock, buildCone, buildCylinder, buildTurned } from '../../toys/turned.ts';
+import { beside } from './road-geometry.ts';
+import { boundsOf, freeSpots, offRoad, pillarsOf, type Spot } from './scenery.ts';
+
+const FANS = ['#a9c93a', '#8a5a3b', '#7cc8f0', '#fff6e4', '#7a3b8f', '#e8843c'] as const;
+type Taken = (Spot & { readonly radius: number })[];
+
+/** Arch, trees, stand and towers round a track. */
+export class RaceScenery {
+  readonly root = new Group();
+  /** For contact shade: middle and size. */
+  readonly shades: { readonly x: number; readonly z: number; readonly size: number }[] = [];
+  readonly #instances: InstancedMesh[] = [];
+  readonly #paints: Paints;
+
+  constructor(track: Track, paints: Paints) {
+    this.#paints = paints;
+    const taken: Taken = [];
+    this.#addArch(track);
+    this.#addPillars(track);
+    this.#addStand(track, taken);
+    this.#addTowers(track, taken);
+    this.#addTrees(track, taken);
+  }
+
+  dispose(): void {
+    for (const mesh of this.#instances) mesh.dispose();
+    disposeToys(this.root);
+  }
+
+  /** Over the start line; before it where the bridge crosses there. */
+  #addArch(track: Track): void {
+    const at = track.bridge ? -9 : 0;
+    const { direction } = placeAt(track, at);
+    const width = (track.halfWidth + 2.2) * 2;
+    const add = placer(this.root, this.#paints);
+    const [x, , z] = beside(track, at, 0);
+    const turn = Math.atan2(direction.y, direction.x) - Math.PI / 2;
+    const arch = add(buildArch(width, width * 0.72, 1.5, 1.5), WOOD, [x, 0, z], { turn });
+    // Black and white over the carts, as on the ground
+    const shoulder = width * 0.72 - width / 2;
+    for (let index = 0; index < 7; index += 1) {
+      const angle = ((index + 1.5) / 9) * Math.PI;
+      const stone = add(
+        buildBlock(1.4, 0.9, 0.14, 0.04),
+        index % 2 === 0 ? '#221c14' : '#fff6e4',
+        [0, 0, 0],
+      );
+      const radius = width / 2 - 0.75;
+      stone.position.set(
+        Math.cos(angle) * radius - Math.cos(angle) * 0.45,
+        shoulder + Math.sin(angle) * radius - Math.sin(angle) * 0.45,
+        0.74,
+      );
+      stone.rotation.z = angle - Math.PI / 2;
+      arch.add(stone);
+    }
+  }
+
+  #addPillars(track: Track): void {
+    const pillars = pillarsOf(track);
+    if (pillars.length === 0) return;
+    const mesh = this.#instance(buildBlock(0.9, 1, 0.9, 0.08), WOOD, pillars.length);
+    const matrix = new Matrix4();
+    for (const [index, { x, y, height }] of pillars.entries()) {
+      mesh.setMatrixAt(index, matrix.makeScale(1, height, 1).setPosition(x, 0, -y));
+      this.shades.push({ x, z: -y, size: 2.2 });
+    }
+  }
+
+  #addTrees(track: Track, taken: Taken): void {
+    const spots = freeSpots(track, { count: 15, radius: 1.9, height: 4.6, salt: 11 }, taken);
+    const crown = this.#instance(
+      buildCone(1.85, 4.4, 0.12).translate(0, 0.9, 0),
+      '#3a9158',
+      spots.length,
+    );
+    const trunk = this.#instance(
+      new CylinderGeometry(0.42, 0.5, 1, 16).translate(0, 0.5, 0),
+      '#8b5e3c',
+      spots.length,
+    );
+    const matrix = new Matrix4();
+    for (const [index, { x, y }] of spots.entries()) {
+      const size = 0.85 + 0.4 * scatter(index, 60);
+      matrix.makeScale(size, size, size).setPosition(x, 0, -y);
+      crown.setMatrixAt(index, matrix);
+      trunk.setMatrixAt(index, matrix);
+      this.shades.push({ x, z: -y, size: 4.4 * size });
+    }
+  }
+
+  /** Behind the track at the right, with those who watch. */
+  #addStand(track: Track, taken: Taken): void {
+    const { maxX, maxY } = boundsOf(track);
+    const spot = { x: maxX - 8, y: maxY - 1 };
+    while (offRoad(track, { x: spot.x, y: spot.y - 3 }) < 5) spot.y += 0.5;
+    taken.push({ ...spot, radius: 8 });
+    const add = placer(this.root, this.#paints);
+    const fans: Spot3[] = [];
+    for (let row = 0; row < 3; row += 1) {
+      const [height, z] = [1.1 + row * 1.2, -spot.y - row * 2];
+      add(buildBlock(13, height, 2, 0.1), WOOD, [spot.x, 0, z]);
+      for (let seat = 0; seat < 7; seat += 1) {
+        if (scatter(seat, row + 70) < 0.18) continue;
+        fans.push({
+          x: spot.x + (seat - 3) * 1.75 + (scatter(seat, row) - 0.5) * 0.4,
+          y: height,
+          z,
+        });
+      }
+    }
+    this.shades.push({ x: spot.x, z: -spot.y - 1.5, size: 17 });
+    this.#addFans(fans);
+  }
+
+  #addFans(fans: readonly Spot3[]): void {
+    const heads = this.#instance(
+      new SphereGeometry(0.46, 20, 14).translate(0, 1.75, 0),
+      '#e8c79a',
+      fans.length,
+    );
+    const bodies = FANS.map((colour, kind) => {
+      const of = fans.filter((_, index) => index % FANS.length === kind);
+      return { of, mesh: this.#instance(fanBody(), colour, of.length) };
+    });
+    const matrix = new Matrix4();
+    for (const [index, { x, y, z }] of fans.entries())
+      heads.setMatrixAt(index, matrix.makeTranslation(x, y, z));
+    for (const { of, mesh } of bodies) {
+      for (const [index, { x, y, z }] of of.entries())
+        mesh.setMatrixAt(index, matrix.makeTranslation(x, y, z));
+    }
+  }
+
+  /** Inside of the bends, where there is room. */
+  #addTowers(track: Track, taken: Taken): void {
+    const add = placer(this.root, this.#paints);
+    const [tower] = freeSpots(track, { count: 1, radius: 3, height: 5.5, salt: 31 }, taken);
+    if (tower) {
+      add(buildCylinder(2.1, 4, 0.12), '#4f84b8', [tower.x, 0, -tower.y]);
+      add(buildCone(2.9, 3, 0.14), '#e2694f', [tower.x, 4, -tower.y]);
+      this.shades.push({ x: tower.x, z: -tower.y, size: 7 });
+    }
+    const [stack] = freeSpots(track, { count: 1, radius: 2.6, height: 5, salt: 47 }, taken);
+    if (!stack) return;
+    const z = -stack.y;
+    add(buildBlock(3.2, 2.6, 3.2, 0.14), WOOD, [stack.x, 0, z], { turn: 0.4 });
+    add(buildBlock(2.2, 2.2, 2.2, 0.12), '#d9772f', [stack.x, 2.6, z], { turn: 0.1 });
+    add(buildMarble(1.1), '#e9dfc8', [stack.x, 4.8, z], { finish: 'marble' });
+    this.shades.push({ x: stack.x, z, size: 6 });
+  }
+
+  #instance(geometry: BufferGeometry, colour: string, count: number): InstancedMesh {
+    const mesh = new InstancedMesh(geometry, this.#paints.of(colour), count);
+    mesh.castShadow = true;
+    mesh.receiveShadow = true;
+    mesh.frustumCulled = false;
+    this.#instances.push(mesh);
+    this.root.add(mesh);
+    return mesh;
+  }
+}
+
+interface Spot3 {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+}
+
+function fanBody(): BufferGeometry {
+  return merged([
+    buildTurned(
+      [
+        [0, 0],
+        [0.62, 0],
+        [0.3, 1.45],
+        [0, 1.45],
+      ],
+      0.08,
+      20,
+    ),
+  ]);
+}
