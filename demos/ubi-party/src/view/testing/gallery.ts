@@ -20,7 +20,7 @@ const query = new URLSearchParams(location.search);
 const number = (name: string, otherwise: number): number => Number(query.get(name) ?? otherwise);
 const kind = (query.get('scene') ?? 'hill') as Scene['kind'];
 const seats: readonly Seat[] = Array.from({ length: number('players', 6) }, (_, seat) => seat);
-const setup = { seats, seed: number('seed', 7), startsAtMs: 1_000_000 };
+const setup = { seats, seed: number('seed', 7) };
 const isReduced = query.get('reduced') === '1';
 const quality = (query.get('quality') ?? 'high') as 'low' | 'middle' | 'high';
 const canvas = document.querySelector('canvas')!;

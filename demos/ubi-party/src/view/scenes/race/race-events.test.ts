@@ -3,7 +3,7 @@ import { GAMES, type RaceState } from '../../../sim/index.ts';
 import { playWithBots } from '../../../sim/testing/play-with-bots.ts';
 import { glanceAtRace, leaderOf, raceEvents, type RaceEvent } from './race-events.ts';
 
-const start = (): RaceState => GAMES.race.start({ seats: [0, 1, 2], seed: 1, startsAtMs: 0 });
+const start = (): RaceState => GAMES.race.start({ seats: [0, 1, 2], seed: 1 });
 
 describe('race events', () => {
   it('tells hits, boosts, jumps and finishes once', () => {
