@@ -21,7 +21,8 @@ const isLiving = (session: Session): boolean =>
   isAlive(session) || sessionState(session) === SessionState.SESSION_STARTING;
 
 /**
- * Follows, starts and stops a session that is shared by all clients and continues after the page is left.
+ * Follows, starts and stops a session that is shared by all clients. It continues after the page is left and
+ * starts again with the master.
  * @param isIt returns true for this session
  * @param spec creates the session if there is none
  */
@@ -41,6 +42,12 @@ export function useSharedSession(
   }
   const session = computed(() => choose(sessions.list.value ?? []));
   const isRunning = computed(() => session.value !== undefined && isAlive(session.value));
+
+  /** It belongs to no page, so no page could start it again after a restart of the master. [SE-24] */
+  async function lasting(): Promise<Init<Session>> {
+    const session = await spec();
+    return { ...session, extension: { ...session.extension, startWithMaster: true } };
+  }
 
   async function ask(): Promise<Session | undefined> {
     return choose((await client.call('sessionRuntimeGetList')).elements);
@@ -72,7 +79,7 @@ export function useSharedSession(
         if (there && isLiving(there)) return sessions.take(there);
         const mine = await client.call(
           'sessionRuntimeStart',
-          there ? { id: there.id } : await spec(),
+          there ? { id: there.id } : await lasting(),
         );
         // Two clients may have started it at the same time. Both keep the same session.
         const first = await ask();

@@ -1,8 +1,9 @@
 import { ConnectionError } from '@ubii/client-web';
-import { ServiceError, type Session } from '@ubii/proto';
-import { computed, onScopeDispose, shallowRef, watch, type ComputedRef } from 'vue';
+import { ServiceError, type Init, type Session } from '@ubii/proto';
+import { computed, nextTick, onScopeDispose, shallowRef, watch, type ComputedRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useTabNode } from '../../tab-node/useTabNode.ts';
+import { useToasts } from '../../ui/toasts/toasts.ts';
 import { isAlive } from '../state/session-state.ts';
 import { plannedSession, type SessionPlan } from './planned-session.ts';
 import { removeOnPageHide } from './remove-on-page-hide.ts';
@@ -18,7 +19,7 @@ export interface PageSession {
 }
 
 /**
- * Keeps a session as planned while the calling scope lives.
+ * Keeps a session as planned while the calling scope lives, also after a restart of the master, which does not store it.
  *
  * @param plan `undefined` ends it
  * @param onFailure a plan could not be carried out; what ran before goes on
@@ -27,12 +28,15 @@ export function usePageSession(
   plan: () => SessionPlan | undefined,
   onFailure: () => void = () => undefined,
 ): PageSession {
-  const { client, isConnected, sessions } = useConnection();
+  const { client, isConnected, sessions, masterId } = useConnection();
   const tab = useTabNode();
+  const toasts = useToasts();
   const id = shallowRef<string>();
   const failure = shallowRef<string>();
   let releaseTab: (() => void) | undefined;
   let isOver = false;
+  /** The run of the master that has the session. */
+  let runId = '';
   const session = computed(() => sessions.list.value?.find((one) => one.id === id.value));
 
   async function nodeId(place: string): Promise<string> {
@@ -51,13 +55,54 @@ export function usePageSession(
     if (isOver) return;
     const known = id.value === undefined ? undefined : sessions.find(id.value);
     const next = plannedSession(wanted, known, node);
-    const answer = known
-      ? await client.call('sessionRuntimeUpdate', next)
-      : await client.call('sessionRuntimeStart', next);
+    const answer =
+      (known && (await update(next))) ??
+      (id.value === undefined
+        ? await start(next)
+        : await startAgain(plannedSession(wanted, undefined, node)));
     sessions.take(answer);
     id.value = answer.id;
     if (isOver) return end();
     if (wanted.place !== 'tab') release();
+  }
+
+  /** Returns `undefined` when the master has no such session, of which this page may not have heard yet. */
+  async function update(next: Init<Session>): Promise<Session | undefined> {
+    try {
+      return await client.call('sessionRuntimeUpdate', next);
+    } catch (cause) {
+      if (!(cause instanceof ServiceError && cause.code === 'not_found')) throw cause;
+      const { elements } = await client.call('sessionRuntimeGetList');
+      // It is there: the node or something else is not.
+      if (elements.some((one) => one.id === next.id)) throw cause;
+      sessions.drop(next.id!);
+      return undefined;
+    }
+  }
+
+  async function start(next: Init<Session>): Promise<Session> {
+    runId = masterId.value;
+    return client.call('sessionRuntimeStart', next);
+  }
+
+  /** Starts a session that ended with the run of the master that had it. */
+  async function startAgain(next: Init<Session>): Promise<Session> {
+    const { id: newest } = await client.call('serverConfiguration');
+    if (newest === runId) throw new Error('Another client removed the session of this page.');
+    runId = newest;
+    try {
+      const started = await client.call('sessionRuntimeStart', next);
+      toasts.show(
+        `The master was restarted. This page started its session “${started.name}” again.`,
+      );
+      return started;
+    } catch (cause) {
+      if (!(cause instanceof ServiceError)) throw cause;
+      throw new Error(
+        `The master was restarted, which ended the session. It could not start again: ${cause.message}`,
+        { cause },
+      );
+    }
   }
 
   function release(): void {
@@ -78,24 +123,36 @@ export function usePageSession(
   let changes: Promise<void> = Promise.resolve();
   /** Plans are made anew with everything they are made of; only what they say differently counts. */
   const planText = computed(() => JSON.stringify(plan()));
+  /** Whether the page is being told of a failure: a plan that it ends now leaves the reason on the screen. */
+  let isTelling = false;
+  function applySoon(isNeeded: () => boolean = () => true): void {
+    const keepsReason = isTelling;
+    changes = changes.then(async () => {
+      if (!isNeeded()) return;
+      if (!keepsReason) failure.value = undefined;
+      try {
+        await apply();
+      } catch (cause) {
+        if (cause instanceof ConnectionError) return; // shown by the shell, tried again after it
+        if (isGone()) id.value = undefined;
+        failure.value = cause instanceof Error ? cause.message : String(cause);
+        isTelling = true;
+        onFailure();
+        void nextTick(() => (isTelling = false));
+      }
+    });
+  }
   watch(
     [planText, isConnected],
     ([wanted, connected], [before]) => {
-      if (!connected || (wanted === undefined && before === undefined)) return;
-      changes = changes.then(async () => {
-        failure.value = undefined;
-        try {
-          await apply();
-        } catch (cause) {
-          if (cause instanceof ConnectionError) return; // shown by the shell, tried again after it
-          if (cause instanceof ServiceError && cause.code === 'not_found') id.value = undefined;
-          failure.value = cause instanceof Error ? cause.message : String(cause);
-          onFailure();
-        }
-      });
+      if (connected && (wanted !== undefined || before !== undefined)) applySoon();
     },
     { immediate: true },
   );
+  const isGone = (): boolean => id.value !== undefined && sessions.find(id.value) === undefined;
+  watch(sessions.list, (list) => {
+    if (list !== undefined && isConnected.value && isGone()) applySoon(isGone);
+  });
   onScopeDispose(() => {
     isOver = true;
     end();
