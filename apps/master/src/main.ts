@@ -4,11 +4,13 @@ import { fileURLToPath } from 'node:url';
 import { ConfigError } from './adapters/config/config-error.ts';
 import { formatHelp } from './adapters/config/format-help.ts';
 import { resolveConfig } from './adapters/config/resolve-config.ts';
+import { LinesAfter } from './adapters/log/lines-after.ts';
 import { StreamLog } from './adapters/log/stream-log.ts';
 import { FaultGuard } from './adapters/process/fault-guard.ts';
 import { bestPhoneUrl, formatBanner, joinUrl } from './adapters/terminal/banner.ts';
 import { formatEndpoints } from './adapters/terminal/endpoints-line.ts';
 import { formatFarewell } from './adapters/terminal/farewell.ts';
+import { formatRestored } from './adapters/terminal/restored.ts';
 import { formatQrCode } from './adapters/terminal/qr-code.ts';
 import type { Config } from './config.ts';
 import { DEFAULT_LIMITS, LogTail } from './index.ts';
@@ -50,18 +52,24 @@ async function run(args: readonly string[]): Promise<void> {
     process.stdout.write(`${version}\n`);
     return;
   }
-  const log = createLog(config);
-  const master = await startMaster({
-    config,
-    log,
-    version,
-    frontendFolder,
-    assetsFolders,
-    workerFile,
-    decodeWorkerFile,
-  });
-  endInGoodOrder(master, log, config);
-  await present(master, config);
+  // The banner comes first on a terminal, then what was logged meanwhile.
+  const lines = new LinesAfter((line) => process.stderr.write(`${line}\n`));
+  const log = createLog(config, lines);
+  try {
+    const master = await startMaster({
+      config,
+      log,
+      version,
+      frontendFolder,
+      assetsFolders,
+      workerFile,
+      decodeWorkerFile,
+    });
+    endInGoodOrder(master, log, config);
+    await present(master, config);
+  } finally {
+    lines.open();
+  }
 }
 
 /** Beside the program when it is built; run from its sources, the last build has it. */
@@ -70,12 +78,12 @@ function findBuilt(name: string): URL {
   return existsSync(beside) ? beside : new URL(`../dist/${name}`, import.meta.url);
 }
 
-function createLog({ logLevel, logFormat, limits }: Config): LogTail {
+function createLog({ logLevel, logFormat, limits }: Config, lines: LinesAfter): LogTail {
   const format = logFormat === 'auto' ? (process.stderr.isTTY ? 'text' : 'json') : logFormat;
   const written = new StreamLog({
     level: logLevel,
     format,
-    write: (line) => process.stderr.write(`${line}\n`),
+    write: (line) => lines.write(line),
     nowMs: Date.now,
   });
   return new LogTail(written, Date.now, logLevel === 'debug', { ...DEFAULT_LIMITS, ...limits });
@@ -89,7 +97,7 @@ function endInGoodOrder(master: RunningMaster, log: LogTail, config: Config): vo
       return;
     }
     endingSince = performance.now();
-    const farewell = formatFarewell(master.sessionsToStartAgain());
+    const farewell = formatFarewell(master.sessionsAtStop());
     setTimeout(() => process.exit(exitCode), SHUTDOWN_DEADLINE_MS).unref();
     master.close().then(
       () => {
@@ -145,4 +153,6 @@ async function present(master: RunningMaster, config: Config): Promise<void> {
       `${formatEndpoints(reachability.localUrl, process.pid, master.terminal)}\n`,
     );
   }
+  // Modules may take seconds to start, or wait for nodes: nobody waits for that.
+  void master.sessionsRestored().then((report) => screen.write(formatRestored(report)));
 }

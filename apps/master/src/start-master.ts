@@ -14,7 +14,7 @@ import { PeerOwners } from './adapters/access/peer-owners.ts';
 import { limitsOfMachine, openSandboxes } from './adapters/processing/open-sandboxes.ts';
 import { TrustedLibrary } from './adapters/processing/trusted-library.ts';
 import { createMaster, DEFAULT_LIMITS, fitConnections } from './index.ts';
-import type { LogTail, TerminalAccess } from './index.ts';
+import type { LogTail, Master, TerminalAccess } from './index.ts';
 import { SystemClock } from './adapters/clock/system-clock.ts';
 import { describeConfig } from './adapters/config/describe-config.ts';
 import { prepareDataDir } from './adapters/config/prepare-data-dir.ts';
@@ -72,8 +72,8 @@ export interface RunningMaster {
   readonly terminal: TerminalAccess | undefined;
   /** What callers of this machine are, and whether the system tells them from others [AC-1] [AC-40]. */
   readonly loopback: LoopbackFacts;
-  /** How many sessions that run now start again with the master [SE-24]. */
-  sessionsToStartAgain(): number;
+  readonly sessionsAtStop: Master['sessionsAtStop'];
+  readonly sessionsRestored: Master['sessionsRestored'];
   /** Closes everything, within a second. */
   close(): Promise<void>;
 }
@@ -295,7 +295,8 @@ export async function startMaster({
       reachability,
       terminal,
       loopback: loopbackFacts,
-      sessionsToStartAgain: () => master.sessionsToStartAgain(),
+      sessionsAtStop: () => master.sessionsAtStop(),
+      sessionsRestored: () => master.sessionsRestored(),
       close,
     };
   } catch (error) {

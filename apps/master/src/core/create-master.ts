@@ -42,6 +42,7 @@ import { EventLog } from './status/event-log.ts';
 import { LimitWatch } from './status/limit-watch.ts';
 import { tellOfGone } from './processing/local-topics.ts';
 import { createProcessing, type Processing } from './sessions/create-processing.ts';
+import type { RestoreReport, SessionsAtStop } from './sessions/restored-sessions.ts';
 import { Accounts } from './shares/accounts.ts';
 import { readMetrics } from './status/metrics.ts';
 import { Load } from './status/load.ts';
@@ -104,8 +105,11 @@ export function createMaster(ports: MasterPorts, settings: MasterSettings): Mast
     metrics(): MasterMetrics {
       return readMetrics(core);
     },
-    sessionsToStartAgain(): number {
-      return core.processing.sessions.countToStartAgain();
+    sessionsAtStop(): SessionsAtStop {
+      return core.processing.sessions.atStop();
+    },
+    sessionsRestored(): Promise<RestoreReport> {
+      return core.processing.sessions.restored.report();
     },
     async close(): Promise<void> {
       liveness.close();

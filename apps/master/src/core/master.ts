@@ -7,6 +7,7 @@ import type { ClientConnection } from './ports/client-connection.ts';
 import type { ConnectionHandle } from './ports/connection-handle.ts';
 import type { OpenConnection, TransportPeer } from './connections/open-connection.ts';
 import type { IncomingRequest } from './services/incoming-request.ts';
+import type { RestoreReport, SessionsAtStop } from './sessions/restored-sessions.ts';
 
 /** The reply to one service request. */
 export interface ServiceAnswer {
@@ -113,8 +114,10 @@ export interface Master {
    * @throws Error when it cannot be kept
    */
   openTerminal(isReachable: boolean): Promise<TerminalAccess>;
-  /** How many sessions that run now start again with the master [SE-24]. */
-  sessionsToStartAgain(): number;
+  /** What becomes of the sessions that run when the master ends now [SE-24]. */
+  sessionsAtStop(): SessionsAtStop;
+  /** What became of the sessions that this master was to start again; settles when each is decided [SE-24]. */
+  sessionsRestored(): Promise<RestoreReport>;
   /** Ends every timer, closes every connection with code 1001, and ends modules and workers. */
   close(): Promise<void>;
 }

@@ -341,7 +341,10 @@ describe('a master that ends', () => {
       extension: { startWithMaster: true },
     });
     await world.ask(TOPICS.start, { ...doubling('/in', '/other'), name: 'passing' });
-    expect(world.master.master.sessionsToStartAgain()).toBe(1);
+    expect(world.master.master.sessionsAtStop()).toEqual({
+      startAgain: ['doubling'],
+      end: ['passing'],
+    });
     await world.master.master.close();
 
     const next = await SessionWorld.create({ storage });
@@ -353,6 +356,10 @@ describe('a master that ends', () => {
     next.ada.publish('/in', 'double', 2);
     await next.master.pass(10);
     expect(await next.value('/out')).toBe(4);
+    expect(await next.master.master.sessionsRestored()).toEqual({
+      running: ['doubling'],
+      others: [],
+    });
   });
 
   it('answers a start and a stop when they are written down, else with an error [SE-24]', async () => {
@@ -409,6 +416,10 @@ describe('a master that ends', () => {
     const next = await SessionWorld.create({ storage, clock: world.master.clock });
     const waiting = await next.get({ id });
     expect(waiting.extension?.problems[0]).toMatchObject({ code: 'node_gone', nodeId: node.id });
+    expect(await next.master.master.sessionsRestored()).toEqual({
+      running: [],
+      others: [{ name: id, reason: waiting.extension?.problems[0]?.message }],
+    });
     const back = await TestNode.ours(next.master, 'tab', {
       id: node.id,
       extension: {

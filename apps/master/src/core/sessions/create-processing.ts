@@ -146,6 +146,7 @@ export function createProcessing(parts: ProcessingParts): Processing {
     loadOf: (node) => table.loadOf(node.id),
     onLife(session) {
       supervision.handleLife(session);
+      sessions.restored.handleLife();
       life.onModules(session);
       if (session.life === 'degraded') {
         events.add(

@@ -21,6 +21,7 @@ import type { SessionDraft } from './draft.ts';
 import type { LifeContext } from './life-context.ts';
 import { memoryShortage } from './memory-room.ts';
 import { assignNode } from './place-module.ts';
+import { RestoredSessions, type SessionsAtStop } from './restored-sessions.ts';
 import { Session } from './session.ts';
 import { pauseSession, resumeSession, startSession, stopSession } from './session-life.ts';
 import type { SessionModule } from './session-module.ts';
@@ -45,6 +46,8 @@ export interface SessionsContext {
 export class Sessions {
   readonly #context: SessionsContext;
   readonly #startPace: StartPace;
+  /** Those that the master was to start at startup [SE-24]. */
+  readonly restored = new RestoredSessions();
   /** Stored sessions that are being opened, by id. */
   readonly #opening = new Map<string, Promise<Session>>();
 
@@ -101,10 +104,14 @@ export class Sessions {
       .flatMap((session) => session.toMessage().processingModules);
   }
 
-  /** How many of those that run start again with the master [SE-24]. */
-  countToStartAgain(): number {
-    return this.list().filter(({ isLive, description }) => isLive && description.startWithMaster)
-      .length;
+  /** What becomes of those that run when the master ends now [SE-24]. */
+  atStop(): SessionsAtStop {
+    const live = this.list().filter(({ isLive }) => isLive);
+    const labels = (startsAgain: boolean): string[] =>
+      live
+        .filter(({ description }) => description.startWithMaster === startsAgain)
+        .map(({ label }) => label);
+    return { startAgain: labels(true), end: labels(false) };
   }
 
   /** Those that clients of a grant made or changed [AC-90]. */
@@ -244,8 +251,17 @@ export class Sessions {
       const mayRun = grantIds.every((grantId) => isGood(grantId));
       if (session.modules.length > 0 && mayRun) {
         session.isRestored = true;
+        this.restored.note(session);
         startSession(life, session);
-      } else life.onModules(session);
+      } else {
+        this.restored.note(
+          session,
+          mayRun
+            ? 'It has no modules.'
+            : 'The invitation ended with which a client made or changed it. Start it to run it again.',
+        );
+        life.onModules(session);
+      }
     }
   }
 
