@@ -15,7 +15,7 @@ export interface Connection {
   /** Another page has taken this identity; nothing is retried until `connect()`. */
   readonly isSuperseded: ComputedRef<boolean>;
   readonly roundTrip: Readonly<ShallowRef<RoundTrip | undefined>>;
-  /** This browser's name, remembered. Assign to rename. */
+  /** This tab's name: that of the browser, remembered, from the second tab on with a number. Assign to rename the browser. */
   readonly name: Ref<string>;
   /** How long published records are collected before they are sent, milliseconds, remembered. */
   readonly publishIntervalMs: Ref<number>;

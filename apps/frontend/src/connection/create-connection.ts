@@ -1,5 +1,10 @@
 import { createClient, createTabIdentity } from '@ubii/client-web';
-import { useDocumentVisibility, useLocalStorage, useSessionStorage } from '@vueuse/core';
+import {
+  StorageSerializers,
+  useDocumentVisibility,
+  useLocalStorage,
+  useSessionStorage,
+} from '@vueuse/core';
 import { computed, shallowRef, watch } from 'vue';
 import { adoptName } from './adopt-name.ts';
 import { describeAgent } from './agent-description.ts';
@@ -11,6 +16,7 @@ import { createMasterStatusStore } from './master-status-store.ts';
 import { createNodesStore } from './nodes-store.ts';
 import { tellPageState } from './page-state.ts';
 import { createSessionsStore } from './sessions-store.ts';
+import { numberedName, useTabName, type TabNumber } from './tab-name.ts';
 import { createTopicStatisticsStore } from './topic-statistics-store.ts';
 
 const DEFAULT_PUBLISH_INTERVAL_MS = 15;
@@ -26,15 +32,18 @@ export function createConnection(): Connection {
   // The name belongs to the browser, the identity to the tab: each tab is a client of its own.
   // A frame shares the storage of the page around it, and is a client with a name of its own.
   const frame = frameName();
-  const name =
+  const ownName =
     frame === undefined
       ? useLocalStorage('ubii.name', friendlyName(Math.random), { flush: 'sync' })
       : useSessionStorage(`ubii.name.${frame}`, frame, { flush: 'sync' });
   const publishIntervalMs = useLocalStorage('ubii.publishIntervalMs', DEFAULT_PUBLISH_INTERVAL_MS);
   const identityKey = frame === undefined ? IDENTITY_KEY : `${IDENTITY_KEY}.${frame}`;
   const identity = createTabIdentity(identityKey, IDENTITY_KEY);
+  const tabNumber = useSessionStorage<TabNumber | undefined>(`${identityKey}.number`, undefined, {
+    serializer: StorageSerializers.object,
+  });
   const client = createClient({
-    name: name.value,
+    name: numberedName(ownName.value, tabNumber.value?.number),
     description: describeAgent(navigator.userAgent),
     tags: ['browser'],
     identity,
@@ -57,8 +66,9 @@ export function createConnection(): Connection {
     () => state.value.status === 'closed' && state.value.error?.reason === 'superseded',
   );
 
-  watch(name, (next) => void client.rename(next));
   const clients = createClientsStore(client, isConnected);
+  const name = frame === undefined ? useTabName(client, clients, ownName, tabNumber) : ownName;
+  watch(name, (next) => void client.rename(next));
   adoptName(client, clients, name, Date.now);
   tellPageState(client);
   watch(publishIntervalMs, (next) => client.setPublishIntervalMs(next));
