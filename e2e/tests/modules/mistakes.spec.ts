@@ -1,3 +1,4 @@
+import type { Locator } from '@playwright/test';
 import { expect, test } from '../../fixtures/test.ts';
 import { ModuleEditor } from '../../pages/module-editor.ts';
 import { SessionPage } from '../../pages/session-page.ts';
@@ -69,11 +70,15 @@ test('a mistake in an output is told in the words of the author, once, in all pl
     await anna.page.keyboard.type('return { outputs: { reslt: 3, result: 3 } };');
     await editor.step();
     await editor.step();
-    const cause = editor.tryIt.getByRole('status').filter({ hasText: 'Output' });
-    await expect(cause).toContainText(
-      'Output "result": write { double: value }, not a bare number.',
-    );
+    const cause = editor.tryIt.getByRole('status').filter({ hasText: 'The code has an error' });
     await expect(cause).toContainText('× 2');
+    await expect(editor.problems).toContainText('Write { double: value }, not a bare number.');
+    await cause.getByRole('button', { name: 'Line 5' }).click();
+    await expect(editor.code.getByRole('textbox')).toBeFocused();
+    const underline = editor.code.locator('.squiggly-error').first();
+    const lineY = async (line: Locator) => Math.round((await line.boundingBox())?.y ?? 0);
+    const wrongLine = editor.lines.filter({ hasText: 'reslt' });
+    await expect.poll(() => lineY(underline)).toBe(await lineY(wrongLine));
     await expect(editor.tryIt.getByRole('region', { name: 'Log' })).toContainText(
       'Output "reslt" is not declared. Did you mean "result"?',
     );
@@ -82,7 +87,7 @@ test('a mistake in an output is told in the words of the author, once, in all pl
     await editor.input('value').getByRole('textbox', { name: 'value' }).fill('21');
     await expect(cause).toBeVisible();
     await editor.typeAfter('reslt: 3', ' +');
-    const wrong = editor.tryIt.getByRole('alert').filter({ hasText: 'syntax error' });
+    const wrong = editor.tryIt.getByRole('alert').filter({ hasText: 'The code has' });
     await expect(wrong).toBeVisible();
     await expect(editor.problems).not.toContainText('SyntaxError');
     await expect(cause).toBeHidden();

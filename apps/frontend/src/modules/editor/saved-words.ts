@@ -16,11 +16,10 @@ export function runningWords(users: readonly Session[]): string | undefined {
 export const errorWords = (errors: number): string =>
   errors === 1 ? '1 error' : `${errors} errors`;
 
-/** What saving does, for people: which running sessions go on with the new code. [SE-26] */
-export function savedWords(name: string, users: readonly Session[], errors: number): string {
-  const saved = errors === 0 ? `Saved ${name}` : `Saved ${name} with ${errorWords(errors)}`;
+/** What saving does, for people: which running sessions go on with the new code; `undefined` when none runs. [SE-26] */
+export function savedNote(users: readonly Session[]): string | undefined {
   const who = runningWords(users);
-  if (who === undefined) return saved;
+  if (who === undefined) return undefined;
   const verb = users.filter(isAlive).length === 1 ? 'runs' : 'run';
-  return `${saved}. ${who} ${verb} the new code`;
+  return `${who} ${verb} the new code.`;
 }

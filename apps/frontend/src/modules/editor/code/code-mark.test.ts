@@ -29,6 +29,14 @@ describe('marks in the code', () => {
     ]);
   });
 
+  it('leave out what a run says of a line whose mistake is known', () => {
+    const run = { ...mark(2, 'TypeError: cannot read property of undefined'), isOfRun: true };
+    expect(texts([run], [type(2, 'Input "valu" is not declared.')])).toEqual([
+      'Input "valu" is not declared.',
+    ]);
+    expect(texts([run], [type(3, 'another')])).toHaveLength(2);
+  });
+
   it('come errors first, then by place', () => {
     const late = { ...mark(1, 'a hint'), severity: 'warning' as const };
     expect(texts([late, mark(3, 'third')], [type(2, 'second')])).toEqual([

@@ -4,6 +4,8 @@ import type { TextPlace } from '../text/module-text.ts';
 export interface CodeMark extends TextPlace {
   readonly severity: 'error' | 'warning';
   readonly message: string;
+  /** It was found by running the module. */
+  readonly isOfRun?: boolean;
 }
 
 /** What TypeScript found. */
@@ -26,7 +28,14 @@ export function firstCauses(
     syntax.length > 0 ? marks.filter(({ message }) => !message.startsWith('SyntaxError')) : marks;
   const isBroken =
     syntax.length > 0 || own.some(({ message }) => message.startsWith('SyntaxError'));
-  const all = [...own, ...(isBroken ? syntax : types)];
+  const told = isBroken ? syntax : types;
+  const wrongLines = new Set(
+    [...told, ...own.filter(({ isOfRun }) => !isOfRun)]
+      .filter(({ severity }) => severity === 'error')
+      .map(({ line }) => line),
+  );
+  // A run fails at a line because of the mistake that is told there already.
+  const all = [...own.filter(({ isOfRun, line }) => !isOfRun || !wrongLines.has(line)), ...told];
   const byPlace = new Map(
     all.map((mark) => [`${mark.line}:${mark.column} ${mark.message}`, mark] as const),
   );

@@ -78,8 +78,10 @@ const blank = (text: string): string => text.replace(/[^\n]/g, ' ');
  * The text with everything blanked that stands in brackets, strings, templates, regular expressions and
  * comments; what is left is what stands outside. It has the same length and lines. Text that is not
  * closed reaches to the end.
+ *
+ * @param keepsBrackets what stands in brackets stays, too
  */
-export function maskSource(text: string): string {
+export function maskSource(text: string, keepsBrackets = false): string {
   let mask = '';
   let depth = 0;
   let tail = '';
@@ -88,7 +90,7 @@ export function maskSource(text: string): string {
     const token = text.slice(at, end);
     const isLetter = end === at + 1;
     if (isLetter && '([{'.includes(token)) depth++;
-    const isOutside = isLetter && depth === 0;
+    const isOutside = isLetter && (keepsBrackets || depth === 0);
     if (isLetter && ')]}'.includes(token)) depth = Math.max(0, depth - 1);
     mask += isOutside ? token : blank(token);
     const isComment = token.startsWith('//') || token.startsWith('/*');

@@ -1,25 +1,63 @@
 import { maskSource } from './mask-source.ts';
-import { placeOf, type Callback, type TextPlace, splitText } from './module-text.ts';
+import {
+  placeOf,
+  type Callback,
+  type TextPlace,
+  type TextSection,
+  splitText,
+} from './module-text.ts';
 
 const RETURN = /\breturn\b/g;
 /** What follows a `return` without a value. */
 const NO_VALUE = /^return\s*[;}]/;
+/** The output that a sentence about a result begins with. */
+const OUTPUT = /^Output "([^"]+)"/;
+/** A name in an object literal. */
+const MEMBER = /(?<![\w$.])[\p{ID_Start}$_][\p{ID_Continue}$]*(?=\s*[:,}])/gu;
 
 /**
  * Where a callback returns its result: the last `return` with a value that stands in no block of its
  * body. `undefined` when it has none, as a function without a body.
  */
 export function returnPlace(text: string, callback: Callback): TextPlace | undefined {
-  const section = splitText(text).sections.find((one) => one.callback === callback);
-  if (section === undefined) return undefined;
-  const { source, at } = section;
+  const section = sectionOf(text, callback);
+  const last = section && returnOffset(section.source);
+  return last === undefined ? undefined : placeInSection(section!, last);
+}
+
+/**
+ * Where the result is made that a sentence is about: the output it names, else the `return`. A run tells no place of a
+ * wrong result, and TypeScript tells the name of the callback.
+ */
+export function resultPlace(
+  text: string,
+  callback: Callback,
+  message: string,
+): TextPlace | undefined {
+  const section = sectionOf(text, callback);
+  const name = OUTPUT.exec(message)?.[1];
+  if (section === undefined || name === undefined) return returnPlace(text, callback);
+  const from = returnOffset(section.source) ?? 0;
+  const found = [...maskSource(section.source, true).matchAll(MEMBER)]
+    .filter(([word]) => word === name)
+    .map(({ index }) => index);
+  const at = found.find((index) => index >= from) ?? found.at(-1);
+  return at === undefined ? returnPlace(text, callback) : placeInSection(section, at);
+}
+
+const sectionOf = (text: string, callback: Callback): TextSection | undefined =>
+  splitText(text).sections.find((one) => one.callback === callback);
+
+function returnOffset(source: string): number | undefined {
   const body = source.indexOf('{', maskSource(source).trimEnd().length) + 1;
   if (body === 0) return undefined;
-  const last = [...maskSource(source.slice(body)).matchAll(RETURN)]
+  return [...maskSource(source.slice(body)).matchAll(RETURN)]
     .map(({ index }) => body + index)
     .findLast((start) => !NO_VALUE.test(source.slice(start)));
-  if (last === undefined) return undefined;
-  const { line, column } = placeOf(source, last);
+}
+
+function placeInSection({ source, at }: TextSection, offset: number): TextPlace {
+  const { line, column } = placeOf(source, offset);
   return line === 1
     ? { line: at.line, column: at.column + column - 1 }
     : { line: at.line + line - 1, column };
