@@ -18,7 +18,7 @@ for (const screen of ['desktop', 'phone'] as const) {
     });
 
     await test.step('one click creates, starts and opens it', async () => {
-      await sine.getByRole('button', { name: 'Start Sine wave' }).click();
+      await sine.getByRole('button', { name: 'Start and open Sine wave' }).click();
       await expect(page).toHaveURL(/\/sessions\/[^/]+\/graph$/);
       await expect(page.getByText('Running').filter({ visible: true }).first()).toBeVisible();
       if (screen === 'desktop') {
@@ -35,7 +35,7 @@ for (const screen of ['desktop', 'phone'] as const) {
       await expect(page).toHaveURL(/\/graph$/);
       await page.goto('/examples');
       await sine.getByRole('button', { name: 'Stop Sine wave' }).click();
-      await expect(sine.getByRole('button', { name: 'Start Sine wave' })).toBeVisible();
+      await expect(sine.getByRole('button', { name: 'Start and open Sine wave' })).toBeVisible();
       await sine.getByRole('button', { name: 'Delete the session Sine wave' }).click();
       await expect(sine.getByRole('button', { name: /^Delete the session/ })).toBeHidden();
     });
@@ -45,7 +45,9 @@ for (const screen of ['desktop', 'phone'] as const) {
 test('keys go to the session that takes them, and to no shortcut of the page', async ({ room }) => {
   const { page } = await room.atDesk('Anna');
   await page.goto('/examples');
-  await card(page, 'Keys to text').getByRole('button', { name: 'Start Keys to text' }).click();
+  await card(page, 'Keys to text')
+    .getByRole('button', { name: 'Start and open Keys to text' })
+    .click();
   const chord = new GraphPage({ page }).node('Topic /examples/key-chord/chord');
   await expect(chord).toBeVisible();
   await expect(page.getByText('Running').filter({ visible: true }).first()).toBeVisible();

@@ -1,8 +1,14 @@
-import { topicParts } from './topic-parts.ts';
+import { replaceClientTopics, topicParts } from './topic-parts.ts';
 import { useConnection } from './useConnection.ts';
 
 /** Names a topic for people: of one that begins with the id of a client, the rest and the client's name. */
 export type NameTopic = (topic: string) => string;
+
+/** Names the topics of clients within a text for people. */
+export function useNamedTopics(): (text: string) => string {
+  const nameTopic = useNamedTopic();
+  return (text) => replaceClientTopics(text, nameTopic);
+}
 
 export function useNamedTopic(): NameTopic {
   const { client, clients } = useConnection();

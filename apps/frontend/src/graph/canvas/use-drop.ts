@@ -35,6 +35,9 @@ type TopicItem = Extract<NewNode, { kind: 'topic' }>;
 /** A topic stands this far from the socket it is wired to. */
 const BEFORE = -280;
 const BEHIND = 110;
+/** It stands at least this far from the module, and is looked a place for so far around. */
+const APART = 40;
+const AROUND = 1600;
 
 /** What was dragged from the palette lands on a socket, on a wire or on the canvas. */
 export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
@@ -54,7 +57,10 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     const pointer = stage.toCanvas(clientX, clientY);
     const at = { x: pointer.x - NODE_HALF.x, y: pointer.y - NODE_HALF.y / 2 };
     if (spot !== undefined && insert(item, spot, at)) return;
-    const port = socketUnder({ clientX, clientY }) ?? gesture.nearestSocket({ clientX, clientY });
+    const port =
+      socketUnder({ clientX, clientY }) ??
+      gesture.nearestSocket({ clientX, clientY }) ??
+      (item.kind === 'topic' ? rowUnder(under) : undefined);
     const node = port && editor.graph.value.nodes.get(port.node);
     if (port !== undefined && node?.kind === 'module' && item.kind === 'topic') {
       mapTopic(item, port, { clientX, clientY });
@@ -63,6 +69,12 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
       place(item, at);
     }
   };
+
+  /** The port in whose row a topic was dropped: beside the socket, too, the row is meant. */
+  function rowUnder(under: Element | null): PortRef | undefined {
+    const { node, rowPort } = under?.closest<HTMLElement>('[data-row-port]')?.dataset ?? {};
+    return node === undefined || rowPort === undefined ? undefined : { node, port: rowPort };
+  }
 
   function runOn({ host: runner }: HostItem, under: Element | null): void {
     const id = under?.closest<HTMLElement>('[data-graph-node]')?.dataset['graphNode'];
@@ -113,8 +125,16 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     const isInput = port.port.startsWith('in:');
     const socket =
       stage.socketAt(port, isInput ? 'in' : 'out') ?? stage.toCanvas(at.clientX, at.clientY);
-    const beside = { x: socket.x + (isInput ? BEFORE : BEHIND), y: socket.y - NODE_HALF.y };
-    const node = newNode(item, freeSpot(stage, graph, beside), randomUuid);
+    const size = drawnSize(newNode(item, socket, randomUuid));
+    const beside = { x: socket.x + (isInput ? BEFORE : BEHIND), y: socket.y - size.height / 2 };
+    // Values flow to the right: above or below the module the wire would lead back.
+    const area = {
+      x: isInput ? socket.x - AROUND : socket.x + APART,
+      y: socket.y - AROUND / 2,
+      width: AROUND - APART,
+      height: AROUND,
+    };
+    const node = newNode(item, freeSpot(stage, graph, beside, { size, area }), randomUuid);
     const own = { node: node.id, port: isInput ? 'out' : 'in' };
     const step = 'drop topic';
     if (!graph.nodes.has(node.id)) editor.apply({ kind: 'add', nodes: [node] }, step);

@@ -1,9 +1,9 @@
-import { fromJson } from '@ubii/proto';
+import { fromJson, ModuleOrigin, type ProcessingModule } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
 import { moduleEntries } from '../../modules/library/module-entry.ts';
 import { aModule, aSessionOf } from '../model/testing/small-graph.ts';
 import { hostedModules, hostLoad } from './host-load.ts';
-import { recentFirst, withRecent } from './recent-modules.ts';
+import { groupModules, withRecent } from './recent-modules.ts';
 
 const node = (init: object) =>
   fromJson('ubii.extension.NodeInfo', { clientId: 'n', available: true, ...init });
@@ -16,9 +16,29 @@ describe('modules used last', () => {
 
   it('are taken out of the others; what is gone is left out', () => {
     const entries = moduleEntries([aModule('a'), aModule('b'), aModule('c')], [], []);
-    const { recent, others } = recentFirst(entries, ['c', 'gone']);
+    const { recent, others } = groupModules(entries, ['c', 'gone']);
     expect(recent.map(({ module }) => module.name)).toEqual(['c']);
     expect(others.map(({ module }) => module.name)).toEqual(['a', 'b']);
+  });
+
+  it('come after those that people of this master wrote', () => {
+    const own = {
+      ...aModule('own'),
+      extension: { ...aModule('own').extension, origin: ModuleOrigin.MODULE_ORIGIN_STORED },
+    } as ProcessingModule;
+    const groups = groupModules(moduleEntries([aModule('a'), own, aModule('c')], [], []), [
+      'own',
+      'c',
+    ]);
+    const names = Object.entries(groups).map(([title, list]) => [
+      title,
+      ...list.map(({ module }) => module.name),
+    ]);
+    expect(names).toEqual([
+      ['own', 'own'],
+      ['recent', 'c'],
+      ['others', 'a'],
+    ]);
   });
 });
 

@@ -1,6 +1,6 @@
 import { useLocalStorage } from '@vueuse/core';
 import type { Ref } from 'vue';
-import type { ModuleEntry } from '../../modules/library/module-entry.ts';
+import { isDeletable, type ModuleEntry } from '../../modules/library/module-entry.ts';
 
 /** Modules that come first. */
 const MAX_RECENT = 5;
@@ -21,11 +21,15 @@ export function withRecent(names: readonly string[], name: string): string[] {
   return [name, ...names.filter((one) => one !== name)].slice(0, MAX_RECENT);
 }
 
-/** Those used last, then the others in their order. */
-export function recentFirst(
+/** Those that people of this master wrote, those used last, then the others, each in their order. */
+export function groupModules(
   entries: readonly ModuleEntry[],
-  recent: readonly string[],
-): { readonly recent: readonly ModuleEntry[]; readonly others: readonly ModuleEntry[] } {
-  const first = recent.flatMap((name) => entries.find(({ module }) => module.name === name) ?? []);
-  return { recent: first, others: entries.filter((entry) => !first.includes(entry)) };
+  recentNames: readonly string[],
+): Readonly<Record<'own' | 'recent' | 'others', readonly ModuleEntry[]>> {
+  const own = entries.filter(isDeletable);
+  const rest = entries.filter((entry) => !own.includes(entry));
+  const recent = recentNames.flatMap(
+    (name) => rest.find(({ module }) => module.name === name) ?? [],
+  );
+  return { own, recent, others: rest.filter((entry) => !recent.includes(entry)) };
 }

@@ -14,6 +14,8 @@ export interface Hovered {
   readonly clientY: number;
   /** It was reached by a key: the card stands below its node. */
   readonly isBelow: boolean;
+  /** Right edge of what it belongs to, on the page. */
+  readonly right: number;
 }
 
 /** Follows what a pointer rests on, or the keyboard has reached on the canvas. Fingers ask by the menu. */
@@ -32,14 +34,14 @@ export function useHover(container: HTMLElement): Readonly<ShallowRef<Hovered | 
   }
   function wait(
     target: HoverTarget,
-    at: { x: number; y: number },
+    at: { x: number; y: number; right?: number },
     ms: number,
     isBelow = false,
   ): void {
     hide();
     next = target;
     timer = setTimeout(() => {
-      hovered.value = { target, clientX: at.x, clientY: at.y, isBelow };
+      hovered.value = { target, clientX: at.x, clientY: at.y, isBelow, right: at.right ?? at.x };
     }, ms);
   }
 
@@ -67,9 +69,9 @@ export function useHover(container: HTMLElement): Readonly<ShallowRef<Hovered | 
     const element = event.target as Element;
     if (!element.matches('[data-port]:focus-visible')) return;
     const node = element.closest('[data-graph-node]') ?? element;
-    const { left, bottom } = node.getBoundingClientRect();
+    const { left, bottom, right } = node.getBoundingClientRect();
     const target = hoverTarget(element);
-    if (target) wait(target, { x: left, y: bottom }, REST_MS, true);
+    if (target) wait(target, { x: left, y: bottom, right }, REST_MS, true);
   });
   useEventListener(container, 'focusout', hide);
   useEventListener(container, 'keydown', (event) => event.key === 'Escape' && hide());
