@@ -2,5 +2,6 @@ export type { HostMemory, HostStorage } from './host/host-memory.ts';
 export { PartyHost, type PartyHostListener, type PartyHostOptions } from './host/party-host.ts';
 export type * from './messages.ts';
 export { PartyPhone } from './phone/party-phone.ts';
+export type { PhoneFacts, PhoneLink } from './phone/phone-link.ts';
 export type * from './room-view.ts';
 export * from './topics.ts';

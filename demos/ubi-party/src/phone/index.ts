@@ -1,2 +1,2 @@
 export { default as PartyPhone } from './PartyPhone.vue';
-export type { PhoneFacts, PhoneLink } from './phone-link.ts';
+export type { PhoneFacts, PhoneLink } from '../net/phone/phone-link.ts';

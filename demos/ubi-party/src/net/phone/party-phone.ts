@@ -1,5 +1,5 @@
 import type { Clock, RegisteredDevice, UbiiClient } from '@ubii/client-web';
-import type { PhoneFacts, PhoneLink } from '../../phone/phone-link.ts';
+import type { PhoneFacts, PhoneLink } from './phone-link.ts';
 import type { Feedback } from '../../sim/index.ts';
 import type { HostReply, PhoneRequest, PhoneWish } from '../messages.ts';
 import type { RoomView } from '../room-view.ts';

@@ -1,5 +1,7 @@
 import { identityOf, type Seat } from '../../sim/index.ts';
 
+// Deeper paint, not greyer.
+const BLACK = '#000000';
 const INK = '#221c14';
 const PAPER = '#fff6e4';
 const TABLE = '#efd6ac';
@@ -38,8 +40,8 @@ export function pageColoursOf(seat: Seat | undefined): PageColours {
   return {
     page,
     text,
-    shade: isInk ? mixed(page, PAPER, 0.12) : mixed(page, INK, 0.22),
-    plate: isInk ? mixed(page, PAPER, 0.22) : mixed(page, INK, text === INK ? 0.66 : 0.45),
+    shade: isInk ? mixed(page, PAPER, 0.12) : mixed(page, BLACK, 0.2),
+    plate: isInk ? mixed(page, PAPER, 0.22) : mixed(page, BLACK, text === INK ? 0.62 : 0.48),
     token: isPaper ? INK : PAPER,
     onToken: isPaper ? PAPER : INK,
     button: isInk ? PAPER : INK,

@@ -2,7 +2,7 @@ import { computed, inject, onScopeDispose, shallowRef, triggerRef, type Computed
 import type { InjectionKey, ShallowRef } from 'vue';
 import type { Player, Room } from '../../sim/index.ts';
 import type { PhoneWish, RoundView } from '../../net/index.ts';
-import type { PhoneFacts, PhoneLink } from '../phone-link.ts';
+import type { PhoneFacts, PhoneLink } from '../../net/phone/phone-link.ts';
 
 /** What every screen of the phone has at hand. */
 export interface PhoneContext {

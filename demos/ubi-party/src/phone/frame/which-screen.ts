@@ -1,5 +1,5 @@
 import type { Player, Room } from '../../sim/index.ts';
-import type { PhoneFacts } from '../phone-link.ts';
+import type { PhoneFacts } from '../../net/phone/phone-link.ts';
 
 export type ScreenName =
   'join' | 'removed' | 'lobby' | 'explanation' | 'play' | 'waiting' | 'result';

@@ -2,9 +2,9 @@ import { expect, test } from 'vitest';
 import { takeAddressOf, takeCodeOf, toCode } from './take-code.ts';
 
 test('address of a seat gives its code back', () => {
-  const address = takeAddressOf('7KQM', 'https://192.168.0.7:8443/party/play?x=1');
-  expect(address).toBe('https://192.168.0.7:8443/party/play#take=7KQM');
-  expect(takeCodeOf(new URL(address).hash)).toBe('7KQM');
+  const address = takeAddressOf('7KRM', 'https://192.168.0.7:8443/party/play?x=1');
+  expect(address).toBe('https://192.168.0.7:8443/party/play#take=7KRM');
+  expect(takeCodeOf(new URL(address).hash)).toBe('7KRM');
 });
 
 test('address without a code gives none', () => {
@@ -17,5 +17,5 @@ test('address without a code gives none', () => {
 });
 
 test('code that is typed is read as it is meant', () => {
-  expect(toCode(' 7k-qm ')).toBe('7KQM');
+  expect(toCode(' 7k-rm ')).toBe('7KRM');
 });

@@ -1,4 +1,4 @@
-/** The code of a seat in the address, such as `#take=7KQM`: from the QR code of the phone that hands over. */
+/** The code of a seat in the address, such as `#take=7KRM`: from the QR code of the phone that hands over. */
 export function takeCodeOf(hash: string): string | undefined {
   const code = new URLSearchParams(hash.replace(/^#/, '')).get('take');
   return code ? toCode(code) : undefined;

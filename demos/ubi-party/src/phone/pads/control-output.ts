@@ -1,4 +1,4 @@
-import type { PhoneLink } from '../phone-link.ts';
+import type { PhoneLink } from '../../net/phone/phone-link.ts';
 import { STRAIGHT, type Steering } from './stick.ts';
 
 /** What can steer, the strongest first. A hand on the pad always wins over what goes on by itself. */

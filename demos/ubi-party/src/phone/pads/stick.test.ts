@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
-import { leashed, stickAt, steered, STRAIGHT, wheelAt } from './stick.ts';
+import { inside, leashed, stickAt, steered, STRAIGHT, wheelAt } from './stick.ts';
 
 const ORIGIN = { x: 100, y: 500 };
 
@@ -44,4 +44,11 @@ test('origin follows a thumb that goes too far, so that turning back answers at 
 test('axis clamps and has its dead zone on both sides', () => {
   expect([steered(-3, 0.1), steered(-0.1, 0.1)]).toEqual([-1, 0]);
   expect(steered(0.55, 0.1)).toBeCloseTo(0.5);
+});
+
+test('plate stays on its pad, however far the thumb goes', () => {
+  const box = { x: 0, y: 500, width: 220, height: 100 };
+  expect(inside(box, { x: 100, y: 540 }, 40)).toEqual({ x: 100, y: 540 });
+  expect(inside(box, { x: 400, y: 20 }, 40)).toEqual({ x: 180, y: 540 });
+  expect(inside(box, { x: 400, y: 20 }, 80)).toEqual({ x: 140, y: 550 });
 });

@@ -10,6 +10,11 @@ export interface PagePoint {
   readonly y: number;
 }
 
+export interface PageBox extends PagePoint {
+  readonly width: number;
+  readonly height: number;
+}
+
 export const STRAIGHT: Steering = { x: 0, y: 0 };
 
 /** A thumb that rests is never quite still. */
@@ -43,6 +48,15 @@ export function leashed(origin: PagePoint, thumb: PagePoint, travelPx: number): 
   const over = Math.hypot(x, y) / (travelPx * LEASH);
   if (over <= 1) return origin;
   return { x: thumb.x - x / over, y: thumb.y - y / over };
+}
+
+/** The nearest point inside a box, so far from its edges; the middle of a box that is too small for that. */
+export function inside(box: PageBox, point: PagePoint, insetPx: number): PagePoint {
+  const nearest = (value: number, from: number, size: number): number => {
+    const inset = Math.min(insetPx, size / 2);
+    return Math.min(from + size - inset, Math.max(from + inset, value));
+  };
+  return { x: nearest(point.x, box.x, box.width), y: nearest(point.y, box.y, box.height) };
 }
 
 /** One axis: clamped to -1 to 1, 0 inside the dead zone, growing from 0 at its edge. */

@@ -3,7 +3,7 @@ import { computed, inject, onScopeDispose, shallowRef, toValue, watch } from 'vu
 import type { ComputedRef, InjectionKey, MaybeRefOrGetter, ShallowRef } from 'vue';
 import type { Controller } from '../../sim/index.ts';
 import { PRESS_MS, vibrate } from '../frame/haptics.ts';
-import type { PhoneLink } from '../phone-link.ts';
+import type { PhoneLink } from '../../net/phone/phone-link.ts';
 import type { PhoneSettings } from '../settings/settings.ts';
 import { ControlOutput, PRESSERS, type Presser } from './control-output.ts';
 import { readGamepads } from './gamepad.ts';

@@ -27,7 +27,9 @@ export const TILT: InjectionKey<Tilt> = Symbol('tilt');
 /** The tilt sensor, for as long as the calling scope lives. */
 export function createTilt(): Tilt {
   const asks = (window as { DeviceOrientationEvent?: Asks }).DeviceOrientationEvent;
-  const access = shallowRef<TiltAccess>(asks?.requestPermission ? 'ask' : 'silent');
+  // Chromium has the question as well, and answers it by itself.
+  const isAsked = asks?.requestPermission !== undefined && !('userAgentData' in navigator);
+  const access = shallowRef<TiltAccess>(isAsked ? 'ask' : 'silent');
   let tilt: number | undefined;
   let neutral = 0;
 

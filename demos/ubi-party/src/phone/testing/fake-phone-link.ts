@@ -7,7 +7,7 @@ import {
   type Room,
   type RoomEvent,
 } from '../../sim/index.ts';
-import type { PhoneFacts, PhoneLink } from '../phone-link.ts';
+import type { PhoneFacts, PhoneLink } from '../../net/phone/phone-link.ts';
 
 const KEY = 'this-phone';
 
@@ -68,7 +68,7 @@ export class FakePhoneLink implements PhoneLink {
   ask(wish: PhoneWish): Promise<{ readonly code?: string }> {
     this.asked.push(wish);
     try {
-      if (wish.type === 'offer') return Promise.resolve({ code: '7KQM' });
+      if (wish.type === 'offer') return Promise.resolve({ code: '7KRM' });
       if (wish.type === 'take') this.#take(wish.code);
       else this.happens(eventOf(wish));
       return Promise.resolve({});
@@ -79,7 +79,7 @@ export class FakePhoneLink implements PhoneLink {
 
   #take(code: string): void {
     const away = this.party.room.players.find(({ awaySinceMs }) => awaySinceMs !== undefined);
-    if (code !== '7KQM' || away?.key === undefined)
+    if (code !== '7KRM' || away?.key === undefined)
       throw new Error('No seat is offered with this code.');
     this.happens({ type: 'hand-over', key: away.key, to: KEY });
   }

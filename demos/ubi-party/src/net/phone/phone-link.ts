@@ -1,6 +1,6 @@
-import type { Feedback, Player } from '../sim/index.ts';
-import type { PhoneWish } from '../net/messages.ts';
-import type { RoomView } from '../net/room-view.ts';
+import type { Feedback, Player } from '../../sim/index.ts';
+import type { PhoneWish } from '../messages.ts';
+import type { RoomView } from '../room-view.ts';
 
 /** What a phone knows of the party, as it is now. */
 export interface PhoneFacts {
