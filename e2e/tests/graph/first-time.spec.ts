@@ -146,7 +146,7 @@ test('an example that is started from the list of sessions takes the pointer of 
 }) => {
   const { page } = await room.atDesk('Anna');
   await page.goto('/sessions/new/text');
-  await page.getByRole('button', { name: 'Start and open Smooth a pointer' }).click();
+  await page.getByRole('button', { name: 'Start Smooth a pointer' }).click();
   const graph = new GraphPage({ page });
   await expect(async () => {
     await page.mouse.move(500, 300);

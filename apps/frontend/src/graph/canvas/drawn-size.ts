@@ -1,7 +1,7 @@
 import type { DataFormat } from '@ubii/proto';
 import type { Graph, GraphNode, ModuleNode, Point, Port, Size } from '../model/graph.ts';
 import { portFormat } from '../model/port-format.ts';
-import { isTypable } from '../values/value-parts.ts';
+import { fieldKind, isTypable, partNames } from '../values/value-parts.ts';
 import { canCollapse } from './collapse.ts';
 
 /** As graph-node.css draws them, pixels at a zoom of 1. */
@@ -14,6 +14,9 @@ const CHARACTER = 7.6;
 const HEAD_MARKS = 96;
 /** What stands beside the name of a port: sockets, and a value or its field. */
 const FIELD_ROW = 108;
+/** The same with a field for each number of a value: what is around them, and each. */
+const PARTS_ROW = 52;
+const PART = 56;
 const VALUE_ROW = 74;
 const TOPIC: Size = { width: 174, height: 70 };
 const PICTURE = 94;
@@ -33,8 +36,12 @@ const BARE = BORDERS + HEAD + ROWS_PADDING;
 export const rowsHeight = ({ ports }: ModuleNode): number => ROWS_PADDING + ROW * ports.length;
 
 function rowWidth({ name, direction, format, isList }: Port): number {
-  const hasField = direction === 'in' && !isList && format !== undefined && isTypable(format);
-  return name.length * CHARACTER + (hasField ? FIELD_ROW : VALUE_ROW);
+  const text = name.length * CHARACTER;
+  if (direction === 'out' || isList || format === undefined || !isTypable(format)) {
+    return text + VALUE_ROW;
+  }
+  const isParts = fieldKind(format) === 'parts';
+  return text + (isParts ? PARTS_ROW + PART * partNames(format).length : FIELD_ROW);
 }
 
 /** How wide a module is drawn, pixels: as its longest name needs, within limits. */

@@ -16,6 +16,7 @@ import { drawnSize } from './drawn-size.ts';
 import { freeSpot, NODE_HALF, onGrid } from './free-spot.ts';
 import { inHost } from './in-host.ts';
 import { insertedText, misfitOnWire } from './insert-words.ts';
+import { keepPlaces } from './keep-places.ts';
 import type { KeyWalk } from './keys/key-walk.ts';
 import { newNode, type NewNode } from './new-nodes.ts';
 import type { Box } from './stage-view.ts';
@@ -115,7 +116,11 @@ export function useAdding(
       const frames = stage.boxes().filter(({ id }) => nodes.get(id)?.kind === 'frame');
       const box = { id: node.id, ...at, ...drawnSize(node) };
       const frame = frameUnder(new Map([...nodes, [node.id, node]]), box, frames);
-      editor.apply({ kind: 'add', nodes: [{ ...node, frame }] });
+      const step = `add ${node.id}`;
+      const kept = keepPlaces(editor.graph.value, stage.positions);
+      if (kept !== undefined) editor.apply(kept, step);
+      editor.apply({ kind: 'add', nodes: [{ ...node, frame }] }, step);
+      editor.seal();
     }
     editor.select([node.id]);
   }
@@ -228,7 +233,10 @@ export function useAdding(
       const position = freeSpot(stage, editor.graph.value, wish);
       const options = { uuid: randomUuid, position };
       const before = editor.graph.value.nodes;
-      editor.apply(offerCommand(editor.graph.value, end.from, offer, options));
+      const kept = keepPlaces(editor.graph.value, stage.positions);
+      if (kept !== undefined) editor.apply(kept, 'add at socket');
+      editor.apply(offerCommand(editor.graph.value, end.from, offer, options), 'add at socket');
+      editor.seal();
       const added = [...editor.graph.value.nodes.values()].find(({ id }) => !before.has(id));
       if (added === undefined) return;
       if (chosen.hasSockets === true) void walk.focusSocket(end.from);

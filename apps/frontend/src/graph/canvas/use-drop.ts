@@ -14,6 +14,7 @@ import { spotsOnStage, type InsertTarget } from './drag/insert-target.ts';
 import { drawnSize } from './drawn-size.ts';
 import { freeSpot, NODE_HALF, onGrid } from './free-spot.ts';
 import { insertedText, misfitOnWire } from './insert-words.ts';
+import { keepPlaces } from './keep-places.ts';
 import { newNode, type NewNode } from './new-nodes.ts';
 import { nearestOn } from './wire-hit.ts';
 
@@ -137,6 +138,8 @@ export function useDrop(on: DropTarget): (dragged: DraggedItem) => void {
     const node = newNode(item, freeSpot(stage, graph, beside, { size, area }), randomUuid);
     const own = { node: node.id, port: isInput ? 'out' : 'in' };
     const step = 'drop topic';
+    const kept = keepPlaces(graph, stage.positions);
+    if (kept !== undefined) editor.apply(kept, step);
     if (!graph.nodes.has(node.id)) editor.apply({ kind: 'add', nodes: [node] }, step);
     if (gesture.connect(own, port, at, step)) editor.select([port.node]);
     editor.seal();
