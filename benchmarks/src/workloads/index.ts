@@ -9,6 +9,7 @@ import { MODULE_CALLS } from './module-call.ts';
 import { MODULE_CALLS_IN_BROWSER } from './module-call-browser.ts';
 import { LOCKSTEPS } from './lockstep.ts';
 import { modules100 } from './modules-100.ts';
+import { party } from './party.ts';
 import { roundTrip } from './round-trip.ts';
 import { SEEING } from './seeing.ts';
 import { topicsPage } from './topics-page.ts';
@@ -28,6 +29,7 @@ export const WORKLOADS: readonly Workload[] = [
   trigger,
   ...LOCKSTEPS,
   modules100,
+  party,
   masterTime,
   hostileBodies,
   graphEditor,

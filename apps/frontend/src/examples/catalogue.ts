@@ -7,13 +7,21 @@ export interface Example {
   /** Describes the example in a few words. */
   readonly sentence: string;
   readonly path: string;
-  readonly page: () => Promise<{ default: Component }>;
+  /** Undefined for one whose page stands elsewhere. */
+  readonly page?: () => Promise<{ default: Component }>;
   /** Thumbnail of 96 × 54 px in the colours of the theme. */
   readonly thumbnail: () => Promise<{ default: Component }>;
 }
 
 /** All examples in display order. */
 export const EXAMPLES: readonly Example[] = [
+  {
+    id: 'party',
+    title: 'Ubi-Party',
+    sentence: 'A big screen, and games with everybody’s phones',
+    path: '/party',
+    thumbnail: () => import('./party/PartyThumbnail.vue'),
+  },
   {
     id: 'mouse-pointer',
     title: 'Mouse pointer',

@@ -7,9 +7,15 @@ export const examplesRoutes: readonly RouteRecordRaw[] = [
     component: () => import('./ExamplesPage.vue'),
     meta: { title: 'Examples' },
   },
-  ...EXAMPLES.map(({ path, title, page }) => ({
-    path,
-    component: page,
-    meta: { title, parent: { title: 'Examples', to: '/examples' } },
-  })),
+  ...EXAMPLES.flatMap(({ path, title, page }) =>
+    page
+      ? [
+          {
+            path,
+            component: page,
+            meta: { title, parent: { title: 'Examples', to: '/examples' } },
+          },
+        ]
+      : [],
+  ),
 ];

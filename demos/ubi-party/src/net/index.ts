@@ -1,3 +1,4 @@
+export { gameSession } from './host/game-session.ts';
 export type { HostMemory, HostStorage } from './host/host-memory.ts';
 export { PartyHost, type PartyHostListener, type PartyHostOptions } from './host/party-host.ts';
 export type * from './messages.ts';
