@@ -1,5 +1,6 @@
 import type { PieceKit } from '../pieces/piece-kit.ts';
 import type { Scene } from '../stage.ts';
+import { DuelScene } from './duel/duel-scene.ts';
 import { HillScene } from './hill/hill-scene.ts';
 import { LobbyScene } from './lobby/lobby-scene.ts';
 import { PodiumScene } from './podium/podium-scene.ts';
@@ -7,7 +8,7 @@ import { RaceScene } from './race/race-scene.ts';
 import type { SceneView } from './scene-view.ts';
 
 type Openers = {
-  readonly [K in Scene['kind']]?: (kit: PieceKit) => SceneView<Extract<Scene, { kind: K }>>;
+  readonly [K in Scene['kind']]: (kit: PieceKit) => SceneView<Extract<Scene, { kind: K }>>;
 };
 
 const OPENERS: Openers = {
@@ -15,10 +16,10 @@ const OPENERS: Openers = {
   race: (kit) => new RaceScene(kit),
   podium: (kit) => new PodiumScene(kit),
   hill: (kit) => new HillScene(kit),
+  duel: (kit) => new DuelScene(kit),
 };
 
 export function openScene(kind: Scene['kind'], kit: PieceKit): SceneView {
-  const open = OPENERS[kind] ?? OPENERS.hill!;
   // The stage shows a view only scenes of the kind it was opened for
-  return open(kit) as unknown as SceneView;
+  return OPENERS[kind](kit) as unknown as SceneView;
 }
