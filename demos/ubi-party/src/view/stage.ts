@@ -18,7 +18,10 @@ export interface Stage {
   show(scene: Scene): void;
   /** No swaying camera, no confetti, fades instead of springs. */
   setReducedMotion(isReduced: boolean): void;
-  /** Where the token of a seat is on the page, CSS pixels; undefined while it is not seen. For names beside it. */
+  /**
+   * Where the token of a seat stands, CSS pixels from the top left of the canvas; undefined while it is not seen. A name
+   * goes below this point. A hop does not move it, so that names are still.
+   */
   placeOf(seat: Seat): { readonly x: number; readonly y: number } | undefined;
   /** Milliseconds between the newest frames, and the level of quality that they lead to. */
   readonly frames: { readonly p95Ms: number; readonly quality: 'low' | 'middle' | 'high' };

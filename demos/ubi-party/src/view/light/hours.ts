@@ -65,9 +65,9 @@ export const HOURS = {
   },
   /** Noon, flat. */
   duel: {
-    ground: '#dcc7a4',
-    middle: '#e2d3b6',
-    horizon: '#d3e3e6',
+    ground: '#d9c39c',
+    middle: '#e6d6b4',
+    horizon: '#cfe3ea',
     key: { colour: '#fff4e2', intensity: 2.9, from: [-0.5, 0.72, 0.5] },
     sky: { colour: '#e4f1ff', bounce: '#e2d3b6', intensity: 1.4 },
     shade: { colour: '#5d4a35', opacity: 0.42 },

@@ -18,7 +18,6 @@ export class LightRig {
   constructor(root: Group) {
     root.add(this.key, this.key.target, this.sky);
     this.key.shadow.bias = -0.0008;
-    this.key.shadow.normalBias = 0.03;
   }
 
   /** @param reach units from the middle in which things have shadows */
@@ -59,6 +58,8 @@ export class LightRig {
       shadow.map?.dispose();
       shadow.map = null;
     }
+    // A texel is larger where the reach is: what slopes would be striped by its own shadow
+    shadow.normalBias = Math.max(0.03, (this.#reach * 2 * 1.8) / size);
     shadow.radius = (SOFTNESS * size) / (this.#reach * 2) / 2;
   }
 }

@@ -24,7 +24,7 @@ const OUTLINES: Readonly<Record<ShapeName, () => Outline>> = {
       ],
       0.1,
     ),
-    letter: { x: 0, y: 0.68, size: 1.15 },
+    letter: { x: 0, y: 0.7, size: 1.25 },
   }),
   square: () => ({
     shape: polygon(
@@ -38,7 +38,7 @@ const OUTLINES: Readonly<Record<ShapeName, () => Outline>> = {
     ),
     letter: { x: 0, y: 0.95, size: 1.45 },
   }),
-  star: () => ({ shape: polygon(star(), 0.09), letter: { x: 0, y: 1.02, size: 1.1 } }),
+  star: () => ({ shape: polygon(star(), 0.09), letter: { x: 0, y: 1.04, size: 1.22 } }),
   diamond: () => ({
     shape: polygon(
       [
@@ -49,9 +49,9 @@ const OUTLINES: Readonly<Record<ShapeName, () => Outline>> = {
       ],
       0.1,
     ),
-    letter: { x: 0, y: 1.2, size: 1.2 },
+    letter: { x: 0, y: 1.2, size: 1.28 },
   }),
-  cross: () => ({ shape: polygon(cross(), 0.1), letter: { x: 0, y: 1.1, size: 1.1 } }),
+  cross: () => ({ shape: polygon(cross(), 0.1), letter: { x: 0, y: 1.1, size: 1.22 } }),
   hexagon: () => ({ shape: polygon(regular(6, 1.15, 1), 0.1), letter: { x: 0, y: 1, size: 1.4 } }),
   drop: () => ({ shape: drop(), letter: { x: 0, y: 0.95, size: 1.25 } }),
   ring: () => {
@@ -61,7 +61,7 @@ const OUTLINES: Readonly<Record<ShapeName, () => Outline>> = {
     shape.holes.push(hole);
     return { shape, inset: disc(0.8, 1.08), letter: { x: 0, y: 1.08, size: 1.2 } };
   },
-  moon: () => ({ shape: moon(), letter: { x: -0.36, y: 0.86, size: 1 } }),
+  moon: () => ({ shape: moon(), letter: { x: -0.4, y: 0.86, size: 1.12 } }),
   flower: () => ({ shape: flower(), letter: { x: 0, y: 1.1, size: 1.3 } }),
   heart: () => ({ shape: heart(), letter: { x: 0, y: 1.18, size: 1.25 } }),
 };

@@ -46,7 +46,7 @@ function extrude(shape: Shape, depth: number, bevel: number): BufferGeometry {
     bevelOffset: -bevel,
     bevelThickness: bevel,
     bevelSegments: 3,
-    curveSegments: 14,
+    curveSegments: 22,
   });
   geometry.translate(0, 0, bevel - depth / 2);
   const creased = toCreasedNormals(geometry, CREASE);

@@ -14,19 +14,24 @@ import type { Scene } from '../stage.ts';
 
 /**
  * Shows a scene at a step, played by bots: `gallery.html?scene=hill&players=6&step=900&seed=7`.
- * `live=1` plays on; `reduced=1` and `quality=low` as in the settings. The title says `ready` when all is drawn.
+ * `live=1` plays on, `tour=1` with all scenes in turn; `reduced=1` and `quality=low` as in the settings; `away=2` lets
+ * seat 2 be away. The title says `ready` when all is drawn.
  */
 const query = new URLSearchParams(location.search);
 const number = (name: string, otherwise: number): number => Number(query.get(name) ?? otherwise);
-const kind = (query.get('scene') ?? 'hill') as Scene['kind'];
+type Kind = Scene['kind'];
+const KINDS: readonly Kind[] = ['lobby', 'race', 'hill', 'duel', 'podium'];
+const kind = (query.get('scene') ?? 'hill') as Kind;
 const seats: readonly Seat[] = Array.from({ length: number('players', 6) }, (_, seat) => seat);
 const setup = { seats, seed: number('seed', 7) };
 const isReduced = query.get('reduced') === '1';
 const quality = (query.get('quality') ?? 'high') as 'low' | 'middle' | 'high';
+const isTour = query.get('tour') === '1';
+const STEPS_OF_A_TOUR = 6 * STEPS_PER_SECOND;
 const canvas = document.querySelector('canvas')!;
 
 /** Gives the scene one step later, at each call. */
-function scenes(): () => Scene {
+function scenes(kind: Kind): () => Scene {
   switch (kind) {
     case 'hill':
       return played(GAMES.hill, (state) => ({ kind, state }));
@@ -50,7 +55,7 @@ function played<State>(game: Game<State>, scene: (state: State) => Scene): () =>
   };
 }
 
-/** One joins each third of a second; with `away=2`, seat 2 is away. */
+/** One joins each third of a second. */
 function joining(): () => Scene {
   let step = 0;
   return () => {
@@ -77,7 +82,7 @@ async function showStill(step: number): Promise<void> {
   core.setReducedMotion(isReduced);
   core.setQuality(quality);
   core.resize(canvas.clientWidth, canvas.clientHeight);
-  const next = scenes();
+  const next = scenes(kind);
   for (let at = 0; at <= step; at += 1) {
     core.show(next(), (at * 1000) / STEPS_PER_SECOND);
     core.advance((at * 1000) / STEPS_PER_SECOND);
@@ -90,17 +95,21 @@ async function showStill(step: number): Promise<void> {
 
 function playLive(step: number): void {
   const stage = createStage(canvas, { quality, isReducedMotion: isReduced });
-  const next = scenes();
+  let next = scenes(kind);
   for (let at = 0; at < step; at += 1) next();
   let stepsDone = 0;
   const beganMs = performance.now();
   requestAnimationFrame(function onFrame(nowMs) {
     requestAnimationFrame(onFrame);
     const wanted = Math.floor(((nowMs - beganMs) / 1000) * STEPS_PER_SECOND);
-    for (; stepsDone < wanted; stepsDone += 1) stage.show(next());
+    for (; stepsDone < wanted; stepsDone += 1) {
+      if (isTour && stepsDone % STEPS_OF_A_TOUR === 0)
+        next = scenes(KINDS[(stepsDone / STEPS_OF_A_TOUR) % KINDS.length]!);
+      stage.show(next());
+    }
     document.title = `${stage.frames.quality} ${stage.frames.p95Ms.toFixed(1)} ms`;
   });
 }
 
-if (query.get('live') === '1') playLive(number('step', 0));
+if (isTour || query.get('live') === '1') playLive(number('step', 0));
 else await showStill(number('step', 0));

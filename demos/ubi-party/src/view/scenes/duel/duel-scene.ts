@@ -7,6 +7,7 @@ import { PulseRings } from '../../motion/pulse-rings.ts';
 import { CrownMover } from '../../pieces/crown-mover.ts';
 import type { PieceKit } from '../../pieces/piece-kit.ts';
 import { StandingPieces } from '../../pieces/standing-pieces.ts';
+import { disposeToys } from '../../toys/toy-box.ts';
 import type { Frame, SceneView } from '../scene-view.ts';
 import {
   duelEvents,
@@ -17,6 +18,7 @@ import {
   type DuelGlance,
 } from './duel-events.ts';
 import { duelSpots, type DuelSpot } from './duel-spots.ts';
+import { buildDuelProps } from './duel-props.ts';
 import { Flag } from './flag.ts';
 
 const FLAG_Z = -6.5;
@@ -35,6 +37,7 @@ export class DuelScene implements SceneView<{ kind: 'duel'; state: DuelState }> 
   readonly #ground: GroundShade;
   readonly #shades: ContactShades;
   readonly #flag: Flag;
+  readonly #props: Group;
   readonly #rings: PulseRings;
   readonly #crown: CrownMover;
   readonly #crownAt = new Vector3();
@@ -56,7 +59,8 @@ export class DuelScene implements SceneView<{ kind: 'duel'; state: DuelState }> 
     this.#rings = new PulseRings(this.root, '#fff6e4');
     this.#crown = new CrownMover(kit);
     this.#crown.root.scale.setScalar(1.2);
-    this.root.add(this.#flag.root, this.#crown.root);
+    this.#props = buildDuelProps(kit.paints);
+    this.root.add(this.#flag.root, this.#crown.root, this.#props);
   }
 
   show({ state }: { state: DuelState }): void {
@@ -104,6 +108,7 @@ export class DuelScene implements SceneView<{ kind: 'duel'; state: DuelState }> 
 
   dispose(): void {
     for (const part of [this.#ground, this.#shades, this.#flag, this.#rings]) part.dispose();
+    disposeToys(this.#props);
   }
 
   #play(event: DuelEvent, isReduced: boolean): void {
@@ -135,7 +140,7 @@ export class DuelScene implements SceneView<{ kind: 'duel'; state: DuelState }> 
 }
 
 function framingOf(spots: readonly DuelSpot[]): Framing {
-  const half = Math.max(10.5, ...spots.map(({ x }) => Math.abs(x) + 1.6));
+  const half = Math.max(10.5, ...spots.map(({ x }) => Math.abs(x) + 1.2));
   return {
     pitchDeg: 22,
     points: [
@@ -143,6 +148,6 @@ function framingOf(spots: readonly DuelSpot[]): Framing {
       { x: half, y: 0, z: 1.4 },
       { x: 0, y: 12.2, z: FLAG_Z },
     ],
-    rect: { left: 0.03, right: 0.97, top: 0.06, bottom: 0.82 },
+    rect: { left: 0.02, right: 0.98, top: 0.05, bottom: 0.8 },
   };
 }

@@ -14,7 +14,7 @@ export interface DuelSpot {
 export function duelSpots(seats: readonly Seat[]): DuelSpot[] {
   const rows = seats.length < TWO_ROWS ? 1 : 2;
   const perRow = Math.ceil(seats.length / rows);
-  const gap = Math.max(2.7, Math.min(4, 20 / perRow));
+  const gap = Math.max(2.5, Math.min(4, 20 / perRow));
   return seats.map((seat, index) => {
     const [row, column] = [Math.floor(index / perRow), index % perRow];
     const inRow = row === 0 ? perRow : seats.length - perRow;

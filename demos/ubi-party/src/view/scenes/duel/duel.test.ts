@@ -54,7 +54,7 @@ describe('duel spots', () => {
     expect(new Set(spots.map(({ z }) => z)).size).toBe(count < 9 ? 1 : 2);
     for (const [index, a] of spots.entries()) {
       for (const b of spots.slice(index + 1)) {
-        expect(a.z !== b.z || Math.abs(a.x - b.x) > 2.6).toBe(true);
+        expect(a.z !== b.z || Math.abs(a.x - b.x) > 2.4).toBe(true);
       }
     }
   });

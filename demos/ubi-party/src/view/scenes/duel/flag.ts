@@ -17,6 +17,8 @@ const CLOTH = { width: 5.2, height: 3.4, columns: 6, rows: 4 } as const;
 /** Of the kerbs: no player has this red beside this white. */
 const CHECKERS = ['#e8674f', '#fff6e4'] as const;
 const LOW = 0.75;
+/** How far the loose edge of the cloth swings, units. */
+const WAVE = 0.34;
 
 /** A flag on a pole: it falls at the signal. */
 export class Flag {
@@ -71,15 +73,21 @@ export class Flag {
 
   #wave(timeS: number): void {
     const positions = this.#cloth.geometry.getAttribute('position');
+    const normals = this.#cloth.geometry.getAttribute('normal');
     for (let index = 0; index < positions.count; index += 1) {
       const x = this.#still[index * 3]!;
       const y = this.#still[index * 3 + 1]!;
       const loose = x / CLOTH.width;
-      positions.setZ(index, Math.sin(x * 1.5 - timeS * 4.2 + y * 0.4) * 0.34 * loose);
+      const phase = x * 1.5 - timeS * 4.2 + y * 0.4;
+      positions.setZ(index, Math.sin(phase) * WAVE * loose);
       positions.setY(index, y - loose * loose * 0.35);
+      // Of the surface itself: faces of the cloth would be seen
+      const slope = WAVE * (Math.cos(phase) * 1.5 * loose + Math.sin(phase) / CLOTH.width);
+      const size = Math.hypot(slope, 1);
+      normals.setXYZ(index, -slope / size, 0, 1 / size);
     }
     positions.needsUpdate = true;
-    this.#cloth.geometry.computeVertexNormals();
+    normals.needsUpdate = true;
   }
 }
 

@@ -30,6 +30,7 @@ import { PowerMarks } from './power-marks.ts';
 /** Degrees that the camera sways with a push. */
 const SWAY_DEG = 0.5;
 const CHIPS_OF_A_PUSH = 14;
+const CHIPS_OF_A_DASH = 8;
 
 const AROUND = Array.from({ length: 16 }, (_, index) => (index / 16) * Math.PI * 2);
 const FRAMING: Framing = {
@@ -151,7 +152,32 @@ export class HillScene implements SceneView<{ kind: 'hill'; state: HillState }> 
     this.#crown.update(state.crown, this.#crownAt, frame.dtS, frame.isReduced);
   }
 
+  /** A dash leaves chips of its paint behind. */
+  #kickUp(seat: Seat): void {
+    const one = this.#state?.pieces.find((piece) => piece.seat === seat);
+    if (!one) return;
+    const speed = Math.max(1, Math.hypot(one.velocity.x, one.velocity.y));
+    const [x, z] = [one.velocity.x / speed, -one.velocity.y / speed];
+    for (let chip = 0; chip < CHIPS_OF_A_DASH; chip += 1) {
+      const aside = scatter(chip, seat) - 0.5;
+      this.#chips.launch(
+        {
+          x: one.position.x - x - z * aside * 1.6,
+          y: PLATFORM_Y + 0.15,
+          z: -one.position.y - z + x * aside * 1.6,
+          vx: -x * (2 + 3 * scatter(chip, 20)),
+          vy: 2 + 2 * scatter(chip, 30),
+          vz: -z * (2 + 3 * scatter(chip, 20)),
+          size: 0.16 + 0.12 * scatter(chip, 40),
+          lifeS: 0.4,
+        },
+        identityOf(seat).colour,
+      );
+    }
+  }
+
   #play(event: HillEvent, isReduced: boolean): void {
+    if (event.type === 'dash' && !isReduced) this.#kickUp(event.seat);
     if (event.type !== 'push') return;
     for (const seat of event.seats) this.#pieces.get(seat).hit(1);
     if (isReduced) {

@@ -1,4 +1,5 @@
 import {
+  Color,
   CylinderGeometry,
   Group,
   InstancedMesh,
@@ -15,6 +16,7 @@ import { buildBlock, buildCone, buildCylinder, buildTurned } from '../../toys/tu
 import { beside } from './road-geometry.ts';
 import { boundsOf, freeSpots, offRoad, pillarsOf, type Spot } from './scenery.ts';
 
+const GREENS = ['#3a9158', '#2f8350', '#4aa062'] as const;
 const FANS = ['#a9c93a', '#8a5a3b', '#7cc8f0', '#fff6e4', '#7a3b8f', '#e8843c'] as const;
 type Taken = (Spot & { readonly radius: number })[];
 
@@ -34,6 +36,7 @@ export class RaceScenery {
     this.#addStand(track, taken);
     this.#addTowers(track, taken);
     this.#addTrees(track, taken);
+    this.#addPencil(track);
   }
 
   dispose(): void {
@@ -55,16 +58,12 @@ export class RaceScenery {
     for (let index = 0; index < 7; index += 1) {
       const angle = ((index + 1.5) / 9) * Math.PI;
       const stone = add(
-        buildBlock(1.4, 0.9, 0.14, 0.04),
+        buildBlock(1.5, 0.95, 1.62, 0.05).translate(0, -0.475, 0),
         index % 2 === 0 ? '#221c14' : '#fff6e4',
         [0, 0, 0],
       );
       const radius = width / 2 - 0.75;
-      stone.position.set(
-        Math.cos(angle) * radius - Math.cos(angle) * 0.45,
-        shoulder + Math.sin(angle) * radius - Math.sin(angle) * 0.45,
-        0.74,
-      );
+      stone.position.set(Math.cos(angle) * radius, shoulder + Math.sin(angle) * radius, 0);
       stone.rotation.z = angle - Math.PI / 2;
       arch.add(stone);
     }
@@ -85,7 +84,7 @@ export class RaceScenery {
     const spots = freeSpots(track, { count: 15, radius: 1.9, height: 4.6, salt: 11 }, taken);
     const crown = this.#instance(
       buildCone(1.85, 4.4, 0.12).translate(0, 0.9, 0),
-      '#3a9158',
+      '#ffffff',
       spots.length,
     );
     const trunk = this.#instance(
@@ -93,14 +92,32 @@ export class RaceScenery {
       '#8b5e3c',
       spots.length,
     );
-    const matrix = new Matrix4();
+    const [matrix, tint] = [new Matrix4(), new Color()];
     for (const [index, { x, y }] of spots.entries()) {
       const size = 0.85 + 0.4 * scatter(index, 60);
       matrix.makeScale(size, size, size).setPosition(x, 0, -y);
       crown.setMatrixAt(index, matrix);
+      crown.setColorAt(index, tint.set(GREENS[index % GREENS.length]!));
       trunk.setMatrixAt(index, matrix);
       this.shades.push({ x, z: -y, size: 4.4 * size });
     }
+  }
+
+  /** Somebody left it at the front right: it tells how large all of this is. */
+  #addPencil(track: Track): void {
+    const { maxX, minY } = boundsOf(track);
+    const pencil = new Group();
+    const add = placer(pencil, this.#paints);
+    const rod = (length: number, from: number, sides: number, radius = 1): BufferGeometry =>
+      new CylinderGeometry(radius, radius, length, sides)
+        .rotateZ(Math.PI / 2)
+        .translate(from + length / 2, 0, 0);
+    add(rod(26, 2.6, 6), '#e3a21a', [0, 0, 0]);
+    add(rod(1.7, 1, 24, 1.02), '#c9c3b4', [0, 0, 0]);
+    add(rod(1.1, 0, 24, 0.92), '#ec8f86', [0, 0, 0]);
+    pencil.position.set(maxX - 14, 0.88, -minY + 3.4);
+    pencil.rotation.y = 0.14;
+    this.root.add(pencil);
   }
 
   /** Behind the track at the right, with those who watch. */
