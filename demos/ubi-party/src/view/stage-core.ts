@@ -85,7 +85,7 @@ export class StageCore {
       eye: this.#rig.camera.position,
     });
     this.#rig.frame(view.framing);
-    this.#rig.update(dtS, view.zoom, this.#isReduced ? 0 : view.swayDeg);
+    this.#rig.update(dtS, view.zoom, this.#isReduced ? 0 : view.swayDeg, view.zoomAt);
   }
 
   draw(): void {

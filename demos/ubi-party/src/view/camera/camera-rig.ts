@@ -41,10 +41,15 @@ export class CameraRig {
   /**
    * Places the camera.
    *
-   * @param zoom above 1 is nearer
+   * @param zoom above 1 is nearer, around a point of the table
    * @param swayDeg turned to the left, in addition to the framing
    */
-  update(dtS: number, zoom: number, swayDeg: number): void {
+  update(
+    dtS: number,
+    zoom: number,
+    swayDeg: number,
+    zoomAt?: { readonly x: number; readonly z: number },
+  ): void {
     const framing = this.#framing;
     if (!framing) return;
     const yawDeg = framing.yawDeg ?? 0;
@@ -55,7 +60,17 @@ export class CameraRig {
     );
     const at = this.#at ? between(this.#at, this.#goal, approach(dtS, FOLLOW_S)) : this.#goal;
     this.#at = at;
-    this.#place(at, at.distance / zoom, framing.pitchDeg, yawDeg + swayDeg);
+    const { target } = at;
+    // What is at the point stays at its place in the picture
+    const share = zoomAt ? 1 - 1 / zoom : 0;
+    const x = target.x + ((zoomAt?.x ?? 0) - target.x) * share;
+    const z = target.z + ((zoomAt?.z ?? 0) - target.z) * share;
+    this.#place(
+      { ...at, target: { x, y: target.y, z } },
+      at.distance / zoom,
+      framing.pitchDeg,
+      yawDeg + swayDeg,
+    );
   }
 
   #place(

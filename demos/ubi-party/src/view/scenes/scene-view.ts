@@ -26,6 +26,8 @@ export interface SceneView<S extends Scene = Scene> {
   readonly framing: Framing;
   /** Above 1 is nearer than the framing needs. */
   readonly zoom: number;
+  /** The point that a zoom leaves where it is in the picture; else it is the middle of the framing. */
+  readonly zoomAt?: { readonly x: number; readonly z: number };
   readonly swayDeg: number;
   /** The next state. It may be the same object, changed. */
   show(scene: S, nowMs: number): void;

@@ -12,18 +12,18 @@ export interface Spot {
   readonly z: number;
 }
 
-const ROWS = 6;
+const ROWS = 5;
 const ROW = 3.1;
-/** The columns at each side, units from the middle. */
-const COLUMNS = [12.4, 15.4, 18.4] as const;
+/** The first column at each side, and from one to the next, units from the middle. */
+const COLUMN = { first: 12.4, next: 3 } as const;
 
 /** Where who fell lies: at the left or the right of the hill, near ones first, never under it. @param order among those at that side */
 export function lyingSpot(isRight: boolean, order: number): Spot {
-  const column = Math.floor(order / ROWS) % COLUMNS.length;
+  const column = Math.floor(order / ROWS);
   const row = order % ROWS;
   // From a little before the middle, alternately away and towards
   const z = -0.5 + (row % 2 === 0 ? -1 : 1) * Math.ceil(row / 2) * ROW;
-  const x = COLUMNS[column]! + (scatter(order, isRight ? 1 : 2) - 0.5) * 0.5;
+  const x = COLUMN.first + column * COLUMN.next + (scatter(order, isRight ? 1 : 2) - 0.5) * 0.5;
   return { x: isRight ? x : -x, z };
 }
 

@@ -59,7 +59,7 @@ export class LobbyScene implements SceneView<{ kind: 'lobby'; players: readonly 
     this.swayDeg = DRIFT.deg * Math.sin((this.#timeS / DRIFT.periodS) * Math.PI * 2);
     this.#shades.begin();
     shadeToys(this.#toys, this.#shades);
-    shadeMarbles(this.#marbles, this.#shades);
+    if (this.#marbles.visible) shadeMarbles(this.#marbles, this.#shades);
     this.#pieces.update(frame, this.#shades);
     this.#shades.end();
   }
@@ -78,17 +78,23 @@ export class LobbyScene implements SceneView<{ kind: 'lobby'; players: readonly 
   #lay(plan: LobbyPlan): void {
     this.#plan = plan;
     this.framing = framingOf(plan);
-    const { half, depth } = lobbySize(plan);
+    const { depth } = lobbySize(plan);
     this.#toys.position.z = -depth;
-    this.#toys.scale.setScalar(half / 7);
-    this.#marbles.scale.setScalar(half / 7);
+    this.#toys.scale.setScalar(toysSize(plan));
+    // With more rows they would lie before letters
+    this.#marbles.visible = plan.rows === 2;
   }
+}
+
+/** The toys grow with the table, but not as much: pieces have the room. */
+function toysSize(plan: LobbyPlan): number {
+  return Math.min(1.2, lobbySize(plan).half / 7);
 }
 
 /** The left column is for the code, the bottom edge for the games. */
 function framingOf(plan: LobbyPlan): Framing {
   const { half, depth } = lobbySize(plan);
-  const size = half / 7;
+  const size = toysSize(plan);
   return {
     pitchDeg: 27,
     points: [

@@ -53,5 +53,5 @@ export function buildLobbyMarbles(paints: Paints): Group {
 
 export function shadeMarbles(root: Group, shades: ContactShades): void {
   for (const { x, z, radius } of MARBLES)
-    shades.add(root.position.x + x * root.scale.x, 0, z * root.scale.x, radius * 2.2, radius * 1.8);
+    shades.add(root.position.x + x, 0, z, radius * 2.2, radius * 1.8);
 }

@@ -19,6 +19,8 @@ export const STEPS: readonly PodiumStep[] = [
 
 /** How many stand in a row before the steps. */
 const ROW_OF_OTHERS = 10;
+/** The camera looks far less down than in the lobby: rows that are nearer hide letters. */
+const ROW_OF_OTHERS_Z = 5.4;
 /** As few stand between the digits. */
 const BETWEEN_DIGITS = [-2.05, 2.05, 7.4] as const;
 
@@ -56,7 +58,7 @@ export function podiumSpots(seats: readonly Seat[], first: readonly Seat[]): Pod
             ? BETWEEN_DIGITS[index]!
             : 1.3 + (column - (inRow - 1) / 2) * gap + (row % 2 === 0 ? 0 : gap * 0.25),
         y: 0,
-        z: STEP_DEPTH / 2 + 1.3 + row * 2.6 * size,
+        z: STEP_DEPTH / 2 + (rows > 1 ? 3 : 1.3) + row * ROW_OF_OTHERS_Z * size,
         size,
       };
     }),

@@ -1,12 +1,5 @@
 import { Group, Mesh, MeshStandardMaterial, Vector3 } from 'three';
-import {
-  lapOf,
-  placeAt,
-  trackOf,
-  type RaceState,
-  type Seat,
-  type Track,
-} from '../../../sim/index.ts';
+import { placeAt, trackOf, type RaceState, type Seat, type Track } from '../../../sim/index.ts';
 import type { Framing } from '../../camera/camera-rig.ts';
 import { ContactShades, GroundShade } from '../../light/ground-shade.ts';
 import { HOURS } from '../../light/hours.ts';
@@ -15,6 +8,7 @@ import { StepClock } from '../../motion/step-clock.ts';
 import { CrownMover } from '../../pieces/crown-mover.ts';
 import type { PieceKit } from '../../pieces/piece-kit.ts';
 import type { Frame, SceneView } from '../scene-view.ts';
+import { closeIn } from './close-in.ts';
 import { RaceBits } from './race-bits.ts';
 import { RaceCarts } from './race-carts.ts';
 import {
@@ -27,9 +21,7 @@ import {
 import { RaceScenery } from './race-scenery.ts';
 import { buildRoad } from './road-geometry.ts';
 import { roadHeight } from './road-height.ts';
-
-/** The camera closes in on the last lap. */
-const LAST_LAP_ZOOM = 1.15;
+import { boundsOf } from './scenery.ts';
 
 /** Marble Dash. */
 export class RaceScene implements SceneView<{ kind: 'race'; state: RaceState }> {
@@ -38,6 +30,7 @@ export class RaceScene implements SceneView<{ kind: 'race'; state: RaceState }> 
   readonly reach = 42;
   readonly swayDeg = 0;
   zoom = 1;
+  readonly zoomAt = { x: 0, z: 0 };
   framing: Framing = NOTHING;
   readonly #kit: PieceKit;
   readonly #ground: GroundShade;
@@ -103,9 +96,7 @@ export class RaceScene implements SceneView<{ kind: 'race'; state: RaceState }> 
     this.#bits.update(frame.dtS);
     this.#crown.root.visible = state.step > 60 && leader !== undefined;
     this.#crown.update(leader, this.#crownAt, frame.dtS, frame.isReduced);
-    const first = state.carts.find(({ seat }) => seat === leader);
-    const isLast = first !== undefined && lapOf(first, track) === track.laps;
-    this.zoom += ((isLast ? LAST_LAP_ZOOM : 1) - this.zoom) * approach(frame.dtS, 0.9);
+    this.#closeIn(state, track, frame);
   }
 
   footOf(seat: Seat, into: Vector3): boolean {
@@ -118,6 +109,15 @@ export class RaceScene implements SceneView<{ kind: 'race'; state: RaceState }> 
   dispose(): void {
     this.#clear();
     for (const part of [this.#ground, this.#shades, this.#bits, this.#roadPaint]) part.dispose();
+  }
+
+  #closeIn(state: RaceState, track: Track, { dtS }: Frame): void {
+    const { minX, maxX } = boundsOf(track);
+    const goal = closeIn(state, track, (maxX - minX) / 2);
+    const share = approach(dtS, 0.9);
+    this.zoom += (goal.zoom - this.zoom) * share;
+    this.zoomAt.x += (goal.x - this.zoomAt.x) * share;
+    this.zoomAt.z += (goal.z - this.zoomAt.z) * share;
   }
 
   #followCrown(carts: RaceCarts, leader: Seat, x: number, y: number, z: number): void {
