@@ -142,7 +142,7 @@ export class HillScene implements SceneView<{ kind: 'hill'; state: HillState }> 
       const { x, y, z } = piece.root.position;
       if (ground !== undefined) this.#shades.add(x, ground, z, 2.7, 2.3);
       this.#arcs.set(one.seat, one.outAt === undefined ? one.charge : 0, x, y, z);
-      this.#marks.set(piece, one.power?.kind);
+      if (one.outAt === undefined) this.#marks.set(piece, one.power?.kind);
       if (one.seat === state.crown) {
         this.#crownAt.set(0, piece.height + 0.12, 0).applyQuaternion(piece.body.quaternion);
         this.#crownAt.multiplyScalar(piece.root.scale.x).add(piece.root.position);

@@ -3,7 +3,7 @@ import { GAMES, trackOf, type RaceState } from '../../../sim/index.ts';
 import { closeIn } from './close-in.ts';
 
 const race = (xs: readonly number[], distance: number): RaceState => {
-  const state = GAMES.race.start({ seats: xs.map((_, seat) => seat), seed: 0, startsAtMs: 0 });
+  const state = GAMES.race.start({ seats: xs.map((_, seat) => seat), seed: 0 });
   for (const [index, cart] of state.carts.entries()) {
     Object.assign(cart, { distance, position: { x: xs[index]!, y: 4 } });
   }
