@@ -5,7 +5,7 @@ import { StageCore } from './stage-core.ts';
 import type { Stage } from './stage.ts';
 
 export interface StageOptions {
-  /** The level to begin with; measured frames change it. Default: `middle`. */
+  /** The level to begin with; measured frames change it. Default: `middle`, or `low` where the processor draws. */
   readonly quality?: Quality;
   readonly isReducedMotion?: boolean;
 }
@@ -16,10 +16,11 @@ export interface StageOptions {
  * @throws Error where the browser has no WebGL 2
  */
 export function createStage(canvas: HTMLCanvasElement, options: StageOptions = {}): Stage {
+  const isFast = hasGraphicsCard();
   const core = new StageCore(
-    new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' }),
+    new WebGLRenderer({ canvas, antialias: isFast, powerPreference: 'high-performance' }),
   );
-  const meter = new FrameMeter(options.quality ?? 'middle');
+  const meter = new FrameMeter(options.quality ?? (isFast ? 'middle' : 'low'));
   core.setQuality(meter.quality);
   core.setReducedMotion(options.isReducedMotion ?? false);
   const fit = (): void => core.resize(canvas.clientWidth, canvas.clientHeight);
@@ -53,4 +54,13 @@ export function createStage(canvas: HTMLCanvasElement, options: StageOptions = {
       core.dispose();
     },
   };
+}
+
+/** Whether WebGL draws without a major loss of speed: a canvas of its own is asked, whose answer binds nothing. */
+function hasGraphicsCard(): boolean {
+  const attributes = { failIfMajorPerformanceCaveat: true };
+  const canvas = document.createElement('canvas');
+  const context = canvas.getContext('webgl2', attributes) as WebGL2RenderingContext | null;
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return context !== null;
 }

@@ -2,7 +2,7 @@ import { nextQuality, startQuality, type Quality, type QualityState } from './qu
 
 const WINDOW_MS = 2000;
 /** A pause (a hidden tab, a breakpoint) says nothing about the device. */
-const PAUSE_MS = 1500;
+const PAUSE_MS = 5000;
 
 /** Measures the time between frames and chooses the level of quality. */
 export class FrameMeter {

@@ -94,7 +94,10 @@ async function showStill(step: number): Promise<void> {
 }
 
 function playLive(step: number): void {
-  const stage = createStage(canvas, { quality, isReducedMotion: isReduced });
+  const stage = createStage(canvas, {
+    isReducedMotion: isReduced,
+    ...(query.has('quality') && { quality }),
+  });
   let next = scenes(kind);
   for (let at = 0; at < step; at += 1) next();
   let stepsDone = 0;
