@@ -12,3 +12,8 @@ export function phoneTopics(clientId: string): KnownTopic[] {
 export function phoneTopicTags(topic: string, clientId: string): readonly string[] | undefined {
   return PUBLISHERS.find((component) => component.topic(clientId) === topic)?.tags;
 }
+
+/** Whether a topic is the touch of this browser's smart device. */
+export function isOwnTouch(topic: string, ownId: string): boolean {
+  return phoneTopicTags(topic, ownId)?.includes('touch') ?? false;
+}
