@@ -64,6 +64,19 @@ export interface Game<State, Settings extends GameSettings = GameSettings> {
   hud(state: State, nameOf: (seat: Seat) => string): Hud;
   /** The controls of a bot on a seat. */
   bot(state: State, seat: Seat): Controls;
+  /** Where the pieces stand: the picture of a game that has no scene of its own. */
+  pieces?(state: State): readonly TablePiece[];
+}
+
+/** A player's piece on a table that reaches from -10 to 10 in both directions. */
+export interface TablePiece {
+  readonly seat: Seat;
+  /** To the right. */
+  readonly x: number;
+  /** Away from who looks. */
+  readonly y: number;
+  /** Lies down. */
+  readonly isOut: boolean;
 }
 
 /** Numbers that people change while a game runs: 1 is as the game is meant. */

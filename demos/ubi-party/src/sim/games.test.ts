@@ -3,13 +3,16 @@ import { AT_REST, type Controls, type Game, type GameSettings } from './game.ts'
 import { GAMES } from './games.ts';
 import { PlayedRound } from './rounds/played-round.ts';
 import { stateHash } from './state-hash.ts';
+import { templateGame } from './template/template-game.ts';
 import { playWithBots } from './testing/play-with-bots.ts';
 
 type AnyGame = Game<unknown, GameSettings>;
 const SEATS = Array.from({ length: 32 }, (_, seat) => seat);
 
+const ALL = { ...GAMES, template: templateGame };
+
 /** What every game keeps to, whatever it is about. */
-describe.each(Object.entries(GAMES) as unknown as [string, AnyGame][])('%s', (id, game) => {
+describe.each(Object.entries(ALL) as unknown as [string, AnyGame][])('%s', (id, game) => {
   it('is found by its id, and is explained', () => {
     expect(game.id).toBe(id);
     expect(game.explanation.length).toBeGreaterThan(0);
@@ -75,6 +78,13 @@ describe.each(Object.entries(GAMES) as unknown as [string, AnyGame][])('%s', (id
       game.step(state, controls, game.settings);
     }
     expect(JSON.stringify(state)).not.toContain('null');
+  });
+
+  it('keeps its pieces on the table', () => {
+    playWithBots(game, 32, 6, (state) => {
+      for (const { x, y } of game.pieces?.(state) ?? [])
+        expect(Math.max(Math.abs(x), Math.abs(y))).toBeLessThanOrEqual(10);
+    });
   });
 
   it('plays its last seconds again, exactly', () => {

@@ -4,6 +4,8 @@ import type { Seat } from './game.ts';
 export interface Hud {
   /** The largest words, such as `Lap 2 of 3`. */
   readonly headline: string;
+  /** A statement to decide on, with what a step to the left and to the right means. */
+  readonly question?: { readonly text: string; readonly left: string; readonly right: string };
   /** A few words behind each name, such as `+0.6 s`. */
   readonly notes: Readonly<Record<Seat, string>>;
   /** Those who are out: their names are dimmed. */

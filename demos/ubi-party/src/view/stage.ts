@@ -1,4 +1,4 @@
-import type { DuelState, HillState, Player, RaceState, Seat } from '../sim/index.ts';
+import type { DuelState, HillState, Player, RaceState, Seat, TablePiece } from '../sim/index.ts';
 
 /** What the stage shows. */
 export type Scene =
@@ -10,7 +10,9 @@ export type Scene =
     }
   | { readonly kind: 'race'; readonly state: RaceState }
   | { readonly kind: 'hill'; readonly state: HillState }
-  | { readonly kind: 'duel'; readonly state: DuelState };
+  | { readonly kind: 'duel'; readonly state: DuelState }
+  /** A game without a scene of its own. */
+  | { readonly kind: 'pieces'; readonly pieces: readonly TablePiece[] };
 
 /** The three-dimensional part of the big screen; words stand on a page above it. */
 export interface Stage {

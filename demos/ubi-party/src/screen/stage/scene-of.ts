@@ -27,7 +27,8 @@ export function sceneOf(
 const firstThree = (places: readonly (readonly Seat[])[]): Seat[] => places.flat().slice(0, 3);
 
 function gameScene(game: GameId, state: unknown): Scene {
-  return { kind: game, state } as Scene;
+  const pieces = (GAMES[game] as Game<unknown>).pieces?.(state);
+  return pieces ? { kind: 'pieces', pieces } : ({ kind: game, state } as Scene);
 }
 
 /** Where everybody stands before the first step: the rules give the same on every machine. */

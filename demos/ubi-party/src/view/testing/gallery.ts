@@ -39,6 +39,8 @@ function scenes(kind: Kind): () => Scene {
       return played(GAMES.race, (state) => ({ kind, state }));
     case 'duel':
       return played(GAMES.duel, (state) => ({ kind, state }));
+    case 'pieces':
+      return played(GAMES.quiz, (state) => ({ kind, pieces: GAMES.quiz.pieces!(state) }));
     case 'lobby':
       return joining();
     case 'podium':
