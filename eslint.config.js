@@ -219,7 +219,7 @@ export default ts.config(
     },
   },
   {
-    files: ['demos/ubi-party/src/{net,modules}/**'],
+    files: ['demos/ubi-party/src/{net,modules,sound}/**'],
     ignores: ['**/*.test.ts', '**/testing/**'],
     rules: restrict(noApps, noVue, noEngine),
   },

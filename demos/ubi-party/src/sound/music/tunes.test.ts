@@ -1,0 +1,62 @@
+import { describe, expect, test } from 'vitest';
+import { pitchOf } from '../scale.ts';
+import { notesBetween } from './tune.ts';
+import { tuneOf, type Mood } from './tunes.ts';
+
+const MOODS: Mood[] = [
+  ...(['lobby', 'duel', 'hunt', 'table'] as const).map((kind) => ({ kind })),
+  { kind: 'race', isLastLap: false },
+  { kind: 'race', isLastLap: true },
+  { kind: 'hill', players: 32, out: 31 },
+  { kind: 'podium', winner: 31 },
+];
+
+test.each(MOODS)('the tune of $kind lies within its beats and is soft', (mood) => {
+  const { notes, beats, bpm } = tuneOf(mood);
+  expect(bpm).toBeGreaterThan(0);
+  for (const { at, midi, strength } of notes) {
+    expect(at >= 0 && at < beats && midi >= 24 && midi <= 100).toBe(true);
+    expect(strength > 0 && strength <= 0.8).toBe(true);
+  }
+});
+
+test('the race is played at 120 bpm, and faster on the last lap, as one tune', () => {
+  const [first, last] = [false, true].map((isLastLap) => tuneOf({ kind: 'race', isLastLap }));
+  expect(first!.bpm).toBe(120);
+  expect(last!.bpm).toBeGreaterThan(120);
+  expect(last!.id).toBe(first!.id);
+});
+
+describe('the drum of the hill', () => {
+  const loudBars = (players: number, out: number): number => {
+    const { notes, beats } = tuneOf({ kind: 'hill', players, out });
+    const bars = Array.from({ length: beats / 4 }, (_, bar) =>
+      Math.max(...notes.filter(({ at }) => Math.floor(at / 4) === bar).map((one) => one.strength)),
+    );
+    return bars.filter((strength) => strength > 0.5).length;
+  };
+
+  test('has one quiet bar more for each player who is out', () => {
+    expect([0, 1, 2, 4].map((out) => loudBars(5, out))).toEqual([5, 4, 3, 1]);
+  });
+
+  test('has eight bars for more players', () => {
+    expect([0, 4, 32].map((out) => loudBars(32, out))).toEqual([8, 7, 0]);
+  });
+});
+
+test('the marimba of the podium begins with the pitch of the winner', () => {
+  for (const winner of [0, 3, 4]) {
+    const [first] = tuneOf({ kind: 'podium', winner }).notes;
+    expect(first).toMatchObject({ voice: 'marimba', midi: pitchOf(winner) });
+  }
+  expect(tuneOf({ kind: 'podium', winner: 13 }).notes[0]!.midi % 12).toBe(pitchOf(13) % 12);
+});
+
+test('windows that follow each other have each note once, over repetitions', () => {
+  const tune = tuneOf({ kind: 'hunt' });
+  const whole = notesBetween(tune, 0, 24);
+  expect(whole).toHaveLength(tune.notes.length * 3);
+  const pieces = Array.from({ length: 80 }, (_, i) => notesBetween(tune, i * 0.3, (i + 1) * 0.3));
+  expect(pieces.flat().map(({ beat }) => beat)).toEqual(whole.map(({ beat }) => beat));
+});
