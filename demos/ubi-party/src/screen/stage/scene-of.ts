@@ -32,10 +32,6 @@ function gameScene(game: GameId, state: unknown): Scene {
 }
 
 /** Where everybody stands before the first step: the rules give the same on every machine. */
-let started: { readonly id: string; readonly state: unknown } | undefined;
-function startOf({ id, game, seed, seats }: RoundView): unknown {
-  if (started?.id !== id) {
-    started = { id, state: (GAMES[game as GameId] as Game<unknown>).start({ seed, seats }) };
-  }
-  return started.state;
+function startOf({ game, seed, seats }: RoundView): unknown {
+  return (GAMES[game as GameId] as Game<unknown>).start({ seed, seats });
 }

@@ -3,6 +3,7 @@ import type { Scene } from '../stage.ts';
 import { DuelScene } from './duel/duel-scene.ts';
 import { HillScene } from './hill/hill-scene.ts';
 import { LobbyScene } from './lobby/lobby-scene.ts';
+import { PiecesScene } from './pieces/pieces-scene.ts';
 import { PodiumScene } from './podium/podium-scene.ts';
 import { RaceScene } from './race/race-scene.ts';
 import type { SceneView } from './scene-view.ts';
@@ -17,6 +18,7 @@ const OPENERS: Openers = {
   podium: (kit) => new PodiumScene(kit),
   hill: (kit) => new HillScene(kit),
   duel: (kit) => new DuelScene(kit),
+  pieces: (kit) => new PiecesScene(kit),
 };
 
 export function openScene(kind: Scene['kind'], kit: PieceKit): SceneView {
