@@ -18,12 +18,30 @@ export interface Feedback {
   readonly isOut: boolean;
   /** The step of the newest hit, 0 for none: the phone vibrates when it changes. */
   readonly hitAt: number;
+  /** What the player is asked for now, in games with answers. */
+  readonly question?: Question;
+}
+
+/** What is asked for. Times are milliseconds since the start of the round on the master's clock. */
+export interface Question {
+  /** The text of a right answer. */
+  readonly text: string;
+  /** For people, such as `a cup`. */
+  readonly name: string;
+  /** Of a right answer, at least. */
+  readonly leastScore: number;
+  readonly beganAtMs: number;
+  readonly endsAtMs: number;
+  /** An answer before this does not count. */
+  readonly opensAtMs: number;
+  /** What a right answer would bring now, such as `3rd would be +1`. */
+  readonly prize: string;
 }
 
 /** What the phone shows to play a game with. */
 export interface Controller {
-  /** wheel: left and right, by tilting or with the thumb; stick: all directions; none: only the button. */
-  readonly steering: 'wheel' | 'stick' | 'none';
+  /** wheel: left and right, by tilting or with the thumb; stick: all directions; none: only the button; camera: photos. */
+  readonly steering: 'wheel' | 'stick' | 'none' | 'camera';
   /** On the button. */
   readonly button: string;
   /** A held button charges, letting it go acts. */

@@ -9,6 +9,26 @@ export const STEPS_PER_SECOND = 60;
 /** Seconds of one step. */
 export const STEP_S = 1 / STEPS_PER_SECOND;
 
+/** A rectangle in a picture, as shares of its width and height from the top left. */
+export interface Area {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** A result that a phone found itself, such as what a photo shows. */
+export interface Answer {
+  /** Empty while the phone is still working on it. */
+  readonly text: string;
+  /** How sure the phone is, 0 to 1. */
+  readonly score: number;
+  /** When the player acted, milliseconds since the start of the round on the master's clock. It also identifies the answer. */
+  readonly atMs: number;
+  /** Where it is in the picture. */
+  readonly area?: Area;
+}
+
 /** What a controller says in one step. */
 export interface Controls {
   /** Stick or tilt, -1 (left) to 1 (right). */
@@ -19,6 +39,10 @@ export interface Controls {
   readonly isPressed: boolean;
   /** When the button went down last, milliseconds since the start of the round on the master's clock. */
   readonly pressedAtMs?: number;
+  /** The newest one. */
+  readonly answer?: Answer;
+  /** The player of the seat is away: rounds do not wait for them. */
+  readonly isAway?: boolean;
 }
 
 /** A controller without input: also that of a player who is away. */
@@ -52,6 +76,8 @@ export interface Game<State, Settings extends GameSettings = GameSettings> {
   readonly controller: Controller;
   /** What can be changed while it runs, with the values it has at first. */
   readonly settings: Settings;
+  /** Settings that are on (1) or off (0), with the words for people. */
+  readonly switches?: Readonly<Record<string, string>>;
   start(setup: RoundSetup): State;
   /** Changes the state to that of one step later. */
   step(state: State, controls: ReadControls, settings: Settings): void;

@@ -9,6 +9,7 @@ import { playWithBots } from './testing/play-with-bots.ts';
 const KNOWN: Readonly<Partial<Record<GameId, string>>> = {
   race: 'a5af9c4c',
   hill: '4f6f99fc',
+  hunt: 'e1a9a5ee',
   duel: 'e6e81d03',
   quiz: 'ac525ec6',
 };

@@ -35,9 +35,4 @@ export function readiness(room: Room): string {
   return `${asked.filter(({ isReady }) => isReady).length} of ${asked.length} ready`;
 }
 
-/** `1st`, `2nd`, `11th`, `23rd`. */
-export function ordinal(place: number): string {
-  const tens = place % 100;
-  if (tens >= 11 && tens <= 13) return `${place}th`;
-  return `${place}${['th', 'st', 'nd', 'rd'][place % 10] ?? 'th'}`;
-}
+export { ordinal } from '../../sim/index.ts';

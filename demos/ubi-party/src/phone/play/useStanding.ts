@@ -32,4 +32,5 @@ const GET_READY = {
   wheel: 'Hold the phone level.',
   stick: 'Put both thumbs on the pads.',
   none: 'Hold a thumb over the button.',
+  camera: 'Get your camera ready.',
 } as const;

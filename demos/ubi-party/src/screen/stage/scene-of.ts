@@ -10,7 +10,9 @@ export function sceneOf(
   state: RoundState | undefined,
 ): Scene {
   const { phase, players, results } = room;
-  if (phase === 'play' || phase === 'countdown' || (phase === 'podium' && state)) {
+  // Photos hang on a line of their own, above the stage
+  const isDrawn = round?.game !== 'hunt';
+  if (isDrawn && (phase === 'play' || phase === 'countdown' || (phase === 'podium' && state))) {
     const shown = state?.id === round?.id ? state?.state : undefined;
     if (round) return gameScene(round.game as GameId, shown ?? startOf(round));
   }

@@ -49,7 +49,7 @@ export const EMPTY_ROOM: Room = {
   isLocked: false,
   isCodeHidden: false,
   teams: 0,
-  games: ['race', 'hill', 'duel'],
+  games: ['race', 'hill', 'hunt'],
   results: [],
 };
 
