@@ -5,6 +5,9 @@ import { GAMES, STEPS_PER_SECOND, type GameId } from '../sim/index.ts';
 /** The asset set with the rules of the games, which the modules call. */
 export const PARTY_SET = 'party';
 
+/** Whether phones answer questions in a game, such as with what a photo shows. */
+export const takesAnswers = (game: GameId): boolean => GAMES[game].controller.steering === 'camera';
+
 export const partyModuleName = (game: GameId): string => `party-${game}`;
 
 /**
@@ -42,6 +45,7 @@ function definitionOf(id: GameId): AnyModuleDefinition {
       sticks: { format: 'vector2', list: true },
       buttons: { format: 'bool', list: true },
       pressed: { format: 'double', list: true },
+      ...(takesAnswers(id) && { answers: { format: 'object2D', list: true } as const }),
       ...Object.fromEntries(
         Object.entries(settings).map(([name, value]) => [
           name,

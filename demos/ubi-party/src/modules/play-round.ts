@@ -1,5 +1,13 @@
-import { GAMES, STEPS_PER_SECOND, type Controls, type Game, type Seat } from '../sim/index.ts';
+import {
+  AT_REST,
+  GAMES,
+  STEPS_PER_SECOND,
+  type Controls,
+  type Game,
+  type Seat,
+} from '../sim/index.ts';
 import { isRoundPlan, isRoundSeats } from './check-plan.ts';
+import { readAnswer, type AnswerRecord } from './read-answer.ts';
 import type { RoundPlan, RoundSeats, RoundState } from './round.ts';
 
 /** The inputs of a module that plays a game, as they come from the runtime. */
@@ -9,6 +17,7 @@ export interface RoundInputs {
   readonly sticks?: List<{ readonly vector2?: { readonly x: number; readonly y: number } }>;
   readonly buttons?: List<{ readonly bool?: boolean }>;
   readonly pressed?: List<{ readonly double?: number }>;
+  readonly answers?: List<AnswerRecord>;
   readonly [setting: string]: unknown;
 }
 interface List<T> {
@@ -124,7 +133,7 @@ function readSettings(game: Game<unknown>, inputs: RoundInputs): Record<string, 
 
 /** The controls of each seat in this run, from what its client says. */
 function readControls(
-  { sticks, buttons, pressed }: RoundInputs,
+  { sticks, buttons, pressed, answers }: RoundInputs,
   playing: Playing,
   nowMs: number,
 ): (seat: Seat) => Controls {
@@ -141,14 +150,16 @@ function readControls(
     // A tap may be over before the step that looks at the button
     const isNew = isFresh && at > (used[seat] ?? -Infinity);
     if (isNew) used[seat] = at;
+    const answer = readAnswer(of(answers), nowMs, startsAtMs);
     bySeat.set(seat, {
       x: toShare(x),
       y: toShare(y),
       isPressed: isNew || of(buttons)?.bool === true,
       ...(isFresh && { pressedAtMs: at - startsAtMs }),
+      ...(answer && { answer }),
     });
   }
-  return (seat) => bySeat.get(seat) ?? { x: 0, y: 0, isPressed: false };
+  return (seat) => bySeat.get(seat) ?? { ...AT_REST, isAway: true };
 }
 
 const toShare = (value: number): number =>
