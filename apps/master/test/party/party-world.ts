@@ -52,6 +52,8 @@ export class PartyWorld {
   memory: HostMemory | undefined;
   host!: PartyHost;
   view!: RoomView;
+  /** Clients whose photos were on the big screen, one list a change. */
+  readonly shownPhotos: (readonly string[])[] = [];
   states: { readonly game: GameId; readonly state: RoundState }[] = [];
   readonly #screenIdentity = createMemoryIdentity();
   #bytes = 0;
@@ -84,6 +86,7 @@ export class PartyWorld {
       listener: {
         handleView: (view) => (this.view = view),
         handleState: (game, state) => this.#handleState(game, state),
+        handlePhotos: (photos) => this.shownPhotos.push([...photos.keys()]),
         handleSuperseded: (id) => this.superseded.push(id),
         handleTrouble: (sentence) => this.troubles.push(sentence),
       },
@@ -165,6 +168,7 @@ export class PartyWorld {
 
   #handleState(game: GameId, state: RoundState): void {
     this.states.push({ game, state });
+    if (game === 'hunt') return; // what phones find, the story says
     for (const scripted of this.phones) {
       const seat = this.seatOf(scripted);
       if (seat === undefined || scripted.isAsleep || state.step % 4 !== 0) continue;

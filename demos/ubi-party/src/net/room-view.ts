@@ -1,3 +1,4 @@
+import type { HiddenPhotos } from './photos/photo.ts';
 import type { Room, Seat } from '../sim/index.ts';
 
 /** The round that is played or about to begin. */
@@ -19,6 +20,8 @@ export interface RoomView {
   /** The client of the big screen. */
   readonly hostId: string;
   readonly round?: RoundView;
+  /** What the host has taken off the big screen. */
+  readonly hiddenPhotos?: HiddenPhotos;
   /** Round trips of the players, milliseconds, by seat. */
   readonly lags: Readonly<Record<Seat, number>>;
 }

@@ -21,6 +21,13 @@ export const PHONE_COMPONENTS = {
   button: { format: 'bool', ioType: 'publisher' },
   /** When it went down last, milliseconds since the Unix epoch, master's clock. */
   pressed: { format: 'double', ioType: 'publisher' },
+  /**
+   * What the phone found itself: its name as `id`, where it is in the picture (0 to 1 from the top left), and in
+   * `userDataJson` `score` (0 to 1) and `atMs`, when the player acted, like `pressed`. An empty `id`: it still looks.
+   */
+  answer: { format: 'object2D', ioType: 'publisher' },
+  /** A photo that the player shows on the big screen, a JPEG file; its time is that of its answer. */
+  photo: { format: 'image2D', ioType: 'publisher' },
   /** Once a second while the page is seen: the round trip to the master, milliseconds. */
   here: { format: 'double', ioType: 'publisher' },
   /** What the player asks the host for, JSON of a `PhoneRequest`. */

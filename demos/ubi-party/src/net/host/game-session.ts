@@ -8,7 +8,7 @@ import {
   settingTopic,
   stateTopic,
 } from '../topics.ts';
-import { partyModuleName } from '../../modules/index.ts';
+import { partyModuleName, takesAnswers } from '../../modules/index.ts';
 
 /** Marks the sessions of the party. */
 export const PARTY_TAG = 'ubi-party';
@@ -31,6 +31,7 @@ export function gameSession(id: GameId): Init<Session> {
           muxer('sticks', 'stick'),
           muxer('buttons', 'button'),
           muxer('pressed', 'pressed'),
+          ...(takesAnswers(id) ? [muxer('answers', 'answer')] : []),
           ...Object.keys(settings).map((setting) => ({
             inputName: setting,
             topic: settingTopic(id, setting),
@@ -53,7 +54,7 @@ export function gameSession(id: GameId): Init<Session> {
 }
 
 /** The topics of one component of all phones, with the client that publishes as identity. */
-function muxer(inputName: string, component: 'stick' | 'button' | 'pressed'): object {
+function muxer(inputName: string, component: 'stick' | 'button' | 'pressed' | 'answer'): object {
   return {
     inputName,
     topicMux: {

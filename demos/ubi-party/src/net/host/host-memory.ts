@@ -6,6 +6,8 @@ import type { RoundView } from '../room-view.ts';
 export interface HostMemory {
   readonly room: Room;
   readonly round?: RoundView;
+  /** The host hides all photos. */
+  readonly arePhotosHidden?: boolean;
   /** The newest state of the round that is played. */
   readonly state?: RoundState;
 }

@@ -1,5 +1,10 @@
 import type { Clock, Subscription, UbiiClient } from '@ubii/client-web';
-import type { RoundPlan, RoundSeats, RoundState } from '../../modules/index.ts';
+import {
+  takesAnswers,
+  type RoundPlan,
+  type RoundSeats,
+  type RoundState,
+} from '../../modules/index.ts';
 import {
   GAMES,
   gameOf,
@@ -11,6 +16,8 @@ import {
   type RoomEvent,
   type Seat,
 } from '../../sim/index.ts';
+import { PhotoBoard } from '../photos/photo-board.ts';
+import type { Photo } from '../photos/photo.ts';
 import type { HostReply, PhoneRequest, PhoneWish } from '../messages.ts';
 import type { RoomView, RoundView } from '../room-view.ts';
 import {
@@ -35,6 +42,8 @@ export interface PartyHostListener {
   handleView?(view: RoomView): void;
   /** The newest state of the round, 60 times a second. */
   handleState?(game: GameId, state: RoundState): void;
+  /** The photos that are shown, by client id. */
+  handlePhotos?(photos: ReadonlyMap<string, Photo>): void;
   /** Another screen has taken over: this one leads no longer. */
   handleSuperseded?(byId: string): void;
   /** Something failed that the host should know, one sentence. */
@@ -67,6 +76,7 @@ export class PartyHost {
   readonly #options: PartyHostOptions;
   readonly #client: UbiiClient;
   readonly #sessions: GameSessions;
+  readonly #photos: PhotoBoard;
   readonly #presence = new Presence();
   readonly #offers: SeatOffers;
   readonly #requests = new RequestLimit();
@@ -84,10 +94,18 @@ export class PartyHost {
   constructor(options: PartyHostOptions) {
     this.#options = options;
     this.#client = options.client;
-    const { room, round, state } = options.storage.load() ?? EMPTY_MEMORY;
+    const { room, round, state, arePhotosHidden = false } = options.storage.load() ?? EMPTY_MEMORY;
     this.#room = room;
     this.#round = round;
     this.#state = state;
+    this.#photos = new PhotoBoard(
+      {
+        client: options.client,
+        isPlayer: (id) => this.#room.players.some(({ key }) => key === id),
+        handleChange: () => this.#handlePhotos(),
+      },
+      arePhotosHidden,
+    );
     this.#offers = new SeatOffers(options.drawByte);
     this.#sessions = new GameSessions(options.client, (sentence) =>
       options.listener.handleTrouble?.(sentence),
@@ -97,7 +115,14 @@ export class PartyHost {
   get view(): RoomView {
     const lags = this.#presence.lags(this.#room.players, this.#nowMs());
     const { id } = this.#client;
-    return { room: this.#room, hostId: id, lags, ...(this.#round && { round: this.#round }) };
+    const { hidden } = this.#photos;
+    return {
+      room: this.#room,
+      hostId: id,
+      lags,
+      ...(this.#round && { round: this.#round }),
+      ...((hidden.all || hidden.ids.length > 0) && { hiddenPhotos: hidden }),
+    };
   }
 
   /** Begins to lead, with what was stored. The client is connected. */
@@ -147,11 +172,24 @@ export class PartyHost {
     this.#client.publish(settingTopic(game, setting), 'double', value);
   }
 
+  /** Takes the photo of a seat off the big screen, for everybody. */
+  takeDownPhoto(seat: Seat): void {
+    const key = this.#room.players.find((player) => player.seat === seat)?.key;
+    if (key !== undefined) this.#photos.takeDown(key);
+  }
+
+  /** No photos on the big screen, until it is said again that there may be. */
+  hidePhotos(areHidden: boolean): void {
+    this.#photos.hideAll(areHidden);
+    this.#save();
+  }
+
   /** Leads no longer. The sessions and what was told stay, so that another screen can go on. */
   close(): void {
     if (this.#isClosed) return;
     this.#isClosed = true;
     for (const end of this.#ends) end();
+    this.#photos.close();
     void this.#states?.close();
   }
 
@@ -287,8 +325,10 @@ export class PartyHost {
       this.#listenTo(game);
       void this.#sessions.open(game).then(() => this.#tell());
     }
+    if (room.phase === 'podium') this.#photos.close();
     if (room.phase === 'countdown') this.#plan(game, room);
     if (room.phase === 'lobby' || room.phase === 'end') {
+      this.#photos.close();
       this.#round = undefined;
       this.#state = undefined;
       void this.#sessions.removeAll();
@@ -315,6 +355,12 @@ export class PartyHost {
     void this.#states?.close();
     this.#states = this.#client.subscribe(stateTopic(game), { format: 'string' });
     this.#states.onRecord(({ value }) => this.#handleState(game, value));
+    if (takesAnswers(game)) this.#photos.open();
+  }
+
+  #handlePhotos(): void {
+    this.#options.listener.handlePhotos?.(this.#photos.photos);
+    this.#tell();
   }
 
   #handleState(game: GameId, text: string): void {
@@ -375,7 +421,13 @@ export class PartyHost {
   #save(): void {
     this.#savedAtMs = this.#nowMs();
     const [room, round, state] = [this.#room, this.#round, this.#state];
-    this.#options.storage.save({ room, ...(round && { round }), ...(state && { state }) });
+    const { all: arePhotosHidden } = this.#photos.hidden;
+    this.#options.storage.save({
+      room,
+      ...(arePhotosHidden && { arePhotosHidden }),
+      ...(round && { round }),
+      ...(state && { state }),
+    });
   }
 }
 

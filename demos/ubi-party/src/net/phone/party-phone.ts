@@ -1,7 +1,9 @@
 import type { Clock, RegisteredDevice, UbiiClient } from '@ubii/client-web';
 import type { PhoneFacts, PhoneLink } from './phone-link.ts';
-import type { Feedback } from '../../sim/index.ts';
+import type { Answer, Feedback } from '../../sim/index.ts';
 import type { HostReply, PhoneRequest, PhoneWish } from '../messages.ts';
+import type { Photo } from '../photos/photo.ts';
+import { ShownPhoto } from '../photos/shown-photo.ts';
 import type { RoomView } from '../room-view.ts';
 import { PHONE_COMPONENTS, PHONE_DEVICE, phoneTopic, ROOM_TOPIC } from '../topics.ts';
 
@@ -32,6 +34,7 @@ export class PartyPhone implements PhoneLink {
   readonly #clock: Clock;
   readonly #listeners = new Set<() => void>();
   readonly #waiting = new Map<number, Waiting>();
+  readonly #shownPhoto: ShownPhoto;
   readonly #ends: (() => void)[] = [];
   #number = 0;
   #view: RoomView | undefined;
@@ -44,6 +47,7 @@ export class PartyPhone implements PhoneLink {
   constructor(client: UbiiClient, clock: Clock) {
     this.#client = client;
     this.#clock = clock;
+    this.#shownPhoto = new ShownPhoto(client, clock);
     // Of another start of the page, numbers go on: an old answer is for nobody
     this.#number = Math.floor(clock.nowMs());
   }
@@ -116,6 +120,19 @@ export class PartyPhone implements PhoneLink {
     this.#publish('button', isDown);
   }
 
+  answer({ text, score, atMs, area }: Answer): void {
+    this.#publish('answer', {
+      id: text,
+      pose: area && { position: { x: area.x, y: area.y } },
+      size: area && { x: area.width, y: area.height },
+      userDataJson: JSON.stringify({ score, atMs }),
+    });
+  }
+
+  showPhoto(photo: Photo | undefined): void {
+    this.#shownPhoto.show(photo);
+  }
+
   /** The page is seen, or is not: who does not look at it is away, and steers nothing. */
   setSeen(isSeen: boolean): void {
     if (this.#isSeen === isSeen) return;
@@ -130,6 +147,7 @@ export class PartyPhone implements PhoneLink {
   }
 
   close(): void {
+    this.#shownPhoto.show(undefined);
     for (const end of this.#ends) end();
     for (const { reject, cancel } of this.#waiting.values()) {
       cancel();
@@ -147,6 +165,7 @@ export class PartyPhone implements PhoneLink {
     const rooms = client.subscribe(ROOM_TOPIC, { format: 'string' });
     rooms.onRecord(({ value }) => {
       this.#view = JSON.parse(value) as RoomView;
+      this.#shownPhoto.setHidden(this.#view.hiddenPhotos);
       this.#changed();
     });
     const feedback = client.subscribe(phoneTopic(clientId, 'feedback'), { format: 'string' });
@@ -177,6 +196,7 @@ export class PartyPhone implements PhoneLink {
   #publish(component: 'button', value: boolean): void;
   #publish(component: 'pressed' | 'here', value: number): void;
   #publish(component: 'request', value: string): void;
+  #publish(component: 'answer', value: object): void;
   #publish(component: keyof typeof PHONE_COMPONENTS, value: unknown): void {
     const { format } = PHONE_COMPONENTS[component];
     // What people do leaves at once: 15 ms of waiting would be a frame

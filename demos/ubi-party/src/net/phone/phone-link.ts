@@ -1,5 +1,6 @@
-import type { Feedback, Player } from '../../sim/index.ts';
+import type { Answer, Feedback, Player } from '../../sim/index.ts';
 import type { PhoneWish } from '../messages.ts';
+import type { Photo } from '../photos/photo.ts';
 import type { RoomView } from '../room-view.ts';
 
 /** What a phone knows of the party, as it is now. */
@@ -31,5 +32,9 @@ export interface PhoneLink {
   steer(x: number, y: number): void;
   /** The button goes down or up. */
   press(isDown: boolean): void;
+  /** Publishes what the phone found. @param answer with its time in milliseconds since the Unix epoch, master's clock */
+  answer(answer: Answer): void;
+  /** The photo that the player shows on the big screen now. @param photo undefined: none any more */
+  showPhoto(photo: Photo | undefined): void;
   close(): void;
 }

@@ -1,7 +1,8 @@
-import type { PhoneWish, RoundView } from '../../net/index.ts';
+import type { Photo, PhoneWish, RoundView } from '../../net/index.ts';
 import {
   EMPTY_ROOM,
   nextRoom,
+  type Answer,
   type Asker,
   type Feedback,
   type Room,
@@ -26,6 +27,9 @@ export class FakePhoneLink implements PhoneLink {
   readonly asked: PhoneWish[] = [];
   /** What was sent while playing, in its order: steering or a press. */
   readonly sent: ({ readonly x: number; readonly y: number } | boolean)[] = [];
+  readonly answers: Answer[] = [];
+  /** What was shown on the big screen, in its order; undefined: none any more. */
+  readonly photos: (Photo | undefined)[] = [];
   readonly #listeners = new Set<() => void>();
 
   readonly #nowMs: () => number;
@@ -90,6 +94,14 @@ export class FakePhoneLink implements PhoneLink {
 
   press(isDown: boolean): void {
     this.sent.push(isDown);
+  }
+
+  answer(answer: Answer): void {
+    this.answers.push(answer);
+  }
+
+  showPhoto(photo: Photo | undefined): void {
+    this.photos.push(photo);
   }
 
   close(): void {
