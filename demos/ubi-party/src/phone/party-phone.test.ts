@@ -75,7 +75,7 @@ test('leader leads from a sheet, others have none', async () => {
   const link = page.open({ room: roomWith(0) });
   await page.button('Host').trigger('click');
   await page.get('input[type=radio][value="2"]').setValue(true);
-  await page.button('Quick Draw').trigger('click');
+  await page.button('Photo Hunt').trigger('click');
   await page.button('Lock the game').trigger('click');
   await page.button('Make Ines the leader').trigger('click');
   await flushPromises();

@@ -26,9 +26,9 @@ export class PhonePage {
     });
   }
 
-  open(party: Partial<FakeParty> = {}): FakePhoneLink {
+  open(party: Partial<FakeParty> = {}, props: object = {}): FakePhoneLink {
     const link = new FakePhoneLink(party);
-    this.#mounted = mount(PartyPhone, { props: { link }, attachTo: document.body });
+    this.#mounted = mount(PartyPhone, { props: { link, ...props }, attachTo: document.body });
     return link;
   }
 

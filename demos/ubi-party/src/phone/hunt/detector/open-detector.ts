@@ -1,0 +1,141 @@
+import { moduleLibrary } from '@ubii/modules';
+import {
+  createAssetStore,
+  createHttpAssets,
+  createModuleRuntime,
+  type AssetStore,
+  type Clock,
+} from '@ubii/pm-sandbox';
+import { createBrowserSandboxes } from '@ubii/pm-sandbox/browser';
+import {
+  decodeRecord,
+  fromJson,
+  Image2DDataFormat,
+  ProcessingModuleStatus,
+  type IOMapping,
+  type Object2DList,
+} from '@ubii/proto';
+import type { Detector, Pixels, Sighting } from './detector.ts';
+import { PageTopics } from './page-topics.ts';
+import { sightingsOf } from './sightings.ts';
+
+const MODULE = 'object-detection';
+/** A phone that needs longer for one picture does not answer, milliseconds. */
+const LONGEST_MS = 10_000;
+const TAKES_TOO_LONG = 'The detector does not answer. Reload the page.';
+
+/** Inputs and outputs of the module. Low scores are wanted, too: the game decides what is sure enough. */
+const MAPPING = {
+  processingModuleName: MODULE,
+  inputMappings: [
+    { inputName: 'image', topic: 'image' },
+    { inputName: 'threshold', constantJson: '0.2' },
+    { inputName: 'maxRate', constantJson: '240' },
+  ],
+  outputMappings: ['predictions', 'error'].map((name) => ({ outputName: name, topic: name })),
+};
+
+interface Waiting {
+  resolve(sightings: readonly Sighting[]): void;
+  reject(error: Error): void;
+}
+
+/** The library's module `object-detection` in a worker of this page, with the asset sets of its master. */
+export async function openDetector(onLoaded: (bytes: number) => void): Promise<Detector> {
+  let waiting: Waiting | undefined;
+  const settle = (act: (one: Waiting) => void): void => {
+    const one = waiting;
+    waiting = undefined;
+    if (one) act(one);
+  };
+  const topics = new PageTopics((topic, bytes) => {
+    const { value } = decodeRecord(bytes);
+    if (topic === 'predictions')
+      settle(({ resolve }) => resolve(sightingsOf(value as Object2DList)));
+    // A fault of the backend is no fault of the picture: the predictions come as well
+    else if (value !== '')
+      setTimeout(() => settle(({ reject }) => reject(new Error(String(value)))));
+  });
+  const sandboxes = createBrowserSandboxes({ maxWorkers: 1 });
+  const runtime = createModuleRuntime({
+    nodeId: 'page',
+    clock: pageClock,
+    topics,
+    patterns: {
+      compile: () => {
+        throw new Error('This page has no patterns.');
+      },
+    },
+    sandboxes,
+    assets: counted(createAssetStore(createHttpAssets(location.origin)), onLoaded),
+    onEvent: () => undefined,
+    onStatus: (_id, status, fault) => {
+      if (fault && status === ProcessingModuleStatus.DESTROYED)
+        settle(({ reject }) => reject(new Error(fault.message)));
+    },
+  });
+  const close = (): void => {
+    settle(({ reject }) => reject(new Error('The detector was closed.')));
+    void runtime.close().then(() => sandboxes.close());
+  };
+  try {
+    const module = moduleLibrary().find(({ name }) => name === MODULE)!;
+    const mapping: IOMapping = fromJson('ubii.sessions.IOMapping', MAPPING);
+    await runtime.create({
+      module: { ...module, id: MODULE, sessionId: 'hunt' },
+      mapping,
+      isTrusted: true,
+    });
+    runtime.start(MODULE);
+  } catch (fault) {
+    close();
+    throw new Error((fault as { message: string }).message, { cause: fault });
+  }
+  return {
+    close,
+    detect({ width, height, data }: Pixels) {
+      settle(({ reject }) => reject(new Error('Another picture came.')));
+      return new Promise((resolve, reject) => {
+        const one = { resolve, reject };
+        waiting = one;
+        setTimeout(
+          () => waiting === one && settle(() => reject(new Error(TAKES_TOO_LONG))),
+          LONGEST_MS,
+        );
+        topics.put('image', {
+          width,
+          height,
+          dataFormat: Image2DDataFormat.RGBA8,
+          data: new Uint8Array(data),
+        });
+      });
+    },
+  };
+}
+
+/** Tells how many bytes of all sets were loaded. */
+function counted(store: AssetStore, onLoaded: (bytes: number) => void): AssetStore {
+  const loaded = new Map<string, number>();
+  return {
+    load: (names, signal, onProgress) =>
+      store.load(names, signal, (progress) => {
+        loaded.set(progress.name, progress.loadedBytes);
+        onLoaded([...loaded.values()].reduce((sum, bytes) => sum + bytes, 0));
+        onProgress(progress);
+      }),
+  };
+}
+
+const pageClock: Clock = {
+  nowMs: () => Date.now(),
+  monotonicMs: () => performance.now(),
+  every(intervalMs, fn) {
+    const timer = setInterval(fn, intervalMs);
+    return () => clearInterval(timer);
+  },
+  after(delayMs, fn) {
+    const timer = setTimeout(fn, delayMs);
+    return () => clearTimeout(timer);
+  },
+  atEndOfTurn: (fn) => queueMicrotask(fn),
+};
