@@ -60,9 +60,12 @@ export function connectionNotice(
     case 'reconnecting': {
       const seconds = Math.ceil((state.nextAttemptMs - nowMs) / 1000);
       const tries = `try ${state.attempt}`;
+      // It was closed once; how a later attempt fails depends on how far it got
+      const isTriedAgain = state.attempt > 1 && state.error.reason === 'closed';
+      const cause = CAUSES[isTriedAgain ? 'refused' : state.error.reason];
       return {
         tone: 'warning',
-        text: `${CAUSES[state.error.reason]}.${hadData ? ' The page shows the last values.' : ''}`,
+        text: `${cause}.${hadData ? ' The page shows the last values.' : ''}`,
         next: seconds > 0 ? `Retry in ${seconds} s, ${tries}` : `Retrying, ${tries}`,
         action: 'Retry now',
       };
