@@ -17,7 +17,6 @@ export { THINGS, thingOf, type Thing } from './hunt/things.ts';
 export { lapOf, trackOf, type Cart, type RaceState } from './race/race-state.ts';
 export { placeAt, type Track, type TrackPoint } from './race/track.ts';
 export { TRACKS } from './race/tracks.ts';
-export { PlayedRound } from './rounds/played-round.ts';
 export { identityOf, MAX_SEATS, type Identity, type Shape } from './seats/identity.ts';
 export { stateHash } from './state-hash.ts';
 export { nextRoom } from './tournament/next-room.ts';
