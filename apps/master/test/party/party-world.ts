@@ -4,7 +4,7 @@ import { createAssetStore } from '@ubii/pm-sandbox';
 import { FakeAssets } from '@ubii/pm-sandbox/testing';
 import { settle } from '@ubii/client-web/testing';
 import { createMemoryIdentity } from '@ubii/client-web/node';
-import type { IdentityStorage, UbiiClient } from '@ubii/client-web/node';
+import type { ClientProblem, IdentityStorage, UbiiClient } from '@ubii/client-web/node';
 import { PARTY_SET, partyModules, type RoundState } from '@ubii/party/modules';
 import { PartyHost, PartyPhone, type HostMemory, type RoomView } from '@ubii/party/net';
 import { GAMES, type Controls, type Game, type GameId, type Seat } from '@ubii/party/sim';
@@ -36,6 +36,9 @@ export async function buildPartyLibrary(): Promise<FakeAssets> {
 export interface ScriptedPhone {
   readonly name: string;
   readonly identity: IdentityStorage;
+  readonly joinToken: string | undefined;
+  /** What the master refused. */
+  problems: readonly ClientProblem[];
   client: UbiiClient;
   phone: PartyPhone;
   /** Neither looks nor presses. */
@@ -103,9 +106,10 @@ export class PartyWorld {
     this.#screen?.leave();
   }
 
-  async addPhone(name: string): Promise<ScriptedPhone> {
+  /** @param joinToken of an invitation; default: a phone that is trusted as it is */
+  async addPhone(name: string, joinToken?: string): Promise<ScriptedPhone> {
     const identity = createMemoryIdentity();
-    const scripted = { name, identity, isAsleep: false } as ScriptedPhone;
+    const scripted = { name, identity, joinToken, isAsleep: false } as ScriptedPhone;
     await this.connectPhone(scripted);
     await this.ask(scripted, { type: 'join', name });
     this.phones.push(scripted);
@@ -114,7 +118,15 @@ export class PartyWorld {
 
   /** Opens the page of a phone, or opens it again. */
   async connectPhone(scripted: ScriptedPhone): Promise<void> {
-    const { client } = await this.world.connect(scripted.name, { identity: scripted.identity });
+    const { name, identity, joinToken } = scripted;
+    // Who comes with an invitation comes from another machine
+    this.world.standing = joinToken === undefined ? 'trusted' : 'other';
+    const { client, problems } = await this.world.connect(name, {
+      identity,
+      ...(joinToken !== undefined && { joinToken }),
+    });
+    this.world.standing = 'trusted';
+    scripted.problems = problems;
     scripted.client = client;
     scripted.phone = new PartyPhone(client, this.world.clock);
     const started = scripted.phone.start();

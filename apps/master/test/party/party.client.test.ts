@@ -1,6 +1,16 @@
 import type { FakeAssets } from '@ubii/pm-sandbox/testing';
 import { createMemoryIdentity } from '@ubii/client-web/node';
+import { AccessRole } from '@ubii/proto';
+import {
+  PLAYER_READS,
+  ROOM_TOPIC,
+  ROUND_TOPIC,
+  SEATS_TOPIC,
+  settingTopic,
+  stateTopic,
+} from '@ubii/party/net';
 import { afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { createGrant } from '../access-world.ts';
 import { buildPartyLibrary, PartyWorld } from './party-world.ts';
 
 let library: FakeAssets;
@@ -114,6 +124,56 @@ describe('a player', () => {
     await party.ask(theo!, { type: 'ready', isReady: true });
     expect(party.room.players[1]?.isReady).toBe(true);
     expect(party.room.players).toHaveLength(2);
+  });
+});
+
+describe('a phone that joined as a player', () => {
+  async function addPlayers(...names: string[]) {
+    const { token } = await createGrant(party.world.test, AccessRole.ACCESS_ROLE_PLAYER, {
+      readTopics: [...PLAYER_READS],
+    });
+    const players = [];
+    for (const name of names) players.push(await party.addPhone(name, token));
+    return players;
+  }
+
+  it('has all that a game takes', async () => {
+    const players = await addPlayers('Mara', 'Theo');
+    expect(players.map(({ client }) => client.role)).toEqual(['player', 'player']);
+    party.host.apply({ type: 'set-games', by: 'host', games: ['duel'] });
+    await party.playTo('play');
+    await party.pass(1500);
+    expect(players[0]!.phone.facts.feedback?.headline).toBe('Flag 1 of 5');
+    await party.playTo('end');
+    expect(party.room.results[0]!.places.flat().sort()).toEqual([0, 1]);
+    for (const { problems } of players) expect(problems).toEqual([]);
+  }, 60_000);
+
+  it('can neither speak for others nor for the big screen, nor read what others say', async () => {
+    const [mara, theo] = await addPlayers('Mara', 'Theo');
+    await party.playTo('play');
+    const before = party.view.round?.id;
+    const { client } = mara!;
+    const told: unknown[] = [];
+    for (const topic of [`/${theo!.client.id}/party/stick`, stateTopic('race'), SEATS_TOPIC]) {
+      const subscription = client.subscribe(topic);
+      subscription.ready.catch(() => undefined);
+      subscription.onRecord((record) => told.push(record));
+    }
+    for (const topic of [ROOM_TOPIC, ROUND_TOPIC, SEATS_TOPIC, settingTopic('race', 'speed')])
+      client.publish(topic, 'string', '{}');
+    client.publish(
+      `/${theo!.client.id}/party/request`,
+      'string',
+      '{"number":1,"wish":{"type":"leave"}}',
+    );
+    client.publish(`/${theo!.client.id}/party/button`, 'bool', true);
+    await party.pass(1000);
+    expect(told).toEqual([]);
+    expect(party.room.players).toHaveLength(2);
+    expect(party.view.round?.id).toBe(before);
+    expect(party.superseded).toEqual([]);
+    expect(mara!.problems.length).toBeGreaterThan(0);
   });
 });
 
