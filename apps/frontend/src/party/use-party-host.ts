@@ -33,6 +33,8 @@ export function usePartyHost() {
   const views = new Set<NonNullable<PartyHostListener['handleView']>>();
   const states = new Set<NonNullable<PartyHostListener['handleState']>>();
 
+  const photos = new Set<NonNullable<PartyHostListener['handlePhotos']>>();
+
   const open = (): PartyHost =>
     new PartyHost({
       client,
@@ -42,6 +44,7 @@ export function usePartyHost() {
       listener: {
         handleView: (view) => views.forEach((fn) => fn(view)),
         handleState: (game, state) => states.forEach((fn) => fn(game, state)),
+        handlePhotos: (now) => photos.forEach((fn) => fn(now)),
         handleSuperseded: () => (isSuperseded.value = true),
         handleTrouble: (sentence) => (trouble.value = sentence),
       },
@@ -83,6 +86,12 @@ export function usePartyHost() {
     },
     offerSeat: (seat) => host.value.offerSeat(seat),
     setSetting: (game, setting, value) => host.value.setSetting(game, setting, value),
+    onPhotos(fn) {
+      photos.add(fn);
+      return () => photos.delete(fn);
+    },
+    takeDownPhoto: (seat) => host.value.takeDownPhoto(seat),
+    hidePhotos: (areHidden) => host.value.hidePhotos(areHidden),
   };
 
   return {

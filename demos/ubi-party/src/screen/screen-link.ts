@@ -1,5 +1,5 @@
 import type { RoundState } from '../modules/index.ts';
-import type { RoomView } from '../net/index.ts';
+import type { Photo, RoomView } from '../net/index.ts';
 import type { GameId, RoomEvent, Seat } from '../sim/index.ts';
 
 /** What the big screen follows and does; a `PartyHost` behind it. */
@@ -17,6 +17,12 @@ export interface ScreenLink {
   /** A code with which another phone takes the seat over; undefined for a bot. */
   offerSeat(seat: Seat): string | undefined;
   setSetting(game: GameId, setting: string, value: number): void;
+  /** Calls when photos come and go, by client id. @returns ends it */
+  onPhotos(fn: (photos: ReadonlyMap<string, Photo>) => void): () => void;
+  /** Takes a photo off the screen for everybody. */
+  takeDownPhoto(seat: Seat): void;
+  /** Takes all photos off, and shows none until it is called with false. */
+  hidePhotos(areHidden: boolean): void;
 }
 
 /** How people join. */
