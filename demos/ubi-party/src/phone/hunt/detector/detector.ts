@@ -14,7 +14,7 @@ export type Pixels = Pick<ImageData, 'width' | 'height' | 'data'>;
 
 /** Detects things in pictures on this phone. */
 export interface Detector {
-  /** One picture at a time; the highest score first. @throws Error with a sentence */
+  /** Pictures are looked at one after the other; the highest score first. @throws Error with a sentence */
   detect(pixels: Pixels): Promise<readonly Sighting[]>;
   close(): void;
 }

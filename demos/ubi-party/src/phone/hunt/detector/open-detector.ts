@@ -16,6 +16,7 @@ import {
   type Object2DList,
 } from '@ubii/proto';
 import type { Detector, Pixels, Sighting } from './detector.ts';
+import { inTurn } from './in-turn.ts';
 import { PageTopics } from './page-topics.ts';
 import { sightingsOf } from './sightings.ts';
 
@@ -93,8 +94,8 @@ export async function openDetector(onLoaded: (bytes: number) => void): Promise<D
   }
   return {
     close,
-    detect({ width, height, data }: Pixels) {
-      settle(({ reject }) => reject(new Error('Another picture came.')));
+    // Another picture would get the result of the one before
+    detect: inTurn(({ width, height, data }: Pixels) => {
       return new Promise((resolve, reject) => {
         const one = { resolve, reject };
         waiting = one;
@@ -109,7 +110,7 @@ export async function openDetector(onLoaded: (bytes: number) => void): Promise<D
           data: new Uint8Array(data),
         });
       });
-    },
+    }),
   };
 }
 
