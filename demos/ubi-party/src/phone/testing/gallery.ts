@@ -78,6 +78,19 @@ const SCREENS: Readonly<Record<string, () => Partial<FakeParty>>> = {
       isReady: true,
     },
   }),
+  hunt: () => ({
+    ...playing('hunt', 'play'),
+    feedback: {
+      ...FEEDBACK,
+      headline: 'Find a cup',
+      sentence: 'Take a photo of a cup.',
+      isReady: true,
+      question: {
+        ...{ text: 'cup', name: 'a cup', leastScore: 0.4, prize: '3rd would be +1' },
+        ...{ beganAtMs: 0, opensAtMs: 0, endsAtMs: 60_000 },
+      },
+    },
+  }),
   waiting: () => {
     const party = playing('race', 'play');
     const players = room.players.map((one, at) => ({
