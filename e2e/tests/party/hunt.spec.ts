@@ -4,6 +4,7 @@ import type { Page } from '@playwright/test';
 import { expect, type Person, type Room } from '../../fixtures/test.ts';
 import { testWith } from '../../fixtures/test-with.ts';
 import { FROM_ELSEWHERE, JoinPage } from '../../pages/join-page.ts';
+import { withoutWebGl } from '../../pages/party-pages.ts';
 
 const test = testWith('--lan', 'on', '--mdns', 'off');
 
@@ -62,6 +63,7 @@ test('two phones hunt a cup: one shows the photo until the host takes it down, o
   test.slow();
   const robot = await room.program('Robot');
   const host = await room.atDesk('Host');
+  await withoutWebGl(host.page);
   await host.page.goto('/party');
   const code = (await host.page.locator('[data-join-code]').textContent()) ?? '';
   const mara = await joinParty(room, 'Mara', code.replace(/\W/g, ''));

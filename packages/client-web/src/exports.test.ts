@@ -20,6 +20,7 @@ it('the names of the entry points are these', () => {
         "createClient",
         "createMemoryIdentity",
         "joinProblem",
+        "systemClock",
       ],
       "page": [
         "ConnectionError",
@@ -32,6 +33,7 @@ it('the names of the entry points are these', () => {
         "createMemoryIdentity",
         "createTabIdentity",
         "joinProblem",
+        "systemClock",
       ],
       "testing": [
         "FakeClock",

@@ -21,6 +21,7 @@ const grant = (changes: Partial<AccessGrant> = {}): AccessGrant =>
     maxJoins: 0,
     joins: 0,
     clientIds: [],
+    readTopics: [],
     ...changes,
   }) as AccessGrant;
 
@@ -34,6 +35,7 @@ describe('reusable', () => {
 
   it('omits invitations that are for another purpose, expired or about to expire, or without a known code', () => {
     expect(find(grant({ target: '/' }))).toBeUndefined();
+    expect(find(grant({ readTopics: ['/party/room'] }))).toBeUndefined();
     expect(find(grant({ role: AccessRole.ACCESS_ROLE_PLAYER }))).toBeUndefined();
     expect(find(grant({ expiresMs: 8 * 60 * MINUTE }))).toBeUndefined();
     expect(find(grant({ staysUntilMs: 15 * MINUTE }))).toBeUndefined();

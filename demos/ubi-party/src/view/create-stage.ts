@@ -16,6 +16,8 @@ export interface StageOptions {
  * @throws Error where the browser has no WebGL 2
  */
 export function createStage(canvas: HTMLCanvasElement, options: StageOptions = {}): Stage {
+  // Three.js would say so on the console as well
+  if (!document.createElement('canvas').getContext('webgl2')) throw new Error('It has no WebGL 2.');
   const isFast = hasGraphicsCard();
   const core = new StageCore(
     new WebGLRenderer({ canvas, antialias: isFast, powerPreference: 'high-performance' }),
