@@ -2,6 +2,7 @@ import type { FakeAssets } from '@ubii/pm-sandbox/testing';
 import { createMemoryIdentity } from '@ubii/client-web/node';
 import { AccessRole } from '@ubii/proto';
 import {
+  phoneTopic,
   PLAYER_READS,
   ROOM_TOPIC,
   ROUND_TOPIC,
@@ -125,6 +126,20 @@ describe('a player', () => {
     expect(party.room.players[1]?.isReady).toBe(true);
     expect(party.room.players).toHaveLength(2);
   });
+});
+
+it('nobody is stopped by what is no state, room, feedback or answer', async () => {
+  const [mara] = await addPhones('Mara', 'Theo');
+  await party.playTo('play');
+  const { client } = await party.world.connect('somebody');
+  const own = (component: 'feedback' | 'reply') => phoneTopic(mara!.client.id, component);
+  for (const topic of [stateTopic('race'), ROOM_TOPIC, own('feedback'), own('reply')])
+    for (const text of ['{', 'null', '[]', '"text"', '{"id":1}', '{"room":{"players":7}}'])
+      client.publish(topic, 'string', text);
+  await party.pass(1500);
+  expect(party.room.phase).toBe('play');
+  expect(mara!.phone.facts.feedback?.headline).toBe('Lap 1 of 3');
+  expect(mara!.phone.facts.me?.name).toBe('Mara');
 });
 
 describe('a phone that joined as a player', () => {

@@ -1,16 +1,8 @@
-import type { Clock, Subscription, UbiiClient } from '@ubii/client-web';
+import type { Clock, UbiiClient } from '@ubii/client-web';
+import { takesAnswers, type RoundState } from '../../modules/index.ts';
 import {
-  takesAnswers,
-  type RoundPlan,
-  type RoundSeats,
-  type RoundState,
-} from '../../modules/index.ts';
-import {
-  GAMES,
   gameOf,
   nextRoom,
-  playersOf,
-  RoomRefusal,
   type GameId,
   type Room,
   type RoomEvent,
@@ -18,23 +10,14 @@ import {
 } from '../../sim/index.ts';
 import { PhotoBoard } from '../photos/photo-board.ts';
 import type { Photo } from '../photos/photo.ts';
-import type { HostReply, PhoneRequest, PhoneWish } from '../messages.ts';
-import type { RoomView, RoundView } from '../room-view.ts';
-import {
-  phoneOf,
-  phoneTopic,
-  ROOM_TOPIC,
-  ROUND_TOPIC,
-  SEATS_TOPIC,
-  settingTopic,
-  stateTopic,
-} from '../topics.ts';
+import { readJson } from '../read-json.ts';
+import type { RoomView } from '../room-view.ts';
+import { phoneOf, ROOM_TOPIC, ROUND_TOPIC, SEATS_TOPIC, settingTopic } from '../topics.ts';
 import { GameSessions } from './game-sessions.ts';
 import { EMPTY_MEMORY, type HostStorage } from './host-memory.ts';
-import { parseRequest } from './parse-request.ts';
+import { PhoneWishes } from './phone-wishes.ts';
 import { Presence } from './presence.ts';
-import { RequestLimit } from './request-limit.ts';
-import { SeatOffers } from './seat-offers.ts';
+import { RoundLeader } from './round-leader.ts';
 
 /** What the big screen follows. */
 export interface PartyHostListener {
@@ -63,8 +46,6 @@ const TICK_MS = 250;
 /** The room is told again so often: who joins late, and another screen, see that it is led. */
 const TELL_AGAIN_MS = 2000;
 const SAVE_STATE_MS = 1000;
-/** The round goes on so long after a restart of its module. */
-const RESUME_IN_MS = 3000;
 /** A value that the master has comes right after the subscription. */
 const ADOPT_WITHIN_MS = 500;
 
@@ -78,16 +59,12 @@ export class PartyHost {
   readonly #sessions: GameSessions;
   readonly #photos: PhotoBoard;
   readonly #presence = new Presence();
-  readonly #offers: SeatOffers;
-  readonly #requests = new RequestLimit();
+  readonly #rounds: RoundLeader;
+  readonly #wishes: PhoneWishes;
   readonly #ends: (() => void)[] = [];
   #room: Room;
-  #round: RoundView | undefined;
-  #state: RoundState | undefined;
-  #states: Subscription<'string'> | undefined;
   #toldAtMs = -Infinity;
   #toldText = '';
-  #seatsText = '';
   #savedAtMs = -Infinity;
   #isClosed = false;
 
@@ -96,8 +73,6 @@ export class PartyHost {
     this.#client = options.client;
     const { room, round, state, arePhotosHidden = false } = options.storage.load() ?? EMPTY_MEMORY;
     this.#room = room;
-    this.#round = round;
-    this.#state = state;
     this.#photos = new PhotoBoard(
       {
         client: options.client,
@@ -106,7 +81,19 @@ export class PartyHost {
       },
       arePhotosHidden,
     );
-    this.#offers = new SeatOffers(options.drawByte);
+    const { client, drawByte } = options;
+    this.#rounds = new RoundLeader(
+      { client, drawByte, handleState: (game, next) => this.#handleState(game, next) },
+      { ...(round && { round }), ...(state && { state }) },
+    );
+    this.#wishes = new PhoneWishes({
+      client,
+      drawByte,
+      nowMs: () => this.#nowMs(),
+      hasSeat: (key) => this.#room.players.some((player) => player.key === key),
+      handleAsked: (key) => this.#presence.hear(key, 0, this.#nowMs()),
+      decide: (key, event) => this.#decide(key, event),
+    });
     this.#sessions = new GameSessions(options.client, (sentence) =>
       options.listener.handleTrouble?.(sentence),
     );
@@ -116,11 +103,12 @@ export class PartyHost {
     const lags = this.#presence.lags(this.#room.players, this.#nowMs());
     const { id } = this.#client;
     const { hidden } = this.#photos;
+    const { round } = this.#rounds;
     return {
       room: this.#room,
       hostId: id,
       lags,
-      ...(this.#round && { round: this.#round }),
+      ...(round && { round }),
       ...((hidden.all || hidden.ids.length > 0) && { hiddenPhotos: hidden }),
     };
   }
@@ -128,11 +116,7 @@ export class PartyHost {
   /** Begins to lead, with what was stored. The client is connected. */
   async start(): Promise<void> {
     const client = this.#client;
-    const requests = client.subscribe({ glob: '/*/party/request' }, { format: 'string' });
-    requests.onRecord(({ topic, value }) => {
-      const key = phoneOf(topic, 'request');
-      if (key !== undefined) this.#handleRequest(key, value);
-    });
+    const wishes = this.#wishes.open();
     const here = client.subscribe({ glob: '/*/party/here' }, { format: 'double' });
     here.onRecord(({ topic, value }) => {
       const key = phoneOf(topic, 'here');
@@ -144,13 +128,13 @@ export class PartyHost {
       if (status === 'connected') void this.#handleConnected();
     });
     this.#ends.push(
-      () => void requests.close(),
+      () => wishes.close(),
       () => void here.close(),
       () => void rooms.close(),
       stopState,
       this.#options.clock.every(TICK_MS, () => this.#tick()),
     );
-    await Promise.all([requests.ready, here.ready, rooms.ready]);
+    await Promise.all([wishes.ready, here.ready, rooms.ready]);
     await this.#adopt();
     await this.#handleConnected();
     this.#tell();
@@ -164,7 +148,7 @@ export class PartyHost {
   /** A code with which another phone takes a seat over; undefined for a seat without a person. */
   offerSeat(seat: Seat): string | undefined {
     const key = this.#room.players.find((player) => player.seat === seat)?.key;
-    return key === undefined ? undefined : this.#offers.offer(key, this.#nowMs());
+    return key === undefined ? undefined : this.#wishes.offer(key);
   }
 
   /** Changes a setting of a game for everybody, now. */
@@ -190,7 +174,7 @@ export class PartyHost {
     this.#isClosed = true;
     for (const end of this.#ends) end();
     this.#photos.close();
-    void this.#states?.close();
+    this.#rounds.close();
   }
 
   /** Ends the party: sessions, and what the topics say. */
@@ -205,56 +189,9 @@ export class PartyHost {
     return this.#client.masterTime.nowMs();
   }
 
-  #handleRequest(key: string, text: string): void {
-    const nowMs = this.#nowMs();
-    if (!this.#requests.isAllowed(key, nowMs)) return;
-    const request = parseRequest(text);
-    if (!request) return;
-    this.#presence.hear(key, 0, nowMs);
-    this.#reply(key, this.#answer(key, request));
-  }
-
-  #answer(key: string, { number, wish }: PhoneRequest): HostReply {
-    try {
-      if (wish.type === 'offer') return { number, code: this.#offerOwn(key) };
-      this.#become(nextRoom(this.#room, this.#eventOf(key, wish), this.#nowMs()));
-      if (wish.type === 'leave' || wish.type === 'away') this.#presence.forget(key);
-      return { number };
-    } catch (cause) {
-      if (!(cause instanceof RoomRefusal)) throw cause;
-      return { number, refusal: cause.message };
-    }
-  }
-
-  #offerOwn(key: string): string {
-    if (!this.#room.players.some((player) => player.key === key))
-      throw new RoomRefusal('This phone has no seat.');
-    return this.#offers.offer(key, this.#nowMs());
-  }
-
-  #eventOf(key: string, wish: Exclude<PhoneWish, { type: 'offer' }>): RoomEvent {
-    switch (wish.type) {
-      case 'take': {
-        const owner = this.#offers.take(wish.code, this.#nowMs());
-        if (owner === undefined)
-          throw new RoomRefusal('This code is not valid any more. Ask for a new one.');
-        return { type: 'hand-over', key: owner, to: key };
-      }
-      case 'join':
-      case 'leave':
-      case 'away':
-      case 'back':
-      case 'ready':
-        return { ...wish, key };
-      default:
-        return { ...wish, by: { key } };
-    }
-  }
-
-  #reply(key: string, reply: HostReply): void {
-    this.#client.publish(phoneTopic(key, 'reply'), 'string', JSON.stringify(reply), {
-      immediate: true,
-    });
+  #decide(key: string, event: RoomEvent): void {
+    this.apply(event);
+    if (event.type === 'leave' || event.type === 'away') this.#presence.forget(key);
   }
 
   #handleHere(key: string, lagMs: number): void {
@@ -265,12 +202,7 @@ export class PartyHost {
 
   /** Another big screen says that it leads: the last one who began does. */
   #handleRoomOfOthers(text: string): void {
-    let hostId: unknown;
-    try {
-      hostId = (JSON.parse(text) as Partial<RoomView>).hostId;
-    } catch {
-      return;
-    }
+    const hostId = readJson<RoomView>(text)?.hostId;
     if (typeof hostId !== 'string' || hostId === this.#client.id || text === this.#toldText) return;
     // What an earlier screen left behind comes once, before this one has told anything
     if (this.#toldText === '') return;
@@ -282,10 +214,10 @@ export class PartyHost {
   async #adopt(): Promise<void> {
     if (this.#room.players.length > 0) return;
     const found = await firstOf(this.#client, ROOM_TOPIC, this.#options.clock, ADOPT_WITHIN_MS);
-    const view = found === undefined ? undefined : (JSON.parse(found) as RoomView);
-    if (view?.room === undefined || view.room.players.length === 0) return;
+    const view = found === undefined ? undefined : readJson<RoomView>(found);
+    if (!Array.isArray(view?.room?.players) || view.room.players.length === 0) return;
     this.#room = view.room;
-    this.#round = view.round;
+    this.#rounds.adopt(view.round);
   }
 
   /** New, or again: the master may have lost the session, and with it the round. */
@@ -296,17 +228,8 @@ export class PartyHost {
     this.#listenTo(game);
     const isNew = await this.#sessions.open(game);
     if (this.#isClosed) return;
-    if (isNew && phase === 'play' && this.#round) this.#resume(this.#round);
+    if (isNew && phase === 'play') this.#rounds.resume(this.#nowMs());
     this.#tell();
-  }
-
-  /** The module was started anew: it goes on from the newest state that came here. */
-  #resume(round: RoundView): void {
-    const { step = 0, state } = this.#state?.id === round.id ? this.#state : {};
-    const id = `${round.id.split('~')[0]}~${this.#nowMs()}`;
-    const startsAtMs = this.#nowMs() + RESUME_IN_MS - (step * 1000) / 60;
-    this.#round = { ...round, id, startsAtMs };
-    this.#publishPlan(state === undefined ? undefined : { step, state });
   }
 
   #become(room: Room): void {
@@ -326,35 +249,16 @@ export class PartyHost {
       void this.#sessions.open(game).then(() => this.#tell());
     }
     if (room.phase === 'podium') this.#photos.close();
-    if (room.phase === 'countdown') this.#plan(game, room);
+    if (room.phase === 'countdown') this.#rounds.plan(game, room, room.endsAtMs ?? this.#nowMs());
     if (room.phase === 'lobby' || room.phase === 'end') {
       this.#photos.close();
-      this.#round = undefined;
-      this.#state = undefined;
+      this.#rounds.clear();
       void this.#sessions.removeAll();
     }
   }
 
-  #plan(game: GameId, room: Room): void {
-    const [a, b, c] = [0, 0, 0].map(() => this.#options.drawByte()) as [number, number, number];
-    const seed = (a << 16) | (b << 8) | c;
-    const startsAtMs = room.endsAtMs ?? this.#nowMs();
-    const seats = playersOf(room).map(({ seat }) => seat);
-    this.#state = undefined;
-    this.#round = { id: `${game}-${startsAtMs}-${seed}`, game, seed, startsAtMs, seats };
-    this.#publishPlan(undefined);
-  }
-
-  #publishPlan(resume: RoundPlan['resume']): void {
-    const { id, seed, seats, startsAtMs } = this.#round!;
-    const plan: RoundPlan = { id, seed, seats, startsAtMs, ...(resume && { resume }) };
-    this.#client.publish(ROUND_TOPIC, 'string', JSON.stringify(plan), { immediate: true });
-  }
-
   #listenTo(game: GameId): void {
-    void this.#states?.close();
-    this.#states = this.#client.subscribe(stateTopic(game), { format: 'string' });
-    this.#states.onRecord(({ value }) => this.#handleState(game, value));
+    this.#rounds.listenTo(game);
     if (takesAnswers(game)) this.#photos.open();
   }
 
@@ -363,10 +267,7 @@ export class PartyHost {
     this.#tell();
   }
 
-  #handleState(game: GameId, text: string): void {
-    const state = JSON.parse(text) as RoundState;
-    if (state.id !== this.#round?.id) return;
-    this.#state = state;
+  #handleState(game: GameId, state: RoundState): void {
     this.#options.listener.handleState?.(game, state);
     if (this.#room.phase === 'countdown') this.apply({ type: 'time' });
     if (state.isOver && this.#room.phase === 'play')
@@ -388,12 +289,8 @@ export class PartyHost {
   /** What changed is told at once, and all of it now and then. */
   #tell(): void {
     if (this.#isClosed) return;
-    this.#tellSeats();
-    const round = this.#round;
-    const sessionId = round && this.#sessions.idOf(round.game as GameId);
-    if (round && sessionId !== round.sessionId) {
-      this.#round = { ...round, ...(sessionId !== undefined && { sessionId }) };
-    }
+    this.#rounds.tellSeats(this.#room);
+    this.#rounds.setSession((game) => this.#sessions.idOf(game));
     const view = this.view;
     const text = JSON.stringify(view);
     const nowMs = this.#nowMs();
@@ -404,23 +301,10 @@ export class PartyHost {
     this.#options.listener.handleView?.(view);
   }
 
-  #tellSeats(): void {
-    const clients: Record<Seat, string> = {};
-    const bots: Seat[] = [];
-    for (const { seat, key, awaySinceMs } of playersOf(this.#room)) {
-      if (key === undefined) bots.push(seat);
-      else if (awaySinceMs === undefined) clients[seat] = key;
-    }
-    const seats: RoundSeats = { clients, bots };
-    const text = JSON.stringify(seats);
-    if (text === this.#seatsText) return;
-    this.#seatsText = text;
-    this.#client.publish(SEATS_TOPIC, 'string', text, { immediate: true });
-  }
-
   #save(): void {
     this.#savedAtMs = this.#nowMs();
-    const [room, round, state] = [this.#room, this.#round, this.#state];
+    const { round, state } = this.#rounds;
+    const room = this.#room;
     const { all: arePhotosHidden } = this.#photos.hidden;
     this.#options.storage.save({
       room,
@@ -445,9 +329,4 @@ async function firstOf(
   });
   await subscription.close();
   return value;
-}
-
-/** Whether a text is the id of a game. */
-export function isGame(id: string): id is GameId {
-  return Object.hasOwn(GAMES, id);
 }

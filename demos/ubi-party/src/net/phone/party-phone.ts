@@ -4,6 +4,7 @@ import type { Answer, Feedback } from '../../sim/index.ts';
 import type { HostReply, PhoneRequest, PhoneWish } from '../messages.ts';
 import type { Photo } from '../photos/photo.ts';
 import { ShownPhoto } from '../photos/shown-photo.ts';
+import { readJson } from '../read-json.ts';
 import type { RoomView } from '../room-view.ts';
 import { PHONE_COMPONENTS, PHONE_DEVICE, phoneTopic, ROOM_TOPIC } from '../topics.ts';
 
@@ -164,17 +165,24 @@ export class PartyPhone implements PhoneLink {
     const client = this.#client;
     const rooms = client.subscribe(ROOM_TOPIC, { format: 'string' });
     rooms.onRecord(({ value }) => {
-      this.#view = JSON.parse(value) as RoomView;
+      const view = readJson<RoomView>(value);
+      if (!Array.isArray(view?.room?.players)) return;
+      this.#view = view as RoomView;
       this.#shownPhoto.setHidden(this.#view.hiddenPhotos);
       this.#changed();
     });
     const feedback = client.subscribe(phoneTopic(clientId, 'feedback'), { format: 'string' });
     feedback.onRecord(({ value }) => {
-      this.#feedback = JSON.parse(value) as Feedback;
+      const told = readJson<Feedback>(value);
+      if (typeof told?.headline !== 'string') return;
+      this.#feedback = told as Feedback;
       this.#changed();
     });
     const replies = client.subscribe(phoneTopic(clientId, 'reply'), { format: 'string' });
-    replies.onRecord(({ value }) => this.#handleReply(JSON.parse(value) as HostReply));
+    replies.onRecord(({ value }) => {
+      const reply = readJson<HostReply>(value);
+      if (typeof reply?.number === 'number') this.#handleReply(reply as HostReply);
+    });
     this.#stopFollowing = () => {
       for (const one of [rooms, feedback, replies]) void one.close();
     };

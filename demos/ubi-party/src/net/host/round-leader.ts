@@ -1,0 +1,124 @@
+import type { Subscription, UbiiClient } from '@ubii/client-web';
+import type { RoundPlan, RoundSeats, RoundState } from '../../modules/index.ts';
+import { playersOf, STEPS_PER_SECOND, type GameId, type Room, type Seat } from '../../sim/index.ts';
+import { readJson } from '../read-json.ts';
+import type { RoundView } from '../room-view.ts';
+import { ROUND_TOPIC, SEATS_TOPIC, stateTopic } from '../topics.ts';
+import type { HostMemory } from './host-memory.ts';
+
+/** The round goes on so long after a restart of its module, milliseconds. */
+const RESUME_IN_MS = 3000;
+
+export interface RoundLeaderOptions {
+  readonly client: UbiiClient;
+  /** A random integer from 0 to 255. */
+  readonly drawByte: () => number;
+  handleState(game: GameId, state: RoundState): void;
+}
+
+/** Leads the module of a game: tells it the round and who sits where, and follows its state. */
+export class RoundLeader {
+  readonly #options: RoundLeaderOptions;
+  readonly #client: UbiiClient;
+  #round: RoundView | undefined;
+  #state: RoundState | undefined;
+  #states: Subscription<'string'> | undefined;
+  #seatsText = '';
+
+  constructor(options: RoundLeaderOptions, { round, state }: Pick<HostMemory, 'round' | 'state'>) {
+    this.#options = options;
+    this.#client = options.client;
+    this.#round = round;
+    this.#state = state;
+  }
+
+  get round(): RoundView | undefined {
+    return this.#round;
+  }
+
+  /** The newest state that came. */
+  get state(): RoundState | undefined {
+    return this.#state;
+  }
+
+  /** Goes on with a round that another screen has planned. */
+  adopt(round: RoundView | undefined): void {
+    this.#round = round;
+  }
+
+  /** Follows the states of a game. */
+  listenTo(game: GameId): void {
+    this.close();
+    this.#states = this.#client.subscribe(stateTopic(game), { format: 'string' });
+    this.#states.onRecord(({ value }) => this.#handleState(game, value));
+  }
+
+  /** Says when the round starts, and with whom. */
+  plan(game: GameId, room: Room, startsAtMs: number): void {
+    const [a, b, c] = [0, 0, 0].map(() => this.#options.drawByte()) as [number, number, number];
+    const seed = (a << 16) | (b << 8) | c;
+    const seats = playersOf(room).map(({ seat }) => seat);
+    this.#state = undefined;
+    this.#round = { id: `${game}-${startsAtMs}-${seed}`, game, seed, startsAtMs, seats };
+    this.#publishPlan(undefined);
+  }
+
+  /** The module was started anew: it goes on from the newest state that came here. */
+  resume(nowMs: number): void {
+    const round = this.#round;
+    if (!round) return;
+    const { step = 0, state } = this.#state?.id === round.id ? this.#state : {};
+    const id = `${round.id.split('~')[0]}~${nowMs}`;
+    const startsAtMs = nowMs + RESUME_IN_MS - (step * 1000) / STEPS_PER_SECOND;
+    this.#round = { ...round, id, startsAtMs };
+    this.#publishPlan(state === undefined ? undefined : { step, state });
+  }
+
+  /** There is no round. */
+  clear(): void {
+    this.#round = undefined;
+    this.#state = undefined;
+  }
+
+  /** In which session it is played. */
+  setSession(idOf: (game: GameId) => string | undefined): void {
+    const round = this.#round;
+    const sessionId = round && idOf(round.game as GameId);
+    if (!round || sessionId === round.sessionId) return;
+    this.#round = { ...round, ...(sessionId !== undefined && { sessionId }) };
+  }
+
+  /** Tells the module who plays now: phones that are there, and bots. */
+  tellSeats(room: Room): void {
+    const clients: Record<Seat, string> = {};
+    const bots: Seat[] = [];
+    for (const { seat, key, awaySinceMs } of playersOf(room)) {
+      if (key === undefined) bots.push(seat);
+      else if (awaySinceMs === undefined) clients[seat] = key;
+    }
+    const seats: RoundSeats = { clients, bots };
+    const text = JSON.stringify(seats);
+    if (text === this.#seatsText) return;
+    this.#seatsText = text;
+    this.#client.publish(SEATS_TOPIC, 'string', text, { immediate: true });
+  }
+
+  close(): void {
+    void this.#states?.close();
+    this.#states = undefined;
+  }
+
+  #publishPlan(resume: RoundPlan['resume']): void {
+    const { id, seed, seats, startsAtMs } = this.#round!;
+    const plan: RoundPlan = { id, seed, seats, startsAtMs, ...(resume && { resume }) };
+    this.#client.publish(ROUND_TOPIC, 'string', JSON.stringify(plan), { immediate: true });
+  }
+
+  #handleState(game: GameId, text: string): void {
+    const state = readJson<RoundState>(text);
+    if (state?.id === undefined || state.id !== this.#round?.id) return;
+    if (!Array.isArray(state.places) || typeof state.step !== 'number') return;
+    this.#state = state as RoundState;
+    this.#options.handleState(game, this.#state);
+  }
+}
