@@ -129,7 +129,7 @@ test('on a phone, modules are added, bound and started in the list', async ({ ro
   const input = list.getByRole('button', { name: /^Input value/ });
   await test.step('what does not fit says why, and what would make it fit', async () => {
     await input.tap();
-    await page.getByRole('option', { name: '/wave/place' }).tap();
+    await page.getByRole('option', { name: /^place \/wave / }).tap();
     const refusal = page.getByRole('dialog').getByRole('alert');
     await expect(refusal).toContainText('gives vector2');
     await expect(refusal.getByRole('button', { name: 'Take x', exact: true })).toBeVisible();
@@ -137,7 +137,7 @@ test('on a phone, modules are added, bound and started in the list', async ({ ro
   });
 
   await test.step('what fits is read, and shows its value', async () => {
-    await page.getByRole('option', { name: '/wave/height' }).tap();
+    await page.getByRole('option', { name: /^height \/wave / }).tap();
     await expect(page.getByRole('dialog')).toBeHidden();
     await expect(input).toContainText('/wave/height');
     await expect(input).toContainText('4.00');
