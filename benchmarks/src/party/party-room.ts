@@ -66,6 +66,7 @@ export class PartyRoom {
     const told: RoundSeats = { clients, bots: [] };
     const plan: RoundPlan = {
       id: `round ${(this.#rounds += 1)}`,
+      game: 'hill',
       seed: 1,
       seats,
       startsAtMs: Date.now(),

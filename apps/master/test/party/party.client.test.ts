@@ -39,6 +39,7 @@ describe('a party', () => {
     await party.playTo('end');
     const { results, players } = party.room;
     expect(results.map(({ game }) => game)).toEqual(['hill', 'duel']);
+    for (const { game, state } of party.states) expect(state.id.split('-')[0]).toBe(game);
     for (const { places } of results) expect(places.flat().sort()).toEqual([0, 1, 2, 3]);
     for (const { seat, points } of players) {
       const sum = results.reduce((total, result) => total + (result.points[seat] ?? 0), 0);

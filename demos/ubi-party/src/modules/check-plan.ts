@@ -13,12 +13,13 @@ const isObject = (value: unknown): value is Record<string, unknown> =>
 /** Anybody may publish on the topic of the plan: what is none is left out. */
 export function isRoundPlan(value: unknown): value is RoundPlan {
   if (!isObject(value)) return false;
-  const { id, seed, seats, startsAtMs, resume } = value;
+  const { id, game, seed, seats, startsAtMs, resume } = value;
   const isResumable =
     resume === undefined ||
     (isObject(resume) && Number.isInteger(resume['step']) && isObject(resume['state']));
   return (
     typeof id === 'string' &&
+    typeof game === 'string' &&
     Number.isInteger(seed) &&
     isSeats(seats) &&
     seats.length > 0 &&

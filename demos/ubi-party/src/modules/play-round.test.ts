@@ -4,7 +4,7 @@ import { playRound, type Playing, type RoundInputs } from './play-round.ts';
 import type { RoundPlan, RoundSeats, RoundState } from './round.ts';
 
 const STARTS = 1_000_000;
-const plan: RoundPlan = { id: 'r', seed: 3, seats: [0, 1], startsAtMs: STARTS };
+const plan: RoundPlan = { id: 'r', game: 'hill', seed: 3, seats: [0, 1], startsAtMs: STARTS };
 const seats: RoundSeats = { clients: { 0: 'mara', 1: 'theo' }, bots: [] };
 const text = (value: unknown): { string: string } => ({ string: JSON.stringify(value) });
 const inputs = (more: Partial<RoundInputs> = {}): RoundInputs => ({
@@ -21,7 +21,8 @@ function run<State>(
   atMs: number,
   given = inputs(),
 ): RoundState<State> | undefined {
-  const outputs = playRound(game, given, playing, STARTS + atMs)?.outputs;
+  const round = game === 'hill' ? given.round : text({ ...plan, game });
+  const outputs = playRound(game, { ...given, round }, playing, STARTS + atMs)?.outputs;
   return outputs?.state && (JSON.parse(outputs.state.string) as RoundState<State>);
 }
 
@@ -30,6 +31,11 @@ describe('a run of a module that plays a game', () => {
     expect(run('hill', -500)).toBeUndefined();
     expect(run('hill', 50)?.step).toBe(3);
     expect(run('hill', 50)).toBeUndefined();
+  });
+
+  it('leaves the plan of another game alone, which is there when its session starts', () => {
+    const outputs = playRound('duel', inputs(), playing, STARTS + 50);
+    expect(outputs).toBeUndefined();
   });
 
   it('catches up after it was held up, a few steps at a time', () => {

@@ -97,7 +97,7 @@ function readPlan(game: Game<unknown>, text: string | undefined, playing: Playin
   if (text === undefined || text === playing.planText) return;
   playing.planText = text;
   const plan = readJson(text, isRoundPlan);
-  if (!plan || plan.id === playing.plan?.id) return;
+  if (!plan || plan.game !== game.id || plan.id === playing.plan?.id) return;
   playing.plan = plan;
   playing.state = plan.resume?.state ?? game.start(plan);
   playing.step = plan.resume?.step ?? 0;

@@ -4,6 +4,8 @@ import type { Seat } from '../sim/index.ts';
 export interface RoundPlan {
   /** Another id is another round. */
   readonly id: string;
+  /** Modules of other games leave it alone: the plan of the round before is still there when theirs starts. */
+  readonly game: string;
   readonly seed: number;
   readonly seats: readonly Seat[];
   /** When the first step is, milliseconds since the Unix epoch, master's clock. */

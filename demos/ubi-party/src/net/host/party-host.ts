@@ -245,6 +245,7 @@ export class PartyHost {
     const game = gameOf(room) as GameId | undefined;
     if (game === undefined) return;
     if (room.phase === 'explanation') {
+      this.#rounds.clear();
       this.#listenTo(game);
       void this.#sessions.open(game).then(() => this.#tell());
     }

@@ -109,8 +109,8 @@ export class RoundLeader {
   }
 
   #publishPlan(resume: RoundPlan['resume']): void {
-    const { id, seed, seats, startsAtMs } = this.#round!;
-    const plan: RoundPlan = { id, seed, seats, startsAtMs, ...(resume && { resume }) };
+    const { id, game, seed, seats, startsAtMs } = this.#round!;
+    const plan: RoundPlan = { id, game, seed, seats, startsAtMs, ...(resume && { resume }) };
     this.#client.publish(ROUND_TOPIC, 'string', JSON.stringify(plan), { immediate: true });
   }
 
