@@ -103,7 +103,7 @@ test('seat is handed over with a code', async () => {
   page.open({ room: roomWith(1) });
   await page.button('Menu').trigger('click');
   await page.button('Move to another phone').trigger('click');
-  await vi.waitUntil(() => page.find('.qr-code').exists());
+  await vi.waitUntil(() => page.find('svg[role="img"]').exists());
   expect(page.get('.code').text()).toContain('7KRM');
 });
 

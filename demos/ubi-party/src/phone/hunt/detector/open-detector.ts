@@ -1,3 +1,4 @@
+import { systemClock } from '@ubii/client-web';
 import { moduleLibrary } from '@ubii/modules';
 import {
   createAssetStore,
@@ -127,16 +128,4 @@ function counted(store: AssetStore, onLoaded: (bytes: number) => void): AssetSto
   };
 }
 
-const pageClock: Clock = {
-  nowMs: () => Date.now(),
-  monotonicMs: () => performance.now(),
-  every(intervalMs, fn) {
-    const timer = setInterval(fn, intervalMs);
-    return () => clearInterval(timer);
-  },
-  after(delayMs, fn) {
-    const timer = setTimeout(fn, delayMs);
-    return () => clearTimeout(timer);
-  },
-  atEndOfTurn: (fn) => queueMicrotask(fn),
-};
+const pageClock: Clock = { ...systemClock, atEndOfTurn: (fn) => queueMicrotask(fn) };
