@@ -26,6 +26,7 @@ const SESSION = {
 test('objects in pictures are found on the master and, moved while it runs, in a tab [PM-90]', async ({
   room,
 }) => {
+  test.setTimeout(360_000);
   const robot = await room.program('Robot');
   const anna = await room.atDesk('Anna');
   let newest: { by: string; list: Object2DList } | undefined;
@@ -69,7 +70,8 @@ test('objects in pictures are found on the master and, moved while it runs, in a
         backend = value;
       });
       robot.publish('/kitchen/wanted', 'string', 'webgl');
-      await expect.poll(() => backend, { timeout: 40_000 }).toBe('webgl');
+      // Software WebGL compiles for a minute on a busy machine.
+      await expect.poll(() => backend, { timeout: 150_000 }).toBe('webgl');
       newest = undefined;
       await expect.poll(classes, { timeout: 20_000 }).toEqual(['cat']);
       robot.publish('/kitchen/wanted', 'string', 'auto');
