@@ -1,5 +1,5 @@
 import type { TopicRecord } from '@ubii/proto';
-import { useIntervalFn, useRafFn } from '@vueuse/core';
+import { useDocumentVisibility, useIntervalFn, useRafFn } from '@vueuse/core';
 import { reactive, shallowRef, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
@@ -30,7 +30,7 @@ export type Found = ReadonlyMap<Seen, TopicRecord>;
 
 /** Looks at the pictures of a source with a session of this page. */
 export function useObjectDetection(sources: PictureSources) {
-  const { client, name } = useConnection();
+  const { client, isConnected, name } = useConnection();
   const isOn = shallowRef(false);
   const place = shallowRef<ModulePlace>('tab');
   const threshold = shallowRef(0.4);
@@ -93,6 +93,9 @@ export function useObjectDetection(sources: PictureSources) {
       }),
     );
   }
+
+  /** Pictures of other clients may be old: a retained one is looked at as it is. */
+  const clearTimes = (): void => times.clear(isOwn.value ? client.masterTime.nowMs() : undefined);
 
   const device = useDevice({
     name: SEEING_DEVICE,
@@ -170,8 +173,7 @@ export function useObjectDetection(sources: PictureSources) {
     { immediate: true },
   );
   watch([place, () => sources.kind.value, isOn], () => {
-    // Pictures of other clients may be old: a retained one is looked at as it is
-    times.clear(isOwn.value ? client.masterTime.nowMs() : undefined);
+    clearTimes();
     results.clear();
     stages.value = undefined;
     backend.value = '';
@@ -181,6 +183,9 @@ export function useObjectDetection(sources: PictureSources) {
     newest.clear();
     hasChanged = true;
   });
+
+  // The time without a master, or behind another page, is no part of the way of a picture.
+  watch([isConnected, useDocumentVisibility()], clearTimes);
 
   useRafFn(() => {
     const nowMs = performance.now();

@@ -196,7 +196,7 @@ describe('what is said of it', () => {
       '30 → 4 Hz, because modules take 4 pictures a second.',
     );
     expect(adaptationWords({ ...FIRST_STATE, deviceHz: 10, encodeMs: 60 }, WANTED)).toBe(
-      '30 → 10 Hz, because this device takes 60 ms to encode one.',
+      '30 → 10 Hz, because this device encodes slowly.',
     );
     expect(adaptationWords({ ...module, linkBytesPerSecond: 5e5, level: 3 }, WANTED)).toBe(
       '640 → 480 px, quality 80 → 50 %, because the link takes 500 kB/s; 30 → 4 Hz, because modules take 4 pictures a second.',

@@ -40,7 +40,7 @@ function linkReason({ linkBytesPerSecond = 0 }: AdaptState): string {
 function rateReason({ moduleHz = Infinity, deviceHz = Infinity, ...state }: AdaptState): string {
   if (moduleHz <= deviceHz)
     return `modules take ${rate(state.resultHz ?? moduleHz)} pictures a second`;
-  return `this device takes ${formatNumber(state.encodeMs ?? 0, 0)} ms to encode one`;
+  return 'this device encodes slowly';
 }
 
 function rateChange(wantedHz: number, rateHz: number): string[] {
