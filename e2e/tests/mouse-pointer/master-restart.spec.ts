@@ -38,6 +38,10 @@ test('the master is restarted: everybody comes back as who they were, without a 
 
   await master.startAgain();
   for (const shell of shells) await expect(shell.disconnectedStrip).toBeHidden({ timeout: 60_000 });
+  const restart = people[0]!.page.getByRole('status', { name: 'Restart of the master' });
+  await expect(restart).toContainText('The master was restarted at');
+  await restart.getByRole('button', { name: 'Dismiss the message' }).click();
+  await expect(restart).toBeHidden();
 
   for (const [index, page] of pages.entries()) {
     await page.pointTo({ x: 0.5 + index / 10, y: 0.6 });
