@@ -75,6 +75,16 @@ describe('what an input can read', () => {
   });
 });
 
+it('lists topics without data after those that are known to fit', () => {
+  const topics = [{ topic: '/a/silent', format: '' }, ...sources.topics];
+  const silent = bindings(graph, ref(graph, 'sink.in'), { ...sources, topics }, '', uuid);
+  expect(silent.map(({ text, group }) => [text, group]).slice(0, 3)).toEqual([
+    ['source · out', 'session'],
+    ['/live/number', 'topics'],
+    ['/a/silent', 'unknown'],
+  ]);
+});
+
 it('is found by the name of the client that publishes it', () => {
   const named = { ...sources, nameTopic: (topic: string) => `${topic} · Ines` };
   const texts = bindings(graph, ref(graph, 'sink.in'), named, 'ines num', uuid);

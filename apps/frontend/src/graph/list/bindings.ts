@@ -27,7 +27,7 @@ export interface Binding {
   readonly topic?: string | undefined;
   /** Its data format, in short. */
   readonly hint: string;
-  readonly group: 'session' | 'topics' | 'misfits';
+  readonly group: 'session' | 'topics' | 'unknown' | 'misfits';
   /** What choosing it does; undefined where it does not fit. */
   readonly command: GraphCommand | undefined;
   /** Why it does not fit, one sentence. */
@@ -69,7 +69,7 @@ export function bindings(
   const fitting = [...of('session'), ...of('topics')];
   // What exists goes before what is made, unless nothing was typed: then an output gets a topic of its own.
   const best = typed.trim() === '' ? [...made, ...fitting] : [...fitting, ...made];
-  return [...best, ...of('misfits')].slice(0, MAX_SHOWN);
+  return [...best, ...of('unknown'), ...of('misfits')].slice(0, MAX_SHOWN);
 }
 
 /** Ports on the other side, of other nodes. */
@@ -118,7 +118,7 @@ function toTopic(
   graph: Graph,
   ref: PortRef,
   topic: string,
-  look: Parameters<typeof topicNode>[1],
+  look: NonNullable<Parameters<typeof topicNode>[1]>,
   modules: readonly ProcessingModule[],
   uuid: () => string,
 ): Binding | undefined {
@@ -139,7 +139,8 @@ function toTopic(
   });
   return {
     ...binding,
-    group: binding.reason === undefined ? 'topics' : 'misfits',
+    group:
+      binding.reason !== undefined ? 'misfits' : look.format === undefined ? 'unknown' : 'topics',
     command: binding.command && after(binding.command),
     adapt: (adapter) => after(binding.adapt(adapter)),
   };
@@ -161,5 +162,6 @@ function newTopic(
   if (topicsOf(graph).has(topic) || known.some((one) => one.topic === topic)) return [];
   const binding = toTopic(graph, ref, topic, {}, [], uuid);
   if (binding?.command === undefined) return [];
-  return [{ ...binding, key: `new ${topic}`, text: `New topic ${topic}`, topic: undefined }];
+  const text = `New topic ${topic}`;
+  return [{ ...binding, key: `new ${topic}`, text, topic: undefined, group: 'topics' }];
 }
