@@ -17,7 +17,7 @@ export default defineConfig({
   reporter: [['list'], ['html', { open: 'never', outputFolder: 'playwright-report' }]],
   use: {
     // Pictures of every frame would cost more than the pages themselves.
-    trace: { mode: 'retain-on-failure', screenshots: false, snapshots: true, sources: true },
+    trace: { mode: 'on-first-retry', screenshots: false, snapshots: true, sources: true },
     actionTimeout: 30_000,
     navigationTimeout: 60_000,
     launchOptions: { executablePath: findChromium(), args: [...CHROMIUM_FLAGS] },
