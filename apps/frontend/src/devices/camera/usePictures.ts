@@ -1,5 +1,5 @@
 import type { Image2D } from '@ubii/proto';
-import { useIntervalFn } from '@vueuse/core';
+import { useDocumentVisibility, useIntervalFn } from '@vueuse/core';
 import { onScopeDispose, shallowReactive, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { RateMeter } from '../sensors/rate-meter.ts';
@@ -80,7 +80,7 @@ export function usePictures(options: {
   /** Nothing of the pictures is to stay on the master. [TD-48] */
   readonly end: () => void;
 }) {
-  const { client } = useConnection();
+  const { client, isConnected } = useConnection();
   const measures = shallowReactive<PictureMeasures>({ ...NOTHING });
   const sent = new PictureMeter();
   const roundTripsMs: number[] = [];
@@ -94,7 +94,7 @@ export function usePictures(options: {
 
   function decide(): void {
     const { settings, habits, resultHz } = options;
-    if (measures.sentAtMs === undefined) return;
+    if (measures.sentAtMs === undefined || visibility.value === 'hidden') return;
     const before = adaptedStep(state, settings);
     state = habits().isAdaptive
       ? adaptPictures(state, settings, {
@@ -116,6 +116,14 @@ export function usePictures(options: {
       decide();
     },
   );
+
+  // A time without a master, or behind another page, is not the measure of a link, nor of a module.
+  const visibility = useDocumentVisibility();
+  watch([isConnected, visibility], () => {
+    sent.clear();
+    roundTripsMs.length = 0;
+    state = FIRST_STATE;
+  });
 
   watch(
     () => options.habits().keepsNewest,
@@ -153,9 +161,8 @@ export function usePictures(options: {
           });
           rateHz = affordableRate(rateHz, image.data.length);
           note(image, encodedMs - beginMs, rateHz < step.rateHz);
-          await left(image.data.length);
+          const leaveMs = await left(image.data.length);
           if (isOver) return;
-          const leaveMs = performance.now() - encodedMs;
           measures.leaveMs = leaveMs;
           sent.note({
             atMs: encodedMs,
@@ -168,10 +175,16 @@ export function usePictures(options: {
         timer = setTimeout(run, Math.max(0, 1000 / rateHz - passedMs));
       }
 
-      async function left(bytes: number): Promise<void> {
+      /** @returns how long the picture took to leave, milliseconds */
+      async function left(bytes: number): Promise<number> {
+        const beginMs = performance.now();
+        let lookedMs = beginMs;
         while (!isOver && client.bufferedBytes > bytes * LEFT_SHARE) {
+          lookedMs = performance.now();
           await new Promise((resolve) => setTimeout(resolve, LEAVE_POLL_MS));
         }
+        // It left soon after the last look, however late a busy page looks again.
+        return Math.min(performance.now(), lookedMs + LEAVE_POLL_MS) - beginMs;
       }
 
       function note(image: Image2D, encodeMs: number, isSlowed: boolean): void {

@@ -48,7 +48,25 @@ it('gives medians, and the 95th percentile of the whole', () => {
   const times = new StageTimes();
   for (let late = 0; late < 20; late++) times.add(result({ drawnMs: 1062 + late }));
   expect(parts(times)?.at(-1)).toBe(17);
+  expect(parts(times)?.reduce((sum, ms) => sum + ms, 0)).toBe(71);
   expect(times.summary(1081)).toMatchObject({ p50Ms: 71, p95Ms: 80, count: 20 });
+});
+
+it('the parts sum up to the median also where each is slow at another time', () => {
+  const times = new StageTimes();
+  for (let i = 0; i < 30; i++) {
+    const slow = {
+      detect: i % 3 === 0 ? 60 : 0,
+      draw: i % 3 === 1 ? 60 : 0,
+      back: i % 3 === 2 ? 60 : 0,
+    };
+    const finishedMs = 1050 + slow.detect;
+    const arrivedMs = finishedMs + 4 + slow.back;
+    const drawnMs = arrivedMs + 8 + slow.draw;
+    times.add(result({ durationMs: 35 + slow.detect, finishedMs, arrivedMs, drawnMs }));
+  }
+  const { stages, p50Ms } = times.summary(1200)!;
+  expect(stages.reduce((sum, { ms }) => sum + ms, 0)).toBeCloseTo(p50Ms);
 });
 
 it('a clock that is off by a little gives no time below 0', () => {

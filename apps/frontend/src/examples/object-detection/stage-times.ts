@@ -3,7 +3,7 @@ export interface Stage {
   readonly name: string;
   /** What happens: the picture travels, the module works, the result travels. */
   readonly kind: 'picture' | 'module' | 'result';
-  /** Median, milliseconds. */
+  /** Mean of the results around the median of the whole, milliseconds. */
   readonly ms: number;
   /** How far it may be from that: the stage begins on one machine and ends on another, whose clocks differ. Milliseconds. */
   readonly errorMs?: number | undefined;
@@ -40,6 +40,8 @@ const CROSSING: ReadonlySet<string> = new Set(['To the module', 'Back']);
 /** Results of this time count, milliseconds. */
 const WINDOW_MS = 10_000;
 const MAX_SAMPLES = 400;
+/** Of all results, how many on either side of the median tell what the parts are. */
+const TYPICAL_SHARE = 0.1;
 
 /** One result, all moments by the clock of the master, milliseconds. */
 export interface ResultTimes {
@@ -59,7 +61,7 @@ export interface ResultTimes {
   readonly drawnMs: number;
 }
 
-/** Percentiles of what each stage took, of the results of the last ten seconds. */
+/** What each stage took, of the results of the last ten seconds. */
 export class StageTimes {
   #samples: Sample[] = [];
   #sinceMs = -Infinity;
@@ -105,12 +107,14 @@ export class StageTimes {
   summary(nowMs: number, errorMs?: number): StageSummary | undefined {
     this.#samples = this.#samples.filter(({ atMs }) => nowMs - atMs <= WINDOW_MS);
     if (this.#samples.length === 0) return undefined;
-    const totals = this.#samples.map(({ totalMs }) => totalMs);
+    const sorted = this.#samples.toSorted((a, b) => a.totalMs - b.totalMs);
+    const totals = sorted.map(({ totalMs }) => totalMs);
+    const typical = middle(sorted);
     return {
       stages: STAGES.flatMap((stage, index) => {
-        const known = this.#samples.flatMap(({ parts }) => parts[index] ?? []);
+        const known = typical.flatMap(({ parts }) => parts[index] ?? []);
         if (known.length === 0) return [];
-        const ms = percentile(known, 0.5);
+        const ms = known.reduce((sum, part) => sum + part, 0) / known.length;
         return CROSSING.has(stage.name) && errorMs !== undefined
           ? [{ ...stage, ms, errorMs }]
           : [{ ...stage, ms }];
@@ -122,7 +126,14 @@ export class StageTimes {
   }
 }
 
-function percentile(values: readonly number[], share: number): number {
-  const sorted = [...values].sort((a, b) => a - b);
+/** The results around the median: their parts add up to it, which medians of the parts do not. */
+function middle(sorted: readonly Sample[]): readonly Sample[] {
+  const center = Math.ceil(0.5 * sorted.length) - 1;
+  const reach = Math.floor(sorted.length * TYPICAL_SHARE);
+  return sorted.slice(Math.max(0, center - reach), center + reach + 1);
+}
+
+/** @param sorted ascending */
+function percentile(sorted: readonly number[], share: number): number {
   return sorted[Math.ceil(share * sorted.length) - 1]!;
 }

@@ -1,7 +1,7 @@
 import type { ProcessingModule } from '@ubii/proto';
 import { computed, type ComputedRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
-import { sessionState } from '../../sessions/state/session-state.ts';
+import { OUT_OF_CONTACT, sessionState } from '../../sessions/state/session-state.ts';
 import { moduleStatus, type StatusLook } from '../../sessions/words/module-status.ts';
 import { useGraphContext } from '../editor/use-graph-editor.ts';
 import type { ModuleNode } from '../model/graph.ts';
@@ -17,7 +17,7 @@ export interface ModuleState {
 
 export function useModuleState(node: () => ModuleNode): ModuleState {
   const { editor, live } = useGraphContext();
-  const { topics } = useConnection();
+  const { isConnected, topics } = useConnection();
   const real = computed(() =>
     editor.session.value.processingModules.find(({ id }) => id === node().module.id),
   );
@@ -29,6 +29,7 @@ export function useModuleState(node: () => ModuleNode): ModuleState {
     return before !== undefined && isSameTrouble(before, now) ? before : now;
   });
   const status = computed(() => {
+    if (real.value !== undefined && !isConnected.value) return OUT_OF_CONTACT;
     const isFailing = trouble.value.failure !== undefined;
     return real.value && moduleStatus(real.value, sessionState(editor.session.value), isFailing);
   });

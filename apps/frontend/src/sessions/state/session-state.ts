@@ -44,11 +44,15 @@ export function stateLook(state: SessionState): StateLook {
 }
 
 /** What runs is not known while the master cannot be asked: nothing is shown as running then. */
-const OUT_OF_CONTACT: StateLook = { mark: 'away', word: 'Master not connected', actions: [] };
+export const OUT_OF_CONTACT: StateLook = {
+  mark: 'away',
+  word: 'Master not connected',
+  actions: [],
+};
 
 /** How a session looks on a page that may have lost the master since it heard of it. */
 export function lookNow(session: Living, isConnected: boolean): StateLook {
-  return isConnected ? stateLook(sessionState(session)) : OUT_OF_CONTACT;
+  return isConnected ? sessionLook(session) : OUT_OF_CONTACT;
 }
 
 /** True while its modules run, or should: also while it is held. */

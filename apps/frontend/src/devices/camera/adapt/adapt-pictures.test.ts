@@ -114,6 +114,15 @@ describe('the controller of pictures', () => {
     expect(late[100]).toBeLessThan(300);
   });
 
+  it('takes no short queue for a slow link where pictures are few', () => {
+    const sent = { bytes: 3000, encodeMs: 5, leaveMs: 4, rateHz: 1, bytesPerSecond: 3000 };
+    const slow = { ...FIRST_STATE, moduleHz: 1, resultHz: 1 };
+    const decide = (roundTripsMs: number[]) =>
+      adaptPictures(slow, WANTED, { nowMs: 10_000, sent, roundTripsMs, resultHz: 1 }).level;
+    expect(decide([5, 400, 400])).toBe(0);
+    expect(decide([5, 900, 900])).toBeGreaterThan(0);
+  });
+
   it('lowers quality first, then size, then rate', () => {
     const { steps } = simulate(60, { linkAt: () => 30_000 });
     const of = (fits: (step: PictureStep) => boolean) => steps.findIndex(({ step }) => fits(step));

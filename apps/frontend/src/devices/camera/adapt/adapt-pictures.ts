@@ -121,7 +121,9 @@ function followLink(
   const busyShare = (sent.leaveMs * rateHz) / 1000;
   const offered = sent.bytes * rateHz;
   const taken = sent.bytesPerSecond;
-  if (busyShare > BUSY_SHARE || queueMs(roundTripsMs) > MAX_QUEUE_MS) {
+  // A queue shorter than the time between two pictures is empty again when the next one comes.
+  const maxQueueMs = Math.max(MAX_QUEUE_MS, (USED_SHARE * 1000) / rateHz);
+  if (busyShare > BUSY_SHARE || queueMs(roundTripsMs) > maxQueueMs) {
     const share = Math.max((USED_SHARE * taken) / offered, MAX_CUT);
     // An attempt at more has failed: the level before was borne.
     const isBorne = state.isProbing && level + 1 < ladder.length;
