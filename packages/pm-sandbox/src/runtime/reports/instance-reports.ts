@@ -1,10 +1,16 @@
-import { ModuleEventKind, type ModuleEvent, type ModuleStatistics } from '@ubii/proto';
+import {
+  ModuleEventKind,
+  ProcessingModuleStatus,
+  type ModuleEvent,
+  type ModuleStatistics,
+} from '@ubii/proto';
 import type { AssetProgress } from '../../assets/asset-store.ts';
 import type { RuntimeLimits } from '../../limits.ts';
 import type { Clock } from '../../ports/clock.ts';
 import type { ModuleFault } from '../../ports/module-fault.ts';
 import { EventThrottle } from './event-throttle.ts';
 import { RunDurations } from './run-durations.ts';
+import { RunRate } from './run-rate.ts';
 import { TokenBucket } from './token-bucket.ts';
 
 /** Who is reported on. */
@@ -38,8 +44,7 @@ export class InstanceReports {
   #refusedOutput = '';
   #memoryBytes = 0;
   #loading: AssetProgress | undefined = undefined;
-  #lastRuns = 0;
-  #lastTakenMs: number;
+  readonly #runRate: RunRate;
 
   constructor(
     subject: ReportSubject,
@@ -50,9 +55,9 @@ export class InstanceReports {
     this.#subject = subject;
     this.#clock = clock;
     this.#throttle = new EventThrottle(clock, limits.maxEventsPerSecond, onEvent);
-    this.#lastTakenMs = clock.monotonicMs();
+    this.#runRate = new RunRate(clock.monotonicMs());
     this.#maxLogLines = limits.maxLogLinesPerSecond;
-    this.#logLines = new TokenBucket(limits.maxLogLinesPerSecond, this.#lastTakenMs);
+    this.#logLines = new TokenBucket(limits.maxLogLinesPerSecond, clock.monotonicMs());
   }
 
   countStart(): void {
@@ -153,19 +158,15 @@ export class InstanceReports {
     waiting: number,
     topics: number,
   ): ModuleStatistics {
-    const nowMs = this.#clock.monotonicMs();
-    const elapsedMs = nowMs - this.#lastTakenMs;
-    const runs = this.#runs - this.#lastRuns;
-    this.#lastTakenMs = nowMs;
-    this.#lastRuns = this.#runs;
     const { p50Ms, p95Ms } = this.#durations.take();
+    const runsPerSecond = this.#runRate.take(this.#runs, this.#clock.monotonicMs());
     return {
       moduleId: this.#subject.moduleId,
       moduleName: this.#subject.moduleName,
       nodeId: this.#subject.nodeId,
       status,
       runs: this.#runs,
-      runsPerSecond: elapsedMs > 0 ? (runs * 1000) / elapsedMs : 0,
+      runsPerSecond: status === ProcessingModuleStatus.HALTED ? 0 : runsPerSecond,
       runP50Ms: p50Ms,
       runP95Ms: p95Ms,
       overruns: this.#overruns,
