@@ -8,6 +8,7 @@ import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
 import { useOverlays } from '../../topics/viewers/picture/use-overlays.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
+import { useIsOn } from '../pictures/use-is-on.ts';
 import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import {
   outputTopic,
@@ -34,7 +35,7 @@ export interface ShownOutput {
 export function useImageProcessing(sources: PictureSources) {
   const { client, name } = useConnection();
   const library = useModuleLibrary();
-  const isOn = shallowRef(false);
+  const isOn = useIsOn();
   const place = shallowRef<ModulePlace>('tab');
   const moduleName = shallowRef(FIRST_MODULE);
   /** By module and parameter. */

@@ -10,6 +10,7 @@ import { useDevice } from '../../devices/use-device.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
+import { useIsOn } from '../pictures/use-is-on.ts';
 import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import { CLIP_MARKER_METRES } from './marker-clip.ts';
 import { TRACKING_COMPONENTS, TRACKING_DEVICE, trackingSession } from './tracking-session.ts';
@@ -22,7 +23,7 @@ const RATE_HZ = 20;
 /** Finds markers in the pictures of a source with a session of this page. */
 export function useMarkerTracking(sources: PictureSources) {
   const { name } = useConnection();
-  const isOn = shallowRef(false);
+  const isOn = useIsOn();
   const place = shallowRef<ModulePlace>('tab');
   const options = reactive({
     dictionary: DEFAULT_DICTIONARY,

@@ -9,6 +9,7 @@ import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
+import { useIsOn } from '../pictures/use-is-on.ts';
 import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import { SEEING_COMPONENTS, SEEING_DEVICE } from './seeing-topics.ts';
 import { useClockError } from './use-clock-error.ts';
@@ -31,7 +32,7 @@ export type Found = ReadonlyMap<Seen, TopicRecord>;
 /** Looks at the pictures of a source with a session of this page. */
 export function useObjectDetection(sources: PictureSources) {
   const { client, isConnected, name } = useConnection();
-  const isOn = shallowRef(false);
+  const isOn = useIsOn();
   const place = shallowRef<ModulePlace>('tab');
   const threshold = shallowRef(0.4);
   const detector = useDetector(threshold);
