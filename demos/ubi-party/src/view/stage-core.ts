@@ -24,6 +24,7 @@ export class StageCore {
   readonly #lights: LightRig;
   readonly #kit = new PieceKit();
   readonly #foot = new Vector3();
+  readonly #top = new Vector3();
   #view: SceneView | undefined;
   #kind: Scene['kind'] | undefined;
   #width = 1;
@@ -96,10 +97,16 @@ export class StageCore {
   }
 
   placeOf(seat: number): ReturnType<Stage['placeOf']> {
-    if (!this.#view?.footOf(seat, this.#foot)) return undefined;
+    const high = this.#view?.footOf(seat, this.#foot) ?? 0;
+    if (high === 0) return undefined;
+    this.#top
+      .copy(this.#foot)
+      .setY(this.#foot.y + high)
+      .project(this.#rig.camera);
     const { x, y, z } = this.#foot.project(this.#rig.camera);
     if (Math.abs(x) > 1 || Math.abs(y) > 1 || z > 1) return undefined;
-    return { x: ((x + 1) / 2) * this.#width, y: ((1 - y) / 2) * this.#height };
+    const height = ((this.#top.y - y) / 2) * this.#height;
+    return { x: ((x + 1) / 2) * this.#width, y: ((1 - y) / 2) * this.#height, height };
   }
 
   dispose(): void {

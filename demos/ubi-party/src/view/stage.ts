@@ -2,7 +2,12 @@ import type { DuelState, HillState, Player, RaceState, Seat, TablePiece } from '
 
 /** What the stage shows. */
 export type Scene =
-  | { readonly kind: 'lobby'; readonly players: readonly Player[] }
+  | {
+      readonly kind: 'lobby';
+      readonly players: readonly Player[];
+      /** What stands beside the pieces: how to join, or how the next game is played, which is wider. */
+      readonly words: 'join' | 'explanation';
+    }
   | {
       readonly kind: 'podium';
       readonly players: readonly Player[];
@@ -12,7 +17,19 @@ export type Scene =
   | { readonly kind: 'hill'; readonly state: HillState }
   | { readonly kind: 'duel'; readonly state: DuelState }
   /** A game without a scene of its own. */
-  | { readonly kind: 'pieces'; readonly pieces: readonly TablePiece[] };
+  | {
+      readonly kind: 'pieces';
+      readonly pieces: readonly TablePiece[];
+      /** The table has a mat at the left and one at the right. */
+      readonly hasSides: boolean;
+    };
+
+/** A token in the picture, CSS pixels. */
+export interface TokenPlace {
+  readonly x: number;
+  readonly y: number;
+  readonly height: number;
+}
 
 /** The three-dimensional part of the big screen; words stand on a page above it. */
 export interface Stage {
@@ -21,10 +38,10 @@ export interface Stage {
   /** No swaying camera, no confetti, fades instead of springs. */
   setReducedMotion(isReduced: boolean): void;
   /**
-   * Where the token of a seat stands, CSS pixels from the top left of the canvas; undefined while it is not seen. A name
-   * goes below this point. A hop does not move it, so that names are still.
+   * Where the token of a seat stands, CSS pixels from the top left of the canvas, and how high it is above this point;
+   * undefined while it is not seen. A name goes below this point. A hop does not move it, so that names are still.
    */
-  placeOf(seat: Seat): { readonly x: number; readonly y: number } | undefined;
+  placeOf(seat: Seat): TokenPlace | undefined;
   /** Milliseconds between the newest frames, and the level of quality that they lead to. */
   readonly frames: { readonly p95Ms: number; readonly quality: 'low' | 'middle' | 'high' };
   dispose(): void;

@@ -23,14 +23,16 @@ export function sceneOf(
     const order = [...players].sort((a, b) => b.points - a.points || a.seat - b.seat);
     return { kind: 'podium', players, first: order.slice(0, 3).map(({ seat }) => seat) };
   }
-  return { kind: 'lobby', players };
+  return { kind: 'lobby', players, words: phase === 'explanation' ? 'explanation' : 'join' };
 }
 
 const firstThree = (places: readonly (readonly Seat[])[]): Seat[] => places.flat().slice(0, 3);
 
 function gameScene(game: GameId, state: unknown): Scene {
   const pieces = (GAMES[game] as Game<unknown>).pieces?.(state);
-  return pieces ? { kind: 'pieces', pieces } : ({ kind: game, state } as Scene);
+  return pieces
+    ? { kind: 'pieces', pieces, hasSides: game === 'quiz' }
+    : ({ kind: game, state } as Scene);
 }
 
 /** Where everybody stands before the first step: the rules give the same on every machine. */

@@ -110,10 +110,10 @@ createApp(() =>
     takeAddress: (code: string) => `http://studio.local/party/play#take=${code}`,
   }),
 ).mount('#app');
-for (const frame of phase === 'play' ? [last] : frames)
-  onStates.forEach((fn) => fn(game, frame));
+for (const frame of phase === 'play' ? [last] : frames) onStates.forEach((fn) => fn(game, frame));
 if (frames.length > 0) onViews.forEach((fn) => fn(view));
-if (query.get('menu') === '1') document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'h', bubbles: true }));
+if (query.get('menu') === '1')
+  document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'h', bubbles: true }));
 let drawn = 0;
 requestAnimationFrame(function onFrame() {
   // The size of a canvas that nobody has drawn on yet

@@ -48,7 +48,7 @@ test('a player who changes to the right side in time is right', () => {
 
 test('the button brings the piece back to the middle', () => {
   const state = firstQuestion((now) => steer(1, now.step > 200));
-  for (const { x } of quizGame.pieces!(state)) expect(x).toBeCloseTo(0);
+  for (const { x } of state.answerers) expect(x).toBeCloseTo(0);
 });
 
 test('the statement stands on the screen and on the phone, the answer after the time', () => {

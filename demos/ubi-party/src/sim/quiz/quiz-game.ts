@@ -80,12 +80,19 @@ export const quizGame: Game<QuizState, { readonly speed: number }> = {
     const isThinking = state.step % QUESTION_STEPS < (1 + (seat % 4)) * STEPS_PER_SECOND;
     return { x: isThinking ? 0 : isSure === isTrue ? 1 : -1, y: 0, isPressed: false };
   },
-  // The nearest half of the table stays below the statement
   pieces: ({ answerers }) =>
-    answerers.map(({ seat, x }, index) => ({
-      ...{ seat, x, y: 2 - (index * 11) / Math.max(1, answerers.length - 1), isOut: false },
-    })),
+    answerers.map(({ seat, x }, index) => ({ seat, ...standOf(x, index, answerers.length) })),
 };
+
+/** All stand in rows of a block, which parts to both sides: nobody hides another. */
+function standOf(x: number, index: number, of: number) {
+  const perRow = of <= 4 ? 2 : of <= 12 ? 4 : 6;
+  const rows = Math.ceil(of / perRow);
+  const [row, column] = [Math.floor(index / perRow), index % perRow];
+  const aside = (column + (row % 2 === 0 ? 0.25 : -0.25) - (perRow - 1) / 2) * (7.2 / perRow);
+  const deep = Math.min(4.6, 11 / Math.max(1, rows - 1));
+  return { x: x * 0.85 + aside, y: -8.5 + row * deep, isOut: false };
+}
 
 /** The pad brings a piece back to the middle. */
 function slide(one: Answerer, controls: Controls, step: number, speed: number): void {

@@ -23,31 +23,31 @@ const garden = layTrack({
   ],
 });
 
-/** An eight, whose bridge leads over its own road. */
+/** An eight, whose bridge leads over its own road; the grid is at the front left, where nothing hides it. */
 const bridge = layTrack({
   id: 'bridge',
   title: 'Figure eight',
   laps: 3,
   halfWidth: 3.8,
   corners: [
-    [-2, -2],
-    [12, 9],
-    [26, 11],
-    [32, 0],
-    [26, -11],
-    [12, -9],
-    [-2, 2],
-    [-14, 10],
-    [-27, 11],
-    [-33, 0],
-    [-27, -11],
-    [-14, -10],
+    [-14, -13],
+    [-2, -2.5],
+    [12, 11.5],
+    [26, 14],
+    [32.5, 0],
+    [26, -14],
+    [12, -11.5],
+    [-2, 2.5],
+    [-14, 13],
+    [-27, 14],
+    [-33.5, 0],
+    [-27, -14],
   ],
   boosts: [
-    { from: 0.2, to: 0.23 },
-    { from: 0.88, to: 0.91 },
+    { from: 0.025, to: 0.053 },
+    { from: 0.28, to: 0.308 },
   ],
-  bridge: { from: 0.47, to: 0.53 },
+  bridge: { from: 0.58, to: 0.64 },
 });
 
 /** Narrow, with bends in both directions. */

@@ -10,6 +10,8 @@ export interface Framing {
   readonly points: readonly Point3[];
   /** Where in the picture: the rest is for words. */
   readonly rect: FrameRect;
+  /** The same for a picture that is higher than wide. */
+  readonly tallRect: FrameRect;
 }
 
 export const FOV_DEG = 22;
@@ -56,7 +58,7 @@ export class CameraRig {
     this.#goal ??= fitCamera(
       framing.points,
       { fovDeg: FOV_DEG, pitchDeg: framing.pitchDeg, yawDeg, aspect: this.#aspect },
-      framing.rect,
+      this.#aspect < 1 ? framing.tallRect : framing.rect,
     );
     const at = this.#at ? between(this.#at, this.#goal, approach(dtS, FOLLOW_S)) : this.#goal;
     this.#at = at;

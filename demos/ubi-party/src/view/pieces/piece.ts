@@ -22,6 +22,7 @@ export class Piece {
   readonly height: number;
   /** Units from its axis to its side. */
   readonly halfWidth: number;
+  readonly hasFoot: boolean;
   /** Of the body's height. */
   readonly squash = new Spring(1, 260, 11);
   readonly leanX = new Spring(0);
@@ -32,6 +33,7 @@ export class Piece {
     const { colour, shape, isRinged, onColour } = identityOf(seat);
     const paint = kit.paints.of(colour);
     const hasFoot = stand === 'foot' || isRinged;
+    this.hasFoot = hasFoot;
     const lift = hasFoot ? BASE_HEIGHT : 0;
     const { max } = kit.token(seat).boundingBox!;
     this.height = lift + max.y;

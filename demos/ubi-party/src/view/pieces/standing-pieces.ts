@@ -95,14 +95,15 @@ export class StandingPieces {
     }
   }
 
-  /** @returns whether the piece of the seat is there */
-  footOf(seat: Seat, into: Vector3): boolean {
+  /** @returns units from the foot to the top of the token; 0 when the piece is not there */
+  footOf(seat: Seat, into: Vector3): number {
     const actor = this.#actors.get(seat);
-    if (!actor) return false;
+    if (!actor) return 0;
     const { position } = actor.piece.root;
     // The name stays on the table while its piece hops
-    into.set(position.x, actor.goal.y, position.z + 0.3);
-    return true;
+    const front = actor.piece.hasFoot ? 0.9 * actor.goal.size : 0.3;
+    into.set(position.x, actor.goal.y, position.z + front);
+    return actor.piece.height * actor.goal.size;
   }
 
   #add(goal: Standing, drops: boolean): void {

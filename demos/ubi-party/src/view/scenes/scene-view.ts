@@ -32,7 +32,7 @@ export interface SceneView<S extends Scene = Scene> {
   /** The next state. It may be the same object, changed. */
   show(scene: S, nowMs: number): void;
   update(frame: Frame): void;
-  /** Where the token of a seat stands. @returns whether it is there */
-  footOf(seat: Seat, into: Vector3): boolean;
+  /** Where the token of a seat stands. @returns units up to its top; 0 when it is not there */
+  footOf(seat: Seat, into: Vector3): number;
   dispose(): void;
 }

@@ -40,7 +40,11 @@ function scenes(kind: Kind): () => Scene {
     case 'duel':
       return played(GAMES.duel, (state) => ({ kind, state }));
     case 'pieces':
-      return played(GAMES.quiz, (state) => ({ kind, pieces: GAMES.quiz.pieces!(state) }));
+      return played(GAMES.quiz, (state) => ({
+        kind,
+        pieces: GAMES.quiz.pieces!(state),
+        hasSides: true,
+      }));
     case 'lobby':
       return joining();
     case 'podium':
@@ -62,7 +66,7 @@ function joining(): () => Scene {
   let step = 0;
   return () => {
     step += 1;
-    return { kind: 'lobby', players: players(seats.slice(0, Math.ceil(step / 20))) };
+    return { kind: 'lobby', players: players(seats.slice(0, Math.ceil(step / 20))), words: 'join' };
   };
 }
 

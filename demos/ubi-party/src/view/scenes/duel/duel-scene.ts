@@ -102,7 +102,7 @@ export class DuelScene implements SceneView<{ kind: 'duel'; state: DuelState }> 
     this.#placeCrown(state, frame);
   }
 
-  footOf(seat: Seat, into: Vector3): boolean {
+  footOf(seat: Seat, into: Vector3): number {
     return this.#pieces.footOf(seat, into);
   }
 
@@ -149,5 +149,6 @@ function framingOf(spots: readonly DuelSpot[]): Framing {
       { x: 0, y: 12.2, z: FLAG_Z },
     ],
     rect: { left: 0.02, right: 0.98, top: 0.05, bottom: 0.8 },
+    tallRect: { left: 0.03, right: 0.97, top: 0.24, bottom: 0.74 },
   };
 }

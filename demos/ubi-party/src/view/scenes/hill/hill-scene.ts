@@ -44,6 +44,7 @@ const FRAMING: Framing = {
     ...[-1, 1].map((side) => ({ x: side * 15.4, y: 0, z: 3 })),
   ],
   rect: { left: 0.02, right: 0.98, top: 0.06, bottom: 0.8 },
+  tallRect: { left: 0.01, right: 0.99, top: 0.2, bottom: 0.76 },
 };
 
 /** King of the Hill. */
@@ -115,11 +116,11 @@ export class HillScene implements SceneView<{ kind: 'hill'; state: HillState }> 
     this.zoom = 1 + (0.12 * (PLATFORM_RADIUS - state.radius)) / PLATFORM_RADIUS;
   }
 
-  footOf(seat: Seat, into: Vector3): boolean {
+  footOf(seat: Seat, into: Vector3): number {
     const piece = this.#pieces.find(seat);
-    if (!piece) return false;
+    if (!piece) return 0;
     into.copy(piece.root.position);
-    return true;
+    return piece.height * piece.root.scale.y;
   }
 
   dispose(): void {

@@ -1,10 +1,11 @@
 import { Group, type Vector3 } from 'three';
-import type { Player, Seat } from '../../../sim/index.ts';
+import type { Seat } from '../../../sim/index.ts';
 import type { Framing } from '../../camera/camera-rig.ts';
 import { ContactShades, GroundShade } from '../../light/ground-shade.ts';
 import { HOURS } from '../../light/hours.ts';
 import type { PieceKit } from '../../pieces/piece-kit.ts';
 import { StandingPieces, yawOf } from '../../pieces/standing-pieces.ts';
+import type { Scene } from '../../stage.ts';
 import { disposeToys } from '../../toys/toy-box.ts';
 import type { Frame, SceneView } from '../scene-view.ts';
 import { lobbyPlan, lobbySize, lobbySpot, type LobbyPlan } from './lobby-spots.ts';
@@ -13,13 +14,15 @@ import { buildLobbyMarbles, buildLobbyToys, shadeMarbles, shadeToys } from './lo
 /** A slow drift, degrees and seconds. */
 const DRIFT = { deg: 2, periodS: 40 } as const;
 
+type LobbyShown = Extract<Scene, { kind: 'lobby' }>;
+
 /** The table where players gather, with the toys of all games. */
-export class LobbyScene implements SceneView<{ kind: 'lobby'; players: readonly Player[] }> {
+export class LobbyScene implements SceneView<LobbyShown> {
   readonly root = new Group();
   readonly hour = 'lobby';
   readonly reach = 26;
   readonly zoom = 1;
-  framing: Framing = framingOf(lobbyPlan(0));
+  framing: Framing = framingOf(lobbyPlan(0), 'join');
   swayDeg = 0;
   readonly #pieces: StandingPieces;
   readonly #ground: GroundShade;
@@ -27,6 +30,7 @@ export class LobbyScene implements SceneView<{ kind: 'lobby'; players: readonly 
   readonly #toys: Group;
   readonly #marbles: Group;
   #plan: LobbyPlan | undefined;
+  #words: LobbyShown['words'] = 'join';
   #timeS = 0;
 
   constructor(kit: PieceKit) {
@@ -38,9 +42,9 @@ export class LobbyScene implements SceneView<{ kind: 'lobby'; players: readonly 
     this.root.add(this.#toys, this.#marbles);
   }
 
-  show({ players }: { players: readonly Player[] }): void {
+  show({ players, words }: LobbyShown): void {
     const plan = lobbyPlan(Math.max(0, ...players.map(({ seat }) => seat)));
-    if (plan !== this.#plan) this.#lay(plan);
+    if (plan !== this.#plan || words !== this.#words) this.#lay(plan, words);
     this.#pieces.show(
       players.map(({ seat, awaySinceMs }) => ({
         seat,
@@ -64,7 +68,7 @@ export class LobbyScene implements SceneView<{ kind: 'lobby'; players: readonly 
     this.#shades.end();
   }
 
-  footOf(seat: Seat, into: Vector3): boolean {
+  footOf(seat: Seat, into: Vector3): number {
     return this.#pieces.footOf(seat, into);
   }
 
@@ -75,9 +79,10 @@ export class LobbyScene implements SceneView<{ kind: 'lobby'; players: readonly 
     disposeToys(this.#marbles);
   }
 
-  #lay(plan: LobbyPlan): void {
+  #lay(plan: LobbyPlan, words: LobbyShown['words']): void {
     this.#plan = plan;
-    this.framing = framingOf(plan);
+    this.#words = words;
+    this.framing = framingOf(plan, words);
     const { depth } = lobbySize(plan);
     this.#toys.position.z = -depth;
     this.#toys.scale.setScalar(toysSize(plan));
@@ -88,11 +93,23 @@ export class LobbyScene implements SceneView<{ kind: 'lobby'; players: readonly 
 
 /** The toys grow with the table, but not as much: pieces have the room. */
 function toysSize(plan: LobbyPlan): number {
-  return Math.min(1.2, lobbySize(plan).half / 7);
+  // Behind four rows they would take the height
+  return plan.rows > 3 ? 0.85 : Math.min(1.2, lobbySize(plan).half / 7);
 }
 
-/** The left column is for the code, the bottom edge for the games. */
-function framingOf(plan: LobbyPlan): Framing {
+/** Words stand at the left; how to join also has the games at the bottom edge. On a high picture they stand on top. */
+const RECTS = {
+  join: {
+    rect: { left: 0.345, right: 0.955, top: 0.1, bottom: 0.765 },
+    tallRect: { left: 0.05, right: 0.95, top: 0.45, bottom: 0.76 },
+  },
+  explanation: {
+    rect: { left: 0.45, right: 0.965, top: 0.12, bottom: 0.9 },
+    tallRect: { left: 0.05, right: 0.95, top: 0.6, bottom: 0.94 },
+  },
+} as const;
+
+function framingOf(plan: LobbyPlan, words: LobbyShown['words']): Framing {
   const { half, depth } = lobbySize(plan);
   const size = toysSize(plan);
   return {
@@ -104,6 +121,6 @@ function framingOf(plan: LobbyPlan): Framing {
       { x: half, y: 3, z: -depth },
       { x: 0, y: 4.6 * size, z: -depth - 5 * size },
     ],
-    rect: { left: 0.345, right: 0.955, top: 0.1, bottom: 0.765 },
+    ...RECTS[words],
   };
 }

@@ -15,8 +15,8 @@ export interface LobbyPlan {
 
 const PLANS: readonly LobbyPlan[] = [
   { seats: 8, rows: 2, columns: 4, column: 3.5, row: 5.8, size: 1.34 },
-  { seats: 18, rows: 3, columns: 6, column: 3.2, row: 5.8, size: 1.16 },
-  { seats: MAX_SEATS, rows: 4, columns: 8, column: 2.95, row: 5.9, size: 1.04 },
+  { seats: 18, rows: 3, columns: 6, column: 3.2, row: 6.2, size: 1.16 },
+  { seats: MAX_SEATS, rows: 4, columns: 8, column: 2.95, row: 7.2, size: 1.04 },
 ];
 
 /** The smallest table for the highest seat that is taken: who sits keeps the place until the table is full. */

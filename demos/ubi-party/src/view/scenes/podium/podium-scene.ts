@@ -99,7 +99,7 @@ export class PodiumScene implements SceneView<{
     this.#placeCrown(frame);
   }
 
-  footOf(seat: Seat, into: Vector3): boolean {
+  footOf(seat: Seat, into: Vector3): number {
     return this.#pieces.footOf(seat, into);
   }
 
@@ -139,5 +139,6 @@ function framingOf(spots: readonly PodiumSpot[]): Framing {
         ]),
     ],
     rect: { left: 0.04, right: 0.575, top: 0.1, bottom: 0.89 },
+    tallRect: { left: 0.04, right: 0.96, top: 0.09, bottom: 0.43 },
   };
 }

@@ -38,6 +38,8 @@ export interface PodiumSpot {
 export function podiumSpots(seats: readonly Seat[], first: readonly Seat[]): PodiumSpot[] {
   const winners = first.slice(0, STEPS.length).filter((seat) => seats.includes(seat));
   const others = seats.filter((seat) => !winners.includes(seat));
+  // Few stand between the digits, many before them
+  const isCrowd = others.length > BETWEEN_DIGITS.length;
   const rows = Math.ceil(others.length / ROW_OF_OTHERS);
   const perRow = Math.ceil(others.length / Math.max(1, rows));
   const gap = Math.min(3.3, 15 / Math.max(1, perRow));
@@ -53,12 +55,11 @@ export function podiumSpots(seats: readonly Seat[], first: readonly Seat[]): Pod
       return {
         seat,
         place: 0,
-        x:
-          others.length <= BETWEEN_DIGITS.length
-            ? BETWEEN_DIGITS[index]!
-            : 1.3 + (column - (inRow - 1) / 2) * gap + (row % 2 === 0 ? 0 : gap * 0.25),
+        x: !isCrowd
+          ? BETWEEN_DIGITS[index]!
+          : 1.3 + (column - (inRow - 1) / 2) * gap + (row % 2 === 0 ? 0 : gap * 0.25),
         y: 0,
-        z: STEP_DEPTH / 2 + (rows > 1 ? 3 : 1.3) + row * ROW_OF_OTHERS_Z * size,
+        z: STEP_DEPTH / 2 + (isCrowd ? 3.2 : 1.3) + row * ROW_OF_OTHERS_Z * size,
         size,
       };
     }),

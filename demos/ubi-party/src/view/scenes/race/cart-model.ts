@@ -1,7 +1,8 @@
-import { Group, Mesh, SphereGeometry, type BufferGeometry } from 'three';
+import { CylinderGeometry, Group, Mesh, SphereGeometry, type BufferGeometry } from 'three';
 import { identityOf, type Seat } from '../../../sim/index.ts';
 import type { Paints } from '../../light/paints.ts';
 import { merged } from '../../toys/crown.ts';
+import { WOOD } from '../../toys/toy-box.ts';
 import { buildBlock } from '../../toys/turned.ts';
 
 const WHEEL = 0.66;
@@ -13,6 +14,8 @@ export interface CartForms {
   readonly body: BufferGeometry;
   readonly axle: BufferGeometry;
   readonly hubs: BufferGeometry;
+  /** One unit high, from y = 0. */
+  readonly mast: BufferGeometry;
 }
 
 export function buildCartForms(): CartForms {
@@ -28,7 +31,8 @@ export function buildCartForms(): CartForms {
   const hubs = merged(
     sides.map((side) => new SphereGeometry(0.26, 14, 10).translate(0, 0, side * 1.5)),
   );
-  return { body, axle, hubs };
+  const mast = new CylinderGeometry(0.2, 0.24, 1, 14).translate(0, 0.5, 0);
+  return { body, axle, hubs, mast };
 }
 
 /** A cart in the colour of a seat, on four marbles. */
@@ -36,6 +40,7 @@ export class CartModel {
   /** Turns with the heading. */
   readonly root = new Group();
   readonly #axles: readonly Group[];
+  readonly #mast: Mesh;
 
   constructor(seat: Seat, forms: CartForms, paints: Paints) {
     const { colour } = identityOf(seat);
@@ -51,11 +56,19 @@ export class CartModel {
       );
       return axle;
     });
-    this.root.add(body, ...this.#axles);
+    this.#mast = new Mesh(forms.mast, paints.of(WOOD));
+    this.#mast.position.y = SEAT_Y - 0.2;
+    this.root.add(body, this.#mast, ...this.#axles);
     this.root.traverse((part) => {
       part.castShadow = true;
       part.receiveShadow = true;
     });
+  }
+
+  /** Puts the token on a mast. @param height units above the seat */
+  raise(height: number): void {
+    this.#mast.visible = height > 0.05;
+    this.#mast.scale.y = height + 0.4;
   }
 
   /** @param distance units driven */

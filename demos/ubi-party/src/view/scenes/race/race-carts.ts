@@ -1,14 +1,17 @@
 import { Group, type Vector3 } from 'three';
 import { placeAt, STEP_S, type Cart, type Seat, type Track } from '../../../sim/index.ts';
-import { hop, mix, scatter } from '../../motion/ease.ts';
+import { approach, hop, mix, scatter } from '../../motion/ease.ts';
 import { Piece } from '../../pieces/piece.ts';
 import type { PieceKit } from '../../pieces/piece-kit.ts';
 import type { Frame } from '../scene-view.ts';
 import { buildCartForms, CartModel, SEAT_Y, type CartForms } from './cart-model.ts';
+import type { CrowdStand } from './crowd.ts';
 import { duckOf, roadHeight, underpassOf } from './road-height.ts';
 
 /** Tokens are as large as the road is wide: a circuit fits the picture, and they are still read from afar. */
-const TOKEN = { few: 2.55, many: 2.1, manyFrom: 17 } as const;
+const TOKEN = 2.55;
+/** Seconds for half of the way when a crowd gathers or parts. */
+const SPREAD_S = 0.22;
 const CART = 1.18;
 const JUMP_HEIGHT = 2.6;
 const LIFT_HEIGHT = 5;
@@ -22,6 +25,9 @@ interface Driver {
   readonly piece: Piece;
   jumpOf: number;
   yaw: number;
+  /** Smoothed: what a crowd makes of its token. */
+  size: number;
+  lift: number;
 }
 
 /** The carts with their tokens. */
@@ -53,8 +59,8 @@ export class RaceCarts {
   }
 
   /** Moves a cart on. @param aheadS seconds from its state to the frame */
-  place(one: Cart, count: number, aheadS: number, frame: Frame): Vector3 {
-    const driver = this.#driver(one);
+  place(one: Cart, stand: CrowdStand, aheadS: number, frame: Frame): Vector3 {
+    const driver = this.#driver(one, stand);
     const { root, cart, piece } = driver;
     const isLifted = one.liftSteps > 0;
     const ahead = isLifted ? 0 : aheadS;
@@ -68,15 +74,20 @@ export class RaceCarts {
     cart.root.rotation.z = one.jumpSteps > 0 ? (one.jumpSteps / driver.jumpOf - 0.5) * 0.5 : 0;
     cart.roll(distance);
 
-    const size = count >= TOKEN.manyFrom ? TOKEN.many : TOKEN.few;
-    piece.root.scale.setScalar(size);
+    const share = frame.isReduced ? 1 : approach(frame.dtS, SPREAD_S);
+    driver.size += (stand.size - driver.size) * share;
+    driver.lift += (stand.lift - driver.lift) * share;
+    piece.root.scale.setScalar(TOKEN * driver.size);
     const bend = -one.velocity.x * 0.006;
     piece.settle(frame.dtS, 0, bend, frame.isReduced);
-    const duck = duckOf(this.#track, this.#underpass, distance);
-    piece.root.rotation.x = duck * (roadHeight(this.#track, distance) < 1 ? DUCKED : 0);
+    const isBelow = roadHeight(this.#track, distance) < 1;
+    const duck = isBelow ? duckOf(this.#track, this.#underpass, distance) : 0;
+    piece.root.rotation.x = duck * DUCKED;
     const { x, z } = root.position;
     piece.token.rotation.set(-0.1, Math.atan2(frame.eye.x - x, frame.eye.z - z), 0, 'YXZ');
-    piece.root.position.y = SEAT_Y * CART;
+    const lift = driver.lift * (1 - duck);
+    cart.raise(lift / CART);
+    piece.root.position.y = SEAT_Y * CART + lift;
     return root.position;
   }
 
@@ -109,7 +120,7 @@ export class RaceCarts {
     return driver.yaw + mix(0, turn, 1 - one.liftSteps / LIFT_STEPS);
   }
 
-  #driver({ seat }: Cart): Driver {
+  #driver({ seat }: Cart, { size, lift }: CrowdStand): Driver {
     let driver = this.#drivers.get(seat);
     if (!driver) {
       const root = new Group();
@@ -118,7 +129,7 @@ export class RaceCarts {
       const piece = new Piece(seat, this.#kit, 'table');
       root.add(cart.root, piece.root);
       this.#root.add(root);
-      driver = { root, cart, piece, jumpOf: 1, yaw: scatter(seat, 1) };
+      driver = { root, cart, piece, jumpOf: 1, yaw: scatter(seat, 1), size, lift };
       this.#drivers.set(seat, driver);
     }
     return driver;

@@ -9,6 +9,7 @@ import { CrownMover } from '../../pieces/crown-mover.ts';
 import type { PieceKit } from '../../pieces/piece-kit.ts';
 import type { Frame, SceneView } from '../scene-view.ts';
 import { closeIn } from './close-in.ts';
+import { standInCrowd } from './crowd.ts';
 import { RaceBits } from './race-bits.ts';
 import { RaceCarts } from './race-carts.ts';
 import {
@@ -80,8 +81,9 @@ export class RaceScene implements SceneView<{ kind: 'race'; state: RaceState }> 
     const leader = leaderOf(state);
     this.#shades.begin();
     for (const { x, z, size } of scenery.shades) this.#shades.add(x, 0, z, size, size * 0.8);
-    for (const cart of state.carts) {
-      const { x, y, z } = carts.place(cart, state.carts.length, aheadS, frame);
+    const stands = standInCrowd(state.carts.map(({ position: { x, y } }) => ({ x, z: -y })));
+    for (const [index, cart] of state.carts.entries()) {
+      const { x, y, z } = carts.place(cart, stands[index]!, aheadS, frame);
       this.#shades.add(x, roadHeight(track, cart.distance) + 0.04, z, 6, 4.6);
       this.#bits.trail(cart, y, frame);
       if (cart.seat === leader) this.#followCrown(carts, leader, x, y, z);
@@ -99,11 +101,11 @@ export class RaceScene implements SceneView<{ kind: 'race'; state: RaceState }> 
     this.#closeIn(state, track, frame);
   }
 
-  footOf(seat: Seat, into: Vector3): boolean {
-    const cart = this.#world?.carts.piece(seat)?.root.parent;
-    if (!cart) return false;
-    into.copy(cart.position);
-    return true;
+  footOf(seat: Seat, into: Vector3): number {
+    const piece = this.#world?.carts.piece(seat);
+    if (!piece?.root.parent) return 0;
+    into.copy(piece.root.parent.position);
+    return piece.root.position.y + piece.height * piece.root.scale.y;
   }
 
   dispose(): void {
@@ -162,6 +164,7 @@ const NOTHING: Framing = {
     { x: 30, y: 0, z: 20 },
   ],
   rect: { left: 0, right: 1, top: 0, bottom: 1 },
+  tallRect: { left: 0, right: 1, top: 0, bottom: 1 },
 };
 
 /** The whole circuit, with the tokens that stand on it; the table of places is at the left. */
@@ -180,6 +183,7 @@ function framingOf(track: Track): Framing {
         ];
       });
     }),
-    rect: { left: 0.25, right: 0.985, top: 0.1, bottom: 0.9 },
+    rect: { left: 0.24, right: 0.985, top: 0.12, bottom: 0.94 },
+    tallRect: { left: 0.02, right: 0.98, top: 0.5, bottom: 0.94 },
   };
 }

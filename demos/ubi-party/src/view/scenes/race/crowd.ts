@@ -1,0 +1,55 @@
+import { clamp01 } from '../../motion/ease.ts';
+
+/** Where a cart is on the table, units; towards the camera z grows. */
+export interface CrowdSpot {
+  readonly x: number;
+  readonly z: number;
+}
+
+/** How a token stands above its cart, so that its letter is seen. */
+export interface CrowdStand {
+  /** Share of its full size. */
+  readonly size: number;
+  /** On a mast, units above the cart. */
+  readonly lift: number;
+}
+
+/** A token of full size, units. */
+const WIDTH = 5.2;
+const HEIGHT = 5.4;
+const LEAST_SIZE = 0.6;
+const MOST_LIFT = 6;
+/** The camera looks down 36 degrees: a unit towards it lowers the picture as much as this share of a unit of height. */
+const DEPTH_TO_HEIGHT = 0.73;
+/** Of a token's height: what shows of it must hold the letter. */
+const SEEN = 0.62;
+
+/** Tokens that would hide each other are smaller, and those behind stand on masts. In the order of the spots. */
+export function standInCrowd(spots: readonly CrowdSpot[]): CrowdStand[] {
+  const sizes = spots.map((spot, index) => sizeAmong(spot, index, spots));
+  const lifts = spots.map(() => 0);
+  const fromFront = spots.map((_, index) => index).sort((a, b) => spots[b]!.z - spots[a]!.z);
+  for (const [order, index] of fromFront.entries()) {
+    const [spot, size] = [spots[index]!, sizes[index]!];
+    for (const front of fromFront.slice(0, order)) {
+      const before = spots[front]!;
+      const covers = (WIDTH * (size + sizes[front]!)) / 2 - Math.abs(before.x - spot.x);
+      if (covers <= 0) continue;
+      const share = clamp01(covers / (WIDTH * size * 0.5));
+      const seen = (before.z - spot.z) * DEPTH_TO_HEIGHT + lifts[index]! - lifts[front]!;
+      lifts[index]! += Math.max(0, HEIGHT * size * SEEN * share - seen);
+    }
+    lifts[index] = Math.min(MOST_LIFT, lifts[index]!);
+  }
+  return spots.map((_, index) => ({ size: sizes[index]!, lift: lifts[index]! }));
+}
+
+/** The more tokens are within its width, the smaller it is. */
+function sizeAmong(spot: CrowdSpot, index: number, spots: readonly CrowdSpot[]): number {
+  let crowd = 0;
+  for (const [other, { x, z }] of spots.entries()) {
+    if (other === index) continue;
+    crowd += clamp01(1.4 - Math.hypot(x - spot.x, (z - spot.z) * DEPTH_TO_HEIGHT) / WIDTH);
+  }
+  return Math.max(LEAST_SIZE, 1 / (1 + 0.11 * crowd));
+}
