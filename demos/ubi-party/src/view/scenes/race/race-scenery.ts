@@ -44,12 +44,13 @@ export class RaceScenery {
     disposeToys(this.root);
   }
 
-  /** Over the start line. */
+  /** Behind the start line: it hides nobody on the grid. */
   #addArch(track: Track): void {
-    const { direction } = placeAt(track, 0);
+    const at = 3.2;
+    const { direction } = placeAt(track, at);
     const width = (track.halfWidth + 2.2) * 2;
     const add = placer(this.root, this.#paints);
-    const [x, , z] = beside(track, 0, 0);
+    const [x, , z] = beside(track, at, 0);
     const turn = Math.atan2(direction.y, direction.x) - Math.PI / 2;
     const arch = add(buildArch(width, width * 0.72, 1.5, 1.5), WOOD, [x, 0, z], { turn });
     // Black and white over the carts, as on the ground

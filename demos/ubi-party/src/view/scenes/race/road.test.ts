@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { TRACKS } from '../../../sim/index.ts';
+import { GAMES, TRACKS } from '../../../sim/index.ts';
 import { buildRoad } from './road-geometry.ts';
 import { BRIDGE_HEIGHT, duckOf, roadHeight, ROAD_Y, underpassOf } from './road-height.ts';
 import { freeSpots, offRoad, pillarsOf } from './scenery.ts';
@@ -39,6 +39,13 @@ describe('the bridge', () => {
     expect(roadHeight(track, middle)).toBeCloseTo(ROAD_Y + BRIDGE_HEIGHT, 6);
     const under = underpassOf(track)!;
     expect(roadHeight(track, under)).toBeLessThan(1);
+  });
+
+  it('hides nobody on the grid', () => {
+    const seats = Array.from({ length: 12 }, (_, seat) => seat);
+    const { carts } = GAMES.race.start({ seats, seed: TRACKS.indexOf(track) });
+    const under = underpassOf(track);
+    for (const { distance } of carts) expect(duckOf(track, under, distance)).toBe(0);
   });
 
   it('lets tokens duck below it, on each lap, and nowhere else', () => {
