@@ -91,7 +91,7 @@ function standOf(x: number, index: number, of: number) {
   const [row, column] = [Math.floor(index / perRow), index % perRow];
   const aside = (column + (row % 2 === 0 ? 0.25 : -0.25) - (perRow - 1) / 2) * (7.2 / perRow);
   const deep = Math.min(4.6, 11 / Math.max(1, rows - 1));
-  return { x: x * 0.85 + aside, y: -8.5 + row * deep, isOut: false };
+  return { x: x * 0.83 + aside, y: -8.5 + row * deep, isOut: false };
 }
 
 /** The pad brings a piece back to the middle. */
