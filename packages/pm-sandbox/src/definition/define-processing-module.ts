@@ -28,6 +28,8 @@ export interface NodeState {
    * loading may take longer than one call may wait. [PM-96]
    */
   readonly loadAssets: (name: string) => Promise<Readonly<Record<string, Uint8Array<ArrayBuffer>>>>;
+  /** When the run began, milliseconds since the Unix epoch, master's clock, on every node. [PM-15] */
+  masterTimeMs: number;
   /** With the mode trigger-on-input: inputs that were updated since the run before. */
   inputTriggerNames: readonly string[];
 }

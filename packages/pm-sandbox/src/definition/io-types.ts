@@ -37,6 +37,8 @@ export type ModuleRecord<F extends DataFormat = DataFormat> = F extends DataForm
 /** An element of a list of records. `identity` is missing when the muxer found none. [PM-40] */
 export type ModuleElement<F extends DataFormat = DataFormat> = ModuleRecord<F> & {
   identity?: string;
+  /** When the node got it, milliseconds since the Unix epoch, master's clock; missing in lockstep. [PM-49] */
+  receivedAtMs?: number;
 };
 
 /** What an input holds. */

@@ -59,6 +59,8 @@ export interface SandboxRecord {
   readonly isOwned?: boolean | undefined;
   /** Of an element of a muxer. [PM-43] */
   readonly identity?: string | undefined;
+  /** Of an element of a muxer: when the node got it, milliseconds since the Unix epoch, master's clock. [PM-49] */
+  readonly receivedAtMs?: number | undefined;
 }
 
 /** Value of one input. */
@@ -69,6 +71,8 @@ export type SandboxInput =
 /** One run. */
 export interface SandboxCall {
   readonly deltaTimeMs: number;
+  /** When it starts, for `state.masterTimeMs`: milliseconds since the Unix epoch, master's clock. [PM-15] */
+  readonly masterTimeMs?: number | undefined;
   readonly inputs: readonly SandboxInput[];
   /** Names of the inputs that caused it, for `state.inputTriggerNames`. [PM-12] */
   readonly triggers?: readonly string[] | undefined;

@@ -44,6 +44,7 @@ export class ModuleInstance {
       topics: context.topics,
       patterns: context.patterns.of(sessionId),
       maxMuxElements: limits.maxMuxElements,
+      nowMs: () => clock.nowMs(),
       maxWaitingEvents: () => (this.#keepsEvents ? limits.maxWaitingEvents : 0),
       onMark: () => this.#driver?.handleMark(),
       onProblem: (inputName, problem) => this.#reports.problem(`Input "${inputName}": ${problem}.`),

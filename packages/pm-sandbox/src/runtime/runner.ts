@@ -63,7 +63,7 @@ export class Runner {
     this.#lastStartMs = startMs;
     this.#isBusy = true;
     sandbox
-      .run({ deltaTimeMs, inputs, triggers })
+      .run({ deltaTimeMs, masterTimeMs: this.#clock.nowMs(), inputs, triggers })
       .then(
         (result) => {
           if (sandbox !== this.#sandbox) return outcome.onLost();

@@ -101,11 +101,12 @@ export function recordInput(name: string, record: RecordInit): SandboxInput {
 /** An input of a muxer. */
 export function elementsInput(
   name: string,
-  elements: readonly (RecordInit & { readonly identity?: string })[],
+  elements: readonly (RecordInit & Pick<SandboxRecord, 'identity' | 'receivedAtMs'>)[],
 ): SandboxInput {
-  const encoded = elements.map(({ identity, ...record }): SandboxRecord => ({
+  const encoded = elements.map(({ identity, receivedAtMs, ...record }): SandboxRecord => ({
     bytes: encodeRecord(record),
     identity,
+    receivedAtMs,
   }));
   return { name, elements: encoded };
 }

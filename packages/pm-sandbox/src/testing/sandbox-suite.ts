@@ -141,6 +141,14 @@ export function describeSandboxes(name: string, suite: SandboxSuite): void {
         expect(lines).toEqual(['log: ["a","b"]']);
       });
 
+      it('tells when a run began [PM-15]', async () => {
+        const { run, lines } = await create({
+          onProcessing: '(dt, inputs, state) => console.log(state.masterTimeMs)',
+        });
+        await run({ masterTimeMs: 1_800_000_000_000.25 });
+        expect(lines).toEqual(['log: 1800000000000.25']);
+      });
+
       it('rejects everything after terminate, and what was pending', async () => {
         const { sandbox, run } = await create({
           onProcessing: 'async () => { await new Promise(() => {}) }',
@@ -219,6 +227,19 @@ export function describeSandboxes(name: string, suite: SandboxSuite): void {
         expect(lines).toEqual([
           'log: {"elements":[]} [["/1","double",1,"one"],["/2","double",2,"-"]]',
         ]);
+      });
+
+      it('say when the node got an element [PM-49]', async () => {
+        const { run, lines } = await create({
+          onProcessing:
+            '(dt, { m }) => console.log(m.elements.map(({ receivedAtMs }) => receivedAtMs ?? "-"))',
+        });
+        const elements = [
+          { topic: '/1', format: 'double', value: 1, receivedAtMs: 1_800_000_000_000.5 },
+          { topic: '/2', format: 'double', value: 2 },
+        ] as const;
+        await run({ inputs: [elementsInput('m', elements)] });
+        expect(lines).toEqual(['log: [1800000000000.5,"-"]']);
       });
 
       it('carry every number, text and byte through [PM-36]', async () => {

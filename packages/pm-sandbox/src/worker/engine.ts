@@ -54,6 +54,7 @@ export interface EngineInstance {
     deltaTimeMs: number,
     inputs: InputValues,
     triggers: readonly string[] | undefined,
+    masterTimeMs: number | undefined,
   ): MaybePromise<RawResult>;
   /** Frees what it holds; no call may follow. */
   free(): void;

@@ -64,7 +64,8 @@ export class Instance {
       'onProcessing',
       () => {
         const inputs = decodeInputs(call.inputs);
-        const raw = this.#loaded().process(call.deltaTimeMs, inputs, call.triggers);
+        const { deltaTimeMs, triggers, masterTimeMs } = call;
+        const raw = this.#loaded().process(deltaTimeMs, inputs, triggers, masterTimeMs);
         return raw instanceof Promise
           ? raw.then((result) => this.#result(result, startMs))
           : this.#result(raw, startMs);

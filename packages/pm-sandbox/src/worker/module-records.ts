@@ -3,7 +3,11 @@ import type { SandboxInput, SandboxRecord } from '../ports/sandbox.ts';
 import { ModuleError, moduleFault } from './module-error.ts';
 
 /** A record as a module sees it, before its type is known. [PM-30] */
-export type DecodedRecord = TopicDataRecord & { type: string; identity?: string };
+export type DecodedRecord = TopicDataRecord & {
+  type: string;
+  identity?: string;
+  receivedAtMs?: number;
+};
 
 /** Values of inputs by name, as `onProcessing` gets them. */
 export type InputValues = Record<string, unknown>;
@@ -29,10 +33,12 @@ export function decodeInputs(inputs: readonly SandboxInput[]): InputValues {
   return values;
 }
 
-function decodeElement(input: string, { bytes, identity }: SandboxRecord): DecodedRecord {
+function decodeElement(input: string, element: SandboxRecord): DecodedRecord {
+  const { bytes, identity, receivedAtMs } = element;
   const record = decodeOne(input, bytes) as DecodedRecord;
   record.type = valueMember(record);
   if (identity !== undefined) record.identity = identity;
+  if (receivedAtMs !== undefined) record.receivedAtMs = receivedAtMs;
   return record;
 }
 

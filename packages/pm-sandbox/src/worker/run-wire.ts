@@ -3,6 +3,7 @@ import type {
   SandboxCall,
   SandboxInput,
   SandboxOutput,
+  SandboxRecord,
   SandboxResult,
   SandboxValue,
 } from '../ports/sandbox.ts';
@@ -18,12 +19,18 @@ export type RunMessage = readonly [
   deltaTimeMs: number,
   triggers: readonly string[] | 0,
   inputs: readonly WireInput[],
+  masterTimeMs: number | undefined,
 ];
 
-/** Name, and bytes (0: no record), or bytes and identities of the elements. */
+/** Name, and bytes (0: no record), or bytes, identities and times of arrival of the elements. */
 type WireInput =
   | [name: string, record: Uint8Array | 0]
-  | [name: string, records: Uint8Array[], identities: (string | undefined)[]];
+  | [
+      name: string,
+      records: Uint8Array[],
+      identities: (string | undefined)[],
+      receivedAtMs: (number | undefined)[],
+    ];
 
 /** The result of a run that ended well. */
 export type ResultMessage = readonly [
@@ -50,17 +57,25 @@ type WireElement = [
 export function wireRun(
   instance: number,
   call: number,
-  { deltaTimeMs, inputs, triggers }: SandboxCall,
+  { deltaTimeMs, inputs, triggers, masterTimeMs }: SandboxCall,
   packer: BytePacker,
 ): RunMessage {
   const wired = inputs.map((input) => wireInput(input, packer));
-  return [instance, call, deltaTimeMs, triggers ?? 0, wired];
+  return [instance, call, deltaTimeMs, triggers ?? 0, wired, masterTimeMs];
 }
 
 /** Reads a run. */
-export function readRun([, , deltaTimeMs, triggers, inputs]: RunMessage): SandboxCall {
+export function readRun([
+  ,
+  ,
+  deltaTimeMs,
+  triggers,
+  inputs,
+  masterTimeMs,
+]: RunMessage): SandboxCall {
   return {
     deltaTimeMs,
+    masterTimeMs,
     triggers: triggers === 0 ? undefined : triggers,
     inputs: inputs.map(readInput),
   };
@@ -93,13 +108,19 @@ function wireInput(input: SandboxInput, packer: BytePacker): WireInput {
   }
   const records = input.elements.map(({ bytes }) => bytes);
   input.elements.forEach(({ isOwned }, i) => packer.add(records, i, isOwned === true));
-  return [input.name, records, input.elements.map(({ identity }) => identity)];
+  const identities = input.elements.map(({ identity }) => identity);
+  return [input.name, records, identities, input.elements.map(({ receivedAtMs }) => receivedAtMs)];
 }
 
 function readInput(input: WireInput): SandboxInput {
-  if (input.length === 3) {
-    const [name, records, identities] = input;
-    return { name, elements: records.map((bytes, i) => ({ bytes, identity: identities[i] })) };
+  if (input.length === 4) {
+    const [name, records, identities, times] = input;
+    const elementOf = (bytes: Uint8Array, i: number): SandboxRecord => ({
+      bytes,
+      identity: identities[i],
+      receivedAtMs: times[i],
+    });
+    return { name, elements: records.map(elementOf) };
   }
   const [name, bytes] = input;
   return { name, record: bytes === 0 ? undefined : { bytes } };

@@ -200,6 +200,26 @@ describe('an input mapped to a muxer', () => {
     },
   );
 
+  it('[PM-49] says when each record came, also of those that a later run gets', async () => {
+    const world = createWorld();
+    const startMs = world.clock.nowMs();
+    world.topics.put('/a', 'double', 1, 'a');
+    await world.begin(oneInput({ topicGlob: '/*' }));
+    await world.clock.advance(40);
+    world.topics.put('/b', 'double', 2, 'b');
+    await world.clock.endTurn();
+    await world.clock.advance(300);
+    world.topics.put('/a', 'double', 3, 'a');
+    await world.clock.endTurn();
+    const received = world.sandboxes.last.calls.map(({ inputs: [input] }) =>
+      (input as { elements: { receivedAtMs: number }[] }).elements.map(
+        ({ receivedAtMs }) => receivedAtMs - startMs,
+      ),
+    );
+    expect(received).toEqual([[0], [0, 40], [340, 40]]);
+    expect(world.sandboxes.last.lastCall!.masterTimeMs).toBe(startMs + 340);
+  });
+
   it('[PM-44] forgets topics whose value is deleted; they come back at the end', async () => {
     const world = createWorld();
     world.topics.put('/a', 'double', 1, 'a');

@@ -4,6 +4,7 @@ import type { IdentityRule } from './mux-identity.ts';
 
 interface Element {
   record: EncodedRecord;
+  receivedAtMs: number | undefined;
   readonly topicIdentity: string | undefined;
   /** As the module gets it; undefined when the record is newer. */
   handed: SandboxRecord | undefined;
@@ -25,16 +26,20 @@ export class MuxList {
     return this.#elements.size;
   }
 
-  /** Takes a record. Returns false when the list is full. */
-  set(record: EncodedRecord): boolean {
+  /**
+   * Takes a record. Returns false when the list is full.
+   * @param receivedAtMs milliseconds since the Unix epoch, master's clock; undefined: not known
+   */
+  set(record: EncodedRecord, receivedAtMs?: number): boolean {
     const element = this.#elements.get(record.topic);
     if (element !== undefined) {
       element.record = record;
+      element.receivedAtMs = receivedAtMs;
       element.handed = undefined;
     } else {
       if (this.#elements.size >= this.#maxElements) return false;
       const topicIdentity = this.#rule.ofTopic(record.topic);
-      this.#elements.set(record.topic, { record, topicIdentity, handed: undefined });
+      this.#elements.set(record.topic, { record, receivedAtMs, topicIdentity, handed: undefined });
     }
     this.#handed = undefined;
     return true;
@@ -68,10 +73,11 @@ export class MuxList {
   #hand(): SandboxRecord[] {
     const handed: SandboxRecord[] = [];
     for (const element of this.#elements.values()) {
-      const { record, topicIdentity } = element;
+      const { record, receivedAtMs, topicIdentity } = element;
       element.handed ??= {
         bytes: record.bytes,
         identity: this.#rule.ofRecord(record) ?? topicIdentity,
+        receivedAtMs,
       };
       handed.push(element.handed);
     }

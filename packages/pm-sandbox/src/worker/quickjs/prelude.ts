@@ -7,6 +7,7 @@ export interface PreludeApi {
   /** Calls onProcessing. `hasMarks`: the JSON holds marks for bytes and for what is no JSON number. */
   process(
     deltaTimeMs: number,
+    masterTimeMs: number | undefined,
     inputs: string,
     triggers: string | undefined,
     hasMarks: boolean,
@@ -307,9 +308,10 @@ export function prelude(
       const callback = getCallback(phase);
       return callback === undefined ? '{}' : invoke(callback, [state], takeNothing);
     },
-    process(deltaTimeMs, inputs, triggers, hasMarks, ...given) {
+    process(deltaTimeMs, masterTimeMs, inputs, triggers, hasMarks, ...given) {
       const values = parse(inputs) as unknown;
       if (hasMarks) revive(values, given);
+      state['masterTimeMs'] = masterTimeMs;
       if (triggers !== undefined) state['inputTriggerNames'] = parse(triggers);
       else delete state['inputTriggerNames'];
       return invoke(getCallback('onProcessing')!, [deltaTimeMs, values, state], takeResult);

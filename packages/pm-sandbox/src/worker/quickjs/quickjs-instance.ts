@@ -91,12 +91,14 @@ export class QuickJsInstance implements EngineInstance {
     deltaTimeMs: number,
     inputs: InputValues,
     triggers: readonly string[] | undefined,
+    masterTimeMs: number | undefined,
   ): MaybePromise<RawResult> {
     const context = this.#context;
     const { json, blobs, hasMarks } = writeJson(inputs);
     this.#phase = 'onProcessing';
     const args = this.#safely(() => [
       context.newNumber(deltaTimeMs),
+      masterTimeMs === undefined ? context.undefined : context.newNumber(masterTimeMs),
       context.newString(json),
       triggers === undefined ? context.undefined : context.newString(JSON.stringify(triggers)),
       hasMarks ? context.true : context.false,

@@ -88,7 +88,9 @@ class V8Instance implements EngineInstance {
     deltaTimeMs: number,
     inputs: InputValues,
     triggers: readonly string[] | undefined,
+    masterTimeMs: number | undefined,
   ): MaybePromise<RawResult> {
+    Reflect.set(this.#state, 'masterTimeMs', masterTimeMs);
     if (triggers !== undefined) Reflect.set(this.#state, 'inputTriggerNames', [...triggers]);
     // Names of before mean nothing in another mode.
     else Reflect.deleteProperty(this.#state, 'inputTriggerNames');

@@ -27,6 +27,8 @@ interface InputList<F extends DataFormat> {
   elements: (InputRecord<F> & {
     /** Whose it is, when the muxer found out. */
     identity?: string;
+    /** When the node got it, milliseconds since the Unix epoch, master's clock; missing in lockstep. */
+    receivedAtMs?: number;
   })[];
 }
 
@@ -49,6 +51,8 @@ interface NodeState {
   readonly modules: { readonly [library: string]: any };
   /** Files of the asset sets the module asked for, by name and path. */
   readonly assets: { readonly [set: string]: { readonly [path: string]: Uint8Array } };
+  /** When the run began, milliseconds since the Unix epoch, master's clock. */
+  readonly masterTimeMs: number;
   /** With the mode trigger on input: inputs that were updated since the run before. */
   readonly inputTriggerNames: readonly string[];
 }
