@@ -1,5 +1,5 @@
-import type { RoundPlan, RoundSeats } from './round.ts';
-import { MAX_SEATS } from '../sim/index.ts';
+import type { PhoneDelay, RoundPlan, RoundSeats } from './round.ts';
+import { MAX_SEATS, WAIT_FOR_LATE_MS } from '../sim/index.ts';
 
 const isSeat = (value: unknown): value is number =>
   Number.isInteger(value) && (value as number) >= 0 && (value as number) < MAX_SEATS;
@@ -31,5 +31,13 @@ export function isRoundPlan(value: unknown): value is RoundPlan {
 export function isRoundSeats(value: unknown): value is RoundSeats {
   if (!isObject(value) || !isObject(value['clients']) || !isSeats(value['bots'])) return false;
   const clients = Object.entries(value['clients']);
+  const { delays = {} } = value;
+  if (!isObject(delays) || !Object.values(delays).every(isDelay)) return false;
   return clients.every(([seat, id]) => isSeat(Number(seat)) && typeof id === 'string');
+}
+
+function isDelay(value: unknown): value is PhoneDelay {
+  if (!isObject(value)) return false;
+  const { leastMs, mostMs } = value as Record<string, number>;
+  return leastMs! >= 0 && leastMs! <= mostMs! && mostMs! <= WAIT_FOR_LATE_MS;
 }

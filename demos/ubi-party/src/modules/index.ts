@@ -1,2 +1,2 @@
 export { PARTY_SET, partyModuleName, partyModules, takesAnswers } from './party-modules.ts';
-export type { RoundPlan, RoundSeats, RoundState } from './round.ts';
+export type { PhoneDelay, RoundPlan, RoundSeats, RoundState } from './round.ts';

@@ -27,7 +27,7 @@ export function partyModules(): ProcessingModule[] {
 const codeOf = (id: GameId): string => `(deltaTimeMs, inputs, state) => {
   // The rules: demos/ubi-party/src/sim/${id}
   state.playing ??= {};
-  return state.modules.${PARTY_SET}.playRound('${id}', inputs, state.playing, Date.now());
+  return state.modules.${PARTY_SET}.playRound('${id}', inputs, state.playing, state.masterTimeMs);
 }`;
 
 function definitionOf(id: GameId): AnyModuleDefinition {

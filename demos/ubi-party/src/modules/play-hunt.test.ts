@@ -4,6 +4,7 @@ import { playRound, type Playing, type RoundInputs } from './play-round.ts';
 import { readAnswer, type AnswerRecord } from './read-answer.ts';
 
 const STARTS_AT_MS = 1_800_000_000_000;
+const DELAY = { leastMs: 5, mostMs: 20 };
 
 const record = (id: string, data: unknown, area?: readonly number[]): AnswerRecord => ({
   object2D: {
@@ -45,7 +46,7 @@ describe('an answer', () => {
     ['is surer than sure', record('cup', { score: 1.01, atMs })],
     ['is less sure than not at all', record('cup', { score: -0.1, atMs })],
     ['has no time', record('cup', { score: 1 })],
-    ['is of the future', record('cup', { score: 1, atMs: nowMs + 101 })],
+    ['is of the future', record('cup', { score: 1, atMs: nowMs + 2001 })],
     ['is of long ago', record('cup', { score: 1, atMs: nowMs - 10_000 })],
     ['has an infinite time', record('cup', '{"score":1,"atMs":1e999}')],
     ['has a long text', record('cup '.repeat(8), { score: 1, atMs })],
@@ -91,6 +92,22 @@ describe('a hunt that a module plays', () => {
     const state = play(playing, { ...inputs, answers: { elements } }, 0.4)!;
     expect(Object.keys(state.hunt!.photos)).toEqual(['1']);
     expect(state.hunt!.photos[1]).toMatchObject({ verdict: 'found', atMs: 300 });
+  });
+
+  it('judges a photo by its first record, and keeps the time that the phone said', () => {
+    const playing: Playing = {};
+    const told = JSON.stringify({ clients: { 0: 'mara' }, bots: [], delays: { 0: DELAY } });
+    const inputs = { round: { string: round }, seats: { string: told } };
+    const { label } = play(playing, inputs, 0.2)!.hunt!;
+    const claimedMs = STARTS_AT_MS + 500;
+    const take = (id: string, receivedMs: number): HuntState => {
+      const answer = { ...record(id, { score: 0.9, atMs: claimedMs }), identity: 'mara' };
+      const elements = [{ ...answer, receivedAtMs: STARTS_AT_MS + receivedMs }];
+      return play(playing, { ...inputs, answers: { elements } }, (receivedMs + 10) / 1000)!;
+    };
+    take('', 900);
+    const { photos } = take(label, 1500).hunt!;
+    expect(photos[0]).toMatchObject({ verdict: 'found', atMs: 880, claimedAtMs: 500 });
   });
 
   it('does not wait for players who are away', () => {

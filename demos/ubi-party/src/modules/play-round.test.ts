@@ -59,6 +59,41 @@ describe('a run of a module that plays a game', () => {
     expect(pieces[1]!.dashReadyAt).toBeGreaterThan(0);
   });
 
+  describe('judges a press', () => {
+    const delays = { 0: { leastMs: 71, mostMs: 110 }, 1: { leastMs: 0, mostMs: 7 } };
+    const told = text({ ...seats, delays });
+    const press = (identity: string, agoMs: number, arrivedMs: number) => ({
+      ...{ identity, double: STARTS + arrivedMs - agoMs, receivedAtMs: STARTS + arrivedMs },
+    });
+    const judged = (elements: readonly object[], atMs = 100): Record<number, number> =>
+      run<DuelState>('duel', atMs, inputs({ seats: told, pressed: { elements } as never }))!.state
+        .bout.presses;
+
+    it('by when an honest phone says it was, also of a packet that is late', () => {
+      expect(judged([press('mara', 75, 95)])).toEqual({ 0: 20 });
+      playing = {};
+      expect(judged([press('mara', 110, 140)], 150)).toEqual({ 0: 30 });
+    });
+
+    it('by its arrival, less what the line takes at most, when a phone claims more', () => {
+      expect(judged([press('theo', 400, 90)])).toEqual({ 1: 83 });
+    });
+
+    it('by its arrival, less what the line takes at least, when a clock is ahead', () => {
+      expect(judged([press('mara', -150, 95)])).toEqual({ 0: 24 });
+    });
+
+    it('once, whatever is measured afterwards', () => {
+      const pressed = { elements: [press('theo', 30, 50)] };
+      const given = inputs({ seats: told, pressed });
+      run('hill', 60, given);
+      const { dashReadyAt } = run<HillState>('hill', 80, given)!.state.pieces[1]!;
+      const later = text({ ...seats, delays: { 1: { leastMs: 0, mostMs: 200 } } });
+      const { pieces } = run<HillState>('hill', 120, { ...given, seats: later })!.state;
+      expect(pieces[1]!.dashReadyAt).toBe(dashReadyAt);
+    });
+  });
+
   it.each([
     ['in the future', 5000],
     ['long past', -60_000],

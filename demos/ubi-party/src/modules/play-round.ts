@@ -2,11 +2,13 @@ import {
   AT_REST,
   GAMES,
   STEPS_PER_SECOND,
+  type Answer,
   type Controls,
   type Game,
   type Seat,
 } from '../sim/index.ts';
 import { isRoundPlan, isRoundSeats } from './check-plan.ts';
+import { judgeOnce, type JudgedTime } from './judge-time.ts';
 import { readAnswer, type AnswerRecord } from './read-answer.ts';
 import type { RoundPlan, RoundSeats, RoundState } from './round.ts';
 
@@ -21,7 +23,10 @@ export interface RoundInputs {
   readonly [setting: string]: unknown;
 }
 interface List<T> {
-  readonly elements: readonly (T & { readonly identity?: string })[];
+  readonly elements: readonly (T & {
+    readonly identity?: string;
+    readonly receivedAtMs?: number;
+  })[];
 }
 
 /** What an instance of the module keeps. */
@@ -35,8 +40,9 @@ export interface Playing {
   state?: unknown;
   step?: number;
   isOver?: boolean;
-  /** When each seat pressed last, as it was last used. */
-  usedPresses?: Record<Seat, number>;
+  /** When each seat pressed last, and answered last. */
+  presses?: Record<Seat, JudgedTime>;
+  answers?: Record<Seat, JudgedTime>;
   /** What each client was told last, with the step. */
   told?: Record<string, { readonly text: string; readonly hitAt: number }>;
 }
@@ -58,14 +64,14 @@ export interface RoundOutputs {
 const MOST_STEPS_A_RUN = 12;
 /** Phones are told ten times a second, and at once of a hit. */
 const STEPS_BETWEEN_FEEDBACK = 6;
-/** A press that says to be older is none, milliseconds. */
+/** A press that is older, or says to be so far from its arrival, is none, milliseconds. */
 const OLDEST_PRESS_MS = 2000;
 const MOST_SETTING = 5;
 
 /**
  * One run of a module that plays a game: as many steps as are due, with what the phones say now.
  *
- * @param nowMs milliseconds since the Unix epoch, clock of the node
+ * @param nowMs milliseconds since the Unix epoch, master's clock
  */
 export function playRound(
   id: keyof typeof GAMES,
@@ -102,7 +108,8 @@ function readPlan(game: Game<unknown>, text: string | undefined, playing: Playin
   playing.state = plan.resume?.state ?? game.start(plan);
   playing.step = plan.resume?.step ?? 0;
   playing.isOver = false;
-  playing.usedPresses = {};
+  playing.presses = {};
+  playing.answers = {};
   playing.told = {};
 }
 
@@ -138,28 +145,61 @@ function readControls(
   nowMs: number,
 ): (seat: Seat) => Controls {
   const bySeat = new Map<Seat, Controls>();
-  const { startsAtMs } = playing.plan!;
-  const used = playing.usedPresses!;
   for (const [key, client] of Object.entries(playing.seats?.clients ?? {})) {
     const seat = Number(key);
-    const of = <T>(list: List<T> | undefined): T | undefined =>
-      list?.elements.find(({ identity }) => identity === client);
-    const { x = 0, y = 0 } = of(sticks)?.vector2 ?? {};
-    const at = of(pressed)?.double;
-    const isFresh = at !== undefined && at <= nowMs + 100 && at > nowMs - OLDEST_PRESS_MS;
-    // A tap may be over before the step that looks at the button
-    const isNew = isFresh && at > (used[seat] ?? -Infinity);
-    if (isNew) used[seat] = at;
-    const answer = readAnswer(of(answers), nowMs, startsAtMs);
+    const { x = 0, y = 0 } = elementOf(sticks, client)?.vector2 ?? {};
+    const { isNew, pressedAtMs } = readPress(elementOf(pressed, client), playing, seat, nowMs);
+    const answer = judgeAnswer(elementOf(answers, client), playing, seat, nowMs);
     bySeat.set(seat, {
       x: toShare(x),
       y: toShare(y),
-      isPressed: isNew || of(buttons)?.bool === true,
-      ...(isFresh && { pressedAtMs: at - startsAtMs }),
+      // A tap may be over before the step that looks at the button
+      isPressed: isNew || elementOf(buttons, client)?.bool === true,
+      ...(pressedAtMs !== undefined && { pressedAtMs }),
       ...(answer && { answer }),
     });
   }
   return (seat) => bySeat.get(seat) ?? { ...AT_REST, isAway: true };
+}
+
+const elementOf = <T>(
+  list: List<T> | undefined,
+  client: string,
+): List<T>['elements'][number] | undefined =>
+  list?.elements.find(({ identity }) => identity === client);
+
+/** When a seat pressed last, milliseconds since the start, and whether that is new. */
+function readPress(
+  press: { readonly double?: number; readonly receivedAtMs?: number } | undefined,
+  { presses, seats, plan }: Playing,
+  seat: Seat,
+  nowMs: number,
+): { readonly isNew: boolean; readonly pressedAtMs?: number } {
+  const { double: claimedMs, receivedAtMs = nowMs } = press ?? {};
+  if (claimedMs === undefined || !(Math.abs(claimedMs - receivedAtMs) < OLDEST_PRESS_MS))
+    return { isNew: false };
+  const delay = seats?.delays?.[seat];
+  const { judgedMs, isNew } = judgeOnce(presses!, seat, claimedMs, receivedAtMs, delay);
+  if (judgedMs <= nowMs - OLDEST_PRESS_MS) return { isNew: false };
+  return { isNew, pressedAtMs: judgedMs - plan!.startsAtMs };
+}
+
+/** The newest answer of a seat, with the time of its first record: the result comes later, with the same time. */
+function judgeAnswer(
+  record: (AnswerRecord & { readonly receivedAtMs?: number }) | undefined,
+  { answers, seats, plan }: Playing,
+  seat: Seat,
+  nowMs: number,
+): Answer | undefined {
+  const { startsAtMs } = plan!;
+  const answer = readAnswer(record, nowMs, startsAtMs);
+  if (!answer) return undefined;
+  const { receivedAtMs = nowMs } = record!;
+  const claimedMs = answer.atMs + startsAtMs;
+  const delay = seats?.delays?.[seat];
+  const { judgedMs } = judgeOnce(answers!, seat, claimedMs, receivedAtMs, delay);
+  if (judgedMs === claimedMs) return answer;
+  return { ...answer, atMs: judgedMs - startsAtMs, claimedAtMs: answer.atMs };
 }
 
 const toShare = (value: number): number =>

@@ -14,8 +14,8 @@ const MOST_CHARACTERS = 30;
 const MOST_JSON_CHARACTERS = 200;
 /** A phone may look so long at a photo, milliseconds. */
 const OLDEST_MS = 10_000;
-/** Clocks differ by a little. */
-const MOST_AHEAD_MS = 100;
+/** A clock that is further ahead is none. */
+const MOST_AHEAD_MS = 2000;
 
 /**
  * What a phone answers; undefined when the record is none. Texts are lower-case words, as names of classes are.

@@ -19,6 +19,14 @@ export interface RoundSeats {
   /** Client ids of those who are present, by seat. */
   readonly clients: Readonly<Record<Seat, string>>;
   readonly bots: readonly Seat[];
+  /** What the way from each phone takes, by seat; those that are missing were not measured. */
+  readonly delays?: Readonly<Record<Seat, PhoneDelay>>;
+}
+
+/** How much later than its phone says something may arrive, milliseconds. */
+export interface PhoneDelay {
+  readonly leastMs: number;
+  readonly mostMs: number;
 }
 
 /** What a module says of the round: JSON at its output `state`. */

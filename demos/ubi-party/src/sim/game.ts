@@ -9,6 +9,9 @@ export const STEPS_PER_SECOND = 60;
 /** Seconds of one step. */
 export const STEP_S = 1 / STEPS_PER_SECOND;
 
+/** Presses of slow lines arrive so much later at most, milliseconds: games that go by the time of a press wait for them. */
+export const WAIT_FOR_LATE_MS = 400;
+
 /** A rectangle in a picture, as shares of its width and height from the top left. */
 export interface Area {
   readonly x: number;
@@ -25,6 +28,8 @@ export interface Answer {
   readonly score: number;
   /** When the player acted, milliseconds since the start of the round on the master's clock. It also identifies the answer. */
   readonly atMs: number;
+  /** What the phone said of that time, where its arrival contradicts it; its photo has this one. */
+  readonly claimedAtMs?: number;
   /** Where it is in the picture. */
   readonly area?: Area;
 }

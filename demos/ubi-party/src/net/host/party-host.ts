@@ -13,6 +13,7 @@ import type { Photo } from '../photos/photo.ts';
 import { readJson } from '../read-json.ts';
 import type { RoomView } from '../room-view.ts';
 import { phoneOf, ROOM_TOPIC, ROUND_TOPIC, SEATS_TOPIC, settingTopic } from '../topics.ts';
+import { DelayWatch } from './delay-watch.ts';
 import { GameSessions } from './game-sessions.ts';
 import { EMPTY_MEMORY, type HostStorage } from './host-memory.ts';
 import { PhoneWishes } from './phone-wishes.ts';
@@ -59,6 +60,7 @@ export class PartyHost {
   readonly #sessions: GameSessions;
   readonly #photos: PhotoBoard;
   readonly #presence = new Presence();
+  readonly #delays: DelayWatch;
   readonly #rounds: RoundLeader;
   readonly #wishes: PhoneWishes;
   readonly #ends: (() => void)[] = [];
@@ -81,7 +83,9 @@ export class PartyHost {
       },
       arePhotosHidden,
     );
-    const { client, drawByte } = options;
+    const { client, clock, drawByte } = options;
+    const keys = (): string[] => this.#room.players.flatMap(({ key }) => key ?? []);
+    this.#delays = new DelayWatch({ client, clock, keys });
     this.#rounds = new RoundLeader(
       { client, drawByte, handleState: (game, next) => this.#handleState(game, next) },
       { ...(round && { round }), ...(state && { state }) },
@@ -100,7 +104,9 @@ export class PartyHost {
   }
 
   get view(): RoomView {
-    const lags = this.#presence.lags(this.#room.players, this.#nowMs());
+    const lags = this.#presence.lags(this.#room.players, this.#nowMs(), (key) =>
+      this.#delays.delays.lagOf(key),
+    );
     const { id } = this.#client;
     const { hidden } = this.#photos;
     const { round } = this.#rounds;
@@ -133,6 +139,7 @@ export class PartyHost {
       () => void rooms.close(),
       stopState,
       this.#options.clock.every(TICK_MS, () => this.#tick()),
+      this.#delays.start(),
     );
     await Promise.all([wishes.ready, here.ready, rooms.ready]);
     await this.#adopt();
@@ -290,7 +297,7 @@ export class PartyHost {
   /** What changed is told at once, and all of it now and then. */
   #tell(): void {
     if (this.#isClosed) return;
-    this.#rounds.tellSeats(this.#room);
+    this.#rounds.tellSeats(this.#room, (key) => this.#delays.delays.of(key));
     this.#rounds.setSession((game) => this.#sessions.idOf(game));
     const view = this.view;
     const text = JSON.stringify(view);

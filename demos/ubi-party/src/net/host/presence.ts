@@ -32,15 +32,20 @@ export class Presence {
     }
   }
 
-  /** Round trips of those who are here, by seat, whole milliseconds. */
+  /**
+   * Round trips of those who are here, by seat, whole milliseconds.
+   *
+   * @param measuredOf what was measured from here; what the phone says counts as long as there is nothing
+   */
   lags(
     players: readonly { readonly seat: Seat; readonly key?: string }[],
     nowMs: number,
+    measuredOf: (key: string) => number | undefined,
   ): Record<Seat, number> {
     const lags: Record<Seat, number> = {};
     for (const { seat, key } of players) {
       if (key !== undefined && this.isHere(key, nowMs))
-        lags[seat] = Math.round(this.#heard.get(key)!.lagMs);
+        lags[seat] = Math.round(measuredOf(key) ?? this.#heard.get(key)!.lagMs);
     }
     return lags;
   }

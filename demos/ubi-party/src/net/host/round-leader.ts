@@ -1,5 +1,5 @@
 import type { Subscription, UbiiClient } from '@ubii/client-web';
-import type { RoundPlan, RoundSeats, RoundState } from '../../modules/index.ts';
+import type { PhoneDelay, RoundPlan, RoundSeats, RoundState } from '../../modules/index.ts';
 import { playersOf, STEPS_PER_SECOND, type GameId, type Room, type Seat } from '../../sim/index.ts';
 import { readJson } from '../read-json.ts';
 import type { RoundView } from '../room-view.ts';
@@ -88,15 +88,20 @@ export class RoundLeader {
     this.#round = { ...round, ...(sessionId !== undefined && { sessionId }) };
   }
 
-  /** Tells the module who plays now: phones that are there, and bots. */
-  tellSeats(room: Room): void {
+  /** Tells the module who plays now: phones that are there, with what their way takes, and bots. */
+  tellSeats(room: Room, delayOf: (key: string) => PhoneDelay | undefined): void {
     const clients: Record<Seat, string> = {};
+    const delays: Record<Seat, PhoneDelay> = {};
     const bots: Seat[] = [];
     for (const { seat, key, awaySinceMs } of playersOf(room)) {
       if (key === undefined) bots.push(seat);
-      else if (awaySinceMs === undefined) clients[seat] = key;
+      else if (awaySinceMs === undefined) {
+        clients[seat] = key;
+        const delay = delayOf(key);
+        if (delay) delays[seat] = delay;
+      }
     }
-    const seats: RoundSeats = { clients, bots };
+    const seats: RoundSeats = { clients, bots, delays };
     const text = JSON.stringify(seats);
     if (text === this.#seatsText) return;
     this.#seatsText = text;

@@ -67,7 +67,8 @@ export function huntCards(
       const taken = hunt.photos[seat];
       const isAway = player.awaySinceMs !== undefined;
       const shown = player.key === undefined ? undefined : photos.get(player.key);
-      const isOfNow = taken && shown && Math.abs(shown.atMs - startsAtMs - taken.atMs) < SAME_MS;
+      const takenAtMs = startsAtMs + (taken?.claimedAtMs ?? taken?.atMs ?? NaN);
+      const isOfNow = taken && shown && Math.abs(shown.atMs - takenAtMs) < SAME_MS;
       return {
         seat,
         name: player.name,

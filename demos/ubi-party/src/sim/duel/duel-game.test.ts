@@ -52,6 +52,16 @@ describe('Quick Draw', () => {
     expect(state.decided[0]!.winner).toBe(1);
   });
 
+  it('takes no press in a step before it: a round that catches up makes none too early', () => {
+    const state = start();
+    while (nowMs(state) < state.bout.signalAtMs - 50)
+      duelGame.step(state, () => AT_REST, duelGame.settings);
+    const pressedAtMs = state.bout.signalAtMs + 240;
+    const controls = (): Controls => ({ x: 0, y: 0, isPressed: true, pressedAtMs });
+    while (state.decided.length === 0) duelGame.step(state, controls, duelGame.settings);
+    expect(state.decided).toEqual([{ winner: 0, reactionMs: 240 }]);
+  });
+
   it('goes on after five bouts while nobody leads, three times at most', () => {
     const state = start();
     for (let won = 0; won < 4; won += 1) {

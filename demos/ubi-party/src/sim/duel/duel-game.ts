@@ -4,6 +4,7 @@ import {
   AT_REST,
   placesByScore,
   STEPS_PER_SECOND,
+  WAIT_FOR_LATE_MS,
   type Game,
   type Places,
   type Seat,
@@ -40,8 +41,6 @@ const MOST_EXTRA = 3;
 /** Faster is guessed, not seen (World Athletics, technical rules: 100 ms). */
 export const LEAST_REACTION_MS = 100;
 const LONGEST_REACTION_MS = 1500;
-/** Presses of slow links arrive so much later. The time of the press counts, not that of its arrival. */
-const WAIT_FOR_LATE_MS = 400;
 
 /** Reaction duel: press when the screen turns. What counts is when the button went down. */
 export const duelGame: Game<DuelState, DuelSettings> = {
@@ -71,8 +70,8 @@ export const duelGame: Game<DuelState, DuelSettings> = {
     for (const seat of state.seats) {
       const { pressedAtMs } = controls(seat);
       if (pressedAtMs === undefined || seat in presses || pressedAtMs <= beganAtMs) continue;
-      // A press cannot be later than now
-      presses[seat] = Math.min(pressedAtMs, nowMs);
+      // Steps that catch up are behind what arrived: the press belongs to a later one
+      if (pressedAtMs <= nowMs) presses[seat] = pressedAtMs;
     }
     if (nowMs < signalAtMs + LONGEST_REACTION_MS + WAIT_FOR_LATE_MS && !isDecidable(state, nowMs))
       return;

@@ -7,6 +7,8 @@ import { THINGS, type ThingId } from './things.ts';
 export interface HuntPhoto {
   /** When the shutter was pressed. */
   readonly atMs: number;
+  /** What the phone said of it, where it is another time. */
+  readonly claimedAtMs?: number;
   /** What it shows; empty while the phone looks. */
   readonly text: string;
   readonly score: number;

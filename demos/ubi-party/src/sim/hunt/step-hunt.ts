@@ -1,4 +1,4 @@
-import type { Controls, ReadControls, Seat } from '../game.ts';
+import { WAIT_FOR_LATE_MS, type Controls, type ReadControls, type Seat } from '../game.ts';
 import { drawInteger } from '../random.ts';
 import { gainsOf, placesOf } from './hunt-points.ts';
 import {
@@ -15,8 +15,6 @@ const TIME_MS = 30_000;
 const LEAST_TIME_MS = 5000;
 /** A detector with a score below it is guessing (the default threshold of CenterNet). */
 const LEAST_SCORE = 0.4;
-/** Photos of slow links arrive so much later. The time of the shutter counts, not that of the arrival. */
-const WAIT_FOR_LATE_MS = 400;
 /** A slow phone looks so long at a photo at most. */
 const WAIT_FOR_LOOKING_MS = 4000;
 const SHOW_RESULT_MS = 3500;
@@ -90,11 +88,15 @@ function takePhoto(state: HuntState, hunt: Hunt, seat: Seat, { answer }: Control
     const isResult = answer.atMs === before.atMs && before.verdict === 'looking';
     if (!isResult || answer.text === '') return;
   } else if (before?.verdict === 'wrong' && answer.atMs < before.atMs + WRONG_COSTS_MS) return;
-  const { text, score, atMs, area } = answer;
+  const { text, score, atMs, claimedAtMs, area } = answer;
   const isRight = text === hunt.label && score >= hunt.leastScore;
   const verdict = text === '' ? 'looking' : isRight ? 'found' : 'wrong';
   if (verdict === 'wrong') state.wrongAt[seat] = state.step;
-  hunt.photos[seat] = { atMs, text, score, verdict, ...(area && { area }) };
+  hunt.photos[seat] = {
+    ...{ atMs, text, score, verdict },
+    ...(claimedAtMs !== undefined && { claimedAtMs }),
+    ...(area && { area }),
+  };
 }
 
 /** All who are there have found it, or time is up and nothing can be on its way. */

@@ -1,0 +1,69 @@
+import type { PhoneDelay } from '../../modules/index.ts';
+import { WAIT_FOR_LATE_MS } from '../../sim/index.ts';
+
+/** One measurement of the master. */
+export interface MeasuredRoundTrip {
+  /** From a PING of the master to its answer, milliseconds; 0: none was measured. */
+  readonly roundTripMs: number;
+  readonly measuredAtMs: number;
+}
+
+/** As long as clients keep their measurements of the clock (TS-4). */
+const WINDOW_MS = 60_000;
+const FORGET_MS = 120_000;
+/** Phones that are remembered: more than can play. */
+const MOST_PHONES = 256;
+/** The time of a measurement is computed from its age, which the way of the report makes uncertain. */
+const SAME_MS = 250;
+/** Steps in which browsers and master read their clocks, and the drift between two measurements. */
+const SLACK_MS = 4;
+/** Half of all packets are later than the median: so many times the distance from the least to it. */
+const SPREAD = 2;
+
+/** What the master measured of the way to each phone: what a phone says of itself is not in it. */
+export class PhoneDelays {
+  readonly #measured = new Map<string, MeasuredRoundTrip[]>();
+
+  hear(key: string, { roundTripMs, measuredAtMs }: MeasuredRoundTrip): void {
+    if (!(roundTripMs > 0) || !Number.isFinite(measuredAtMs)) return;
+    for (const [one, samples] of this.#measured)
+      if (samples.at(-1)!.measuredAtMs < measuredAtMs - FORGET_MS) this.#measured.delete(one);
+    const samples = this.#measured.get(key) ?? [];
+    if (samples.length === 0 && this.#measured.size >= MOST_PHONES) return;
+    if (Math.abs((samples.at(-1)?.measuredAtMs ?? -Infinity) - measuredAtMs) < SAME_MS) return;
+    const isOfNow = (one: MeasuredRoundTrip): boolean =>
+      one.measuredAtMs > measuredAtMs - WINDOW_MS;
+    this.#measured.set(key, [...samples.filter(isOfNow), { roundTripMs, measuredAtMs }]);
+  }
+
+  /** The median round trip, milliseconds; undefined before the first. */
+  lagOf(key: string): number | undefined {
+    return this.#roundTrips(key)?.medianMs;
+  }
+
+  /**
+   * How much later than the phone says a press may arrive. An estimate of the master's clock is off by at most half the
+   * difference of the two ways (TS-4): by that clock, one way takes half of the round trip, whichever is longer.
+   */
+  of(key: string): PhoneDelay | undefined {
+    const roundTrips = this.#roundTrips(key);
+    if (!roundTrips) return undefined;
+    const { leastMs, medianMs } = roundTrips;
+    const mostMs = medianMs / 2 + SPREAD * (medianMs - leastMs) + SLACK_MS;
+    const bounded = Math.min(WAIT_FOR_LATE_MS, Math.ceil(mostMs));
+    return {
+      leastMs: Math.min(bounded, Math.max(0, Math.floor(leastMs / 2 - SLACK_MS))),
+      mostMs: bounded,
+    };
+  }
+
+  #roundTrips(key: string): { readonly leastMs: number; readonly medianMs: number } | undefined {
+    const sorted = (this.#measured.get(key) ?? [])
+      .map(({ roundTripMs }) => roundTripMs)
+      .sort((a, b) => a - b);
+    const [leastMs] = sorted;
+    // An even number: the larger one, so that two measurements show a spread
+    const medianMs = sorted[Math.floor(sorted.length / 2)];
+    return leastMs === undefined || medianMs === undefined ? undefined : { leastMs, medianMs };
+  }
+}
