@@ -2,14 +2,21 @@ import { build } from 'esbuild';
 import { fileURLToPath } from 'node:url';
 import { createAssetStore } from '@ubii/pm-sandbox';
 import { FakeAssets } from '@ubii/pm-sandbox/testing';
-import { settle } from '@ubii/client-web/testing';
+import { createMemoryServices, createMemoryTopicData, settle } from '@ubii/client-web/testing';
 import { createMemoryIdentity } from '@ubii/client-web/node';
-import type { ClientProblem, IdentityStorage, UbiiClient } from '@ubii/client-web/node';
+import type {
+  ClientOptions,
+  ClientProblem,
+  Clock,
+  IdentityStorage,
+  UbiiClient,
+} from '@ubii/client-web/node';
 import { PARTY_SET, partyModules, type RoundState } from '@ubii/party/modules';
 import { PartyHost, PartyPhone, type HostMemory, type RoomView } from '@ubii/party/net';
 import { GAMES, type Controls, type Game, type GameId, type Seat } from '@ubii/party/sim';
 import { vi } from 'vitest';
 import { ClientWorld } from '../client-world.ts';
+import { behindLine, type Line } from './slow-line.ts';
 
 const STEP_MS = 1000 / 60;
 
@@ -32,11 +39,19 @@ export async function buildPartyLibrary(): Promise<FakeAssets> {
   return assets;
 }
 
+/** What is special about a phone. */
+export interface PhoneOptions {
+  /** Of an invitation; default: a phone that is trusted as it is. */
+  readonly joinToken?: string;
+  readonly clock?: Clock;
+  readonly line?: Line;
+}
+
 /** A phone whose player plays as a bot would, from what the big screen shows. */
 export interface ScriptedPhone {
   readonly name: string;
   readonly identity: IdentityStorage;
-  readonly joinToken: string | undefined;
+  readonly options: PhoneOptions;
   /** What the master refused. */
   problems: readonly ClientProblem[];
   client: UbiiClient;
@@ -67,20 +82,21 @@ export class PartyWorld {
       {},
       { library: partyModules(), assets: createAssetStore(library) },
     );
-    // The module asks the clock of its node
-    vi.spyOn(Date, 'now').mockImplementation(() => this.world.clock.nowMs());
   }
 
   get room(): RoomView['room'] {
     return this.view.room;
   }
 
-  async openScreen(identity: IdentityStorage = this.#screenIdentity): Promise<void> {
-    const { client } = await this.world.connect('screen', { identity });
+  async openScreen({
+    identity = this.#screenIdentity,
+    clock = this.world.clock,
+  }: { identity?: IdentityStorage; clock?: Clock } = {}): Promise<void> {
+    const { client } = await this.world.connect('screen', { identity, clock });
     this.#screen = client;
     this.host = new PartyHost({
       client,
-      clock: this.world.clock,
+      clock,
       storage: {
         load: () => this.memory,
         save: (memory) => (this.memory = structuredClone(memory)),
@@ -106,10 +122,9 @@ export class PartyWorld {
     this.#screen?.leave();
   }
 
-  /** @param joinToken of an invitation; default: a phone that is trusted as it is */
-  async addPhone(name: string, joinToken?: string): Promise<ScriptedPhone> {
+  async addPhone(name: string, options: PhoneOptions = {}): Promise<ScriptedPhone> {
     const identity = createMemoryIdentity();
-    const scripted = { name, identity, joinToken, isAsleep: false } as ScriptedPhone;
+    const scripted = { name, identity, options, isAsleep: false } as ScriptedPhone;
     await this.connectPhone(scripted);
     await this.ask(scripted, { type: 'join', name });
     this.phones.push(scripted);
@@ -118,20 +133,31 @@ export class PartyWorld {
 
   /** Opens the page of a phone, or opens it again. */
   async connectPhone(scripted: ScriptedPhone): Promise<void> {
-    const { name, identity, joinToken } = scripted;
+    const { name, identity, options } = scripted;
+    const { joinToken, clock = this.world.clock, line } = options;
     // Who comes with an invitation comes from another machine
     this.world.standing = joinToken === undefined ? 'trusted' : 'other';
     const { client, problems } = await this.world.connect(name, {
       identity,
+      clock,
       ...(joinToken !== undefined && { joinToken }),
+      ...(line && { transports: this.#transportsOver(line) }),
     });
     this.world.standing = 'trusted';
     scripted.problems = problems;
     scripted.client = client;
-    scripted.phone = new PartyPhone(client, this.world.clock);
+    scripted.phone = new PartyPhone(client, clock);
     const started = scripted.phone.start();
     await this.pass(100);
     await started;
+  }
+
+  #transportsOver(line: Line): ClientOptions['transports'] {
+    const master = behindLine(this.world, this.world.clock, line);
+    return {
+      services: createMemoryServices(master),
+      topicData: createMemoryTopicData(master),
+    };
   }
 
   async ask(

@@ -149,7 +149,7 @@ describe('a phone that joined as a player', () => {
       readTopics: [...PLAYER_READS],
     });
     const players = [];
-    for (const name of names) players.push(await party.addPhone(name, token));
+    for (const name of names) players.push(await party.addPhone(name, { joinToken: token }));
     return players;
   }
 
@@ -228,7 +228,7 @@ describe('the big screen', () => {
   it('is taken over by another screen, which knows the room', async () => {
     await addPhones('Mara', 'Theo');
     party.memory = undefined;
-    await party.openScreen(createMemoryIdentity());
+    await party.openScreen({ identity: createMemoryIdentity() });
     expect(party.room.players.map(({ name }) => name)).toEqual(['Mara', 'Theo']);
     expect(party.superseded).toHaveLength(1);
   });
