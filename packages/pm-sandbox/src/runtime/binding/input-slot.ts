@@ -38,8 +38,8 @@ export interface SlotContext {
   readonly topics: TopicPort;
   readonly patterns: MeteredPatterns;
   readonly maxMuxElements: number;
-  /** Milliseconds since the Unix epoch, master's clock. */
-  readonly nowMs: () => number;
+  /** Milliseconds since the Unix epoch, master's clock; undefined where nobody asks when a record came. */
+  readonly nowMs?: () => number;
   /** Events of one input that wait for a run; 0: the newest replaces what came before it. [PM-25] */
   readonly maxWaitingEvents: () => number;
   /** A slot was marked. */

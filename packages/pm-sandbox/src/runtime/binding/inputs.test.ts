@@ -1,6 +1,7 @@
 import { decodeRecord, encodeRecord, ModuleEventKind } from '@ubii/proto';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import type { SandboxRecord } from '../../ports/sandbox.ts';
 import { FakeClock } from '../../testing/fake-clock.ts';
 import { EMPTY_RESULT, inputValues } from '../../testing/fake-sandboxes.ts';
 import { createModuleWorld, ioMapping, type ModuleSketch } from '../../testing/module-world.ts';
@@ -212,8 +213,8 @@ describe('an input mapped to a muxer', () => {
     world.topics.put('/a', 'double', 3, 'a');
     await world.clock.endTurn();
     const received = world.sandboxes.last.calls.map(({ inputs: [input] }) =>
-      (input as { elements: { receivedAtMs: number }[] }).elements.map(
-        ({ receivedAtMs }) => receivedAtMs - startMs,
+      (input as { elements: readonly SandboxRecord[] }).elements.map(
+        ({ receivedAtMs }) => receivedAtMs! - startMs,
       ),
     );
     expect(received).toEqual([[0], [0, 40], [340, 40]]);

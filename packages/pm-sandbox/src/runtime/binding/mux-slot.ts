@@ -43,7 +43,7 @@ export class MuxSlot implements InputSlot, TopicListener {
   onRecord(record: EncodedRecord): void {
     // [PM-42] A muxer selects; what it does not select is no mistake.
     if (!this.#fits(record.valueField)) return;
-    const isListed = this.#withinBudget(() => this.#list.set(record, this.#context.nowMs()));
+    const isListed = this.#withinBudget(() => this.#list.set(record, this.#context.nowMs?.()));
     if (isListed === undefined) return;
     if (!isListed) {
       const { maxMuxElements } = this.#context;
