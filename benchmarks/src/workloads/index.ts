@@ -10,6 +10,7 @@ import { MODULE_CALLS_IN_BROWSER } from './module-call-browser.ts';
 import { LOCKSTEPS } from './lockstep.ts';
 import { modules100 } from './modules-100.ts';
 import { party } from './party.ts';
+import { partyScreen } from './party-screen.ts';
 import { roundTrip } from './round-trip.ts';
 import { SEEING } from './seeing.ts';
 import { topicsPage } from './topics-page.ts';
@@ -30,6 +31,7 @@ export const WORKLOADS: readonly Workload[] = [
   ...LOCKSTEPS,
   modules100,
   party,
+  partyScreen,
   masterTime,
   hostileBodies,
   graphEditor,

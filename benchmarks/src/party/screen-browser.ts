@@ -1,0 +1,81 @@
+import { join } from 'node:path';
+import { chromium, type Page } from '@playwright/test';
+import { build } from 'esbuild';
+import { CHROMIUM_FLAGS, findChromium } from '../browser/chromium.ts';
+import type { Part } from '../parts/shared-parts.ts';
+import type { ScreenWatch } from './screen-watch.ts';
+
+/** A page that is watched. */
+export interface Screen {
+  readonly page: Page;
+  start(): Promise<void>;
+  stop(): ReturnType<ScreenWatch['stop']>;
+  /** Time that the page has spent in scripts so far, milliseconds. */
+  scriptMs(): Promise<number>;
+  close(): Promise<void>;
+}
+
+/** A headless browser that has WebGL, with a graphics card or without. */
+export interface ScreenBrowser extends Part {
+  /** @param draws false: the page does all that it does, but the calls that draw do nothing */
+  open(url: string, draws?: boolean): Promise<Screen>;
+}
+
+/** WebGL on the processor. */
+const SOFTWARE_WEBGL = [
+  '--use-gl=angle',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--ignore-gpu-blocklist',
+];
+
+const VIEWPORT = { width: 1280, height: 720 };
+
+/** Script of the page, as text: what compilers add to functions is not there. */
+const DRAW_NOTHING = `for (const name of [
+  'drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced', 'drawRangeElements', 'clear',
+]) WebGL2RenderingContext.prototype[name] = () => undefined;`;
+
+export async function startScreenBrowser(): Promise<ScreenBrowser> {
+  const { outputFiles } = await build({
+    entryPoints: [join(import.meta.dirname, 'screen-watch.ts')],
+    bundle: true,
+    write: false,
+    format: 'iife',
+    logLevel: 'warning',
+  });
+  const hasCard = process.env['UBII_BENCH_GPU'] === '1';
+  const flags = CHROMIUM_FLAGS.filter((flag) => flag !== '--disable-gpu');
+  const browser = await chromium.launch({
+    executablePath: findChromium()!,
+    args: [...flags, ...(hasCard ? [] : SOFTWARE_WEBGL)],
+  });
+  // One context: a page that leads a party goes on with what the page before stored.
+  const context = await browser.newContext({ viewport: VIEWPORT });
+  await context.addInitScript({ content: outputFiles[0]!.text });
+  return {
+    async open(url, draws = true) {
+      const page = await context.newPage();
+      if (!draws) await page.addInitScript(DRAW_NOTHING);
+      await page.goto(url);
+      const session = await context.newCDPSession(page);
+      await session.send('Performance.enable');
+      return {
+        page,
+        start: () => page.evaluate(() => globalThis.screenWatch.start()),
+        stop: () => page.evaluate(() => globalThis.screenWatch.stop()),
+        async scriptMs() {
+          const { metrics } = await session.send('Performance.getMetrics');
+          return 1000 * (metrics.find(({ name }) => name === 'ScriptDuration')?.value ?? NaN);
+        },
+        close: () => page.close(),
+      };
+    },
+    stop: () => browser.close(),
+  };
+}
+
+declare global {
+  // Of the page.
+  var screenWatch: ScreenWatch;
+}
