@@ -11,13 +11,14 @@ import {
 import type { HillState } from '@ubii/party/sim';
 import type { MasterProcess } from '../brokers/master-process.ts';
 import { startSession, type RunningSession } from '../modules/running-session.ts';
+import type { Part } from '../parts/shared-parts.ts';
 
 const PLAYERS = 32;
 /** Phones send so often. */
 const SEND_MS = 1000 / 60;
 
 /** A round of King of the Hill on the master, played by 32 clients at 60 Hz, with somebody who watches. */
-export class PartyRoom {
+export class PartyRoom implements Part {
   readonly #clients: readonly UbiiClient[];
   readonly #session: RunningSession;
   #timer: NodeJS.Timeout | undefined;
@@ -85,7 +86,7 @@ export class PartyRoom {
     }, SEND_MS);
   }
 
-  async close(): Promise<void> {
+  async stop(): Promise<void> {
     clearInterval(this.#timer);
     await Promise.all(this.#clients.map((client) => client.close()));
     await this.#session.stop();

@@ -36,7 +36,7 @@ export const party: Workload = {
     const master = await parts.get('master', () =>
       startMasterProcess({ master: file, profileDir }),
     );
-    const room = await PartyRoom.open(master);
+    const room = await parts.get('party room', () => PartyRoom.open(master));
     const subject = (name: string, press: (room: PartyRoom) => Promise<number>): Subject => ({
       name,
       pids: [master.pid],
