@@ -18,8 +18,8 @@ const UNDRAWN = 'without drawing';
 const LENGTH_FACTOR = 8;
 /** The first frames of a scene compile shaders. */
 const SETTLE_MS = 5000;
-/** A press is held for some steps of the game, and for two frames: a page that is busy gets the newest state alone. */
-const HOLD_MS = 53;
+/** A press is held for two frames, and longer than a busy machine holds up the game: a page that is late gets the newest state alone. */
+const HOLD_MS = 153;
 const HOLD_FRAMES = 2;
 const LEAST_PRESSES = 8;
 const PAUSE_MS = 61;
