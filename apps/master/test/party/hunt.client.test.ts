@@ -1,6 +1,7 @@
 import type { FakeAssets } from '@ubii/pm-sandbox/testing';
+import { createMemoryIdentity } from '@ubii/client-web/node';
 import type { Photo } from '@ubii/party/net';
-import type { HuntState } from '@ubii/party/sim';
+import { THINGS, type HuntState } from '@ubii/party/sim';
 import { afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { buildPartyLibrary, PartyWorld, type ScriptedPhone } from './party-world.ts';
 
@@ -141,5 +142,44 @@ describe('a photo on the big screen', () => {
     mara.phone.showPhoto(photoAt(Math.round(mara.phone.facts.nowMs()), 60_001));
     await party.pass(500);
     expect(party.shownPhotos.flat()).toEqual([]);
+  });
+});
+
+describe('the list of things that can be found', () => {
+  const others = Object.keys(THINGS).filter((thing) => thing !== 'cup');
+
+  it('survives a reload of the big screen', async () => {
+    for (const thing of others) party.host.setSetting('hunt', thing, 0);
+    await party.pass(500);
+    party.closeScreen();
+    await party.openScreen();
+    expect(Object.keys(party.room.settings.hunt ?? {}).sort()).toEqual([...others].sort());
+    await startHunt();
+    expect(hunt().hunt!.label).toBe('cup');
+  });
+
+  it('survives a restart of the master, and another screen knows it', async () => {
+    for (const thing of others) party.host.setSetting('hunt', thing, 0);
+    await party.addPhone('Ines');
+    await party.pass(500);
+    await party.world.restart();
+    await party.pass(8000);
+    party.memory = undefined;
+    await party.openScreen(createMemoryIdentity());
+    expect(Object.keys(party.room.settings.hunt ?? {})).toHaveLength(others.length);
+    await startHunt();
+    expect(hunt().hunt!.label).toBe('cup');
+  });
+
+  it('is all things again in the next party', async () => {
+    for (const thing of others) party.host.setSetting('hunt', thing, 0);
+    await party.pass(500);
+    await party.host.end();
+    await party.pass(1500);
+    const { stringList } = await party.world.test.call({ topic: '/services/topic_list' });
+    expect(stringList?.elements.filter((topic) => topic.startsWith('/party/hunt/'))).toEqual([]);
+    party.closeScreen();
+    await party.openScreen();
+    expect(party.room.settings).toEqual({});
   });
 });

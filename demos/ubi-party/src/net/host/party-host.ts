@@ -7,6 +7,7 @@ import {
   type Room,
   type RoomEvent,
   type Seat,
+  toRoom,
 } from '../../sim/index.ts';
 import { PhotoBoard } from '../photos/photo-board.ts';
 import type { Photo } from '../photos/photo.ts';
@@ -19,6 +20,7 @@ import { EMPTY_MEMORY, type HostStorage } from './host-memory.ts';
 import { PhoneWishes } from './phone-wishes.ts';
 import { Presence } from './presence.ts';
 import { RoundLeader } from './round-leader.ts';
+import { publishSettings, settingTopicsOf } from './setting-topics.ts';
 
 /** What the big screen follows. */
 export interface PartyHostListener {
@@ -65,6 +67,7 @@ export class PartyHost {
   readonly #wishes: PhoneWishes;
   readonly #ends: (() => void)[] = [];
   #room: Room;
+  #savedRoom: Room | undefined;
   #toldAtMs = -Infinity;
   #toldText = '';
   #savedAtMs = -Infinity;
@@ -74,7 +77,7 @@ export class PartyHost {
     this.#options = options;
     this.#client = options.client;
     const { room, round, state, arePhotosHidden = false } = options.storage.load() ?? EMPTY_MEMORY;
-    this.#room = room;
+    this.#room = toRoom(room);
     this.#photos = new PhotoBoard(
       {
         client: options.client,
@@ -160,6 +163,9 @@ export class PartyHost {
 
   /** Changes a setting of a game for everybody, now. */
   setSetting(game: GameId, setting: string, value: number): void {
+    const event = { type: 'set-setting', by: 'host', game, setting, value } as const;
+    // A slider changes many times a second: the next tick saves it and tells others
+    this.#room = nextRoom(this.#room, event, this.#nowMs());
     this.#client.publish(settingTopic(game, setting), 'double', value);
   }
 
@@ -187,7 +193,8 @@ export class PartyHost {
   /** Ends the party: sessions, and what the topics say. */
   async end(): Promise<void> {
     this.close();
-    for (const topic of [ROOM_TOPIC, ROUND_TOPIC, SEATS_TOPIC]) this.#client.endTopic(topic);
+    const topics = [ROOM_TOPIC, ROUND_TOPIC, SEATS_TOPIC, ...settingTopicsOf(this.#room)];
+    for (const topic of topics) this.#client.endTopic(topic);
     this.#options.storage.save(EMPTY_MEMORY);
     await this.#sessions.removeAll();
   }
@@ -223,12 +230,13 @@ export class PartyHost {
     const found = await firstOf(this.#client, ROOM_TOPIC, this.#options.clock, ADOPT_WITHIN_MS);
     const view = found === undefined ? undefined : readJson<RoomView>(found);
     if (!Array.isArray(view?.room?.players) || view.room.players.length === 0) return;
-    this.#room = view.room;
+    this.#room = toRoom(view.room);
     this.#rounds.adopt(view.round);
   }
 
   /** New, or again: the master may have lost the session, and with it the round. */
   async #handleConnected(): Promise<void> {
+    publishSettings(this.#client, this.#room);
     const game = gameOf(this.#room) as GameId | undefined;
     const { phase } = this.#room;
     if (game === undefined || phase === 'lobby' || phase === 'end') return;
@@ -291,6 +299,7 @@ export class PartyHost {
     }
     this.apply({ type: 'time' });
     this.#presence.tidy(nowMs);
+    if (this.#room !== this.#savedRoom) this.#save();
     this.#tell();
   }
 
@@ -313,6 +322,7 @@ export class PartyHost {
     this.#savedAtMs = this.#nowMs();
     const { round, state } = this.#rounds;
     const room = this.#room;
+    this.#savedRoom = room;
     const { all: arePhotosHidden } = this.#photos.hidden;
     this.#options.storage.save({
       room,

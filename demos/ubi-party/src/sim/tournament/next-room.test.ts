@@ -155,3 +155,23 @@ describe('a tournament', () => {
     expect(JSON.parse(JSON.stringify(playing))).toEqual(playing);
   });
 });
+
+describe('settings of games', () => {
+  const set = (setting: string, value: number, game = 'hunt'): RoomEvent => ({
+    ...{ type: 'set-setting', by: 'host', game, setting, value },
+  });
+
+  it('are kept with the room while they are not as the game is meant', () => {
+    const room = after(pair, set('cup', 0), set('time', 2), set('friction', 9, 'hill'));
+    expect(room.settings).toEqual({ hunt: { cup: 0, time: 2 }, hill: { friction: 5 } });
+    expect(after(room, set('cup', 1), set('time', 1)).settings).toEqual({ hill: { friction: 5 } });
+  });
+
+  it.each([
+    ['constructor', 1, 'hunt'],
+    ['time', 1, 'constructor'],
+    ['time', Number.NaN, 'hunt'],
+  ])('refuse what is none: %s %f %s', (setting, value, game) => {
+    expect(() => after(pair, set(setting, value, game))).toThrow(RoomRefusal);
+  });
+});

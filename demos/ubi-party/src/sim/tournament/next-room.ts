@@ -2,6 +2,7 @@ import type { Places } from '../game.ts';
 import { pointsOf } from './points.ts';
 import { gameOf, playersOf, type Phase, type Room } from './room.ts';
 import { RoomRefusal, type Asker, type RoomEvent } from './room-event.ts';
+import { setSetting } from './room-settings.ts';
 import { fill, handOver, join, remove, removeLongAway, setAway, setReady } from './seating.ts';
 
 /** Milliseconds. */
@@ -67,6 +68,8 @@ function lead(room: Room, event: Extract<RoomEvent, { by: Asker }>, nowMs: numbe
       checkInLobby(room, 'Games');
       if (event.games.length === 0) throw new RoomRefusal('Choose one game or more.');
       return { ...room, games: event.games };
+    case 'set-setting':
+      return setSetting(room, event.game, event.setting, event.value);
     case 'fill':
       checkInLobby(room, 'Bots');
       return fill(room, event.players);

@@ -17,6 +17,13 @@ export type RoomEvent =
   | { readonly type: 'lock' | 'hide-code'; readonly by: Asker; readonly on: boolean }
   | { readonly type: 'set-teams'; readonly by: Asker; readonly teams: number }
   | { readonly type: 'set-games'; readonly by: Asker; readonly games: readonly string[] }
+  | {
+      readonly type: 'set-setting';
+      readonly by: Asker;
+      readonly game: string;
+      readonly setting: string;
+      readonly value: number;
+    }
   /** Bots on free seats, until so many play. */
   | { readonly type: 'fill'; readonly by: Asker; readonly players: number }
   /** On to what comes next: the first round, the end of an explanation or of a podium, a new tournament. */

@@ -1,4 +1,4 @@
-import type { Places, Seat } from '../game.ts';
+import type { GameSettings, Places, Seat } from '../game.ts';
 
 /** A person or a bot with a seat. */
 export interface Player {
@@ -41,6 +41,8 @@ export interface Room {
   /** The games of the tournament, in their order. */
   readonly games: readonly string[];
   readonly results: readonly RoundResult[];
+  /** Settings that are not as their game is meant, by game and name. */
+  readonly settings: Readonly<Record<string, GameSettings>>;
 }
 
 export const EMPTY_ROOM: Room = {
@@ -51,7 +53,13 @@ export const EMPTY_ROOM: Room = {
   teams: 0,
   games: ['race', 'hill', 'hunt'],
   results: [],
+  settings: {},
 };
+
+/** A room as it was stored or told, perhaps by an earlier version. */
+export function toRoom(room: Partial<Room>): Room {
+  return { ...EMPTY_ROOM, ...room };
+}
 
 /** The game that is played now, or next. */
 export function gameOf({ games, results, phase }: Room): string | undefined {
