@@ -1,5 +1,5 @@
 import type { PhoneDelay, RoundPlan, RoundSeats } from './round.ts';
-import { MAX_SEATS, WAIT_FOR_LATE_MS } from '../sim/index.ts';
+import { MAX_SEATS, PACES, WAIT_FOR_LATE_MS } from '../sim/index.ts';
 
 const isSeat = (value: unknown): value is number =>
   Number.isInteger(value) && (value as number) >= 0 && (value as number) < MAX_SEATS;
@@ -13,7 +13,7 @@ const isObject = (value: unknown): value is Record<string, unknown> =>
 /** Anybody may publish on the topic of the plan: what is none is left out. */
 export function isRoundPlan(value: unknown): value is RoundPlan {
   if (!isObject(value)) return false;
-  const { id, game, seed, seats, startsAtMs, resume } = value;
+  const { id, game, seed, seats, startsAtMs, resume, pace = 1 } = value;
   const isResumable =
     resume === undefined ||
     (isObject(resume) && Number.isInteger(resume['step']) && isObject(resume['state']));
@@ -24,6 +24,7 @@ export function isRoundPlan(value: unknown): value is RoundPlan {
     isSeats(seats) &&
     seats.length > 0 &&
     Number.isFinite(startsAtMs) &&
+    Object.values<unknown>(PACES).includes(pace) &&
     isResumable
   );
 }

@@ -8,6 +8,8 @@ export interface RoundPlan {
   readonly game: string;
   readonly seed: number;
   readonly seats: readonly Seat[];
+  /** Times to answer are so many times as long, 1 to 2. @default 1 */
+  readonly pace?: number;
   /** When the first step is, milliseconds since the Unix epoch, master's clock. */
   readonly startsAtMs: number;
   /** The state to go on from, after the module was started again. */

@@ -1,4 +1,4 @@
-import type { Seat } from '../sim/index.ts';
+import type { Pace, Seat } from '../sim/index.ts';
 
 /** What a phone may ask the host for. The leader's phone may ask for what leads the game. */
 export type PhoneWish =
@@ -12,6 +12,7 @@ export type PhoneWish =
   | { readonly type: 'kick' | 'lead'; readonly seat: Seat }
   | { readonly type: 'lock' | 'hide-code'; readonly on: boolean }
   | { readonly type: 'set-teams'; readonly teams: number }
+  | { readonly type: 'set-pace'; readonly pace: Pace }
   | { readonly type: 'set-games'; readonly games: readonly string[] }
   | { readonly type: 'fill'; readonly players: number };
 

@@ -10,6 +10,8 @@ export interface RoundView {
   /** Milliseconds since the Unix epoch, master's clock: everybody starts at the same time. */
   readonly startsAtMs: number;
   readonly seats: readonly Seat[];
+  /** Times to answer are so many times as long. @default 1 */
+  readonly pace?: number;
   /** The session it runs in, which can be opened in the graph editor. */
   readonly sessionId?: string;
 }

@@ -61,6 +61,18 @@ export interface RoundSetup {
   readonly seats: readonly Seat[];
   /** Any 32-bit integer. */
   readonly seed: number;
+  /** Times to answer are so many times as long, for all players. @default 1 */
+  readonly pace?: number;
+}
+
+/** What a state of a game with times to answer keeps of its setup. */
+export interface WithPace {
+  /** @default 1 */
+  readonly pace?: number;
+}
+
+export function withPace({ pace = 1 }: RoundSetup): WithPace {
+  return pace === 1 ? {} : { pace };
 }
 
 /** Seats by place, the best first; seats that share a place stand together. */

@@ -19,6 +19,7 @@ export { placeAt, type Track, type TrackPoint } from './race/track.ts';
 export { TRACKS } from './race/tracks.ts';
 export { identityOf, MAX_SEATS, type Identity, type Shape } from './seats/identity.ts';
 export { stateHash } from './state-hash.ts';
+export * from './tournament/pace.ts';
 export { nextRoom } from './tournament/next-room.ts';
 export * from './tournament/room.ts';
 export { RoomRefusal, type Asker, type RoomEvent } from './tournament/room-event.ts';

@@ -1,3 +1,4 @@
+import { isPace } from '../../sim/index.ts';
 import type { PhoneRequest, PhoneWish } from '../messages.ts';
 
 const MOST_CHARACTERS = 1000;
@@ -53,6 +54,7 @@ const CHECKS: Record<PhoneWish['type'], Check> = {
   lock: flag('on'),
   'hide-code': flag('on'),
   'set-teams': whole('teams'),
+  'set-pace': ({ pace }) => isPace(pace),
   'set-games': ({ games }) =>
     Array.isArray(games) && games.length <= 12 && games.every((game) => typeof game === 'string'),
   fill: whole('players'),

@@ -1,6 +1,13 @@
 import type { Subscription, UbiiClient } from '@ubii/client-web';
 import type { PhoneDelay, RoundPlan, RoundSeats, RoundState } from '../../modules/index.ts';
-import { playersOf, STEPS_PER_SECOND, type GameId, type Room, type Seat } from '../../sim/index.ts';
+import {
+  PACES,
+  playersOf,
+  STEPS_PER_SECOND,
+  type GameId,
+  type Room,
+  type Seat,
+} from '../../sim/index.ts';
 import { readJson } from '../read-json.ts';
 import type { RoundView } from '../room-view.ts';
 import { ROUND_TOPIC, SEATS_TOPIC, stateTopic } from '../topics.ts';
@@ -59,7 +66,9 @@ export class RoundLeader {
     const seed = (a << 16) | (b << 8) | c;
     const seats = playersOf(room).map(({ seat }) => seat);
     this.#state = undefined;
-    this.#round = { id: `${game}-${startsAtMs}-${seed}`, game, seed, startsAtMs, seats };
+    const id = `${game}-${startsAtMs}-${seed}`;
+    const pace = PACES[room.pace];
+    this.#round = { id, game, seed, startsAtMs, seats, ...(pace !== 1 && { pace }) };
     this.#publishPlan(undefined);
   }
 
@@ -114,8 +123,8 @@ export class RoundLeader {
   }
 
   #publishPlan(resume: RoundPlan['resume']): void {
-    const { id, game, seed, seats, startsAtMs } = this.#round!;
-    const plan: RoundPlan = { id, game, seed, seats, startsAtMs, ...(resume && { resume }) };
+    const { sessionId: _, ...round } = this.#round!;
+    const plan: RoundPlan = { ...round, ...(resume && { resume }) };
     this.#client.publish(ROUND_TOPIC, 'string', JSON.stringify(plan), { immediate: true });
   }
 

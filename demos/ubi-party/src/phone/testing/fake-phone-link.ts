@@ -124,6 +124,7 @@ function eventOf(wish: Exclude<PhoneWish, { type: 'offer' | 'take' }>): RoomEven
     case 'lock':
     case 'hide-code':
     case 'set-teams':
+    case 'set-pace':
     case 'set-games':
     case 'fill':
       return { ...wish, by };

@@ -9,6 +9,8 @@ import {
   type Places,
   type Seat,
   type GameSettings,
+  type WithPace,
+  withPace,
 } from '../game.ts';
 import { drawInteger, randomState, type WithRandom } from '../random.ts';
 
@@ -22,7 +24,7 @@ interface Bout {
   readonly presses: Record<Seat, number>;
 }
 
-export interface DuelState extends WithRandom {
+export interface DuelState extends WithRandom, WithPace {
   /** Steps since the start. */
   step: number;
   readonly seats: readonly Seat[];
@@ -53,10 +55,12 @@ export const duelGame: Game<DuelState, DuelSettings> = {
   ],
   controller: { steering: 'none', button: 'Draw', isHeld: false },
   settings: { patience: 1 },
-  start({ seats, seed }) {
+  start(setup) {
+    const { seats, seed } = setup;
     const random = { random: randomState(seed) };
     return {
       ...random,
+      ...withPace(setup),
       step: 0,
       seats,
       bout: nextBout(random, 0, 1),
@@ -73,8 +77,8 @@ export const duelGame: Game<DuelState, DuelSettings> = {
       // Steps that catch up are behind what arrived: the press belongs to a later one
       if (pressedAtMs <= nowMs) presses[seat] = pressedAtMs;
     }
-    if (nowMs < signalAtMs + LONGEST_REACTION_MS + WAIT_FOR_LATE_MS && !isDecidable(state, nowMs))
-      return;
+    const endsAtMs = signalAtMs + longestReactionMs(state) + WAIT_FOR_LATE_MS;
+    if (nowMs < endsAtMs && !isDecidable(state, nowMs)) return;
     state.decided.push(decide(state));
     state.bout = nextBout(state, nowMs, patience);
   },
@@ -152,13 +156,19 @@ function isDecidable({ seats, bout: { presses } }: DuelState, nowMs: number): bo
   );
 }
 
-function decide({ seats, bout: { presses, signalAtMs } }: DuelState): DuelState['decided'][number] {
+const longestReactionMs = ({ pace = 1 }: WithPace): number => LONGEST_REACTION_MS * pace;
+
+function decide(state: DuelState): DuelState['decided'][number] {
+  const {
+    seats,
+    bout: { presses, signalAtMs },
+  } = state;
   const [best] = seats
     .flatMap((seat) =>
       seat in presses ? { winner: seat, reactionMs: presses[seat]! - signalAtMs } : [],
     )
     .filter(
-      ({ reactionMs }) => reactionMs >= LEAST_REACTION_MS && reactionMs <= LONGEST_REACTION_MS,
+      ({ reactionMs }) => reactionMs >= LEAST_REACTION_MS && reactionMs <= longestReactionMs(state),
     )
     .sort((a, b) => a.reactionMs - b.reactionMs);
   return best ?? {};

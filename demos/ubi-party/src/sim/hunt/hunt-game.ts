@@ -1,4 +1,4 @@
-import type { Game } from '../game.ts';
+import { withPace, type Game } from '../game.ts';
 import { randomState } from '../random.ts';
 import { huntBot } from './hunt-bot.ts';
 import { huntFeedback } from './hunt-feedback.ts';
@@ -20,12 +20,13 @@ export const huntGame: Game<HuntState, HuntSettings> = {
   controller: { steering: 'camera', button: 'Take a photo', isHeld: false },
   settings: FIRST_SETTINGS,
   switches: Object.fromEntries(Object.entries(THINGS).map(([id, { name }]) => [id, name])),
-  start: ({ seats, seed }) => ({
-    random: randomState(seed),
+  start: (setup) => ({
+    random: randomState(setup.seed),
+    ...withPace(setup),
     step: 0,
-    seats,
+    seats: setup.seats,
     hunted: [],
-    points: Object.fromEntries(seats.map((seat) => [seat, 0])),
+    points: Object.fromEntries(setup.seats.map((seat) => [seat, 0])),
     wrongAt: {},
     isOver: false,
   }),

@@ -1,4 +1,4 @@
-import type { Area, GameSettings, Seat } from '../game.ts';
+import type { Area, GameSettings, Seat, WithPace } from '../game.ts';
 import { STEPS_PER_SECOND } from '../game.ts';
 import type { WithRandom } from '../random.ts';
 import { THINGS, type ThingId } from './things.ts';
@@ -40,7 +40,7 @@ export interface Hunt {
   readonly photos: Record<Seat, HuntPhoto>;
 }
 
-export interface HuntState extends WithRandom {
+export interface HuntState extends WithRandom, WithPace {
   /** Steps since the start. */
   step: number;
   readonly seats: readonly Seat[];

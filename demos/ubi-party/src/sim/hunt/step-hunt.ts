@@ -27,7 +27,7 @@ export function stepHunt(state: HuntState, controls: ReadControls, settings: Hun
     if (nowMs >= (decided?.untilMs ?? 0)) beginNext(state, nowMs, settings);
     return;
   }
-  hunt.endsAtMs = hunt.beganAtMs + timeMs(settings);
+  hunt.endsAtMs = hunt.beganAtMs + timeMs(state, settings);
   hunt.leastScore = Math.min(1, LEAST_SCORE * settings.certainty);
   const all = hunt.hunters.map((seat) => [seat, controls(seat)] as const);
   hunt.present = all.flatMap(([seat, { isAway }]) => (isAway ? [] : seat));
@@ -37,7 +37,7 @@ export function stepHunt(state: HuntState, controls: ReadControls, settings: Hun
     if (hunt.photos[seat]?.verdict === 'looking') delete hunt.photos[seat];
   const gains = gainsOf(hunt);
   for (const seat of hunt.hunters) state.points[seat]! += gains[seat]?.points ?? 0;
-  state.decided = { untilMs: nowMs + SHOW_RESULT_MS, gains };
+  state.decided = { untilMs: nowMs + SHOW_RESULT_MS * (state.pace ?? 1), gains };
 }
 
 /** The next thing; after the last one a decisive thing for those who share the first place, once. */
@@ -57,7 +57,7 @@ function beginNext(state: HuntState, nowMs: number, settings: HuntSettings): voi
   state.hunt = {
     label,
     beganAtMs: nowMs,
-    endsAtMs: nowMs + timeMs(settings),
+    endsAtMs: nowMs + timeMs(state, settings),
     isDecisive,
     hunters,
     present: hunters,
@@ -76,7 +76,8 @@ function drawThing(state: HuntState, settings: HuntSettings): string {
   return from[drawInteger(state, 0, from.length - 1)]!;
 }
 
-const timeMs = ({ time }: HuntSettings): number => Math.max(LEAST_TIME_MS, TIME_MS * time);
+const timeMs = ({ pace = 1 }: HuntState, { time }: HuntSettings): number =>
+  Math.max(LEAST_TIME_MS, TIME_MS * time) * pace;
 
 /** The first right photo counts. A wrong one costs nothing but a short wait. */
 function takePhoto(state: HuntState, hunt: Hunt, seat: Seat, { answer }: Controls): void {

@@ -1,6 +1,6 @@
 import { placeOf, type Feedback } from '../feedback.ts';
-import { placesByScore, STEPS_PER_SECOND, STEP_S } from '../game.ts';
-import type { Controls, Game, Seat } from '../game.ts';
+import { placesByScore, STEPS_PER_SECOND, STEP_S, withPace } from '../game.ts';
+import type { Controls, Game, Seat, WithPace } from '../game.ts';
 import type { Hud } from '../hud.ts';
 import { clamp } from '../plane/vector.ts';
 import { drawInteger, randomState, type WithRandom } from '../random.ts';
@@ -17,7 +17,7 @@ interface Answerer {
   won: number;
 }
 
-export interface QuizState extends WithRandom {
+export interface QuizState extends WithRandom, WithPace {
   /** Steps since the start. */
   step: number;
   /** Indices of `STATEMENTS`, in their order. */
@@ -26,9 +26,8 @@ export interface QuizState extends WithRandom {
 }
 
 const QUESTIONS = 7;
-const ANSWER_STEPS = 9 * STEPS_PER_SECOND;
-const REVEAL_STEPS = 3 * STEPS_PER_SECOND;
-const QUESTION_STEPS = ANSWER_STEPS + REVEAL_STEPS;
+const ANSWER = 9 * STEPS_PER_SECOND;
+const QUESTION = ANSWER + 3 * STEPS_PER_SECOND;
 const RIGHT = 100;
 /** On top, for who stood on the right side from the first moment. */
 const QUICK = 40;
@@ -49,24 +48,25 @@ export const quizGame: Game<QuizState, { readonly speed: number }> = {
   ],
   controller: { steering: 'wheel', button: 'Middle', isHeld: false },
   settings: { speed: 1 },
-  start({ seats, seed }) {
-    const random = { random: randomState(seed) };
+  start(setup) {
+    const random = { random: randomState(setup.seed) };
     const left = STATEMENTS.map((_, index) => index);
     const draw = (): number => left.splice(drawInteger(random, 0, left.length - 1), 1)[0]!;
     const asked = Array.from({ length: QUESTIONS }, draw);
-    const answerers = seats.map((seat) => ({ seat, x: 0, since: 0, score: 0, won: 0 }));
-    return { ...random, step: 0, asked, answerers };
+    const answerers = setup.seats.map((seat) => ({ seat, x: 0, since: 0, score: 0, won: 0 }));
+    return { ...random, ...withPace(setup), step: 0, asked, answerers };
   },
   step(state, controls, { speed }) {
     state.step += 1;
-    const at = state.step % QUESTION_STEPS;
+    const { answer, question } = stepsOf(state);
+    const at = state.step % question;
     for (const one of state.answerers) {
       if (at === 0) Object.assign(one, { x: 0, since: state.step, won: 0 });
-      else if (at < ANSWER_STEPS) slide(one, controls(one.seat), state.step, speed);
-      else if (at === ANSWER_STEPS) judge(one, state);
+      else if (at < answer) slide(one, controls(one.seat), state.step, speed);
+      else if (at === answer) judge(one, state);
     }
   },
-  isOver: ({ step }) => step >= QUESTIONS * QUESTION_STEPS - 1,
+  isOver: (state) => state.step >= QUESTIONS * stepsOf(state).question - 1,
   places: ({ answerers }) =>
     placesByScore(
       answerers.map(({ seat }) => seat),
@@ -77,7 +77,7 @@ export const quizGame: Game<QuizState, { readonly speed: number }> = {
   bot(state, seat) {
     const { isTrue, number } = questionOf(state);
     const isSure = (seat * 5 + number * 3 + state.asked[0]!) % 10 < 7;
-    const isThinking = state.step % QUESTION_STEPS < (1 + (seat % 4)) * STEPS_PER_SECOND;
+    const isThinking = state.step % stepsOf(state).question < (1 + (seat % 4)) * STEPS_PER_SECOND;
     return { x: isThinking ? 0 : isSure === isTrue ? 1 : -1, y: 0, isPressed: false };
   },
   pieces: ({ answerers }) =>
@@ -94,6 +94,9 @@ function standOf(x: number, index: number, of: number) {
   return { x: x * 0.83 + aside, y: -8.5 + row * deep, isOut: false };
 }
 
+/** Steps to answer, and of a whole question with its result. */
+const stepsOf = ({ pace = 1 }: WithPace) => ({ answer: ANSWER * pace, question: QUESTION * pace });
+
 /** The pad brings a piece back to the middle. */
 function slide(one: Answerer, controls: Controls, step: number, speed: number): void {
   const before = sideOf(one);
@@ -104,19 +107,18 @@ function slide(one: Answerer, controls: Controls, step: number, speed: number): 
 
 function judge(one: Answerer, state: QuizState): void {
   if (sideOf(one) !== (questionOf(state).isTrue ? 1 : -1)) return;
-  one.won = RIGHT + Math.round((QUICK * (state.step - one.since)) / ANSWER_STEPS);
+  one.won = RIGHT + Math.round((QUICK * (state.step - one.since)) / stepsOf(state).answer);
   one.score += one.won;
 }
 
 /** 1: says true, -1: says false, 0: says nothing. */
-function sideOf({ x }: Answerer): number {
-  return Math.abs(x) < UNDECIDED ? 0 : Math.sign(x);
-}
+const sideOf = ({ x }: Answerer): number => (Math.abs(x) < UNDECIDED ? 0 : Math.sign(x));
 
-function questionOf({ step, asked }: QuizState) {
-  const number = Math.min(QUESTIONS - 1, Math.floor(step / QUESTION_STEPS));
-  const [text, isTrue] = STATEMENTS[asked[number]!]!;
-  const leftSteps = ANSWER_STEPS - (step % QUESTION_STEPS);
+function questionOf(state: QuizState) {
+  const { answer, question } = stepsOf(state);
+  const number = Math.min(QUESTIONS - 1, Math.floor(state.step / question));
+  const [text, isTrue] = STATEMENTS[state.asked[number]!]!;
+  const leftSteps = answer - (state.step % question);
   return { text, isTrue, number, leftSteps, isShown: leftSteps <= 0 };
 }
 
@@ -133,7 +135,7 @@ function feedback(state: QuizState, seat: Seat): Feedback {
     headline: isShown ? (isWrong ? 'Wrong' : 'Right') : ANSWERS[own ? sideOf(own) : 0]!,
     sentence: isShown ? result : text,
     progress: number / QUESTIONS,
-    gauge: Math.max(0, leftSteps) / ANSWER_STEPS,
+    gauge: Math.max(0, leftSteps) / stepsOf(state).answer,
     isReady: !isShown && own !== undefined && sideOf(own) !== 0,
     isOut: false,
     hitAt: isWrong ? state.step + leftSteps : 0,

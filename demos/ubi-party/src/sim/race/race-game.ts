@@ -2,7 +2,7 @@ import { placesByScore, type Game, type Places } from '../game.ts';
 import { raceHud } from './race-hud.ts';
 import { raceFeedback } from './race-feedback.ts';
 import { raceBot } from './race-bot.ts';
-import { LONGEST_RACE, startRace, STEPS_AFTER_FIRST, type RaceState } from './race-state.ts';
+import { LONGEST_RACE, startRace, stepsAfterFirst, type RaceState } from './race-state.ts';
 import { stepRace, type RaceSettings } from './step-race.ts';
 
 /** Marble Dash: three laps; who left the track is put back. */
@@ -12,7 +12,7 @@ export const raceGame: Game<RaceState, RaceSettings> = {
   explanation: [
     'Steer by tilting the phone, or with your thumb. The cart drives by itself.',
     'Chevrons boost you. Press when the pad is full for a boost of your own.',
-    'Who leaves the track is put back. When the first has finished, the others have 20 seconds.',
+    'Who leaves the track is put back. When the first has finished, time runs for the others.',
   ],
   controller: { steering: 'wheel', button: 'Boost', isHeld: false },
   settings: { speed: 1, grip: 1, gravity: 1 },
@@ -32,10 +32,11 @@ function places(state: RaceState): Places {
   );
 }
 
-function isOver({ step, carts }: RaceState): boolean {
+function isOver(state: RaceState): boolean {
+  const { step, carts } = state;
   const finished = carts.flatMap(({ finishedAt }) => finishedAt ?? []);
   if (finished.length === carts.length || step >= LONGEST_RACE) return true;
-  return finished.length > 0 && step >= Math.min(...finished) + STEPS_AFTER_FIRST;
+  return finished.length > 0 && step >= Math.min(...finished) + stepsAfterFirst(state);
 }
 
 /** Carts that have finished come first, the earliest at the top; the others by the distance driven. */

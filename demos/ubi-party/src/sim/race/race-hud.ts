@@ -1,6 +1,6 @@
 import { STEPS_PER_SECOND, type Places, type Seat } from '../game.ts';
 import { NEWS_STEPS, type Hud } from '../hud.ts';
-import { lapOf, STEPS_AFTER_FIRST, trackOf, type Cart, type RaceState } from './race-state.ts';
+import { lapOf, stepsAfterFirst, trackOf, type Cart, type RaceState } from './race-state.ts';
 
 /** Units per second: turns a distance into a time behind the leader. */
 const USUAL_SPEED = 12;
@@ -44,7 +44,7 @@ function noteFor(cart: Cart, leader: Cart): string {
 function cornerOf(state: RaceState, finished: readonly Cart[]): Hud['corner'] {
   if (finished.length === 0 || finished.length === state.carts.length) return undefined;
   const first = Math.min(...finished.map(({ finishedAt }) => finishedAt!));
-  const left = Math.ceil((first + STEPS_AFTER_FIRST - state.step) / STEPS_PER_SECOND);
+  const left = Math.ceil((first + stepsAfterFirst(state) - state.step) / STEPS_PER_SECOND);
   return { value: String(Math.max(0, left)), label: 'seconds left' };
 }
 

@@ -1,4 +1,4 @@
-import { STEPS_PER_SECOND, type RoundSetup, type Seat } from '../game.ts';
+import { STEPS_PER_SECOND, withPace, type RoundSetup, type Seat, type WithPace } from '../game.ts';
 import type { Vector } from '../plane/vector.ts';
 import { placeAt, type Track } from './track.ts';
 import { TRACKS } from './tracks.ts';
@@ -27,7 +27,7 @@ export interface Cart {
   finishedAt?: number;
 }
 
-export interface RaceState {
+export interface RaceState extends WithPace {
   /** Steps since the start. */
   step: number;
   /** One of `TRACKS`. */
@@ -40,10 +40,12 @@ const ROW = 2.6;
 const COLUMN = 1.5;
 
 /** Two columns before the start line; the seed says who stands where, and on which track. */
-export function startRace({ seats, seed }: RoundSetup): RaceState {
+export function startRace(setup: RoundSetup): RaceState {
+  const { seats, seed } = setup;
   const track = TRACKS[Math.abs(seed) % TRACKS.length]!;
   const first = Math.floor(Math.abs(seed) / TRACKS.length) % Math.max(1, seats.length);
   return {
+    ...withPace(setup),
     step: 0,
     track: track.id,
     carts: seats.map((seat, index) =>
@@ -77,7 +79,7 @@ export function trackOf(state: RaceState): Track {
 }
 
 /** After the first has finished, the others have so long. */
-export const STEPS_AFTER_FIRST = 20 * STEPS_PER_SECOND;
+export const stepsAfterFirst = ({ pace = 1 }: WithPace): number => 20 * STEPS_PER_SECOND * pace;
 /** A race ends then, whatever happened. */
 export const LONGEST_RACE = 240 * STEPS_PER_SECOND;
 

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { MAX_SEATS } from '../seats/identity.ts';
 import { nextRoom } from './next-room.ts';
+import type { Pace } from './pace.ts';
 import { EMPTY_ROOM, gameOf, teamOf, type Room } from './room.ts';
 import { RoomRefusal, type RoomEvent } from './room-event.ts';
 import { KEPT_FOR_MS } from './seating.ts';
@@ -173,5 +174,33 @@ describe('settings of games', () => {
     ['time', Number.NaN, 'hunt'],
   ])('refuse what is none: %s %f %s', (setting, value, game) => {
     expect(() => after(pair, set(setting, value, game))).toThrow(RoomRefusal);
+  });
+});
+
+describe('the pace', () => {
+  const pace = (to: Pace): RoomEvent => ({ type: 'set-pace', by: 'host', pace: to });
+
+  it('makes explanations and podiums longer, and the countdown not', () => {
+    const long = nextRoom(pair, pace('long'), 0);
+    const explained = nextRoom(long, proceed, 1000);
+    expect(explained.endsAtMs).toBe(1000 + 40_000);
+    const counted = nextRoom(explained, proceed, 1000);
+    expect(counted.endsAtMs).toBe(1000 + 3000);
+    const played = nextRoom(counted, proceed, 1000);
+    const over = nextRoom(played, { type: 'round-over', places: [[0], [1]] }, 2000);
+    expect(over.endsAtMs).toBe(2000 + 30_000);
+  });
+
+  it('changes what is being read, from when it began', () => {
+    const explained = nextRoom(pair, proceed, 1000);
+    const relaxed = nextRoom(explained, pace('relaxed'), 9000);
+    expect(relaxed).toMatchObject({ pace: 'relaxed', endsAtMs: 31_000 });
+    expect(nextRoom(relaxed, pace('normal'), 9000).endsAtMs).toBe(21_000);
+  });
+
+  it('stays during a round, and is one of three', () => {
+    expect(() => after(playing, pace('long'))).toThrow('between rounds');
+    expect(() => after(pair, pace('constructor' as Pace))).toThrow(RoomRefusal);
+    expect(() => after(pair, { ...pace('long'), by: { key: 'bob' } } as RoomEvent)).toThrow('ada');
   });
 });

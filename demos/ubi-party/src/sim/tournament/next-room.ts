@@ -1,14 +1,11 @@
 import type { Places } from '../game.ts';
 import { pointsOf } from './points.ts';
+import { COUNTDOWN_MS, isPace, readingMs, type Pace } from './pace.ts';
 import { gameOf, playersOf, type Phase, type Room } from './room.ts';
 import { RoomRefusal, type Asker, type RoomEvent } from './room-event.ts';
 import { setSetting } from './room-settings.ts';
 import { fill, handOver, join, remove, removeLongAway, setAway, setReady } from './seating.ts';
 
-/** Milliseconds. */
-const EXPLANATION = 20_000;
-const COUNTDOWN = 3_000;
-const PODIUM = 15_000;
 export const MIN_PLAYERS = 2;
 const MAX_TEAMS = 4;
 
@@ -68,6 +65,8 @@ function lead(room: Room, event: Extract<RoomEvent, { by: Asker }>, nowMs: numbe
       checkInLobby(room, 'Games');
       if (event.games.length === 0) throw new RoomRefusal('Choose one game or more.');
       return { ...room, games: event.games };
+    case 'set-pace':
+      return setPace(room, event.pace);
     case 'set-setting':
       return setSetting(room, event.game, event.setting, event.value);
     case 'fill':
@@ -95,16 +94,16 @@ function proceed(room: Room, nowMs: number): Room {
     case 'lobby':
       if (room.players.length < MIN_PLAYERS)
         throw new RoomRefusal(`A game needs ${MIN_PLAYERS} players. Bots can fill the seats.`);
-      return enter(everybodyPlays(room), 'explanation', nowMs + EXPLANATION);
+      return read(everybodyPlays(room), 'explanation', nowMs);
     case 'explanation':
-      return enter(room, 'countdown', nowMs + COUNTDOWN);
+      return enter(room, 'countdown', nowMs + COUNTDOWN_MS);
     case 'countdown':
       return enter(room, 'play');
     case 'play':
       throw new RoomRefusal('The round is being played.');
     case 'podium':
       return room.results.length < room.games.length
-        ? enter(everybodyPlays(room), 'explanation', nowMs + EXPLANATION)
+        ? read(everybodyPlays(room), 'explanation', nowMs)
         : enter(room, 'end');
     case 'end':
       return enter(newTable(everybodyPlays(room)), 'lobby');
@@ -115,6 +114,22 @@ function enter(room: Room, phase: Phase, endsAtMs?: number): Room {
   const { endsAtMs: _, ...rest } = room;
   const players = rest.players.map((player) => ({ ...player, isReady: player.key === undefined }));
   return { ...rest, players, phase, ...(endsAtMs !== undefined && { endsAtMs }) };
+}
+
+/** A phase that ends when its reading time is over. */
+function read(room: Room, phase: 'explanation' | 'podium', nowMs: number): Room {
+  return enter(room, phase, nowMs + readingMs(phase, room.pace)!);
+}
+
+/** What is being read then takes longer or shorter, too. */
+function setPace(room: Room, pace: Pace): Room {
+  if (!isPace(pace)) throw new RoomRefusal('The pace is normal, relaxed or long.');
+  if (room.phase === 'countdown' || room.phase === 'play')
+    throw new RoomRefusal('The pace can be changed between rounds only.');
+  const { phase, endsAtMs } = room;
+  const before = readingMs(phase, room.pace);
+  if (before === undefined || endsAtMs === undefined) return { ...room, pace };
+  return { ...room, pace, endsAtMs: endsAtMs - before + readingMs(phase, pace)! };
 }
 
 function everybodyPlays(room: Room): Room {
@@ -148,7 +163,7 @@ function endRound(room: Room, places: Places, nowMs: number): Room {
     points: player.points + (points[player.seat] ?? 0),
   }));
   const results = [...room.results, { game, places, points }];
-  return enter({ ...room, players, results }, 'podium', nowMs + PODIUM);
+  return read({ ...room, players, results }, 'podium', nowMs);
 }
 
 function passTime(room: Room, nowMs: number): Room {

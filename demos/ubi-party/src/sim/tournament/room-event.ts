@@ -1,4 +1,5 @@
 import type { Places, Seat } from '../game.ts';
+import type { Pace } from './pace.ts';
 
 /** Who asks: the big screen, or the client of a phone by its key. */
 export type Asker = 'host' | { readonly key: string };
@@ -17,6 +18,8 @@ export type RoomEvent =
   | { readonly type: 'lock' | 'hide-code'; readonly by: Asker; readonly on: boolean }
   | { readonly type: 'set-teams'; readonly by: Asker; readonly teams: number }
   | { readonly type: 'set-games'; readonly by: Asker; readonly games: readonly string[] }
+  /** Between rounds. */
+  | { readonly type: 'set-pace'; readonly by: Asker; readonly pace: Pace }
   | {
       readonly type: 'set-setting';
       readonly by: Asker;

@@ -1,4 +1,5 @@
 import type { GameSettings, Places, Seat } from '../game.ts';
+import type { Pace } from './pace.ts';
 
 /** A person or a bot with a seat. */
 export interface Player {
@@ -43,6 +44,8 @@ export interface Room {
   readonly results: readonly RoundResult[];
   /** Settings that are not as their game is meant, by game and name. */
   readonly settings: Readonly<Record<string, GameSettings>>;
+  /** How much time everybody has to read and to answer. */
+  readonly pace: Pace;
 }
 
 export const EMPTY_ROOM: Room = {
@@ -54,6 +57,7 @@ export const EMPTY_ROOM: Room = {
   games: ['race', 'hill', 'hunt'],
   results: [],
   settings: {},
+  pace: 'normal',
 };
 
 /** A room as it was stored or told, perhaps by an earlier version. */

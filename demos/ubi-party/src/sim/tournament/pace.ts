@@ -1,0 +1,25 @@
+/** How much time there is to read and to answer, as a share of what a game is meant to give. */
+export const PACES = { normal: 1, relaxed: 1.5, long: 2 } as const;
+export type Pace = keyof typeof PACES;
+
+/** For people. */
+export const PACE_WORDS: Readonly<Record<Pace, string>> = {
+  normal: 'Normal',
+  relaxed: 'Relaxed ×1.5',
+  long: 'Long ×2',
+};
+
+export function isPace(value: unknown): value is Pace {
+  return typeof value === 'string' && Object.hasOwn(PACES, value);
+}
+
+/** Milliseconds at the normal pace. The countdown is the same at every pace: there is nothing to read. */
+export const EXPLANATION_MS = 20_000;
+export const COUNTDOWN_MS = 3_000;
+export const PODIUM_MS = 15_000;
+
+/** How long a phase with something to read lasts, milliseconds; undefined: it has no time. */
+export function readingMs(phase: string, pace: Pace): number | undefined {
+  if (phase === 'explanation') return EXPLANATION_MS * PACES[pace];
+  return phase === 'podium' ? PODIUM_MS * PACES[pace] : undefined;
+}
