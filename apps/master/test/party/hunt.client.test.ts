@@ -1,6 +1,6 @@
 import type { FakeAssets } from '@ubii/pm-sandbox/testing';
 import { createMemoryIdentity } from '@ubii/client-web/node';
-import type { Photo } from '@ubii/party/net';
+import { phoneTopic, type Photo } from '@ubii/party/net';
 import { THINGS, type HuntState } from '@ubii/party/sim';
 import { afterEach, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { buildPartyLibrary, PartyWorld, type ScriptedPhone } from './party-world.ts';
@@ -93,7 +93,15 @@ describe('a photo hunt', () => {
   it('is not decided by answers that nobody with a seat gives', async () => {
     const [, theo] = await startHunt();
     await party.ask(theo, { type: 'leave' });
-    await shoot(theo, hunt().hunt!.label, true);
+    const { label } = hunt().hunt!;
+    await shoot(theo, label, true);
+    // A program that goes on without a seat
+    const userDataJson = JSON.stringify({ score: 0.9, atMs: theo.phone.facts.nowMs() });
+    theo.client.publish(phoneTopic(theo.client.id, 'answer'), 'object2D', {
+      id: label,
+      userDataJson,
+    });
+    await party.pass(200);
     expect(hunt().hunt!.photos).toEqual({});
     expect(party.shownPhotos.flat()).toEqual([]);
   });

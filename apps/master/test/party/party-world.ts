@@ -13,7 +13,14 @@ import type {
 } from '@ubii/client-web/node';
 import { PARTY_SET, partyModules, type RoundState } from '@ubii/party/modules';
 import { PartyHost, PartyPhone, type HostMemory, type RoomView } from '@ubii/party/net';
-import { GAMES, type Controls, type Game, type GameId, type Seat } from '@ubii/party/sim';
+import {
+  GAMES,
+  type Cheer,
+  type Controls,
+  type Game,
+  type GameId,
+  type Seat,
+} from '@ubii/party/sim';
 import { vi } from 'vitest';
 import { ClientWorld } from '../client-world.ts';
 import { behindLine, type Line } from './slow-line.ts';
@@ -70,6 +77,8 @@ export class PartyWorld {
   memory: HostMemory | undefined;
   host!: PartyHost;
   view!: RoomView;
+  /** What was cheered on the big screen, in its order. */
+  readonly cheers: Cheer[] = [];
   /** Clients whose photos were on the big screen, one list a change. */
   readonly shownPhotos: (readonly string[])[] = [];
   states: { readonly game: GameId; readonly state: RoundState }[] = [];
@@ -106,6 +115,7 @@ export class PartyWorld {
         handleView: (view) => (this.view = view),
         handleState: (game, state) => this.#handleState(game, state),
         handlePhotos: (photos) => this.shownPhotos.push([...photos.keys()]),
+        handleCheer: (cheer) => this.cheers.push(cheer),
         handleSuperseded: (id) => this.superseded.push(id),
         handleTrouble: (sentence) => this.troubles.push(sentence),
       },
@@ -122,11 +132,24 @@ export class PartyWorld {
     this.#screen?.leave();
   }
 
-  async addPhone(name: string, options: PhoneOptions = {}): Promise<ScriptedPhone> {
+  addPhone(name: string, options: PhoneOptions = {}): Promise<ScriptedPhone> {
+    return this.#addPhone('join', name, options);
+  }
+
+  /** A phone that watches without a seat. */
+  addSpectator(name: string, options: PhoneOptions = {}): Promise<ScriptedPhone> {
+    return this.#addPhone('watch', name, options);
+  }
+
+  async #addPhone(
+    type: 'join' | 'watch',
+    name: string,
+    options: PhoneOptions,
+  ): Promise<ScriptedPhone> {
     const identity = createMemoryIdentity();
     const scripted = { name, identity, options, isAsleep: false } as ScriptedPhone;
     await this.connectPhone(scripted);
-    await this.ask(scripted, { type: 'join', name });
+    await this.ask(scripted, { type, name });
     this.phones.push(scripted);
     return scripted;
   }

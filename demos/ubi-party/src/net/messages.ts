@@ -2,7 +2,7 @@ import type { Pace, Seat } from '../sim/index.ts';
 
 /** What a phone may ask the host for. The leader's phone may ask for what leads the game. */
 export type PhoneWish =
-  | { readonly type: 'join'; readonly name: string }
+  | { readonly type: 'join' | 'watch'; readonly name: string }
   | { readonly type: 'leave' | 'away' | 'back' }
   | { readonly type: 'ready'; readonly isReady: boolean }
   /** A code with which another phone takes over the seat. */
@@ -10,6 +10,7 @@ export type PhoneWish =
   | { readonly type: 'take'; readonly code: string }
   | { readonly type: 'proceed' }
   | { readonly type: 'kick' | 'lead'; readonly seat: Seat }
+  | { readonly type: 'dismiss'; readonly key: string }
   | { readonly type: 'lock' | 'hide-code'; readonly on: boolean }
   | { readonly type: 'set-teams'; readonly teams: number }
   | { readonly type: 'set-pace'; readonly pace: Pace }

@@ -22,4 +22,12 @@ export { stateHash } from './state-hash.ts';
 export * from './tournament/pace.ts';
 export { nextRoom } from './tournament/next-room.ts';
 export * from './tournament/room.ts';
+export {
+  cheerOf,
+  CHEERS,
+  MAX_SPECTATORS,
+  whyNoSeat,
+  type Cheer,
+  type CheerKind,
+} from './tournament/watching.ts';
 export { RoomRefusal, type Asker, type RoomEvent } from './tournament/room-event.ts';

@@ -42,6 +42,7 @@ const nothing: Check = () => true;
 
 const CHECKS: Record<PhoneWish['type'], Check> = {
   join: text('name'),
+  watch: text('name'),
   leave: nothing,
   away: nothing,
   back: nothing,
@@ -51,6 +52,7 @@ const CHECKS: Record<PhoneWish['type'], Check> = {
   proceed: nothing,
   kick: whole('seat'),
   lead: whole('seat'),
+  dismiss: text('key'),
   lock: flag('on'),
   'hide-code': flag('on'),
   'set-teams': whole('teams'),

@@ -3,7 +3,9 @@ import { takesAnswers, type RoundState } from '../../modules/index.ts';
 import {
   gameOf,
   nextRoom,
+  type Cheer,
   type GameId,
+  type Player,
   type Room,
   type RoomEvent,
   type Seat,
@@ -13,7 +15,15 @@ import { PhotoBoard } from '../photos/photo-board.ts';
 import type { Photo } from '../photos/photo.ts';
 import { readJson } from '../read-json.ts';
 import type { RoomView } from '../room-view.ts';
-import { phoneOf, ROOM_TOPIC, ROUND_TOPIC, SEATS_TOPIC, settingTopic } from '../topics.ts';
+import {
+  LIVE_TOPIC,
+  phoneOf,
+  ROOM_TOPIC,
+  ROUND_TOPIC,
+  SEATS_TOPIC,
+  settingTopic,
+} from '../topics.ts';
+import { Audience } from './audience.ts';
 import { DelayWatch } from './delay-watch.ts';
 import { GameSessions } from './game-sessions.ts';
 import { EMPTY_MEMORY, type HostStorage } from './host-memory.ts';
@@ -30,6 +40,8 @@ export interface PartyHostListener {
   handleState?(game: GameId, state: RoundState): void;
   /** The photos that are shown, by client id. */
   handlePhotos?(photos: ReadonlyMap<string, Photo>): void;
+  /** Somebody cheers. */
+  handleCheer?(cheer: Cheer): void;
   /** Another screen has taken over: this one leads no longer. */
   handleSuperseded?(byId: string): void;
   /** Something failed that the host should know, one sentence. */
@@ -65,6 +77,7 @@ export class PartyHost {
   readonly #delays: DelayWatch;
   readonly #rounds: RoundLeader;
   readonly #wishes: PhoneWishes;
+  readonly #audience: Audience;
   readonly #ends: (() => void)[] = [];
   #room: Room;
   #savedRoom: Room | undefined;
@@ -93,6 +106,12 @@ export class PartyHost {
       { client, drawByte, handleState: (game, next) => this.#handleState(game, next) },
       { ...(round && { round }), ...(state && { state }) },
     );
+    this.#audience = new Audience({
+      client,
+      nowMs: () => this.#nowMs(),
+      room: () => this.#room,
+      handleCheer: (cheer) => options.listener.handleCheer?.(cheer),
+    });
     this.#wishes = new PhoneWishes({
       client,
       drawByte,
@@ -126,6 +145,7 @@ export class PartyHost {
   async start(): Promise<void> {
     const client = this.#client;
     const wishes = this.#wishes.open();
+    const audience = this.#audience.open();
     const here = client.subscribe({ glob: '/*/party/here' }, { format: 'double' });
     here.onRecord(({ topic, value }) => {
       const key = phoneOf(topic, 'here');
@@ -138,16 +158,22 @@ export class PartyHost {
     });
     this.#ends.push(
       () => wishes.close(),
+      () => audience.close(),
       () => void here.close(),
       () => void rooms.close(),
       stopState,
       this.#options.clock.every(TICK_MS, () => this.#tick()),
       this.#delays.start(),
     );
-    await Promise.all([wishes.ready, here.ready, rooms.ready]);
+    await Promise.all([wishes.ready, audience.ready, here.ready, rooms.ready]);
     await this.#adopt();
     await this.#handleConnected();
     this.#tell();
+  }
+
+  /** How many cheers came too fast, and were not shown. */
+  get droppedCheers(): number {
+    return this.#audience.dropped;
   }
 
   /** What the host does by itself; what the phones of leaders do comes as wishes. @throws RoomRefusal */
@@ -193,7 +219,13 @@ export class PartyHost {
   /** Ends the party: sessions, and what the topics say. */
   async end(): Promise<void> {
     this.close();
-    const topics = [ROOM_TOPIC, ROUND_TOPIC, SEATS_TOPIC, ...settingTopicsOf(this.#room)];
+    const topics = [
+      ROOM_TOPIC,
+      ROUND_TOPIC,
+      SEATS_TOPIC,
+      LIVE_TOPIC,
+      ...settingTopicsOf(this.#room),
+    ];
     for (const topic of topics) this.#client.endTopic(topic);
     this.#options.storage.save(EMPTY_MEMORY);
     await this.#sessions.removeAll();
@@ -210,8 +242,8 @@ export class PartyHost {
 
   #handleHere(key: string, lagMs: number): void {
     this.#presence.hear(key, lagMs, this.#nowMs());
-    const player = this.#room.players.find((one) => one.key === key);
-    if (player?.awaySinceMs !== undefined) this.apply({ type: 'back', key });
+    const one = peopleOf(this.#room).find((other) => other.key === key);
+    if (one?.awaySinceMs !== undefined) this.apply({ type: 'back', key });
   }
 
   /** Another big screen says that it leads: the last one who began does. */
@@ -261,6 +293,7 @@ export class PartyHost {
     if (game === undefined) return;
     if (room.phase === 'explanation') {
       this.#rounds.clear();
+      this.#audience.clear();
       this.#listenTo(game);
       void this.#sessions.open(game).then(() => this.#tell());
     }
@@ -269,6 +302,7 @@ export class PartyHost {
     if (room.phase === 'lobby' || room.phase === 'end') {
       this.#photos.close();
       this.#rounds.clear();
+      this.#audience.clear();
       void this.#sessions.removeAll();
     }
   }
@@ -285,6 +319,7 @@ export class PartyHost {
 
   #handleState(game: GameId, state: RoundState): void {
     this.#options.listener.handleState?.(game, state);
+    this.#audience.handleState(game, state);
     if (this.#room.phase === 'countdown') this.apply({ type: 'time' });
     if (state.isOver && this.#room.phase === 'play')
       this.apply({ type: 'round-over', places: state.places });
@@ -293,7 +328,7 @@ export class PartyHost {
 
   #tick(): void {
     const nowMs = this.#nowMs();
-    for (const { key, awaySinceMs } of this.#room.players) {
+    for (const { key, awaySinceMs } of peopleOf(this.#room)) {
       if (key === undefined || awaySinceMs !== undefined) continue;
       if (!this.#presence.isHere(key, nowMs)) this.apply({ type: 'away', key });
     }
@@ -332,6 +367,12 @@ export class PartyHost {
     });
   }
 }
+
+/** All who may be away: players, bots and spectators. */
+const peopleOf = ({
+  players,
+  spectators,
+}: Room): readonly Pick<Player, 'key' | 'awaySinceMs'>[] => [...players, ...spectators];
 
 /** The first value of a topic; undefined when none comes in time. */
 async function firstOf(

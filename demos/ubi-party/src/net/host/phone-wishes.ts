@@ -81,6 +81,7 @@ export class PhoneWishes {
         return { type: 'hand-over', key: owner, to: key };
       }
       case 'join':
+      case 'watch':
       case 'leave':
       case 'away':
       case 'back':

@@ -1,18 +1,27 @@
-/** Wishes that a phone may have at once, and then a second. */
-const AT_ONCE = 10;
-const PER_SECOND = 5;
 const MOST_PHONES = 128;
+
+/** How much a phone may send at once, and then a second. */
+export interface Rate {
+  readonly atOnce: number;
+  readonly perSecond: number;
+}
 
 /** Holds back who asks too often; the others are not affected. */
 export class RequestLimit {
   readonly #left = new Map<string, { left: number; atMs: number }>();
+  readonly #rate: Rate;
+
+  constructor(rate: Rate = { atOnce: 10, perSecond: 5 }) {
+    this.#rate = rate;
+  }
 
   isAllowed(key: string, nowMs: number): boolean {
+    const { atOnce, perSecond } = this.#rate;
     const known = this.#left.get(key);
     if (!known && this.#left.size >= MOST_PHONES) this.#left.clear();
     const left = known
-      ? Math.min(AT_ONCE, known.left + ((nowMs - known.atMs) / 1000) * PER_SECOND)
-      : AT_ONCE;
+      ? Math.min(atOnce, known.left + ((nowMs - known.atMs) / 1000) * perSecond)
+      : atOnce;
     this.#left.set(key, { left: left < 1 ? left : left - 1, atMs: nowMs });
     return left >= 1;
   }

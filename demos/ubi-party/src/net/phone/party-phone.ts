@@ -1,27 +1,21 @@
-import type { Clock, RegisteredDevice, UbiiClient } from '@ubii/client-web';
+import type { Clock, Subscription, UbiiClient } from '@ubii/client-web';
 import type { PhoneFacts, PhoneLink } from './phone-link.ts';
-import type { Answer, Feedback } from '../../sim/index.ts';
+import { toRoom, type Answer, type CheerKind, type Feedback } from '../../sim/index.ts';
+import { readLiveRound, type LiveRound } from '../live-round.ts';
 import type { HostReply, PhoneRequest, PhoneWish } from '../messages.ts';
 import type { Photo } from '../photos/photo.ts';
 import { ShownPhoto } from '../photos/shown-photo.ts';
 import { readJson } from '../read-json.ts';
 import type { RoomView } from '../room-view.ts';
-import { PHONE_COMPONENTS, PHONE_DEVICE, phoneTopic, ROOM_TOPIC } from '../topics.ts';
+import { LIVE_TOPIC, PHONE_COMPONENTS, phoneTopic, ROOM_TOPIC } from '../topics.ts';
+import { PhoneDevices } from './phone-devices.ts';
 
 /** A phone says once a second that it is there. */
 const HERE_MS = 1000;
 const ANSWER_WITHIN_MS = 5000;
+const CHEER_STANDS_MS = 1000;
 
 const NO_ANSWER = 'The big screen does not answer. Is its page still open?';
-
-const components = (Object.keys(PHONE_COMPONENTS) as (keyof typeof PHONE_COMPONENTS)[]).map(
-  (name) => ({
-    name,
-    ...PHONE_COMPONENTS[name],
-    topic: (clientId: string) => phoneTopic(clientId, name),
-    tags: ['party'],
-  }),
-);
 
 interface Waiting {
   resolve(reply: HostReply): void;
@@ -36,11 +30,13 @@ export class PartyPhone implements PhoneLink {
   readonly #listeners = new Set<() => void>();
   readonly #waiting = new Map<number, Waiting>();
   readonly #shownPhoto: ShownPhoto;
+  readonly #devices: PhoneDevices;
   readonly #ends: (() => void)[] = [];
   #number = 0;
   #view: RoomView | undefined;
   #feedback: Feedback | undefined;
-  #device: RegisteredDevice | undefined;
+  #live: LiveRound | undefined;
+  #lives: Subscription<'string'> | undefined;
   #isSeen = true;
   #steered = { x: 0, y: 0 };
 
@@ -49,6 +45,7 @@ export class PartyPhone implements PhoneLink {
     this.#client = client;
     this.#clock = clock;
     this.#shownPhoto = new ShownPhoto(client, clock);
+    this.#devices = new PhoneDevices(client);
     // Of another start of the page, numbers go on: an old answer is for nobody
     this.#number = Math.floor(clock.nowMs());
   }
@@ -56,12 +53,8 @@ export class PartyPhone implements PhoneLink {
   /** Registers the device and follows the room. */
   async start(): Promise<void> {
     const client = this.#client;
-    this.#device = (await client.registerDevice({
-      name: PHONE_DEVICE,
-      components,
-      tags: ['party'],
-    })) as unknown as RegisteredDevice;
-    this.#ends.push(() => void this.#device?.close());
+    await this.#devices.open();
+    this.#ends.push(() => this.#devices.close());
     this.#follow(client.id);
     this.#ends.push(
       client.onIdentityChange(({ clientId }) => this.#follow(clientId)),
@@ -69,20 +62,20 @@ export class PartyPhone implements PhoneLink {
       client.onRoundTrip(() => this.#changed()),
       this.#clock.every(HERE_MS, () => this.#sayHere()),
     );
-    this.steer(0, 0);
-    this.press(false);
     this.#sayHere();
   }
 
   get facts(): PhoneFacts {
     const { status } = this.#client.state;
     const { id } = this.#client;
-    const me = this.#view?.room.players.find(({ key }) => key === id);
-    const { phase } = this.#view?.room ?? {};
+    const { room, round } = this.#view ?? {};
+    const me = room?.players.find(({ key }) => key === id);
     return {
       view: this.#view,
       me,
-      feedback: phase === 'play' && me?.isWaiting === false ? this.#feedback : undefined,
+      spectator: room?.spectators.find(({ key }) => key === id),
+      feedback: room?.phase === 'play' && me?.isWaiting === false ? this.#feedback : undefined,
+      live: round && this.#live?.id === round.id ? this.#live : undefined,
       link: status === 'connected' ? 'connected' : status === 'connecting' ? 'connecting' : 'lost',
       lagMs: this.#client.roundTrip?.lastMs,
       nowMs: () => this.#client.masterTime.nowMs(),
@@ -112,16 +105,19 @@ export class PartyPhone implements PhoneLink {
   }
 
   steer(x: number, y: number): void {
+    if (!this.#devices.isSeated) return;
     this.#steered = { x, y };
     this.#publish('stick', { x, y });
   }
 
   press(isDown: boolean): void {
+    if (!this.#devices.isSeated) return;
     if (isDown) this.#publish('pressed', this.#client.masterTime.nowMs());
     this.#publish('button', isDown);
   }
 
   answer({ text, score, atMs, area }: Answer): void {
+    if (!this.#devices.isSeated) return;
     this.#publish('answer', {
       id: text,
       pose: area && { position: { x: area.x, y: area.y } },
@@ -131,7 +127,15 @@ export class PartyPhone implements PhoneLink {
   }
 
   showPhoto(photo: Photo | undefined): void {
-    this.#shownPhoto.show(photo);
+    if (this.#devices.isSeated || !photo) this.#shownPhoto.show(photo);
+  }
+
+  cheer(kind: CheerKind): void {
+    // It is of the moment: a big screen that comes later does not show it
+    this.#client.publish(phoneTopic(this.#client.id, 'cheer'), 'string', kind, {
+      immediate: true,
+      expiryMs: CHEER_STANDS_MS,
+    });
   }
 
   /** The page is seen, or is not: who does not look at it is away, and steers nothing. */
@@ -167,8 +171,9 @@ export class PartyPhone implements PhoneLink {
     rooms.onRecord(({ value }) => {
       const view = readJson<RoomView>(value);
       if (!Array.isArray(view?.room?.players)) return;
-      this.#view = view as RoomView;
+      this.#view = { ...(view as RoomView), room: toRoom(view.room) };
       this.#shownPhoto.setHidden(this.#view.hiddenPhotos);
+      this.#handleStanding();
       this.#changed();
     });
     const feedback = client.subscribe(phoneTopic(clientId, 'feedback'), { format: 'string' });
@@ -185,8 +190,32 @@ export class PartyPhone implements PhoneLink {
     });
     this.#stopFollowing = () => {
       for (const one of [rooms, feedback, replies]) void one.close();
+      void this.#lives?.close();
+      this.#lives = undefined;
     };
     if (this.#ends.length === 1) this.#ends.push(() => this.#stopFollowing?.());
+  }
+
+  /** What a phone sends and follows depends on whether it plays. */
+  #handleStanding(): void {
+    const { me, spectator } = this.facts;
+    if (this.#devices.setSeated(me !== undefined)) {
+      if (me) {
+        this.steer(0, 0);
+        this.press(false);
+      } else {
+        this.#shownPhoto.show(undefined);
+      }
+    }
+    const isWatching = spectator !== undefined || me?.isWaiting === true;
+    if (isWatching === (this.#lives !== undefined)) return;
+    void this.#lives?.close();
+    this.#lives = isWatching ? this.#client.subscribe(LIVE_TOPIC, { format: 'string' }) : undefined;
+    this.#live = undefined;
+    this.#lives?.onRecord(({ value }) => {
+      this.#live = readLiveRound(value);
+      this.#changed();
+    });
   }
 
   #handleReply(reply: HostReply): void {

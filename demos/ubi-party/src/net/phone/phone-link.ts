@@ -1,4 +1,5 @@
-import type { Answer, Feedback, Player } from '../../sim/index.ts';
+import type { Answer, CheerKind, Feedback, Player, Spectator } from '../../sim/index.ts';
+import type { LiveRound } from '../live-round.ts';
 import type { PhoneWish } from '../messages.ts';
 import type { Photo } from '../photos/photo.ts';
 import type { RoomView } from '../room-view.ts';
@@ -9,6 +10,10 @@ export interface PhoneFacts {
   readonly view: RoomView | undefined;
   /** The player of this phone; undefined before it has joined, and after it was removed. */
   readonly me: Player | undefined;
+  /** This phone, while it watches without a seat. */
+  readonly spectator: Spectator | undefined;
+  /** The running round; undefined while there is none, and for who plays it. */
+  readonly live: LiveRound | undefined;
   /** Undefined while no round is played by this player. */
   readonly feedback: Feedback | undefined;
   readonly link: 'connecting' | 'connected' | 'lost';
@@ -32,6 +37,8 @@ export interface PhoneLink {
   steer(x: number, y: number): void;
   /** The button goes down or up. */
   press(isDown: boolean): void;
+  /** A reaction for the big screen; too many are dropped. */
+  cheer(kind: CheerKind): void;
   /** Publishes what the phone found. @param answer with its time in milliseconds since the Unix epoch, master's clock */
   answer(answer: Answer): void;
   /** The photo that the player shows on the big screen now. @param photo undefined: none any more */

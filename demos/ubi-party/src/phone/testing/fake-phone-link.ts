@@ -1,9 +1,10 @@
-import type { Photo, PhoneWish, RoundView } from '../../net/index.ts';
+import type { LiveRound, Photo, PhoneWish, RoundView } from '../../net/index.ts';
 import {
   EMPTY_ROOM,
   nextRoom,
   type Answer,
   type Asker,
+  type CheerKind,
   type Feedback,
   type Room,
   type RoomEvent,
@@ -17,6 +18,7 @@ export interface FakeParty {
   readonly room: Room;
   readonly round?: RoundView;
   readonly feedback?: Feedback;
+  readonly live?: LiveRound;
   readonly link: PhoneFacts['link'];
   readonly lagMs?: number;
 }
@@ -28,6 +30,7 @@ export class FakePhoneLink implements PhoneLink {
   /** What was sent while playing, in its order: steering or a press. */
   readonly sent: ({ readonly x: number; readonly y: number } | boolean)[] = [];
   readonly answers: Answer[] = [];
+  readonly cheers: CheerKind[] = [];
   /** What was shown on the big screen, in its order; undefined: none any more. */
   readonly photos: (Photo | undefined)[] = [];
   readonly #listeners = new Set<() => void>();
@@ -41,11 +44,13 @@ export class FakePhoneLink implements PhoneLink {
   }
 
   get facts(): PhoneFacts {
-    const { room, round, feedback, link, lagMs } = this.party;
+    const { room, round, feedback, live, link, lagMs } = this.party;
     const me = room.players.find(({ key }) => key === KEY);
     return {
       view: { room, hostId: 'host', lags: {}, ...(round && { round }) },
       me,
+      spectator: room.spectators.find(({ key }) => key === KEY),
+      live,
       feedback,
       link,
       lagMs,
@@ -96,6 +101,10 @@ export class FakePhoneLink implements PhoneLink {
     this.sent.push(isDown);
   }
 
+  cheer(kind: CheerKind): void {
+    this.cheers.push(kind);
+  }
+
   answer(answer: Answer): void {
     this.answers.push(answer);
   }
@@ -113,6 +122,7 @@ function eventOf(wish: Exclude<PhoneWish, { type: 'offer' | 'take' }>): RoomEven
   const by: Asker = { key: KEY };
   switch (wish.type) {
     case 'join':
+    case 'watch':
     case 'leave':
     case 'away':
     case 'back':
@@ -121,6 +131,7 @@ function eventOf(wish: Exclude<PhoneWish, { type: 'offer' | 'take' }>): RoomEven
     case 'proceed':
     case 'kick':
     case 'lead':
+    case 'dismiss':
     case 'lock':
     case 'hide-code':
     case 'set-teams':

@@ -4,6 +4,7 @@ import { COUNTDOWN_MS, isPace, readingMs, type Pace } from './pace.ts';
 import { gameOf, playersOf, type Phase, type Room } from './room.ts';
 import { RoomRefusal, type Asker, type RoomEvent } from './room-event.ts';
 import { setSetting } from './room-settings.ts';
+import { watch, withoutSpectators } from './watching.ts';
 import { fill, handOver, join, remove, removeLongAway, setAway, setReady } from './seating.ts';
 
 export const MIN_PLAYERS = 2;
@@ -19,8 +20,13 @@ export function nextRoom(room: Room, event: RoomEvent, nowMs: number): Room {
   switch (event.type) {
     case 'join':
       return join(room, event.key, event.name);
+    case 'watch':
+      return watch(room, event.key, event.name);
     case 'leave':
-      return remove(room, (player) => player.key === event.key);
+      return withoutSpectators(
+        remove(room, (player) => player.key === event.key),
+        ({ key }) => key === event.key,
+      );
     case 'away':
       return setAway(room, event.key, nowMs);
     case 'back':
@@ -43,6 +49,8 @@ function lead(room: Room, event: Extract<RoomEvent, { by: Asker }>, nowMs: numbe
   switch (event.type) {
     case 'kick':
       return remove(room, ({ seat }) => seat === event.seat);
+    case 'dismiss':
+      return withoutSpectators(room, ({ key }) => key === event.key);
     case 'lead':
       if (!room.players.some(({ seat, key }) => seat === event.seat && key !== undefined))
         throw new RoomRefusal('No player has this seat.');

@@ -7,7 +7,8 @@ export type Asker = 'host' | { readonly key: string };
 /** What happens to a room. */
 export type RoomEvent =
   | { readonly type: 'join'; readonly key: string; readonly name: string }
-  /** Deliberate; the seat is free at once. */
+  | { readonly type: 'watch'; readonly key: string; readonly name: string }
+  /** Deliberate: gives the seat back at once, or watches no longer. */
   | { readonly type: 'leave'; readonly key: string }
   /** Its connection was lost, or it is there again. */
   | { readonly type: 'away' | 'back'; readonly key: string }
@@ -15,6 +16,8 @@ export type RoomEvent =
   | { readonly type: 'hand-over'; readonly key: string; readonly to: string }
   | { readonly type: 'ready'; readonly key: string; readonly isReady: boolean }
   | { readonly type: 'kick' | 'lead'; readonly by: Asker; readonly seat: Seat }
+  /** Removes somebody who watches. */
+  | { readonly type: 'dismiss'; readonly by: Asker; readonly key: string }
   | { readonly type: 'lock' | 'hide-code'; readonly by: Asker; readonly on: boolean }
   | { readonly type: 'set-teams'; readonly by: Asker; readonly teams: number }
   | { readonly type: 'set-games'; readonly by: Asker; readonly games: readonly string[] }

@@ -16,6 +16,15 @@ export interface Player {
   readonly points: number;
 }
 
+/** A person without a seat who watches on a phone. */
+export interface Spectator {
+  /** The client of the phone. */
+  readonly key: string;
+  readonly name: string;
+  /** As of a player. */
+  readonly awaySinceMs?: number;
+}
+
 export const PHASES = ['lobby', 'explanation', 'countdown', 'play', 'podium', 'end'] as const;
 export type Phase = (typeof PHASES)[number];
 
@@ -33,6 +42,8 @@ export interface Room {
   /** When the phase ends by itself, milliseconds since the Unix epoch, master's clock. */
   readonly endsAtMs?: number;
   readonly players: readonly Player[];
+  /** They do not count: neither for rounds nor for who is ready. */
+  readonly spectators: readonly Spectator[];
   /** Who leads with the phone: the first who joined, or whom the host or the leader names. */
   readonly leader?: Seat;
   readonly isLocked: boolean;
@@ -51,6 +62,7 @@ export interface Room {
 export const EMPTY_ROOM: Room = {
   phase: 'lobby',
   players: [],
+  spectators: [],
   isLocked: false,
   isCodeHidden: false,
   teams: 0,

@@ -1,29 +1,32 @@
 import type { Seat } from '../game.ts';
 import { identityOf, MAX_SEATS } from '../seats/identity.ts';
+import { distinctName, toName } from './names.ts';
 import type { Player, Room } from './room.ts';
 import { RoomRefusal } from './room-event.ts';
+import { whyNoSeat, withoutSpectators } from './watching.ts';
 
 /** A seat is kept so long for who is away, milliseconds. */
 export const KEPT_FOR_MS = 2 * 60_000;
-const MAX_NAME = 16;
 
 /** Who has a seat already gets that one; a new player gets the first free one, or that of a bot. */
 export function join(room: Room, key: string, name: string): Room {
   if (room.players.some((player) => player.key === key)) {
     return setAway(changed(room, key, { name: toName(name) }), key, undefined);
   }
-  if (room.isLocked) throw new RoomRefusal('The game is locked. Ask the host to let you in.');
-  const seat = freeSeat(room) ?? room.players.find((player) => player.key === undefined)?.seat;
-  if (seat === undefined) throw new RoomRefusal(`All ${MAX_SEATS} seats are taken.`);
+  const refusal = whyNoSeat(room);
+  if (refusal !== undefined) throw new RoomRefusal(refusal);
+  const seat = freeSeat(room) ?? room.players.find((player) => player.key === undefined)!.seat;
+  const taken = room.players.map((player) => player.name);
   const player: Player = {
     seat,
     key,
-    name: distinctName(room, toName(name) || identityOf(seat).letter),
+    name: distinctName(taken, toName(name) || identityOf(seat).letter),
     isReady: false,
     isWaiting: room.phase !== 'lobby' && room.phase !== 'end',
     points: 0,
   };
-  return seated({ ...room, leader: room.leader ?? seat }, player);
+  const others = withoutSpectators(room, (one) => one.key === key);
+  return seated({ ...others, leader: room.leader ?? seat }, player);
 }
 
 /** Who leads hands on to the next person who is there. */
@@ -38,18 +41,20 @@ export function remove(room: Room, isGone: (player: Player) => boolean): Room {
 }
 
 export function removeLongAway(room: Room, nowMs: number): Room {
-  const isGone = ({ awaySinceMs }: Player): boolean =>
+  const isGone = ({ awaySinceMs }: Pick<Player, 'awaySinceMs'>): boolean =>
     awaySinceMs !== undefined && nowMs - awaySinceMs >= KEPT_FOR_MS;
-  return room.players.some(isGone) ? remove(room, isGone) : room;
+  const left = room.players.some(isGone) ? remove(room, isGone) : room;
+  return withoutSpectators(left, isGone);
 }
 
 export function setAway(room: Room, key: string, sinceMs: number | undefined): Room {
-  const players = room.players.map((player) => {
-    if (player.key !== key) return player;
-    const { awaySinceMs, ...rest } = player;
-    return sinceMs === undefined ? rest : { ...rest, awaySinceMs: awaySinceMs ?? sinceMs };
-  });
-  return { ...room, players };
+  const change = <One extends Pick<Player, 'key' | 'awaySinceMs'>>(one: One): One => {
+    if (one.key !== key) return one;
+    const { awaySinceMs, ...rest } = one;
+    const away = sinceMs === undefined ? {} : { awaySinceMs: awaySinceMs ?? sinceMs };
+    return { ...rest, ...away } as One;
+  };
+  return { ...room, players: room.players.map(change), spectators: room.spectators.map(change) };
 }
 
 export function setReady(room: Room, key: string, isReady: boolean): Room {
@@ -61,7 +66,8 @@ export function handOver(room: Room, key: string, to: string): Room {
     throw new RoomRefusal('Another phone has this seat.');
   if (room.players.some((player) => player.key === to))
     throw new RoomRefusal('This phone has a seat already. Leave it first.');
-  return setAway(changed(room, key, { key: to }), to, undefined);
+  const others = withoutSpectators(room, (one) => one.key === to);
+  return setAway(changed(others, key, { key: to }), to, undefined);
 }
 
 /** @param players how many shall play in all; more than there are is filled with bots, fewer removes bots */
@@ -91,16 +97,4 @@ function changed(room: Room, key: string, change: Partial<Player>): Room {
     player.key === key ? { ...player, ...change } : player,
   );
   return { ...room, players };
-}
-
-/** Without control characters and space around it, short enough for a sign under a piece. */
-function toName(text: string): string {
-  return [...text.replace(/[\p{C}\s]+/gu, ' ').trim()].slice(0, MAX_NAME).join('');
-}
-
-function distinctName({ players }: Room, name: string): string {
-  const names = new Set(players.map((player) => player.name));
-  let distinct = name;
-  for (let number = 2; names.has(distinct); number += 1) distinct = `${name} ${number}`;
-  return distinct;
 }
