@@ -33,6 +33,7 @@ export function usePartyHost() {
   const views = new Set<NonNullable<PartyHostListener['handleView']>>();
   const states = new Set<NonNullable<PartyHostListener['handleState']>>();
 
+  const cheers = new Set<NonNullable<PartyHostListener['handleCheer']>>();
   const photos = new Set<NonNullable<PartyHostListener['handlePhotos']>>();
 
   const open = (): PartyHost =>
@@ -44,6 +45,7 @@ export function usePartyHost() {
       listener: {
         handleView: (view) => views.forEach((fn) => fn(view)),
         handleState: (game, state) => states.forEach((fn) => fn(game, state)),
+        handleCheer: (cheer) => cheers.forEach((fn) => fn(cheer)),
         handlePhotos: (now) => photos.forEach((fn) => fn(now)),
         handleSuperseded: () => (isSuperseded.value = true),
         handleTrouble: (sentence) => (trouble.value = sentence),
@@ -74,6 +76,13 @@ export function usePartyHost() {
     onState(fn) {
       states.add(fn);
       return () => states.delete(fn);
+    },
+    onCheer(fn) {
+      cheers.add(fn);
+      return () => cheers.delete(fn);
+    },
+    get droppedCheers() {
+      return host.value.droppedCheers;
     },
     apply(event) {
       try {

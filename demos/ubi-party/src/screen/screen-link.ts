@@ -1,6 +1,6 @@
 import type { RoundState } from '../modules/index.ts';
 import type { Photo, RoomView } from '../net/index.ts';
-import type { GameId, RoomEvent, Seat } from '../sim/index.ts';
+import type { Cheer, GameId, RoomEvent, Seat } from '../sim/index.ts';
 
 /** What the big screen follows and does; a `PartyHost` behind it. */
 export interface ScreenLink {
@@ -12,6 +12,10 @@ export interface ScreenLink {
   onView(fn: (view: RoomView) => void): () => void;
   /** Calls for each state of the round, 60 times a second. @returns ends it */
   onState(fn: (game: GameId, state: RoundState) => void): () => void;
+  /** Calls when somebody cheers. @returns ends it */
+  onCheer(fn: (cheer: Cheer) => void): () => void;
+  /** How many cheers came too fast, and were not shown. */
+  readonly droppedCheers: number;
   /** @returns why nothing changed, a sentence; undefined when it did */
   apply(event: RoomEvent): string | undefined;
   /** A code with which another phone takes the seat over; undefined for a bot. */

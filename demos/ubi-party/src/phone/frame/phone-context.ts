@@ -1,6 +1,6 @@
 import { computed, inject, onScopeDispose, shallowRef, triggerRef, type ComputedRef } from 'vue';
 import type { InjectionKey, ShallowRef } from 'vue';
-import type { Player, Room } from '../../sim/index.ts';
+import type { Player, Room, Spectator } from '../../sim/index.ts';
 import type { PhoneWish, RoundView } from '../../net/index.ts';
 import type { PhoneFacts, PhoneLink } from '../../net/phone/phone-link.ts';
 
@@ -9,6 +9,7 @@ export interface PhoneContext {
   readonly link: PhoneLink;
   readonly facts: Readonly<ShallowRef<PhoneFacts>>;
   readonly me: ComputedRef<Player | undefined>;
+  readonly spectator: ComputedRef<Spectator | undefined>;
   readonly room: ComputedRef<Room | undefined>;
   readonly round: ComputedRef<RoundView | undefined>;
   /** The leader's phone leads the game. */
@@ -34,6 +35,7 @@ export function createPhoneContext(link: PhoneLink): PhoneContext {
     link,
     facts,
     me,
+    spectator: computed(() => facts.value.spectator),
     room,
     round: computed(() => facts.value.view?.round),
     isLeader: computed(() => me.value !== undefined && room.value?.leader === me.value.seat),

@@ -1,30 +1,37 @@
 import { shallowRef, watch } from 'vue';
-import type { Player, Room } from '../../sim/index.ts';
+import type { Player, Room, Spectator } from '../../sim/index.ts';
 import type { PhoneContext } from './phone-context.ts';
 import { removalOf, type Removal } from './which-screen.ts';
 
-/** Notices how this phone loses its seat: given back by the player, or for a reason to tell. */
-export function useSeat({ facts, me, room }: PhoneContext) {
+/** Notices how this phone loses its seat, or its place to watch: given back by the player, or for a reason to tell. */
+export function useSeat({ facts, me, spectator, room }: PhoneContext) {
   const removal = shallowRef<Removal>();
   let isLeaving = false;
   let last: Player | undefined;
+  let lastWatching: Spectator | undefined;
   /** As it was when the connection was lost; the same one is no news after it. */
   let roomAtLoss: Room | undefined;
 
   watch(
-    [me, () => facts.value.link, room] as const,
-    ([player, link, now]) => {
+    [me, () => facts.value.link, room, spectator] as const,
+    ([player, link, now, watching]) => {
       if (link === 'lost') roomAtLoss = now;
-      if (player) {
+      if (player ?? watching) {
         last = player;
+        lastWatching = watching;
         if (link === 'connected' && now !== roomAtLoss) roomAtLoss = undefined;
         removal.value = undefined;
         isLeaving = false;
         return;
       }
-      if (!last || !now || link === 'lost') return;
-      removal.value = isLeaving ? undefined : removalOf(now, last, roomAtLoss !== undefined);
+      if (!(last ?? lastWatching) || !now || link === 'lost') return;
+      const wasLost = roomAtLoss !== undefined;
+      // Who was away for long while watching comes in again at the door
+      const dismissal = wasLost ? undefined : 'dismissed';
+      const reason = last ? removalOf(now, last, wasLost) : dismissal;
+      removal.value = isLeaving ? undefined : reason;
       last = undefined;
+      lastWatching = undefined;
     },
     { immediate: true, flush: 'sync' },
   );

@@ -44,6 +44,12 @@ test('phone without a seat joins, or learns why it has none', () => {
   expect(screenOf({ view: view('play'), me: undefined }, 'removed')).toBe('removed');
 });
 
+test('phone without a seat watches in every phase', () => {
+  const spectator = { key: 'b', name: 'Wim' };
+  for (const phase of PHASES)
+    expect(screenOf({ view: view(phase), me: undefined, spectator })).toBe('watch');
+});
+
 test('seat that another phone has now was taken over', () => {
   const room = { ...EMPTY_ROOM, players: [{ ...ME, key: 'b' }] };
   expect(removalOf(room, ME, false)).toBe('taken-over');

@@ -2,16 +2,20 @@ import type { Player, Room } from '../../sim/index.ts';
 import type { PhoneFacts } from '../../net/phone/phone-link.ts';
 
 export type ScreenName =
-  'join' | 'removed' | 'lobby' | 'explanation' | 'play' | 'waiting' | 'result';
+  'join' | 'removed' | 'watch' | 'lobby' | 'explanation' | 'play' | 'waiting' | 'result';
 
-/** Why a phone has no seat any more. */
-export type Removal = 'taken-over' | 'timed-out' | 'removed';
+/** Why a phone has no seat any more, or watches no longer. */
+export type Removal = 'taken-over' | 'timed-out' | 'removed' | 'dismissed';
 
 /**
  * @param lost why the phone lost a seat that it had and did not give back; undefined: it had none
  */
-export function screenOf(facts: Pick<PhoneFacts, 'view' | 'me'>, lost?: Removal): ScreenName {
-  const { view, me } = facts;
+export function screenOf(
+  facts: Pick<PhoneFacts, 'view' | 'me'> & Partial<Pick<PhoneFacts, 'spectator'>>,
+  lost?: Removal,
+): ScreenName {
+  const { view, me, spectator } = facts;
+  if (view && !me && spectator) return 'watch';
   if (!view || !me) return lost ? 'removed' : 'join';
   const { phase } = view.room;
   if (phase === 'lobby') return 'lobby';

@@ -30,7 +30,7 @@ export interface Controls {
 export const CONTROLS: InjectionKey<Controls> = Symbol('controls');
 
 interface ControlOptions {
-  readonly link: PhoneLink;
+  readonly link: Pick<PhoneLink, 'steer' | 'press'>;
   readonly controller: MaybeRefOrGetter<Controller>;
   readonly settings: MaybeRefOrGetter<PhoneSettings>;
   readonly tilt: Tilt;

@@ -93,11 +93,14 @@ test('lost connection is told beside the pads, and its return too', async () => 
   expect(page.text).toContain('Connected again.');
 });
 
-test('late joiner sees what is played and the table', () => {
+test('late joiner sees what is played, who plays it, and the table', async () => {
   const { room, ...round } = inRound('race');
   const players = room.players.map((one) => ({ ...one, isWaiting: one.seat === 1, points: 4 }));
-  page.open({ ...round, room: { ...room, players } });
+  const results = [{ game: 'hill', places: [[0], [2]], points: { 0: 10, 2: 8 } }];
+  page.open({ ...round, room: { ...room, players, results, games: ['hill', 'race'] } });
   expect(page.text).toContain('2 play Marble Dash now. You play from the next game on.');
+  expect(page.get('.player-table').findAll('li')).toHaveLength(2);
+  await page.button('Show the tournament').trigger('click');
   expect(page.get('.place-table').findAll('li')).toHaveLength(3);
 });
 

@@ -1,6 +1,7 @@
 import { createApp } from 'vue';
 import { PartyPhone } from '../index.ts';
 import { nextRoom, type Phase, type Room } from '../../sim/index.ts';
+import type { LiveRound } from '../../net/index.ts';
 import { FakePhoneLink, FEEDBACK, roomWith, type FakeParty } from './fake-phone-link.ts';
 
 /** Each screen by `?screen=hill&seat=1`; `&lost`, `&lag=148` and what else a party has. */
@@ -30,8 +31,24 @@ function played(phase: Phase, games: readonly string[]): Room {
   return { ...next, phase };
 }
 
+const LIVE = (seats: readonly number[]): LiveRound => ({
+  id: 'r1',
+  headline: 'Lap 2 of 3',
+  corner: { value: '14', label: 'seconds left' },
+  rows: seats.map((one, at) => ({
+    ...{ seat: one, place: at + 1, isOut: at > 3 },
+    note: at === 0 ? 'leads' : at > 3 ? 'out' : `+${(at * 0.8).toFixed(1)} s`,
+  })),
+});
+
 const SCREENS: Readonly<Record<string, () => Partial<FakeParty>>> = {
-  join: () => ({ room: { ...room, players: room.players.filter((one) => one.seat !== seat) } }),
+  join: () => ({
+    room: {
+      ...room,
+      players: room.players.filter((one) => one.seat !== seat),
+      isLocked: query.has('locked'),
+    },
+  }),
   connecting: () => ({ link: 'connecting' }),
   away: () => {
     const players = room.players.filter((one) => one.seat !== seat);
@@ -91,14 +108,40 @@ const SCREENS: Readonly<Record<string, () => Partial<FakeParty>>> = {
       },
     },
   }),
+  watch: () => {
+    const phase = (query.get('phase') ?? 'play') as Phase;
+    const key = 'this-phone';
+    const players = room.players.filter((one) => one.seat !== seat);
+    const isOver = phase === 'podium' || phase === 'end';
+    const party = playing(query.get('game') ?? 'race', phase);
+    const base = isOver ? played(phase, ['race', 'hill']) : party.room!;
+    return {
+      ...party,
+      room: {
+        ...base,
+        players: base.players.filter((one) => isOver || players.includes(one)),
+        spectators: [{ key, name: 'Wim' }],
+        isLocked: query.has('locked'),
+      },
+      live: LIVE(players.map((one) => one.seat)),
+    };
+  },
+  lead: () => ({
+    room: {
+      ...room,
+      leader: seat,
+      spectators: ['Wim', 'Guest'].map((name) => ({ key: name, name })),
+    },
+  }),
   waiting: () => {
-    const party = playing('race', 'play');
+    const party = playing(query.get('game') ?? 'race', 'play');
     const players = room.players.map((one, at) => ({
       ...one,
       points: (at * 7) % 12,
       isWaiting: one.seat === seat,
     }));
-    return { ...party, room: { ...party.room!, players } };
+    const seats = players.map((one) => one.seat).filter((one) => one !== seat);
+    return { ...party, room: { ...party.room!, players }, live: LIVE(seats) };
   },
   podium: () => ({ room: played('podium', ['race', 'hill']) }),
   end: () => ({ room: played('end', ['race']) }),

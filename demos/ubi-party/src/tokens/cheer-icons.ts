@@ -1,0 +1,13 @@
+import { Heart, PartyPopper, Star, ThumbsUp } from '@lucide/vue';
+import type { Component } from 'vue';
+import type { CheerKind } from '../sim/index.ts';
+
+/** How a cheer looks, and its word. */
+export const CHEER_LOOKS: Readonly<
+  Record<CheerKind, { readonly icon: Component; readonly word: string }>
+> = {
+  nice: { icon: ThumbsUp, word: 'Nice' },
+  love: { icon: Heart, word: 'Love it' },
+  great: { icon: Star, word: 'Great' },
+  hooray: { icon: PartyPopper, word: 'Hooray' },
+};
