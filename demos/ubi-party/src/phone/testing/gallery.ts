@@ -119,7 +119,9 @@ const SCREENS: Readonly<Record<string, () => Partial<FakeParty>>> = {
       ...party,
       room: {
         ...base,
-        players: base.players.filter((one) => isOver || players.includes(one)),
+        players: isOver
+          ? base.players.map((one) => (one.seat === seat ? { ...one, key: 'other' } : one))
+          : players,
         spectators: [{ key, name: 'Wim' }],
         isLocked: query.has('locked'),
       },

@@ -38,7 +38,7 @@ export function watchSentence(room: Room, game: string | undefined, playing: num
     case 'countdown':
       return `${title} starts now with ${count}.`;
     case 'play':
-      return `${title} with ${count}.`;
+      return `${count} ${playing === 1 ? 'is' : 'are'} playing.`;
     case 'podium':
       return next === undefined ? 'That was the last game.' : `Next: ${next}.`;
     case 'end':
