@@ -83,7 +83,7 @@ test('spectator stops watching without a word, and learns of a removal', async (
   await flushPromises();
   link.happens({ type: 'dismiss', by: 'host', key: 'this-phone' });
   await flushPromises();
-  expect(page.get('h1').text()).toBe('You watch no longer');
+  expect(page.get('h1').text()).toBe('You are no longer watching');
 });
 
 test('cheers go out one at a time, and the focus stays', async () => {

@@ -32,7 +32,7 @@ export function watchSentence(room: Room, game: string | undefined, playing: num
   const count = playing === 1 ? '1 player' : `${playing} players`;
   switch (room.phase) {
     case 'lobby':
-      return playing === 0 ? 'Nobody plays yet.' : `${count}. The game has not started.`;
+      return playing === 0 ? 'No players yet.' : `${count}. The game has not started.`;
     case 'explanation':
       return `${title} starts soon with ${count}.`;
     case 'countdown':

@@ -12,7 +12,7 @@ export const raceGame: Game<RaceState, RaceSettings> = {
   explanation: [
     'Steer by tilting the phone, or with your thumb. The cart drives by itself.',
     'Chevrons boost you. Press when the pad is full for a boost of your own.',
-    'Who leaves the track is put back. When the first has finished, time runs for the others.',
+    'Who leaves the track is put back. When the first has finished, the others have a time limit.',
   ],
   controller: { steering: 'wheel', button: 'Boost', isHeld: false },
   settings: { speed: 1, grip: 1, gravity: 1 },
