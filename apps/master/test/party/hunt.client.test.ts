@@ -99,6 +99,8 @@ describe('a photo hunt', () => {
     const userDataJson = JSON.stringify({ score: 0.9, atMs: theo.phone.facts.nowMs() });
     theo.client.publish(phoneTopic(theo.client.id, 'answer'), 'object2D', {
       id: label,
+      pose: undefined,
+      size: undefined,
       userDataJson,
     });
     await party.pass(200);
