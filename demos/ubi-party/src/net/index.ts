@@ -1,6 +1,7 @@
 export { gameSession } from './host/game-session.ts';
 export type { HostMemory, HostStorage } from './host/host-memory.ts';
-export { PartyHost, type PartyHostListener, type PartyHostOptions } from './host/party-host.ts';
+export { PartyHost } from './host/party-host.ts';
+export type { PartyHostListener, PartyHostOptions } from './host/party-host-options.ts';
 export type { LiveRound, LiveRow } from './live-round.ts';
 export type * from './messages.ts';
 export { MAX_PHOTO_BYTES, MAX_PHOTO_SIDE, type HiddenPhotos, type Photo } from './photos/photo.ts';

@@ -1,9 +1,8 @@
-import type { Clock, UbiiClient } from '@ubii/client-web';
+import type { UbiiClient } from '@ubii/client-web';
 import { takesAnswers, type RoundState } from '../../modules/index.ts';
 import {
   gameOf,
   nextRoom,
-  type Cheer,
   type GameId,
   type Player,
   type Room,
@@ -12,8 +11,6 @@ import {
   toRoom,
 } from '../../sim/index.ts';
 import { PhotoBoard } from '../photos/photo-board.ts';
-import type { Photo } from '../photos/photo.ts';
-import { readJson } from '../read-json.ts';
 import type { RoomView } from '../room-view.ts';
 import {
   LIVE_TOPIC,
@@ -26,43 +23,17 @@ import {
 import { Audience } from './audience.ts';
 import { DelayWatch } from './delay-watch.ts';
 import { GameSessions } from './game-sessions.ts';
-import { EMPTY_MEMORY, type HostStorage } from './host-memory.ts';
+import { EMPTY_MEMORY } from './host-memory.ts';
+import type { PartyHostOptions } from './party-host-options.ts';
 import { PhoneWishes } from './phone-wishes.ts';
 import { Presence } from './presence.ts';
+import { roomOfBefore } from './room-of-before.ts';
+import { RoomTeller } from './room-teller.ts';
 import { RoundLeader } from './round-leader.ts';
 import { publishSettings, settingTopicsOf } from './setting-topics.ts';
 
-/** What the big screen follows. */
-export interface PartyHostListener {
-  /** The room, the round or the lags changed. */
-  handleView?(view: RoomView): void;
-  /** The newest state of the round, 60 times a second. */
-  handleState?(game: GameId, state: RoundState): void;
-  /** The photos that are shown, by client id. */
-  handlePhotos?(photos: ReadonlyMap<string, Photo>): void;
-  /** Somebody cheers. */
-  handleCheer?(cheer: Cheer): void;
-  /** Another screen has taken over: this one leads no longer. */
-  handleSuperseded?(byId: string): void;
-  /** Something failed that the host should know, one sentence. */
-  handleTrouble?(sentence: string): void;
-}
-
-export interface PartyHostOptions {
-  readonly client: UbiiClient;
-  readonly clock: Clock;
-  readonly storage: HostStorage;
-  /** A random integer from 0 to 255. */
-  readonly drawByte: () => number;
-  readonly listener: PartyHostListener;
-}
-
 const TICK_MS = 250;
-/** The room is told again so often: who joins late, and another screen, see that it is led. */
-const TELL_AGAIN_MS = 2000;
 const SAVE_STATE_MS = 1000;
-/** A value that the master has comes right after the subscription. */
-const ADOPT_WITHIN_MS = 500;
 
 /**
  * Leads a party: knows the room, starts the session of each game, and tells everybody. It is where the big screen is,
@@ -75,14 +46,13 @@ export class PartyHost {
   readonly #photos: PhotoBoard;
   readonly #presence = new Presence();
   readonly #delays: DelayWatch;
+  readonly #teller: RoomTeller;
   readonly #rounds: RoundLeader;
   readonly #wishes: PhoneWishes;
   readonly #audience: Audience;
   readonly #ends: (() => void)[] = [];
   #room: Room;
   #savedRoom: Room | undefined;
-  #toldAtMs = -Infinity;
-  #toldText = '';
   #savedAtMs = -Infinity;
   #isClosed = false;
 
@@ -102,6 +72,14 @@ export class PartyHost {
     const { client, clock, drawByte } = options;
     const keys = (): string[] => this.#room.players.flatMap(({ key }) => key ?? []);
     this.#delays = new DelayWatch({ client, clock, keys });
+    this.#teller = new RoomTeller({
+      client,
+      nowMs: () => this.#nowMs(),
+      handleSuperseded: (byId) => {
+        this.close();
+        options.listener.handleSuperseded?.(byId);
+      },
+    });
     this.#rounds = new RoundLeader(
       { client, drawByte, handleState: (game, next) => this.#handleState(game, next) },
       { ...(round && { round }), ...(state && { state }) },
@@ -151,8 +129,7 @@ export class PartyHost {
       const key = phoneOf(topic, 'here');
       if (key !== undefined) this.#handleHere(key, value);
     });
-    const rooms = client.subscribe(ROOM_TOPIC, { format: 'string' });
-    rooms.onRecord(({ value }) => this.#handleRoomOfOthers(value));
+    const rooms = this.#teller.open();
     const stopState = client.onState(({ status }) => {
       if (status === 'connected') void this.#handleConnected();
     });
@@ -160,7 +137,7 @@ export class PartyHost {
       () => wishes.close(),
       () => audience.close(),
       () => void here.close(),
-      () => void rooms.close(),
+      () => rooms.close(),
       stopState,
       this.#options.clock.every(TICK_MS, () => this.#tick()),
       this.#delays.start(),
@@ -246,22 +223,11 @@ export class PartyHost {
     if (one?.awaySinceMs !== undefined) this.apply({ type: 'back', key });
   }
 
-  /** Another big screen says that it leads: the last one who began does. */
-  #handleRoomOfOthers(text: string): void {
-    const hostId = readJson<RoomView>(text)?.hostId;
-    if (typeof hostId !== 'string' || hostId === this.#client.id || text === this.#toldText) return;
-    // What an earlier screen left behind comes once, before this one has told anything
-    if (this.#toldText === '') return;
-    this.close();
-    this.#options.listener.handleSuperseded?.(hostId);
-  }
-
   /** A screen that knows of no party goes on with the one that another screen has led. */
   async #adopt(): Promise<void> {
     if (this.#room.players.length > 0) return;
-    const found = await firstOf(this.#client, ROOM_TOPIC, this.#options.clock, ADOPT_WITHIN_MS);
-    const view = found === undefined ? undefined : readJson<RoomView>(found);
-    if (!Array.isArray(view?.room?.players) || view.room.players.length === 0) return;
+    const view = await roomOfBefore(this.#client, this.#options.clock);
+    if (!view) return;
     this.#room = toRoom(view.room);
     this.#rounds.adopt(view.round);
   }
@@ -338,19 +304,12 @@ export class PartyHost {
     this.#tell();
   }
 
-  /** What changed is told at once, and all of it now and then. */
   #tell(): void {
     if (this.#isClosed) return;
     this.#rounds.tellSeats(this.#room, (key) => this.#delays.delays.of(key));
     this.#rounds.setSession((game) => this.#sessions.idOf(game));
     const view = this.view;
-    const text = JSON.stringify(view);
-    const nowMs = this.#nowMs();
-    if (text === this.#toldText && nowMs - this.#toldAtMs < TELL_AGAIN_MS) return;
-    this.#toldText = text;
-    this.#toldAtMs = nowMs;
-    this.#client.publish(ROOM_TOPIC, 'string', text);
-    this.#options.listener.handleView?.(view);
+    if (this.#teller.tell(view)) this.#options.listener.handleView?.(view);
   }
 
   #save(): void {
@@ -373,19 +332,3 @@ const peopleOf = ({
   players,
   spectators,
 }: Room): readonly Pick<Player, 'key' | 'awaySinceMs'>[] => [...players, ...spectators];
-
-/** The first value of a topic; undefined when none comes in time. */
-async function firstOf(
-  client: UbiiClient,
-  topic: string,
-  clock: Clock,
-  withinMs: number,
-): Promise<string | undefined> {
-  const subscription = client.subscribe(topic, { format: 'string' });
-  const value = await new Promise<string | undefined>((resolve) => {
-    clock.after(withinMs, () => resolve(undefined));
-    subscription.onRecord(({ value: first }) => resolve(first));
-  });
-  await subscription.close();
-  return value;
-}

@@ -94,6 +94,8 @@ const link: ScreenLink = {
   onView: (fn) => (onViews.push(fn), nothing),
   onState: (fn) => (onStates.push(fn), nothing),
   onPhotos: () => nothing,
+  onCheer: () => nothing,
+  droppedCheers: 0,
   apply: () => undefined,
   offerSeat: () => 'K7MX',
   setSetting: nothing,
