@@ -175,7 +175,7 @@ describe('the list of things that can be found', () => {
     await party.world.restart();
     await party.pass(8000);
     party.memory = undefined;
-    await party.openScreen(createMemoryIdentity());
+    await party.openScreen({ identity: createMemoryIdentity() });
     expect(Object.keys(party.room.settings.hunt ?? {})).toHaveLength(others.length);
     await startHunt();
     expect(hunt().hunt!.label).toBe('cup');

@@ -1,3 +1,4 @@
+import { standInRows } from '../stand-in-rows.ts';
 import { placeOf, type Feedback } from '../feedback.ts';
 import { placesByScore, STEPS_PER_SECOND, STEP_S, withPace } from '../game.ts';
 import type { Controls, Game, Seat, WithPace } from '../game.ts';
@@ -81,18 +82,8 @@ export const quizGame: Game<QuizState, { readonly speed: number }> = {
     return { x: isThinking ? 0 : isSure === isTrue ? 1 : -1, y: 0, isPressed: false };
   },
   pieces: ({ answerers }) =>
-    answerers.map(({ seat, x }, index) => ({ seat, ...standOf(x, index, answerers.length) })),
+    answerers.map(({ seat, x }, index) => ({ seat, ...standInRows(x, index, answerers.length) })),
 };
-
-/** All stand in rows of a block, which parts to both sides: nobody hides another. */
-function standOf(x: number, index: number, of: number) {
-  const perRow = of <= 4 ? 2 : of <= 12 ? 4 : 6;
-  const rows = Math.ceil(of / perRow);
-  const [row, column] = [Math.floor(index / perRow), index % perRow];
-  const aside = (column + (row % 2 === 0 ? 0.25 : -0.25) - (perRow - 1) / 2) * (7.2 / perRow);
-  const deep = Math.min(4.6, 11 / Math.max(1, rows - 1));
-  return { x: x * 0.83 + aside, y: -8.5 + row * deep, isOut: false };
-}
 
 /** Steps to answer, and of a whole question with its result. */
 const stepsOf = ({ pace = 1 }: WithPace) => ({ answer: ANSWER * pace, question: QUESTION * pace });
