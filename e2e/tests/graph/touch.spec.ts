@@ -111,6 +111,49 @@ test('a topic of the palette is dragged onto an input with a finger', async ({ r
   await expect(value).toHaveAccessibleName(/1 connected/);
 });
 
+test('on a phone, a session that runs is touched below its list', async ({ room, master }) => {
+  const { page } = await room.withPhone('Ines');
+  const fingers = await Fingers.on(page);
+  await page.goto(`/sessions/${await aSession(master, 'position-color')}/graph`);
+  const list = page.getByRole('list', { name: 'Nodes of the graph' });
+  const position = list.getByRole('button', { name: /^Input position/ });
+  const pad = page.getByRole('application', { name: 'Touch pad' });
+
+  await test.step('the pad opens with the start, and nothing is wrong', async () => {
+    await position.tap();
+    await page.getByRole('option', { name: /^touch_position/ }).tap();
+    await list.getByRole('button', { name: /^Output color/ }).tap();
+    await page.getByRole('combobox', { name: 'Find source or topic' }).fill('/colour');
+    await page.getByRole('option', { name: 'New topic /colour' }).tap();
+    await page.getByRole('button', { name: /^(Save and start|Start)$/ }).tap();
+    await expect(pad).toBeVisible();
+    await expect(pad).toContainText('Touch here');
+    await expect(position).toContainText('not touched');
+    await expect(page.getByRole('button', { name: /problem/ })).toBeHidden();
+  });
+
+  await test.step('a touch gives a colour', async () => {
+    await fingers.tapOn(pad);
+    await expect(position).toContainText('0.500, 0.500');
+    await expect(pad).not.toContainText('Touch here');
+    await expect(list.getByRole('button', { name: /^Output color/ })).toContainText(/\d\.\d \d/);
+  });
+
+  await test.step('the phone stays touchable in the graph view', async () => {
+    await page.getByRole('button', { name: 'Show as a graph' }).tap();
+    await expect(pad).toBeVisible();
+    await expect(page.getByRole('group', { name: /touch_position/ }).first()).toContainText('0.500');
+    await page.getByRole('button', { name: 'Show as a list' }).tap();
+  });
+
+  await test.step('a closed pad is no problem', async () => {
+    await page.getByRole('button', { name: 'Close the pad' }).tap();
+    await expect(pad).toBeHidden();
+    await expect(position).toContainText('not touched');
+    await expect(page.getByRole('button', { name: /problem/ })).toBeHidden();
+  });
+});
+
 test('on a phone, modules are added, bound and started in the list', async ({ room, master }) => {
   const wave = await room.program('wave');
   wave.publish('/wave/height', 'double', 4);

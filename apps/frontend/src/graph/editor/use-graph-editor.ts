@@ -8,12 +8,14 @@ import type { NodeResize } from '../canvas/frames/node-resize.ts';
 import type { KeyWalk } from '../canvas/keys/key-walk.ts';
 import type { WirePoints } from '../canvas/points/wire-points.ts';
 import type { LiveGraph } from '../live/live-graph.ts';
+import type { OwnPad } from '../live/own-pad.ts';
 import type { GraphEditor } from './graph-editor.ts';
 
 /** What the parts of the editor share. */
 export interface GraphContext {
   readonly editor: GraphEditor;
   readonly live: LiveGraph;
+  readonly pad: OwnPad;
 }
 
 /** What the views on the canvas share besides. */

@@ -3,11 +3,25 @@ import { phoneTopicTags } from './phone-topics.ts';
 
 const SMART_DEVICE_PATH = '/devices/smart-device';
 
-/** What to do for a topic of this browser's smart device on which nothing is sent; undefined for other topics. */
-export function ownTopicRemedy(topic: string, ownId: string): Remedy | undefined {
+/**
+ * What to do for a topic of this browser's smart device on which nothing is sent; undefined for other topics.
+ * @param openPad opens the touch pad of the page, where it has one
+ */
+export function ownTopicRemedy(
+  topic: string,
+  ownId: string,
+  openPad?: () => void,
+): Remedy | undefined {
   const tags = phoneTopicTags(topic, ownId);
   if (tags === undefined) return undefined;
   const name = topic.slice(topic.lastIndexOf('/') + 1);
+  if (openPad !== undefined && tags.includes('touch')) {
+    return {
+      message: `Nothing is sent to ${name} yet. Open the touch pad below, and touch it.`,
+      text: 'Open the touch pad',
+      run: openPad,
+    };
+  }
   return {
     message: `Nothing is sent to ${name}. Open Smart device and ${deed(tags)}: it sends while its page is open.`,
     text: 'Open Smart device',

@@ -5,8 +5,14 @@ import { runningWriters } from '../../sessions/words/shared-topics.ts';
 import type { GraphEditor } from '../editor/graph-editor.ts';
 import { sameValue } from '../model/changes/same-value.ts';
 import { graphProblems, type GraphProblems } from '../model/live/graph-problems.ts';
-import { isMissing, type GraphProblem, type Surroundings } from '../model/live/own-problems.ts';
+import {
+  isMissing,
+  type GraphProblem,
+  type Remedy,
+  type Surroundings,
+} from '../model/live/own-problems.ts';
 import type { ModuleNode } from '../model/graph.ts';
+import type { OwnPad } from './own-pad.ts';
 import { ownTopicRemedy } from './own-topic-remedy.ts';
 
 /** What is wrong in the graph, for the views that show it at its place. */
@@ -23,8 +29,15 @@ const PROBLEMS: InjectionKey<LiveProblems> = Symbol('graph problems');
 const NONE: readonly GraphProblem[] = [];
 
 /** Watches a graph for problems, for all views below. */
-export function provideGraphProblems(editor: GraphEditor, library: ModuleLibrary): LiveProblems {
+export function provideGraphProblems(
+  editor: GraphEditor,
+  library: ModuleLibrary,
+  pad: OwnPad,
+): LiveProblems {
   const { client, nodes, sessions } = useConnection();
+  const openPad = (): void => void (pad.isOpen.value = true);
+  const remedyOf = (topic: string): Remedy | undefined =>
+    ownTopicRemedy(topic, client.id, pad.isOffered.value ? openPad : undefined);
   const around = computed((): Surroundings => {
     const list = nodes.list.value;
     const entries = library.entries.value;
@@ -34,7 +47,6 @@ export function provideGraphProblems(editor: GraphEditor, library: ModuleLibrary
       modules: entries && new Set([...entries.map(({ module }) => module.name), ...offered]),
       nodes: list && new Set([...available, client.id]),
       writers: runningWriters(sessions.list.value ?? [], editor.session.value.id),
-      remedyOf: (topic) => ownTopicRemedy(topic, client.id),
     };
   });
   /** Lists come every few seconds; only what they say differently counts. */
@@ -42,7 +54,11 @@ export function provideGraphProblems(editor: GraphEditor, library: ModuleLibrary
     before !== undefined && isSame(before, around.value) ? before : around.value,
   );
   const problems = computed(() =>
-    graphProblems(editor.graph.value, editor.session.value, settled.value),
+    graphProblems(editor.graph.value, editor.session.value, {
+      ...settled.value,
+      remedyOf,
+      isResting: (topic) => pad.isResting(topic),
+    }),
   );
   const live: LiveProblems = {
     problems,

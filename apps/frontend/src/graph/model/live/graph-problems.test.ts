@@ -115,6 +115,13 @@ describe('problems the master tells', () => {
     expect(ofPort.get('module:a in:i')).toMatchObject([{ message: 'Touch the pad.', remedy }]);
   });
 
+  it('leave out a topic that merely rests', () => {
+    const isResting = (topic: string) => topic === '/in';
+    const { all, ofPort } = graphProblems(graphOf(session), session, { ...AROUND, isResting });
+    expect(all.map(({ code }) => code)).toEqual(['node_gone']);
+    expect(ofPort.size).toBe(0);
+  });
+
   it('come errors first, also those of the session as a whole', () => {
     const { all } = graphProblems(graphOf(session), session, AROUND);
     expect(all.map(({ message }) => message)).toEqual(['All is lost.', 'No client publishes.']);

@@ -46,11 +46,11 @@ export function graphProblems(
   };
 }
 
-/** Undefined when it has been dealt with since: the wire it was about is gone. */
+/** Undefined when it has been dealt with since: the wire it was about is gone, or its topic only rests. */
 function toldProblem(
   graph: Graph,
   placed: PlacedProblem,
-  { remedyOf }: Surroundings,
+  { remedyOf, isResting }: Surroundings,
 ): GraphProblem | undefined {
   const { problem, node, port, wires } = placed;
   const { code, isError, message, path } = problem;
@@ -59,6 +59,7 @@ function toldProblem(
     if (wiresAt(graph, { node, port }).length === 0) return undefined;
   }
   const topic = code === 'topic_without_record' ? sourceTopic(graph, wires) : undefined;
+  if (topic !== undefined && isResting?.(topic) === true) return undefined;
   const remedy = topic === undefined ? undefined : remedyOf?.(topic);
   const told = { code, isError, message, node, port, wires };
   return remedy === undefined ? told : { ...told, message: remedy.message, remedy };

@@ -5,14 +5,15 @@ import { wiresOf } from '../wires-of.ts';
 import { cyclesIn } from './cycles.ts';
 import { writtenElsewhere, type OtherWriters } from './other-sessions.ts';
 
-/** What ends a problem, on another page. */
+/** What ends a problem, on another page or on this one. */
 export interface Remedy {
   /** What is wrong and what to do, in place of the message of the problem. */
   readonly message: string;
-  /** Of the link. */
+  /** Of the link or button. */
   readonly text: string;
-  /** Path of the page. */
-  readonly to: string;
+  /** Path of the page; undefined: `run` does it here. */
+  readonly to?: string;
+  readonly run?: () => void;
 }
 
 /** Something wrong in a graph, at its place. */
@@ -43,6 +44,8 @@ export interface Surroundings {
   readonly writers: OtherWriters;
   /** What to do for a topic on which nothing is sent. */
   readonly remedyOf?: (topic: string) => Remedy | undefined;
+  /** Whether a topic without a value only waits for a finger: no problem. */
+  readonly isResting?: (topic: string) => boolean;
 }
 
 /** What can be seen to be wrong before the master has seen it. */
