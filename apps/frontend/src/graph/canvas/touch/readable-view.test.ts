@@ -16,3 +16,7 @@ it('leaves what can be read, and wide screens, as they are', () => {
     readableView({ x: 0, y: 0, k: 0.3 }, undefined, { width: 390, height: 700 }),
   ).toBeUndefined();
 });
+
+it('shows all of a small graph, whose output would else be cut off', () => {
+  expect(readableView({ x: 0, y: 0, k: 0.6 }, BOX, { width: 390, height: 700 })).toBeUndefined();
+});

@@ -3,8 +3,10 @@ import type { Box, View } from '../stage-view.ts';
 
 /** Phones are narrower than this, pixels. */
 const NARROW_PX = 760;
-/** Rows and values can be read from this zoom on. */
+/** Rows and values can be read well from this zoom on. */
 const READABLE_ZOOM = 0.7;
+/** Smaller than this, seeing all of a graph is worth less than reading its beginning. */
+const WHOLE_ZOOM = 0.5;
 const MARGIN = 24;
 /** What lies over the top of the canvas, pixels. */
 const TOP = 76;
@@ -14,7 +16,7 @@ const TOP = 76;
  * @param view shows all of it; undefined: that can be read
  */
 export function readableView(view: View, box: Box | undefined, { width }: Size): View | undefined {
-  if (box === undefined || width === 0 || width >= NARROW_PX || view.k >= READABLE_ZOOM)
+  if (box === undefined || width === 0 || width >= NARROW_PX || view.k >= WHOLE_ZOOM)
     return undefined;
   return {
     k: READABLE_ZOOM,
