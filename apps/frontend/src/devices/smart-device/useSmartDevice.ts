@@ -23,6 +23,7 @@ import { useDeviceHealth } from '../sensors/useDeviceHealth.ts';
 import { useLocation } from '../sensors/useLocation.ts';
 import { useMicrophoneLevel } from '../sensors/useMicrophoneLevel.ts';
 import { useMotionSensors } from '../sensors/useMotionSensors.ts';
+import { SentRecords, type SentRate } from '../sensors/sent-records.ts';
 import { useStayAwake } from '../sensors/useStayAwake.ts';
 import { useDevice } from '../use-device.ts';
 import { SMART_DEVICE, SMART_DEVICE_COMPONENTS } from './components.ts';
@@ -31,6 +32,8 @@ import { Reading } from './reading.ts';
 
 /** How often people are shown what the sensors say, milliseconds. The sensors have their own rates. */
 const READOUT_MS = 100;
+/** How often people are shown how much is sent, milliseconds. */
+const SENT_MS = 1000;
 /** How often a finger that rests is said again, milliseconds: else it would look like one that left. */
 const RESTING_TOUCH_MS = 500;
 /** How long the page flashes where a device cannot vibrate, milliseconds at least. */
@@ -99,6 +102,14 @@ export function useSmartDevice() {
     },
   });
 
+  const sentRecords = new SentRecords(performance.now());
+  const sent = shallowRef<SentRate>({ perSecond: 0, line: [] });
+  const publish: typeof device.publish = (component, value, options) => {
+    if (isConnected.value && device.isRegistered.value) sentRecords.note();
+    device.publish(component, value, options);
+  };
+  useIntervalFn(() => (sent.value = sentRecords.sample(performance.now())), SENT_MS);
+
   let angles: EulerAngles | undefined;
   let zero: { readonly angles: EulerAngles; readonly turn: Quaternion } | undefined;
   const isCalibrated = shallowRef(false);
@@ -108,18 +119,15 @@ export function useSmartDevice() {
       const nowMs = performance.now();
       if (isWhole(acceleration)) {
         const { x, y, z } = acceleration;
-        device.publish(
-          'web-component-linear-acceleration',
-          readings.linear.note({ x, y, z }, nowMs),
-        );
+        publish('web-component-linear-acceleration', readings.linear.note({ x, y, z }, nowMs));
       }
       if (isWhole(accelerationIncludingGravity)) {
         const { x, y, z } = accelerationIncludingGravity;
-        device.publish('acceleration', readings.acceleration.note({ x, y, z }, nowMs));
+        publish('acceleration', readings.acceleration.note({ x, y, z }, nowMs));
       }
       if (rotationRate?.alpha != null && rotationRate.beta != null && rotationRate.gamma != null) {
         const { alpha: x, beta: y, gamma: z } = rotationRate;
-        device.publish('rotation_rate', readings.rotationRate.note({ x, y, z }, nowMs));
+        publish('rotation_rate', readings.rotationRate.note({ x, y, z }, nowMs));
       }
     },
     orientation({ alpha, beta, gamma }) {
@@ -128,23 +136,23 @@ export function useSmartDevice() {
         calibratedAngles(angles, zero?.angles),
         performance.now(),
       );
-      device.publish('web-component-orientation', now);
+      publish('web-component-orientation', now);
       const turn = quaternionOf(angles);
-      device.publish('orientation_quaternion', zero ? turnSince(zero.turn, turn) : turn);
+      publish('orientation_quaternion', zero ? turnSince(zero.turn, turn) : turn);
     },
     compass(heading) {
-      device.publish('compass', readings.compass.note(heading, performance.now()));
+      publish('compass', readings.compass.note(heading, performance.now()));
     },
   });
   const microphone = useMicrophoneLevel((level) =>
-    device.publish('microphone_level', readings.microphone.note(level, performance.now())),
+    publish('microphone_level', readings.microphone.note(level, performance.now())),
   );
   const location = useLocation((place) =>
-    device.publish('location', readings.location.note(place, performance.now())),
+    publish('location', readings.location.note(place, performance.now())),
   );
   const health = useDeviceHealth({
-    battery: (level) => device.publish('battery', level),
-    visible: (isVisible) => device.publish('visible', isVisible, { immediate: true }),
+    battery: (level) => publish('battery', level),
+    visible: (isVisible) => publish('visible', isVisible, { immediate: true }),
   });
   // A master that was restarted knows nothing of it, and nothing may change for hours.
   watch([isConnected, device.isRegistered], (both) => both.every(Boolean) && health.tell());
@@ -153,7 +161,7 @@ export function useSmartDevice() {
 
   let restingAt: Vector2 | undefined;
   useIntervalFn(() => {
-    if (restingAt) device.publish('touch_position', restingAt);
+    if (restingAt) publish('touch_position', restingAt);
   }, RESTING_TOUCH_MS);
 
   useIntervalFn(() => {
@@ -163,6 +171,8 @@ export function useSmartDevice() {
 
   return {
     isRegistered: device.isRegistered,
+    /** What this device sends. */
+    sent,
     readings,
     outputs,
     motion,
@@ -179,21 +189,21 @@ export function useSmartDevice() {
     touch(events: TouchEventMessage[], first: Vector2 | undefined): void {
       // Starts and ends must not wait for more of their kind.
       const immediate = events.some(({ type }) => type !== TouchType.TOUCH_MOVE);
-      device.publish('web-component-touch', { elements: events }, { immediate });
+      publish('web-component-touch', { elements: events }, { immediate });
       const wasTouched = restingAt !== undefined;
       restingAt = first;
       // After the finger was lifted, no other touch is near.
-      if (!first && wasTouched) device.publish('is_touched', false, { immediate: true });
+      if (!first && wasTouched) publish('is_touched', false, { immediate: true });
       if (!first) return;
-      device.publish('touch_position', first, { immediate });
-      if (!wasTouched) device.publish('is_touched', true, { immediate: true });
+      publish('touch_position', first, { immediate });
+      if (!wasTouched) publish('is_touched', true, { immediate: true });
     },
     press(key: string, isDown: boolean): void {
       const type = isDown ? ButtonEventType.DOWN : ButtonEventType.UP;
-      device.publish('button', { type, key }, { immediate: true });
+      publish('button', { type, key }, { immediate: true });
       if (isDown) vibrate(10);
     },
-    sendText: (text: string) => device.publish('text', text, { immediate: true }),
+    sendText: (text: string) => publish('text', text, { immediate: true }),
     /** What a session would have it do, for trying. */
     testVibration: () => shake(200),
     testTone: () => sound({ x: 660, y: 180, z: 0.5 }),

@@ -1,0 +1,33 @@
+const LINE_SAMPLES = 30;
+
+/** How much is sent now, and was sent in the last samples. */
+export interface SentRate {
+  readonly perSecond: number;
+  /** Records per second of each sample, oldest first. */
+  readonly line: readonly number[];
+}
+
+/** Counts the records that a device sends. */
+export class SentRecords {
+  #count = 0;
+  #sampledMs: number;
+  #line: readonly number[] = [];
+
+  constructor(nowMs: number) {
+    this.#sampledMs = nowMs;
+  }
+
+  /** A record was sent. */
+  note(): void {
+    this.#count += 1;
+  }
+
+  /** Returns the rate since the sample before. */
+  sample(nowMs: number): SentRate {
+    const perSecond = (this.#count * 1000) / Math.max(1, nowMs - this.#sampledMs);
+    this.#count = 0;
+    this.#sampledMs = nowMs;
+    this.#line = [...this.#line.slice(1 - LINE_SAMPLES), perSecond];
+    return { perSecond, line: this.#line };
+  }
+}
