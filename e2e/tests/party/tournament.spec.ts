@@ -134,7 +134,8 @@ test('four phones play a tournament by touch: one reloads, one leaves, one comes
       expect(points).toBe(results.reduce((sum, one) => sum + (one.points[seat] ?? 0), 0));
     }
     const best = [...players].sort((a, b) => b.points - a.points || a.seat - b.seat);
-    expect(await screen.table()).toEqual(best.map(({ name }) => name));
+    // After the replay of the decisive moment
+    await expect.poll(() => screen.table()).toEqual(best.map(({ name }) => name));
     // The podium ends by itself
     await screen.expectPhase('end');
     await expect(screen.page.getByRole('heading', { level: 1 })).toHaveText(/tournament$/);
