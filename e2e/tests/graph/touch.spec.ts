@@ -142,7 +142,9 @@ test('on a phone, a session that runs is touched below its list', async ({ room,
   await test.step('the phone stays touchable in the graph view', async () => {
     await page.getByRole('button', { name: 'Show as a graph' }).tap();
     await expect(pad).toBeVisible();
-    await expect(page.getByRole('group', { name: /touch_position/ }).first()).toContainText('0.500');
+    await expect(page.getByRole('group', { name: /touch_position/ }).first()).toContainText(
+      '0.500',
+    );
     await page.getByRole('button', { name: 'Show as a list' }).tap();
   });
 

@@ -18,5 +18,5 @@ it('leaves what can be read, and wide screens, as they are', () => {
 });
 
 it('shows all of a small graph, whose output would else be cut off', () => {
-  expect(readableView({ x: 0, y: 0, k: 0.6 }, BOX, { width: 390, height: 700 })).toBeUndefined();
+  expect(readableView({ x: 0, y: 0, k: 0.45 }, BOX, { width: 390, height: 700 })).toBeUndefined();
 });

@@ -6,7 +6,7 @@ const NARROW_PX = 760;
 /** Rows and values can be read well from this zoom on. */
 const READABLE_ZOOM = 0.7;
 /** Smaller than this, seeing all of a graph is worth less than reading its beginning. */
-const WHOLE_ZOOM = 0.5;
+const WHOLE_ZOOM = 0.4;
 const MARGIN = 24;
 /** What lies over the top of the canvas, pixels. */
 const TOP = 76;
