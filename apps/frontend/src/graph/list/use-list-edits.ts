@@ -5,7 +5,6 @@ import { useToasts } from '../../ui/toasts/toasts.ts';
 import { useGraphContext } from '../editor/use-graph-editor.ts';
 import { doneLabel } from '../model/commands/done-label.ts';
 import type { GraphCommand } from '../model/commands/graph-command.ts';
-import type { Graph } from '../model/graph.ts';
 
 /** Toasts about what was changed in the list. */
 export const LIST_EDITS = 'list edits';
@@ -15,9 +14,9 @@ export function useListEdits(): (command: GraphCommand) => void {
   const { editor } = useGraphContext();
   const toasts = useToasts();
   const { parts } = useTopicParts();
-  let told: Graph | undefined;
-  // What was taken back, or followed by something else, is not offered to be taken back.
-  watch(editor.graph, (graph) => graph !== told && toasts.leave(LIST_EDITS));
+  // What was taken back, or followed by something else, is not offered to be taken back. At once: later,
+  // other rows of the list would dismiss what this one says.
+  watch(editor.graph, () => toasts.leave(LIST_EDITS), { flush: 'sync' });
   return (command) => {
     const before = editor.graph.value;
     editor.apply(command);
@@ -28,7 +27,6 @@ export function useListEdits(): (command: GraphCommand) => void {
       // Something else may have been done since: only the last step is taken back here.
       if (editor.graph.value === after) editor.undo();
     };
-    told = after;
     const words = replaceClientTopics(doneLabel(label), (topic) => parts(topic).name);
     toasts.show(words, { text: 'Undo', run }, LIST_EDITS);
   };
