@@ -7,7 +7,7 @@ it('follows a fast module from one report to the next', () => {
   expect(rate.take(90, 2000)).toBe(30);
 });
 
-it('does not jump between 0 and 1 for a module that runs less than once a second', () => {
+it('[PM-80] does not jump between 0 and 1 for a module that runs less than once a second', () => {
   const rate = new RunRate(0);
   let runs = 0;
   const rates = Array.from({ length: 20 }, (_one, second) => {
