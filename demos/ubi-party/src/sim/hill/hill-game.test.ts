@@ -105,6 +105,17 @@ describe('King of the Hill', () => {
     expect(hillGame.places(state)).toEqual([[0], [1]]);
   });
 
+  it('puts who stood longer first where nobody had the crown for longer', () => {
+    const state = startHill({ seats: [0, 1, 2, 3], seed: 1 });
+    place(state, 2, PLATFORM_RADIUS + 1, 0);
+    run(state, 1, () => AT_REST);
+    expect(hillGame.places(state)).toEqual([[0, 1, 3], [2]]);
+    expect(hillGame.feedback(state, 2)).toMatchObject({ place: 4, isOut: true });
+    place(state, 1, PLATFORM_RADIUS + 1, 0);
+    run(state, 1, () => AT_REST);
+    expect(hillGame.places(state)).toEqual([[0, 3], [1], [2]]);
+  });
+
   it('loses its rings from the outside in, then shrinks without a pause', () => {
     expect(radiusAt(0)).toBe(PLATFORM_RADIUS);
     for (const { inner, fallsAt } of RINGS) {

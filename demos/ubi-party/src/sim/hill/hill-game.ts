@@ -32,8 +32,14 @@ export const hillGame: Game<HillState, HillSettings> = {
 function places(state: HillState): Places {
   return placesByScore(
     state.pieces.map(({ seat }) => seat),
-    (seat) => scoreOf(state, seat),
+    // Of equal scores, who stood longer is before the other
+    (seat) => scoreOf(state, seat) * (LONGEST + 2) + stoodFor(state, seat),
   );
+}
+
+/** Steps on the platform; who stands has more than everybody who fell. */
+function stoodFor(state: HillState, seat: number): number {
+  return state.pieces.find((one) => one.seat === seat)!.outAt ?? LONGEST + 1;
 }
 
 /** Steps with the crown, with what the last one who stands gets. */
