@@ -22,6 +22,8 @@ const SETTLE_MS = 5000;
 const HOLD_MS = 153;
 const HOLD_FRAMES = 2;
 const LEAST_PRESSES = 8;
+/** The game takes no press of a cart that is being lifted back onto the track: few presses end nowhere. */
+const MOST_UNSEEN = 0.1;
 const PAUSE_MS = 61;
 /** A phone presses again after this: 32 take turns. */
 const GIVE_UP_MS = 10_000;
@@ -51,6 +53,7 @@ export const partyScreen: Workload = {
     figure('mainMs', 'main thread a frame', 'ms', { [UNDRAWN]: 10 }),
     figure('otherMs', 'other threads of the browser a frame', 'ms'),
     figure('masterCores', 'master CPU', 'cores'),
+    figure('unseenShare', 'presses not seen', 'of all'),
   ],
   reference: REFERENCE,
   ...IN_CHROMIUM,
@@ -119,7 +122,7 @@ async function measureScreen(
   const frames = sorted(intervalsMs);
   const frameMs = percentile(frames, 0.5);
   const pictures = sorted(found.map(({ pictureMs }) => pictureMs));
-  const lost = presses.length - found.length;
+  const unseen = presses.length - found.length;
   return {
     figures: {
       frameP50Ms: frameMs,
@@ -132,10 +135,14 @@ async function measureScreen(
       mainMs: mainMs / frames.length,
       otherMs: otherMs / frames.length,
       masterCores: lap.cpuUs / 1000 / durationMs,
+      unseenShare: unseen / presses.length,
     },
     deliveries: found.length,
     otherCpuShare: Math.max(0, lap.otherCpuShare - (mainMs + otherMs) / durationMs),
-    faults: lost > 0 ? [`${lost} of ${presses.length} presses were not seen on the page`] : [],
+    faults:
+      unseen > MOST_UNSEEN * presses.length
+        ? [`${unseen} of ${presses.length} presses were not seen on the page`]
+        : [],
   };
 }
 
