@@ -1,3 +1,4 @@
+import { countLoadedScripts } from '../../fixtures/loaded-scripts.ts';
 import { expect, test } from '../../fixtures/test.ts';
 import { Shell } from '../../pages/shell.ts';
 
@@ -46,23 +47,14 @@ test('home explains the product with a picture until the first session exists', 
 test('a cold load of home takes less than 200 kB of JavaScript, headers included', async ({
   room,
 }) => {
-  const { page, context } = await room.atDesk();
-  const devtools = await context.newCDPSession(page);
-  await devtools.send('Network.enable');
-  const scripts = new Set<string>();
-  let bytes = 0;
-  devtools.on('Network.responseReceived', ({ requestId, type }) => {
-    if (type === 'Script') scripts.add(requestId);
-  });
-  devtools.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => {
-    if (scripts.has(requestId)) bytes += encodedDataLength;
-  });
+  const { page } = await room.atDesk();
+  const bytes = await countLoadedScripts(page);
   await page.goto('/');
   await expect(page.getByRole('region', { name: 'What Ubi-Interact does' })).toBeVisible();
   await expect(page.getByRole('table', { name: 'Clients' }).getByRole('link')).toHaveCount(1);
   await page.waitForLoadState('networkidle');
-  expect(bytes).toBeGreaterThan(100_000);
-  expect(bytes).toBeLessThan(200_000);
+  expect(bytes()).toBeGreaterThan(100_000);
+  expect(bytes()).toBeLessThan(200_000);
 });
 
 test('the first screen of a phone is what it can do here', async ({ room }) => {
