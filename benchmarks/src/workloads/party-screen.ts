@@ -25,8 +25,6 @@ const LEAST_PRESSES = 8;
 /** The game takes no press of a cart that is being lifted back onto the track: few presses end nowhere. */
 const MOST_UNSEEN = 0.1;
 const PAUSE_MS = 61;
-/** A phone presses again after this: 32 take turns. */
-const GIVE_UP_MS = 10_000;
 /** Two programs read the clock of one machine. */
 const CLOCK_MS = 2;
 
@@ -117,7 +115,10 @@ async function measureScreen(
   const scriptMs = (await screen.scriptMs()) - scriptBeganMs;
   const { mainMs, otherMs } = stopCpu();
   const lap = stopLap();
-  const found = presses.flatMap((pressed) => seenOf(pressed, seen));
+  const found = presses.flatMap((pressed, index) => {
+    const again = presses.slice(index + 1).find(({ seat }) => seat === pressed.seat);
+    return seenOf(pressed, seen, again?.atMs ?? Infinity);
+  });
   const sorted = (values: readonly number[]): Float64Array => Float64Array.from(values).sort();
   const frames = sorted(intervalsMs);
   const frameMs = percentile(frames, 0.5);
@@ -181,14 +182,14 @@ async function pressInTurn(
   return presses;
 }
 
-/** From the press to the state at the page, and to the picture; nothing when it was not seen. */
+/** From the press to the state at the page, and to the picture; nothing when it was not seen before this phone pressed again. */
 function seenOf(
   { seat, atMs }: Pressed,
   seen: readonly SeenPress[],
+  untilMs: number,
 ): readonly { readonly arrivalMs: number; readonly pictureMs: number }[] {
   const found = seen.find(
-    (one) =>
-      one.seat === seat && one.arrivedMs >= atMs - CLOCK_MS && one.arrivedMs < atMs + GIVE_UP_MS,
+    (one) => one.seat === seat && one.arrivedMs >= atMs - CLOCK_MS && one.arrivedMs < untilMs,
   );
   if (found?.drawnMs === undefined) return [];
   return [{ arrivalMs: found.arrivedMs - atMs, pictureMs: found.drawnMs - atMs }];

@@ -185,7 +185,7 @@ describe('cheering', () => {
     expect(party.cheers.every(({ key }) => key !== stranger.client.id)).toBe(true);
   });
 
-  it('in the lobby is nothing', async () => {
+  it('does not count in the lobby', async () => {
     const mara = await party.addPhone('Mara');
     mara.phone.cheer('nice');
     await party.pass(200);

@@ -83,9 +83,12 @@ describe('a press in Quick Draw', () => {
 
   it('counts fairly when its packet is suddenly slow, as slow as the lag has varied', async () => {
     let count = 0;
-    const varying = { ...steady(40), toMasterMs: () => 20 + ((count += 1) % 3) * 20 };
+    let isSlow = false;
+    const toMasterMs = (): number => (isSlow ? 60 : 20 + ((count += 1) % 3) * 20);
+    const varying = { ...steady(40), toMasterMs };
     const [mara, theo] = await startDuel(varying, steady(5));
     await waitAfterFlag(200);
+    isSlow = true;
     mara!.phone.press(true);
     await party.pass(25);
     theo!.phone.press(true);

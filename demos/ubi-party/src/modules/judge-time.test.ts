@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { judgeTime, UNKNOWN_DELAY } from './judge-time.ts';
+import { judgeOnce, judgeTime, UNKNOWN_DELAY, type JudgedTime } from './judge-time.ts';
 
 const ARRIVED_MS = 1_000_000;
 const before = (ms: number): number => ARRIVED_MS - ms;
@@ -14,5 +14,14 @@ describe('the time of a press', () => {
     ['is near the arrival while nothing was measured', 400, UNKNOWN_DELAY, UNKNOWN_DELAY.mostMs],
   ])('%s', (_what, claimedAgoMs, delay, judgedAgoMs) => {
     expect(judgeTime(before(claimedAgoMs), ARRIVED_MS, delay)).toBe(before(judgedAgoMs));
+  });
+
+  it('is judged once, whatever is measured afterwards', () => {
+    const judged: Record<number, JudgedTime> = {};
+    const judge = (claimedAgoMs: number, mostMs: number) =>
+      judgeOnce(judged, 3, before(claimedAgoMs), ARRIVED_MS, { leastMs: 0, mostMs });
+    expect(judge(400, 7)).toEqual({ judgedMs: before(7), isNew: true });
+    expect(judge(400, 200)).toEqual({ judgedMs: before(7), isNew: false });
+    expect(judge(50, 200)).toEqual({ judgedMs: before(50), isNew: true });
   });
 });

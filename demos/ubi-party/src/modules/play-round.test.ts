@@ -82,16 +82,6 @@ describe('a run of a module that plays a game', () => {
     it('by its arrival, less what the line takes at least, when a clock is ahead', () => {
       expect(judged([press('mara', -150, 95)])).toEqual({ 0: 24 });
     });
-
-    it('once, whatever is measured afterwards', () => {
-      const pressed = { elements: [press('theo', 30, 50)] };
-      const given = inputs({ seats: told, pressed });
-      run('hill', 60, given);
-      const { dashReadyAt } = run<HillState>('hill', 80, given)!.state.pieces[1]!;
-      const later = text({ ...seats, delays: { 1: { leastMs: 0, mostMs: 200 } } });
-      const { pieces } = run<HillState>('hill', 120, { ...given, seats: later })!.state;
-      expect(pieces[1]!.dashReadyAt).toBe(dashReadyAt);
-    });
   });
 
   it.each([

@@ -64,7 +64,7 @@ export interface RoundOutputs {
 const MOST_STEPS_A_RUN = 12;
 /** Phones are told ten times a second, and at once of a hit. */
 const STEPS_BETWEEN_FEEDBACK = 6;
-/** A press that is older, or says to be so far from its arrival, is none, milliseconds. */
+/** Presses that claim to be further from their arrival do not count, milliseconds. */
 const OLDEST_PRESS_MS = 2000;
 const MOST_SETTING = 5;
 

@@ -14,7 +14,7 @@ const MOST_CHARACTERS = 30;
 const MOST_JSON_CHARACTERS = 200;
 /** A phone may look so long at a photo, milliseconds. */
 const OLDEST_MS = 10_000;
-/** A clock that is further ahead is none. */
+/** Answers from further in the future are left out. */
 const MOST_AHEAD_MS = 2000;
 
 /**

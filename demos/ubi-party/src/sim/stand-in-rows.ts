@@ -1,10 +1,14 @@
+import type { TablePiece } from './game.ts';
+
+type Standing = Omit<TablePiece, 'seat'>;
+
 /**
  * Where a piece stands on a big screen on which all stand in rows of a block that parts to both sides: nobody hides another.
  *
  * @param x from -1 for one side to 1 for the other
  * @param index of the piece, of all that there are
  */
-export function standInRows(x: number, index: number, of: number) {
+export function standInRows(x: number, index: number, of: number): Standing {
   const perRow = of <= 4 ? 2 : of <= 12 ? 4 : 6;
   const rows = Math.ceil(of / perRow);
   const [row, column] = [Math.floor(index / perRow), index % perRow];

@@ -3,7 +3,7 @@ export type Cancel = () => void;
 
 /** Time and the event loop, as the runtime sees them. */
 export interface Clock {
-  /** Milliseconds since the Unix epoch. May jump when the system's clock is set. */
+  /** Milliseconds since the Unix epoch, by the clock of the master [PM-15]. May jump. */
   nowMs(): number;
   /** Milliseconds since an arbitrary moment, never going backwards, with fractions. */
   monotonicMs(): number;

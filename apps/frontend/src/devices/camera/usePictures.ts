@@ -119,10 +119,10 @@ export function usePictures(options: {
 
   // A time without a master, or behind another page, is not the measure of a link, nor of a module.
   const visibility = useDocumentVisibility();
-  watch([isConnected, visibility], () => {
+  watch([isConnected, visibility], ([connected], [wasConnected]) => {
     sent.clear();
     roundTripsMs.length = 0;
-    state = FIRST_STATE;
+    if (connected !== wasConnected) state = FIRST_STATE;
   });
 
   watch(

@@ -10,7 +10,8 @@ export function sessionsReading<S extends Mapped>(
   if (clientId === '') return [];
   return sessions.filter(({ ioMappings }) =>
     ioMappings.some(({ inputMappings }) =>
-      inputMappings.some(({ topic }) => topic?.startsWith(`/${clientId}/`)),
+      // Some topics of a device begin without a slash
+      inputMappings.some(({ topic }) => topic?.replace(/^\//, '').startsWith(`${clientId}/`)),
     ),
   );
 }

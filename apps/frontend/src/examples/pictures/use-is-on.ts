@@ -13,7 +13,10 @@ export function useIsOn(): ShallowRef<boolean> {
     toasts.show('The example ran until the page was reloaded.', { text: 'Start again', run }, key);
     sessionStorage.removeItem(key);
   }
-  useEventListener(window, 'pagehide', () => isOn.value && sessionStorage.setItem(key, 'yes'));
+  useEventListener(window, 'pagehide', ({ persisted }) => {
+    // One that is kept goes on when it is shown again
+    if (isOn.value && !persisted) sessionStorage.setItem(key, 'yes');
+  });
   onScopeDispose(() => toasts.leave(key));
   return isOn;
 }

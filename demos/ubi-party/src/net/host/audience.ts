@@ -25,8 +25,8 @@ export class Audience {
   readonly #own = new RequestLimit(OWN_LIMIT);
   readonly #common = new RequestLimit(COMMON_LIMIT);
   #dropped = 0;
-  /** The step of the round that was told last; undefined: none. */
-  #toldStep: number | undefined;
+  /** The step of the round that was told last; undefined: it is not known. */
+  #toldStep: number | 'nothing' | undefined;
 
   constructor(options: AudienceOptions) {
     this.#options = options;
@@ -50,19 +50,22 @@ export class Audience {
 
   /** Tells the round twice a second, while somebody watches. */
   handleState(game: GameId, state: RoundState): void {
-    const passed = Math.abs(state.step - (this.#toldStep ?? -Infinity));
+    const told = typeof this.#toldStep === 'number' ? this.#toldStep : -Infinity;
+    const passed = Math.abs(state.step - told);
     if (passed < LIVE_STEPS && !state.isOver) return;
     const room = this.#options.room();
-    const live = isWatched(room) ? liveRoundOf(game, state, room) : undefined;
+    if (!isWatched(room)) return this.clear();
+    const live = liveRoundOf(game, state, room);
     if (!live) return;
     this.#toldStep = state.step;
     this.#options.client.publish(LIVE_TOPIC, 'string', JSON.stringify(live));
   }
 
-  /** There is no round. */
+  /** There is no round, or nobody who watches it. */
   clear(): void {
-    if (this.#toldStep !== undefined) this.#options.client.endTopic(LIVE_TOPIC);
-    this.#toldStep = undefined;
+    // Also what an earlier screen told
+    if (this.#toldStep !== 'nothing') this.#options.client.endTopic(LIVE_TOPIC);
+    this.#toldStep = 'nothing';
   }
 
   #handleCheer(key: string, kind: string): void {

@@ -30,7 +30,7 @@ import { Presence } from './presence.ts';
 import { roomOfBefore } from './room-of-before.ts';
 import { RoomTeller } from './room-teller.ts';
 import { RoundLeader } from './round-leader.ts';
-import { publishSettings, settingTopicsOf } from './setting-topics.ts';
+import { publishSettings, settingTopics } from './setting-topics.ts';
 
 const TICK_MS = 250;
 const SAVE_STATE_MS = 1000;
@@ -196,13 +196,7 @@ export class PartyHost {
   /** Ends the party: sessions, and what the topics say. */
   async end(): Promise<void> {
     this.close();
-    const topics = [
-      ROOM_TOPIC,
-      ROUND_TOPIC,
-      SEATS_TOPIC,
-      LIVE_TOPIC,
-      ...settingTopicsOf(this.#room),
-    ];
+    const topics = [ROOM_TOPIC, ROUND_TOPIC, SEATS_TOPIC, LIVE_TOPIC, ...settingTopics()];
     for (const topic of topics) this.#client.endTopic(topic);
     this.#options.storage.save(EMPTY_MEMORY);
     await this.#sessions.removeAll();

@@ -27,6 +27,12 @@ describe('the delay of a phone', () => {
     expect(most).toBeLessThan(85);
   });
 
+  it('dates no press back by a single slow answer', () => {
+    expect(measured(300).of('mara')!.leastMs).toBe(0);
+    expect(measured(300, 5, 5).of('mara')!.leastMs).toBe(0);
+    expect(measured(300, 310, 305).of('mara')!.leastMs).toBe(146);
+  });
+
   it('leaves a few milliseconds on a fast line', () => {
     expect(mostMs(5, 5, 6, 5)).toBeLessThan(2.5 + 6);
   });

@@ -20,6 +20,15 @@ const SLACK_MS = 4;
 /** Half of all packets are later than the median: so many times the distance from the least to it. */
 const SPREAD = 2;
 
+/** Of fewer measurements, all may be slower than the line is. */
+const ENOUGH = 3;
+
+interface RoundTrips {
+  readonly leastMs: number;
+  readonly medianMs: number;
+  readonly count: number;
+}
+
 /** What the master measured of the way to each phone: what a phone says of itself is not in it. */
 export class PhoneDelays {
   readonly #measured = new Map<string, MeasuredRoundTrip[]>();
@@ -48,22 +57,25 @@ export class PhoneDelays {
   of(key: string): PhoneDelay | undefined {
     const roundTrips = this.#roundTrips(key);
     if (!roundTrips) return undefined;
-    const { leastMs, medianMs } = roundTrips;
+    const { leastMs, medianMs, count } = roundTrips;
     const mostMs = medianMs / 2 + SPREAD * (medianMs - leastMs) + SLACK_MS;
     const bounded = Math.min(WAIT_FOR_LATE_MS, Math.ceil(mostMs));
     return {
-      leastMs: Math.min(bounded, Math.max(0, Math.floor(leastMs / 2 - SLACK_MS))),
+      leastMs:
+        count < ENOUGH ? 0 : Math.min(bounded, Math.max(0, Math.floor(leastMs / 2 - SLACK_MS))),
       mostMs: bounded,
     };
   }
 
-  #roundTrips(key: string): { readonly leastMs: number; readonly medianMs: number } | undefined {
+  #roundTrips(key: string): RoundTrips | undefined {
     const sorted = (this.#measured.get(key) ?? [])
       .map(({ roundTripMs }) => roundTripMs)
       .sort((a, b) => a - b);
     const [leastMs] = sorted;
     // An even number: the larger one, so that two measurements show a spread
     const medianMs = sorted[Math.floor(sorted.length / 2)];
-    return leastMs === undefined || medianMs === undefined ? undefined : { leastMs, medianMs };
+    return leastMs === undefined || medianMs === undefined
+      ? undefined
+      : { leastMs, medianMs, count: sorted.length };
   }
 }

@@ -1,5 +1,5 @@
 import type { UbiiClient } from '@ubii/client-web';
-import type { Room } from '../../sim/index.ts';
+import { GAMES, type Room } from '../../sim/index.ts';
 import { settingTopic } from '../topics.ts';
 
 /** Tells modules the settings that are not as their game is meant: a master that was restarted does not know them. */
@@ -10,9 +10,9 @@ export function publishSettings(client: UbiiClient, { settings }: Room): void {
   }
 }
 
-/** The topics of settings that are not as their game is meant. */
-export function settingTopicsOf({ settings }: Room): string[] {
-  return Object.entries(settings).flatMap(([game, values]) =>
-    Object.keys(values).map((name) => settingTopic(game, name)),
+/** The topics of all settings: one that was changed back has a value, too. */
+export function settingTopics(): string[] {
+  return Object.values(GAMES).flatMap(({ id, settings }) =>
+    Object.keys(settings).map((name) => settingTopic(id, name)),
   );
 }

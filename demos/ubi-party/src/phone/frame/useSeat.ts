@@ -25,7 +25,8 @@ export function useSeat({ facts, me, spectator, room }: PhoneContext) {
         return;
       }
       if (!(last ?? lastWatching) || !now || link === 'lost') return;
-      const wasLost = roomAtLoss !== undefined;
+      // The host takes out who was away for long, also behind another page
+      const wasLost = roomAtLoss !== undefined || (last ?? lastWatching)?.awaySinceMs !== undefined;
       // Who was away for long while watching comes in again at the door
       const dismissal = wasLost ? undefined : 'dismissed';
       const reason = last ? removalOf(now, last, wasLost) : dismissal;

@@ -7,7 +7,8 @@ export interface ShownCheer extends Cheer {
 }
 
 const SHOWN_MS = 2500;
-const MAX_SHOWN = 6;
+/** More reach over what stands below a question. */
+const MAX_SHOWN = 3;
 
 /** Adds a cheer, the newest first: of each person the newest one, and no more than fit. */
 export function addCheer(
