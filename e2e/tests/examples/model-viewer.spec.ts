@@ -27,8 +27,11 @@ test('a phone turns the model for all who look, from where it is zeroed, and smo
   await expect(page.getByText('Drag to rotate the model, or connect a phone')).toBeVisible();
 
   const phone = await TouchedPhone.join(await room.withPhone('Anna'));
-  await phone.turn(0, 90, 0);
-  await expect(page.getByText('Rotated by Anna.')).toBeVisible();
+  // Its page may not listen yet
+  await expect(async () => {
+    await phone.turn(0, 90, 0);
+    await expect(page.getByText('Rotated by Anna.')).toBeVisible({ timeout: 2000 });
+  }).toPass();
   await expectTurn(page, [0, 0, 0, 1]);
   await phone.turn(90, 0, 0);
   // Flat on the table, a quarter to the left
