@@ -24,8 +24,8 @@ test('no vision module asks another host for anything, in pages, workers and ser
       await page.goto('/examples/image-processing');
       const module = page.getByRole('combobox', { name: 'Module', exact: true });
       await module.click();
+      await expect(page.getByRole('option').nth(3)).toBeVisible();
       const names = await page.getByRole('option').allInnerTexts();
-      expect(names.length).toBeGreaterThan(3);
       await page.keyboard.press('Escape');
       await page.getByRole('button', { name: 'Start', exact: true }).click();
       const outputs = page.getByRole('region', { name: 'Outputs' });
