@@ -57,6 +57,8 @@ const NOTHING: PictureMeasures = {
 
 /** How often settings are decided on, milliseconds. */
 const DECIDE_MS = 500;
+/** After a time without a master, or behind another page, figures are those of before for so long, milliseconds. */
+const CALM_MS = 4000;
 /** How often is looked whether a picture has left: WebSocket has no event for it, milliseconds. */
 const LEAVE_POLL_MS = 4;
 /** A picture has left when no more than this share of it is here. */
@@ -85,6 +87,7 @@ export function usePictures(options: {
   const sent = new PictureMeter();
   const roundTripsMs: number[] = [];
   let state = FIRST_STATE;
+  let calmFromMs = 0;
   onScopeDispose(
     client.onRoundTrip(({ lastMs }) => {
       roundTripsMs.push(lastMs);
@@ -95,6 +98,7 @@ export function usePictures(options: {
   function decide(): void {
     const { settings, habits, resultHz } = options;
     if (measures.sentAtMs === undefined || visibility.value === 'hidden') return;
+    if (performance.now() < calmFromMs) return;
     const before = adaptedStep(state, settings);
     state = habits().isAdaptive
       ? adaptPictures(state, settings, {
@@ -123,6 +127,7 @@ export function usePictures(options: {
     sent.clear();
     roundTripsMs.length = 0;
     if (connected !== wasConnected) state = FIRST_STATE;
+    calmFromMs = performance.now() + CALM_MS;
   });
 
   watch(

@@ -62,9 +62,11 @@ const FEW_RESULTS = 0.85;
 const MANY_RESULTS = 0.95;
 const MORE = 1.1;
 const LEAST_HZ = 0.5;
-/** Of few pictures a second, one result is often missing when they are counted: so much is no sign of a slow module. */
+/** One result is often missing when those of the last seconds are counted: so much is no sign of a slow module, hertz. */
+const MISSED_HZ = 0.35;
+/** Of so few pictures a second, one that is missing is no sign that no more can be tried either. */
 const FEW_HZ = 2;
-const MISSED_HZ = 0.2;
+const FEW_MISSED_HZ = 0.2;
 /** Without results for this long there is no module, milliseconds. */
 const NO_MODULE_MS = 6000;
 
@@ -169,14 +171,15 @@ function followModule(
   }
   const seen = { ...state, lastResultMs: nowMs };
   if (sent === undefined) return seen;
-  const missed = sent.rateHz < FEW_HZ ? MISSED_HZ : 0;
-  if (resultHz < sent.rateHz * FEW_RESULTS - missed) {
+  if (resultHz < sent.rateHz * FEW_RESULTS - MISSED_HZ) {
     const moduleHz = Math.max(LEAST_HZ, resultHz * HEADROOM);
     // It may have been lowered already, and the pictures of before be in the figures still.
     if (state.moduleHz !== undefined && moduleHz >= state.moduleHz) return seen;
     return { ...seen, moduleHz, resultHz };
   }
-  if (state.moduleHz === undefined || resultHz < sent.rateHz * MANY_RESULTS - missed) return seen;
+  const fewMissed = sent.rateHz < FEW_HZ ? FEW_MISSED_HZ : 0;
+  if (state.moduleHz === undefined || resultHz < sent.rateHz * MANY_RESULTS - fewMissed)
+    return seen;
   const next = state.moduleHz * MORE;
   if (next >= wanted.rateHz) return { ...seen, moduleHz: undefined, resultHz: undefined };
   return { ...seen, moduleHz: next, resultHz };
