@@ -187,9 +187,9 @@ function followModule(
 
 function followDevice(state: AdaptState, { sent }: PictureConditions): AdaptState {
   if (sent === undefined) return state;
-  // A little at a time: one long picture says little.
+  // Up a little at a time: one long picture says little.
   const { encodeMs: before = sent.encodeMs } = state;
-  const encodeMs = before + (sent.encodeMs - before) / 4;
+  const encodeMs = Math.min(sent.encodeMs, before + (sent.encodeMs - before) / 4);
   const deviceHz = encodeMs > 0 ? (1000 * MAX_ENCODING) / encodeMs : undefined;
   return { ...state, encodeMs, deviceHz };
 }
