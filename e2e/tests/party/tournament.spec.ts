@@ -6,7 +6,7 @@ import { PartyPhonePage, PartyScreenPage } from '../../pages/party-pages.ts';
 
 const CHOICE = [
   ...['Quick Draw', 'Photo Hunt', 'Marble Dash', 'King of the Hill'],
-  ...['King of the Hill', 'Marble Dash'],
+  ...['King of the Hill', 'Marble Dash', 'Tilt Quiz'],
 ];
 
 test('four phones play a tournament by touch: one reloads, one leaves, one comes late', async ({
@@ -109,11 +109,12 @@ test('four phones play a tournament by touch: one reloads, one leaves, one comes
     expect(view!.room.results[1]!.places[0]).toEqual([seatOf(mara)]);
   });
 
+  let lin: PartyPhonePage | undefined;
   await test.step('one leaves, one comes late and waits', async () => {
     await jo.page.close();
     await playOn([mara, theo, ines]);
-    const late = new PartyPhonePage((await room.withPhone()).page, 'Lin');
-    await late.join();
+    lin = new PartyPhonePage((await room.withPhone()).page, 'Lin');
+    await lin.join();
     await expect
       .poll(() => view!.room.players.find(({ name }) => name === 'Lin')?.isWaiting)
       .toBe(true);
@@ -126,6 +127,16 @@ test('four phones play a tournament by touch: one reloads, one leaves, one comes
     await screen.page.keyboard.press('Escape');
     await playOut('race', [mara, theo, ines]);
     expect(view!.room.results[2]!.game).toBe('race');
+  });
+
+  await test.step('Tilt Quiz, with who came late', async () => {
+    const all = [mara, theo, ines, lin!];
+    await playOn(all);
+    await playOut('quiz', all);
+    const { answerers } = seen.get('quiz')!.state as { answerers: { seat: Seat; score: number }[] };
+    for (const phone of all) {
+      expect(answerers.find(({ seat }) => seat === seatOf(phone))!.score).toBeGreaterThan(0);
+    }
   });
 
   await test.step('the table is the sum of all rounds, and the tournament ends', async () => {
