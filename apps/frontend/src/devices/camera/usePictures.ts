@@ -59,6 +59,8 @@ const NOTHING: PictureMeasures = {
 const DECIDE_MS = 500;
 /** After a time without a master, or behind another page, figures are those of before for so long, milliseconds. */
 const CALM_MS = 4000;
+/** A decision that comes so long after the one before was held up, milliseconds. */
+const LATE_MS = 1.8 * DECIDE_MS;
 /** How often is looked whether a picture has left: WebSocket has no event for it, milliseconds. */
 const LEAVE_POLL_MS = 4;
 /** A picture has left when no more than this share of it is here. */
@@ -88,6 +90,7 @@ export function usePictures(options: {
   const roundTripsMs: number[] = [];
   let state = FIRST_STATE;
   let calmFromMs = 0;
+  let decidedMs = 0;
   onScopeDispose(
     client.onRoundTrip(({ lastMs }) => {
       roundTripsMs.push(lastMs);
@@ -98,7 +101,12 @@ export function usePictures(options: {
   function decide(): void {
     const { settings, habits, resultHz } = options;
     if (measures.sentAtMs === undefined || visibility.value === 'hidden') return;
-    if (performance.now() < calmFromMs) return;
+    const nowMs = performance.now();
+    const isLate = nowMs - decidedMs > LATE_MS;
+    decidedMs = nowMs;
+    // Browsers slow down pages behind others, also such as count as visible.
+    if (isLate) forget();
+    if (nowMs < calmFromMs) return;
     const before = adaptedStep(state, settings);
     state = habits().isAdaptive
       ? adaptPictures(state, settings, {
@@ -123,11 +131,14 @@ export function usePictures(options: {
 
   // A time without a master, or behind another page, is not the measure of a link, nor of a module.
   const visibility = useDocumentVisibility();
-  watch([isConnected, visibility], ([connected], [wasConnected]) => {
+  function forget(): void {
     sent.clear();
     roundTripsMs.length = 0;
-    if (connected !== wasConnected) state = FIRST_STATE;
     calmFromMs = performance.now() + CALM_MS;
+  }
+  watch([isConnected, visibility], ([connected], [wasConnected]) => {
+    if (connected !== wasConnected) state = FIRST_STATE;
+    forget();
   });
 
   watch(
@@ -146,6 +157,7 @@ export function usePictures(options: {
       const meter = new RateMeter();
       let isOver = false;
       let timer: ReturnType<typeof setTimeout> | undefined;
+      decidedMs = performance.now();
       resume();
 
       async function takeOne(): Promise<void> {

@@ -22,11 +22,14 @@ export function useDetector(threshold: Ref<number>) {
   return {
     name,
     problem,
-    /** Tells the module, now and with each change. */
-    publishOn(device: Pick<SeeingDevice, 'publish' | 'isRegistered'>): void {
+    /** Tells the module, now, with each change, and again after a restart of the master. */
+    publishOn(
+      device: Pick<SeeingDevice, 'publish' | 'isRegistered'>,
+      isConnected: Readonly<Ref<boolean>>,
+    ): void {
       watch(
-        [name, device.isRegistered],
-        ([value, isKnown]) => isKnown && device.publish('detector', value),
+        [name, device.isRegistered, isConnected],
+        ([value, isKnown, connected]) => isKnown && connected && device.publish('detector', value),
         { immediate: true },
       );
     },

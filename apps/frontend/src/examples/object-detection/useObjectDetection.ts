@@ -114,7 +114,7 @@ export function useObjectDetection(sources: PictureSources) {
       backendFault: (value) => (backendFault.value = value),
     },
   });
-  detector.publishOn(device);
+  detector.publishOn(device, isConnected);
   const clocks = useClockError(place, isOn);
   const { isOwn, image, habits, measures } = useSentPictures({
     sources,
@@ -167,10 +167,10 @@ export function useObjectDetection(sources: PictureSources) {
     () => (isOn.value = false),
   );
 
-  // The module reads it with the next picture.
+  // The module reads it with the next picture. A master that was restarted does not know it.
   watch(
-    [threshold, device.isRegistered],
-    ([value, isKnown]) => isKnown && device.publish('threshold', value),
+    [threshold, device.isRegistered, isConnected],
+    ([value, isKnown, connected]) => isKnown && connected && device.publish('threshold', value),
     { immediate: true },
   );
   watch([place, () => sources.kind.value, isOn], () => {

@@ -61,6 +61,7 @@ const HEADROOM = 1.1;
 const FEW_RESULTS = 0.85;
 const MANY_RESULTS = 0.95;
 const MORE = 1.1;
+const MUCH_MORE = 1.5;
 const LEAST_HZ = 0.5;
 /** One result is often missing when those of the last seconds are counted: so much is no sign of a slow module, hertz. */
 const MISSED_HZ = 0.35;
@@ -180,7 +181,8 @@ function followModule(
   const fewMissed = sent.rateHz < FEW_HZ ? FEW_MISSED_HZ : 0;
   if (state.moduleHz === undefined || resultHz < sent.rateHz * MANY_RESULTS - fewMissed)
     return seen;
-  const next = state.moduleHz * MORE;
+  // From a rate that is far below what modules usually take, a start that was slow, larger steps lead back.
+  const next = state.moduleHz * (state.moduleHz < FEW_HZ ? MUCH_MORE : MORE);
   if (next >= wanted.rateHz) return { ...seen, moduleHz: undefined, resultHz: undefined };
   return { ...seen, moduleHz: next, resultHz };
 }
