@@ -6,7 +6,7 @@ export const ROOM_TOPIC = '/party/room';
 export const SEATS_TOPIC = '/party/seats';
 /** Retained: the round, JSON of a `RoundPlan`; an input of the modules. */
 export const ROUND_TOPIC = '/party/round';
-/** Retained: the running round in words, JSON of a `LiveRound`; while somebody watches it on a phone. */
+/** Retained: the running round in words, JSON of a `LiveRound`; published while the room has spectators. */
 export const LIVE_TOPIC = '/party/live';
 /** All that a player may read beside the own topics. */
 export const PLAYER_READS = [ROOM_TOPIC, LIVE_TOPIC] as const;

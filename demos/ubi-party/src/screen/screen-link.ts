@@ -12,7 +12,7 @@ export interface ScreenLink {
   onView(fn: (view: RoomView) => void): () => void;
   /** Calls for each state of the round, 60 times a second. @returns ends it */
   onState(fn: (game: GameId, state: RoundState) => void): () => void;
-  /** Calls when somebody cheers. @returns ends it */
+  /** Calls for each cheer of a player or spectator. @returns ends it */
   onCheer(fn: (cheer: Cheer) => void): () => void;
   /** How many cheers came too fast, and were not shown. */
   readonly droppedCheers: number;

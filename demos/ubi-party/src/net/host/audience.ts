@@ -48,7 +48,7 @@ export class Audience {
     return { ready: cheers.ready, close: () => void cheers.close() };
   }
 
-  /** Tells the round twice a second, while somebody watches. */
+  /** Publishes the round in words twice a second, while the room has spectators. */
   handleState(game: GameId, state: RoundState): void {
     const told = typeof this.#toldStep === 'number' ? this.#toldStep : -Infinity;
     const passed = Math.abs(state.step - told);
@@ -61,7 +61,7 @@ export class Audience {
     this.#options.client.publish(LIVE_TOPIC, 'string', JSON.stringify(live));
   }
 
-  /** There is no round, or nobody who watches it. */
+  /** Ends the topic: there is no round, or it has no spectators. */
   clear(): void {
     // Also what an earlier screen told
     if (this.#toldStep !== 'nothing') this.#options.client.endTopic(LIVE_TOPIC);

@@ -13,7 +13,7 @@ export interface PartyHostListener {
   handleState?(game: GameId, state: RoundState): void;
   /** The photos that are shown, by client id. */
   handlePhotos?(photos: ReadonlyMap<string, Photo>): void;
-  /** Somebody cheers. */
+  /** A player or a spectator cheers. */
   handleCheer?(cheer: Cheer): void;
   /** Another screen has taken over: this one leads no longer. */
   handleSuperseded?(byId: string): void;
