@@ -47,6 +47,8 @@ test('a camera is calibrated by the printed board, and sessions get its calibrat
   await showBoard(page);
   await page.goto('/devices/camera');
   await page.getByRole('link', { name: 'Calibrate this camera' }).click();
+  // The camera page has a button of the same name.
+  await expect(page.getByRole('heading', { name: 'Calibrate a camera' })).toBeVisible();
 
   await test.step('views are taken by themselves, and the page says what to do', async () => {
     await page.getByRole('button', { name: 'Start the camera' }).click();
