@@ -124,6 +124,29 @@ test('a phone sends pictures once it is told to, and shows what is found in them
   });
 });
 
+/** Browsers that encode beside the page, and others: each must not need what the other has. */
+for (const [where, takeAway] of [
+  ['in a worker', () => (HTMLCanvasElement.prototype.toBlob = () => undefined)],
+  ['in the page', () => Reflect.deleteProperty(globalThis, 'OffscreenCanvas')],
+] as const) {
+  test(`JPEG pictures are made ${where}`, async ({ room }) => {
+    const program = await room.program('detector');
+    const pictures = program.subscribe(
+      { glob: '/*/CameraWebInterface/camera_image' },
+      { format: 'image2D' },
+    );
+    let jpegs = 0;
+    pictures.onRecord(({ value }) => (jpegs += value.data[0] === 0xff ? 1 : 0));
+    const { page } = await room.withPhone('Mara', { permissions: ['camera'] });
+    await page.addInitScript(takeAway);
+    await page.goto('/devices/camera');
+    await page.getByRole('combobox', { name: 'Format of the pictures' }).tap();
+    await page.getByRole('option', { name: /JPEG/ }).tap();
+    await page.getByRole('button', { name: 'Start the camera' }).tap();
+    await expect.poll(() => jpegs).toBeGreaterThan(3);
+  });
+}
+
 for (const [name, words] of [
   ['NotAllowedError', 'Camera access was denied.'],
   ['NotFoundError', 'This device has no camera.'],

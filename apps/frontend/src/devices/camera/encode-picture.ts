@@ -1,4 +1,5 @@
 import { Image2DDataFormat, type Image2D } from '@ubii/proto';
+import { JpegEncoder } from './jpeg-encoder.ts';
 
 /** Raw pixels, which every program reads, or a JPEG file in the data, which takes a tenth of the room. */
 export type PictureEncoding = 'RGB8' | 'RGBA8' | 'GRAY8' | 'JPEG';
@@ -77,9 +78,10 @@ export function packPixels(
   return packed;
 }
 
-/** Makes records of pictures; one canvas for all of them. */
+/** Makes records of pictures, one at a time. Close it when it is not used any more. */
 export class PictureEncoder {
   readonly #canvas = document.createElement('canvas');
+  #jpegs = JpegEncoder.isSupported() ? new JpegEncoder() : undefined;
 
   /** @throws {Error} if the browser makes no JPEG */
   async encode(
@@ -87,6 +89,17 @@ export class PictureEncoder {
     { width: maxWidth, encoding, quality }: Readonly<PictureSettings>,
   ): Promise<Image2D> {
     const { width, height } = sizeWithin(source, maxWidth);
+    if (encoding === 'JPEG' && this.#jpegs) {
+      const picture = await createImageBitmap(source.element);
+      try {
+        const data = await this.#jpegs.encode(picture, { width, height, quality });
+        return { width, height, dataFormat: Image2DDataFormat.RGB8, data };
+      } catch (error) {
+        // From the next one on they are encoded in the page.
+        this.close();
+        throw error;
+      }
+    }
     const canvas = this.#canvas;
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
@@ -102,5 +115,10 @@ export class PictureEncoder {
     if (!blob) throw new Error('The browser could not encode the picture.');
     const data = new Uint8Array(await blob.arrayBuffer());
     return { width, height, dataFormat: Image2DDataFormat.RGB8, data };
+  }
+
+  close(): void {
+    this.#jpegs?.close();
+    this.#jpegs = undefined;
   }
 }

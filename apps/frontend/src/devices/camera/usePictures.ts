@@ -12,6 +12,7 @@ import {
   type PictureSettings,
   type PictureSource,
 } from './encode-picture.ts';
+import { pictureClock } from './picture-clock.ts';
 import { pictureExpiryMs, type PictureHabits } from './picture-habits.ts';
 
 /** What was measured of the last pictures; all `undefined` while none are sent. */
@@ -156,7 +157,7 @@ export function usePictures(options: {
       const encoder = new PictureEncoder();
       const meter = new RateMeter();
       let isOver = false;
-      let timer: ReturnType<typeof setTimeout> | undefined;
+      let cancel: (() => void) | undefined;
       decidedMs = performance.now();
       resume();
 
@@ -189,7 +190,7 @@ export function usePictures(options: {
           });
         }
         const passedMs = performance.now() - beginMs;
-        timer = setTimeout(run, Math.max(0, 1000 / rateHz - passedMs));
+        cancel = pictureClock.after(Math.max(0, 1000 / rateHz - passedMs), run);
       }
 
       /** @returns how long the picture took to leave, milliseconds */
@@ -198,7 +199,7 @@ export function usePictures(options: {
         let lookedMs = beginMs;
         while (!isOver && client.bufferedBytes > bytes * LEFT_SHARE) {
           lookedMs = performance.now();
-          await new Promise((resolve) => setTimeout(resolve, LEAVE_POLL_MS));
+          await new Promise<void>((resolve) => pictureClock.after(LEAVE_POLL_MS, resolve));
         }
         // It left soon after the last look, however late a busy page looks again.
         return Math.min(performance.now(), lookedMs + LEAVE_POLL_MS) - beginMs;
@@ -221,14 +222,15 @@ export function usePictures(options: {
       function run(): void {
         // One that could not be made is let go of; the next is tried at its time.
         takeOne().catch(() => {
-          if (!isOver) timer = setTimeout(run, 1000 / options.settings.rateHz);
+          if (!isOver) cancel = pictureClock.after(1000 / options.settings.rateHz, run);
         });
       }
       run();
       onCleanup(() => {
         isOver = true;
         pause();
-        clearTimeout(timer);
+        cancel?.();
+        encoder.close();
         sent.clear();
         Object.assign(measures, NOTHING);
         if (!options.habits().keepsNewest) options.end();

@@ -1,7 +1,9 @@
 import { parseDataFormat, type TopicRecord } from '@ubii/proto';
-import { computed, reactive, shallowRef } from 'vue';
+import { useIntervalFn } from '@vueuse/core';
+import { computed, reactive, shallowRef, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
+import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import { useModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
@@ -22,6 +24,10 @@ const FIRST_MODULE = 'image-tools';
 /** In grey, so that one sees at once that the module did something; its own defaults change nothing. */
 const FIRST_PARAMETERS: ReadonlyMap<string, string> = new Map([['format', '{"string":"GRAY8"}']]);
 const SETTINGS: PictureSettings = { width: 480, rateHz: 10, encoding: 'RGB8', quality: 0.8 };
+
+/** Results of slow modules come so seldom, milliseconds. */
+const SLOW_MS = 5000;
+const FIGURES_MS = 1000;
 
 /** One output and its newest value. */
 export interface ShownOutput {
@@ -111,6 +117,27 @@ export function useImageProcessing(sources: PictureSources) {
     }),
   );
 
+  // A module gives several results for a picture, and some only when they change: the liveliest output counts.
+  const meters = new Map<string, RateMeter>();
+  const resultHz = shallowRef<number>();
+  watch(newest, (records, before) => {
+    for (const [topic, record] of records) {
+      if (before.get(topic) === record) continue;
+      let meter = meters.get(topic);
+      if (!meter) meters.set(topic, (meter = new RateMeter(SLOW_MS)));
+      meter.note(performance.now());
+    }
+  });
+  watch([isOn, moduleName, place], () => {
+    meters.clear();
+    resultHz.value = undefined;
+  });
+  useIntervalFn(() => {
+    const nowMs = performance.now();
+    const rates = [...meters.values()].flatMap((meter) => meter.rateHz(nowMs) ?? []);
+    resultHz.value = rates.length > 0 ? Math.max(...rates) : undefined;
+  }, FIGURES_MS);
+
   return {
     isOn,
     place,
@@ -131,6 +158,7 @@ export function useImageProcessing(sources: PictureSources) {
     habits,
     measures,
     outputs,
+    resultHz,
     ...session,
   };
 }

@@ -17,6 +17,8 @@ import { TRACKING_COMPONENTS, TRACKING_DEVICE, trackingSession } from './trackin
 
 /** Results that nothing renews are of another picture by then, milliseconds. */
 const HOLD_MS = 1000;
+/** Behind another page, and on slow nodes, results come seldom, milliseconds. */
+const SLOW_MS = 5000;
 const FIGURES_MS = 1000;
 const RATE_HZ = 20;
 
@@ -49,7 +51,7 @@ export function useMarkerTracking(sources: PictureSources) {
   const placeMs = shallowRef<
     ReadonlyMap<ModulePlace, { readonly ms: number; readonly hint: string }>
   >(new Map());
-  const seen = new RateMeter();
+  const seen = new RateMeter(SLOW_MS);
   let newest: { markers: readonly Object3D[]; outlines?: TopicRecord } = { markers: [] };
   let newestAtMs = -Infinity;
   let durationMs: number | undefined;
@@ -125,6 +127,7 @@ export function useMarkerTracking(sources: PictureSources) {
     durationMs = undefined;
     decodeMs = undefined;
     error.value = '';
+    seen.clear();
     figures.value = {};
   }
   watch([place, () => sources.kind.value, isOn, () => options.dictionary], clear);

@@ -1,4 +1,4 @@
-import { useEventListener, useIntervalFn } from '@vueuse/core';
+import { useEventListener } from '@vueuse/core';
 import {
   computed,
   onScopeDispose,
@@ -8,6 +8,7 @@ import {
   type ShallowRef,
 } from 'vue';
 import type { PictureSource } from '../../devices/camera/encode-picture.ts';
+import { pictureClock } from '../../devices/camera/picture-clock.ts';
 import { useCamera } from '../../devices/camera/useCamera.ts';
 import { useFrameTimes } from '../../devices/camera/use-frame-times.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
@@ -65,17 +66,13 @@ export function usePictureSource(
   const clipPhotos = shallowRef<readonly ImageBitmap[]>();
   let clipMs = 0;
   let isLoading = false;
-  const { pause, resume } = useIntervalFn(
-    () => {
-      if (!clipPhotos.value && !drawOwn) return;
-      clipMs += 1000 / CLIP_RATE_HZ;
-      given.note(performance.now());
-      if (drawOwn) drawOwn(clip, clipMs);
-      else drawClip(clip, clipPhotos.value!, clipMs);
-    },
-    1000 / CLIP_RATE_HZ,
-    { immediate: false },
-  );
+  function draw(): void {
+    if (!clipPhotos.value && !drawOwn) return;
+    clipMs += 1000 / CLIP_RATE_HZ;
+    given.note(performance.now());
+    if (drawOwn) drawOwn(clip, clipMs);
+    else drawClip(clip, clipPhotos.value!, clipMs);
+  }
 
   const video = document.createElement('video');
   Object.assign(video, { autoplay: true, playsInline: true, muted: true });
@@ -101,10 +98,10 @@ export function usePictureSource(
 
   watch(
     kind,
-    (next) => {
+    (next, _before, onCleanup) => {
       if (next !== 'camera') camera.stop();
-      if (next !== 'clip') return pause();
-      resume();
+      if (next !== 'clip') return;
+      onCleanup(pictureClock.every(1000 / CLIP_RATE_HZ, draw));
       if (isLoading || drawOwn) return;
       isLoading = true;
       loadClip().then(

@@ -1,0 +1,35 @@
+import { computed, type ComputedRef } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { OUT_OF_CONTACT } from '../../sessions/state/session-state.ts';
+import type { MarkedState } from '../../ui/UiStateMark.vue';
+
+/** A mark and its word. */
+export interface ExampleState {
+  readonly state: MarkedState;
+  readonly word: string;
+}
+
+/** How an example with pictures is doing, in one word. */
+export function useExampleStatus(example: {
+  readonly isOn: () => boolean;
+  readonly isStarting: () => boolean;
+  /** Something does not work. */
+  readonly hasProblem: () => boolean;
+  /** What is loaded before the module starts; `undefined` when nothing is. */
+  readonly loads: () => string | undefined;
+  /** Results have come of late. */
+  readonly hasResults: () => boolean;
+}): ComputedRef<ExampleState> {
+  const { isConnected } = useConnection();
+  return computed(() => {
+    if (!example.isOn()) return { state: 'stopped', word: 'Not started' };
+    if (!isConnected.value) return { state: 'away', word: OUT_OF_CONTACT.word };
+    if (example.hasProblem()) return { state: 'error', word: 'Error' };
+    const loads = example.loads();
+    if (loads !== undefined) return { state: 'away', word: `Loading ${loads}` };
+    if (example.isStarting()) return { state: 'away', word: 'Starting' };
+    return example.hasResults()
+      ? { state: 'live', word: 'Live' }
+      : { state: 'away', word: 'Waiting' };
+  });
+}
