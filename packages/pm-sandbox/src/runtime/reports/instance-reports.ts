@@ -160,15 +160,16 @@ export class InstanceReports {
   ): ModuleStatistics {
     const { p50Ms, p95Ms } = this.#durations.take();
     const runsPerSecond = this.#runRate.take(this.#runs, this.#clock.monotonicMs());
+    const isHalted = status === ProcessingModuleStatus.HALTED;
     return {
       moduleId: this.#subject.moduleId,
       moduleName: this.#subject.moduleName,
       nodeId: this.#subject.nodeId,
       status,
       runs: this.#runs,
-      runsPerSecond: status === ProcessingModuleStatus.HALTED ? 0 : runsPerSecond,
-      runP50Ms: p50Ms,
-      runP95Ms: p95Ms,
+      runsPerSecond: isHalted ? 0 : runsPerSecond,
+      runP50Ms: isHalted ? 0 : p50Ms,
+      runP95Ms: isHalted ? 0 : p95Ms,
       overruns: this.#overruns,
       errors: this.#errors,
       restarts: this.#restarts,

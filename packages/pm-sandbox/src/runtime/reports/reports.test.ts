@@ -165,7 +165,17 @@ describe('[PM-80] statistics', () => {
     const { p50Ms, p95Ms } = durations.take();
     expect(p50Ms).toBeGreaterThan(9_744);
     expect(p95Ms).toBeGreaterThan(p50Ms);
+  });
+
+  it('keep the durations of a module whose runs take longer than a report', () => {
+    const durations = new RunDurations();
     expect(durations.take()).toEqual({ p50Ms: 0, p95Ms: 0 });
+    durations.add(2400);
+    durations.add(2600);
+    expect(durations.take()).toEqual({ p50Ms: 2400, p95Ms: 2600 });
+    expect(durations.take()).toEqual({ p50Ms: 2400, p95Ms: 2600 });
+    durations.add(10);
+    expect(durations.take()).toEqual({ p50Ms: 10, p95Ms: 10 });
   });
 });
 

@@ -5,16 +5,22 @@ const KEPT = 256;
 export class RunDurations {
   readonly #ring = new Float64Array(KEPT);
   #count = 0;
+  #newest = { p50Ms: 0, p95Ms: 0 };
 
   add(durationMs: number): void {
     this.#ring[this.#count++ % KEPT] = durationMs;
   }
 
-  /** Median and 95th percentile of what was added since the call before, milliseconds; 0 for nothing. */
+  /**
+   * Median and 95th percentile of what was added since the call before, milliseconds. With nothing added they stay: a
+   * run may take longer than the time between two reports.
+   */
   take(): { readonly p50Ms: number; readonly p95Ms: number } {
+    if (this.#count === 0) return this.#newest;
     const sorted = this.#ring.slice(0, Math.min(this.#count, KEPT)).sort();
     this.#count = 0;
-    return { p50Ms: percentile(sorted, 0.5), p95Ms: percentile(sorted, 0.95) };
+    this.#newest = { p50Ms: percentile(sorted, 0.5), p95Ms: percentile(sorted, 0.95) };
+    return this.#newest;
   }
 }
 
