@@ -11,6 +11,7 @@ it.each([
   [['self'], 'No other client receives these pictures.'],
   [['a', 'self'], 'Anna receives these pictures.'],
   [['master', 'a'], 'The master and Anna receive these pictures.'],
+  [['a', 'master'], 'Anna and the master receive these pictures.'],
   [['a', 'b', 'c'], 'Anna, Ben and Cleo receive these pictures.'],
   [['a', 'b', 'c', 'd'], 'Anna, Ben and 2 other clients receive these pictures.'],
 ])('names who receives pictures: %j', (ids, expected) => {

@@ -41,9 +41,11 @@ function sentenceOf(names: readonly string[], others: number): string {
   const parts = others === 0 ? names : [...names, `${others} ${kind}`];
   const before = parts.length > 1 ? `${parts.slice(0, -1).join(', ')} and ` : '';
   const verb = names.length + others === 1 ? 'receives' : 'receive';
-  return `${before}${parts.at(-1)} ${verb} these pictures.`;
+  const sentence = `${before}${parts.at(-1)} ${verb} these pictures.`;
+  // Names of clients are left as they are.
+  return sentence.replace(/^the master/, 'The master');
 }
 
 function placeName(id: string, { masterId, nameOf }: WatcherNames): string {
-  return id === masterId ? 'The master' : nameOf(id);
+  return id === masterId ? 'the master' : nameOf(id);
 }
