@@ -14,6 +14,7 @@ import type { Connection } from './connection.ts';
 import { friendlyName } from './friendly-name.ts';
 import { createMasterStatusStore } from './master-status-store.ts';
 import { createNodesStore } from './nodes-store.ts';
+import { tellOwnTab } from './own-tabs.ts';
 import { tellPageState } from './page-state.ts';
 import { createSessionsStore } from './sessions-store.ts';
 import { numberedName, useTabName, type TabNumber } from './tab-name.ts';
@@ -71,6 +72,7 @@ export function createConnection(): Connection {
   watch(name, (next) => void client.rename(next));
   adoptName(client, clients, name, Date.now);
   tellPageState(client);
+  if (frame === undefined) tellOwnTab(client);
   watch(publishIntervalMs, (next) => client.setPublishIntervalMs(next));
 
   const masterId = shallowRef('');

@@ -2,7 +2,12 @@ import { expect, it } from 'vitest';
 import { moduleWords, watcherSentence } from './watcher-words.ts';
 
 const NAMES: Record<string, string> = { a: 'Anna', b: 'Ben', c: 'Cleo', d: 'Dora' };
-const names = { selfId: 'self', masterId: 'master', nameOf: (id: string) => NAMES[id] ?? id };
+const names = {
+  selfId: 'self',
+  masterId: 'master',
+  tabIds: ['self', 't', 'u'],
+  nameOf: (id: string) => NAMES[id] ?? id,
+};
 const sentence = (clientIds: string[], count = clientIds.length): string =>
   watcherSentence({ topic: '/t', count, clientIds, modules: [] }, names);
 
@@ -11,6 +16,9 @@ it.each([
   [['self'], 'No other client receives these pictures.'],
   [['a', 'self'], 'Anna receives these pictures.'],
   [['master', 'a'], 'The master and Anna receive these pictures.'],
+  [['t'], 'Another tab of this browser receives these pictures.'],
+  [['t', 'u'], '2 other tabs of this browser receive these pictures.'],
+  [['t', 'a', 'u'], 'Anna and 2 other tabs of this browser receive these pictures.'],
   [['a', 'master'], 'Anna and the master receive these pictures.'],
   [['a', 'b', 'c'], 'Anna, Ben and Cleo receive these pictures.'],
   [['a', 'b', 'c', 'd'], 'Anna, Ben and 2 other clients receive these pictures.'],

@@ -5,6 +5,8 @@ export interface WatcherNames {
   /** Id of this page's client. */
   readonly selfId: string;
   readonly masterId: string;
+  /** Ids of the tabs of this browser. */
+  readonly tabIds?: readonly string[];
   nameOf(clientId: string): string;
 }
 
@@ -21,9 +23,17 @@ export function watcherSentence(subscribers: TopicSubscribers, names: WatcherNam
   return sentenceOf(named, others.length - named.length);
 }
 
-/** Everybody who receives the pictures, except this page, by name. */
+/** Who receives the pictures, except this page, by name; the other tabs of this browser are one. */
 export function watcherNames({ clientIds }: TopicSubscribers, names: WatcherNames): string[] {
-  return clientIds.filter((id) => id !== names.selfId).map((id) => placeName(id, names));
+  const others = clientIds.filter((id) => id !== names.selfId);
+  const isOwn = (id: string): boolean => names.tabIds?.includes(id) ?? false;
+  const own = others.filter(isOwn).length;
+  const strangers = others.filter((id) => !isOwn(id)).map((id) => placeName(id, names));
+  if (own === 0) return strangers;
+  return [
+    ...strangers,
+    own === 1 ? 'another tab of this browser' : `${own} other tabs of this browser`,
+  ];
 }
 
 /** A module that looks at the pictures, with its session and where it runs. */
@@ -40,10 +50,14 @@ function sentenceOf(names: readonly string[], others: number): string {
   const kind = `${names.length > 0 ? 'other ' : ''}${others === 1 ? 'client' : 'clients'}`;
   const parts = others === 0 ? names : [...names, `${others} ${kind}`];
   const before = parts.length > 1 ? `${parts.slice(0, -1).join(', ')} and ` : '';
-  const verb = names.length + others === 1 ? 'receives' : 'receive';
+  const isOne = names.length + others === 1 && !/^\d+ other tabs/.test(names[0] ?? '');
+  const verb = isOne ? 'receives' : 'receive';
   const sentence = `${before}${parts.at(-1)} ${verb} these pictures.`;
   // Names of clients are left as they are.
-  return sentence.replace(/^the master/, 'The master');
+  return sentence.replace(
+    /^the master|^another tab/,
+    (start) => start[0]!.toUpperCase() + start.slice(1),
+  );
 }
 
 function placeName(id: string, { masterId, nameOf }: WatcherNames): string {
