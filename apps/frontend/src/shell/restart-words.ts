@@ -12,31 +12,34 @@ export function runningNames(sessions: readonly Living[]): string[] {
 }
 
 /**
- * What became of the sessions that ran before the master was restarted; empty when none ran.
+ * What became of the sessions that ran before the master was restarted; empty when none ran. Sessions that the master
+ * started are told from those that pages did, because the terminal of the master counts its own. [SE-24]
  * @param before names of those that ran
  * @param now the sessions of the master that was restarted
  */
 export function afterRestart(before: readonly string[], now: readonly Living[]): string {
-  const left = runningNames(now);
-  const again: string[] = [];
+  const left = now.filter(isAlive);
+  const byMaster: string[] = [];
+  const byPages: string[] = [];
   const ended: string[] = [];
   for (const name of before) {
-    const index = left.indexOf(name);
-    if (index >= 0) left.splice(index, 1);
-    (index < 0 ? ended : again).push(name);
+    const index = left.findIndex((one) => one.name === name);
+    const [again] = index < 0 ? [] : left.splice(index, 1);
+    if (again === undefined) ended.push(name);
+    else (again.extension?.startWithMaster === true ? byMaster : byPages).push(name);
   }
+  const pages = byPages.length === 1 ? 'An open page' : 'Open pages';
   return [
-    ...(again.length > 0
-      ? [`${subject(again)} ${again.length === 1 ? 'runs' : 'run'} again.`]
-      : []),
+    ...(byMaster.length > 0 ? [`The master started ${namesOf(byMaster)} again.`] : []),
+    ...(byPages.length > 0 ? [`${pages} started ${namesOf(byPages)} again.`] : []),
     ...(ended.length > 0
-      ? [`${subject(ended)} ${ended.length === 1 ? 'does' : 'do'} not run.`]
+      ? [`${namesOf(ended)} ${ended.length === 1 ? 'does' : 'do'} not run.`]
       : []),
   ].join(' ');
 }
 
 /** `“Hands”`, `“Hands” and “Mirror”`, `3 sessions`. */
-function subject(names: readonly string[]): string {
+function namesOf(names: readonly string[]): string {
   if (names.length > MAX_NAMES) return `${names.length} sessions`;
   return names.map((name) => `“${name || 'Session without a name'}”`).join(' and ');
 }

@@ -9,20 +9,20 @@ describe('formatFarewell()', () => {
     expect(formatFarewell({ startAgain: [], end: [] })).toBe('Stopped.');
   });
 
-  it('names sessions that start again, and those that do not', () => {
+  it('says which sessions the master starts again, and that a page starts its own', () => {
     expect(formatFarewell({ startAgain: ['Mirror', 'Hands'], end: ['Seeing'] })).toBe(
       [
         'Stopped.',
-        '2 sessions will start again with the master: "Mirror", "Hands"',
-        '1 session ended and will not start again: "Seeing"',
-        'An open page of an example starts its own session again. For others, turn on "Resume when the master restarts".',
+        'The master will start 2 sessions again: "Mirror", "Hands"',
+        'The master will not start 1 session again: "Seeing"',
+        'A page that stays open, such as an example, starts its own session again. For other sessions, turn on "Resume when the master restarts".',
       ].join('\n'),
     );
   });
 
   it('bounds the names and how long each is, and prints no control characters', () => {
     const text = formatFarewell({ startAgain: many, end: [`\u001b[2J${'x'.repeat(100)}`] });
-    expect(text).toContain('8 sessions will start again with the master: "s1", "s2"');
+    expect(text).toContain('The master will start 8 sessions again: "s1", "s2"');
     expect(text).toContain('"s6" and 2 more');
     expect(text).not.toContain('\u001b');
     expect(text).not.toContain('x'.repeat(49));
@@ -34,10 +34,10 @@ describe('formatRestored()', () => {
     expect(formatRestored({ running: [], others: [] })).toBe('');
   });
 
-  it('says which sessions run again, and why others do not', () => {
+  it('says which sessions the master started again, and why others do not run', () => {
     const report = { running: ['Mirror'], others: [{ name: 'Hands', reason: 'No node "lab".' }] };
     expect(formatRestored(report)).toBe(
-      '  1 session runs again: "Mirror"\n  "Hands" does not run as before: No node "lab".\n',
+      '  The master started 1 session again: "Mirror"\n  "Hands" does not run as before: No node "lab".\n',
     );
   });
 

@@ -8,9 +8,7 @@ export function formatRestored({ running, others }: RestoreReport): string {
   const lines = [
     ...(running.length === 0
       ? []
-      : [
-          `${countSessions(running)} ${running.length === 1 ? 'runs' : 'run'} again: ${listNames(running)}`,
-        ]),
+      : [`The master started ${countSessions(running)} again: ${listNames(running)}`]),
     ...others
       .slice(0, MAX_NAMES)
       .map(
