@@ -3,7 +3,7 @@ import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { ClientState, ServiceError, type Client } from '@ubii/proto';
 import { flushPromises } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { effectScope, nextTick, ref, type EffectScope } from 'vue';
+import { effectScope, nextTick, ref, watch, type EffectScope } from 'vue';
 import { createClientsStore } from './clients-store.ts';
 import { createSessionsStore } from './sessions-store.ts';
 import { createNodesStore } from './nodes-store.ts';
@@ -220,6 +220,32 @@ describe('topic statistics store', () => {
     ]);
     expect(store.rates.value?.size).toBe(0);
     await flushPromises();
+  });
+
+  it('knows no rates while the master is away, and tells views so', async () => {
+    const { client, call } = fakeClient();
+    const counted = { topic: '/a', dataFormat: 'double', publishedMs: 1, bytes: 0, dropped: 0 };
+    let replies = 0;
+    call.mockImplementation(async () => ({
+      cursor: ++replies,
+      reset: replies === 1,
+      elements: [{ ...counted, records: replies * 10 }],
+      removed: [],
+      masterTimeMs: replies * 1000,
+    }));
+    const isConnected = ref(true);
+    const store = scope.run(() => createTopicStatisticsStore(client, isConnected, () => 0))!;
+    scope.run(() => store.watch(250));
+    await settle();
+    await vi.advanceTimersByTimeAsync(250);
+    expect(store.rates.value?.get('/a')?.hz).toBe(10);
+    const seen = vi.fn();
+    scope.run(() => watch(store.rates, (rates) => seen(rates?.get('/a')?.hz)));
+    isConnected.value = false;
+    await nextTick();
+    await nextTick();
+    expect(seen).toHaveBeenLastCalledWith(undefined);
+    expect(store.rates.value?.has('/a')).toBe(true);
   });
 });
 

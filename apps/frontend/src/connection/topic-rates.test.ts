@@ -31,6 +31,23 @@ describe('TopicRates', () => {
     expect(rates.cursor).toBe(2000);
   });
 
+  it('no rate is known while nothing is measured; it starts afresh after that', () => {
+    const rates = new TopicRates();
+    rates.apply({ ...reply(1000, statistic('/a', 100)), reset: true });
+    rates.apply(reply(2000, statistic('/a', 160)));
+    rates.pause();
+    expect(rates.rates.get('/a')).toMatchObject({
+      hz: undefined,
+      bytesPerSecond: undefined,
+      droppedPerSecond: undefined,
+      statistic: { records: 160 },
+    });
+    rates.apply({ ...reply(60_000, statistic('/a', 500)), reset: true });
+    expect(rates.rates.get('/a')?.hz).toBeUndefined();
+    rates.apply(reply(61_000, statistic('/a', 530)));
+    expect(rates.rates.get('/a')?.hz).toBe(30);
+  });
+
   it('a topic that appears between two replies counts from the earlier one', () => {
     const rates = new TopicRates();
     rates.apply({ ...reply(1000), reset: true });

@@ -3,7 +3,7 @@ import type { TopicStatistic, TopicStatistics } from '@ubii/proto';
 /** A topic's counters with what they mean per second: one object for the life of the topic, renewed in place. */
 export interface TopicRate {
   readonly statistic: TopicStatistic;
-  /** Records per second; `undefined` until two replies were seen. */
+  /** Records per second; `undefined` until two replies were seen, and while the master is away. */
   readonly hz: number | undefined;
   readonly bytesPerSecond: number | undefined;
   /** Records per second that slow subscribers did not get. */
@@ -56,6 +56,13 @@ class Track implements TopicRate {
   constructor(statistic: TopicStatistic, sinceMs: number) {
     this.statistic = statistic;
     this.sinceMs = sinceMs;
+  }
+
+  /** Nothing is measured now. */
+  pause(): void {
+    this.hz = undefined;
+    this.bytesPerSecond = undefined;
+    this.droppedPerSecond = undefined;
   }
 
   /** Counts from here, as if nothing had been before. */
@@ -118,6 +125,11 @@ export class TopicRates {
     if (reply.reset) removed.push(...this.#removeUnnamed());
     this.#advance(nowMs, hasBreak);
     return { added, removed };
+  }
+
+  /** No reply comes: what is known of the topics stays, and their rates are unknown. */
+  pause(): void {
+    for (const track of this.#tracks.values()) track.pause();
   }
 
   #remove(topic: string): Track[] {

@@ -1,7 +1,15 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
 import { ServiceError } from '@ubii/proto';
 import { tryOnScopeDispose } from '@vueuse/core';
-import { computed, shallowRef, triggerRef, type ComputedRef, type Ref, type ShallowRef } from 'vue';
+import {
+  computed,
+  shallowRef,
+  triggerRef,
+  watch,
+  type ComputedRef,
+  type Ref,
+  type ShallowRef,
+} from 'vue';
 import { measureClock, type ClockOffset } from './clock-offset.ts';
 import { createInterest } from './interest.ts';
 import { usePoll } from './poll.ts';
@@ -67,6 +75,11 @@ export function createTopicStatisticsStore(
     }
   }
 
+  watch(isConnected, (connected) => {
+    if (connected || rates.value === undefined) return;
+    topicRates.pause();
+    triggerRef(rates);
+  });
   usePoll(
     ask,
     () => interest.intervalMs.value ?? 0,

@@ -65,7 +65,7 @@ export function connectionNotice(
       const cause = CAUSES[isTriedAgain ? 'refused' : state.error.reason];
       return {
         tone: 'warning',
-        text: `${cause}.${hadData ? ' The page shows the last values.' : ''}`,
+        text: `${cause}.${hadData ? ' The page shows the last values that it received.' : ''}`,
         next: seconds > 0 ? `Retry in ${seconds} s, ${tries}` : `Retrying, ${tries}`,
         action: 'Retry now',
       };

@@ -34,7 +34,7 @@ describe('connectionNotice', () => {
     };
     expect(connectionNotice(state, NOW, true)).toEqual({
       tone: 'warning',
-      text: 'The master cannot be reached. The page shows the last values.',
+      text: 'The master cannot be reached. The page shows the last values that it received.',
       next: 'Retry in 3 s, try 4',
       action: 'Retry now',
     });

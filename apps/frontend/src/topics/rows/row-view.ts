@@ -34,12 +34,11 @@ export function nameOf(node: TopicNode, findPublisher: FindPublisher): string {
 export function rowView(node: TopicNode, findPublisher: FindPublisher, nowMs: number): RowView {
   const publisher = node.level === 1 ? findPublisher(node.label) : undefined;
   const ageMs = node.publishedMs === 0 ? undefined : Math.max(0, nowMs - node.publishedMs);
-  const isRateKnown = node.isBranch || node.rate?.hz !== undefined;
   return {
     name: nameOf(node, findPublisher),
     publisher,
-    hz: isRateKnown ? formatRate(node.hz) : NO_VALUE.digits,
-    bandwidth: isRateKnown ? formatBytes(node.bytesPerSecond, '') : NO_VALUE,
+    hz: node.isRateKnown ? formatRate(node.hz) : NO_VALUE.digits,
+    bandwidth: node.isRateKnown ? formatBytes(node.bytesPerSecond, '') : NO_VALUE,
     age: ageMs === undefined ? NO_VALUE : formatAge(ageMs),
     ageMs,
     isStale: isNodeStale(node, findPublisher, nowMs),

@@ -25,6 +25,8 @@ export class TopicNode {
   /** records per second, */
   hz = 0;
   bytesPerSecond = 0;
+  /** whether a rate is known of any of them, */
+  isRateKnown = false;
   /** and when the newest record came: milliseconds since the Unix epoch, master's clock. */
   publishedMs = 0;
 

@@ -61,12 +61,14 @@ export function summarise(node: TopicNode, counts: (node: TopicNode) => boolean)
   node.count = isCounted ? 1 : 0;
   node.hz = isCounted ? (rate.hz ?? 0) : 0;
   node.bytesPerSecond = isCounted ? (rate.bytesPerSecond ?? 0) : 0;
+  node.isRateKnown = isCounted && rate.hz !== undefined;
   node.publishedMs = isCounted ? rate.statistic.publishedMs : 0;
   for (const child of node.children.values()) {
     summarise(child, counts);
     node.count += child.count;
     node.hz += child.hz;
     node.bytesPerSecond += child.bytesPerSecond;
+    node.isRateKnown ||= child.isRateKnown;
     if (child.publishedMs > node.publishedMs) node.publishedMs = child.publishedMs;
   }
 }
