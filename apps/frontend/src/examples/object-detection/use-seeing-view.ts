@@ -1,6 +1,7 @@
 import type { TopicRecord } from '@ubii/proto';
 import { useIntervalFn } from '@vueuse/core';
 import { computed, reactive, shallowRef, watch } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
 import type { Seen } from '../../devices/camera/seeing-session.ts';
 import type { PictureLayer } from '../../topics/viewers/picture/picture-layers.ts';
 import { useFollowedLayers } from '../../topics/viewers/picture/use-followed-layers.ts';
@@ -17,9 +18,12 @@ export function useSeeingView(detection: {
   readonly belowThreshold: Readonly<{ value: TopicRecord | undefined }>;
   readonly threshold: Readonly<{ value: number }>;
   readonly isOn: Readonly<{ value: boolean }>;
+  /** The picture goes on without the master. */
+  readonly isMoving: Readonly<{ value: boolean }>;
 }) {
+  const { isConnected } = useConnection();
   const shown = reactive({ boxes: true, skeletons: true });
-  const { found, belowThreshold, threshold, isOn } = detection;
+  const { found, belowThreshold, threshold, isOn, isMoving } = detection;
 
   const followed = useFollowedLayers(() => [...found.value.values()]);
   const objects = computed(() => {
@@ -28,8 +32,10 @@ export function useSeeingView(detection: {
   });
   /** A threshold that rises counts at once; one that falls, with the next picture. */
   const isAbove = ({ score = 1 }: { readonly score?: number }): boolean => score >= threshold.value;
+  /** Results from before the master was away are those of another picture. */
+  const fitting = computed(() => (isConnected.value || !isMoving.value ? followed.value : []));
   const layers = computed((): PictureLayer[] =>
-    followed.value.map((layer) => ({
+    fitting.value.map((layer) => ({
       ...layer,
       shapes: layer.shapes.filter((shape) =>
         shape.size ? shown.boxes && isAbove(shape) : shown.skeletons,
@@ -58,7 +64,9 @@ export function useSeeingView(detection: {
     if (record) histogram.add(below.value.map(scoreOf), performance.now());
   });
   watch(isOn, () => histogram.clear());
-  useIntervalFn(() => (heights.value = histogram.heights(performance.now())), HISTOGRAM_MS);
+  useIntervalFn(() => {
+    if (isConnected.value) heights.value = histogram.heights(performance.now());
+  }, HISTOGRAM_MS);
 
   return { shown, layers, things, heights };
 }

@@ -189,6 +189,8 @@ export function useObjectDetection(sources: PictureSources) {
   watch([isConnected, useDocumentVisibility()], clearTimes);
 
   useRafFn(() => {
+    // The last results stay, as old ones, until the master is back.
+    if (!isConnected.value) return;
     const nowMs = performance.now();
     for (const [what, { atMs }] of newest) {
       if (looksFor[what] && nowMs - atMs <= HOLD_MS) continue;
@@ -200,6 +202,10 @@ export function useObjectDetection(sources: PictureSources) {
     found.value = new Map([...newest].map(([what, { record }]) => [what, record]));
   });
   useIntervalFn(() => {
+    if (!isConnected.value) {
+      rates.value = {};
+      return;
+    }
     const nowMs = performance.now();
     stages.value = times.summary(client.masterTime.nowMs(), clocks.errorMs());
     rates.value = { sentHz: measures.rateHz, seenHz: results.rateHz(nowMs) };
