@@ -8,12 +8,14 @@ import { graphProblems, type GraphProblems } from '../model/live/graph-problems.
 import {
   isMissing,
   type GraphProblem,
-  type Remedy,
   type Surroundings,
+  type TopicAdvice,
 } from '../model/live/own-problems.ts';
 import type { ModuleNode } from '../model/graph.ts';
+import { leftTopicAdvice } from './left-topic-advice.ts';
 import type { OwnPad } from './own-pad.ts';
 import { ownTopicRemedy } from './own-topic-remedy.ts';
+import { useOtherTopics } from './use-other-topics.ts';
 
 /** What is wrong in the graph, for the views that show it at its place. */
 export interface LiveProblems {
@@ -36,8 +38,10 @@ export function provideGraphProblems(
 ): LiveProblems {
   const { client, nodes, sessions } = useConnection();
   const openPad = (): void => void (pad.isOpen.value = true);
-  const remedyOf = (topic: string): Remedy | undefined =>
-    ownTopicRemedy(topic, client.id, pad.isOffered.value ? openPad : undefined);
+  const otherTopics = useOtherTopics(editor);
+  const remedyOf = (topic: string): TopicAdvice | undefined =>
+    ownTopicRemedy(topic, client.id, pad.isOffered.value ? openPad : undefined) ??
+    leftTopicAdvice(topic, otherTopics(topic));
   const around = computed((): Surroundings => {
     const list = nodes.list.value;
     const entries = library.entries.value;

@@ -115,6 +115,24 @@ describe('problems the master tells', () => {
     expect(ofPort.get('module:a in:i')).toMatchObject([{ message: 'Touch the pad.', remedy }]);
   });
 
+  it('say what is known of a topic for which there is nothing to do', () => {
+    const remedyOf = () => ({ message: 'Its client has left.' });
+    const { ofPort } = graphProblems(graphOf(session), session, { ...AROUND, remedyOf });
+    expect(ofPort.get('module:a in:i')).toMatchObject([{ message: 'Its client has left.' }]);
+    expect(ofPort.get('module:a in:i')?.[0]).not.toHaveProperty('remedy');
+  });
+
+  it('leave out a topic that was replaced since', () => {
+    const rewired = applyCommand(graphOf(session), {
+      kind: 'renameTopic',
+      node: 'topic:/in',
+      topic: '/other',
+    });
+    expect(graphProblems(rewired.graph, session, AROUND).ofPort.size).toBe(0);
+    const back = applyCommand(rewired.graph, rewired.inverse).graph;
+    expect(graphProblems(back, session, AROUND).ofPort.size).toBe(1);
+  });
+
   it('leave out a topic that merely rests', () => {
     const isResting = (topic: string) => topic === '/in';
     const { all, ofPort } = graphProblems(graphOf(session), session, { ...AROUND, isResting });

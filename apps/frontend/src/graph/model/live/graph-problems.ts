@@ -26,7 +26,7 @@ export function graphProblems(
 ): GraphProblems {
   const own = ownProblems(graph, around);
   const told = problemsInGraph(graph, session).flatMap(
-    (placed) => toldProblem(graph, placed, around) ?? [],
+    (placed) => toldProblem(graph, placed, around, session) ?? [],
   );
   const isTold = ({ code, node, port }: GraphProblem): boolean =>
     told.some(
@@ -46,11 +46,15 @@ export function graphProblems(
   };
 }
 
-/** Undefined when it has been dealt with since: the wire it was about is gone, or its topic only rests. */
+/**
+ * Undefined when it has been dealt with since: the wire it was about is gone or leads to another topic, or its topic
+ * only rests.
+ */
 function toldProblem(
   graph: Graph,
   placed: PlacedProblem,
   { remedyOf, isResting }: Surroundings,
+  session: Pick<Session, 'ioMappings'>,
 ): GraphProblem | undefined {
   const { problem, node, port, wires } = placed;
   const { code, isError, message, path } = problem;
@@ -60,9 +64,25 @@ function toldProblem(
   }
   const topic = code === 'topic_without_record' ? sourceTopic(graph, wires) : undefined;
   if (topic !== undefined && isResting?.(topic) === true) return undefined;
-  const remedy = topic === undefined ? undefined : remedyOf?.(topic);
+  if (topic !== undefined && !isSavedInput(session, path, topic)) return undefined;
+  const advice = topic === undefined ? undefined : remedyOf?.(topic);
   const told = { code, isError, message, node, port, wires };
-  return remedy === undefined ? told : { ...told, message: remedy.message, remedy };
+  if (advice === undefined) return told;
+  const remedy = advice.text === undefined ? {} : { remedy: advice };
+  return { ...told, message: advice.message, ...remedy };
+}
+
+const INPUT_TOPIC = /^ioMappings\[(\d+)\]\.inputMappings\[(\d+)\]\.topic$/;
+
+/** Whether the input that a problem is about has this topic in the session as it is saved. */
+function isSavedInput(
+  { ioMappings }: Pick<Session, 'ioMappings'>,
+  path: string,
+  topic: string,
+): boolean {
+  const [, mapping, input] = INPUT_TOPIC.exec(path) ?? [];
+  const saved = ioMappings[Number(mapping)]?.inputMappings[Number(input)]?.topic;
+  return saved === undefined || saved === topic;
 }
 
 function sourceTopic(graph: Graph, [id]: readonly string[]): string | undefined {

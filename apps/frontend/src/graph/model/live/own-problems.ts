@@ -16,6 +16,10 @@ export interface Remedy {
   readonly run?: () => void;
 }
 
+/** What is wrong with a topic without a value, in place of the message of the problem, and what ends it. */
+export type TopicAdvice =
+  Remedy | { readonly message: string; readonly text?: undefined; readonly run?: undefined };
+
 /** Something wrong in a graph, at its place. */
 export interface GraphProblem {
   /** As the master names it. [SE-4] [SE-5] */
@@ -42,8 +46,8 @@ export interface Surroundings {
   readonly nodes: ReadonlySet<string> | undefined;
   /** What other sessions write that run. */
   readonly writers: OtherWriters;
-  /** What to do for a topic on which nothing is sent. */
-  readonly remedyOf?: (topic: string) => Remedy | undefined;
+  /** What to say and do of a topic on which nothing is sent. */
+  readonly remedyOf?: (topic: string) => TopicAdvice | undefined;
   /** Whether a topic without a value only waits for a finger: no problem. */
   readonly isResting?: (topic: string) => boolean;
 }

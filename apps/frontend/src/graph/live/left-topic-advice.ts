@@ -1,0 +1,60 @@
+import type { FindPublisher } from '../../topics/tree/publisher.ts';
+import { rootLabel } from '../../topics/tree/topic-path.ts';
+import type { TopicAdvice } from '../model/live/own-problems.ts';
+
+/** A topic that other clients may have. */
+export interface OtherTopic {
+  readonly topic: string;
+  readonly format: string;
+}
+
+/** What else there is instead of a topic. */
+export interface OtherTopics {
+  readonly findPublisher: FindPublisher;
+  /** Whether the master has this client. */
+  readonly isPresent: (clientId: string) => boolean;
+  /** Those that clients published on, the best first. */
+  readonly topics: () => readonly OtherTopic[];
+  /** Whether everything that reads the topic takes this format. */
+  readonly fits: (format: string) => boolean;
+  /** Takes another topic in its place. */
+  readonly use: (topic: string) => void;
+}
+
+/** What to say of a topic whose client is gone, and what to use instead; undefined for other topics. */
+export function leftTopicAdvice(topic: string, around: OtherTopics): TopicAdvice | undefined {
+  const root = rootLabel(topic);
+  const owner = around.findPublisher(root);
+  if (owner?.isAway !== true) return undefined;
+  const rest = topicWithoutRoot(topic);
+  const state = around.isPresent(root) ? 'is not connected' : 'has left';
+  const fact = `Topic "${rest}" of ${owner.name}, which ${state}, has no value.`;
+  const other = sameTopic(topic, rest, around);
+  if (other === undefined) return { message: `${fact} Connect a topic of another client.` };
+  const name = rest.slice(rest.lastIndexOf('/') + 1);
+  return {
+    message: `${fact} ${other.client} publishes the same topic.`,
+    text: `Use ${name} of ${other.client}`,
+    run: () => around.use(other.topic),
+  };
+}
+
+/** The topic of the same device and component of a client that is there. */
+function sameTopic(
+  topic: string,
+  rest: string,
+  { findPublisher, topics, fits }: OtherTopics,
+): { readonly topic: string; readonly client: string } | undefined {
+  for (const one of topics()) {
+    if (one.topic === topic) continue;
+    if (topicWithoutRoot(one.topic) !== rest || !fits(one.format)) continue;
+    const publisher = findPublisher(rootLabel(one.topic));
+    if (publisher?.isAway === false) return { topic: one.topic, client: publisher.name };
+  }
+  return undefined;
+}
+
+/** Device and component of a topic of a client. */
+function topicWithoutRoot(topic: string): string {
+  return topic.slice(topic.indexOf('/', 1) + 1);
+}

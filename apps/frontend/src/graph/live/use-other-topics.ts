@@ -1,0 +1,43 @@
+import { formatsFit } from '@ubii/pm-sandbox';
+import { parseDataFormat } from '@ubii/proto';
+import { computed } from 'vue';
+import { isClientId } from '../../connection/display-names.ts';
+import { useConnection } from '../../connection/useConnection.ts';
+import { rootLabel } from '../../topics/tree/topic-path.ts';
+import { useFindPublisher } from '../../topics/useFindPublisher.ts';
+import type { GraphEditor } from '../editor/graph-editor.ts';
+import { sameValue } from '../model/changes/same-value.ts';
+import { topicNodeId } from '../model/make-node.ts';
+import { portOf } from '../model/port-format.ts';
+import { wiresOf } from '../model/wires-of.ts';
+import type { OtherTopic, OtherTopics } from './left-topic-advice.ts';
+
+/** Finds what may take the place of a topic of the graph, which is an edit like any other. */
+export function useOtherTopics(editor: GraphEditor): (topic: string) => OtherTopics {
+  const { client, clients, topics } = useConnection();
+  const findPublisher = useFindPublisher();
+  const present = computed(() => new Set(clients.list.value?.map(({ id }) => id)));
+  /** Topics of clients, those of this browser first. Counters come all the time; only other topics count. */
+  const published = computed<readonly OtherTopic[]>((before) => {
+    const all = [...(topics.rates.value?.values() ?? [])]
+      .map(({ statistic }) => statistic)
+      .filter(({ topic, publishedMs }) => publishedMs > 0 && isClientId(rootLabel(topic)))
+      .map(({ topic, dataFormat: format }) => ({ topic, format }));
+    const isOwn = ({ topic }: OtherTopic): boolean => rootLabel(topic) === client.id;
+    const next = [...all.filter(isOwn), ...all.filter((one) => !isOwn(one))];
+    return before !== undefined && sameValue(before, next) ? before : next;
+  });
+  return (topic) => {
+    const node = topicNodeId(topic);
+    return {
+      findPublisher,
+      isPresent: (id) => present.value.has(id),
+      topics: () => published.value,
+      fits: (format) =>
+        wiresOf(editor.graph.value, node).out.every(({ to }) =>
+          formatsFit(parseDataFormat(format), portOf(editor.graph.value, to)?.format),
+        ),
+      use: (other) => editor.apply({ kind: 'renameTopic', node, topic: other }),
+    };
+  };
+}
