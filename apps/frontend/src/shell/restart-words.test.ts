@@ -3,8 +3,10 @@ import { expect, it } from 'vitest';
 import { afterRestart } from './restart-words.ts';
 
 const { SESSION_RUNNING, SESSION_STOPPED } = SessionState;
-const session = (name: string, { state = SESSION_RUNNING, startWithMaster = true } = {}): Session =>
-  ({ name, extension: { state, startWithMaster, problems: [] } }) as unknown as Session;
+const session = (
+  name: string,
+  { state = SESSION_RUNNING as SessionState, startWithMaster = true } = {},
+): Session => ({ name, extension: { state, startWithMaster, problems: [] } }) as unknown as Session;
 const stopped = { state: SESSION_STOPPED };
 const ofPage = { startWithMaster: false };
 
