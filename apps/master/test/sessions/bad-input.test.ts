@@ -304,6 +304,15 @@ describe('a session that cannot be', () => {
     );
   });
 
+  it('say that the client of a topic has left, which no list names any more [SE-5]', async () => {
+    const world = await SessionWorld.create();
+    const gone = 'b0c47f3b-1111-4222-8333-444455556666';
+    const session = await world.ask(TOPICS.add, doubling(`/${gone}/arm/angle`, '/out'));
+    expect(session.extension?.problems[0]?.message).toBe(
+      'Topic "arm/angle" of a client that has left has no value, so the input "in" is empty until one is published.',
+    );
+  });
+
   it('reads what old clients send with tolerance [SE-6]', async () => {
     const world = await SessionWorld.create();
     const { session, error } = await world.master.callJson({

@@ -1,5 +1,5 @@
 import type { CompiledPattern, PatternCompiler } from '@ubii/patterns';
-import { dataFormatOfField } from '@ubii/proto';
+import { dataFormatOfField, isUuid } from '@ubii/proto';
 import type { ClientRegistry } from '../../clients/client-registry.ts';
 import type { DeviceRegistry } from '../../devices/device-registry.ts';
 import type { Limits } from '../../limits/index.ts';
@@ -9,6 +9,9 @@ import { quote } from '../../topics/topic-names.ts';
 import type { TopicTable } from '../../topics/topic-table.ts';
 import type { CheckContext } from './check-context.ts';
 import { nodeProblem } from './node-problem.ts';
+
+/** Names of clients leave with them, and the ids of clients tell people nothing. */
+const GONE_CLIENT = 'a client that has left';
 
 /** What the checks see of the master. */
 export interface ChecksParts {
@@ -50,9 +53,10 @@ export function createChecks(parts: ChecksParts): CheckContext {
     nameTopic(topic) {
       const [, root = '', ...rest] = topic.split('/');
       const client = clients.get(root);
-      return client === undefined || rest.length === 0
+      const owner = client === undefined ? GONE_CLIENT : `the client ${quote(client.label)}`;
+      return (client === undefined && !isUuid(root)) || rest.length === 0
         ? quote(topic)
-        : `${quote(rest.join('/'))} of the client ${quote(client.label)}`;
+        : `${quote(rest.join('/'))} of ${owner}`;
     },
     nodeProblem: (draft) => nodeProblem(nodes, draft),
     isOffered: (name) => nodes.list().some((node) => offerOf(node, name) !== undefined),
