@@ -12,6 +12,8 @@ export interface Feedback {
   readonly progress: number;
   /** What the pad shows, 0 to 1: boost that is saved up, charge of a dash. */
   readonly gauge: number;
+  /** Whole seconds, where the gauge is time that is left: the pad says them. */
+  readonly secondsLeft?: number;
   /** The button does something now. */
   readonly isReady: boolean;
   /** Has nothing to steer any more in this round. */

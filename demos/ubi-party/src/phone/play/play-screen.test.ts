@@ -50,6 +50,13 @@ test('keys play, and are let go while the menu is open', async () => {
   expect(link.sent).toEqual([true, { x: 0, y: 1 }, false, { x: 0, y: 0 }]);
 });
 
+test('the pad says the seconds of a gauge that is time', () => {
+  const feedback = { ...FEEDBACK, gauge: 0.88, secondsLeft: 8 };
+  page.open({ ...inRound('quiz'), feedback });
+  expect(page.get('.wide-pad').text()).toContain('8 s left');
+  expect(page.get('.wide-pad').text()).not.toContain('%');
+});
+
 test('one button takes the direction to which the pointer has come', async () => {
   localStorage.setItem('ubii.party.phone', JSON.stringify({ hasOneButton: true }));
   const link = page.open(inRound('hill'));

@@ -60,3 +60,10 @@ test('the statement stands on the screen and on the phone, the answer after the 
   expect(quizGame.hud(after, String).headline).toBe(isTrue ? 'It’s true' : 'It’s false');
   expect(quizGame.feedback(after, 0)).toMatchObject({ headline: 'Wrong', hitAt: after.step });
 });
+
+test('the phone is told the seconds that are left to answer, and none with the result', () => {
+  const state = quizGame.start({ seats: [0], seed: 11 });
+  quizGame.step(state, () => AT_REST, quizGame.settings);
+  expect(quizGame.feedback(state, 0).secondsLeft).toBe(9);
+  expect(quizGame.feedback(firstQuestion(() => AT_REST), 0)).not.toHaveProperty('secondsLeft');
+});

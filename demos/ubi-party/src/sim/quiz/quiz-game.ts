@@ -113,6 +113,8 @@ function questionOf(state: QuizState) {
   return { text, isTrue, number, leftSteps, isShown: leftSteps <= 0 };
 }
 
+const secondsOf = (steps: number): number => Math.ceil(steps / STEPS_PER_SECOND);
+
 const ANSWERS: Readonly<Record<number, string>> = { 1: 'True', [-1]: 'False', 0: 'Tilt to answer' };
 
 function feedback(state: QuizState, seat: Seat): Feedback {
@@ -127,6 +129,7 @@ function feedback(state: QuizState, seat: Seat): Feedback {
     sentence: isShown ? result : text,
     progress: number / QUESTIONS,
     gauge: Math.max(0, leftSteps) / stepsOf(state).answer,
+    ...(!isShown && { secondsLeft: secondsOf(leftSteps) }),
     isReady: !isShown && own !== undefined && sideOf(own) !== 0,
     isOut: false,
     hitAt: isWrong ? state.step + leftSteps : 0,
@@ -135,7 +138,6 @@ function feedback(state: QuizState, seat: Seat): Feedback {
 
 function hud(state: QuizState): Hud {
   const { text, isTrue, number, leftSteps, isShown } = questionOf(state);
-  const seconds = Math.ceil(leftSteps / STEPS_PER_SECOND);
   const notes = state.answerers.map(({ seat, score, won }) => [
     seat,
     isShown && won > 0 ? `${score} (+${won})` : String(score),
@@ -145,6 +147,6 @@ function hud(state: QuizState): Hud {
     question: { text, left: 'False', right: 'True' },
     notes: Object.fromEntries(notes) as Record<Seat, string>,
     out: [],
-    ...(!isShown && { corner: { value: String(seconds), label: 'seconds left' } }),
+    ...(!isShown && { corner: { value: String(secondsOf(leftSteps)), label: 'seconds left' } }),
   };
 }
