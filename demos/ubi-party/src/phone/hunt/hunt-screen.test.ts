@@ -93,6 +93,24 @@ test('a picture is looked at on the phone, and only what it shows is handed in',
   expect(link.photos.filter((photo) => photo !== undefined)).toEqual([]);
 });
 
+test('a detector that did not load can be loaded again during the hunt', async () => {
+  const detector = { detect: () => Promise.resolve(seen), close: closed };
+  const openDetector = vi
+    .fn()
+    .mockRejectedValueOnce(new Error('onCreated waited too long.'))
+    .mockResolvedValue(detector);
+  page.open(hunting(), { openDetector, cameraHelp: () => '' });
+  await vi.dynamicImportSettled();
+  await flushPromises();
+  expect(page.get('.plate').text()).toContain('The detector did not load');
+  expect(page.text).not.toContain('onCreated');
+  expect(page.button('Take the photo').attributes('disabled')).toBeDefined();
+  await page.button('Load it again').trigger('click');
+  await flushPromises();
+  expect(page.get('.plate').text()).not.toContain('The detector did not load');
+  expect(page.button('Take the photo').attributes('disabled')).toBeUndefined();
+});
+
 test('a player who shows photos sends them, and ends them with the switch', async () => {
   const link = await open(hunting());
   const shows = page.button('Show my photos on the big screen');
