@@ -10,17 +10,19 @@ export interface PodiumStep {
 }
 
 export const STEP_DEPTH = 3;
-/** From left to right as they stand; the first in the middle. */
+/** From left to right as they stand; the first in the middle. So high that the digits are above the heads of a crowd. */
 export const STEPS: readonly PodiumStep[] = [
-  { place: 2, x: -4.1, width: 4, height: 3, trim: '#dcd9d2' },
-  { place: 1, x: 0, width: 4, height: 4.3, trim: '#f0b62c' },
-  { place: 3, x: 4.1, width: 4, height: 2.2, trim: '#d98d58' },
+  { place: 2, x: -4.1, width: 4, height: 4.2, trim: '#dcd9d2' },
+  { place: 1, x: 0, width: 4, height: 5.4, trim: '#f0b62c' },
+  { place: 3, x: 4.1, width: 4, height: 3.4, trim: '#d98d58' },
 ];
 
 /** How many stand in a row before the steps. */
 const ROW_OF_OTHERS = 10;
 /** The camera looks far less down than in the lobby: rows that are nearer hide letters. */
 const ROW_OF_OTHERS_Z = 5.4;
+/** The first row before the steps. */
+const CROWD_Z = 4.2;
 /** As few stand between the digits. */
 const BETWEEN_DIGITS = [-2.05, 2.05, 7.4] as const;
 
@@ -59,7 +61,7 @@ export function podiumSpots(seats: readonly Seat[], first: readonly Seat[]): Pod
           ? BETWEEN_DIGITS[index]!
           : 1.3 + (column - (inRow - 1) / 2) * gap + (row % 2 === 0 ? 0 : gap * 0.25),
         y: 0,
-        z: STEP_DEPTH / 2 + (isCrowd ? 3.2 : 1.3) + row * ROW_OF_OTHERS_Z * size,
+        z: STEP_DEPTH / 2 + (isCrowd ? CROWD_Z : 1.3) + row * ROW_OF_OTHERS_Z * size,
         size,
       };
     }),

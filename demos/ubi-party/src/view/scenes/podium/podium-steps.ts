@@ -7,6 +7,8 @@ import { STEP_DEPTH, STEPS } from './podium-spots.ts';
 
 const INK = '#221c14';
 const TRIM = 0.42;
+/** The side of a digit's square, near the upper edge. */
+const DIGIT = 2.3;
 
 /** Three wooden steps with 1, 2 and 3. */
 export class PodiumSteps {
@@ -21,8 +23,8 @@ export class PodiumSteps {
       add(plate(width + 0.16, STEP_DEPTH + 0.16), trim, [x, height - TRIM, 0]);
       add(buildBlock(width - 0.5, 0.08, STEP_DEPTH - 0.5, 0.03), '#efdcb8', [x, height - 0.05, 0]);
       const sign = new Mesh(this.#digits.square(place - 1), this.#digits.material(INK));
-      sign.position.set(x, (height - TRIM) * 0.5, STEP_DEPTH / 2 + 0.02);
-      sign.scale.setScalar(Math.min(2.4, (height - TRIM) * 1.25));
+      sign.position.set(x, height - TRIM - DIGIT * 0.48, STEP_DEPTH / 2 + 0.02);
+      sign.scale.setScalar(DIGIT);
       this.#signs.add(sign);
     }
     this.root.add(this.#signs);
