@@ -31,4 +31,22 @@ describe('camera rig', () => {
       expect(down).toBeLessThan(rect.bottom + 1e-6);
     }
   });
+
+  it('looks down further to fill a higher picture, as far as the scene allows', () => {
+    const wide = { left: 0, right: 1, top: 0, bottom: 1 };
+    const heightOf = (framing: Framing, aspect: number): number => {
+      const rig = new CameraRig();
+      rig.resize(aspect);
+      rig.frame(framing, true);
+      rig.update(0, 1, 0);
+      const ys = framing.points.map(
+        ({ x, y, z }) => new Vector3(x, y, z).project(rig.camera).y / 2,
+      );
+      return Math.max(...ys) - Math.min(...ys);
+    };
+    const flat = { ...FRAMING, rect: wide };
+    const steep = { ...flat, mostPitchDeg: 50 };
+    expect(heightOf(steep, 1.6)).toBeGreaterThan(heightOf(flat, 1.6) * 1.15);
+    expect(heightOf(steep, 1.6)).toBeLessThanOrEqual(1);
+  });
 });

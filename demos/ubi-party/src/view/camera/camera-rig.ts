@@ -5,6 +5,8 @@ import { fitCamera, type CameraPlace, type FrameRect, type Point3 } from './fit-
 /** What a scene wants to be seen. */
 export interface Framing {
   readonly pitchDeg: number;
+  /** Looks down as far as this where that fills a higher picture; `pitchDeg` by default. */
+  readonly mostPitchDeg?: number;
   readonly yawDeg?: number;
   /** All that must be in the picture. */
   readonly points: readonly Point3[];
@@ -17,13 +19,19 @@ export interface Framing {
 export const FOV_DEG = 22;
 /** Seconds in which half of the way to a new place is gone: no cuts during play. */
 const FOLLOW_S = 0.35;
+/** A steeper view of the same width is a little farther, as perspective has it. */
+const NO_FARTHER = 1.03;
+
+interface Place extends CameraPlace {
+  readonly pitchDeg: number;
+}
 
 /** A camera that frames what a scene wants to be seen, follows it smoothly, and never rolls. */
 export class CameraRig {
   readonly camera = new PerspectiveCamera(FOV_DEG, 16 / 9, 1, 400);
   #framing: Framing | undefined;
-  #goal: CameraPlace | undefined;
-  #at: CameraPlace | undefined;
+  #goal: Place | undefined;
+  #at: Place | undefined;
   #aspect = 16 / 9;
 
   resize(aspect: number): void {
@@ -55,11 +63,7 @@ export class CameraRig {
     const framing = this.#framing;
     if (!framing) return;
     const yawDeg = framing.yawDeg ?? 0;
-    this.#goal ??= fitCamera(
-      framing.points,
-      { fovDeg: FOV_DEG, pitchDeg: framing.pitchDeg, yawDeg, aspect: this.#aspect },
-      this.#aspect < 1 ? framing.tallRect : framing.rect,
-    );
+    this.#goal ??= steepestFit(framing, this.#aspect);
     const at = this.#at ? between(this.#at, this.#goal, approach(dtS, FOLLOW_S)) : this.#goal;
     this.#at = at;
     const { target } = at;
@@ -67,20 +71,10 @@ export class CameraRig {
     const share = zoomAt ? 1 - 1 / zoom : 0;
     const x = target.x + ((zoomAt?.x ?? 0) - target.x) * share;
     const z = target.z + ((zoomAt?.z ?? 0) - target.z) * share;
-    this.#place(
-      { ...at, target: { x, y: target.y, z } },
-      at.distance / zoom,
-      framing.pitchDeg,
-      yawDeg + swayDeg,
-    );
+    this.#place({ ...at, target: { x, y: target.y, z } }, at.distance / zoom, yawDeg + swayDeg);
   }
 
-  #place(
-    { target, shiftX, shiftY }: CameraPlace,
-    distance: number,
-    pitchDeg: number,
-    yawDeg: number,
-  ): void {
+  #place({ target, shiftX, shiftY, pitchDeg }: Place, distance: number, yawDeg: number): void {
     const [pitch, yaw] = [(pitchDeg * Math.PI) / 180, (yawDeg * Math.PI) / 180];
     const { camera } = this;
     camera.position.set(
@@ -100,7 +94,25 @@ export class CameraRig {
   }
 }
 
-function between(a: CameraPlace, b: CameraPlace, share: number): CameraPlace {
+/** Looks down further as long as the camera need not go back: then the width is what limits it. */
+function steepestFit(framing: Framing, aspect: number): Place {
+  const { points, pitchDeg, mostPitchDeg = pitchDeg, yawDeg = 0 } = framing;
+  const rect = aspect < 1 ? framing.tallRect : framing.rect;
+  const fit = (deg: number): Place => ({
+    ...fitCamera(points, { fovDeg: FOV_DEG, pitchDeg: deg, yawDeg, aspect }, rect),
+    pitchDeg: deg,
+  });
+  let best = fit(pitchDeg);
+  const farthest = best.distance * NO_FARTHER;
+  for (let deg = pitchDeg + 1; deg <= mostPitchDeg; deg += 1) {
+    const steeper = fit(deg);
+    if (steeper.distance > farthest) break;
+    best = steeper;
+  }
+  return best;
+}
+
+function between(a: Place, b: Place, share: number): Place {
   const mix = (from: number, to: number): number => from + (to - from) * share;
   return {
     target: {
@@ -109,6 +121,7 @@ function between(a: CameraPlace, b: CameraPlace, share: number): CameraPlace {
       z: mix(a.target.z, b.target.z),
     },
     distance: mix(a.distance, b.distance),
+    pitchDeg: mix(a.pitchDeg, b.pitchDeg),
     shiftX: mix(a.shiftX, b.shiftX),
     shiftY: mix(a.shiftY, b.shiftY),
   };

@@ -172,6 +172,7 @@ function framingOf(track: Track): Framing {
   const points = track.points.filter((_, index) => index % 4 === 0);
   return {
     pitchDeg: 36,
+    mostPitchDeg: 50,
     points: points.flatMap(({ distance }) => {
       const { position, direction } = placeAt(track, distance);
       const edge = track.halfWidth + 1;
