@@ -1,5 +1,30 @@
 import { describe, expect, it } from 'vitest';
-import { standInCrowd } from './crowd.ts';
+import { raceGame } from '../../../sim/race/race-game.ts';
+import { playWithBots } from '../../../sim/testing/play-with-bots.ts';
+import { standInCrowd, type CrowdSpot } from './crowd.ts';
+
+/** Of a token of full size, units; the picture as `crowd.ts` has it. */
+const [WIDTH, HEIGHT, DEPTH_TO_HEIGHT] = [5.2, 5.4, 0.73];
+
+/** How many tokens hide the middle of another one's letter, or a corner of it. */
+function hiddenLetters(spots: readonly CrowdSpot[]): number {
+  const tokens = standInCrowd(spots).map(({ size, lift }, index) => {
+    const { x, z } = spots[index]!;
+    return { x, z, size, foot: lift - z * DEPTH_TO_HEIGHT };
+  });
+  const isHidden = (x: number, y: number, z: number): boolean =>
+    tokens.some((front) => {
+      const up = (y - front.foot) / (HEIGHT * front.size);
+      return front.z > z && Math.abs(front.x - x) < 0.4 * WIDTH * front.size && up > 0 && up < 0.9;
+    });
+  return tokens.filter(({ x, z, size, foot }) =>
+    [-0.15, 0, 0.15].some((aside) =>
+      [0.3, 0.48, 0.65].some((up) =>
+        isHidden(x + aside * WIDTH * size, foot + up * HEIGHT * size, z),
+      ),
+    ),
+  ).length;
+}
 
 describe('tokens in a crowd', () => {
   it('a cart alone has a token of full size, on the cart', () => {
@@ -34,5 +59,15 @@ describe('tokens in a crowd', () => {
       expect(size).toBeGreaterThanOrEqual(0.6);
       expect(lift).toBeLessThanOrEqual(6);
     }
+  });
+
+  it.each([0, 1, 2])('nearly all letters are seen in a race of 16 on track %i', (seed) => {
+    let [hidden, all] = [0, 0];
+    playWithBots(raceGame, 16, seed, ({ step, carts }) => {
+      if (step % 60 !== 0) return;
+      hidden += hiddenLetters(carts.map(({ position: { x, y } }) => ({ x, z: -y })));
+      all += carts.length;
+    });
+    expect(hidden / all).toBeLessThan(0.03);
   });
 });

@@ -21,8 +21,13 @@ const LEAST_SIZE = 0.6;
 const MOST_LIFT = 6;
 /** The camera looks down 36 degrees: a unit towards it lowers the picture as much as this share of a unit of height. */
 const DEPTH_TO_HEIGHT = 0.73;
-/** Of a token's height: what shows of it must hold the letter. */
-const SEEN = 0.62;
+/** Where the letter is on a token, and how much of its square the token fills. Shares of its size. */
+const LETTER_HALF = 0.25;
+const LETTER_FOOT = 0.25;
+const TOKEN_HALF = 0.42;
+const TOP = 0.95;
+/** Share of the width over which a token that comes beside another is lifted: none jumps. */
+const SOFT = 0.12;
 
 /** Tokens that would hide each other are smaller, and those behind stand on masts. In the order of the spots. */
 export function standInCrowd(spots: readonly CrowdSpot[]): CrowdStand[] {
@@ -33,11 +38,13 @@ export function standInCrowd(spots: readonly CrowdSpot[]): CrowdStand[] {
     const [spot, size] = [spots[index]!, sizes[index]!];
     for (const front of fromFront.slice(0, order)) {
       const before = spots[front]!;
-      const covers = (WIDTH * (size + sizes[front]!)) / 2 - Math.abs(before.x - spot.x);
+      const beside = WIDTH * (LETTER_HALF * size + TOKEN_HALF * sizes[front]!);
+      const covers = beside - Math.abs(before.x - spot.x);
       if (covers <= 0) continue;
-      const share = clamp01(covers / (WIDTH * size * 0.5));
+      const share = clamp01(covers / (WIDTH * size * SOFT));
       const seen = (before.z - spot.z) * DEPTH_TO_HEIGHT + lifts[index]! - lifts[front]!;
-      lifts[index]! += Math.max(0, HEIGHT * size * SEEN * share - seen);
+      const needed = HEIGHT * (TOP * sizes[front]! - LETTER_FOOT * size);
+      lifts[index]! += Math.max(0, (needed - seen) * share);
     }
     lifts[index] = Math.min(MOST_LIFT, lifts[index]!);
   }
