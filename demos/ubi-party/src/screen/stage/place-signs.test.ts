@@ -28,6 +28,18 @@ describe('names of tokens', () => {
     expect('Wilhelmine'.startsWith(second!.text.replace('…', ''))).toBe(true);
   });
 
+  it('keep what tells them apart when others share the first word, or are left out', () => {
+    const row = (names: readonly string[]) =>
+      placeSigns(
+        names.map((name, seat) => token(seat, 100 + seat * 46, 300 - seat, name)),
+        STYLE,
+      ).map(({ text }) => text);
+    const bots = row(['Bot A', 'Bot B', 'Bot C', 'Bot D']);
+    expect(bots.length).toBeLessThan(4);
+    for (const text of bots) expect(text).toMatch(/^Bot [A-D]$/);
+    for (const text of row(['Player 1', 'Player 2', 'Player 3'])) expect(text).toMatch(/ [1-3]$/);
+  });
+
   it('go aside or away where a nearer token stands', () => {
     const signs = placeSigns(
       [token(0, 500, 380, 'Ada'), token(1, 520, 320, 'Bo'), token(2, 500, 318, 'Theodora')],

@@ -53,11 +53,14 @@ export function placeSigns(
   before: readonly Sign[] = [],
 ): Sign[] {
   const nearFirst = [...tokens].sort((a, b) => b.y - a.y || a.seat - b.seat);
+  const firstWords = tokens.map(({ name }) => firstWordOf(name));
+  const isShared = (text: string): boolean =>
+    firstWords.indexOf(text) !== firstWords.lastIndexOf(text);
   const written = new Map(before.map((sign) => [sign.seat, sign.text]));
   const taken: Box[] = [];
   const signs: Sign[] = [];
   for (const token of nearFirst) {
-    const found = findRoom(token, style, taken, written.get(token.seat));
+    const found = findRoom(token, style, taken, written.get(token.seat), isShared);
     if (found) {
       signs.push(found.sign);
       taken.push(found.box);
@@ -72,8 +75,9 @@ function findRoom(
   style: SignStyle,
   taken: readonly Box[],
   before: string | undefined,
+  isShared: (firstWord: string) => boolean,
 ): { readonly sign: Sign; readonly box: Box } | undefined {
-  for (const text of shorter(token.name)) {
+  for (const text of textsOf(token.name, isShared)) {
     const room = text === before ? 0 : ROOM;
     const half = style.widthOf(text) / 2;
     for (const aside of ASIDE) {
@@ -89,13 +93,16 @@ function findRoom(
   return undefined;
 }
 
-/** The name, its first word, and ever fewer letters of it. */
-function shorter(name: string): string[] {
-  const [first = name] = name.split(/\s/);
-  const texts = first === name ? [name] : [name, first];
+const firstWordOf = (name: string): string => name.split(/\s/)[0] ?? name;
+
+/** The name, its first word, and ever fewer letters of it. What follows a word that others share tells them apart. */
+function textsOf(name: string, isShared: (firstWord: string) => boolean): string[] {
+  const first = firstWordOf(name);
+  const rest = isShared(first) ? name.slice(first.length) : '';
+  const texts = first + rest === name ? [name] : [name, first];
   const letters = [...first];
   for (let count = letters.length - 2; count >= LEAST_LETTERS; count -= 1)
-    texts.push(`${letters.slice(0, count).join('')}…`);
+    texts.push(`${letters.slice(0, count).join('')}…${rest}`);
   return texts;
 }
 

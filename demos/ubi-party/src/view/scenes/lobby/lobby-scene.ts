@@ -114,6 +114,7 @@ function framingOf(plan: LobbyPlan, words: LobbyShown['words']): Framing {
   const size = toysSize(plan);
   return {
     pitchDeg: 27,
+    mostPitchDeg: 38,
     points: [
       { x: -half - 0.3, y: 0, z: 0.8 },
       { x: half + 0.3, y: 0, z: 0.8 },
