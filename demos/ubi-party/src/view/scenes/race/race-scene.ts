@@ -185,6 +185,6 @@ function framingOf(track: Track): Framing {
       });
     }),
     rect: { left: 0.24, right: 0.985, top: 0.12, bottom: 0.94 },
-    tallRect: { left: 0.02, right: 0.98, top: 0.38, bottom: 0.84 },
+    tallRect: { left: 0.05, right: 0.95, top: 0.38, bottom: 0.84 },
   };
 }
