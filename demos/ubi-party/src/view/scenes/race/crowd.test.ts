@@ -50,6 +50,15 @@ describe('tokens in a crowd', () => {
     expect(behind!.size).toBeLessThan(1);
   });
 
+  it('the one behind the crown stands higher', () => {
+    const behind = (isCrowned: boolean): number =>
+      standInCrowd([
+        { x: 0.3, z: -2 },
+        { x: 0, z: 0, isCrowned },
+      ])[0]!.lift;
+    expect(behind(true)).toBeGreaterThan(behind(false) + 1);
+  });
+
   it('a bunch shrinks no further than letters can be read, and masts have an end', () => {
     const bunch = Array.from({ length: 32 }, (_, index) => ({
       x: index % 2,

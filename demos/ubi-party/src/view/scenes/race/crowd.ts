@@ -4,6 +4,8 @@ import { clamp01 } from '../../motion/ease.ts';
 export interface CrowdSpot {
   readonly x: number;
   readonly z: number;
+  /** The crown stands on its token. */
+  readonly isCrowned?: boolean;
 }
 
 /** How a token stands above its cart, so that its letter is seen. */
@@ -26,6 +28,7 @@ const LETTER_HALF = 0.25;
 const LETTER_FOOT = 0.25;
 const TOKEN_HALF = 0.42;
 const TOP = 0.95;
+const CROWNED_TOP = 1.4;
 /** Share of the width over which a token that comes beside another is lifted: none jumps. */
 const SOFT = 0.12;
 
@@ -43,7 +46,8 @@ export function standInCrowd(spots: readonly CrowdSpot[]): CrowdStand[] {
       if (covers <= 0) continue;
       const share = clamp01(covers / (WIDTH * size * SOFT));
       const seen = (before.z - spot.z) * DEPTH_TO_HEIGHT + lifts[index]! - lifts[front]!;
-      const needed = HEIGHT * (TOP * sizes[front]! - LETTER_FOOT * size);
+      const top = before.isCrowned ? CROWNED_TOP : TOP;
+      const needed = HEIGHT * (top * sizes[front]! - LETTER_FOOT * size);
       lifts[index]! += Math.max(0, (needed - seen) * share);
     }
     lifts[index] = Math.min(MOST_LIFT, lifts[index]!);

@@ -81,7 +81,11 @@ export class RaceScene implements SceneView<{ kind: 'race'; state: RaceState }> 
     const leader = leaderOf(state);
     this.#shades.begin();
     for (const { x, z, size } of scenery.shades) this.#shades.add(x, 0, z, size, size * 0.8);
-    const stands = standInCrowd(state.carts.map(({ position: { x, y } }) => ({ x, z: -y })));
+    const stands = standInCrowd(
+      state.carts.map(({ seat, position: { x, y } }) => {
+        return { x, z: -y, isCrowned: seat === leader };
+      }),
+    );
     for (const [index, cart] of state.carts.entries()) {
       const { x, y, z } = carts.place(cart, stands[index]!, aheadS, frame);
       this.#shades.add(x, roadHeight(track, cart.distance) + 0.04, z, 6, 4.6);
