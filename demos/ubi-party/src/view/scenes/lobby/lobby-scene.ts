@@ -101,7 +101,7 @@ function toysSize(plan: LobbyPlan): number {
 const RECTS = {
   join: {
     rect: { left: 0.345, right: 0.955, top: 0.1, bottom: 0.765 },
-    tallRect: { left: 0.05, right: 0.95, top: 0.45, bottom: 0.76 },
+    tallRect: { left: 0.05, right: 0.95, top: 0.5, bottom: 0.76 },
   },
   explanation: {
     rect: { left: 0.45, right: 0.965, top: 0.12, bottom: 0.9 },

@@ -15,7 +15,7 @@ export interface LobbyPlan {
 
 const PLANS: readonly LobbyPlan[] = [
   { seats: 8, rows: 2, columns: 4, column: 3.5, row: 5.8, size: 1.34 },
-  { seats: 18, rows: 3, columns: 6, column: 3.2, row: 6.2, size: 1.16 },
+  { seats: 18, rows: 3, columns: 6, column: 3.2, row: 7, size: 1.16 },
   { seats: MAX_SEATS, rows: 4, columns: 8, column: 2.95, row: 7.2, size: 1.04 },
 ];
 
