@@ -104,6 +104,21 @@ describe('useTopicTree', () => {
     expect(view.rows.value).toHaveLength(62);
   });
 
+  it('draws once that rates are unknown when the master goes away, with every row where it was', () => {
+    const { view, reply, isConnected } = setUp([rateOf('/a/b'), rateOf('/a/c')]);
+    frames(20);
+    expect(view.rows.value[0]).toMatchObject({ key: '/a', hz: 2, isRateKnown: true });
+    const before = keys(view);
+    isConnected.value = false;
+    for (const topic of ['/a/b', '/a/c']) {
+      Object.assign(view.model.find(topic)!.rate!, { hz: undefined });
+    }
+    reply({});
+    frames(20);
+    expect(view.rows.value[0]).toMatchObject({ key: '/a', isRateKnown: false });
+    expect(keys(view)).toEqual(before);
+  });
+
   it('stands still while paused and has lost nothing afterwards', async () => {
     const { view, reply, isPaused, asked } = setUp([rateOf('/a')]);
     expect(asked).toHaveLength(1);

@@ -80,7 +80,8 @@ export function useTopicTree({
   let isStatisticsNew = true;
 
   function draw(): void {
-    model.refresh(performance.now());
+    // While the master is away, rates are unknown: they rank nothing.
+    model.refresh(isConnected.value ? performance.now() : -Infinity);
     nowMs.value = topics.masterTimeMs.value;
     rows.value = model.rows;
     tick.value += 1;
@@ -94,7 +95,15 @@ export function useTopicTree({
     if (isPaused.value) waiting.push(changes);
     else model.apply(changes);
   });
-  watch(topics.rates, () => (isStatisticsNew = true), { flush: 'sync' });
+  watch(
+    topics.rates,
+    () => {
+      isStatisticsNew = true;
+      // Rates became unknown: nothing else draws now.
+      if (!isConnected.value && !isPaused.value) draw();
+    },
+    { flush: 'sync' },
+  );
   model.apply({ added: [...(topics.rates.value?.values() ?? [])].filter(accepted), removed: [] });
 
   useRafFn(
