@@ -24,7 +24,7 @@ const RATE_HZ = 20;
 
 /** Finds markers in the pictures of a source with a session of this page. */
 export function useMarkerTracking(sources: PictureSources) {
-  const { name } = useConnection();
+  const { isConnected, name } = useConnection();
   const isOn = useIsOn();
   const place = shallowRef<ModulePlace>('tab');
   const options = reactive({
@@ -133,6 +133,8 @@ export function useMarkerTracking(sources: PictureSources) {
   watch([place, () => sources.kind.value, isOn, () => options.dictionary], clear);
 
   useRafFn(() => {
+    // The last results stay, as old ones, until the master is back.
+    if (!isConnected.value) return;
     const isOld = performance.now() - newestAtMs > HOLD_MS;
     if (isOld && newest.outlines !== undefined) {
       newest = { markers: [] };
@@ -144,6 +146,10 @@ export function useMarkerTracking(sources: PictureSources) {
     outlines.value = newest.outlines;
   });
   useIntervalFn(() => {
+    if (!isConnected.value) {
+      figures.value = {};
+      return;
+    }
     const seenHz = seen.rateHz(performance.now());
     figures.value = { seenHz, ms: durationMs, decodeMs };
     if (durationMs !== undefined && seenHz !== undefined) {
