@@ -65,5 +65,10 @@ test('the phone is told the seconds that are left to answer, and none with the r
   const state = quizGame.start({ seats: [0], seed: 11 });
   quizGame.step(state, () => AT_REST, quizGame.settings);
   expect(quizGame.feedback(state, 0).secondsLeft).toBe(9);
-  expect(quizGame.feedback(firstQuestion(() => AT_REST), 0)).not.toHaveProperty('secondsLeft');
+  expect(
+    quizGame.feedback(
+      firstQuestion(() => AT_REST),
+      0,
+    ),
+  ).not.toHaveProperty('secondsLeft');
 });
