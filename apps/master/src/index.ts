@@ -1,10 +1,10 @@
 export * from './core/ports/index.ts';
-export { createMaster } from './core/create-master.ts';
+export { createMaster } from './core/master/create-master.ts';
 export { fitConnections } from './core/connections/fit-connections.ts';
 export { DEFAULT_LIMITS } from './core/limits/index.ts';
-export { LogTail } from './core/status/log-tail.ts';
+export { LogTail } from './core/counters/log-tail.ts';
 export type { LimitName, Limits } from './core/limits/index.ts';
-export type { MasterEndpoints, MasterPorts, MasterSettings } from './core/settings.ts';
+export type { MasterEndpoints, MasterPorts, MasterSettings } from './core/parts/settings.ts';
 export type {
   ConnectionQuery,
   Master,
@@ -13,4 +13,4 @@ export type {
   ServiceAnswer,
   TerminalAccess,
   TerminalJoin,
-} from './core/master.ts';
+} from './core/master/master.ts';

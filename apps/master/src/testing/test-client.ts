@@ -17,7 +17,7 @@ import {
 import { DEFAULT_LIMITS } from '../core/limits/index.ts';
 import { TRUSTED_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
 import type { ConnectionHandle } from '../core/ports/connection-handle.ts';
-import type { ConnectionPeer } from '../core/master.ts';
+import type { ConnectionPeer } from '../core/master/master.ts';
 import { RecordingConnection, type Sent } from './recording-connection.ts';
 import type { TestMaster } from './test-master.ts';
 

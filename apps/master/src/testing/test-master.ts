@@ -10,12 +10,12 @@ import {
   type ServiceReply,
   type ServiceRequest,
 } from '@ubii/proto';
-import { createMaster } from '../core/create-master.ts';
+import { createMaster } from '../core/master/create-master.ts';
 import type { Limits } from '../core/limits/index.ts';
-import type { Master } from '../core/master.ts';
+import type { Master } from '../core/master/master.ts';
 import { TRUSTED_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
-import { LogTail } from '../core/status/log-tail.ts';
-import type { MasterEndpoints, MasterSettings } from '../core/settings.ts';
+import { LogTail } from '../core/counters/log-tail.ts';
+import type { MasterEndpoints, MasterSettings } from '../core/parts/settings.ts';
 import { FakeClock } from './fake-clock.ts';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import type { AssetStore, SandboxFactory } from '@ubii/pm-sandbox';

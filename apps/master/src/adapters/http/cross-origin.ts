@@ -1,7 +1,7 @@
 import type { FastifyInstance, FastifyRequest } from 'fastify';
 import { ServiceError } from '@ubii/proto';
 
-import type { Master } from '../../core/master.ts';
+import type { Master } from '../../core/master/master.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import { mayBeToken } from '../access/bearer.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';

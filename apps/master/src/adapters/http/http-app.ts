@@ -3,7 +3,7 @@ import fastify from 'fastify';
 import type { FastifyInstance } from 'fastify';
 import type { AssetFolders } from '@ubii/pm-sandbox/node';
 
-import type { Master } from '../../core/master.ts';
+import type { Master } from '../../core/master/master.ts';
 import type { Limits } from '../../core/limits/index.ts';
 import type { Clock, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';

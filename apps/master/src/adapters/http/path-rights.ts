@@ -3,7 +3,7 @@ import { ServiceError } from '@ubii/proto';
 
 import { PATH_RIGHTS } from '../../core/access/rights-table.ts';
 import type { PathRight } from '../../core/access/rights-table.ts';
-import type { Master } from '../../core/master.ts';
+import type { Master } from '../../core/master/master.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 
 export interface PathRightsOptions {

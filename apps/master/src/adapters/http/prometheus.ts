@@ -1,6 +1,6 @@
 import { Counter, Gauge, Registry } from 'prom-client';
 
-import type { MasterMetrics } from '../../core/master.ts';
+import type { MasterMetrics } from '../../core/master/master.ts';
 
 /** Prometheus' text format, with the content type to send it with. */
 export async function formatMetrics(

@@ -1,4 +1,4 @@
-import type { MasterMetrics } from '../../core/master.ts';
+import type { MasterMetrics } from '../../core/master/master.ts';
 
 /** Counts responses by route and class of status: names of our own, never what a client sent. */
 export class RequestCounts {

@@ -5,7 +5,7 @@ import { ServiceError } from '@ubii/proto';
 import type { ServiceRequest } from '@ubii/proto';
 
 import type { Limits } from '../../core/limits/index.ts';
-import type { Master, ServiceAnswer } from '../../core/master.ts';
+import type { Master, ServiceAnswer } from '../../core/master/master.ts';
 import type { Clock } from '../../core/ports/index.ts';
 import type { IncomingRequest } from '../../core/services/incoming-request.ts';
 import type { CallerReader } from '../access/caller-reader.ts';

@@ -1,6 +1,6 @@
 import type { FastifyInstance, FastifyRequest } from 'fastify';
 
-import type { Master, MasterMetrics, Role } from '../../core/master.ts';
+import type { Master, MasterMetrics, Role } from '../../core/master/master.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 
 export interface StatusOptions {

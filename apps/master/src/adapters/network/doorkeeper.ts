@@ -3,7 +3,7 @@ import type { Socket } from 'node:net';
 import type { Duplex } from 'node:stream';
 
 import type { OpenConnection } from '../../core/connections/open-connection.ts';
-import type { Master } from '../../core/master.ts';
+import type { Master } from '../../core/master/master.ts';
 import { isLoopbackHost, placeOf, plainAddress } from './address-kinds.ts';
 
 export interface DoorkeeperOptions {

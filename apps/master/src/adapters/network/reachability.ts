@@ -1,7 +1,7 @@
 import { MasterAddressKind } from '@ubii/proto';
 import type { MasterAddress } from '@ubii/proto';
 
-import type { MasterEndpoints } from '../../core/settings.ts';
+import type { MasterEndpoints } from '../../core/parts/settings.ts';
 import { isLoopbackHost } from './address-kinds.ts';
 import type { NetworkKind } from './classify-interface.ts';
 import type { ListeningPorts } from './listeners.ts';

@@ -1,4 +1,4 @@
-import type { TerminalAccess } from '../../core/master.ts';
+import type { TerminalAccess } from '../../core/master/master.ts';
 
 /**
  * What `--print-endpoints json` prints: one line of JSON for programs that start a master.

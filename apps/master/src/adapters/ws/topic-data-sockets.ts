@@ -3,7 +3,7 @@ import type { Duplex } from 'node:stream';
 import { WebSocketServer } from 'ws';
 import type { WebSocket } from 'ws';
 
-import type { Master } from '../../core/master.ts';
+import type { Master } from '../../core/master/master.ts';
 import type { CallerFacts, Clock, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import { kindOfPeer } from '../network/address-kinds.ts';

@@ -8,7 +8,7 @@ import type { Clock } from '../ports/clock.ts';
 import type { AccessSecrets } from '../ports/access-secrets.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ResumeTokens } from '../ports/resume-tokens.ts';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import type { Caller, ClientAccess } from './caller.ts';
 import { looksLikeCredential, readCredential, writeCredential } from './credentials.ts';
 import type { Grant } from './grant.ts';

@@ -1,11 +1,20 @@
 import { ComponentIOType, type Client as ClientMessage, type Device } from '@ubii/proto';
-import type { Client } from '../clients/client.ts';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import { roleRefusal } from './join-refusals.ts';
+import type { PublishRights, ReadRights } from '../topics/rights.ts';
+import type { ClientAccess } from './caller.ts';
 import type { Role } from './roles.ts';
 
+/** The client that registers a device, as its rights are asked for. */
+interface RightsHolder {
+  readonly id: string;
+  readonly access: ClientAccess;
+  readonly publishRights: PublishRights | undefined;
+  readonly subscriber: { readonly readRights: ReadRights | undefined };
+}
+
 /** @throws ServiceError when this client may not register the device [AC-26] */
-export function requireDeviceRights(client: Client, device: Device): void {
+export function requireDeviceRights(client: RightsHolder, device: Device): void {
   const { access, publishRights, subscriber } = client;
   if (publishRights === undefined) return;
   if (access.role === 'viewer') {

@@ -3,7 +3,7 @@ import type { AccessSecrets } from '../ports/access-secrets.ts';
 import type { DocumentStore } from '../ports/document-store.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { Log } from '../ports/log.ts';
-import type { LimitWatch } from '../status/limit-watch.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
 import { CREDENTIAL_LIFETIME_MS } from './credentials.ts';
 import { grantFromJson, grantToJson, type Grant, type GrantSpec } from './grant.ts';
 import { createJoinCode, readJoinCode } from './join-code.ts';

@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 
 import { FakeClock, RecordingLog } from '../../testing/index.ts';
 import { DEFAULT_LIMITS } from '../limits/index.ts';
-import { EventLog } from '../status/event-log.ts';
-import { LimitWatch } from '../status/limit-watch.ts';
+import { EventLog } from '../counters/event-log.ts';
+import { LimitWatch } from '../counters/limit-watch.ts';
 import { GuessLimit } from './guess-limit.ts';
 
 /** How long a code stands at most, seconds. [AC-11] */

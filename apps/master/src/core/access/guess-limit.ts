@@ -1,7 +1,7 @@
 import type { LimitName } from '../limits/index.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { Clock } from '../ports/clock.ts';
-import type { LimitWatch } from '../status/limit-watch.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
 
 /** Where a code comes from. */
 export type GuessSource = Pick<CallerFacts, 'place' | 'address'>;

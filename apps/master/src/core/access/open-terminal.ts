@@ -1,6 +1,13 @@
-import type { Core } from '../core.ts';
-import type { TerminalAccess, TerminalJoin } from '../master.ts';
+import type { Clock } from '../ports/clock.ts';
+import type { Access } from './access.ts';
+import type { TerminalAccess, TerminalJoin } from './terminal-access.ts';
 import type { GrantSpec } from './grant.ts';
+
+/** What invitations of a terminal are made with. */
+interface TerminalContext {
+  readonly access: Access;
+  readonly clock: Clock;
+}
 
 /** How long others can join with what a terminal shows, milliseconds [AC-19]. */
 const TERMINAL_LIFETIME_MS = 12 * 3_600_000;
@@ -14,13 +21,19 @@ const OPERATOR_LIFETIME_MS = 365 * 24 * 3_600_000;
  *
  * @param isReachable whether others than this machine can reach the master
  */
-export async function openTerminal(core: Core, isReachable: boolean): Promise<TerminalAccess> {
-  await core.access.grants.closeTerminals();
-  return { admin: await openAdmin(core), join: isReachable ? await openJoin(core) : undefined };
+export async function openTerminal(
+  context: TerminalContext,
+  isReachable: boolean,
+): Promise<TerminalAccess> {
+  await context.access.grants.closeTerminals();
+  return {
+    admin: await openAdmin(context),
+    join: isReachable ? await openJoin(context) : undefined,
+  };
 }
 
 /** Leave for the operator, in the one grant that lasts: browsers that have it stay admins [AC-42]. */
-async function openAdmin({ access, clock }: Core): Promise<TerminalJoin> {
+async function openAdmin({ access, clock }: TerminalContext): Promise<TerminalJoin> {
   const { grants } = access;
   const expiresMs = clock.nowMs() + OPERATOR_LIFETIME_MS;
   const before = grants
@@ -37,7 +50,7 @@ async function openAdmin({ access, clock }: Core): Promise<TerminalJoin> {
 }
 
 /** Leave for others [AC-19]. */
-async function openJoin({ access, clock }: Core): Promise<TerminalJoin> {
+async function openJoin({ access, clock }: TerminalContext): Promise<TerminalJoin> {
   const expiresMs = clock.nowMs() + TERMINAL_LIFETIME_MS;
   const spec = terminalSpec('Terminal', 'participant', expiresMs);
   const { token, code } = await access.grants.create(spec, clock.nowMs() + TERMINAL_STAY_MS);

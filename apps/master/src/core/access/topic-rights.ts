@@ -8,19 +8,8 @@ import {
 } from '@ubii/proto';
 import type { Grant } from './grant.ts';
 import { TOPIC_RIGHTS, type TopicKind, type TopicRight } from './rights-table.ts';
+import type { PublishRights, ReadRights } from '../topics/rights.ts';
 import type { Role } from './roles.ts';
-
-/** Where a client may publish. In its place, undefined: everywhere [AC-24]. */
-export interface PublishRights {
-  mayPublish(topic: string): boolean;
-  /** Whether it may say besides, on the topic for that, that it is gone itself. */
-  readonly maySayFarewell: boolean;
-}
-
-/** What a client may receive. In its place, undefined: everything [AC-25]. */
-export interface ReadRights {
-  mayRead(topic: string): boolean;
-}
 
 /** What the rights of participants are found by. */
 export interface Namespaces {

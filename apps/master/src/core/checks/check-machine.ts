@@ -1,7 +1,7 @@
 import { StatusProblemSeverity } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
 import type { UsageMeasurement } from '../ports/resource-usage.ts';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import type { FoundProblem } from './findings.ts';
 import type { ModuleLoad } from './check-modules.ts';
 

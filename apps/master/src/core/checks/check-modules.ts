@@ -1,6 +1,6 @@
 import { StatusProblemSeverity, type ModuleStatistics } from '@ubii/proto';
 import type { Session } from '../sessions/session.ts';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import type { FoundProblem } from './findings.ts';
 
 /** Share of one core that a module may take [EX-47]. */

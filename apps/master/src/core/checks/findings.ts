@@ -1,7 +1,7 @@
 import { StatusEventKind } from '@ubii/proto';
 import type { Clock } from '../ports/clock.ts';
-import type { EventLog } from '../status/event-log.ts';
-import type { Problem } from '../status/problem.ts';
+import type { EventLog } from '../counters/event-log.ts';
+import type { Problem } from './problem.ts';
 
 /** Looks in a row that find something before it is a problem [EX-45]. */
 const LOOKS_BEFORE = 3;

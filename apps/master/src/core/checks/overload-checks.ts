@@ -1,9 +1,9 @@
 import type { Client } from '../clients/client.ts';
 import { throttleClient, unthrottleClient, type ThrottlingContext } from '../clients/throttling.ts';
-import type { NodeTable } from '../processing/node-table.ts';
+import type { NodeTable } from '../nodes/node-table.ts';
 import type { Session } from '../sessions/session.ts';
-import type { Load } from '../status/load.ts';
-import type { Problem } from '../status/problem.ts';
+import type { Load } from '../counters/load.ts';
+import type { Problem } from './problem.ts';
 import { checkMachine } from './check-machine.ts';
 import { checkModules, loadsOf } from './check-modules.ts';
 import { checkPublishers, noisyKey, threadPercentOf } from './check-publishers.ts';

@@ -1,6 +1,6 @@
 import type { Access } from '../access/access.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
-import type { ConnectionPeer, ConnectionQuery } from '../master.ts';
+import type { ConnectionPeer, ConnectionQuery } from '../ports/connection-facts.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import { limitOf } from '../shares/shortage.ts';
 import { oneLine } from '../texts/one-line.ts';

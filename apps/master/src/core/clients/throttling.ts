@@ -1,10 +1,10 @@
 import { StatusEventKind } from '@ubii/proto';
 import type { Clock } from '../ports/clock.ts';
 import type { Limits } from '../limits/index.ts';
-import type { EventLog } from '../status/event-log.ts';
-import { TokenBucket } from '../topics/token-bucket.ts';
+import type { EventLog } from '../counters/event-log.ts';
+import { TokenBucket } from '../counters/token-bucket.ts';
 import type { Client } from './client.ts';
-import { describeThrottle, type Throttle } from './throttle.ts';
+import { describeThrottle, type Throttle } from '../counters/throttle.ts';
 
 /** What throttling works on. */
 export interface ThrottlingContext {

@@ -6,18 +6,18 @@ import {
   type Component,
   type Device,
 } from '@ubii/proto';
-import { areEqual } from '../bytes.ts';
+import { areEqual } from '../topics/equal-bytes.ts';
 import { requireDeviceRights } from '../access/device-rights.ts';
-import type { Client } from '../clients/client.ts';
 import type { InfoTopics } from '../info/info-topics.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { Accounts } from '../shares/accounts.ts';
 import { RESOURCE } from '../shares/resources.ts';
-import type { LimitWatch } from '../status/limit-watch.ts';
-import { quote } from '../topics/topic-names.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
+import { quote } from '../texts/quote.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
+import type { DeviceOwner } from './device-owner.ts';
 
 /** What a device registry works on. */
 export interface DeviceContext {
@@ -31,7 +31,7 @@ export interface DeviceContext {
 
 interface Registered {
   readonly device: Device;
-  readonly client: Client;
+  readonly client: DeviceOwner;
   readonly byteLength: number;
 }
 
@@ -91,7 +91,7 @@ export class DeviceRegistry {
    * @returns the device with its ids, and the topics whose retained record a watcher is owed.
    * @throws ServiceError when the id belongs to another client, or a limit would be exceeded.
    */
-  register(client: Client, message: Device): { device: Device; owed: TopicEntry[] } {
+  register(client: DeviceOwner, message: Device): { device: Device; owed: TopicEntry[] } {
     const before = this.#devices.get(message.id);
     if (before !== undefined && before.client !== client) {
       throw new ServiceError(
@@ -121,7 +121,7 @@ export class DeviceRegistry {
   }
 
   /** Removes a device of this client. Returns false when there is none, which is as well [DV-4]. */
-  deregister(client: Client, id: string): boolean {
+  deregister(client: DeviceOwner, id: string): boolean {
     const registered = this.#devices.get(id);
     if (registered === undefined) return false;
     if (registered.client !== client) {
@@ -137,7 +137,7 @@ export class DeviceRegistry {
   }
 
   /** Removes every device of a client that is removed. */
-  deregisterAll(client: Client): void {
+  deregisterAll(client: DeviceOwner): void {
     for (const id of [...client.devices.keys()]) this.deregister(client, id);
   }
 
@@ -168,7 +168,7 @@ export class DeviceRegistry {
   }
 
   #check(
-    client: Client,
+    client: DeviceOwner,
     message: Device,
     byteLength: number,
     before: Registered | undefined,

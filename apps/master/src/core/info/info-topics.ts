@@ -5,15 +5,23 @@ import {
   type Device,
   type Init,
 } from '@ubii/proto';
-import type { Client } from '../clients/client.ts';
 import type { Limits } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
+import type { Account } from '../shares/account.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import type { MasterPublisher } from './master-publisher.ts';
 import { PacedNews } from './paced-news.ts';
 
 /** Seconds of news of one client that may come at once. */
 const BURST_SECONDS = 4;
+
+/** A client as it is announced. */
+export interface AnnouncedClient {
+  readonly id: string;
+  readonly account: Account;
+  readonly registrationRevision: number;
+  toMessage(): Omit<ClientMessage, 'extension'>;
+}
 
 /** Announces who comes, changes and goes. */
 export class InfoTopics {
@@ -40,7 +48,7 @@ export class InfoTopics {
   }
 
   /** [CL-31] [EX-74] [EX-75] */
-  announceClient(client: Client): void {
+  announceClient(client: AnnouncedClient): void {
     const topic = clientTopic(client.id);
     this.#ofClients.tell(client.id, () =>
       this.#publisher.publishChange(topic, { client: this.#messageOf(client) }),
@@ -48,7 +56,7 @@ export class InfoTopics {
   }
 
   /** The last news of a client, which is removed [CL-31]. */
-  announceClientGone(client: Client): void {
+  announceClientGone(client: AnnouncedClient): void {
     const topic = clientTopic(client.id);
     this.#ofClients.forget(client.id);
     this.#publisher.publish(topic, { client: this.#messageOf(client) });
@@ -61,7 +69,7 @@ export class InfoTopics {
   }
 
   /** The client as it is announced: as a whole, or what can be told in a few bytes [EX-74]. */
-  #messageOf(client: Client): Init<ClientMessage> {
+  #messageOf(client: AnnouncedClient): Init<ClientMessage> {
     const message = client.toMessage();
     const bytes = client.account.used(RESOURCE.registrationBytes);
     if (bytes <= this.#limits.announcementBytes) return message;

@@ -1,5 +1,5 @@
 import type { Cancel, Clock } from '../ports/clock.ts';
-import { TokenBucket } from '../topics/token-bucket.ts';
+import { TokenBucket } from '../counters/token-bucket.ts';
 
 /** How much one subject may have told of it, bytes. */
 export interface NewsPace {

@@ -1,7 +1,7 @@
 import { StatusEventKind } from '@ubii/proto';
 import type { Cancel } from '../ports/clock.ts';
 import type { Log } from '../ports/log.ts';
-import type { EventLog } from '../status/event-log.ts';
+import type { EventLog } from '../counters/event-log.ts';
 import type { BrokenDocument, StoredMessages } from './stored-messages.ts';
 
 /** What is told of stored documents. */

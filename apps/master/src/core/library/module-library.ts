@@ -1,7 +1,6 @@
 import { ModuleOrigin, ServiceError, toJson, type ProcessingModule } from '@ubii/proto';
-import { quote } from '../topics/topic-names.ts';
-import type { ModuleOffer } from '../sessions/complete-modules.ts';
-import { NO_LANGUAGE } from '../sessions/session-module.ts';
+import { quote } from '../texts/quote.ts';
+import { NO_LANGUAGE, type ModuleOffer } from './module-offer.ts';
 import type { StoredMessages } from './stored-messages.ts';
 
 /** Modules the master has: those of the program and of its operator, and stored ones [SE-22]. */

@@ -1,5 +1,5 @@
 import { encode, type ProcessingModule, type Session } from '@ubii/proto';
-import type { LimitWatch } from '../status/limit-watch.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { StoredMessages } from './stored-messages.ts';
 
 /** @throws ServiceError when there is no room to store this message. */

@@ -10,16 +10,16 @@ import {
 } from '@ubii/proto';
 import { isUsedUp } from '../access/access.ts';
 import { makerOf, type Caller } from '../access/caller.ts';
-import { clientIdsOf, endGrant, withDescendants, workOf } from '../access/grant-work.ts';
+import { clientIdsOf, endGrant, withDescendants, workOf } from './grant-work.ts';
 import { grantMessage, type Grant, type GrantSpec } from '../access/grant.ts';
 import { joinRefusal } from '../access/join-refusals.ts';
 import { givenRole, wireRole } from '../access/roles.ts';
 import { CLOSE } from '../clients/close-codes.ts';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 import { oneLine } from '../texts/one-line.ts';
-import { nameOf } from '../settings.ts';
+import { nameOf } from '../parts/settings.ts';
 import { isLongerThan } from '../texts/text-length.ts';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import { byCaller } from './by-caller.ts';
 import type { ServiceCall, ServiceHandler } from './handler.ts';
 

@@ -2,8 +2,8 @@ import { AuditEntryWay, serviceByTopic, type ServiceRequest } from '@ubii/proto'
 import type { Caller } from '../access/caller.ts';
 import { wireRole } from '../access/roles.ts';
 import { SERVICE_RIGHTS } from '../access/service-rights.ts';
-import { wireAddressKind } from '../clients/client-report.ts';
-import type { Core } from '../core.ts';
+import { wireAddressKind } from '../monitoring/client-report.ts';
+import type { Core } from '../parts/core.ts';
 import { oneLine } from '../texts/one-line.ts';
 import { callerId } from './clients.ts';
 import type { ServiceHandler } from './handler.ts';

@@ -1,4 +1,4 @@
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 
 /** The name of the client that asks, for people; empty when none does. */
 export function nameOfCaller({ clients }: Core, clientId: string): string {

@@ -1,9 +1,9 @@
 import { ServiceError, StatusEventKind } from '@ubii/proto';
 import { roleRefusal } from '../access/join-refusals.ts';
 import type { Client } from '../clients/client.ts';
-import { readClientReport } from '../clients/client-report.ts';
+import { readClientReport } from '../monitoring/client-report.ts';
 import { throttleClient, unthrottleClient } from '../clients/throttling.ts';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 import { oneLine } from '../texts/one-line.ts';
 import { byCaller, nameOfCaller } from './by-caller.ts';
 import type { ServiceCall, ServiceHandler } from './handler.ts';

@@ -1,6 +1,6 @@
 import type { Client as ClientMessage, ServiceRequest } from '@ubii/proto';
-import type { Core } from '../core.ts';
-import { selectByProfiles } from '../devices/profiles.ts';
+import type { Core } from '../parts/core.ts';
+import { selectByProfiles } from '../topics/profiles.ts';
 import type { ServiceHandler } from './handler.ts';
 import { requireProfiles } from './list-limits.ts';
 

@@ -1,6 +1,6 @@
 import { ServiceError } from '@ubii/proto';
-import { selectByProfiles } from '../devices/profiles.ts';
-import { quote } from '../topics/topic-names.ts';
+import { selectByProfiles } from '../topics/profiles.ts';
+import { quote } from '../texts/quote.ts';
 import type { ServiceHandler } from './handler.ts';
 import { requireProfiles } from './list-limits.ts';
 import { replayAfterReply } from './replay-after-reply.ts';

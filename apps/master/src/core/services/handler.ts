@@ -1,6 +1,6 @@
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 
 /** What belongs to one call, beside its request. */
 export interface ServiceCall {

@@ -8,8 +8,8 @@ import type { Access } from '../access/access.ts';
 import type { Caller } from '../access/caller.ts';
 import type { LimitName, Limits } from '../limits/index.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
-import type { LimitWatch } from '../status/limit-watch.ts';
-import type { BodyAccounts, BodyCharge } from './body-accounts.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
+import type { BodyAccounts, BodyCharge } from '../connections/body-accounts.ts';
 import { bodyLimitsOf, largestBodyLimits, type BodyLimits } from './body-limits.ts';
 
 export interface IncomingContext {

@@ -1,7 +1,7 @@
 import type { Init, Limit } from '@ubii/proto';
 import { LIMITS, type LimitName } from '../limits/index.ts';
 import { LIMIT_GROUPS } from '../limits/limit.ts';
-import { LIMIT_USES } from '../status/limit-uses.ts';
+import { LIMIT_USES } from '../monitoring/limit-uses.ts';
 import type { ServiceHandler } from './handler.ts';
 
 /** `/services/ubii/limit_list` [EX-35] */

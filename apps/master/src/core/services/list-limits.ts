@@ -1,4 +1,4 @@
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 
 /** The profiles of a request, unless there are too many to compare everything with. */
 export function requireProfiles<T>(core: Core, profiles: readonly T[]): readonly T[] {

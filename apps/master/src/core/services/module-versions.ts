@@ -1,7 +1,7 @@
 import { ServiceError, type ModuleVersion, type ProcessingModule } from '@ubii/proto';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 import { isSame, type HistoryKey } from '../library/module-history.ts';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import type { ServiceHandler } from './handler.ts';
 
 /** `/services/ubii/module_version_list` [EX-40] */

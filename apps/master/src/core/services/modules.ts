@@ -5,12 +5,12 @@ import {
   type ProcessingModule,
 } from '@ubii/proto';
 import { makerOf } from '../access/caller.ts';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 import { requireRoom } from '../library/require-room.ts';
 import { matchesModule } from '../library/module-profiles.ts';
 import { unknownModule, withOrigin } from '../library/module-library.ts';
 import { moduleProblems } from '@ubii/pm-sandbox';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import type { ServiceCall, ServiceHandler } from './handler.ts';
 import { requireElements, requireProfiles } from './list-limits.ts';
 

@@ -5,7 +5,7 @@ import { requireNodeRights } from '../access/device-rights.ts';
 import type { Grant } from '../access/grant.ts';
 import { wireRole } from '../access/roles.ts';
 import type { Client } from '../clients/client.ts';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { ServiceHandler } from './handler.ts';
 import { replayAfterReply } from './replay-after-reply.ts';

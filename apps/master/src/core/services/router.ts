@@ -1,11 +1,11 @@
 import { serviceByTopic, ServiceError, SERVICES, type ServiceRequest } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 import { LIMITS } from '../limits/index.ts';
-import type { ServiceAnswer } from '../master.ts';
+import type { ServiceAnswer } from './service-answer.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import { boundTexts } from '../texts/bound-texts.ts';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import { auditSubject, writeAudit } from './audit.ts';
 import { callerId } from './clients.ts';
 import type { ServiceCall } from './handler.ts';

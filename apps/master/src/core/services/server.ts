@@ -1,6 +1,6 @@
 import { LEGACY_CONSTANTS, type Init, type Service, type ServiceInfo } from '@ubii/proto';
-import { nameOf } from '../settings.ts';
-import { readMasterStatus } from '../status/master-status.ts';
+import { nameOf } from '../parts/settings.ts';
+import { readMasterStatus } from '../monitoring/master-status.ts';
 import type { ServiceHandler } from './handler.ts';
 
 const CONSTANTS_JSON = JSON.stringify(LEGACY_CONSTANTS);

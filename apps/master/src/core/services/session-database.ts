@@ -1,9 +1,9 @@
 import { ServiceError, type Session as SessionMessage } from '@ubii/proto';
 import { makerOf } from '../access/caller.ts';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 import { requireRoom } from '../library/require-room.ts';
 import type { Session } from '../sessions/session.ts';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import type { ServiceHandler } from './handler.ts';
 import { requireElements } from './list-limits.ts';
 

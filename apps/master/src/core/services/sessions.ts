@@ -1,6 +1,6 @@
 import type { Session as SessionMessage, ServiceRequest } from '@ubii/proto';
 import { makerOf } from '../access/caller.ts';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 import type { Session } from '../sessions/session.ts';
 import type { ServiceHandler } from './handler.ts';
 

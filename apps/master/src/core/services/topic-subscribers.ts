@@ -7,8 +7,8 @@ import {
   type TopicSubscribers,
 } from '@ubii/proto';
 import { roleRefusal } from '../access/join-refusals.ts';
-import type { Core } from '../core.ts';
-import { quote } from '../topics/topic-names.ts';
+import type { Core } from '../parts/core.ts';
+import { quote } from '../texts/quote.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { ServiceCall, ServiceHandler } from './handler.ts';
 

@@ -1,5 +1,5 @@
 import { ServiceError, type TopicSubscription } from '@ubii/proto';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 import type { Subscriber } from '../topics/subscriber.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { ServiceHandler } from './handler.ts';

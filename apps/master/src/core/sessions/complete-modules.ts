@@ -7,15 +7,9 @@ import {
   type SessionProblem,
 } from '@ubii/proto';
 import type { DraftModule } from './draft.ts';
+import { hasCodeOf, type ModuleOffer } from '../library/module-offer.ts';
 import { errorProblem } from './problems.ts';
-import { quote } from '../topics/topic-names.ts';
-
-/** The definition of a module that completes a request. */
-export interface ModuleOffer {
-  readonly module: ProcessingModule;
-  /** It came with the program or from the operator's folder [PM-51]. */
-  readonly isTrusted: boolean;
-}
+import { quote } from '../texts/quote.ts';
 
 /** What completing a specification needs to know. */
 export interface CompletionContext {
@@ -204,14 +198,4 @@ function hasMode({ processingMode }: ProcessingModule): boolean {
   if (processingMode === undefined) return false;
   const { frequency, lockstep, triggerOnInput, free } = processingMode;
   return (frequency ?? lockstep ?? triggerOnInput ?? free) !== undefined;
-}
-
-/** Whether both have the same callbacks. */
-export function hasCodeOf(module: ProcessingModule, other: ProcessingModule): boolean {
-  return (
-    module.onProcessingStringified === other.onProcessingStringified &&
-    module.onCreatedStringified === other.onCreatedStringified &&
-    module.onHaltedStringified === other.onHaltedStringified &&
-    module.onDestroyedStringified === other.onDestroyedStringified
-  );
 }

@@ -1,6 +1,6 @@
 import { ServiceError, type Session as SessionMessage, type SessionProblem } from '@ubii/proto';
-import type { LimitWatch } from '../status/limit-watch.ts';
-import { quote } from '../topics/topic-names.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
+import { quote } from '../texts/quote.ts';
 import { checkSession } from './checks/check-session.ts';
 import { checkSources, type SourceCheckContext } from './checks/check-sources.ts';
 import type { CheckContext } from './checks/check-context.ts';

@@ -2,9 +2,9 @@ import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { Limits } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { Log } from '../ports/log.ts';
-import type { LocalNode } from '../processing/local-node.ts';
-import type { Node } from '../processing/node.ts';
-import type { NodeTable } from '../processing/node-table.ts';
+import type { LocalNode } from '../nodes/local-node.ts';
+import type { Node } from '../nodes/node.ts';
+import type { NodeTable } from '../nodes/node-table.ts';
 import type { Session } from './session.ts';
 import type { SessionNews } from './session-news.ts';
 

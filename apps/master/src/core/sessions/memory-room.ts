@@ -1,7 +1,7 @@
-import { chooseNode } from '../processing/placement.ts';
-import { isMaster, type Node } from '../processing/node.ts';
+import { chooseNode } from '../nodes/placement.ts';
+import { isMaster, type Node } from '../nodes/node.ts';
 import type { LimitName } from '../limits/index.ts';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import type { LifeContext } from './life-context.ts';
 import type { Session } from './session.ts';
 import type { SessionModule } from './session-module.ts';

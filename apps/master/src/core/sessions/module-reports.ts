@@ -1,6 +1,6 @@
 import type { ModuleFault } from '@ubii/pm-sandbox';
-import { chooseNode } from '../processing/placement.ts';
-import { quote } from '../topics/topic-names.ts';
+import { chooseNode } from '../nodes/placement.ts';
+import { quote } from '../texts/quote.ts';
 import type { LifeContext } from './life-context.ts';
 import { errorProblem } from './problems.ts';
 import type { Session } from './session.ts';

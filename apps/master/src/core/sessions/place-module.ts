@@ -1,8 +1,9 @@
-import { NO_LANGUAGE, type SessionModule } from './session-module.ts';
+import { NO_LANGUAGE } from '../library/module-offer.ts';
+import type { SessionModule } from './session-module.ts';
 import { ProcessingModuleLanguage, type ProcessingModule } from '@ubii/proto';
-import { quote } from '../topics/topic-names.ts';
-import { chooseNode } from '../processing/placement.ts';
-import { isJavaScript, offerOf, type Node } from '../processing/node.ts';
+import { quote } from '../texts/quote.ts';
+import { chooseNode } from '../nodes/placement.ts';
+import { isJavaScript, offerOf, type Node } from '../nodes/node.ts';
 import type { LifeContext } from './life-context.ts';
 import { errorProblem } from './problems.ts';
 

@@ -1,8 +1,8 @@
 import { ServiceError, type ProcessingModule, type Session as SessionMessage } from '@ubii/proto';
 import type { ModuleLibrary } from '../library/module-library.ts';
 import type { Cancel } from '../ports/clock.ts';
-import { quote } from '../topics/topic-names.ts';
-import { hasCodeOf } from './complete-modules.ts';
+import { quote } from '../texts/quote.ts';
+import { hasCodeOf } from '../library/module-offer.ts';
 import { warningProblem } from './problems.ts';
 import type { SessionNews } from './session-news.ts';
 import type { Session } from './session.ts';

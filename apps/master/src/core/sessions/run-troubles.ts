@@ -1,5 +1,5 @@
 import { ModuleEventKind, type ModuleEvent } from '@ubii/proto';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import { errorProblem } from './problems.ts';
 import type { Session } from './session.ts';
 import type { SessionModule } from './session-module.ts';

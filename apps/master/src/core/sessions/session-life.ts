@@ -1,5 +1,5 @@
 import { ServiceError } from '@ubii/proto';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import type { LifeContext } from './life-context.ts';
 import { placeModule } from './place-module.ts';
 import { warningProblem } from './problems.ts';

@@ -116,6 +116,3 @@ export class SessionModule {
       : ProcessingModuleStatus.INITIALIZED;
   }
 }
-
-/** No language: written as "not given" [SE-2]. */
-export const NO_LANGUAGE = ProcessingModuleLanguage.CPP;

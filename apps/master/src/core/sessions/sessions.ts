@@ -9,13 +9,13 @@ import {
   type SessionProblem,
 } from '@ubii/proto';
 import { isSame, type ModuleHistory } from '../library/module-history.ts';
-import type { SessionLibrary } from '../library/session-library.ts';
-import type { LocalTopics } from '../processing/local-topics.ts';
+import type { SessionLibrary } from './session-library.ts';
+import type { LocalTopics } from '../nodes/local-topics.ts';
 import type { IdSource } from '../ports/id-source.ts';
-import type { LimitWatch } from '../status/limit-watch.ts';
-import { quote } from '../topics/topic-names.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
+import { quote } from '../texts/quote.ts';
 import { checkSession, checkSurroundings, SURROUNDINGS } from './checks/check-session.ts';
-import { hasCodeOf } from './complete-modules.ts';
+import { hasCodeOf } from '../library/module-offer.ts';
 import { completeDraft, draftOf, makeDraft, type DraftContext } from './draft-maker.ts';
 import type { SessionDraft } from './draft.ts';
 import type { LifeContext } from './life-context.ts';

@@ -1,8 +1,8 @@
 import { ServiceError } from '@ubii/proto';
 import type { Clock } from '../ports/clock.ts';
-import type { LimitWatch } from '../status/limit-watch.ts';
-import { TokenBucket } from '../topics/token-bucket.ts';
-import { quote } from '../topics/topic-names.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
+import { TokenBucket } from '../counters/token-bucket.ts';
+import { quote } from '../texts/quote.ts';
 import type { Session } from './session.ts';
 
 /** Seconds of the long run that may be used at once. */

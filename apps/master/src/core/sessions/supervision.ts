@@ -1,6 +1,6 @@
 import type { SessionStatistics } from '@ubii/proto';
 import type { Cancel } from '../ports/clock.ts';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import type { LifeContext } from './life-context.ts';
 import { errorProblem, warningProblem } from './problems.ts';
 import type { Session } from './session.ts';

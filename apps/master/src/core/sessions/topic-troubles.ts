@@ -1,6 +1,6 @@
 import type { ModuleStatistics } from '@ubii/proto';
-import { Streak } from '../status/streak.ts';
-import { quote } from '../topics/topic-names.ts';
+import { Streak } from '../counters/streak.ts';
+import { quote } from '../texts/quote.ts';
 import { warningProblem } from './problems.ts';
 import type { Session } from './session.ts';
 import type { SessionModule } from './session-module.ts';

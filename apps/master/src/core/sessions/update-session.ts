@@ -1,6 +1,6 @@
 import { encode, ServiceError } from '@ubii/proto';
-import { quote } from '../topics/topic-names.ts';
-import { hasCodeOf } from './complete-modules.ts';
+import { quote } from '../texts/quote.ts';
+import { hasCodeOf } from '../library/module-offer.ts';
 import type { SessionDraft } from './draft.ts';
 import type { LifeContext } from './life-context.ts';
 import { tellNodes } from './node-changes.ts';

@@ -1,7 +1,7 @@
 import { ServiceError } from '@ubii/proto';
 import type { LimitName } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
-import type { LimitWatch } from '../status/limit-watch.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
 import { Account } from './account.ts';
 import { describeShortage, limitOf, type Shortage } from './shortage.ts';
 import { RESOURCE_INFO, RESOURCES, type Resource } from './resources.ts';

@@ -1,5 +1,5 @@
 import type { LimitName, Limits } from '../limits/index.ts';
-import { quote } from '../topics/topic-names.ts';
+import { quote } from '../texts/quote.ts';
 import type { Account } from './account.ts';
 import { RESOURCE_INFO, type Resource } from './resources.ts';
 

@@ -1,5 +1,5 @@
 import type { Component } from '@ubii/proto';
-import { matchesProfile } from '../devices/profiles.ts';
+import { matchesProfile } from './profiles.ts';
 import type { Account } from '../shares/account.ts';
 import type { Subscriber } from './subscriber.ts';
 import type { TopicEntry } from './topic-entry.ts';

@@ -3,7 +3,7 @@ import type { Limits } from '../limits/index.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { Account } from '../shares/account.ts';
 import type { Clock } from '../ports/clock.ts';
-import { Streak } from '../status/streak.ts';
+import { Streak } from '../counters/streak.ts';
 import type { BatchNode } from './batch-node.ts';
 import type { EndOfTurn, Flushable } from './end-of-turn.ts';
 import { isEventField, type TopicEntry } from './topic-entry.ts';

@@ -2,7 +2,7 @@ import { isMasterTopic } from '@ubii/proto';
 import type { Accounts } from '../shares/accounts.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import type { Limits } from '../limits/index.ts';
-import type { Counters } from '../status/counters.ts';
+import type { Counters } from '../counters/counters.ts';
 import { isOwnFarewell } from './farewell.ts';
 import type { KeptValues } from './kept-values.ts';
 import type { Publication, PublishingClient } from './publication.ts';

@@ -1,9 +1,9 @@
 import type { ServiceErrorCode } from '@ubii/proto';
-import { describeThrottle } from '../clients/throttle.ts';
+import { describeThrottle } from '../counters/throttle.ts';
 import type { LimitName, Limits } from '../limits/index.ts';
 import { describeShortage, limitOf } from '../shares/shortage.ts';
 import type { Publication } from './publication.ts';
-import { quote } from './topic-names.ts';
+import { quote } from '../texts/quote.ts';
 
 /** Why a record is refused. A constant, because refusing must not cost more than publishing. */
 export interface Refusal {

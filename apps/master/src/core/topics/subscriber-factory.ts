@@ -1,13 +1,13 @@
 import type { Limits } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { Account } from '../shares/account.ts';
-import type { Counters } from '../status/counters.ts';
+import type { Counters } from '../counters/counters.ts';
 import type { EndOfTurn } from './end-of-turn.ts';
 import { Outbox, type OutboxContext } from './outbox.ts';
 import { Sampler, type SamplerContext } from './sampler.ts';
 import type { ClientSubscriber } from './subscriber.ts';
 import type { SubscriptionTable } from './subscription-table.ts';
-import { TokenBucket } from './token-bucket.ts';
+import { TokenBucket } from '../counters/token-bucket.ts';
 import type { TopicTable } from './topic-table.ts';
 
 /** What subscribers have in common. */

@@ -1,11 +1,11 @@
-import type { ReadRights } from '../access/topic-rights.ts';
+import type { ReadRights } from './rights.ts';
 import type { Account } from '../shares/account.ts';
 import type { ComponentSelection } from './component-selection.ts';
 import type { Outbox } from './outbox.ts';
 import type { Pattern } from './pattern.ts';
 import type { Receiver } from './receiver.ts';
 import type { Sampler } from './sampler.ts';
-import type { TokenBucket } from './token-bucket.ts';
+import type { TokenBucket } from '../counters/token-bucket.ts';
 import type { TopicEntry } from './topic-entry.ts';
 
 /** A subscriber: a client, or a module on the master. */

@@ -2,7 +2,7 @@ import { ServiceError, type Component } from '@ubii/proto';
 import type { Accounts } from '../shares/accounts.ts';
 import { charge } from '../shares/charge.ts';
 import { RESOURCE, type Resource } from '../shares/resources.ts';
-import type { LimitWatch } from '../status/limit-watch.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { ComponentSelection } from './component-selection.ts';
 import type { Pattern } from './pattern.ts';
 import type { PatternTable } from './pattern-table.ts';
@@ -10,7 +10,8 @@ import type { SelectionTable } from './selection-table.ts';
 import type { Subscriber } from './subscriber.ts';
 import { computeTargets, ratesBySubscriber, type Targets } from './targets.ts';
 import type { TopicEntry } from './topic-entry.ts';
-import { quote, topicFault } from './topic-names.ts';
+import { quote } from '../texts/quote.ts';
+import { topicFault } from './topic-names.ts';
 import type { TopicTable } from './topic-table.ts';
 
 /** What a subscription table works on. */

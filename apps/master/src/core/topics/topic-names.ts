@@ -12,9 +12,3 @@ export function topicFault(topic: string, maxBytes: number): TopicFault | undefi
   if (isLongerThan(topic, maxBytes)) return 'is too long';
   return CONTROL_CHARACTER.test(topic) ? 'contains a control character' : undefined;
 }
-
-/** A topic or pattern as it may stand in a message for people: quoted, on one line, not endless. */
-export function quote(text: string): string {
-  const short = text.length > 120 ? `${text.slice(0, 119)}…` : text;
-  return JSON.stringify(short);
-}

@@ -1,6 +1,6 @@
 import { formatsFit } from '@ubii/pm-sandbox';
 import { parseDataFormat, type SessionProblem } from '@ubii/proto';
-import { quote } from '../../topics/topic-names.ts';
+import { quote } from '../../texts/quote.ts';
 import type { DraftModule } from '../draft.ts';
 import { errorProblem, warningProblem } from '../problems.ts';
 import { about, type Check, type CheckContext } from './check-context.ts';

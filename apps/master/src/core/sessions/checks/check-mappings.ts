@@ -11,7 +11,8 @@ import {
   type TopicMux,
   type TopicOutputMapping,
 } from '@ubii/proto';
-import { quote, topicFault } from '../../topics/topic-names.ts';
+import { quote } from '../../texts/quote.ts';
+import { topicFault } from '../../topics/topic-names.ts';
 import type { DraftModule } from '../draft.ts';
 import { errorProblem, warningProblem } from '../problems.ts';
 import { about, type Check, type CheckContext } from './check-context.ts';

@@ -1,6 +1,6 @@
 import type { ModuleIO, SessionProblem } from '@ubii/proto';
 import { isLongerThan } from '../../texts/text-length.ts';
-import { quote } from '../../topics/topic-names.ts';
+import { quote } from '../../texts/quote.ts';
 import type { DraftModule } from '../draft.ts';
 import { errorProblem } from '../problems.ts';
 import { about, type Check, type CheckContext } from './check-context.ts';

@@ -1,8 +1,8 @@
 import type { ModuleFault, ModuleSource, SandboxFactory } from '@ubii/pm-sandbox';
 import type { SessionProblem } from '@ubii/proto';
-import { isJavaScript } from '../../processing/node.ts';
+import { isJavaScript } from '../../nodes/node.ts';
 import type { Clock } from '../../ports/clock.ts';
-import { quote } from '../../topics/topic-names.ts';
+import { quote } from '../../texts/quote.ts';
 import type { DraftModule } from '../draft.ts';
 import { errorProblem, warningProblem } from '../problems.ts';
 import { about } from './check-context.ts';

@@ -1,4 +1,4 @@
-import { quote } from '../../topics/topic-names.ts';
+import { quote } from '../../texts/quote.ts';
 import { warningProblem } from '../problems.ts';
 import { about, type Check } from './check-context.ts';
 

@@ -1,8 +1,8 @@
 import type { SessionProblem } from '@ubii/proto';
-import { cannotRun, isMaster, type Node } from '../../processing/node.ts';
-import type { NodeTable } from '../../processing/node-table.ts';
-import { chooseNode } from '../../processing/placement.ts';
-import { quote } from '../../topics/topic-names.ts';
+import { cannotRun, isMaster, type Node } from '../../nodes/node.ts';
+import type { NodeTable } from '../../nodes/node-table.ts';
+import { chooseNode } from '../../nodes/placement.ts';
+import { quote } from '../../texts/quote.ts';
 import type { DraftModule } from '../draft.ts';
 import { errorProblem, warningProblem } from '../problems.ts';
 import { about } from './check-context.ts';

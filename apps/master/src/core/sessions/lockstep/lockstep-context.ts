@@ -3,8 +3,8 @@ import type { TopicPort } from '@ubii/pm-sandbox';
 import type { ClientRegistry } from '../../clients/client-registry.ts';
 import type { Limits } from '../../limits/index.ts';
 import type { Clock } from '../../ports/clock.ts';
-import type { LocalNode } from '../../processing/local-node.ts';
-import type { NodeTable } from '../../processing/node-table.ts';
+import type { LocalNode } from '../../nodes/local-node.ts';
+import type { NodeTable } from '../../nodes/node-table.ts';
 import type { PublishingClient } from '../../topics/publication.ts';
 import type { SessionNews } from '../session-news.ts';
 

@@ -1,5 +1,5 @@
 import type { SessionStatistics } from '@ubii/proto';
-import { quote } from '../../topics/topic-names.ts';
+import { quote } from '../../texts/quote.ts';
 import { warningProblem } from '../problems.ts';
 import type { Session } from '../session.ts';
 import type { LockstepContext } from './lockstep-context.ts';

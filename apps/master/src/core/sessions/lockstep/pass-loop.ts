@@ -1,7 +1,7 @@
 import type { EncodedRecord } from '@ubii/pm-sandbox';
 import { encodeLockstepRequestFrame, readRecordHead } from '@ubii/proto/wire';
 import type { Cancel } from '../../ports/clock.ts';
-import { quote } from '../../topics/topic-names.ts';
+import { quote } from '../../texts/quote.ts';
 import { warningProblem } from '../problems.ts';
 import type { Session } from '../session.ts';
 import type { SessionModule } from '../session-module.ts';

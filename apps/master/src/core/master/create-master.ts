@@ -1,26 +1,26 @@
 import { StatusEventKind, type ServiceRequest } from '@ubii/proto';
 import { TextCache } from '@ubii/proto/wire';
-import { Access } from './access/access.ts';
-import { watchGrants } from './access/grant-work.ts';
-import { Grants } from './access/grants.ts';
-import { GuessLimit } from './access/guess-limit.ts';
-import { openTerminal } from './access/open-terminal.ts';
-import { topicRightsOf } from './access/topic-rights.ts';
-import { AuditLog } from './audit/audit-log.ts';
-import { DEFAULT_CHECKS } from './checks/check-settings.ts';
-import { OverloadChecks } from './checks/overload-checks.ts';
-import { ClientRegistry } from './clients/client-registry.ts';
-import { CLOSE } from './clients/close-codes.ts';
-import { ClientMeter } from './clients/client-meter.ts';
-import { Dismissals } from './clients/dismissals.ts';
-import { Liveness } from './clients/liveness.ts';
-import { SocketAdmission } from './clients/socket-admission.ts';
-import { Connections } from './connections/connections.ts';
-import type { Core } from './core.ts';
-import { DeviceRegistry } from './devices/device-registry.ts';
-import { InfoTopics } from './info/info-topics.ts';
-import { MasterPublisher } from './info/master-publisher.ts';
-import { DEFAULT_LIMITS, type Limits } from './limits/index.ts';
+import { Access } from '../access/access.ts';
+import { watchGrants } from '../services/grant-work.ts';
+import { Grants } from '../access/grants.ts';
+import { GuessLimit } from '../access/guess-limit.ts';
+import { openTerminal } from '../access/open-terminal.ts';
+import { topicRightsOf } from '../access/topic-rights.ts';
+import { AuditLog } from '../audit/audit-log.ts';
+import { DEFAULT_CHECKS } from '../checks/check-settings.ts';
+import { OverloadChecks } from '../checks/overload-checks.ts';
+import { ClientRegistry } from '../clients/client-registry.ts';
+import { CLOSE } from '../clients/close-codes.ts';
+import { ClientMeter } from '../clients/client-meter.ts';
+import { Dismissals } from '../clients/dismissals.ts';
+import { Liveness } from '../clients/liveness.ts';
+import { SocketAdmission } from '../clients/socket-admission.ts';
+import { Connections } from '../connections/connections.ts';
+import type { Core } from '../parts/core.ts';
+import { DeviceRegistry } from '../devices/device-registry.ts';
+import { InfoTopics } from '../info/info-topics.ts';
+import { MasterPublisher } from '../info/master-publisher.ts';
+import { DEFAULT_LIMITS, type Limits } from '../limits/index.ts';
 import type {
   ConnectionPeer,
   ConnectionQuery,
@@ -29,32 +29,33 @@ import type {
   ServiceAnswer,
   TerminalAccess,
 } from './master.ts';
-import type { Role } from './access/roles.ts';
-import type { CallerFacts } from './ports/caller-facts.ts';
-import type { ClientConnection } from './ports/client-connection.ts';
-import type { ConnectionHandle } from './ports/connection-handle.ts';
-import { BodyAccounts } from './services/body-accounts.ts';
-import { IncomingRequest } from './services/incoming-request.ts';
-import { answerRequest, refuse } from './services/router.ts';
-import type { MasterPorts, MasterSettings } from './settings.ts';
-import { Counters } from './status/counters.ts';
-import { EventLog } from './status/event-log.ts';
-import { LimitWatch } from './status/limit-watch.ts';
-import { tellOfGone } from './processing/local-topics.ts';
-import { createProcessing, type Processing } from './sessions/create-processing.ts';
-import type { RestoreReport, SessionsAtStop } from './sessions/restored-sessions.ts';
-import { Accounts } from './shares/accounts.ts';
-import { readMetrics } from './status/metrics.ts';
-import { Load } from './status/load.ts';
-import { Samples } from './status/samples.ts';
-import { EndOfTurn } from './topics/end-of-turn.ts';
-import { ExpiringValues } from './topics/expiring-values.ts';
-import { KeptValues } from './topics/kept-values.ts';
-import { PatternTable } from './topics/pattern-table.ts';
-import { SelectionTable } from './topics/selection-table.ts';
-import { subscriberFactory } from './topics/subscriber-factory.ts';
-import { SubscriptionTable } from './topics/subscription-table.ts';
-import { TopicTable } from './topics/topic-table.ts';
+import type { Role } from '../access/roles.ts';
+import type { CallerFacts } from '../ports/caller-facts.ts';
+import type { ClientConnection } from '../ports/client-connection.ts';
+import type { ConnectionHandle } from '../ports/connection-handle.ts';
+import { BodyAccounts } from '../connections/body-accounts.ts';
+import { IncomingRequest } from '../services/incoming-request.ts';
+import { answerRequest, refuse } from '../services/router.ts';
+import type { MasterPorts, MasterSettings } from '../parts/settings.ts';
+import { Counters } from '../counters/counters.ts';
+import { EventLog } from '../counters/event-log.ts';
+import { LimitWatch } from '../counters/limit-watch.ts';
+import { tellOfGone } from '../nodes/local-topics.ts';
+import { createProcessing } from './create-processing.ts';
+import type { Processing } from '../parts/processing.ts';
+import type { RestoreReport, SessionsAtStop } from '../sessions/restored-sessions.ts';
+import { Accounts } from '../shares/accounts.ts';
+import { readMetrics } from '../monitoring/metrics.ts';
+import { Load } from '../counters/load.ts';
+import { Samples } from '../counters/samples.ts';
+import { EndOfTurn } from '../topics/end-of-turn.ts';
+import { ExpiringValues } from '../topics/expiring-values.ts';
+import { KeptValues } from '../topics/kept-values.ts';
+import { PatternTable } from '../topics/pattern-table.ts';
+import { SelectionTable } from '../topics/selection-table.ts';
+import { subscriberFactory } from '../topics/subscriber-factory.ts';
+import { SubscriptionTable } from '../topics/subscription-table.ts';
+import { TopicTable } from '../topics/topic-table.ts';
 
 /** Creates a master. Until its first call, it only measures time. */
 export function createMaster(ports: MasterPorts, settings: MasterSettings): Master {

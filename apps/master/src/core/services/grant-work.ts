@@ -1,10 +1,10 @@
 import { StatusEventKind } from '@ubii/proto';
 import { CLOSE } from '../clients/close-codes.ts';
 import type { Dismissal } from '../clients/dismissals.ts';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 import type { Cancel } from '../ports/clock.ts';
-import { quote } from '../topics/topic-names.ts';
-import type { Grant, GrantWork } from './grant.ts';
+import { quote } from '../texts/quote.ts';
+import type { Grant, GrantWork } from '../access/grant.ts';
 
 /** How often the time of grants is looked at, milliseconds. */
 const LOOK_INTERVAL_MS = 1_000;

@@ -8,7 +8,7 @@ import {
   type ProcessingMode,
   type ProcessingModule,
 } from '@ubii/proto';
-import { hasCodeOf } from '../sessions/complete-modules.ts';
+import { hasCodeOf } from '../library/module-offer.ts';
 
 /** What the node tells of its modules. */
 export interface LocalReports {

@@ -1,67 +1,20 @@
-import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
-import type { Role } from './access/roles.ts';
-export type { Role } from './access/roles.ts';
-import type { AddressKind } from './ports/address-kind.ts';
-import type { CallerFacts } from './ports/caller-facts.ts';
-import type { ClientConnection } from './ports/client-connection.ts';
-import type { ConnectionHandle } from './ports/connection-handle.ts';
-import type { OpenConnection, TransportPeer } from './connections/open-connection.ts';
-import type { IncomingRequest } from './services/incoming-request.ts';
-import type { RestoreReport, SessionsAtStop } from './sessions/restored-sessions.ts';
-
-/** The reply to one service request. */
-export interface ServiceAnswer {
-  readonly reply: Init<ServiceReply>;
-  /** To be called once, when the reply was handed to the transport: what must not overtake the reply follows (TD-24). Never throws. */
-  afterReply(): void;
-  /** Seconds after which a request that was refused for want of room may be sent again. */
-  readonly retryAfterS?: number;
-}
-
-/** Invitations that the terminal shows. */
-export interface TerminalJoin {
-  readonly token: string;
-  readonly code: string;
-  /** Epoch milliseconds. */
-  readonly expiresMs: number;
-}
-
-/** What the terminal of a run shows. */
-export interface TerminalAccess {
-  /** For the operator, on this machine [AC-42]. */
-  readonly admin: TerminalJoin;
-  /** For participants; undefined when no other machine can reach the master [AC-19]. */
-  readonly join: TerminalJoin | undefined;
-}
-
-/** What a client put into the URL of its socket. */
-export interface ConnectionQuery {
-  readonly clientId: string | undefined;
-  readonly token: string | undefined;
-}
-
-/** Who opens a socket, as the transport sees it; what it cannot tell is left out [EX-25]. */
-export interface ConnectionPeer {
-  /** The header `User-Agent`, of any length. */
-  readonly userAgent?: string | undefined;
-  readonly addressKind?: AddressKind | undefined;
-}
-
-/** One measured quantity with its values, fit for Prometheus. Labels come from closed lists. */
-export interface MetricFamily {
-  /** snake_case with unit, such as `ubii_records_received_total`. */
-  readonly name: string;
-  readonly help: string;
-  readonly kind: 'counter' | 'gauge';
-  /** Every value has the same label names. A family without labels has one value. */
-  readonly values: readonly {
-    readonly labels: Readonly<Record<string, string>>;
-    readonly value: number;
-  }[];
-}
-
-/** Every metric of the master at one moment. */
-export type MasterMetrics = readonly MetricFamily[];
+import type { ServiceRequest } from '@ubii/proto';
+import type { Role } from '../access/roles.ts';
+export type { Role } from '../access/roles.ts';
+import type { CallerFacts } from '../ports/caller-facts.ts';
+import type { ClientConnection } from '../ports/client-connection.ts';
+import type { ConnectionHandle } from '../ports/connection-handle.ts';
+import type { OpenConnection, TransportPeer } from '../connections/open-connection.ts';
+import type { IncomingRequest } from '../services/incoming-request.ts';
+import type { RestoreReport, SessionsAtStop } from '../sessions/restored-sessions.ts';
+import type { TerminalAccess } from '../access/terminal-access.ts';
+import type { MasterMetrics } from '../monitoring/metric-family.ts';
+import type { ConnectionPeer, ConnectionQuery } from '../ports/connection-facts.ts';
+import type { ServiceAnswer } from '../services/service-answer.ts';
+export type { TerminalAccess, TerminalJoin } from '../access/terminal-access.ts';
+export type { MasterMetrics, MetricFamily } from '../monitoring/metric-family.ts';
+export type { ConnectionPeer, ConnectionQuery } from '../ports/connection-facts.ts';
+export type { ServiceAnswer } from '../services/service-answer.ts';
 
 /** A master without transports: feed it requests and connections. Nothing a client sends makes a method throw or reject. */
 export interface Master {

@@ -2,7 +2,7 @@ import type { Limits } from '../limits/index.ts';
 import type { LogFields } from '../ports/log.ts';
 import { oneLine } from '../texts/one-line.ts';
 import { firstCharacters } from '../texts/text-length.ts';
-import { TokenBucket } from '../topics/token-bucket.ts';
+import { TokenBucket } from './token-bucket.ts';
 
 /** Names of levels, from worst to best. */
 export type LevelName = 'error' | 'warn' | 'info' | 'debug';

@@ -1,7 +1,7 @@
 import { ServiceError } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
 import type { LimitName, Limits } from '../limits/index.ts';
-import type { LimitWatch } from '../status/limit-watch.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
 
 /** Part of `bodyBytes` that this machine may have, and that all others together may have. */
 const SIDE_SHARE = 0.75;

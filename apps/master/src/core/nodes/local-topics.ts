@@ -15,7 +15,7 @@ import { Publication, type PublishingClient } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
 import type { Receiver } from '../topics/receiver.ts';
 import type { Subscriber } from '../topics/subscriber.ts';
-import { TokenBucket } from '../topics/token-bucket.ts';
+import { TokenBucket } from '../counters/token-bucket.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 
 const NO_BYTES = new Uint8Array(0);

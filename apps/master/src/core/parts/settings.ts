@@ -1,19 +1,19 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import type { AssetStore, SandboxFactory } from '@ubii/pm-sandbox';
 import type { Init, MasterAddress, ProcessingModule, SettingList } from '@ubii/proto';
-import type { AssetSets } from './ports/asset-sets.ts';
-import type { AuditStore } from './ports/audit-store.ts';
-import type { Clock } from './ports/clock.ts';
-import type { AccessSecrets } from './ports/access-secrets.ts';
-import type { DocumentStore, SessionStorage } from './ports/document-store.ts';
-import type { IdSource } from './ports/id-source.ts';
-import type { Lan } from './ports/lan.ts';
-import type { Log } from './ports/log.ts';
-import type { ResourceUsage } from './ports/resource-usage.ts';
-import type { ResumeTokens } from './ports/resume-tokens.ts';
-import type { CheckSettings } from './checks/check-settings.ts';
-import type { Limits } from './limits/index.ts';
-import type { LogTail } from './status/log-tail.ts';
+import type { AssetSets } from '../ports/asset-sets.ts';
+import type { AuditStore } from '../ports/audit-store.ts';
+import type { Clock } from '../ports/clock.ts';
+import type { AccessSecrets } from '../ports/access-secrets.ts';
+import type { DocumentStore, SessionStorage } from '../ports/document-store.ts';
+import type { IdSource } from '../ports/id-source.ts';
+import type { Lan } from '../ports/lan.ts';
+import type { Log } from '../ports/log.ts';
+import type { ResourceUsage } from '../ports/resource-usage.ts';
+import type { ResumeTokens } from '../ports/resume-tokens.ts';
+import type { CheckSettings } from '../checks/check-settings.ts';
+import type { Limits } from '../limits/index.ts';
+import type { LogTail } from '../counters/log-tail.ts';
 
 /** What the core needs from outside. */
 export interface MasterPorts {

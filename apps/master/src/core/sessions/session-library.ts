@@ -1,9 +1,9 @@
 import { isUuid, ServiceError, toJson, type Session as SessionMessage } from '@ubii/proto';
 import type { IdSource } from '../ports/id-source.ts';
 import type { Log } from '../ports/log.ts';
-import type { Session } from '../sessions/session.ts';
-import { quote } from '../topics/topic-names.ts';
-import type { StoredMessages } from './stored-messages.ts';
+import type { Session } from './session.ts';
+import { quote } from '../texts/quote.ts';
+import type { StoredMessages } from '../library/stored-messages.ts';
 
 /** What a node id in a document says of the master, whose own id changes from run to run [SE-30]. */
 export const MASTER_ALIAS = 'master';

@@ -9,12 +9,12 @@ import {
   type Init,
   type ClientReport,
 } from '@ubii/proto';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 import type { AddressKind } from '../ports/address-kind.ts';
 import type { Clock } from '../ports/clock.ts';
 import type { ClientSubscriber } from '../topics/subscriber.ts';
-import type { Client } from './client.ts';
-import type { Throttle } from './throttle.ts';
+import type { Client } from '../clients/client.ts';
+import type { Throttle } from '../counters/throttle.ts';
 
 /** Subscriptions listed of one client [EX-25]. */
 const MAX_SUBSCRIPTIONS = 1_000;

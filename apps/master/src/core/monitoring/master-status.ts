@@ -1,6 +1,6 @@
 import type { Init, MasterStatus } from '@ubii/proto';
-import type { Core } from '../core.ts';
-import { nameOf } from '../settings.ts';
+import type { Core } from '../parts/core.ts';
+import { nameOf } from '../parts/settings.ts';
 import { listProblems } from './problems.ts';
 
 /**

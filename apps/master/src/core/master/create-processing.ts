@@ -4,35 +4,36 @@ import { readRecordHead } from '@ubii/proto/wire';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { DeviceRegistry } from '../devices/device-registry.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
-import { MASTER_ALIAS, SessionLibrary } from '../library/session-library.ts';
+import { MASTER_ALIAS, SessionLibrary } from '../sessions/session-library.ts';
 import { FileNews } from '../library/file-news.ts';
 import { ModuleHistory } from '../library/module-history.ts';
 import { ModuleLibrary } from '../library/module-library.ts';
 import { watchModuleFiles } from '../library/stored-module-versions.ts';
 import { StoredMessages } from '../library/stored-messages.ts';
-import { LocalNode, type RuntimeHooks } from '../processing/local-node.ts';
-import { LocalTopics } from '../processing/local-topics.ts';
-import { masterExtension, NodeTable } from '../processing/node-table.ts';
-import { nameOf, type MasterPorts, type MasterSettings } from '../settings.ts';
-import type { EventLog } from '../status/event-log.ts';
-import type { LimitWatch } from '../status/limit-watch.ts';
+import { LocalNode, type RuntimeHooks } from '../nodes/local-node.ts';
+import { LocalTopics } from '../nodes/local-topics.ts';
+import { masterExtension, NodeTable } from '../nodes/node-table.ts';
+import type { Processing } from '../parts/processing.ts';
+import { nameOf, type MasterPorts, type MasterSettings } from '../parts/settings.ts';
+import type { EventLog } from '../counters/event-log.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { PublishContext } from '../topics/publisher.ts';
-import { quote } from '../topics/topic-names.ts';
-import { createChecks } from './checks/create-checks.ts';
-import type { DraftContext } from './draft-maker.ts';
-import type { LifeContext } from './life-context.ts';
-import { Lockstep } from './lockstep/lockstep.ts';
-import { handleFailed, handleStarted, handleStopped } from './module-reports.ts';
-import { handleNodeBack, handleNodeGone } from './node-changes.ts';
-import { NodeReports } from './node-reports.ts';
-import { ModuleReload } from './reload-modules.ts';
-import type { Session } from './session.ts';
-import { SessionNews } from './session-news.ts';
-import { SessionTable } from './session-table.ts';
-import { RunTroubles } from './run-troubles.ts';
-import { Sessions } from './sessions.ts';
-import { Supervision } from './supervision.ts';
-import { TopicTroubles } from './topic-troubles.ts';
+import { quote } from '../texts/quote.ts';
+import { createChecks } from '../sessions/checks/create-checks.ts';
+import type { DraftContext } from '../sessions/draft-maker.ts';
+import type { LifeContext } from '../sessions/life-context.ts';
+import { Lockstep } from '../sessions/lockstep/lockstep.ts';
+import { handleFailed, handleStarted, handleStopped } from '../sessions/module-reports.ts';
+import { handleNodeBack, handleNodeGone } from '../sessions/node-changes.ts';
+import { NodeReports } from '../sessions/node-reports.ts';
+import { ModuleReload } from '../sessions/reload-modules.ts';
+import type { Session } from '../sessions/session.ts';
+import { SessionNews } from '../sessions/session-news.ts';
+import { SessionTable } from '../sessions/session-table.ts';
+import { RunTroubles } from '../sessions/run-troubles.ts';
+import { Sessions } from '../sessions/sessions.ts';
+import { Supervision } from '../sessions/supervision.ts';
+import { TopicTroubles } from '../sessions/topic-troubles.ts';
 
 /** What sessions and modules are built on. */
 export interface ProcessingParts {
@@ -45,25 +46,6 @@ export interface ProcessingParts {
   readonly devices: DeviceRegistry;
   readonly publishing: PublishContext;
   readonly publisher: MasterPublisher;
-}
-
-/** Everything about sessions, processing modules and nodes. */
-export interface Processing {
-  readonly sessions: Sessions;
-  readonly modules: ModuleLibrary;
-  readonly sessionLibrary: SessionLibrary;
-  readonly nodes: NodeTable;
-  readonly localNode: LocalNode;
-  readonly reports: NodeReports;
-  readonly files: FileNews;
-  readonly reload: ModuleReload;
-  readonly history: ModuleHistory;
-  /** A node says that a module runs, or has ended. Returns false when no session has it there [SE-32]. */
-  handleReport(nodeId: string, moduleId: string, isRunning: boolean): boolean;
-  /** A client can be reached, or no longer [SE-31]. */
-  handlePresence(clientId: string): void;
-  /** Ends all modules and workers. */
-  close(): Promise<void>;
 }
 
 /** How many modules a master likes to run: the load the design was measured with. */

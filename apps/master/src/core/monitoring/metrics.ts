@@ -1,5 +1,5 @@
-import type { Core } from '../core.ts';
-import type { MasterMetrics, MetricFamily } from '../master.ts';
+import type { Core } from '../parts/core.ts';
+import type { MasterMetrics, MetricFamily } from './metric-family.ts';
 import { SESSION_LIVES } from '../sessions/session-states.ts';
 
 /** Every metric. Labels come from closed lists: limits, codes, states, services; never ids or topics. */

@@ -1,6 +1,6 @@
 import type { Init, LimitUse } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
-import type { Core } from '../core.ts';
+import type { Core } from '../parts/core.ts';
 import type { LimitName } from '../limits/index.ts';
 import { RESOURCE, type Resource } from '../shares/resources.ts';
 import type { Session } from '../sessions/session.ts';

@@ -1,13 +1,13 @@
 import { StatusProblemSeverity } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
 import { LOST_AFTER_MS } from '../clients/liveness.ts';
-import { describeThrottle } from '../clients/throttle.ts';
-import type { Core } from '../core.ts';
+import { describeThrottle } from '../counters/throttle.ts';
+import type { Core } from '../parts/core.ts';
 import type { LimitName } from '../limits/index.ts';
 import type { Clock } from '../ports/clock.ts';
 import { oneLine } from '../texts/one-line.ts';
-import { quote } from '../topics/topic-names.ts';
-import type { Problem } from './problem.ts';
+import { quote } from '../texts/quote.ts';
+import type { Problem } from '../checks/problem.ts';
 
 /** Problems told at most: what a page can show. */
 const MOST_PROBLEMS = 100;

@@ -1,0 +1,15 @@
+/** Invitations that the terminal shows. */
+export interface TerminalJoin {
+  readonly token: string;
+  readonly code: string;
+  /** Epoch milliseconds. */
+  readonly expiresMs: number;
+}
+
+/** What the terminal of a run shows. */
+export interface TerminalAccess {
+  /** For the operator, on this machine [AC-42]. */
+  readonly admin: TerminalJoin;
+  /** For participants; undefined when no other machine can reach the master [AC-19]. */
+  readonly join: TerminalJoin | undefined;
+}

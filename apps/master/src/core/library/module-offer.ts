@@ -1,0 +1,21 @@
+import { ProcessingModuleLanguage, type ProcessingModule } from '@ubii/proto';
+
+/** The definition of a module that completes a request. */
+export interface ModuleOffer {
+  readonly module: ProcessingModule;
+  /** It came with the program or from the operator's folder [PM-51]. */
+  readonly isTrusted: boolean;
+}
+
+/** No language: written as "not given" [SE-2]. */
+export const NO_LANGUAGE = ProcessingModuleLanguage.CPP;
+
+/** Whether both have the same callbacks. */
+export function hasCodeOf(module: ProcessingModule, other: ProcessingModule): boolean {
+  return (
+    module.onProcessingStringified === other.onProcessingStringified &&
+    module.onCreatedStringified === other.onCreatedStringified &&
+    module.onHaltedStringified === other.onHaltedStringified &&
+    module.onDestroyedStringified === other.onDestroyedStringified
+  );
+}

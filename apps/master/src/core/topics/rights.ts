@@ -1,0 +1,11 @@
+/** Where a client may publish. In its place, undefined: everywhere [AC-24]. */
+export interface PublishRights {
+  mayPublish(topic: string): boolean;
+  /** Whether it may say besides, on the topic for that, that it is gone itself. */
+  readonly maySayFarewell: boolean;
+}
+
+/** What a client may receive. In its place, undefined: everything [AC-25]. */
+export interface ReadRights {
+  mayRead(topic: string): boolean;
+}
