@@ -24,7 +24,7 @@ const sources = [
     row: /^\| `([a-z_]+)`/gm,
   },
   {
-    code: 'apps/master/src/core/status/problem.ts',
+    code: 'apps/master/src/core/checks/problem.ts',
     /** The union `MasterProblemCode`. */
     block: /type MasterProblemCode =(.*?);/s,
     entry: /'([a-z_]+)'/g,

@@ -12,7 +12,7 @@ import { formatEndpoints } from './adapters/terminal/endpoints-line.ts';
 import { formatFarewell } from './adapters/terminal/farewell.ts';
 import { formatRestored } from './adapters/terminal/restored.ts';
 import { formatQrCode } from './adapters/terminal/qr-code.ts';
-import type { Config } from './config.ts';
+import type { Config } from './adapters/config/config.ts';
 import { DEFAULT_LIMITS, LogTail } from './index.ts';
 import { startMaster } from './start-master.ts';
 import type { RunningMaster } from './start-master.ts';

@@ -27,8 +27,8 @@ import { Doorkeeper } from './adapters/network/doorkeeper.ts';
 import { LanSwitch } from './adapters/network/lan-switch.ts';
 import { Listeners } from './adapters/network/listeners.ts';
 import type { ListeningPorts } from './adapters/network/listeners.ts';
-import { OwnAddresses } from './adapters/network/own-addresses.ts';
-import { listNetworkAddresses } from './adapters/network/network-addresses.ts';
+import { OwnAddresses } from './adapters/addresses/own-addresses.ts';
+import { listNetworkAddresses } from './adapters/addresses/network-addresses.ts';
 import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
@@ -42,7 +42,7 @@ import { localName } from './adapters/tls/own-names.ts';
 import { ProcessUsage } from './adapters/usage/process-usage.ts';
 import { PreflightSockets } from './adapters/ws/preflight-sockets.ts';
 import { TopicDataSockets } from './adapters/ws/topic-data-sockets.ts';
-import type { Config } from './config.ts';
+import type { Config } from './adapters/config/config.ts';
 
 /** How long connections may take to end in good order before they are cut. */
 const CLOSE_GRACE_MS = 500;

@@ -1,4 +1,4 @@
-import type { Unsubscribe } from './ubii-client.ts';
+import type { Unsubscribe } from './unsubscribe.ts';
 
 /**
  * Callbacks for one kind of fact. One that throws does not keep the others from being called: its

@@ -21,9 +21,9 @@ import type { RoundTrip } from './round-trip.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';
 import type { MasterTime } from './time/master-time.ts';
 import type { TopicPattern } from './topic-pattern.ts';
+import type { Unsubscribe } from './unsubscribe.ts';
 
-/** Takes a callback back; calling it again does nothing. */
-export type Unsubscribe = () => void;
+export type { Unsubscribe } from './unsubscribe.ts';
 
 /** A change of the client's id: only an original master, or one that lost its key, causes it. */
 export interface IdentityChange {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { OriginPolicy } from '../network/origin-policy.ts';
-import { OwnAddresses } from '../network/own-addresses.ts';
+import { OwnAddresses } from '../addresses/own-addresses.ts';
 import { CallerReader, type LoopbackFacts } from './caller-reader.ts';
 import { Networks } from './networks.ts';
 

@@ -1,7 +1,7 @@
 import type { IncomingHttpHeaders } from 'node:http';
 
 import type { CallerFacts, CallerStanding } from '../../core/ports/index.ts';
-import { isLoopbackHost, placeOf, plainAddress } from '../network/address-kinds.ts';
+import { isLoopbackHost, placeOf, plainAddress } from '../addresses/address-kinds.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
 import { bearerOf } from './bearer.ts';
 import { callerBehind, isPassedOn } from './forwarding.ts';

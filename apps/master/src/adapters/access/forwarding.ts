@@ -1,7 +1,7 @@
 import type { IncomingHttpHeaders } from 'node:http';
 import { isIP } from 'node:net';
 
-import { plainAddress } from '../network/address-kinds.ts';
+import { plainAddress } from '../addresses/address-kinds.ts';
 
 /**
  * Headers with which proxies and tunnels mark forwarded requests, by what their

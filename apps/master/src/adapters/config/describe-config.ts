@@ -2,7 +2,8 @@ import { arch, platform } from 'node:os';
 import { sep } from 'node:path';
 import type { Init, Setting, SettingList } from '@ubii/proto';
 
-import { OPTIONS, type Config, type LegacyPorts, type OptionName } from '../../config.ts';
+import { OPTIONS, type Config, type OptionName } from './config.ts';
+import type { LegacyPorts } from './legacy-ports.ts';
 import { flagName } from './option-names.ts';
 
 /** What the program does in place of running. */

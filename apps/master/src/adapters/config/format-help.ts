@@ -1,5 +1,5 @@
-import { OPTIONS } from '../../config.ts';
-import type { Option, OptionName } from '../../config.ts';
+import { OPTIONS } from './config.ts';
+import type { Option, OptionName } from './config.ts';
 import { environmentName, flagName } from './option-names.ts';
 
 const LINE_WIDTH = 96;

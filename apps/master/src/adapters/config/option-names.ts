@@ -1,4 +1,4 @@
-import type { OptionName } from '../../config.ts';
+import type { OptionName } from './config.ts';
 
 /** `dataDir` -> `--data-dir` */
 export function flagName(name: OptionName): string {

@@ -1,7 +1,7 @@
 import { isIP } from 'node:net';
 import { resolve } from 'node:path';
 
-import type { LegacyPorts } from '../../config.ts';
+import type { LegacyPorts } from './legacy-ports.ts';
 import { DEFAULT_LIMITS, type Limits } from '../../core/limits/index.ts';
 
 /*

@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 
-import { OPTIONS } from '../../config.ts';
-import type { Config, Option, OptionName } from '../../config.ts';
+import { OPTIONS } from './config.ts';
+import type { Config, Option, OptionName } from './config.ts';
 import { ConfigError } from './config-error.ts';
 import { environmentName, flagName } from './option-names.ts';
 

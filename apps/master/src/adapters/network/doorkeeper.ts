@@ -4,7 +4,7 @@ import type { Duplex } from 'node:stream';
 
 import type { OpenConnection } from '../../core/connections/open-connection.ts';
 import type { Master } from '../../core/master/master.ts';
-import { isLoopbackHost, placeOf, plainAddress } from './address-kinds.ts';
+import { isLoopbackHost, placeOf, plainAddress } from '../addresses/address-kinds.ts';
 
 export interface DoorkeeperOptions {
   readonly master: Pick<Master, 'admitConnection'>;

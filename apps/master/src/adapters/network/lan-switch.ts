@@ -1,7 +1,7 @@
-import type { Config } from '../../config.ts';
+import type { Config } from '../config/config.ts';
 import type { Lan, Log } from '../../core/ports/index.ts';
 import { openHttps, type Https } from '../tls/open-https.ts';
-import { isLoopbackHost } from './address-kinds.ts';
+import { isLoopbackHost } from '../addresses/address-kinds.ts';
 import type { Reach } from './listeners.ts';
 import { ALL_NETWORKS } from './open-port.ts';
 

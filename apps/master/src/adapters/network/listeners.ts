@@ -3,7 +3,7 @@ import type { IncomingMessage, RequestListener, Server } from 'node:http';
 import type { Duplex } from 'node:stream';
 
 import type { OnePort } from '../tls/one-port.ts';
-import type { LegacyPorts } from '../../config.ts';
+import type { LegacyPorts } from '../config/legacy-ports.ts';
 import type { Log } from '../../core/ports/index.ts';
 import { oneAtATime } from './one-at-a-time.ts';
 import type { Doorkeeper } from './doorkeeper.ts';

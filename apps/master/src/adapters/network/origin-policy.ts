@@ -1,4 +1,4 @@
-import { isIpAddress, isLoopbackHost, isPrivateAddress } from './address-kinds.ts';
+import { isIpAddress, isLoopbackHost, isPrivateAddress } from '../addresses/address-kinds.ts';
 
 export interface OriginPolicyOptions {
   /** Whether other machines can reach the master now. */

@@ -2,10 +2,10 @@ import { MasterAddressKind } from '@ubii/proto';
 import type { MasterAddress } from '@ubii/proto';
 
 import type { MasterEndpoints } from '../../core/parts/settings.ts';
-import { isLoopbackHost } from './address-kinds.ts';
-import type { NetworkKind } from './classify-interface.ts';
+import { isLoopbackHost } from '../addresses/address-kinds.ts';
+import type { NetworkKind } from '../addresses/classify-interface.ts';
 import type { ListeningPorts } from './listeners.ts';
-import type { NetworkAddress } from './network-addresses.ts';
+import type { NetworkAddress } from '../addresses/network-addresses.ts';
 
 const KINDS: { readonly [K in NetworkKind]: MasterAddressKind } = {
   wifi: MasterAddressKind.WIFI,

@@ -4,7 +4,7 @@ import { createSecureContext } from 'node:tls';
 
 import type { Log } from '../../core/ports/index.ts';
 import { ConfigError } from '../config/config-error.ts';
-import { isIpAddress } from '../network/address-kinds.ts';
+import { isIpAddress } from '../addresses/address-kinds.ts';
 import { readCertificate, writeCertificate } from './certificate-files.ts';
 import type { CertificateFiles } from './certificate-files.ts';
 import type { Issued } from './issue-certificates.ts';

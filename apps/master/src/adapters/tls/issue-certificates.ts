@@ -13,7 +13,7 @@ import {
 } from '@peculiar/asn1-x509';
 import * as x509 from '@peculiar/x509';
 
-import { isIpAddress } from '../network/address-kinds.ts';
+import { isIpAddress } from '../addresses/address-kinds.ts';
 
 /*
  * Loaded only when something has to be issued: the libraries are large, and most starts of a master

@@ -1,6 +1,6 @@
-import type { Config } from '../../config.ts';
+import type { Config } from '../config/config.ts';
 import type { Log } from '../../core/ports/index.ts';
-import { isLoopbackHost } from '../network/address-kinds.ts';
+import { isLoopbackHost } from '../addresses/address-kinds.ts';
 import { Certificates } from './certificates.ts';
 import { OnePort } from './one-port.ts';
 import { listOwnNames } from './own-names.ts';

@@ -6,7 +6,7 @@ import type { WebSocket } from 'ws';
 import type { Master } from '../../core/master/master.ts';
 import type { CallerFacts, Clock, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
-import { kindOfPeer } from '../network/address-kinds.ts';
+import { kindOfPeer } from '../addresses/address-kinds.ts';
 import type { Doorkeeper } from '../network/doorkeeper.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';
 import type { PreflightSockets } from './preflight-sockets.ts';

@@ -8,10 +8,10 @@ import type { ClientSubscriber } from '../topics/subscriber.ts';
 import type { PublishRights } from '../topics/rights.ts';
 import type { TokenBucket } from '../counters/token-bucket.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
+import type { ClientSocket } from './client-socket.ts';
 import { wireState, type ClientStatus } from './client-states.ts';
 import type { Throttle } from '../counters/throttle.ts';
 import type { ToldClock } from './timed-ping.ts';
-import type { TopicDataSocket } from './topic-data-socket.ts';
 import { Traffic } from './traffic.ts';
 
 /** What a client said of itself: everything but its id, state and devices, and without secrets. */
@@ -76,7 +76,7 @@ export class Client implements PublishingClient {
   status: ClientStatus = 'active';
   statusSinceMs: number;
   lastSignMs: number;
-  socket: TopicDataSocket | undefined = undefined;
+  socket: ClientSocket | undefined = undefined;
   /** Number of the newest record of all when its last frame came; undefined before its first socket. */
   heardSequence: number | undefined = undefined;
   /** When the last PING left that was not answered yet. */

@@ -11,6 +11,7 @@ import { Publication } from '../topics/publication.ts';
 import type { EndOfTurn } from '../topics/end-of-turn.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
 import { TokenBucket } from '../counters/token-bucket.ts';
+import type { ClientSocket } from './client-socket.ts';
 import type { Client } from './client.ts';
 import { CLOSE } from './close-codes.ts';
 import { formatTimedPong, parseTimedPing } from './timed-ping.ts';
@@ -37,7 +38,7 @@ const UNKNOWN_TEXT =
 const NO_BYTES = new Uint8Array(0);
 
 /** The live socket of one client: what comes in on it, and how it ends. */
-export class TopicDataSocket implements ConnectionHandle, TopicDataSink {
+export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDataSink {
   readonly client: Client;
   readonly #context: SocketContext;
   readonly #connection: ClientConnection;

@@ -1,4 +1,12 @@
-import type { Identity } from '../identity.ts';
+/** What a client needs to come back as itself. */
+export interface Identity {
+  /** The id the master gave. */
+  readonly clientId: string;
+  /** Proof that the id is ours; a secret. `undefined` with an original master. [EX-3] */
+  readonly resumeToken: string | undefined;
+  /** Secret of a joined client. `undefined` when the client does not need to join. [AC-13] */
+  readonly credential?: string | undefined;
+}
 
 /** Keeps one identity, so that a program or a page comes back as the same client. */
 export interface IdentityStorage {

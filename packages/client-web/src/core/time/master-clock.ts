@@ -1,6 +1,6 @@
 import { Listeners } from '../listeners.ts';
 import type { Clock } from '../ports/clock.ts';
-import type { Unsubscribe } from '../ubii-client.ts';
+import type { Unsubscribe } from '../unsubscribe.ts';
 import { ClockGrain } from './clock-grain.ts';
 import { readClocks, wallAheadMs } from './clock-reading.ts';
 import type { ClockReading } from './clock-reading.ts';

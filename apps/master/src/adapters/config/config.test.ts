@@ -3,10 +3,10 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 
-import { ConfigError } from './adapters/config/config-error.ts';
-import { formatHelp } from './adapters/config/format-help.ts';
-import { environmentName, flagName } from './adapters/config/option-names.ts';
-import { resolveConfig } from './adapters/config/resolve-config.ts';
+import { ConfigError } from './config-error.ts';
+import { formatHelp } from './format-help.ts';
+import { environmentName, flagName } from './option-names.ts';
+import { resolveConfig } from './resolve-config.ts';
 import { OPTIONS } from './config.ts';
 import type { OptionName } from './config.ts';
 

@@ -1,6 +1,7 @@
 import { hostname } from 'node:os';
 
-import { defaultDataDir } from './adapters/config/default-data-dir.ts';
+import { defaultDataDir } from './default-data-dir.ts';
+import { ORIGINAL_PORTS, type LegacyPorts } from './legacy-ports.ts';
 import {
   parseChoice,
   parseFetchOrigins,
@@ -15,10 +16,10 @@ import {
   parsePercent,
   parsePort,
   parseSwitch,
-} from './adapters/config/parse-values.ts';
+} from './parse-values.ts';
 
-import { DEFAULT_CHECKS, type CheckSettings } from './core/checks/check-settings.ts';
-import type { Limits } from './core/limits/index.ts';
+import { DEFAULT_CHECKS, type CheckSettings } from '../../core/checks/check-settings.ts';
+import type { Limits } from '../../core/limits/index.ts';
 
 /** One option of the master. */
 export interface Option<T> {
@@ -41,15 +42,6 @@ export interface Option<T> {
 function option<T>(entry: Option<T>): Option<T> {
   return entry;
 }
-
-/** The ports existing clients look for. */
-export interface LegacyPorts {
-  readonly services: number;
-  readonly topicData: number;
-}
-
-/** The fallback of `legacyPorts`: where the original master listens. */
-export const ORIGINAL_PORTS: LegacyPorts = { services: 8102, topicData: 8104 };
 
 /**
  * Every option. The flag, the environment variable and the key in the config file are made from the

@@ -1,0 +1,20 @@
+import type { ServiceErrorCode } from '@ubii/proto';
+import type { ClientConnection } from '../ports/client-connection.ts';
+
+/** The live socket of a client, as the rest of the master uses it. */
+export interface ClientSocket {
+  readonly connection: ClientConnection;
+  /** Sends a frame of topic data as it is. */
+  sendFrame(frame: Uint8Array): void;
+  /** Tells the client what went wrong, unless it was told too much lately [TD-17]. */
+  sendError(code: ServiceErrorCode, message: string): void;
+  sendPing(): void;
+  /** Looks after the queue: sends what can be sent, and gives up a socket that takes nothing [TD-32]. */
+  handleSweep(): void;
+  /** Whether the client takes lists of records [TD-3] [TD-4]. */
+  setRecordLists(takes: boolean): void;
+  /** Closes it from our side. */
+  close(code: number, reason: string): void;
+  /** Another socket took its place [TD-7]. */
+  supersede(): void;
+}
