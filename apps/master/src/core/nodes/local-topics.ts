@@ -13,8 +13,7 @@ import type { Account } from '../shares/account.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import { Publication, type PublishingClient } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
-import type { Receiver } from '../topics/receiver.ts';
-import type { Subscriber } from '../topics/subscriber.ts';
+import type { Receiver, Subscriber } from '../topics/topic-entry.ts';
 import { TokenBucket } from '../counters/token-bucket.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 

@@ -1,6 +1,6 @@
 import { ServiceError, type TopicSubscription } from '@ubii/proto';
 import type { Core } from '../parts/core.ts';
-import type { Subscriber } from '../topics/subscriber.ts';
+import type { Subscriber } from '../topics/topic-entry.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { ServiceHandler } from './handler.ts';
 import { requireElements } from './list-limits.ts';

@@ -1,11 +1,10 @@
 import type { Component } from '@ubii/proto';
 import { matchesProfile } from './profiles.ts';
 import type { Account } from '../shares/account.ts';
-import type { Subscriber } from './subscriber.ts';
-import type { TopicEntry } from './topic-entry.ts';
+import type { SharedSelection, Subscriber, TopicEntry } from './topic-entry.ts';
 
 /** One component profile with the topics it selects, shared by all who subscribed to it [TD-27]. */
-export class ComponentSelection {
+export class ComponentSelection implements SharedSelection {
   readonly key: string;
   readonly profile: Component;
   /** Subscribers with their rates in Hz (0: every record). */

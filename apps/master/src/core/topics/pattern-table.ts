@@ -1,8 +1,7 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import type { Clock } from '../ports/clock.ts';
 import { Pattern } from './pattern.ts';
-import type { Subscriber } from './subscriber.ts';
-import type { TopicEntry } from './topic-entry.ts';
+import type { Subscriber, TopicEntry } from './topic-entry.ts';
 import type { TopicMatching } from './topic-table.ts';
 
 /** Tests of a pattern are charged together once they took this long, milliseconds: cheap ones stay cheap. */

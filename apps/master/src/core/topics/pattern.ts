@@ -1,11 +1,10 @@
 import type { CompiledPattern } from '@ubii/patterns';
 import type { Account } from '../shares/account.ts';
 import { requiredLiteral, type RequiredLiteral } from './required-literal.ts';
-import type { Subscriber } from './subscriber.ts';
-import type { TopicEntry } from './topic-entry.ts';
+import type { SharedPattern, Subscriber, TopicEntry } from './topic-entry.ts';
 
 /** One regular expression, shared by all who subscribed to it. */
-export class Pattern {
+export class Pattern implements SharedPattern {
   readonly source: string;
   /** Subscribers with their rates in Hz (0: every record). */
   readonly subscribers = new Map<Subscriber, number>();

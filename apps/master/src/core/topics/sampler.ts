@@ -1,29 +1,26 @@
 import type { Cancel, Clock } from '../ports/clock.ts';
 import type { Outbox } from './outbox.ts';
-import { isEventField, type TopicEntry } from './topic-entry.ts';
+import { isEventField, type Sample, type TopicEntry, type TopicSampler } from './topic-entry.ts';
 
 /** No timer sleeps longer; it looks again. Timers of JavaScript do not go beyond 24 days. */
 const LONGEST_SLEEP_MS = 60_000;
 
-/** One topic that one client gets at most so often [TD-28]. */
-export class SampledTopic {
+/** A topic of a sampler. */
+export class SampledTopic implements Sample {
   readonly entry: TopicEntry;
-  readonly sampler: Sampler;
+  readonly sampler: TopicSampler;
   intervalMs = 0;
-  /** When the next record may leave, monotonic milliseconds. */
   dueMs = Number.NEGATIVE_INFINITY;
 
-  constructor(entry: TopicEntry, sampler: Sampler) {
+  constructor(entry: TopicEntry, sampler: TopicSampler) {
     this.entry = entry;
     this.sampler = sampler;
   }
 
-  /** The subscription is gone. */
   cancel(): void {
     this.sampler.cancel(this);
   }
 
-  /** The client gets every record from now on: what is held back goes first. */
   release(): void {
     this.sampler.release(this);
   }
@@ -37,10 +34,10 @@ export interface SamplerContext {
 }
 
 /** The sampled topics of one client: which of them hold back a record, and one timer for all. */
-export class Sampler {
+export class Sampler implements TopicSampler {
   readonly #outbox: Outbox;
   readonly #context: SamplerContext;
-  readonly #holding = new Set<SampledTopic>();
+  readonly #holding = new Set<Sample>();
   #cancelTimer: Cancel | undefined = undefined;
   #timerDueMs = Number.POSITIVE_INFINITY;
 
@@ -49,8 +46,7 @@ export class Sampler {
     this.#context = context;
   }
 
-  /** A new record is in `sample.entry`: delivers it, or holds it back until the interval is over. */
-  handleRecord(sample: SampledTopic, nowMs: number): void {
+  handleRecord(sample: Sample, nowMs: number): void {
     if (this.#holding.has(sample) || !this.#outbox.isOpen) return;
     if (nowMs >= sample.dueMs) this.#deliver(sample, nowMs);
     else {
@@ -59,16 +55,15 @@ export class Sampler {
     }
   }
 
-  cancel(sample: SampledTopic): void {
+  cancel(sample: Sample): void {
     this.#holding.delete(sample);
   }
 
-  release(sample: SampledTopic): void {
+  release(sample: Sample): void {
     if (this.#holding.delete(sample)) this.#deliver(sample, 0);
   }
 
-  /** [TD-47] */
-  withdraw({ entry }: SampledTopic): void {
+  withdraw({ entry }: Sample): void {
     this.#outbox.withdraw(entry);
   }
 
@@ -85,7 +80,7 @@ export class Sampler {
     this.#timerDueMs = Number.POSITIVE_INFINITY;
   }
 
-  #deliver(sample: SampledTopic, nowMs: number): void {
+  #deliver(sample: Sample, nowMs: number): void {
     const { entry } = sample;
     if (entry.record === undefined) return;
     sample.dueMs = nowMs + sample.intervalMs;

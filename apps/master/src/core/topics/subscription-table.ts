@@ -7,9 +7,8 @@ import type { ComponentSelection } from './component-selection.ts';
 import type { Pattern } from './pattern.ts';
 import type { PatternTable } from './pattern-table.ts';
 import type { SelectionTable } from './selection-table.ts';
-import type { Subscriber } from './subscriber.ts';
-import { computeTargets, ratesBySubscriber, type Targets } from './targets.ts';
-import type { TopicEntry } from './topic-entry.ts';
+import { computeTargets, ratesBySubscriber } from './targets.ts';
+import type { SharedSubscription, Subscriber, Targets, TopicEntry } from './topic-entry.ts';
 import { quote } from '../texts/quote.ts';
 import { topicFault } from './topic-names.ts';
 import type { TopicTable } from './topic-table.ts';
@@ -231,7 +230,7 @@ export class SubscriptionTable {
     this.#markAllChanged();
   }
 
-  #subscribe<S extends Pattern | ComponentSelection>(
+  #subscribe<S extends SharedSubscription>(
     subscriber: Subscriber,
     subscribed: S,
     own: Set<S>,
@@ -246,7 +245,7 @@ export class SubscriptionTable {
     return [...subscribed.entries].filter((entry) => this.#reaches(subscriber, entry)); // [TD-24]
   }
 
-  #unsubscribe(subscriber: Subscriber, subscribed: Pattern | ComponentSelection): void {
+  #unsubscribe(subscriber: Subscriber, subscribed: SharedSubscription): void {
     subscribed.subscribers.delete(subscriber);
     for (const entry of subscribed.entries) {
       if (!this.isSubscribed(subscriber, entry)) subscriber.outbox.forgive(entry);

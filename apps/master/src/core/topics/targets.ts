@@ -1,15 +1,12 @@
-import type { Receiver } from './receiver.ts';
-import { SampledTopic, type Sampler } from './sampler.ts';
-import type { Subscriber } from './subscriber.ts';
-import type { TopicEntry } from './topic-entry.ts';
-
-/** Who gets a record of a topic, each client once [TD-14]. */
-export interface Targets {
-  /** Get every record. */
-  readonly direct: readonly Receiver[];
-  /** Get the newest one, at most so often [TD-28]. */
-  readonly sampled: readonly SampledTopic[];
-}
+import { SampledTopic } from './sampler.ts';
+import type {
+  Receiver,
+  Sample,
+  Subscriber,
+  Targets,
+  TopicEntry,
+  TopicSampler,
+} from './topic-entry.ts';
 
 /** Who gets the records of this topic by the subscriptions that match it, with their rates in Hz (0: every record). */
 export function ratesBySubscriber(
@@ -38,8 +35,8 @@ export function ratesBySubscriber(
 /** Computes who gets the records of this topic. */
 export function computeTargets(entry: TopicEntry, watchers: Iterable<Subscriber>): Targets {
   const direct: Receiver[] = [];
-  const sampled: SampledTopic[] = [];
-  const before = new Map<Sampler, SampledTopic>();
+  const sampled: Sample[] = [];
+  const before = new Map<TopicSampler, Sample>();
   for (const sample of entry.targets?.sampled ?? []) before.set(sample.sampler, sample);
   for (const [{ outbox, sampler }, rateHz] of ratesBySubscriber(entry, watchers)) {
     if (sampler === undefined) {

@@ -1,9 +1,15 @@
-import { DATA_FORMATS, dataFormatOfField, isExtensionTopic, isMasterTopic } from '@ubii/proto';
+import {
+  DATA_FORMATS,
+  dataFormatOfField,
+  isExtensionTopic,
+  isMasterTopic,
+  type Component,
+} from '@ubii/proto';
+import type { TokenBucket } from '../counters/token-bucket.ts';
 import type { Account } from '../shares/account.ts';
-import type { ComponentSelection } from './component-selection.ts';
-import type { Pattern } from './pattern.ts';
-import type { Subscriber } from './subscriber.ts';
-import type { Targets } from './targets.ts';
+import type { ReadRights } from './rights.ts';
+
+// Topics and who gets their records point at each other: what they know of each other is this one file.
 
 /** The publisher that owns the topic: the first one on a topic without a value [TD-19]. */
 export interface TopicOwner {
@@ -51,9 +57,9 @@ export class TopicEntry {
   /** Subscriptions by topic, with their rates in Hz (0: every record). */
   readonly subscribers = new Map<Subscriber, number>();
   /** Patterns that match, found when the topic or the pattern appeared [TD-22]. */
-  patterns: Pattern[] = [];
+  patterns: SharedPattern[] = [];
   /** Component profiles that select this topic [TD-27]. */
-  selections: ComponentSelection[] = [];
+  selections: SharedSelection[] = [];
   /** Who gets a record; computed anew when `areTargetsStale`. */
   targets: Targets | undefined = undefined;
   areTargetsStale = true;
@@ -64,6 +70,89 @@ export class TopicEntry {
     this.isExtension = isExtensionTopic(topic);
     this.isNews = this.isMasters && !this.isExtension;
   }
+}
+
+/** What several subscribers share: a pattern or a component profile, and the topics that it means. */
+export interface SharedSubscription {
+  /** Subscribers with their rates in Hz (0: every record). */
+  readonly subscribers: Map<Subscriber, number>;
+  readonly entries: Set<TopicEntry>;
+}
+
+/** [TD-22] */
+export interface SharedPattern extends SharedSubscription {
+  readonly source: string;
+}
+
+/** [TD-27] */
+export interface SharedSelection extends SharedSubscription {
+  readonly profile: Component;
+}
+
+/** A subscriber: a client, or a module on the master. */
+export interface Subscriber {
+  readonly clientId: string;
+  /** Gets topics under /ubii/, and retained records for patterns and profiles [TD-24] [TD-26]. */
+  readonly isExtension: boolean;
+  readonly outbox: Receiver;
+  /** Pays for its subscriptions [AC-80]. */
+  readonly account: Account;
+  /** Undefined: it may receive everything [AC-25]. */
+  readRights: ReadRights | undefined;
+  /** Undefined: gets every record. */
+  readonly sampler: TopicSampler | undefined;
+  /** Milliseconds that matching its patterns may take [TD-29]. */
+  readonly patternBudget: TokenBucket;
+  readonly topics: Set<TopicEntry>;
+  readonly patterns: Set<SharedPattern>;
+  readonly selections: Set<SharedSelection>;
+  /** Ids of its devices that watch everything [DV-3]. */
+  readonly watchers: Set<string>;
+}
+
+/** Receives the records of one subscriber. */
+export interface Receiver {
+  /** A record was published, and is in `entry` now. The hot path. */
+  deliver(entry: TopicEntry, record: Uint8Array, isEvent: boolean): void;
+  /** The retained record, unless a newer one than number `sinceSequence` came by itself. */
+  replay(entry: TopicEntry, sinceSequence: number): void;
+  /** The value of the topic was deleted. [TD-42] */
+  handleGone(entry: TopicEntry): void;
+  /** The value has expired: what waits of it is dropped [TD-47]. */
+  withdraw(entry: TopicEntry): void;
+  /** The subscriber has no subscription to the topic any more. */
+  forgive(entry: TopicEntry): void;
+}
+
+/** Who gets a record of a topic, each client once [TD-14]. */
+export interface Targets {
+  /** Get every record. */
+  readonly direct: readonly Receiver[];
+  /** Get the newest one, at most so often [TD-28]. */
+  readonly sampled: readonly Sample[];
+}
+
+/** One topic that one client gets at most so often [TD-28]. */
+export interface Sample {
+  readonly entry: TopicEntry;
+  readonly sampler: TopicSampler;
+  intervalMs: number;
+  /** When the next record may leave, monotonic milliseconds. */
+  dueMs: number;
+  /** The subscription is gone. */
+  cancel(): void;
+  /** The client gets every record from now on: what is held back goes first. */
+  release(): void;
+}
+
+/** The sampled topics of one client. */
+export interface TopicSampler {
+  /** A new record is in `sample.entry`: delivers it, or holds it back until the interval is over. */
+  handleRecord(sample: Sample, nowMs: number): void;
+  cancel(sample: Sample): void;
+  release(sample: Sample): void;
+  /** [TD-47] */
+  withdraw(sample: Sample): void;
 }
 
 const EVENT_FIELDS = new Set(
