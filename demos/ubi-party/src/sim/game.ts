@@ -1,8 +1,7 @@
 import type { Controller, Feedback } from './feedback.ts';
 import type { Hud } from './hud.ts';
-
-/** A player's place in the room, from 0 to 31. It decides shape, colour and letter. */
-export type Seat = number;
+import type { Seat } from './seat.ts';
+export type { Seat } from './seat.ts';
 
 /** Steps of a game per second, on every machine. */
 export const STEPS_PER_SECOND = 60;

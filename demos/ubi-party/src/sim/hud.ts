@@ -1,4 +1,4 @@
-import type { Seat } from './game.ts';
+import type { Seat } from './seat.ts';
 
 /** What the big screen says of a round beside the picture. The texts are the game's. */
 export interface Hud {

@@ -1,6 +1,6 @@
 import type { Player, Room } from '../../sim/index.ts';
-import { gameTexts, nextGame } from '../play/game-of.ts';
-import { placeTable } from '../play/place-table.ts';
+import { gameTexts, nextGame } from '../round/game-of.ts';
+import { placeTable } from '../round/place-table.ts';
 
 /** What stands behind a name before a round. */
 export function statusOf(player: Player, { leader }: Room): string[] {

@@ -1,4 +1,6 @@
 import { duelHud } from './duel-hud.ts';
+import type { Bout, DuelState } from './duel-state.ts';
+export type { DuelState } from './duel-state.ts';
 import { placeOf, type Feedback } from '../feedback.ts';
 import {
   AT_REST,
@@ -13,25 +15,6 @@ import {
   withPace,
 } from '../game.ts';
 import { drawInteger, randomState, type WithRandom } from '../random.ts';
-
-/** One signal, and who pressed when. */
-interface Bout {
-  /** Milliseconds since the start of the round; a press before belongs to the bout before. */
-  readonly beganAtMs: number;
-  /** On the same clock. */
-  readonly signalAtMs: number;
-  /** When each pressed first in this bout. */
-  readonly presses: Record<Seat, number>;
-}
-
-export interface DuelState extends WithRandom, WithPace {
-  /** Steps since the start. */
-  step: number;
-  readonly seats: readonly Seat[];
-  bout: Bout;
-  /** Bouts that are decided, with the winner (undefined: none) and the reaction time, milliseconds. */
-  readonly decided: { readonly winner?: Seat; readonly reactionMs?: number }[];
-}
 
 export interface DuelSettings extends GameSettings {
   /** How long one waits for the signal: 1 is 1.5 to 5 seconds. */

@@ -1,6 +1,6 @@
 import { STEPS_PER_SECOND, type Seat } from '../game.ts';
 import { NEWS_STEPS, type Hud } from '../hud.ts';
-import type { DuelState } from './duel-game.ts';
+import type { DuelState } from './duel-state.ts';
 
 export function duelHud(state: DuelState, headline: string, nameOf: (seat: Seat) => string): Hud {
   const { seats, decided, bout, step } = state;

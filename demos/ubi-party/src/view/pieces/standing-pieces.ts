@@ -4,7 +4,7 @@ import type { ContactShades } from '../light/ground-shade.ts';
 import { dropHeight, DROP_S, touchesDown } from '../motion/drop.ts';
 import { approach, clamp01, scatter } from '../motion/ease.ts';
 import { Spring } from '../motion/spring.ts';
-import type { Frame } from '../scenes/scene-view.ts';
+import type { Frame } from '../camera/frame.ts';
 import type { PieceKit } from './piece-kit.ts';
 import { PieceSet } from './piece-set.ts';
 import type { Piece, Stand } from './piece.ts';

@@ -1,20 +1,10 @@
 import type { Group, Vector3 } from 'three';
 import type { Seat } from '../../sim/index.ts';
 import type { Framing } from '../camera/camera-rig.ts';
+import type { Frame } from '../camera/frame.ts';
+export type { Frame } from '../camera/frame.ts';
 import type { HOURS } from '../light/hours.ts';
-import type { Quality } from '../quality/quality.ts';
 import type { Scene } from '../stage.ts';
-
-/** A frame that is drawn. */
-export interface Frame {
-  readonly nowMs: number;
-  /** Since the frame before. */
-  readonly dtS: number;
-  readonly isReduced: boolean;
-  readonly quality: Quality;
-  /** Where the camera was in the frame before. */
-  readonly eye: Readonly<Vector3>;
-}
 
 /** One kind of scene. It is made when it is shown first, and disposed when another kind is shown. */
 export interface SceneView<S extends Scene = Scene> {
