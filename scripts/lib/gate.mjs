@@ -18,6 +18,11 @@ export async function runGate() {
   await commandStep('format', () =>
     runNode(programFile('', 'prettier'), ['--check', '.', '--log-level', 'warn']),
   );
+  await commandStep('no import circles', () =>
+    runNode(programFile('', 'dependency-cruiser', 'depcruise'), [
+      ...['--config', 'dependency-cruiser.config.mjs', ...foldersInOrder()],
+    ]),
+  );
   await step('errors documented', async () => {
     const problems = findUndocumentedErrors();
     if (problems.length > 0) throw new StepFailed(problems.join('\n'));
@@ -42,6 +47,18 @@ export async function runGate() {
   );
   await commandStep('lint', () => runNode(programFile('', 'eslint'), ['.', '--max-warnings', '0']));
   return step('unit tests', runUnitTests);
+}
+
+/** Sources whose files and folders import each other in one order. */
+function foldersInOrder() {
+  const packages = ['packages', 'demos'].flatMap((parent) =>
+    readdirSync(inRoot(parent)).map((name) => join(parent, name, 'src')),
+  );
+  return [
+    'apps/master/src',
+    'apps/node/src',
+    ...packages.filter((path) => existsSync(inRoot(path))),
+  ];
 }
 
 /** Generating again must change nothing: what is committed was made from the schema beside it. */
