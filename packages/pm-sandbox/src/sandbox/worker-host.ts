@@ -39,7 +39,7 @@ const DEAF =
 
 /** One worker: sends calls in batches, takes answers, and watches that they come. */
 export class WorkerHost {
-  readonly kind: WorkerKind;
+  readonly #kind: WorkerKind;
   /** Instance it was made for alone. */
   readonly isSolo: boolean;
   readonly #platform: PoolPlatform;
@@ -73,7 +73,7 @@ export class WorkerHost {
     /** The worker is over; `culprit` is who it was ended for. */
     onEnd: (culprit: SandboxRequest | undefined) => void,
   ) {
-    this.kind = kind;
+    this.#kind = kind;
     this.isSolo = isSolo;
     this.#platform = platform;
     this.#options = options;
@@ -183,7 +183,7 @@ export class WorkerHost {
         reject(moduleFault('crashed', phase, 'The worker has ended.'));
         return;
       }
-      const isLongCreate = phase === 'onCreated' && this.kind === 'trusted';
+      const isLongCreate = phase === 'onCreated' && this.#kind === 'trusted';
       const pending: PendingCall = {
         instance,
         phase,

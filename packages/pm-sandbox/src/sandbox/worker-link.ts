@@ -39,7 +39,7 @@ export interface PoolOptions {
   readonly libraries: Readonly<Record<string, string>>;
   /** Libraries that the host runs, for all code. */
   readonly hostLibraries: Readonly<Record<string, HostLibrary>>;
-  /** Workers of each kind; those of killed instances come on top. */
+  /** Workers for sandboxed modules, for trusted ones, and for those with asset sets; those of killed instances come on top. */
   readonly maxWorkers: number;
   /** Memory of sandboxed instances. [PM-58] */
   readonly memory: PoolMemoryOptions;

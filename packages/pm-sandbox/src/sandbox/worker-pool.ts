@@ -45,10 +45,16 @@ export function createPooledSandboxes(
   };
 }
 
+/**
+ * Who shares workers. Modules with asset sets compute for tens of milliseconds at a time, in which every other module of
+ * their worker waits: they share theirs among themselves.
+ */
+type Lane = WorkerKind | 'assets';
+
 class WorkerPool {
   readonly #platform: PoolPlatform;
   readonly #options: PoolOptions;
-  readonly #hosts = new Set<WorkerHost>();
+  readonly #hosts = new Map<WorkerHost, Lane>();
   readonly #culprits = new Set<string>();
 
   readonly #memory: PoolMemory;
@@ -60,38 +66,39 @@ class WorkerPool {
   }
 
   place(request: SandboxRequest): WorkerHost {
-    const kind = request.isTrusted ? 'trusted' : 'sandboxed';
-    return this.#culprits.has(request.instanceId) ? this.#start(kind, true) : this.shared(kind);
+    const lane = laneOf(request);
+    return this.#culprits.has(request.instanceId) ? this.#start(lane, true) : this.shared(lane);
   }
 
   /** The worker with the fewest instances; a new one as long as there may be more. */
-  shared(kind: WorkerKind): WorkerHost {
-    const hosts = this.#sharedOf(kind);
+  shared(lane: Lane): WorkerHost {
+    const hosts = this.#sharedOf(lane);
     const least = hosts.reduce<WorkerHost | undefined>(
       (best, host) => (best === undefined || host.load < best.load ? host : best),
       undefined,
     );
     const isEnough = least?.load === 0 || hosts.length >= this.#options.maxWorkers;
-    return least !== undefined && isEnough ? least : this.#start(kind, false);
+    return least !== undefined && isEnough ? least : this.#start(lane, false);
   }
 
-  /** Ends an unused worker; the last worker of its kind is kept for the next instance. */
+  /** Ends an unused worker; the last of its lane is kept for the next instance. */
   release(host: WorkerHost): void {
-    if (!host.isIdle || !this.#hosts.has(host)) return;
-    if (host.isSolo || this.#sharedOf(host.kind).length > 1) {
+    const lane = this.#hosts.get(host);
+    if (!host.isIdle || lane === undefined) return;
+    if (host.isSolo || this.#sharedOf(lane).length > 1) {
       host.end(moduleFault('crashed', '', 'The worker is not needed any more.'));
     }
   }
 
   close(): void {
-    for (const host of [...this.#hosts]) {
+    for (const host of [...this.#hosts.keys()]) {
       host.end(moduleFault('crashed', '', 'The node is closing.'));
     }
   }
 
-  #start(kind: WorkerKind, isSolo: boolean): WorkerHost {
+  #start(lane: Lane, isSolo: boolean): WorkerHost {
     const host = new WorkerHost(
-      kind,
+      lane === 'assets' ? 'trusted' : lane,
       isSolo,
       this.#platform,
       this.#options,
@@ -101,7 +108,7 @@ class WorkerPool {
         if (culprit !== undefined) this.#remember(culprit.instanceId);
       },
     );
-    this.#hosts.add(host);
+    this.#hosts.set(host, lane);
     return host;
   }
 
@@ -111,7 +118,12 @@ class WorkerPool {
     this.#culprits.add(instanceId);
   }
 
-  #sharedOf(kind: WorkerKind): WorkerHost[] {
-    return [...this.#hosts].filter((host) => host.kind === kind && !host.isSolo);
+  #sharedOf(lane: Lane): WorkerHost[] {
+    return [...this.#hosts].flatMap(([host, own]) => (own === lane && !host.isSolo ? [host] : []));
   }
+}
+
+function laneOf({ isTrusted, assets }: SandboxRequest): Lane {
+  if (!isTrusted) return 'sandboxed';
+  return assets.length > 0 ? 'assets' : 'trusted';
 }
