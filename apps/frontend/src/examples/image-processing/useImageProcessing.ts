@@ -41,7 +41,7 @@ export interface ShownOutput {
 export function useImageProcessing(sources: PictureSources) {
   const { client, name } = useConnection();
   const library = useModuleLibrary();
-  const isOn = useIsOn();
+  const { isOn, wasEnded } = useIsOn();
   const place = shallowRef<ModulePlace>('tab');
   const moduleName = shallowRef(FIRST_MODULE);
   /** By module and parameter. */
@@ -140,6 +140,7 @@ export function useImageProcessing(sources: PictureSources) {
 
   return {
     isOn,
+    wasEnded,
     place,
     moduleName,
     modules,

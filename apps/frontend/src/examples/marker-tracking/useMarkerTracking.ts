@@ -25,7 +25,7 @@ const RATE_HZ = 20;
 /** Finds markers in the pictures of a source with a session of this page. */
 export function useMarkerTracking(sources: PictureSources) {
   const { isConnected, name } = useConnection();
-  const isOn = useIsOn();
+  const { isOn, wasEnded } = useIsOn();
   const place = shallowRef<ModulePlace>('tab');
   const options = reactive({
     dictionary: DEFAULT_DICTIONARY,
@@ -159,6 +159,7 @@ export function useMarkerTracking(sources: PictureSources) {
 
   return {
     isOn,
+    wasEnded,
     place,
     options,
     sizeMetres,

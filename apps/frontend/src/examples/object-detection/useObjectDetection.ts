@@ -32,7 +32,7 @@ export type Found = ReadonlyMap<Seen, TopicRecord>;
 /** Looks at the pictures of a source with a session of this page. */
 export function useObjectDetection(sources: PictureSources) {
   const { client, isConnected, name } = useConnection();
-  const isOn = useIsOn();
+  const { isOn, wasEnded } = useIsOn();
   const place = shallowRef<ModulePlace>('tab');
   const threshold = shallowRef(0.4);
   const detector = useDetector(threshold);
@@ -220,6 +220,7 @@ export function useObjectDetection(sources: PictureSources) {
 
   return {
     isOn,
+    wasEnded,
     place,
     threshold,
     detector,

@@ -12,6 +12,8 @@ export interface ExampleState {
 /** How an example with pictures is doing, in one word. */
 export function useExampleStatus(example: {
   readonly isOn: () => boolean;
+  /** It ran until the page was reloaded. */
+  readonly wasEnded: () => boolean;
   readonly isStarting: () => boolean;
   /** Something does not work. */
   readonly hasProblem: () => boolean;
@@ -22,7 +24,9 @@ export function useExampleStatus(example: {
 }): ComputedRef<ExampleState> {
   const { isConnected } = useConnection();
   return computed(() => {
-    if (!example.isOn()) return { state: 'stopped', word: 'Not started' };
+    if (!example.isOn()) {
+      return { state: 'stopped', word: example.wasEnded() ? 'Ended by the reload' : 'Not started' };
+    }
     if (!isConnected.value) return { state: 'away', word: OUT_OF_CONTACT.word };
     if (example.hasProblem()) return { state: 'error', word: 'Error' };
     const loads = example.loads();

@@ -1,22 +1,29 @@
 import { useEventListener } from '@vueuse/core';
-import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
+import { onScopeDispose, shallowRef, watch, type ShallowRef } from 'vue';
 import { useRoute } from 'vue-router';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 
-/** Whether an example runs. It ends with the page; after a reload the page offers to start it again. */
-export function useIsOn(): ShallowRef<boolean> {
+/** Whether an example runs. It ends with the page; after a reload the page says so, and offers to start it again. */
+export function useIsOn(): {
+  readonly isOn: ShallowRef<boolean>;
+  /** It ran until the page was reloaded, and was not started since. */
+  readonly wasEnded: Readonly<ShallowRef<boolean>>;
+} {
   const isOn = shallowRef(false);
+  const wasEnded = shallowRef(false);
   const toasts = useToasts();
   const key = `ubii.example-ran.${useRoute().path}`;
   if (sessionStorage.getItem(key) !== null) {
     const run = (): void => void (isOn.value = true);
     toasts.show('The example ran until the page was reloaded.', { text: 'Start again', run }, key);
     sessionStorage.removeItem(key);
+    wasEnded.value = true;
   }
+  watch(isOn, () => (wasEnded.value = false));
   useEventListener(window, 'pagehide', ({ persisted }) => {
     // One that is kept goes on when it is shown again
     if (isOn.value && !persisted) sessionStorage.setItem(key, 'yes');
   });
   onScopeDispose(() => toasts.leave(key));
-  return isOn;
+  return { isOn, wasEnded };
 }
