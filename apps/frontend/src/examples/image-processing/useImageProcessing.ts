@@ -23,7 +23,7 @@ import {
 const FIRST_MODULE = 'image-tools';
 /** In grey, so that one sees at once that the module did something; its own defaults change nothing. */
 const FIRST_PARAMETERS: ReadonlyMap<string, string> = new Map([['format', '{"string":"GRAY8"}']]);
-const SETTINGS: PictureSettings = { width: 480, rateHz: 10, encoding: 'RGB8', quality: 0.8 };
+const SETTINGS: PictureSettings = { width: 480, rateHz: 20, encoding: 'RGB8', quality: 0.8 };
 
 /** Results of slow modules come so seldom, milliseconds. */
 const SLOW_MS = 5000;
@@ -157,6 +157,7 @@ export function useImageProcessing(sources: PictureSources) {
     image,
     isOwn,
     habits,
+    settings,
     measures,
     outputs,
     resultHz,

@@ -167,6 +167,7 @@ export function useMarkerTracking(sources: PictureSources) {
     image,
     isOwn,
     habits,
+    settings,
     measures,
     topicOf: device.topicOf,
     markers,
