@@ -1,7 +1,4 @@
-import type { ServiceName } from '@ubii/proto';
 import type { RouteRecordRaw } from 'vue-router';
-
-export const callLocation = (service: ServiceName): string => `/calls/${service}`;
 
 export const callsRoutes: readonly RouteRecordRaw[] = [
   // What the page is called in the navigation; the master's own path answers clients

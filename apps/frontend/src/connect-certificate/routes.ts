@@ -1,7 +1,5 @@
 import type { RouteRecordRaw } from 'vue-router';
-
-/** How to make a device trust this master. Strangers and plain HTTP reach it, too. */
-export const CERTIFICATE_PATH = '/connect/certificate';
+import { CERTIFICATE_PATH } from '../locations/certificate-location.ts';
 
 export const certificateRoutes: readonly RouteRecordRaw[] = [
   {

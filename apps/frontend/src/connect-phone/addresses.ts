@@ -1,5 +1,5 @@
 import { MasterAddressKind, type MasterAddress } from '@ubii/proto';
-import { JOIN_PATH } from '../join/routes.ts';
+import { JOIN_PATH } from '../locations/join-location.ts';
 
 /** An address as a person types it: host and port apart, so that a long one breaks there. */
 export interface AddressParts {

@@ -1,7 +1,7 @@
 import { StatusProblemSeverity, type Client, type Session, type StatusProblem } from '@ubii/proto';
 import type { RouteLocationRaw } from 'vue-router';
-import { clientLocation } from '../clients/routes.ts';
-import { sessionLocation } from '../sessions/routes.ts';
+import { clientLocation } from '../locations/client-location.ts';
+import { sessionLocation } from '../locations/session-location.ts';
 import { problemParts } from './problem-parts.ts';
 import { sessionProblems } from './session-problems.ts';
 

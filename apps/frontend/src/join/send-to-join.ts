@@ -1,6 +1,6 @@
 import type { UbiiClient } from '@ubii/client-web';
 import type { Router } from 'vue-router';
-import { JOIN_PATH } from './routes.ts';
+import { JOIN_PATH } from '../locations/join-location.ts';
 
 /** Takes a page that has to join first to where it can, and remembers where it wanted to go. [AC-5] */
 export function sendToJoin(client: Pick<UbiiClient, 'onState'>, router: Router): void {

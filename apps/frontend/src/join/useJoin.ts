@@ -7,7 +7,7 @@ import { useConnection } from '../connection/useConnection.ts';
 import { rememberStart, startPath } from '../install/start-path.ts';
 import { useToasts } from '../ui/toasts/toasts.ts';
 import { checkToken } from './check-token.ts';
-import { ANOTHER } from './routes.ts';
+import { ANOTHER } from '../locations/join-location.ts';
 import { safeTarget } from './target.ts';
 import { isThisMachine } from './this-machine.ts';
 

@@ -1,8 +1,5 @@
 import type { RouteRecordRaw } from 'vue-router';
-
-export const PRINT_MARKERS_PATH = '/devices/camera/print-markers';
-export const PRINT_BOARD = `${PRINT_MARKERS_PATH}?what=board`;
-export const CALIBRATE_PATH = '/devices/camera/calibrate';
+import { CALIBRATE_PATH, PRINT_MARKERS_PATH } from '../locations/marker-locations.ts';
 
 const parent = { title: 'Camera', to: '/devices/camera' };
 

@@ -15,7 +15,7 @@ import { importedWords, withoutFixed } from './file/import-words.ts';
 import { exportModule, exportModules, importModules } from './file/module-file.ts';
 import { isDeletable, type ModuleEntry } from './library/module-entry.ts';
 import type { ModuleLibrary } from './library/useModuleLibrary.ts';
-import { moduleEditorLocation, moduleLocation } from './routes.ts';
+import { moduleEditorLocation, moduleLocation } from '../locations/module-location.ts';
 
 /** What people do with modules of the library. */
 export interface ModuleActions {

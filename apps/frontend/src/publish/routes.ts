@@ -1,9 +1,4 @@
-import type { RouteLocationRaw, RouteRecordRaw } from 'vue-router';
-
-/** Location of the Publish page, with a topic to start with. */
-export function publishLocation(topic?: string): RouteLocationRaw {
-  return topic === undefined ? '/publish' : { path: '/publish', query: { topic } };
-}
+import type { RouteRecordRaw } from 'vue-router';
 
 export const publishRoutes: readonly RouteRecordRaw[] = [
   {

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createMemoryHistory, createRouter } from 'vue-router';
-import { topicLocation, topicsRoutes } from './routes.ts';
+import { topicLocation } from '../locations/topic-location.ts';
+import { topicsRoutes } from './routes.ts';
 
 describe('topicLocation', () => {
   const router = createRouter({ history: createMemoryHistory(), routes: [...topicsRoutes] });

@@ -3,7 +3,7 @@ import { ServiceError, SessionState, type Session } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
 import { useRouter } from 'vue-router';
 import { useConnection } from '../../connection/useConnection.ts';
-import { graphLocation } from '../../graph/routes.ts';
+import { graphLocation } from '../../locations/graph-location.ts';
 import { useSessionActions } from '../../sessions/actions/useSessionActions.ts';
 import { isAlive, sessionState } from '../../sessions/state/session-state.ts';
 import type { GalleryEntry } from './gallery.ts';

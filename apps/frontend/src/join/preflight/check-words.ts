@@ -1,4 +1,4 @@
-import { CERTIFICATE_PATH } from '../../connect-certificate/routes.ts';
+import { CERTIFICATE_PATH } from '../../locations/certificate-location.ts';
 import type { Platform } from '../../connection/platform.ts';
 import type { MotionAccess } from '../../devices/sensors/motion-access.ts';
 import type { Check } from './check.ts';

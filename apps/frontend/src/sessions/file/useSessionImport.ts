@@ -6,7 +6,7 @@ import { randomUuid } from '../../connection/random-uuid.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import type { SessionCalls } from '../actions/session-calls.ts';
-import { NEW_TEXT_PATH } from '../routes.ts';
+import { NEW_TEXT_PATH } from '../../locations/session-location.ts';
 import { sessionCopy, sessionSpec } from '../text/session-spec.ts';
 import { sessionText } from '../text/session-text.ts';
 import { useSessionDraft } from '../text/useSessionDraft.ts';

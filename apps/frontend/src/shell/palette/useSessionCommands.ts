@@ -2,7 +2,7 @@ import { Pause, Play, Square, StepForward, Workflow } from '@lucide/vue';
 import { computed, type ComputedRef } from 'vue';
 import { useRouter } from 'vue-router';
 import { useConnection } from '../../connection/useConnection.ts';
-import { sessionLocation } from '../../sessions/routes.ts';
+import { sessionLocation } from '../../locations/session-location.ts';
 import { sessionState, stateLook } from '../../sessions/state/session-state.ts';
 import type { Command } from './command.ts';
 

@@ -9,7 +9,7 @@ import { useSessionImport, type SessionImport } from '../../../sessions/file/use
 import { drawnSize } from '../../canvas/drawn-size.ts';
 import { addSession } from '../../model/add-session.ts';
 import { CLIPBOARD_FORMAT } from '../../model/selection/clipboard.ts';
-import { graphLocation } from '../../routes.ts';
+import { graphLocation } from '../../../locations/graph-location.ts';
 import type { GraphEditor } from '../graph-editor.ts';
 
 /** Files and texts on their way into a graph. */
