@@ -1,6 +1,6 @@
 import { ServiceError } from '@ubii/proto';
 import { shallowRef } from 'vue';
-import type { OwnTrouble } from '../shell/own-trouble.ts';
+import type { OwnTrouble } from '../page/own-trouble.ts';
 
 /** Why this page is no device though it is made to be one; the shell shows it. */
 export const deviceRefusal = shallowRef<OwnTrouble>();

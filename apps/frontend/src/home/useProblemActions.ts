@@ -1,7 +1,7 @@
 import { ConnectionError } from '@ubii/client-web';
 import { ServiceError } from '@ubii/proto';
 import { useConnection } from '../connection/useConnection.ts';
-import { useShell } from '../shell/shell.ts';
+import { useShell } from '../page/shell.ts';
 import { formatNumber } from '../ui/readouts/format-number.ts';
 import { useToasts } from '../ui/toasts/toasts.ts';
 import type { ProblemAction } from './home-problems.ts';

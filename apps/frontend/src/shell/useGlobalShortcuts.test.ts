@@ -3,8 +3,9 @@ import { mount } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick } from 'vue';
 import { createMemoryHistory, createRouter } from 'vue-router';
-import { createShell } from './shell.ts';
-import { useGlobalShortcuts, useSingleKeyShortcuts } from './useGlobalShortcuts.ts';
+import { createShell } from '../page/shell.ts';
+import { useGlobalShortcuts } from './useGlobalShortcuts.ts';
+import { useSingleKeyShortcuts } from '../ui/keys/use-single-key-shortcuts.ts';
 
 const Page = { render: () => h('p') };
 

@@ -1,14 +1,9 @@
-import { useEventListener, useLocalStorage } from '@vueuse/core';
-import type { Ref } from 'vue';
+import { useEventListener } from '@vueuse/core';
 import { useRouter } from 'vue-router';
 import { isSingleKeyShortcut } from '../ui/keys/single-key.ts';
-import type { Shell } from './shell.ts';
+import { useSingleKeyShortcuts } from '../ui/keys/use-single-key-shortcuts.ts';
+import type { Shell } from '../page/shell.ts';
 import { matchShortcut, PAIR_MS, shortcutsOn } from './shortcuts.ts';
-
-/** Single keys can be switched off, for people who speak or shake their input (WCAG 2.1.4). */
-export function useSingleKeyShortcuts(): Ref<boolean> {
-  return useLocalStorage('ubii.singleKeyShortcuts', true);
-}
 
 /** Handles the keyboard shortcuts that work on every page. */
 export function useGlobalShortcuts(shell: Shell): void {

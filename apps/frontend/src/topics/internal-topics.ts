@@ -1,5 +1,5 @@
 import { isPageStateTopic } from '../connection/page-state.ts';
-import { isPresenceTopic } from '../graph/editor/presence/presence-record.ts';
+import { isPresenceTopic } from './presence-topic.ts';
 
 /** Every page of ours listens there; nothing has ever been published on most. */
 const IDENTIFY_TOPIC = /^\/[^/]+\/identify$/;

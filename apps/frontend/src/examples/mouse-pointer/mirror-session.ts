@@ -5,7 +5,7 @@ import {
   MIRROR_Y_COMPONENT,
   MIRRORED_COMPONENT,
   POINTER_COMPONENT,
-} from './pointer-topic.ts';
+} from '../../devices/pointer-topic.ts';
 
 /** Tag of the sessions of this example. A second tag is the id of the client. */
 const TAG = 'mouse-pointer';

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { POINTER_DEVICE } from './pointer-topic.ts';
+import { POINTER_DEVICE } from '../../devices/pointer-topic.ts';
 import { type PointerClient, Pointers } from './pointers.ts';
 
 const topicOf = (clientId: string) => `/${clientId}/${POINTER_DEVICE}/mouse_client_position`;

@@ -1,4 +1,4 @@
-import { clientOfPointerTopic, POINTER_DEVICE } from './pointer-topic.ts';
+import { clientOfPointerTopic, POINTER_DEVICE } from '../../devices/pointer-topic.ts';
 
 /** The data of a client that the page needs to draw its pointer. */
 export interface PointerClient {

@@ -12,7 +12,7 @@ import {
   POINTER_COMPONENT,
   POINTER_DEVICE,
   POINTER_GLOB,
-} from './pointer-topic.ts';
+} from '../../devices/pointer-topic.ts';
 import { type Pointer, type PointerClient, Pointers } from './pointers.ts';
 
 const COMPONENTS = [

@@ -1,6 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { scrubbed, stepOf } from './scrub.ts';
-import { fieldKind, hexOf, isTypable, partsOf, valueOf, withHex, withPart } from './value-parts.ts';
+import {
+  fieldKind,
+  hexOf,
+  isTypable,
+  partsOf,
+  valueOf,
+  withHex,
+  withPart,
+} from '../../formats/value-parts.ts';
 
 const NO_KEYS = { shiftKey: false, altKey: false };
 

@@ -1,4 +1,4 @@
-import { exampleTopic, POINTER_COMPONENT } from '../../examples/mouse-pointer/pointer-topic.ts';
+import { exampleTopic, POINTER_COMPONENT } from '../../devices/pointer-topic.ts';
 import { topicsThatEnd } from '../model/checks.ts';
 import type { LessonFacts, TopicFact } from '../model/facts.ts';
 

@@ -1,4 +1,4 @@
-import { fuzzyScore } from '../../shell/palette/fuzzy.ts';
+import { fuzzyScore } from '../../ui/fuzzy.ts';
 
 /** Something the search finds. */
 export interface SearchEntry {

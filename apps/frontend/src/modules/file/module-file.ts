@@ -1,5 +1,5 @@
 import { DecodeError, fromJson, toJson, type JsonObject, type ProcessingModule } from '@ubii/proto';
-import { fileName, type TextFile } from '../../sessions/file/session-file.ts';
+import { fileName, type TextFile } from '../../files/text-file.ts';
 import { jsonLines } from '../../sessions/text/json-lines.ts';
 import { moduleSpec } from '../../sessions/text/session-spec.ts';
 

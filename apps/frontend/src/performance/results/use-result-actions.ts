@@ -1,6 +1,6 @@
 import { shallowRef, type ShallowRef } from 'vue';
-import { saveFile } from '../../sessions/file/save-file.ts';
-import type { TextFile } from '../../sessions/file/session-file.ts';
+import { saveFile } from '../../files/save-file.ts';
+import type { TextFile } from '../../files/text-file.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import { usePerformance } from '../run/use-performance.ts';
 import { ResultFormatError } from './read-result.ts';

@@ -13,7 +13,7 @@ import { shallowRef, type ShallowRef } from 'vue';
 import { useRouter } from 'vue-router';
 import { graphLocation } from '../../locations/graph-location.ts';
 import type { MenuItem } from '../../ui/UiMenu.vue';
-import { saveFile } from '../file/save-file.ts';
+import { saveFile } from '../../files/save-file.ts';
 import { exportSession } from '../file/session-file.ts';
 import { sessionLocation, sessionTextLocation } from '../../locations/session-location.ts';
 import { sessionState, stateLook } from '../state/session-state.ts';

@@ -2,7 +2,7 @@ import type { Session } from '@ubii/proto';
 import { readSessionText, type TextProblem } from '../text/session-text.ts';
 import { FILE_LIMITS } from './file-limits.ts';
 import { isSessionLike, recogniseForeign } from './foreign-file.ts';
-import type { TextFile } from './session-file.ts';
+import type { TextFile } from '../../files/text-file.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 
 /** A file as a session, or one sentence why it is none. */

@@ -1,6 +1,6 @@
 import { LogLevel } from '@ubii/proto';
 import { useConnection } from '../../connection/useConnection.ts';
-import { saveFile } from '../../sessions/file/save-file.ts';
+import { saveFile } from '../../files/save-file.ts';
 import { useThemeChoice } from '../../theme/useTheme.ts';
 import { fetchLicences } from '../licences/licences.ts';
 import { diagnosticsText } from './diagnostics.ts';

@@ -1,24 +1,5 @@
-import type { Component } from 'vue';
-import { fuzzyScore } from './fuzzy.ts';
-
-export type CommandKind =
-  'page' | 'example' | 'session' | 'module' | 'client' | 'service' | 'topic' | 'action';
-
-/** Something the palette finds. */
-export interface Command {
-  /** Stable, so that it is remembered as recent. */
-  readonly id: string;
-  readonly kind: CommandKind;
-  readonly title: string;
-  /** Dimmer, behind the title; searched too. */
-  readonly detail?: string;
-  readonly shortcut?: string;
-  /** What stands at the left: an icon, a data format's socket, or a letter. */
-  readonly icon?: Component;
-  readonly format?: string;
-  readonly letter?: string;
-  readonly run: () => void;
-}
+import type { Command, CommandKind } from '../../page/command.ts';
+import { fuzzyScore } from '../../ui/fuzzy.ts';
 
 /** What each kind is called at the right edge of its row. */
 export const KIND_WORDS: Readonly<Record<CommandKind, string>> = {

@@ -22,9 +22,9 @@ import { useDiagnostics } from '../../settings/diagnostics/useDiagnostics.ts';
 import { useTabNode } from '../../tab-node/useTabNode.ts';
 import { useThemeChoice } from '../../theme/useTheme.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
-import { useShell } from '../shell.ts';
+import { useShell } from '../../page/shell.ts';
 import { shortcutsOn } from '../shortcuts.ts';
-import type { Command } from './command.ts';
+import type { Command } from '../../page/command.ts';
 
 /** The actions that are available on every page. */
 export function useActionCommands(): ComputedRef<Command[]> {

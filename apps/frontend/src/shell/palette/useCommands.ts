@@ -12,8 +12,8 @@ import { playerIdentity } from '../../players/player-identity.ts';
 import { SETTINGS_PAGES } from '../../settings/settings-pages.ts';
 import { isInternalTopic } from '../../topics/internal-topics.ts';
 import { PAGES, SETTINGS_PAGE } from '../pages.ts';
-import { useShell } from '../shell.ts';
-import type { Command } from './command.ts';
+import { useShell } from '../../page/shell.ts';
+import type { Command } from '../../page/command.ts';
 import { useActionCommands } from './useActionCommands.ts';
 import { useSessionCommands } from './useSessionCommands.ts';
 

@@ -1,6 +1,6 @@
 import type { ComponentInit } from '@ubii/client-web';
 import { componentTopic } from '@ubii/proto';
-import { exampleTopic, POINTER_COMPONENT } from '../../mouse-pointer/pointer-topic.ts';
+import { exampleTopic, POINTER_COMPONENT } from '../../../devices/pointer-topic.ts';
 import type { InputName } from './input-names.ts';
 
 /** The device that publishes clicks and keys of a page. */

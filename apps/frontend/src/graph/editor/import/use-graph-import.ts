@@ -4,7 +4,7 @@ import { randomUuid } from '../../../connection/random-uuid.ts';
 import type { SessionCalls } from '../../../sessions/actions/session-calls.ts';
 import { missingWords } from '../../../sessions/file/complete-session.ts';
 import type { PreparedFile } from '../../../sessions/file/prepared-file.ts';
-import { useFileDrop } from '../../../sessions/file/useFileDrop.ts';
+import { useFileDrop } from '../../../files/useFileDrop.ts';
 import { useSessionImport, type SessionImport } from '../../../sessions/file/useSessionImport.ts';
 import { drawnSize } from '../../canvas/drawn-size.ts';
 import { addSession } from '../../model/add-session.ts';

@@ -1,4 +1,5 @@
-import { clientOfPresence, parsePresence, type PresenceRecord } from './presence-record.ts';
+import { clientOfPresence } from '../../../topics/presence-topic.ts';
+import { parsePresence, type PresenceRecord } from './presence-record.ts';
 
 /** Another user who has the session open. */
 export interface Present extends PresenceRecord {

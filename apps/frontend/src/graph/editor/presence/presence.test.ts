@@ -1,13 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { PRESENCE_AGE_MS, PresenceBoard } from './presence-board.ts';
-import {
-  clientOfPresence,
-  MAX_NODES,
-  parsePresence,
-  presenceText,
-  presenceTopic,
-  type PresenceRecord,
-} from './presence-record.ts';
+import { clientOfPresence, presenceTopic } from '../../../topics/presence-topic.ts';
+import { MAX_NODES, parsePresence, presenceText, type PresenceRecord } from './presence-record.ts';
 
 const record = (changes: Partial<PresenceRecord> = {}): PresenceRecord => ({
   session: 'session',

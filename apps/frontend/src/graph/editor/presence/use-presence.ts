@@ -7,12 +7,8 @@ import { useToastsOf } from '../../../ui/toasts/toasts.ts';
 import type { GraphEditor } from '../graph-editor.ts';
 import type { Saving } from '../use-save.ts';
 import { PresenceBoard, type BoardChange, type Present } from './presence-board.ts';
-import {
-  PRESENCE_GLOB,
-  presenceText,
-  presenceTopic,
-  type PresenceRecord,
-} from './presence-record.ts';
+import { PRESENCE_GLOB, presenceTopic } from '../../../topics/presence-topic.ts';
+import { presenceText, type PresenceRecord } from './presence-record.ts';
 
 /** Another user who has this session open, with the look of the mark. */
 export interface Peer extends Present {

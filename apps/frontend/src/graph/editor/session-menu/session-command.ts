@@ -1,5 +1,5 @@
 import type { Component } from 'vue';
-import type { Command } from '../../../shell/palette/command.ts';
+import type { Command } from '../../../page/command.ts';
 import type { MenuItem } from '../../../ui/UiMenu.vue';
 
 /** Something people do with the session as a whole; the same in the menu and in the palette. */

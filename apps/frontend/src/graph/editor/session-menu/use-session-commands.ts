@@ -20,7 +20,7 @@ import { useConnection } from '../../../connection/useConnection.ts';
 import type { SessionActions } from '../../../sessions/actions/useSessionActions.ts';
 import { completeSession } from '../../../sessions/file/complete-session.ts';
 import { knownModules } from '../../../sessions/file/known-modules.ts';
-import { saveFile } from '../../../sessions/file/save-file.ts';
+import { saveFile } from '../../../files/save-file.ts';
 import { exportSession } from '../../../sessions/file/session-file.ts';
 import { newTextLocation, sessionTextLocation } from '../../../locations/session-location.ts';
 import { copyName, sessionCopy, sessionSpec } from '../../../sessions/text/session-spec.ts';

@@ -2,11 +2,7 @@ import type { RegisteredDevice } from '@ubii/client-web';
 import { useEventListener } from '@vueuse/core';
 import { computed, shallowRef, watch, type ComputedRef, type Ref } from 'vue';
 import { useConnection } from '../../../connection/useConnection.ts';
-import {
-  exampleTopic,
-  POINTER_COMPONENT,
-  POINTER_DEVICE,
-} from '../../../examples/mouse-pointer/pointer-topic.ts';
+import { exampleTopic, POINTER_COMPONENT, POINTER_DEVICE } from '../../../devices/pointer-topic.ts';
 import { whileUsed } from './while-used.ts';
 
 const COMPONENTS = [

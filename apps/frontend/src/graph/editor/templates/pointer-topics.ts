@@ -1,4 +1,4 @@
-import { clientOfPointerTopic } from '../../../examples/mouse-pointer/pointer-topic.ts';
+import { clientOfPointerTopic } from '../../../devices/pointer-topic.ts';
 
 /** What is known of a live topic. */
 export interface LiveTopic {

@@ -1,6 +1,6 @@
 import { useEventListener } from '@vueuse/core';
 import { shallowRef, type Ref, type ShallowRef } from 'vue';
-import type { TextFile } from './session-file.ts';
+import type { TextFile } from './text-file.ts';
 
 const hasFiles = (event: DragEvent): boolean =>
   event.dataTransfer?.types.includes('Files') === true;

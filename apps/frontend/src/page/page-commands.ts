@@ -1,5 +1,5 @@
 import { onScopeDispose, toValue, watch, type MaybeRefOrGetter } from 'vue';
-import type { Command } from './palette/command.ts';
+import type { Command } from './command.ts';
 import { useShell } from './shell.ts';
 
 /** What the palette also finds while the calling component lives: what can be done on its page. */

@@ -1,5 +1,5 @@
 import { inject, shallowRef, type InjectionKey, type ShallowRef } from 'vue';
-import type { Command } from './palette/command.ts';
+import type { Command } from './command.ts';
 
 /** What floats over the page; one at a time. */
 export type ShellDialog = 'palette' | 'connect-phone' | 'shortcuts' | 'identity' | 'more';

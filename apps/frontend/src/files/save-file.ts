@@ -1,4 +1,4 @@
-import type { TextFile } from './session-file.ts';
+import type { TextFile } from './text-file.ts';
 
 /** Hands a file to the browser, which keeps it where it keeps downloads. */
 export function saveFile({ name, text }: TextFile): void {
