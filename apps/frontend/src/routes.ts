@@ -14,7 +14,7 @@ import { partyRoutes } from './party/routes.ts';
 import { modulesRoutes } from './modules/routes.ts';
 import { performanceRoutes } from './performance/routes.ts';
 import { publishRoutes } from './publish/routes.ts';
-import { sessionsRoutes } from './sessions/routes.ts';
+import { sessionsRoutes } from './session-pages/routes.ts';
 import { settingsRoutes } from './settings/routes.ts';
 import { topicsRoutes } from './topics/routes.ts';
 

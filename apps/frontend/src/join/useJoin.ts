@@ -5,9 +5,9 @@ import { computed, onScopeDispose, ref, shallowRef, watch } from 'vue';
 import { useRoute, useRouter } from 'vue-router';
 import { useConnection } from '../connection/useConnection.ts';
 import { rememberStart, startPath } from '../install/start-path.ts';
+import { ANOTHER } from '../locations/join-location.ts';
 import { useToasts } from '../ui/toasts/toasts.ts';
 import { checkToken } from './check-token.ts';
-import { ANOTHER } from '../locations/join-location.ts';
 import { safeTarget } from './target.ts';
 import { isThisMachine } from './this-machine.ts';
 

@@ -6,6 +6,7 @@ import { useRouter } from 'vue-router';
 import { useConnection } from '../connection/useConnection.ts';
 import { saveFile } from '../files/save-file.ts';
 import type { TextFile } from '../files/text-file.ts';
+import { moduleEditorLocation, moduleLocation } from '../locations/module-location.ts';
 import { copyName, freeName } from '../sessions/text/session-spec.ts';
 import { useToasts } from '../ui/toasts/toasts.ts';
 import type { MenuItem } from '../ui/UiMenu.vue';
@@ -15,7 +16,6 @@ import { importedWords, withoutFixed } from './file/import-words.ts';
 import { exportModule, exportModules, importModules } from './file/module-file.ts';
 import { isDeletable, type ModuleEntry } from './library/module-entry.ts';
 import type { ModuleLibrary } from './library/useModuleLibrary.ts';
-import { moduleEditorLocation, moduleLocation } from '../locations/module-location.ts';
 
 /** What people do with modules of the library. */
 export interface ModuleActions {

@@ -1,5 +1,5 @@
-import { PAGES, SETTINGS_PAGE } from './pages.ts';
 import type { ShellDialog } from '../page/shell.ts';
+import { PAGES, SETTINGS_PAGE } from './pages.ts';
 
 /** What keys do anywhere in the program. */
 export interface Shortcut {

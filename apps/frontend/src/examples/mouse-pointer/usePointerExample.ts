@@ -3,7 +3,6 @@ import { type Client, ClientState } from '@ubii/proto';
 import { useIntervalFn, useLocalStorage } from '@vueuse/core';
 import { onScopeDispose, readonly, shallowRef, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
-import { type EchoLatency, EchoLatencyWindow } from './echo-latency.ts';
 import {
   exampleTopic,
   MIRROR_X_COMPONENT,
@@ -13,6 +12,7 @@ import {
   POINTER_DEVICE,
   POINTER_GLOB,
 } from '../../devices/pointer-topic.ts';
+import { type EchoLatency, EchoLatencyWindow } from './echo-latency.ts';
 import { type Pointer, type PointerClient, Pointers } from './pointers.ts';
 
 const COMPONENTS = [

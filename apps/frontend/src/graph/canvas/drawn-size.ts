@@ -1,7 +1,7 @@
 import type { DataFormat } from '@ubii/proto';
+import { fieldKind, isTypable, partNames } from '../../formats/value-parts.ts';
 import type { Graph, GraphNode, ModuleNode, Point, Port, Size } from '../model/graph.ts';
 import { portFormat } from '../model/port-format.ts';
-import { fieldKind, isTypable, partNames } from '../../formats/value-parts.ts';
 import { canCollapse } from './collapse.ts';
 
 /** As graph-node.css draws them, pixels at a zoom of 1. */

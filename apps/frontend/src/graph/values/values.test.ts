@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { scrubbed, stepOf } from './scrub.ts';
 import {
   fieldKind,
   hexOf,
@@ -9,6 +8,7 @@ import {
   withHex,
   withPart,
 } from '../../formats/value-parts.ts';
+import { scrubbed, stepOf } from './scrub.ts';
 
 const NO_KEYS = { shiftKey: false, altKey: false };
 

@@ -1,6 +1,6 @@
-import { CERTIFICATE_PATH } from '../../locations/certificate-location.ts';
 import type { Platform } from '../../connection/platform.ts';
 import type { MotionAccess } from '../../devices/sensors/motion-access.ts';
+import { CERTIFICATE_PATH } from '../../locations/certificate-location.ts';
 import type { Check } from './check.ts';
 import type { ChannelProbe } from './probe-channel.ts';
 

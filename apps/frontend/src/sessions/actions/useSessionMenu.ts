@@ -11,11 +11,11 @@ import {
 import type { Session } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
 import { useRouter } from 'vue-router';
-import { graphLocation } from '../../locations/graph-location.ts';
-import type { MenuItem } from '../../ui/UiMenu.vue';
 import { saveFile } from '../../files/save-file.ts';
-import { exportSession } from '../file/session-file.ts';
+import { graphLocation } from '../../locations/graph-location.ts';
 import { sessionLocation, sessionTextLocation } from '../../locations/session-location.ts';
+import type { MenuItem } from '../../ui/UiMenu.vue';
+import { exportSession } from '../file/session-file.ts';
 import { sessionState, stateLook } from '../state/session-state.ts';
 import { sessionSpec } from '../text/session-spec.ts';
 import type { SessionActions } from './useSessionActions.ts';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { rankCommands, rememberRecent } from './command.ts';
 import type { Command, CommandKind } from '../../page/command.ts';
+import { rankCommands, rememberRecent } from './command.ts';
 
 const command = (kind: CommandKind, title: string, detail = ''): Command => ({
   id: `${kind} ${title}`,

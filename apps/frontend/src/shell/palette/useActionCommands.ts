@@ -18,13 +18,13 @@ import { computed, type ComputedRef } from 'vue';
 import { useRouter } from 'vue-router';
 import { bestAddress } from '../../connect-phone/addresses.ts';
 import { useConnection } from '../../connection/useConnection.ts';
+import type { Command } from '../../page/command.ts';
+import { useShell } from '../../page/shell.ts';
 import { useDiagnostics } from '../../settings/diagnostics/useDiagnostics.ts';
 import { useTabNode } from '../../tab-node/useTabNode.ts';
 import { useThemeChoice } from '../../theme/useTheme.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
-import { useShell } from '../../page/shell.ts';
 import { shortcutsOn } from '../shortcuts.ts';
-import type { Command } from '../../page/command.ts';
 
 /** The actions that are available on every page. */
 export function useActionCommands(): ComputedRef<Command[]> {

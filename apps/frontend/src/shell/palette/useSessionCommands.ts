@@ -3,8 +3,8 @@ import { computed, type ComputedRef } from 'vue';
 import { useRouter } from 'vue-router';
 import { useConnection } from '../../connection/useConnection.ts';
 import { sessionLocation } from '../../locations/session-location.ts';
-import { sessionState, stateLook } from '../../sessions/state/session-state.ts';
 import type { Command } from '../../page/command.ts';
+import { sessionState, stateLook } from '../../sessions/state/session-state.ts';
 
 /** What can be done with the life of a session from anywhere. */
 const INTENTS = {

@@ -1,16 +1,16 @@
 import { useEventListener } from '@vueuse/core';
 import { shallowRef, type Ref, type ShallowRef } from 'vue';
 import { randomUuid } from '../../../connection/random-uuid.ts';
-import type { SessionCalls } from '../../../sessions/actions/session-calls.ts';
-import { missingWords } from '../../../sessions/file/complete-session.ts';
-import type { PreparedFile } from '../../../sessions/file/prepared-file.ts';
 import { useFileDrop } from '../../../files/useFileDrop.ts';
-import { useSessionImport, type SessionImport } from '../../../sessions/file/useSessionImport.ts';
+import { graphLocation } from '../../../locations/graph-location.ts';
+import type { SessionCalls } from '../../../sessions/actions/session-calls.ts';
 import { drawnSize } from '../../canvas/drawn-size.ts';
 import { addSession } from '../../model/add-session.ts';
+import { missingWords } from '../../model/complete-session.ts';
 import { CLIPBOARD_FORMAT } from '../../model/selection/clipboard.ts';
-import { graphLocation } from '../../../locations/graph-location.ts';
 import type { GraphEditor } from '../graph-editor.ts';
+import type { PreparedFile } from './prepared-file.ts';
+import { useSessionImport, type SessionImport } from './useSessionImport.ts';
 
 /** Files and texts on their way into a graph. */
 export interface GraphImport {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { PRESENCE_AGE_MS, PresenceBoard } from './presence-board.ts';
 import { clientOfPresence, presenceTopic } from '../../../topics/presence-topic.ts';
+import { PRESENCE_AGE_MS, PresenceBoard } from './presence-board.ts';
 import { MAX_NODES, parsePresence, presenceText, type PresenceRecord } from './presence-record.ts';
 
 const record = (changes: Partial<PresenceRecord> = {}): PresenceRecord => ({

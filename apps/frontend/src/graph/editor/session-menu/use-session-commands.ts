@@ -18,7 +18,7 @@ import { useRouter } from 'vue-router';
 import { randomUuid } from '../../../connection/random-uuid.ts';
 import { useConnection } from '../../../connection/useConnection.ts';
 import type { SessionActions } from '../../../sessions/actions/useSessionActions.ts';
-import { completeSession } from '../../../sessions/file/complete-session.ts';
+import { completeSession } from '../../model/complete-session.ts';
 import { knownModules } from '../../../sessions/file/known-modules.ts';
 import { saveFile } from '../../../files/save-file.ts';
 import { exportSession } from '../../../sessions/file/session-file.ts';

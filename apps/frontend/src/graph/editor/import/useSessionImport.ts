@@ -2,16 +2,16 @@ import { ConnectionError } from '@ubii/client-web';
 import { ServiceError, type Session } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
 import { useRouter, type RouteLocationRaw } from 'vue-router';
-import { randomUuid } from '../../connection/random-uuid.ts';
-import { useConnection } from '../../connection/useConnection.ts';
-import { useToasts } from '../../ui/toasts/toasts.ts';
-import type { SessionCalls } from '../actions/session-calls.ts';
-import { NEW_TEXT_PATH } from '../../locations/session-location.ts';
-import { sessionCopy, sessionSpec } from '../text/session-spec.ts';
-import { sessionText } from '../text/session-text.ts';
-import { useSessionDraft } from '../text/useSessionDraft.ts';
-import { knownModules } from './known-modules.ts';
-import { openSessionFile } from './open-session-file.ts';
+import { randomUuid } from '../../../connection/random-uuid.ts';
+import { useConnection } from '../../../connection/useConnection.ts';
+import { NEW_TEXT_PATH } from '../../../locations/session-location.ts';
+import type { SessionCalls } from '../../../sessions/actions/session-calls.ts';
+import { knownModules } from '../../../sessions/file/known-modules.ts';
+import { openSessionFile } from '../../../sessions/file/open-session-file.ts';
+import { sessionCopy, sessionSpec } from '../../../sessions/text/session-spec.ts';
+import { sessionText } from '../../../sessions/text/session-text.ts';
+import { useSessionDraft } from '../../../sessions/text/useSessionDraft.ts';
+import { useToasts } from '../../../ui/toasts/toasts.ts';
 import { preparedFile, type PreparedFile } from './prepared-file.ts';
 
 /** Files on their way to become sessions. */

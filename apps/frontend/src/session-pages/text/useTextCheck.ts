@@ -1,7 +1,11 @@
 import { ConnectionError } from '@ubii/client-web';
 import { ServiceError, type Session, type SessionProblem } from '@ubii/proto';
 import { computed, shallowRef, watch, type ComputedRef, type Ref } from 'vue';
-import { problemsOnLines, readSessionText, type TextProblem } from './session-text.ts';
+import {
+  problemsOnLines,
+  readSessionText,
+  type TextProblem,
+} from '../../sessions/text/session-text.ts';
 
 /** A text that is to become a session: what is wrong with it, and the try to make one of it. */
 export interface TextCheck {

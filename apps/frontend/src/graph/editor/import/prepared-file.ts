@@ -1,6 +1,6 @@
 import type { ProcessingModule, Session } from '@ubii/proto';
-import { completeSession, withPlaceholders } from './complete-session.ts';
-import type { ReadFile } from './read-session-file.ts';
+import type { ReadFile } from '../../../sessions/file/read-session-file.ts';
+import { completeSession, withPlaceholders } from '../../model/complete-session.ts';
 
 /** A file, ready to become a session, and what there is to say about it. */
 export type PreparedFile =

@@ -1,8 +1,8 @@
 import type { ProcessingModule } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
-import { graphOf } from '../../graph/model/graph-of.ts';
-import { aSession } from '../testing/a-session.ts';
+import { aSession } from '../../sessions/testing/a-session.ts';
 import { completeSession, missingWords, withPlaceholders } from './complete-session.ts';
+import { graphOf } from './graph-of.ts';
 
 const [module] = aSession().processingModules as [ProcessingModule];
 let count = 0;

@@ -2,19 +2,22 @@ import type { Session } from '@ubii/proto';
 import { computed, toValue, type ComputedRef, type MaybeRefOrGetter } from 'vue';
 import { findDraft, type Draft } from '../../graph/model/changes/draft.ts';
 import { useConnection } from '../../connection/useConnection.ts';
-import { useSessionActions, type SessionActions } from '../actions/useSessionActions.ts';
-import { useSessionMenu, type SessionMenu } from '../actions/useSessionMenu.ts';
-import { useSessionStatistics } from '../live/useSessionStatistics.ts';
-import { useStoredSessions } from '../useStoredSessions.ts';
-import { nodeName } from '../words/node-words.ts';
-import { sharedTopics } from '../words/shared-topics.ts';
+import {
+  useSessionActions,
+  type SessionActions,
+} from '../../sessions/actions/useSessionActions.ts';
+import { useSessionMenu, type SessionMenu } from '../../sessions/actions/useSessionMenu.ts';
+import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.ts';
+import { useStoredSessions } from '../../sessions/useStoredSessions.ts';
+import { nodeName } from '../../sessions/words/node-words.ts';
+import { sharedTopics } from '../../sessions/words/shared-topics.ts';
 import {
   filterRows,
   sessionRow,
   withStored,
   type SessionFilter,
   type SessionRow,
-} from './session-rows.ts';
+} from '../../sessions/list/session-rows.ts';
 import { useDraftIds } from './useDraftIds.ts';
 
 /** All sessions as rows, and what can be done with them. */

@@ -1,8 +1,8 @@
 import type { ProcessingModule, Session } from '@ubii/proto';
-import { graphOf } from '../../graph/model/graph-of.ts';
-import { applyCommand } from '../../graph/model/commands/apply-command.ts';
-import { sessionOf } from '../../graph/model/session-of.ts';
-import { withIds } from '../../graph/model/with-ids.ts';
+import { graphOf } from './graph-of.ts';
+import { applyCommand } from './commands/apply-command.ts';
+import { sessionOf } from './session-of.ts';
+import { withIds } from './with-ids.ts';
 
 /**
  * The session with what the library knows of modules that it only names, as a master would fill it in
