@@ -1,6 +1,5 @@
 import type { RouteRecordRaw } from 'vue-router';
-
-export const CONNECT_PATH = '/connect';
+import { CONNECT_PATH } from '../locations/connect-location.ts';
 
 export const connectPhoneRoutes: readonly RouteRecordRaw[] = [
   {

@@ -1,7 +1,5 @@
 import type { RouteRecordRaw } from 'vue-router';
-
-export const PARTY_PATH = '/party';
-export const PARTY_PHONE_PATH = '/party/play';
+import { PARTY_PATH, PARTY_PHONE_PATH } from '../locations/party-location.ts';
 
 export const partyRoutes: readonly RouteRecordRaw[] = [
   {

@@ -7,7 +7,7 @@ import type { GrantChoice } from '../connect-phone/grant-choices.ts';
 import { useGrants } from '../connect-phone/useGrants.ts';
 import { useConnection } from '../connection/useConnection.ts';
 import { JOIN_PATH } from '../locations/join-location.ts';
-import { PARTY_PHONE_PATH } from './routes.ts';
+import { PARTY_PHONE_PATH } from '../locations/party-location.ts';
 
 const HOUR_MS = 3_600_000;
 

@@ -1,0 +1,2 @@
+/** Where phones are connected. */
+export const CONNECT_PATH = '/connect';
