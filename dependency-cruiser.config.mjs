@@ -6,17 +6,46 @@
 const comment =
   'Move what both need to a folder below, or let the lower one say in an interface what it needs.';
 
+/** Folders of the frontend, line by line: each imports those of the lines above it, see its README. */
+const FRONTEND = [
+  ['styles', 'theme', 'patterns', 'connection', 'formats', 'files', 'players', 'pad'],
+  ['ui', 'locations'],
+  ['page', 'message-form', 'tab-node', 'install', 'asset-sets'],
+  ['topics', 'sessions'],
+  ['clients', 'devices', 'modules', 'publish', 'calls', 'performance'],
+  ['graph', 'join'],
+  ['session-pages', 'learn', 'settings', 'connect-phone', 'connect-certificate', 'out-of-reach'],
+  ['examples', 'party'],
+  ['home', 'markers', 'shell'],
+];
+const inFrontend = (folders) => `^apps/frontend/src/(${folders.join('|')})/`;
+const frontendOrder = FRONTEND.flatMap((line, index) =>
+  line.map((folder) => ({
+    name: `order-of-the-frontend: ${folder}`,
+    comment: 'Move what both need up in the list of this file, to a line that both may import.',
+    severity: 'error',
+    from: { path: inFrontend([folder]) },
+    to: {
+      path: '^apps/frontend/src/',
+      pathNot: inFrontend([folder, ...FRONTEND.slice(0, index).flat()]),
+    },
+  })),
+);
+
+const inOrder = { pathNot: '^apps/frontend/' };
+
 export default {
   forbidden: [
-    { name: 'no-circle', comment, severity: 'error', from: {}, to: { circular: true } },
+    { name: 'no-circle', comment, severity: 'error', from: inOrder, to: { circular: true } },
     {
       name: 'no-folder-circle',
       comment,
       severity: 'error',
       scope: 'folder',
-      from: {},
+      from: inOrder,
       to: { circular: true },
     },
+    ...frontendOrder,
   ],
   options: {
     doNotFollow: { path: 'node_modules' },

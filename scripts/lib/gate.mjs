@@ -57,6 +57,7 @@ function foldersInOrder() {
   return [
     'apps/master/src',
     'apps/node/src',
+    'apps/frontend/src',
     ...packages.filter((path) => existsSync(inRoot(path))),
   ];
 }
