@@ -1,5 +1,9 @@
-/** How many moments are looked at. */
+/** How many moments are looked at, at most. */
 const MOMENTS = 32;
+/** Older moments say nothing of now, milliseconds. */
+const WINDOW_MS = 2000;
+/** So many of what happens seldom count for longer. */
+const MIN_MOMENTS = 4;
 
 /** How often something happens, as measured: what a sensor really delivers, not what was asked for. */
 export class RateMeter {
@@ -13,8 +17,10 @@ export class RateMeter {
 
   /** It happened. */
   note(nowMs: number): void {
-    this.#atMs.push(nowMs);
-    if (this.#atMs.length > MOMENTS) this.#atMs.shift();
+    const moments = this.#atMs;
+    moments.push(nowMs);
+    if (moments.length > MOMENTS) moments.shift();
+    while (moments.length > MIN_MOMENTS && moments[0]! < nowMs - WINDOW_MS) moments.shift();
   }
 
   /** Forgets what was: something else is measured from now on. */

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { RateMeter } from '../../sensors/rate-meter.ts';
 import type { PictureSettings } from '../encode-picture.ts';
 import { adaptationWords } from './adaptation-words.ts';
 import { adaptedStep, adaptPictures, FIRST_STATE, type AdaptState } from './adapt-pictures.ts';
@@ -20,6 +21,8 @@ interface World {
   readonly moduleAt?: (ms: number) => number;
   /** Results a second as they are counted. */
   readonly countedAs?: (hz: number) => number;
+  /** Results are counted as pages count them, one by one. */
+  readonly isCounted?: boolean;
   readonly encodeMs?: number;
   readonly wanted?: PictureSettings;
 }
@@ -27,8 +30,10 @@ interface World {
 /** A page that sends pictures over a link, in steps of a millisecond, and what it decided. */
 function simulate(seconds: number, world: World) {
   const { linkAt = () => 50e6, systemBytes = 0, moduleAt, encodeMs = 5, wanted = WANTED } = world;
-  const { countedAs = (hz: number) => hz } = world;
+  const { countedAs = (hz: number) => hz, isCounted = false } = world;
   const meter = new PictureMeter();
+  const results = new RateMeter(5000);
+  let lastResultMs = 0;
   let state: AdaptState = FIRST_STATE;
   let inPage = 0;
   let inSystem = 0;
@@ -51,6 +56,9 @@ function simulate(seconds: number, world: World) {
       meter.note({ atMs, bytes, encodeMs, leaveMs: ms - atMs });
       delays.push(ms - atMs + (inSystem / linkAt(ms)) * 1000);
       underway = undefined;
+      if (moduleAt !== undefined && ms - lastResultMs >= 1000 / moduleAt(ms)) {
+        results.note((lastResultMs = ms));
+      }
     }
     if (underway === undefined && ms >= nextMs) {
       const bytes = BYTES_PER_COST * stepCost({ ...step, rateHz: 1 });
@@ -62,8 +70,9 @@ function simulate(seconds: number, world: World) {
     if (ms % DECIDE_MS !== 0) continue;
     const sent = meter.summary();
     sentHz = sent?.rateHz ?? sentHz;
-    const resultHz =
+    const idealHz =
       moduleAt === undefined ? undefined : countedAs(Math.min(moduleAt(ms), sent?.rateHz ?? 0));
+    const resultHz = isCounted ? results.rateHz(ms) : idealHz;
     if (ms % 2000 === 0) roundTripsMs.push(5 + (inSystem / linkAt(ms)) * 1000);
     state = adaptPictures(state, wanted, {
       nowMs: ms,
@@ -178,6 +187,13 @@ describe('the controller of pictures', () => {
     const { after } = simulate(70, { moduleAt, countedAs });
     const rates = after(40_000).map(({ step }) => step.rateHz);
     expect(Math.min(...rates)).toBeGreaterThan(2);
+  });
+
+  it('comes back within seconds when a module that was slow is quick again, by the results as they are counted', () => {
+    const moduleAt = (ms: number): number => (ms < 30_000 ? 1.5 : 15);
+    const { after } = simulate(60, { moduleAt, isCounted: true });
+    const rates = after(42_000).map(({ step }) => step.rateHz);
+    expect(Math.min(...rates)).toBeGreaterThan(8);
   });
 
   it('comes back to what is wanted when link and module have recovered', () => {
