@@ -22,12 +22,14 @@ export function watcherSentence(subscribers: TopicSubscribers, names: WatcherNam
   if (clientIds.length === 0) return sentenceOf([], count);
   const isHere = (id: string): boolean => !names.isAway(id);
   const here = watcherNames({ clientIds: clientIds.filter(isHere) }, names);
-  const away = watcherNames({ clientIds: clientIds.filter(names.isAway) }, names);
+  // Other tabs of this browser that are away were closed.
+  const isLost = (id: string): boolean => names.isAway(id) && !names.tabIds?.includes(id);
+  const away = watcherNames({ clientIds: clientIds.filter(isLost) }, names);
   const named = here.length <= MAX_NAMES + 1 ? here : here.slice(0, MAX_NAMES);
   const sentence = sentenceOf(named, here.length - named.length);
   if (away.length === 0) return sentence;
   const who = away.length > MAX_NAMES ? `${away.length} others` : listOf(away);
-  const lost = away.length > 1 || isSeveral(away[0]!) ? 'have lost their' : 'has lost its';
+  const lost = away.length > 1 ? 'have lost their' : 'has lost its';
   return `${sentence} ${capital(who)} ${lost} connection.`;
 }
 
