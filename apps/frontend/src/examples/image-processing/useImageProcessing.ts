@@ -6,11 +6,11 @@ import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import { useModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
-import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
 import { useOverlays } from '../../topics/viewers/picture/use-overlays.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
 import { useIsOn } from '../pictures/use-is-on.ts';
+import { useKeptChoice, useKeptPlace } from '../pictures/use-kept-choice.ts';
 import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import {
   outputTopic,
@@ -42,8 +42,8 @@ export function useImageProcessing(sources: PictureSources) {
   const { client, name } = useConnection();
   const library = useModuleLibrary();
   const { isOn, wasEnded } = useIsOn();
-  const place = shallowRef<ModulePlace>('tab');
-  const moduleName = shallowRef(FIRST_MODULE);
+  const place = useKeptPlace();
+  const moduleName = useKeptChoice('module', FIRST_MODULE);
   /** By module and parameter. */
   const set = shallowRef<ReadonlyMap<string, ReadonlyMap<string, string>>>(
     new Map([[FIRST_MODULE, FIRST_PARAMETERS]]),

@@ -11,6 +11,7 @@ import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
 import { useIsOn } from '../pictures/use-is-on.ts';
+import { useKeptPlace } from '../pictures/use-kept-choice.ts';
 import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import { CLIP_MARKER_METRES } from './marker-clip.ts';
 import { TRACKING_COMPONENTS, TRACKING_DEVICE, trackingSession } from './tracking-session.ts';
@@ -26,7 +27,7 @@ const RATE_HZ = 20;
 export function useMarkerTracking(sources: PictureSources) {
   const { isConnected, name } = useConnection();
   const { isOn, wasEnded } = useIsOn();
-  const place = shallowRef<ModulePlace>('tab');
+  const place = useKeptPlace();
   const options = reactive({
     dictionary: DEFAULT_DICTIONARY,
     sizeMm: String(CLIP_MARKER_METRES * 1000),

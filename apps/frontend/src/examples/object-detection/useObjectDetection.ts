@@ -10,6 +10,7 @@ import { useDevice } from '../../devices/use-device.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
 import { useIsOn } from '../pictures/use-is-on.ts';
+import { useKeptChoice, useKeptPlace } from '../pictures/use-kept-choice.ts';
 import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import { SEEING_COMPONENTS, SEEING_DEVICE } from './seeing-topics.ts';
 import { useClockError } from './use-clock-error.ts';
@@ -33,10 +34,14 @@ export type Found = ReadonlyMap<Seen, TopicRecord>;
 export function useObjectDetection(sources: PictureSources) {
   const { client, isConnected, name } = useConnection();
   const { isOn, wasEnded } = useIsOn();
-  const place = shallowRef<ModulePlace>('tab');
-  const threshold = shallowRef(0.4);
+  const place = useKeptPlace();
+  const threshold = useKeptChoice('threshold', 0.4);
   const detector = useDetector(threshold);
-  const looksFor = reactive<Record<Seen, boolean>>({ objects: true, bodies: false, hands: false });
+  const looksFor = useKeptChoice<Record<Seen, boolean>>('looks-for', {
+    objects: true,
+    bodies: false,
+    hands: false,
+  }).value;
   const settings = reactive<PictureSettings>({
     width: 640,
     rateHz: WANTED_HZ,

@@ -13,6 +13,7 @@ import { useCamera } from '../../devices/camera/useCamera.ts';
 import { useFrameTimes } from '../../devices/camera/use-frame-times.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { CLIP_RATE_HZ, drawClip, loadClip } from './clip.ts';
+import { useKeptChoice } from './use-kept-choice.ts';
 
 /** Where pictures come from. */
 export type SourceKind = 'clip' | 'camera' | 'photo' | 'topic';
@@ -52,7 +53,8 @@ const MAX_PHOTO_SIDE = 1280;
 export function usePictureSource(
   drawOwn?: (canvas: HTMLCanvasElement, timeMs: number) => void,
 ): PictureSources {
-  const kind = shallowRef<SourceKind>('clip');
+  // Files and topics are not kept with it.
+  const kind = useKeptChoice<SourceKind>('source', 'clip', (kept) => kept === 'camera');
   const topic = shallowRef('');
   const fileName = shallowRef<string>();
   const fileProblem = shallowRef<string>();
