@@ -1,6 +1,5 @@
 import { LEAST_MODULE_BYTES } from '@ubii/pm-sandbox';
 import {
-  ProcessingModuleLanguage,
   ProcessingModuleStatus,
   type IOMapping,
   type ModuleStatistics,
