@@ -41,7 +41,7 @@ export interface ShownOutput {
 export function useImageProcessing(sources: PictureSources) {
   const { client, name } = useConnection();
   const library = useModuleLibrary();
-  const { isOn, wasEnded } = useIsOn();
+  const { isOn, wasEnded } = useIsOn(sources);
   const place = useKeptPlace();
   const moduleName = useKeptChoice('module', FIRST_MODULE);
   /** By module and parameter. */
@@ -53,6 +53,10 @@ export function useImageProcessing(sources: PictureSources) {
   const modules = computed(() =>
     (library.entries.value ?? []).map(({ module }) => module).filter(takesPictures),
   );
+  // It may have been removed since it was chosen.
+  watch(modules, (all) => {
+    if (all.length > 0 && module.value === undefined) moduleName.value = FIRST_MODULE;
+  });
   const module = computed(() => modules.value.find((one) => one.name === moduleName.value));
   const parameters = computed(() => set.value.get(moduleName.value) ?? new Map<string, string>());
 

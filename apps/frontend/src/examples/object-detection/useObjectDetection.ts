@@ -33,7 +33,7 @@ export type Found = ReadonlyMap<Seen, TopicRecord>;
 /** Looks at the pictures of a source with a session of this page. */
 export function useObjectDetection(sources: PictureSources) {
   const { client, isConnected, name } = useConnection();
-  const { isOn, wasEnded } = useIsOn();
+  const { isOn, wasEnded } = useIsOn(sources);
   const place = useKeptPlace();
   const threshold = useKeptChoice('threshold', 0.4);
   const detector = useDetector(threshold);
