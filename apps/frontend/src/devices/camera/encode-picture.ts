@@ -81,9 +81,7 @@ export function packPixels(
 /** Makes records of pictures, one at a time. Close it when it is not used any more. */
 export class PictureEncoder {
   readonly #canvas = document.createElement('canvas');
-  /** Undefined before the first JPEG, and where there can be none. */
-  #jpegs: JpegEncoder | undefined;
-  #hasWorker = JpegEncoder.isSupported();
+  #jpegs = JpegEncoder.isSupported() ? new JpegEncoder() : undefined;
 
   /** @throws {Error} if the browser makes no JPEG */
   async encode(
@@ -91,15 +89,13 @@ export class PictureEncoder {
     { width: maxWidth, encoding, quality }: Readonly<PictureSettings>,
   ): Promise<Image2D> {
     const { width, height } = sizeWithin(source, maxWidth);
-    if (encoding === 'JPEG' && this.#hasWorker) {
-      const jpegs = (this.#jpegs ??= new JpegEncoder());
+    if (encoding === 'JPEG' && this.#jpegs) {
       const picture = await createImageBitmap(source.element);
       try {
-        const data = await jpegs.encode(picture, { width, height, quality });
+        const data = await this.#jpegs.encode(picture, { width, height, quality });
         return { width, height, dataFormat: Image2DDataFormat.RGB8, data };
       } catch (error) {
         // From the next one on they are encoded in the page.
-        this.#hasWorker = false;
         this.close();
         throw error;
       }
