@@ -1,11 +1,10 @@
 import { useEventListener } from '@vueuse/core';
 import { onScopeDispose, shallowRef, watch, type ShallowRef } from 'vue';
 import { useRoute } from 'vue-router';
-import type { PictureSources } from './use-picture-source.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 
 /** Whether an example runs. It ends with the page; after a reload the page says so, and offers to start it again. */
-export function useIsOn(sources: Pick<PictureSources, 'kind'>): {
+export function useIsOn(): {
   readonly isOn: ShallowRef<boolean>;
   /** It ran until the page was reloaded, and was not started since. */
   readonly wasEnded: Readonly<ShallowRef<boolean>>;
@@ -23,8 +22,7 @@ export function useIsOn(sources: Pick<PictureSources, 'kind'>): {
   watch(isOn, () => (wasEnded.value = false));
   useEventListener(window, 'pagehide', ({ persisted }) => {
     // One that is kept goes on when it is shown again
-    const isKept = ['clip', 'camera'].includes(sources.kind.value);
-    if (isOn.value && isKept && !persisted) sessionStorage.setItem(key, 'yes');
+    if (isOn.value && !persisted) sessionStorage.setItem(key, 'yes');
   });
   onScopeDispose(() => toasts.leave(key));
   return { isOn, wasEnded };

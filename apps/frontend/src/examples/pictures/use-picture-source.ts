@@ -1,4 +1,3 @@
-import { systemClock } from '@ubii/client-web';
 import { useEventListener } from '@vueuse/core';
 import {
   computed,
@@ -35,8 +34,6 @@ export interface PictureSources {
   readonly fileProblem: Readonly<ShallowRef<string | undefined>>;
   /** The topic whose pictures are looked at; empty until one is chosen. */
   readonly topic: ShallowRef<string>;
-  /** Pictures are sent: the clip goes on while another page is in front. */
-  readonly isSent: ShallowRef<boolean>;
   takeFile(file: File): Promise<void>;
   /** What pictures are taken of now. */
   source(): PictureSource | undefined;
@@ -59,7 +56,6 @@ export function usePictureSource(
   // Files and topics are not kept with it.
   const kind = useKeptChoice<SourceKind>('source', 'clip', (kept) => kept === 'camera');
   const topic = shallowRef('');
-  const isSent = shallowRef(false);
   const fileName = shallowRef<string>();
   const fileProblem = shallowRef<string>();
   const photo = shallowRef<HTMLCanvasElement>();
@@ -103,12 +99,11 @@ export function usePictureSource(
   }
 
   watch(
-    [kind, isSent],
-    ([next, sent], _before, onCleanup) => {
+    kind,
+    (next, _before, onCleanup) => {
       if (next !== 'camera') camera.stop();
       if (next !== 'clip') return;
-      const clock = sent ? pictureClock : systemClock;
-      onCleanup(clock.every(1000 / CLIP_RATE_HZ, draw));
+      onCleanup(pictureClock.every(1000 / CLIP_RATE_HZ, draw));
       if (isLoading || drawOwn) return;
       isLoading = true;
       loadClip().then(
@@ -160,7 +155,6 @@ export function usePictureSource(
     fileName,
     fileProblem,
     topic,
-    isSent,
     takeFile,
     source() {
       const takenMs = element.value === video ? frames.takenMs() : undefined;

@@ -45,10 +45,7 @@ function requireOwn(caller: ServiceCall['caller'], topic: string): void {
 function subscribersOf(core: Core, topic: string): Init<TopicSubscribers> & { count: number } {
   const entry = core.topics.get(topic);
   if (entry === undefined) return { topic, count: 0 };
-  // The master and its modules are no client.
-  const isThere = (id: string): boolean =>
-    core.clients.get(id)?.socket !== undefined || id === core.id;
-  const clientIds = [...core.subscriptions.subscriberIds(entry)].filter(isThere);
+  const clientIds = [...core.subscriptions.subscriberIds(entry)];
   return { topic, count: clientIds.length, clientIds, modules: [...modulesOf(core, entry)] };
 }
 
