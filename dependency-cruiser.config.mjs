@@ -32,6 +32,14 @@ const frontendOrder = FRONTEND.flatMap((line, index) =>
   })),
 );
 
+frontendOrder.push({
+  name: 'order-of-the-frontend: a folder that is not in the list',
+  comment: 'Add it to its line of the list in this file.',
+  severity: 'error',
+  from: { path: '^apps/frontend/src/[^/]+/', pathNot: inFrontend(FRONTEND.flat()) },
+  to: { path: '^apps/frontend/src/' },
+});
+
 const inOrder = { pathNot: '^apps/frontend/' };
 
 export default {

@@ -43,6 +43,15 @@ describe('subscribers of a topic', () => {
     expect(await who()).toMatchObject({ count: 1, clientIds: [cleo.id] });
   });
 
+  it('are those with a socket: who lost it receives nothing until it is back [EX-95]', async () => {
+    const { ben, topic, ada, who } = await createWorld();
+    await ben.subscribe({ subscribeTopics: [topic] });
+    ada.publish(topic, 'double', 1);
+    expect(await who()).toMatchObject({ count: 1, clientIds: [ben.id] });
+    ben.drop();
+    expect(await who()).toMatchObject({ count: 0, clientIds: [] });
+  });
+
   it('are listed with the modules that get it, by topic and by muxer [EX-97]', async () => {
     const { master, ada, topic, who } = await createWorld();
     const start = async (name: string, input: object) => {

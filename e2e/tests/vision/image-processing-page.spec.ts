@@ -22,6 +22,17 @@ test('the example sends pictures through a module, shows what comes out, and cha
     await expect(outputs).toContainText('480×270 RGB8');
   });
 
+  await test.step('what was wrong with one module is not told of the next', async () => {
+    const format = page.getByRole('textbox', { name: 'format', exact: true });
+    await format.fill('purple');
+    await format.press('Enter');
+    await expect(page.getByRole('alert')).toContainText('not "purple"');
+    await page.getByRole('combobox', { name: 'Module' }).tap();
+    await page.getByRole('option', { name: /^picture-edges/ }).tap();
+    await expect(outputs).toContainText('480×270 GRAY8');
+    await expect(page.getByRole('alert')).toHaveCount(0);
+  });
+
   await test.step('another module takes its place; what it finds is drawn over the picture', async () => {
     await page.getByRole('combobox', { name: 'Module' }).tap();
     await page.getByRole('option', { name: /^object-detection/ }).tap();

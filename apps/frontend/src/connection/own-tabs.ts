@@ -1,6 +1,6 @@
 import type { UbiiClient } from '@ubii/client-web';
 import { useLocalStorage } from '@vueuse/core';
-import type { Ref } from 'vue';
+import { shallowRef, watch, type Ref } from 'vue';
 
 /** More tabs are open in few browsers; those that closed fall out. */
 const MAX_TABS = 32;
@@ -13,8 +13,10 @@ export function useOwnTabs(): Ref<readonly string[]> {
 /** The other tabs of this browser learn of this one. */
 export function tellOwnTab(client: Pick<UbiiClient, 'id' | 'onState'>): void {
   const tabs = useOwnTabs();
-  client.onState(({ status }) => {
-    if (status !== 'connected' || tabs.value.at(-1) === client.id) return;
-    tabs.value = [...tabs.value.filter((id) => id !== client.id), client.id].slice(-MAX_TABS);
+  const isConnected = shallowRef(false);
+  client.onState(({ status }) => (isConnected.value = status === 'connected'));
+  // Another tab that wrote at the same moment may have left this one out.
+  watch([tabs, isConnected], ([list, connected]) => {
+    if (connected && !list.includes(client.id)) tabs.value = [...list, client.id].slice(-MAX_TABS);
   });
 }

@@ -21,7 +21,8 @@ export function videoSource(
   video: HTMLVideoElement | null,
   takenMs?: number,
 ): PictureSource | undefined {
-  if (!video || video.videoWidth === 0) return undefined;
+  // A bitmap of a video without a picture may never come.
+  if (!video || video.videoWidth === 0 || video.readyState < 2) return undefined;
   return { element: video, width: video.videoWidth, height: video.videoHeight, takenMs };
 }
 
@@ -81,7 +82,9 @@ export function packPixels(
 /** Makes records of pictures, one at a time. Close it when it is not used any more. */
 export class PictureEncoder {
   readonly #canvas = document.createElement('canvas');
-  #jpegs = JpegEncoder.isSupported() ? new JpegEncoder() : undefined;
+  /** Undefined before the first JPEG, and where there can be none. */
+  #jpegs: JpegEncoder | undefined;
+  #hasWorker = JpegEncoder.isSupported();
 
   /** @throws {Error} if the browser makes no JPEG */
   async encode(
@@ -89,22 +92,24 @@ export class PictureEncoder {
     { width: maxWidth, encoding, quality }: Readonly<PictureSettings>,
   ): Promise<Image2D> {
     const { width, height } = sizeWithin(source, maxWidth);
-    if (encoding === 'JPEG' && this.#jpegs) {
-      const picture = await createImageBitmap(source.element);
-      try {
-        const data = await this.#jpegs.encode(picture, { width, height, quality });
-        return { width, height, dataFormat: Image2DDataFormat.RGB8, data };
-      } catch (error) {
-        // From the next one on they are encoded in the page.
-        this.close();
-        throw error;
-      }
-    }
     const canvas = this.#canvas;
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
     const context = canvas.getContext('2d', { willReadFrequently: true })!;
     context.drawImage(source.element, 0, 0, width, height);
+    if (encoding === 'JPEG' && this.#hasWorker) {
+      const jpegs = (this.#jpegs ??= new JpegEncoder());
+      const picture = await createImageBitmap(canvas);
+      try {
+        const data = await jpegs.encode(picture, { width, height, quality });
+        return { width, height, dataFormat: Image2DDataFormat.RGB8, data };
+      } catch (error) {
+        // From the next one on they are encoded in the page.
+        this.#hasWorker = false;
+        this.close();
+        throw error;
+      }
+    }
     if (encoding !== 'JPEG') {
       const data = packPixels(context.getImageData(0, 0, width, height).data, encoding);
       return { width, height, dataFormat: Image2DDataFormat[encoding], data };

@@ -1,8 +1,20 @@
 import type { JpegReply, JpegTask } from './jpeg-worker.ts';
 
+/** A worker that takes longer is gone, milliseconds. */
+const TIMEOUT_MS = 5000;
+
 /** Makes JPEG files in a worker of its own, one at a time. Close it when it is not used any more. */
 export class JpegEncoder {
-  readonly #worker = new Worker(new URL('./jpeg-worker.ts', import.meta.url), { type: 'module' });
+  readonly #worker: Worker;
+  readonly #failed: Promise<never>;
+
+  constructor() {
+    this.#worker = new Worker(new URL('./jpeg-worker.ts', import.meta.url), { type: 'module' });
+    this.#failed = new Promise((_, reject) => {
+      this.#worker.onerror = () => reject(new Error('The worker of pictures could not start.'));
+    });
+    this.#failed.catch(() => undefined); // told with the next picture
+  }
 
   static isSupported(): boolean {
     return typeof OffscreenCanvas !== 'undefined' && 'convertToBlob' in OffscreenCanvas.prototype;
@@ -10,18 +22,21 @@ export class JpegEncoder {
 
   /**
    * @param picture is given away
-   * @throws {Error} if the browser makes no JPEG in a worker
+   * @throws {Error} if the worker makes no JPEG
    */
   async encode(
     picture: ImageBitmap,
     options: { readonly width: number; readonly height: number; readonly quality: number },
   ): Promise<Uint8Array<ArrayBuffer>> {
-    const file = await new Promise<JpegReply>((resolve, reject) => {
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const made = new Promise<JpegReply>((resolve, reject) => {
       this.#worker.onmessage = ({ data }: MessageEvent<JpegReply>) => resolve(data);
-      this.#worker.onerror = () => reject(new Error('The worker of pictures could not start.'));
+      const isGone = (): void => reject(new Error('The worker of pictures does not answer.'));
+      timer = setTimeout(isGone, TIMEOUT_MS);
       const task: JpegTask = { picture, ...options };
       this.#worker.postMessage(task, [picture]);
     });
+    const file = await Promise.race([made, this.#failed]).finally(() => clearTimeout(timer));
     if (!file) throw new Error('The browser could not encode the picture.');
     return new Uint8Array(file);
   }

@@ -45,6 +45,12 @@ export function useCamera(first = '', isNeeded: () => boolean = () => true) {
       const opened = await navigator.mediaDevices.getUserMedia({ video: constraintsFor(id) });
       // Stopped, hidden or left meanwhile.
       if (mine !== attempt) return endTracks(opened);
+      // Hidden while the user was asked: it comes back with the page.
+      if (document.visibilityState === 'hidden') {
+        endTracks(opened);
+        status.value = 'paused';
+        return;
+      }
       take(opened);
     } catch (error) {
       if (mine !== attempt) return;

@@ -23,7 +23,7 @@ import {
 const FIRST_MODULE = 'image-tools';
 /** In grey, so that one sees at once that the module did something; its own defaults change nothing. */
 const FIRST_PARAMETERS: ReadonlyMap<string, string> = new Map([['format', '{"string":"GRAY8"}']]);
-const SETTINGS: PictureSettings = { width: 480, rateHz: 20, encoding: 'RGB8', quality: 0.8 };
+const SETTINGS: PictureSettings = { width: 480, rateHz: 15, encoding: 'RGB8', quality: 0.8 };
 
 /** Results of slow modules come so seldom, milliseconds. */
 const SLOW_MS = 5000;
@@ -41,7 +41,7 @@ export interface ShownOutput {
 export function useImageProcessing(sources: PictureSources) {
   const { client, name } = useConnection();
   const library = useModuleLibrary();
-  const { isOn, wasEnded } = useIsOn();
+  const { isOn, wasEnded } = useIsOn(sources);
   const place = useKeptPlace();
   const moduleName = useKeptChoice('module', FIRST_MODULE);
   /** By module and parameter. */
@@ -53,6 +53,10 @@ export function useImageProcessing(sources: PictureSources) {
   const modules = computed(() =>
     (library.entries.value ?? []).map(({ module }) => module).filter(takesPictures),
   );
+  // It may have been removed since it was chosen.
+  watch(modules, (all) => {
+    if (all.length > 0 && module.value === undefined) moduleName.value = FIRST_MODULE;
+  });
   const module = computed(() => modules.value.find((one) => one.name === moduleName.value));
   const parameters = computed(() => set.value.get(moduleName.value) ?? new Map<string, string>());
 
@@ -103,6 +107,16 @@ export function useImageProcessing(sources: PictureSources) {
       : [],
   );
   const newest = useOverlays(() => topics.value);
+  // Modules have outputs of the same name: what one put out says nothing of the next.
+  let chosenMs = -Infinity;
+  const ofOthers = shallowRef<ReadonlySet<TopicRecord>>(new Set());
+  watch([moduleName, isOn], () => {
+    chosenMs = client.masterTime.nowMs();
+    ofOthers.value = new Set(newest.value.values());
+  });
+  function isOld(record: TopicRecord): boolean {
+    return ofOthers.value.has(record) || (record.timestampMs ?? Infinity) < chosenMs;
+  }
   const outputs = computed((): ShownOutput[] =>
     (module.value?.outputs ?? []).map(({ internalName, messageFormat }) => {
       const topic = outputTopic(client.id, internalName);
@@ -112,7 +126,7 @@ export function useImageProcessing(sources: PictureSources) {
         name: internalName,
         format,
         topic,
-        record: record?.format === format ? record : undefined,
+        record: record?.format === format && !isOld(record) ? record : undefined,
       };
     }),
   );

@@ -26,7 +26,7 @@ const RATE_HZ = 20;
 /** Finds markers in the pictures of a source with a session of this page. */
 export function useMarkerTracking(sources: PictureSources) {
   const { isConnected, name } = useConnection();
-  const { isOn, wasEnded } = useIsOn();
+  const { isOn, wasEnded } = useIsOn(sources);
   const place = useKeptPlace();
   const options = reactive({
     dictionary: DEFAULT_DICTIONARY,

@@ -33,7 +33,7 @@ export type Found = ReadonlyMap<Seen, TopicRecord>;
 /** Looks at the pictures of a source with a session of this page. */
 export function useObjectDetection(sources: PictureSources) {
   const { client, isConnected, name } = useConnection();
-  const { isOn, wasEnded } = useIsOn();
+  const { isOn, wasEnded } = useIsOn(sources);
   const place = useKeptPlace();
   const threshold = useKeptChoice('threshold', 0.4);
   const detector = useDetector(threshold);
@@ -71,8 +71,12 @@ export function useObjectDetection(sources: PictureSources) {
   let result: { readonly takenMs: number; readonly arrivedMs: number } | undefined;
   let hasChanged = false;
 
+  /** Not one that was retained since an earlier time. */
+  const isNew = ({ timestampMs }: TopicRecord): boolean =>
+    timestampMs === undefined || times.counts(timestampMs);
+
   function take(what: Seen, record: TopicRecord): void {
-    if (record.timestampMs !== undefined && !times.counts(record.timestampMs)) return;
+    if (!isNew(record)) return;
     newest.set(what, { record, atMs: performance.now() });
     hasChanged = true;
     if (what !== 'objects') return;
@@ -109,7 +113,9 @@ export function useObjectDetection(sources: PictureSources) {
     components: SEEING_COMPONENTS,
     receivers: {
       objects: (_value, record) => take('objects', record),
-      belowThreshold: (_value, record) => (belowThreshold.value = record),
+      belowThreshold(_value, record) {
+        if (isNew(record)) belowThreshold.value = record;
+      },
       bodies: (_value, record) => take('bodies', record),
       hands: (_value, record) => take('hands', record),
       decode: (value) => (decodeMs = value),
@@ -190,8 +196,8 @@ export function useObjectDetection(sources: PictureSources) {
     hasChanged = true;
   });
 
-  // The time without a master, or behind another page, is no part of the way of a picture.
-  watch([isConnected, useDocumentVisibility()], clearTimes);
+  // The time without a master, behind another page, or before this page was opened is no part of the way of a picture.
+  watch([isConnected, useDocumentVisibility()], clearTimes, { immediate: true });
 
   useRafFn(() => {
     // The last results stay, as old ones, until the master is back.

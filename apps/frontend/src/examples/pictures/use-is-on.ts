@@ -1,10 +1,11 @@
 import { useEventListener } from '@vueuse/core';
 import { onScopeDispose, shallowRef, watch, type ShallowRef } from 'vue';
 import { useRoute } from 'vue-router';
+import type { PictureSources } from './use-picture-source.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 
 /** Whether an example runs. It ends with the page; after a reload the page says so, and offers to start it again. */
-export function useIsOn(): {
+export function useIsOn(sources: Pick<PictureSources, 'kind'>): {
   readonly isOn: ShallowRef<boolean>;
   /** It ran until the page was reloaded, and was not started since. */
   readonly wasEnded: Readonly<ShallowRef<boolean>>;
@@ -22,7 +23,8 @@ export function useIsOn(): {
   watch(isOn, () => (wasEnded.value = false));
   useEventListener(window, 'pagehide', ({ persisted }) => {
     // One that is kept goes on when it is shown again
-    if (isOn.value && !persisted) sessionStorage.setItem(key, 'yes');
+    const isKept = ['clip', 'camera'].includes(sources.kind.value);
+    if (isOn.value && isKept && !persisted) sessionStorage.setItem(key, 'yes');
   });
   onScopeDispose(() => toasts.leave(key));
   return { isOn, wasEnded };

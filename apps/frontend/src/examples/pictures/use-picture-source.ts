@@ -1,3 +1,4 @@
+import { systemClock } from '@ubii/client-web';
 import { useEventListener } from '@vueuse/core';
 import {
   computed,
@@ -34,6 +35,8 @@ export interface PictureSources {
   readonly fileProblem: Readonly<ShallowRef<string | undefined>>;
   /** The topic whose pictures are looked at; empty until one is chosen. */
   readonly topic: ShallowRef<string>;
+  /** Pictures are sent: the clip goes on while another page is in front. */
+  readonly isSent: ShallowRef<boolean>;
   takeFile(file: File): Promise<void>;
   /** What pictures are taken of now. */
   source(): PictureSource | undefined;
@@ -56,6 +59,7 @@ export function usePictureSource(
   // Files and topics are not kept with it.
   const kind = useKeptChoice<SourceKind>('source', 'clip', (kept) => kept === 'camera');
   const topic = shallowRef('');
+  const isSent = shallowRef(false);
   const fileName = shallowRef<string>();
   const fileProblem = shallowRef<string>();
   const photo = shallowRef<HTMLCanvasElement>();
@@ -99,11 +103,12 @@ export function usePictureSource(
   }
 
   watch(
-    kind,
-    (next, _before, onCleanup) => {
+    [kind, isSent],
+    ([next, sent], _before, onCleanup) => {
       if (next !== 'camera') camera.stop();
       if (next !== 'clip') return;
-      onCleanup(pictureClock.every(1000 / CLIP_RATE_HZ, draw));
+      const clock = sent ? pictureClock : systemClock;
+      onCleanup(clock.every(1000 / CLIP_RATE_HZ, draw));
       if (isLoading || drawOwn) return;
       isLoading = true;
       loadClip().then(
@@ -155,8 +160,10 @@ export function usePictureSource(
     fileName,
     fileProblem,
     topic,
+    isSent,
     takeFile,
     source() {
+      if (element.value === video && video.readyState < 2) return undefined;
       const takenMs = element.value === video ? frames.takenMs() : undefined;
       return element.value && size.value && { element: element.value, ...size.value, takenMs };
     },

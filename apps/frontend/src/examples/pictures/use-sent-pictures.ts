@@ -41,14 +41,16 @@ export function useSentPictures(options: {
     if (!isRegistered.value) return undefined;
     return isOwn.value ? ownTopic() : sources.topic.value || undefined;
   });
+  const isWanted = (): boolean =>
+    isOn.value &&
+    isOwn.value &&
+    isConnected.value &&
+    isRegistered.value &&
+    sources.element.value !== undefined;
+  watch(isWanted, (wanted) => (sources.isSent.value = wanted));
   const measures = usePictures({
     source: () => sources.source(),
-    isWanted: () =>
-      isOn.value &&
-      isOwn.value &&
-      isConnected.value &&
-      isRegistered.value &&
-      sources.element.value !== undefined,
+    isWanted,
     settings,
     habits: () => habits.value,
     // A photograph is looked at as often as it is sent.

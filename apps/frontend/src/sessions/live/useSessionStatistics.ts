@@ -12,7 +12,7 @@ export type StatisticsById = ReadonlyMap<string, SessionStatistics>;
  * @param sessionId one session; without it all of them
  */
 export function useSessionStatistics(sessionId = '*'): Readonly<ShallowRef<StatisticsById>> {
-  const { client } = useConnection();
+  const { client, isConnected } = useConnection();
   const newest = new Map<string, SessionStatistics>();
   const shown = shallowRef<StatisticsById>(new Map());
   const draw = perFrame(() => (shown.value = new Map(newest)));
@@ -38,6 +38,12 @@ export function useSessionStatistics(sessionId = '*'): Readonly<ShallowRef<Stati
     },
     { immediate: true },
   );
+  // While the master is away, nothing is known of now.
+  watch(isConnected, (connected) => {
+    if (connected) return;
+    newest.clear();
+    draw();
+  });
   tryOnScopeDispose(end);
   return shown;
 }

@@ -59,6 +59,8 @@ export async function describeAssetSet(
       bundled: (await assets.parentOf(name)) !== folder,
     };
   } catch (error) {
+    // Its folder is being replaced.
+    if ((error as NodeJS.ErrnoException).code === 'ENOENT') return known;
     if (!(error instanceof AssetError)) throw error;
     if (error.code === 'missing') return known;
     // Paths are for admins.

@@ -45,7 +45,10 @@ function requireOwn(caller: ServiceCall['caller'], topic: string): void {
 function subscribersOf(core: Core, topic: string): Init<TopicSubscribers> & { count: number } {
   const entry = core.topics.get(topic);
   if (entry === undefined) return { topic, count: 0 };
-  const clientIds = [...core.subscriptions.subscriberIds(entry)];
+  // The master and its modules are no client.
+  const isThere = (id: string): boolean =>
+    core.clients.get(id)?.socket !== undefined || id === core.id;
+  const clientIds = [...core.subscriptions.subscriberIds(entry)].filter(isThere);
   return { topic, count: clientIds.length, clientIds, modules: [...modulesOf(core, entry)] };
 }
 

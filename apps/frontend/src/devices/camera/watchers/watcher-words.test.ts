@@ -1,12 +1,11 @@
 import { expect, it } from 'vitest';
 import { moduleWords, watcherSentence } from './watcher-words.ts';
 
-const NAMES: Record<string, string> = { a: 'Anna', b: 'Ben', c: 'Cleo', d: 'Dora', gone: 'Gus' };
+const NAMES: Record<string, string> = { a: 'Anna', b: 'Ben', c: 'Cleo', d: 'Dora' };
 const names = {
   selfId: 'self',
   masterId: 'master',
   tabIds: ['self', 't', 'u'],
-  isAway: (id: string) => id === 'gone',
   nameOf: (id: string) => NAMES[id] ?? id,
 };
 const sentence = (clientIds: string[], count = clientIds.length): string =>
@@ -17,11 +16,10 @@ it.each([
   [['self'], 'No other client receives these pictures.'],
   [['a', 'self'], 'Anna receives these pictures.'],
   [['master', 'a'], 'The master and Anna receive these pictures.'],
-  [['gone'], 'No other client receives these pictures. Gus has lost its connection.'],
-  [['a', 'gone'], 'Anna receives these pictures. Gus has lost its connection.'],
   [['t'], 'Another tab of this browser receives these pictures.'],
   [['t', 'u'], '2 other tabs of this browser receive these pictures.'],
   [['t', 'a', 'u'], 'Anna and 2 other tabs of this browser receive these pictures.'],
+  [['a', 'b', 'c', 'd', 't', 'u'], 'Anna, Ben and 4 other clients receive these pictures.'],
   [['a', 'master'], 'Anna and the master receive these pictures.'],
   [['a', 'b', 'c'], 'Anna, Ben and Cleo receive these pictures.'],
   [['a', 'b', 'c', 'd'], 'Anna, Ben and 2 other clients receive these pictures.'],

@@ -7,8 +7,6 @@ export interface WatcherNames {
   readonly masterId: string;
   /** Ids of the tabs of this browser. */
   readonly tabIds?: readonly string[];
-  /** It has lost its connection, and receives the newest picture when it is back. */
-  isAway(clientId: string): boolean;
   nameOf(clientId: string): string;
 }
 
@@ -20,24 +18,14 @@ export function watcherSentence(subscribers: TopicSubscribers, names: WatcherNam
   const { clientIds, count } = subscribers;
   // Players get a number alone. [EX-96]
   if (clientIds.length === 0) return sentenceOf([], count);
-  const isHere = (id: string): boolean => !names.isAway(id);
-  const here = watcherNames({ clientIds: clientIds.filter(isHere) }, names);
-  // Other tabs of this browser that are away were closed.
-  const isLost = (id: string): boolean => names.isAway(id) && !names.tabIds?.includes(id);
-  const away = watcherNames({ clientIds: clientIds.filter(isLost) }, names);
-  const named = here.length <= MAX_NAMES + 1 ? here : here.slice(0, MAX_NAMES);
-  const sentence = sentenceOf(named, here.length - named.length);
-  if (away.length === 0) return sentence;
-  const who = away.length > MAX_NAMES ? `${away.length} others` : listOf(away);
-  const lost = away.length > 1 ? 'have lost their' : 'has lost its';
-  return `${sentence} ${capital(who)} ${lost} connection.`;
+  const others = watcherNames(subscribers, names);
+  const named = others.length <= MAX_NAMES + 1 ? others : others.slice(0, MAX_NAMES);
+  const left = others.slice(named.length).reduce((sum, one) => sum + countOf(one), 0);
+  return sentenceOf(named, left);
 }
 
 /** Who receives the pictures, except this page, by name; the other tabs of this browser are one. */
-export function watcherNames(
-  { clientIds }: Pick<TopicSubscribers, 'clientIds'>,
-  names: WatcherNames,
-): string[] {
+export function watcherNames({ clientIds }: TopicSubscribers, names: WatcherNames): string[] {
   const others = clientIds.filter((id) => id !== names.selfId);
   const isOwn = (id: string): boolean => names.tabIds?.includes(id) ?? false;
   const own = others.filter(isOwn).length;
@@ -62,13 +50,13 @@ function sentenceOf(names: readonly string[], others: number): string {
   if (names.length + others === 0) return 'No other client receives these pictures.';
   const kind = `${names.length > 0 ? 'other ' : ''}${others === 1 ? 'client' : 'clients'}`;
   const parts = others === 0 ? names : [...names, `${others} ${kind}`];
-  const isOne = names.length + others === 1 && !isSeveral(names[0] ?? '');
+  const isOne = names.reduce((sum, one) => sum + countOf(one), others) === 1;
   const verb = isOne ? 'receives' : 'receive';
   const sentence = `${listOf(parts)} ${verb} these pictures.`;
   return capital(sentence);
 }
 
-const isSeveral = (name: string): boolean => /^\d+ other tabs/.test(name);
+const countOf = (name: string): number => Number(/^(\d+) other tabs/.exec(name)?.[1] ?? 1);
 
 /** Names of clients are left as they are. */
 function capital(sentence: string): string {
