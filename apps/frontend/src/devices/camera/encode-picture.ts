@@ -21,8 +21,7 @@ export function videoSource(
   video: HTMLVideoElement | null,
   takenMs?: number,
 ): PictureSource | undefined {
-  // A bitmap of a video without a picture may never come.
-  if (!video || video.videoWidth === 0 || video.readyState < 2) return undefined;
+  if (!video || video.videoWidth === 0) return undefined;
   return { element: video, width: video.videoWidth, height: video.videoHeight, takenMs };
 }
 
@@ -99,6 +98,7 @@ export class PictureEncoder {
     context.drawImage(source.element, 0, 0, width, height);
     if (encoding === 'JPEG' && this.#hasWorker) {
       const jpegs = (this.#jpegs ??= new JpegEncoder());
+      // Of a video whose camera was opened again, Chromium may never make one.
       const picture = await createImageBitmap(canvas);
       try {
         const data = await jpegs.encode(picture, { width, height, quality });

@@ -163,7 +163,6 @@ export function usePictureSource(
     isSent,
     takeFile,
     source() {
-      if (element.value === video && video.readyState < 2) return undefined;
       const takenMs = element.value === video ? frames.takenMs() : undefined;
       return element.value && size.value && { element: element.value, ...size.value, takenMs };
     },
