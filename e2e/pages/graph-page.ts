@@ -136,7 +136,8 @@ export class GraphPage {
   /** Drags with a real mouse, in steps, as a hand does. */
   async drag(from: Locator, to: Place): Promise<void> {
     const { mouse } = this.page;
-    await from.scrollIntoViewIfNeeded();
+    // A list that is being filtered makes its rows anew
+    await expect(() => from.scrollIntoViewIfNeeded({ timeout: 1000 })).toPass();
     const start = await middleOf(from);
     await mouse.move(start.x, start.y);
     await mouse.down();

@@ -122,6 +122,7 @@ test('a session is renamed, copied, saved as another one, opened, deleted and br
     await expect(anna.title).toHaveText('Third');
     await expect(filter).toBeFocused();
     await anna.rename('First');
+    await expect(anna.life).not.toContainText('Save');
   });
 
   await test.step('a copy takes along what is not saved', async () => {

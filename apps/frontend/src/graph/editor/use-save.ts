@@ -144,8 +144,10 @@ export function useSave(
   // Other pages show the name: it counts at once, also when a change of it is undone.
   watch(
     () => editor.graph.value.details.name,
-    () => {
-      if (!isGone() && isConnected.value && editor.isOnlyRenamed()) void save();
+    async () => {
+      // Whether it is new is known when the name before it was saved
+      while (last !== undefined) await last;
+      if (!isGone() && isConnected.value && editor.isOnlyRenamed()) await save();
     },
   );
 
