@@ -34,6 +34,6 @@ export function useExampleStatus(example: {
     if (example.isStarting()) return { state: 'away', word: 'Starting' };
     return example.hasResults()
       ? { state: 'live', word: 'Live' }
-      : { state: 'away', word: 'Waiting' };
+      : { state: 'away', word: 'Waiting for a result' };
   });
 }

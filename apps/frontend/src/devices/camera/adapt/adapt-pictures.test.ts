@@ -224,11 +224,11 @@ describe('what is said of it', () => {
   it('names what was changed, and why', () => {
     expect(adaptationWords(FIRST_STATE, WANTED)).toBeUndefined();
     expect(adaptationWords({ ...state, level: 3 }, WANTED)).toBe(
-      '640 → 480 px, quality 80 → 50 %, because the link takes 1.2 MB/s.',
+      '640 → 480 px, quality 80 → 50 %, because 1.2 MB/s reach the master.',
     );
     const raw: PictureSettings = { ...WANTED, encoding: 'RGB8' };
     expect(adaptationWords({ ...state, level: 1 }, raw)).toBe(
-      '640 → 480 px, because the link takes 1.2 MB/s.',
+      '640 → 480 px, because 1.2 MB/s reach the master.',
     );
   });
 
@@ -241,7 +241,7 @@ describe('what is said of it', () => {
       '30 → 10 Hz, because this device encodes slowly.',
     );
     expect(adaptationWords({ ...module, linkBytesPerSecond: 5e5, level: 3 }, WANTED)).toBe(
-      '640 → 480 px, quality 80 → 50 %, because the link takes 500 kB/s; 30 → 4 Hz, because modules take 4 pictures a second.',
+      '640 → 480 px, quality 80 → 50 %, because 500 kB/s reach the master; 30 → 4 Hz, because modules take 4 pictures a second.',
     );
   });
 });

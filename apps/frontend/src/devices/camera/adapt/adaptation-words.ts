@@ -31,10 +31,10 @@ export function adaptationWords(
   return parts.length === 0 ? undefined : `${parts.join('; ')}.`;
 }
 
-/** The link alone leads down the ladder, and then it is known what it took. */
+/** What came through before the level was lowered. A slow network and a busy machine look the same from here. */
 function linkReason({ linkBytesPerSecond = 0 }: AdaptState): string {
   const { digits, unit } = formatBytes(linkBytesPerSecond, 'B/s');
-  return `the link takes ${digits} ${unit}`;
+  return `${digits} ${unit} reach the master`;
 }
 
 function rateReason({ moduleHz = Infinity, deviceHz = Infinity, ...state }: AdaptState): string {
