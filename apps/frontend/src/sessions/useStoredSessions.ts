@@ -7,13 +7,16 @@ import { useConnection } from '../connection/useConnection.ts';
 /** Files may be changed by hand at any time, which nothing announces. [SE-23] */
 const INTERVAL_MS = 3000;
 
-/** The sessions on the master's disk, while the calling scope lives. */
-export function useStoredSessions(): {
+/** The sessions on the master's disk. */
+export interface StoredSessions {
   readonly list: Readonly<ShallowRef<readonly Session[]>>;
   /** The master has answered once. */
   readonly isKnown: Readonly<ShallowRef<boolean>>;
   refresh(): Promise<void>;
-} {
+}
+
+/** Follows them while the calling scope lives. */
+export function useStoredSessions(): StoredSessions {
   const { client, isConnected } = useConnection();
   const stored = shallowRef<readonly Session[]>([]);
   const isKnown = shallowRef(false);

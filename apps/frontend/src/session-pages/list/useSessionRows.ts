@@ -8,7 +8,7 @@ import {
 } from '../../sessions/actions/useSessionActions.ts';
 import { useSessionMenu, type SessionMenu } from '../../sessions/actions/useSessionMenu.ts';
 import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.ts';
-import { useStoredSessions } from '../../sessions/useStoredSessions.ts';
+import type { StoredSessions } from '../../sessions/useStoredSessions.ts';
 import { nodeName } from '../../sessions/words/node-words.ts';
 import { sharedTopics } from '../../sessions/words/shared-topics.ts';
 import {
@@ -38,14 +38,15 @@ export interface SessionRows {
 
 const NODES_INTERVAL_MS = 3000;
 
+/** @param stored the sessions on the master's disk, refreshed here after a change */
 export function useSessionRows(
+  stored: StoredSessions,
   search: MaybeRefOrGetter<string> = '',
   filter: MaybeRefOrGetter<SessionFilter> = 'all',
 ): SessionRows {
   const { client, sessions, nodes } = useConnection();
   nodes.watch(NODES_INTERVAL_MS);
   const statistics = useSessionStatistics();
-  const stored = useStoredSessions();
   const actions = useSessionActions();
   const drafts = useDraftIds();
   const all = computed(() => withStored(sessions.list.value ?? [], stored.list.value));
