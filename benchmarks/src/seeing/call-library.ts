@@ -1,5 +1,5 @@
+import type { Detect } from './detect.ts';
 import type { DetectionBackend, LibraryAnswer, LibraryCall } from './library-messages.ts';
-import type { Detect } from './seeing-page.ts';
 
 /** The library of the detector in a worker of its own, see human-worker.ts. */
 export function openLibrary(backend: DetectionBackend): Detect {

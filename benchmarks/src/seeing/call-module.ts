@@ -9,8 +9,8 @@ import {
 } from '@ubii/pm-sandbox';
 import { decodeRecord, encodeRecord, Image2DDataFormat, type Object2DList } from '@ubii/proto';
 import type { Sighting } from './accuracy.ts';
+import type { Detect, Pixels } from './detect.ts';
 import type { DetectionBackend } from './library-messages.ts';
-import type { Detect, Pixels } from './seeing-page.ts';
 
 /** Software renderers compile their programs for seconds. */
 const CALL_TIMEOUT_MS = 60_000;

@@ -5,21 +5,11 @@ import { percentile } from '../statistics.ts';
 import type { Sighting } from './accuracy.ts';
 import { openLibrary } from './call-library.ts';
 import { openDetector } from './call-module.ts';
+import type { Detect, Pixels } from './detect.ts';
 import type { DetectionBackend } from './library-messages.ts';
 
 /** What detects. */
 export type SeeingSubject = '@vladmandic/human' | 'object-detection';
-
-/** Pixels of a picture, and the file they are of. */
-export interface Pixels {
-  readonly file: string;
-  readonly width: number;
-  readonly height: number;
-  readonly rgba: Uint8ClampedArray<ArrayBuffer>;
-}
-
-/** Detects objects in a picture, in a worker. */
-export type Detect = (picture: Pixels) => Promise<readonly Sighting[]>;
 
 /** What a series of detections in the page gave. */
 export interface SeeingResult extends ReturnType<CallSeries<unknown, unknown>['result']> {

@@ -1,7 +1,8 @@
 import { isExtensionTopic, isMasterTopic, type ProcessingModule } from '@ubii/proto';
 import { rankModules, type FormatsAtHand } from '../../modules/library/rank-modules.ts';
 import { formatsAtHand } from '../model/fit/at-hand.ts';
-import { fittingNodes, type KnownTopic, type NodeOffer } from '../model/fit/fitting.ts';
+import { fittingNodes } from '../model/fit/fitting.ts';
+import type { KnownTopic, NodeOffer } from '../model/fit/node-offer.ts';
 import type { Graph, PortRef } from '../model/graph.ts';
 import { moduleNode } from '../model/make-node.ts';
 import { insertionOf } from '../model/selection/insert.ts';

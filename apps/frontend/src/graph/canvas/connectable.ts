@@ -1,6 +1,7 @@
 import { portName } from '../model/commands/command-label.ts';
-import { endOf } from '../model/fit/fit-of.ts';
-import { fittingPorts, type KnownTopic } from '../model/fit/fitting.ts';
+import { endOf } from '../model/fit/wire-end.ts';
+import { fittingPorts } from '../model/fit/fitting.ts';
+import type { KnownTopic } from '../model/fit/node-offer.ts';
 import { closeness, isInUse } from '../model/fit/rank-offers.ts';
 import type { Graph, Point, PortRef } from '../model/graph.ts';
 import { portFormat, portOf } from '../model/port-format.ts';

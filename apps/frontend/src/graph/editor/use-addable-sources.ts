@@ -4,7 +4,7 @@ import { useTopicParts } from '../../connection/use-topic-parts.ts';
 import type { ModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import { isInternalTopic } from '../../topics/internal-topics.ts';
 import type { AddableSources } from '../canvas/addable.ts';
-import type { KnownTopic } from '../model/fit/fitting.ts';
+import type { KnownTopic } from '../model/fit/node-offer.ts';
 import { phoneTopics } from '../live/phone-topics.ts';
 import { useDeviceTopics } from '../live/use-device-topics.ts';
 

@@ -1,6 +1,6 @@
 import type { FindPublisher } from '../../topics/tree/publisher.ts';
 import { rootLabel } from '../../topics/tree/topic-path.ts';
-import type { TopicAdvice } from '../model/live/own-problems.ts';
+import type { TopicAdvice } from '../model/live/graph-problem.ts';
 
 /** A topic that other clients may have. */
 export interface OtherTopic {

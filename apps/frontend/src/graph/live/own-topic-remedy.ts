@@ -1,4 +1,4 @@
-import type { Remedy } from '../model/live/own-problems.ts';
+import type { Remedy } from '../model/live/graph-problem.ts';
 import { phoneTopicTags } from './phone-topics.ts';
 
 const SMART_DEVICE_PATH = '/devices/smart-device';

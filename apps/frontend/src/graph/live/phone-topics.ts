@@ -1,5 +1,5 @@
 import { SMART_DEVICE_COMPONENTS } from '../../devices/smart-device/components.ts';
-import type { KnownTopic } from '../model/fit/fitting.ts';
+import type { KnownTopic } from '../model/fit/node-offer.ts';
 
 const PUBLISHERS = SMART_DEVICE_COMPONENTS.filter((component) => !('ioType' in component));
 

@@ -1,7 +1,7 @@
 import { ComponentIOType } from '@ubii/proto';
 import { computed, type ComputedRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
-import type { KnownTopic } from '../model/fit/fitting.ts';
+import type { KnownTopic } from '../model/fit/node-offer.ts';
 
 /** No list shows more. */
 const MAX_TOPICS = 200;

@@ -5,12 +5,8 @@ import { runningWriters } from '../../sessions/words/shared-topics.ts';
 import type { GraphEditor } from '../editor/graph-editor.ts';
 import { sameValue } from '../model/changes/same-value.ts';
 import { graphProblems, type GraphProblems } from '../model/live/graph-problems.ts';
-import {
-  isMissing,
-  type GraphProblem,
-  type Surroundings,
-  type TopicAdvice,
-} from '../model/live/own-problems.ts';
+import type { GraphProblem, TopicAdvice } from '../model/live/graph-problem.ts';
+import { isMissing, type Surroundings } from '../model/live/own-problems.ts';
 import type { ModuleNode } from '../model/graph.ts';
 import { leftTopicAdvice } from './left-topic-advice.ts';
 import type { OwnPad } from './own-pad.ts';

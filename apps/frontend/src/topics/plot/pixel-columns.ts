@@ -1,5 +1,5 @@
 import type { LinePoints } from '../history/series-ring.ts';
-import type { PathSink, TimeWindow, TraceOptions } from './trace-line.ts';
+import type { PathSink, TimeWindow, TraceOptions } from './trace-options.ts';
 import type { Range } from './value-axis.ts';
 
 /** Columns beyond both ends of the window. */

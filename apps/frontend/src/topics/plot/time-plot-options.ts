@@ -5,7 +5,7 @@ import type { PlotLine } from './plot-line.ts';
 import { pointNear } from './read-plot.ts';
 import { colorOf, type SeriesLook } from './series-look.ts';
 import { clockTicks, ticksBefore, type TimeTick } from './time-ticks.ts';
-import type { TimeWindow } from './trace-line.ts';
+import type { TimeWindow } from './trace-options.ts';
 
 /** What the plot draws, renewed in place before each frame. */
 export interface TimePlotScene {

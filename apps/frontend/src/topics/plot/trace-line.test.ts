@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { SeriesRing } from '../history/series-ring.ts';
 import { aLine } from './testing/a-line.ts';
-import { gapOf, TracedLine, type TimeWindow, type TraceOptions } from './trace-line.ts';
+import { gapOf, TracedLine } from './trace-line.ts';
+import type { TimeWindow, TraceOptions } from './trace-options.ts';
 
 const WINDOW: TimeWindow = { startMs: 0, endMs: 1000, width: 100 };
 

@@ -1,27 +1,7 @@
 import type { LinePoints } from '../history/series-ring.ts';
 import { PixelColumns } from './pixel-columns.ts';
+import type { PathSink, TimeWindow, TraceOptions } from './trace-options.ts';
 import type { Range } from './value-axis.ts';
-
-/** What a line is drawn on; a canvas or a Path2D is one. */
-export interface PathSink {
-  moveTo(x: number, y: number): void;
-  lineTo(x: number, y: number): void;
-}
-
-/** The part of the time axis that is drawn. */
-export interface TimeWindow {
-  readonly startMs: number;
-  readonly endMs: number;
-  /** Pixels. */
-  readonly width: number;
-}
-
-export interface TraceOptions {
-  readonly window: TimeWindow;
-  readonly toY: (value: number) => number;
-  /** A value holds until the next one, as with bool. */
-  readonly isStepped: boolean;
-}
 
 /** Points for each pixel from which on only the extremes of a pixel are drawn. */
 const DENSE = 3;

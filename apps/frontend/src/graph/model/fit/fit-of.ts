@@ -1,18 +1,10 @@
 import { formatsFit } from '@ubii/pm-sandbox';
-import type { DataFormat, ProcessingModule } from '@ubii/proto';
+import type { ProcessingModule } from '@ubii/proto';
 import { portName } from '../commands/command-label.ts';
-import type { Graph, GraphNode, NodeKind, Port, PortRef } from '../graph.ts';
-import { portFormat, portOf } from '../port-format.ts';
+import type { Graph, GraphNode, NodeKind, PortRef } from '../graph.ts';
 import type { Adapter, Fit } from './adapter.ts';
 import { formatOffers, listOffers } from './offers.ts';
-
-/** One end of a requested wire. */
-export interface WireEnd {
-  readonly ref: PortRef;
-  readonly node: GraphNode;
-  readonly port: Port;
-  readonly format: DataFormat | undefined;
-}
+import { endOf, type WireEnd } from './wire-end.ts';
 
 const FITS: Fit = { fits: true };
 
@@ -50,14 +42,6 @@ export function fitEnds(
     formatFault(graph, from, to, library) ??
     FITS
   );
-}
-
-/** A port of a graph as an end of a wire. */
-export function endOf(graph: Graph, ref: PortRef): WireEnd | undefined {
-  const node = graph.nodes.get(ref.node);
-  const port = portOf(graph, ref);
-  if (node === undefined || port === undefined) return undefined;
-  return { ref, node, port, format: portFormat(graph, ref) };
 }
 
 function misfit(reason: string, offers: readonly Adapter[] = []): Fit {

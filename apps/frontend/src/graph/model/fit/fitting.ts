@@ -1,4 +1,4 @@
-import { parseDataFormat, type DataFormat, type ProcessingModule } from '@ubii/proto';
+import { parseDataFormat, type ProcessingModule } from '@ubii/proto';
 import { portName } from '../commands/command-label.ts';
 import { proposedTopic } from '../commands/free-topic.ts';
 import type { GraphCommand } from '../commands/graph-command.ts';
@@ -8,8 +8,10 @@ import { portFormat } from '../port-format.ts';
 import { OUT } from '../ports.ts';
 import { newConstantNode, newDemuxerNode, newModuleNode, newMuxerNode } from '../new-node.ts';
 import type { NewNodes } from './adapt.ts';
-import { endOf, fitEnds, type WireEnd } from './fit-of.ts';
+import { fitEnds } from './fit-of.ts';
+import type { KnownTopic, NodeOffer } from './node-offer.ts';
 import { rankOffers } from './rank-offers.ts';
+import { endOf, type WireEnd } from './wire-end.ts';
 
 /** All ports a wire from this port may go to; the others are to be dimmed. */
 export function fittingPorts(graph: Graph, ref: PortRef): PortRef[] {
@@ -25,31 +27,6 @@ export function fittingPorts(graph: Graph, ref: PortRef): PortRef[] {
   }
   return fitting;
 }
-
-/** A topic that is there, for offering it. */
-export interface KnownTopic {
-  readonly topic: string;
-  /** In any spelling; empty: not known. */
-  readonly format: string;
-}
-
-/** A new node that a wire dropped on empty space would fit. */
-export type NodeOffer =
-  | {
-      readonly kind: 'module';
-      readonly label: string;
-      readonly module: ProcessingModule;
-      readonly port: string;
-    }
-  | {
-      readonly kind: 'topic';
-      readonly label: string;
-      readonly topic: string;
-      readonly isNew: boolean;
-      readonly format: DataFormat | undefined;
-    }
-  | { readonly kind: 'muxer' | 'demuxer'; readonly label: string; readonly dataType: string }
-  | { readonly kind: 'constant'; readonly label: string; readonly format: DataFormat };
 
 /**
  * What a wire that was dropped on nothing can lead to, best first; modules with their first fitting

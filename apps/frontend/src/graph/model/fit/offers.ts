@@ -5,7 +5,7 @@ import type { Graph } from '../graph.ts';
 import { wiresAt } from '../wires-of.ts';
 import type { Adapter } from './adapter.ts';
 import { fieldsOf } from './fields.ts';
-import type { WireEnd } from './fit-of.ts';
+import type { WireEnd } from './wire-end.ts';
 
 /** The module of the library that takes a part of a value. */
 export const PICK_FIELD = 'pick-field';

@@ -1,8 +1,8 @@
 import type { Graph, PortRef } from '../graph.ts';
 import { moduleNode, topicNodeId } from '../make-node.ts';
 import { wiresOf } from '../wires-of.ts';
-import { endOf, type WireEnd } from './fit-of.ts';
-import type { KnownTopic, NodeOffer } from './fitting.ts';
+import type { KnownTopic, NodeOffer } from './node-offer.ts';
+import { endOf, type WireEnd } from './wire-end.ts';
 
 /** How well a wire goes with what it fits; lower is better. [SE-70] */
 const CLOSENESS = {

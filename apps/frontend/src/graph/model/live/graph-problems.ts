@@ -1,7 +1,8 @@
 import type { Session } from '@ubii/proto';
 import type { Graph } from '../graph.ts';
 import { wiresAt } from '../wires-of.ts';
-import { ownProblems, type GraphProblem, type Surroundings } from './own-problems.ts';
+import type { GraphProblem } from './graph-problem.ts';
+import { ownProblems, type Surroundings } from './own-problems.ts';
 import { problemsInGraph, type PlacedProblem } from './problems-in-graph.ts';
 
 /** All that is wrong, by where it is. */

@@ -1,7 +1,7 @@
 import { sharedWords, type SessionRef } from '../../../sessions/words/shared-topics.ts';
 import type { Graph } from '../graph.ts';
 import { topicNodeId } from '../make-node.ts';
-import type { GraphProblem } from './own-problems.ts';
+import type { GraphProblem } from './graph-problem.ts';
 
 /** Who else writes a topic, by the topic: sessions that run. */
 export type OtherWriters = ReadonlyMap<string, readonly SessionRef[]>;

@@ -1,6 +1,7 @@
 import { nodeName } from '../commands/command-label.ts';
 import type { GraphCommand } from '../commands/graph-command.ts';
-import { endOf, fitEnds, type WireEnd } from '../fit/fit-of.ts';
+import { fitEnds } from '../fit/fit-of.ts';
+import { endOf, type WireEnd } from '../fit/wire-end.ts';
 import {
   wireId,
   type Graph,

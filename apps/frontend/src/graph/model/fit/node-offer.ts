@@ -1,0 +1,26 @@
+import type { DataFormat, ProcessingModule } from '@ubii/proto';
+
+/** A topic that is there, for offering it. */
+export interface KnownTopic {
+  readonly topic: string;
+  /** In any spelling; empty: not known. */
+  readonly format: string;
+}
+
+/** A new node that a wire dropped on empty space would fit. */
+export type NodeOffer =
+  | {
+      readonly kind: 'module';
+      readonly label: string;
+      readonly module: ProcessingModule;
+      readonly port: string;
+    }
+  | {
+      readonly kind: 'topic';
+      readonly label: string;
+      readonly topic: string;
+      readonly isNew: boolean;
+      readonly format: DataFormat | undefined;
+    }
+  | { readonly kind: 'muxer' | 'demuxer'; readonly label: string; readonly dataType: string }
+  | { readonly kind: 'constant'; readonly label: string; readonly format: DataFormat };
