@@ -1,0 +1,10 @@
+import type { FieldDescriptor, JsonValue } from '@ubii/proto';
+
+/** Props of the field for one member, which lists and messages give to their slot. */
+export interface MemberField {
+  readonly field: FieldDescriptor;
+  readonly json: JsonValue | undefined;
+  readonly path: string;
+  readonly label?: string;
+  readonly onChange: (json: JsonValue | undefined) => void;
+}
