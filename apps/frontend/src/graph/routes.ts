@@ -1,8 +1,8 @@
 import type { RouteRecordRaw } from 'vue-router';
 import { randomUuid } from '../connection/random-uuid.ts';
 import { graphLocation } from '../locations/graph-location.ts';
-import { CANVAS_LETTERS } from './canvas-letters.ts';
-import { GRAPH_CANVAS_ID } from './graph-canvas-id.ts';
+import { CANVAS_LETTERS } from './canvas/canvas-letters.ts';
+import { GRAPH_CANVAS_ID } from './canvas/graph-canvas-id.ts';
 
 export const graphRoutes: readonly RouteRecordRaw[] = [
   // A new session has its id and its address from the start; nothing is stored before it is saved.

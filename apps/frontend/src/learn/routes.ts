@@ -1,5 +1,5 @@
 import type { RouteRecordRaw } from 'vue-router';
-import { CANVAS_LETTERS } from '../graph/canvas-letters.ts';
+import { CANVAS_LETTERS } from '../graph/canvas/canvas-letters.ts';
 
 const component = () => import('./LearnPage.vue');
 const parent = { title: 'Learn', to: '/learn' };

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { CANVAS_LETTERS } from '../graph/canvas-letters.ts';
+import { CANVAS_LETTERS } from '../graph/canvas/canvas-letters.ts';
 import { GRAPH_KEYS } from './key-tables.ts';
 import { shortcutsOn } from './shortcuts.ts';
 

@@ -1,5 +1,5 @@
 import { randomUuid } from '../../connection/random-uuid.ts';
-import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import { commandLabel } from '../model/commands/command-label.ts';
 import type { Point } from '../model/graph.ts';
 import {
@@ -12,7 +12,7 @@ import {
 import { areaAround, frameAround, resizeFrame } from '../model/selection/frames.ts';
 import { insertOnWire } from '../model/selection/insert.ts';
 import { moveTogether } from '../model/selection/move.ts';
-import { withContents } from '../model/selection/nesting.ts';
+import { withContents } from '../model/nesting.ts';
 import { detach, removeAndReconnect } from '../model/selection/reconnect.ts';
 import { removePoints } from '../model/selection/wire-points.ts';
 import type { CanvasStage } from './canvas-stage.ts';

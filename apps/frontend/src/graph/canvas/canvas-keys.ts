@@ -1,10 +1,10 @@
 import { randomUuid } from '../../connection/random-uuid.ts';
-import type { GraphEditor } from '../editor/graph-editor.ts';
-import type { CanvasContext } from '../editor/use-graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
+import type { CanvasContext } from './use-canvas.ts';
 import type { Point, PortRef } from '../model/graph.ts';
 import type { Alignment, Axis } from '../model/selection/arrange.ts';
 import { duplicate } from '../model/selection/clipboard.ts';
-import { collapseCommand } from './collapse.ts';
+import { collapseCommand } from '../nodes/collapse.ts';
 import type { KeyWalk } from './keys/key-walk.ts';
 import { viewKey } from './view-keys.ts';
 import { goToEnd, walkWires } from './wire-walk.ts';

@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import { afterEach, describe, expect, it } from 'vitest';
 import { aSession } from '../../sessions/testing/a-session.ts';
-import { createGraphEditor } from '../editor/graph-editor.ts';
+import { createGraphEditor } from '../editing/graph-editor.ts';
 import { topicNode } from '../model/make-node.ts';
 import { CanvasStage, portKey } from './canvas-stage.ts';
 import { ConnectGesture } from './connect-gesture.ts';

@@ -1,6 +1,6 @@
 import type { ProcessingModule } from '@ubii/proto';
 import { shallowRef, type ShallowRef } from 'vue';
-import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import { fittingPorts } from '../model/fit/fitting.ts';
 import type { Point, PortRef, Wire } from '../model/graph.ts';
 import { wiresAt } from '../model/wires-of.ts';

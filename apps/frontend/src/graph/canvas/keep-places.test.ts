@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { placesOf } from '../editor/places.ts';
+import { placesOf } from '../editing/places.ts';
 import { applyCommand } from '../model/commands/apply-command.ts';
 import { graphOf } from '../model/graph-of.ts';
 import { topicNode } from '../model/make-node.ts';

@@ -1,6 +1,6 @@
 import { shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 import { randomUuid } from '../../connection/random-uuid.ts';
-import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { Adapter } from '../model/fit/adapter.ts';
 import { adaptCommand } from '../model/fit/adapt.ts';
 import { offerCommand } from '../model/fit/fitting.ts';
@@ -12,7 +12,7 @@ import { isAlive } from '../../sessions/state/session-state.ts';
 import type { Addable } from './addable.ts';
 import type { CanvasStage } from './canvas-stage.ts';
 import type { ConnectGesture, Offer } from './connect-gesture.ts';
-import { drawnSize } from './drawn-size.ts';
+import { drawnSize } from '../nodes/drawn-size.ts';
 import { freeSpot, NODE_HALF, onGrid } from './free-spot.ts';
 import { inHost } from './in-host.ts';
 import { insertedText, misfitOnWire } from './insert-words.ts';

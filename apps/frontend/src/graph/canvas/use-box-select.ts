@@ -1,6 +1,6 @@
 import { useEventListener } from '@vueuse/core';
 import { shallowRef, type ShallowRef } from 'vue';
-import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { CanvasStage } from './canvas-stage.ts';
 import { followPointer, isClick } from './drag/follow-pointer.ts';
 import { onPage, thingAt } from './thing-at.ts';

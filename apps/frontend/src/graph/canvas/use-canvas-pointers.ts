@@ -1,7 +1,7 @@
 import { useEventListener } from '@vueuse/core';
 import { onBeforeUnmount, watch } from 'vue';
-import type { CanvasContext } from '../editor/use-graph-editor.ts';
-import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { CanvasContext } from './use-canvas.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { Point } from '../model/graph.ts';
 import { thingAt } from './thing-at.ts';
 

@@ -1,7 +1,7 @@
 import { useEventListener } from '@vueuse/core';
 import { shallowRef, type Ref, type ShallowRef } from 'vue';
 import { randomUuid } from '../../connection/random-uuid.ts';
-import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { Point } from '../model/graph.ts';
 import { copyText, paste } from '../model/selection/clipboard.ts';
 

@@ -1,7 +1,7 @@
 import { useTimeoutFn } from '@vueuse/core';
 import { computed, ref, watch, type ComputedRef } from 'vue';
 import { isAlive } from '../../sessions/state/session-state.ts';
-import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 
 /** How long after a start values stand on the wires of a small graph, milliseconds. */
 const FRESH_MS = 10_000;

@@ -8,7 +8,7 @@ import {
   type InjectionKey,
   type Ref,
 } from 'vue';
-import { useCanvas } from '../editor/use-graph-editor.ts';
+import { useCanvas } from './use-canvas.ts';
 import { overlaps } from './seen-area.ts';
 
 const SEEN: InjectionKey<Ref<boolean>> = Symbol('seen');

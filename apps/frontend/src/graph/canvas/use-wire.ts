@@ -1,6 +1,7 @@
 import { computed, type ComputedRef } from 'vue';
 import { DATA_FORMATS, type DataFormatFamily } from '@ubii/proto';
-import { useCanvas, useGraphContext } from '../editor/use-graph-editor.ts';
+import { useGraphContext } from '../live/use-graph-context.ts';
+import { useCanvas } from './use-canvas.ts';
 import type { LiveTopic } from '../live/live-topic.ts';
 import { topicOfWire } from '../live/topics-in-graph.ts';
 import type { Point, Wire } from '../model/graph.ts';

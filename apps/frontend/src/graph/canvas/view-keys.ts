@@ -1,4 +1,4 @@
-import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { CanvasStage } from './canvas-stage.ts';
 
 const ZOOM_STEP = 1.25;

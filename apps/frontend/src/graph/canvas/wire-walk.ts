@@ -1,4 +1,4 @@
-import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { Wire } from '../model/graph.ts';
 import { wiresOf } from '../model/wires-of.ts';
 import type { CanvasStage } from './canvas-stage.ts';

@@ -6,7 +6,7 @@ import { graphOf } from '../model/graph-of.ts';
 import type { Graph } from '../model/graph.ts';
 import { withIds } from '../model/with-ids.ts';
 import { findDraft, removeDraft, saveDraft, type Draft } from '../model/changes/draft.ts';
-import type { GraphEditor } from './graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 
 /** Unsaved changes, kept in this browser until they are saved. */
 export interface Drafts {

@@ -5,7 +5,7 @@ import { expect, it } from 'vitest';
 import { defineComponent, h, shallowRef } from 'vue';
 import { aSession } from '../../sessions/testing/a-session.ts';
 import { createToasts, provideToasts } from '../../ui/toasts/toasts.ts';
-import type { GraphEditor } from './graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import { useLife, type Life } from './use-life.ts';
 import type { Saving } from './use-save.ts';
 

@@ -5,7 +5,7 @@ import {
   type LifeAction,
 } from '../../sessions/state/session-state.ts';
 import { useToastsOf } from '../../ui/toasts/toasts.ts';
-import type { GraphEditor } from './graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { Saving } from './use-save.ts';
 
 /** Starts, pauses and stops the session; the bar, the session menu and keys do the same. */

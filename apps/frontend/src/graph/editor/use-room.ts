@@ -1,6 +1,6 @@
 import { useLocalStorage, useMediaQuery } from '@vueuse/core';
 import { computed, ref, type ComputedRef, type Ref } from 'vue';
-import type { GraphEditor } from './graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 
 /** The panels that fit beside the canvas, and those that the user has opened. */
 export interface Room {

@@ -6,7 +6,7 @@ import { defineComponent, h, shallowRef } from 'vue';
 import { CONNECTION, type Connection } from '../../connection/connection.ts';
 import type { SessionActions } from '../../sessions/actions/useSessionActions.ts';
 import { aSession } from '../../sessions/testing/a-session.ts';
-import { createGraphEditor } from './graph-editor.ts';
+import { createGraphEditor } from '../editing/graph-editor.ts';
 import { useSave } from './use-save.ts';
 
 it('saves a name that is given while the one before it is being saved', async () => {

@@ -5,7 +5,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import type { SessionActions } from '../../sessions/actions/useSessionActions.ts';
 import type { LifeAction } from '../../sessions/state/session-state.ts';
 import { problemsInGraph, type PlacedProblem } from '../model/live/problems-in-graph.ts';
-import type { GraphEditor } from './graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 
 /** Saves changes at the master, and starts and stops the session. */
 export interface Saving {

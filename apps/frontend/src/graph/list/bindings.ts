@@ -7,7 +7,7 @@ import {
 import { randomUuid } from '../../connection/random-uuid.ts';
 import type { AddableSources } from '../canvas/addable.ts';
 import { fitBetween } from '../canvas/port-fit.ts';
-import { nodeTitle } from '../canvas/node-label.ts';
+import { nodeTitle } from '../nodes/node-label.ts';
 import { applyCommand } from '../model/commands/apply-command.ts';
 import { proposedTopic } from '../model/commands/free-topic.ts';
 import { portName } from '../model/commands/command-label.ts';

@@ -1,4 +1,4 @@
-import { nodeTitle } from '../canvas/node-label.ts';
+import { nodeTitle } from '../nodes/node-label.ts';
 import { topicOfWire } from '../live/topics-in-graph.ts';
 import type { Graph, GraphNode, PortRef, Wire } from '../model/graph.ts';
 import { portOf } from '../model/port-format.ts';

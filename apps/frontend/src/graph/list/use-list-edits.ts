@@ -2,7 +2,7 @@ import { watch } from 'vue';
 import { replaceClientTopics } from '../../connection/topic-parts.ts';
 import { useTopicParts } from '../../connection/use-topic-parts.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
-import { useGraphContext } from '../editor/use-graph-editor.ts';
+import { useGraphContext } from '../live/use-graph-context.ts';
 import { doneLabel } from '../model/commands/done-label.ts';
 import type { GraphCommand } from '../model/commands/graph-command.ts';
 

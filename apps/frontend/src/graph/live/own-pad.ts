@@ -2,7 +2,7 @@ import { useMediaQuery } from '@vueuse/core';
 import { computed, ref, shallowReactive, watch, type ComputedRef, type Ref } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { isAlive } from '../../sessions/state/session-state.ts';
-import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import type { LiveGraph } from './live-graph.ts';
 import { isOwnTouch } from './phone-topics.ts';
 

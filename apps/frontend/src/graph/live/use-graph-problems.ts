@@ -2,7 +2,7 @@ import { computed, inject, provide, type ComputedRef, type InjectionKey } from '
 import { useConnection } from '../../connection/useConnection.ts';
 import type { ModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import { runningWriters } from '../../sessions/words/shared-topics.ts';
-import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import { sameValue } from '../model/changes/same-value.ts';
 import { graphProblems, type GraphProblems } from '../model/live/graph-problems.ts';
 import type { GraphProblem, TopicAdvice } from '../model/live/graph-problem.ts';

@@ -3,7 +3,7 @@ import { computed, type ComputedRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { OUT_OF_CONTACT, sessionState } from '../../sessions/state/session-state.ts';
 import { moduleStatus, type StatusLook } from '../../sessions/words/module-status.ts';
-import { useGraphContext } from '../editor/use-graph-editor.ts';
+import { useGraphContext } from './use-graph-context.ts';
 import type { ModuleNode } from '../model/graph.ts';
 import { isSameTrouble, moduleTrouble, type ModuleTrouble } from './module-trouble.ts';
 

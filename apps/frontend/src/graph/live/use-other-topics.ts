@@ -5,7 +5,7 @@ import { isClientId } from '../../connection/display-names.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { rootLabel } from '../../topics/tree/topic-path.ts';
 import { useFindPublisher } from '../../topics/useFindPublisher.ts';
-import type { GraphEditor } from '../editor/graph-editor.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
 import { sameValue } from '../model/changes/same-value.ts';
 import { topicNodeId } from '../model/make-node.ts';
 import { portOf } from '../model/port-format.ts';

@@ -1,12 +1,12 @@
 import { shallowRef, type ShallowRef } from 'vue';
-import type { GraphEditor } from '../../editor/graph-editor.ts';
+import type { GraphEditor } from '../../editing/graph-editor.ts';
 import { applyCommand } from '../../model/commands/apply-command.ts';
 import type { Graph, Point } from '../../model/graph.ts';
 import { bounds, type Box } from '../../model/selection/arrange.ts';
 import { dropNodes } from '../../model/selection/drop-nodes.ts';
 import { frameUnder } from '../../model/selection/frames.ts';
 import { pointsGoingAlong } from '../../model/selection/move.ts';
-import { withContents } from '../../model/selection/nesting.ts';
+import { withContents } from '../../model/nesting.ts';
 import { detach } from '../../model/selection/reconnect.ts';
 import { wiresOf } from '../../model/wires-of.ts';
 import type { CanvasStage } from '../canvas-stage.ts';

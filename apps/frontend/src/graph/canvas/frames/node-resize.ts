@@ -1,5 +1,5 @@
 import { shallowRef, type ShallowRef } from 'vue';
-import type { GraphEditor } from '../../editor/graph-editor.ts';
+import type { GraphEditor } from '../../editing/graph-editor.ts';
 import type { CommentNode, FrameNode } from '../../model/graph.ts';
 import { resizeFrame } from '../../model/selection/frames.ts';
 import type { CanvasStage } from '../canvas-stage.ts';

@@ -2,7 +2,7 @@ import { topicOfWire } from '../../live/topics-in-graph.ts';
 import type { Graph, PortRef } from '../../model/graph.ts';
 import { portFormat, portOf } from '../../model/port-format.ts';
 import { wiresAt } from '../../model/wires-of.ts';
-import { nodeTitle } from '../node-label.ts';
+import { nodeTitle } from '../../nodes/node-label.ts';
 
 /** What is under the pointer: a wire with its chip, or a socket. */
 export type HoverTarget =

@@ -1,5 +1,5 @@
 import { shallowRef, type ShallowRef } from 'vue';
-import type { GraphEditor } from '../../editor/graph-editor.ts';
+import type { GraphEditor } from '../../editing/graph-editor.ts';
 import type { Graph, Point, Port, PortRef } from '../../model/graph.ts';
 import { openInput } from '../../model/open-input.ts';
 import { portOf } from '../../model/port-format.ts';

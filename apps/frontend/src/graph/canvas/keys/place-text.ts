@@ -3,7 +3,7 @@ import { portName } from '../../model/commands/command-label.ts';
 import type { Graph } from '../../model/graph.ts';
 import { portFormat, portOf } from '../../model/port-format.ts';
 import { wiresAt, wiresOf } from '../../model/wires-of.ts';
-import { nodeKind, nodeTitle } from '../node-label.ts';
+import { nodeKind, nodeTitle } from '../../nodes/node-label.ts';
 import type { KeyPlace } from './key-walk.ts';
 
 /** The full name of a node or socket, and what it is. */

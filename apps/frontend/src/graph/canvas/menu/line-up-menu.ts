@@ -8,7 +8,7 @@ import {
   type Places,
 } from '../../model/selection/arrange.ts';
 import { frameAround } from '../../model/selection/frames.ts';
-import { frameLeft } from '../../model/selection/nesting.ts';
+import { frameLeft } from '../../model/nesting.ts';
 import { action, type MenuAction, type MenuEntry, type MenuPlace } from './menu-entry.ts';
 
 const ALIGNMENTS: readonly (readonly [Alignment, text: string, shortcut: string])[] = [

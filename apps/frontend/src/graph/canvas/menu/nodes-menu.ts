@@ -3,7 +3,7 @@ import type { Graph, GraphNode, ModuleNode } from '../../model/graph.ts';
 import { duplicate } from '../../model/selection/clipboard.ts';
 import { detach, reconnections, removeAndReconnect } from '../../model/selection/reconnect.ts';
 import { wiresOf } from '../../model/wires-of.ts';
-import { canCollapse, collapseCommand } from '../collapse.ts';
+import { canCollapse, collapseCommand } from '../../nodes/collapse.ts';
 import { lineUpMenu } from './line-up-menu.ts';
 import {
   action,

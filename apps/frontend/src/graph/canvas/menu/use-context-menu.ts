@@ -1,12 +1,12 @@
 import { useEventListener } from '@vueuse/core';
 import { nextTick, shallowRef, type Ref, type ShallowRef } from 'vue';
 import { randomUuid } from '../../../connection/random-uuid.ts';
-import type { GraphEditor } from '../../editor/graph-editor.ts';
+import type { GraphEditor } from '../../editing/graph-editor.ts';
 import type { CanvasStage } from '../canvas-stage.ts';
 import { spotsOnStage } from '../drag/insert-target.ts';
 import { hoverTarget, type HoverTarget } from '../hover/hover-target.ts';
 import { nearestOn } from '../wire-hit.ts';
-import { drawnSize } from '../drawn-size.ts';
+import { drawnSize } from '../../nodes/drawn-size.ts';
 import type { MenuAction, MenuEntry, MenuRequest, MenuTarget } from './menu-entry.ts';
 import { menuOf, nodesMeant } from './menu-of.ts';
 import { foundAt, type Found } from './target-of.ts';

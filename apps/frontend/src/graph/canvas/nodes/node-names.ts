@@ -1,7 +1,7 @@
 import { computed, inject, provide, type ComputedRef, type InjectionKey } from 'vue';
 import { sortedNames, type SortedNames } from '../../../ui/names/distinct-part.ts';
 import type { Graph } from '../../model/graph.ts';
-import { nodeTitle } from '../node-label.ts';
+import { nodeTitle } from '../../nodes/node-label.ts';
 
 const NAMES: InjectionKey<ComputedRef<SortedNames>> = Symbol('names of nodes');
 const NONE = computed((): SortedNames => []);

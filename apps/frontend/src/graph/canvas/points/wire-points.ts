@@ -1,5 +1,5 @@
 import { shallowRef, type ShallowRef } from 'vue';
-import type { GraphEditor } from '../../editor/graph-editor.ts';
+import type { GraphEditor } from '../../editing/graph-editor.ts';
 import type { Point, Wire } from '../../model/graph.ts';
 import type { Box } from '../../model/selection/arrange.ts';
 import { addPoint, movePoint, removePoint } from '../../model/selection/wire-points.ts';

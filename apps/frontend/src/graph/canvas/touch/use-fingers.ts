@@ -1,6 +1,6 @@
 import { useEventListener } from '@vueuse/core';
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
-import type { GraphEditor, Selection } from '../../editor/graph-editor.ts';
+import type { GraphEditor, Selection } from '../../editing/graph-editor.ts';
 import type { Point, PortRef } from '../../model/graph.ts';
 import type { CanvasStage } from '../canvas-stage.ts';
 import type { ConnectGesture } from '../connect-gesture.ts';

@@ -4,11 +4,11 @@ import { randomUuid } from '../../../connection/random-uuid.ts';
 import { useFileDrop } from '../../../files/useFileDrop.ts';
 import { graphLocation } from '../../../locations/graph-location.ts';
 import type { SessionCalls } from '../../../sessions/actions/session-calls.ts';
-import { drawnSize } from '../../canvas/drawn-size.ts';
+import { drawnSize } from '../../nodes/drawn-size.ts';
 import { addSession } from '../../model/add-session.ts';
 import { missingWords } from '../../model/complete-session.ts';
 import { CLIPBOARD_FORMAT } from '../../model/selection/clipboard.ts';
-import type { GraphEditor } from '../graph-editor.ts';
+import type { GraphEditor } from '../../editing/graph-editor.ts';
 import type { PreparedFile } from './prepared-file.ts';
 import { useSessionImport, type SessionImport } from './useSessionImport.ts';
 

@@ -5,7 +5,7 @@ import { useConnection } from '../../../connection/useConnection.ts';
 import { playerIdentity, type PlayerIdentity } from '../../../players/player-identity.ts';
 import { PRESENCE_GLOB, presenceTopic } from '../../../topics/presence-topic.ts';
 import { useToastsOf } from '../../../ui/toasts/toasts.ts';
-import type { GraphEditor } from '../graph-editor.ts';
+import type { GraphEditor } from '../../editing/graph-editor.ts';
 import type { Saving } from '../use-save.ts';
 import { PresenceBoard, type BoardChange, type Present } from './presence-board.ts';
 import { presenceText, type PresenceRecord } from './presence-record.ts';

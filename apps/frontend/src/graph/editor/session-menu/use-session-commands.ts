@@ -25,7 +25,7 @@ import { exportSession } from '../../../sessions/file/session-file.ts';
 import { newTextLocation, sessionTextLocation } from '../../../locations/session-location.ts';
 import { copyName, sessionCopy, sessionSpec } from '../../../sessions/text/session-spec.ts';
 import { graphLocation } from '../../../locations/graph-location.ts';
-import type { GraphEditor } from '../graph-editor.ts';
+import type { GraphEditor } from '../../editing/graph-editor.ts';
 import { findDraft, saveDraft } from '../../model/changes/draft.ts';
 import type { Drafts } from '../use-draft.ts';
 import { useLife } from '../use-life.ts';

@@ -1,4 +1,4 @@
-import { nodeTitle } from '../../canvas/node-label.ts';
+import { nodeTitle } from '../../nodes/node-label.ts';
 import type { Graph, GraphNode, Port } from '../../model/graph.ts';
 import { openInput } from '../../model/open-input.ts';
 

@@ -5,7 +5,7 @@ import { GraphEdit } from '../commands/graph-edit.ts';
 import { revealTopic } from '../commands/reveal-topic.ts';
 import type { Graph, GraphNode, Wire } from '../graph.ts';
 import { topicNodeId } from '../make-node.ts';
-import { breakLoops } from '../selection/nesting.ts';
+import { breakLoops } from '../nesting.ts';
 import { wiresAt } from '../wires-of.ts';
 import type { Conflict } from './conflict.ts';
 import { mergeNode } from './merge-node.ts';

@@ -1,6 +1,6 @@
 import type { Graph } from '../graph.ts';
 import { topicNodeId } from '../make-node.ts';
-import { wouldLoop } from '../selection/nesting.ts';
+import { wouldLoop } from '../nesting.ts';
 import { commandLabel } from './command-label.ts';
 import { connect, isLegal, replaceValue } from './connect.ts';
 import {

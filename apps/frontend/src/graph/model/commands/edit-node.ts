@@ -1,7 +1,7 @@
 import type { Graph, GraphNode, NodeKind, Point, Wire } from '../graph.ts';
 import { constantNode, demuxerNode, moduleNode, muxerNode } from '../make-node.ts';
 import { inputPort, ioName } from '../ports.ts';
-import { framesAround } from '../selection/nesting.ts';
+import { framesAround } from '../nesting.ts';
 import { wiresAt, wiresOf } from '../wires-of.ts';
 import type { CommandOf } from './graph-command.ts';
 import type { GraphEdit } from './graph-edit.ts';

@@ -1,5 +1,5 @@
 import type { Graph, GraphNode, SessionDetails, Wire } from '../graph.ts';
-import { frameLeft } from '../selection/nesting.ts';
+import { frameLeft } from '../nesting.ts';
 import { wiresOf } from '../wires-of.ts';
 
 /** Elements of a graph as they shall be; undefined: not there. */

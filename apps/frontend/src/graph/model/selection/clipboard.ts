@@ -3,7 +3,7 @@ import type { Graph, GraphNode, Point, PortRef, Wire } from '../graph.ts';
 import { wireId } from '../graph.ts';
 import { topicsOf, unusedTopic } from '../commands/free-topic.ts';
 import { isObject, nodeFromJson, nodeToJson, wireToJson } from './clipboard-json.ts';
-import { withContents } from './nesting.ts';
+import { withContents } from '../nesting.ts';
 import { wiresOf } from '../wires-of.ts';
 
 /** Marks a text as nodes of a graph. */

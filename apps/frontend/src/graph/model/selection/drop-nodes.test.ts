@@ -7,7 +7,7 @@ import { aGraphOf, aModule, wiresIn } from '../testing/small-graph.ts';
 import { dropNodes, type NodeDrop } from './drop-nodes.ts';
 import { areaUnder, frameAround, resizeFrame } from './frames.ts';
 import { moveTogether } from './move.ts';
-import { withContents } from './nesting.ts';
+import { withContents } from '../nesting.ts';
 import { addPoint, movePoint, removePoint } from './wire-points.ts';
 
 const number = { i: 'double' };

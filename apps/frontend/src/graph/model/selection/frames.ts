@@ -2,7 +2,7 @@ import type { GraphCommand } from '../commands/graph-command.ts';
 import type { FrameNode, Graph, Point, Size } from '../graph.ts';
 import { frameNode } from '../make-node.ts';
 import { bounds, type Box } from './arrange.ts';
-import { framesAround, wouldLoop } from './nesting.ts';
+import { framesAround, wouldLoop } from '../nesting.ts';
 
 const PADDING = 24;
 /** Room for the title. */

@@ -3,7 +3,7 @@ import type { Graph, Point, Wire } from '../graph.ts';
 import { wiresOf } from '../wires-of.ts';
 import { bounds, type Box } from './arrange.ts';
 import { moveTogether } from './move.ts';
-import { withContents } from './nesting.ts';
+import { withContents } from '../nesting.ts';
 
 /** Between nodes that a wire connects: room for its rate. */
 export const WIRE_GAP = 90;

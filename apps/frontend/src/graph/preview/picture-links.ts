@@ -1,6 +1,6 @@
 import type { Graph, ModuleNode } from '../model/graph.ts';
 import { wiresOf } from '../model/wires-of.ts';
-import { topicOfWire } from './topics-in-graph.ts';
+import { topicOfWire } from '../live/topics-in-graph.ts';
 
 /** One module that looks at pictures, and where it puts what it finds. */
 interface Looker {

@@ -1,6 +1,6 @@
 import type { NodeInfo } from '@ubii/proto';
 import { computed, shallowRef } from 'vue';
-import type { NewNode } from '../canvas/new-nodes.ts';
+import type { NewNode } from '../new-nodes.ts';
 
 /** A node that runs modules: dropped on a module it runs that one. */
 export interface HostItem {

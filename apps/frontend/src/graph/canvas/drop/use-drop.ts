@@ -1,22 +1,22 @@
 import { watch, type Ref } from 'vue';
-import { randomUuid } from '../../connection/random-uuid.ts';
-import type { GraphEditor } from '../editor/graph-editor.ts';
-import type { Point, PortRef } from '../model/graph.ts';
-import type { InsertPlace } from '../model/selection/drop-nodes.ts';
-import { insertOnWire } from '../model/selection/insert.ts';
-import { isAlive } from '../../sessions/state/session-state.ts';
-import { canRun } from '../../sessions/words/node-words.ts';
-import { draggedItem, type DraggedItem, type HostItem } from '../palette/drag-item.ts';
-import { placeCommand } from '../palette/place-command.ts';
-import type { CanvasStage } from './canvas-stage.ts';
-import { socketUnder, type ConnectGesture } from './connect-gesture.ts';
-import { spotsOnStage, type InsertTarget } from './drag/insert-target.ts';
-import { drawnSize } from './drawn-size.ts';
-import { freeSpot, NODE_HALF, onGrid } from './free-spot.ts';
-import { insertedText, misfitOnWire } from './insert-words.ts';
-import { keepPlaces } from './keep-places.ts';
-import { newNode, type NewNode } from './new-nodes.ts';
-import { nearestOn } from './wire-hit.ts';
+import { randomUuid } from '../../../connection/random-uuid.ts';
+import type { GraphEditor } from '../../editing/graph-editor.ts';
+import type { Point, PortRef } from '../../model/graph.ts';
+import type { InsertPlace } from '../../model/selection/drop-nodes.ts';
+import { insertOnWire } from '../../model/selection/insert.ts';
+import { isAlive } from '../../../sessions/state/session-state.ts';
+import { canRun } from '../../../sessions/words/node-words.ts';
+import { draggedItem, type DraggedItem, type HostItem } from './drag-item.ts';
+import { placeCommand } from '../../model/commands/place-command.ts';
+import type { CanvasStage } from '../canvas-stage.ts';
+import { socketUnder, type ConnectGesture } from '../connect-gesture.ts';
+import { spotsOnStage, type InsertTarget } from '../drag/insert-target.ts';
+import { drawnSize } from '../../nodes/drawn-size.ts';
+import { freeSpot, NODE_HALF, onGrid } from '../free-spot.ts';
+import { insertedText, misfitOnWire } from '../insert-words.ts';
+import { keepPlaces } from '../keep-places.ts';
+import { newNode, type NewNode } from '../new-nodes.ts';
+import { nearestOn } from '../wire-hit.ts';
 
 /** What dropping works on. */
 export interface DropTarget {

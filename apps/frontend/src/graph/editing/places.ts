@@ -1,4 +1,4 @@
-import { drawnSizeIn } from '../canvas/drawn-size.ts';
+import { drawnSizeIn } from '../nodes/drawn-size.ts';
 import type { Graph, Point } from '../model/graph.ts';
 import { placeNew } from '../model/layout/place-graph.ts';
 

@@ -1,5 +1,5 @@
-import type { GraphCommand } from '../model/commands/graph-command.ts';
-import type { ModuleNode } from '../model/graph.ts';
+import type { GraphCommand } from './graph-command.ts';
+import type { ModuleNode } from '../graph.ts';
 
 /** Makes a module run on a node. @param nodeId empty: the master chooses */
 export function placeCommand(node: ModuleNode, nodeId: string): GraphCommand {

@@ -1,16 +1,16 @@
 import { describe, expect, it } from 'vitest';
-import { mergeGraphs } from '../changes/merge-graphs.ts';
-import { applyCommand } from '../commands/apply-command.ts';
-import type { GraphCommand } from '../commands/graph-command.ts';
-import { perform, startEditing, undo } from '../commands/edit-state.ts';
-import { graphOf } from '../graph-of.ts';
-import type { Graph } from '../graph.ts';
-import { frameNode } from '../make-node.ts';
-import { sessionOf } from '../session-of.ts';
-import { aModule, aSessionOf } from '../testing/small-graph.ts';
-import { copyText, paste } from './clipboard.ts';
-import { dropNodes } from './drop-nodes.ts';
-import { frameAround, resizeFrame } from './frames.ts';
+import { mergeGraphs } from './changes/merge-graphs.ts';
+import { applyCommand } from './commands/apply-command.ts';
+import type { GraphCommand } from './commands/graph-command.ts';
+import { perform, startEditing, undo } from './commands/edit-state.ts';
+import { graphOf } from './graph-of.ts';
+import type { Graph } from './graph.ts';
+import { frameNode } from './make-node.ts';
+import { sessionOf } from './session-of.ts';
+import { aModule, aSessionOf } from './testing/small-graph.ts';
+import { copyText, paste } from './selection/clipboard.ts';
+import { dropNodes } from './selection/drop-nodes.ts';
+import { frameAround, resizeFrame } from './selection/frames.ts';
 import { framesAround, withContents } from './nesting.ts';
 
 const session = aSessionOf([aModule('a'), aModule('b')]);

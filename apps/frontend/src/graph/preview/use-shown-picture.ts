@@ -1,7 +1,7 @@
 import type { Image2D, TopicRecord } from '@ubii/proto';
 import { computed, type ComputedRef } from 'vue';
-import { useGraphContext } from '../editor/use-graph-editor.ts';
-import { imageOf } from '../preview/image-of.ts';
+import { useGraphContext } from '../live/use-graph-context.ts';
+import { imageOf } from './image-of.ts';
 import { foundIn, pictureOf } from './picture-links.ts';
 
 /** A picture and what was found in it; things whose picture is not known have none. */

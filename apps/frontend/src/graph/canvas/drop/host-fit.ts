@@ -1,5 +1,5 @@
-import { canRun } from '../../sessions/words/node-words.ts';
-import type { GraphNode } from '../model/graph.ts';
+import { canRun } from '../../../sessions/words/node-words.ts';
+import type { GraphNode } from '../../model/graph.ts';
 import { draggedHost } from './drag-item.ts';
 
 /** True while a node is dragged that could not run this. */

@@ -1,2 +1,0 @@
-/** Letters that are commands on the canvas of a graph, in upper case. `canvas/canvas-keys.ts` handles them. */
-export const CANVAS_LETTERS = 'ABCFILMPWX';
