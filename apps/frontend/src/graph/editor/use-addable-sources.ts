@@ -2,7 +2,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import { useNamedTopic } from '../../connection/use-named-topic.ts';
 import { useTopicParts } from '../../connection/use-topic-parts.ts';
 import type { ModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
-import { isInternalTopic } from '../../topics/internal-topics.ts';
+import { isInternalTopic } from '../../topics/names/internal-topics.ts';
 import type { AddableSources } from '../canvas/addable.ts';
 import type { KnownTopic } from '../model/fit/node-offer.ts';
 import { phoneTopics } from '../live/phone-topics.ts';

@@ -1,5 +1,5 @@
-import type { FindPublisher } from '../../topics/tree/publisher.ts';
-import { rootLabel } from '../../topics/tree/topic-path.ts';
+import type { FindPublisher } from '../../topics/names/publisher.ts';
+import { rootLabel } from '../../topics/names/topic-path.ts';
 import type { TopicAdvice } from '../model/live/graph-problem.ts';
 
 /** A topic that other clients may have. */

@@ -17,8 +17,8 @@ import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.t
 import { isWatched } from '../../sessions/state/session-state.ts';
 import { usePatterns } from '../../patterns/usePatterns.ts';
 import { RowValues } from '../../topics/rows/row-values.ts';
-import { isPublisherAway } from '../../topics/tree/publisher.ts';
-import { useFindPublisher } from '../../topics/useFindPublisher.ts';
+import { isPublisherAway } from '../../topics/names/publisher.ts';
+import { useFindPublisher } from '../../topics/names/useFindPublisher.ts';
 import type { Graph } from '../model/graph.ts';
 import {
   muxPreview,

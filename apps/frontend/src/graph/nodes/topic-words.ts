@@ -1,4 +1,4 @@
-import { topicLevels } from '../../topics/tree/topic-path.ts';
+import { topicLevels } from '../../topics/names/topic-path.ts';
 
 /** The last level of a topic: what a node is titled. */
 export function shortTopic(topic: string): string {

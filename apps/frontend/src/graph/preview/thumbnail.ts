@@ -1,5 +1,5 @@
 import { isCompressedImage, type Image2D } from '@ubii/proto';
-import { rgbaPixels } from '../../topics/detail/image-pixels.ts';
+import { rgbaPixels } from '../../topics/viewers/picture/image-pixels.ts';
 
 /** Pixels across at most: as large as it is drawn, on a screen of double density. */
 export const THUMB_WIDTH = 320;

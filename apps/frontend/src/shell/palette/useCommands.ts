@@ -12,7 +12,7 @@ import type { Command } from '../../page/command.ts';
 import { useShell } from '../../page/shell.ts';
 import { playerIdentity } from '../../players/player-identity.ts';
 import { SETTINGS_PAGES } from '../../settings/settings-pages.ts';
-import { isInternalTopic } from '../../topics/internal-topics.ts';
+import { isInternalTopic } from '../../topics/names/internal-topics.ts';
 import { PAGES, SETTINGS_PAGE } from '../pages.ts';
 import { useActionCommands } from './useActionCommands.ts';
 import { useSessionCommands } from './useSessionCommands.ts';

@@ -1,5 +1,5 @@
 import { csvText } from './csv-text.ts';
-import { plotCsv } from '../plot/plot-csv.ts';
+import { plotCsv } from './plot-csv.ts';
 import type { TopicHistory } from './topic-history.ts';
 
 /**

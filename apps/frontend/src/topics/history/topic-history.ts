@@ -8,7 +8,7 @@ import {
   readNumber,
 } from '../values/number-fields.ts';
 import { seriesOf, type ValueSeries } from '../values/value-series.ts';
-import { EVENT_FORMATS, EventLog } from '../viewers/events/event-log.ts';
+import { EVENT_FORMATS, EventLog } from './event-log.ts';
 import { DEFAULT_LIMITS, type HistoryLimits } from './history-limits.ts';
 import { RecordLog, type KeptRecord } from './record-log.ts';
 import { SampleClock } from './sample-clock.ts';

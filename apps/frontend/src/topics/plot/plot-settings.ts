@@ -1,6 +1,5 @@
-import type { JsonValue } from '@ubii/proto';
+import type { JsonObject, JsonValue } from '@ubii/proto';
 import { MAX_PATH } from '../values/number-fields.ts';
-import type { ViewerSettings } from '../viewers/topic-viewer.ts';
 
 /** One line of a plot. */
 export interface PlotSeries {
@@ -39,7 +38,7 @@ export const seriesKey = ({ topic, path, isDerivative }: PlotSeries): string =>
   `${topic}\n${path}${isDerivative ? '\n′' : ''}`;
 
 /** Reads settings as from a stranger: what makes no sense is left out. */
-export function readPlotSettings(settings: ViewerSettings): PlotSettings {
+export function readPlotSettings(settings: Readonly<JsonObject>): PlotSettings {
   const { series, span, numbers } = settings;
   const isSpan = typeof span === 'number' && span > 0 && span <= 600_000;
   return {
@@ -50,7 +49,7 @@ export function readPlotSettings(settings: ViewerSettings): PlotSettings {
 }
 
 /** The short form that goes into layouts and links. */
-export function writePlotSettings({ series, spanMs, hasNumbers }: PlotSettings): ViewerSettings {
+export function writePlotSettings({ series, spanMs, hasNumbers }: PlotSettings): JsonObject {
   return {
     ...(series ? { series: series.map(writeSeries) } : {}),
     ...(spanMs === undefined ? {} : { span: spanMs }),

@@ -2,9 +2,9 @@ import { formatBytes } from '../../ui/readouts/format-bytes.ts';
 import { formatRate } from '../../ui/readouts/format-rate.ts';
 import { formatAge } from '../../ui/readouts/format-time.ts';
 import { NO_VALUE, type Readout } from '../../ui/readouts/readout.ts';
-import { isPublisherAway, type FindPublisher, type Publisher } from '../tree/publisher.ts';
+import { isPublisherAway, type FindPublisher, type Publisher } from '../names/publisher.ts';
 import type { TopicNode } from '../tree/topic-node.ts';
-import { rootLabel } from '../tree/topic-path.ts';
+import { rootLabel } from '../names/topic-path.ts';
 import { isStale } from './staleness.ts';
 
 /** What a row says, as text. */

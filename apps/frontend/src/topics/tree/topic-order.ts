@@ -1,5 +1,5 @@
 import { nameKeyOf, type TopicNode } from './topic-node.ts';
-import type { FindPublisher } from './publisher.ts';
+import type { FindPublisher } from '../names/publisher.ts';
 
 /** What the tree is ordered by, on every level; everything but the name from the most to the least. */
 export type TopicOrder = 'name' | 'rate' | 'bandwidth' | 'age';

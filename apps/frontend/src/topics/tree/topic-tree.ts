@@ -1,6 +1,6 @@
 import type { TopicRate } from '../../connection/topic-rates.ts';
 import { TopicNode } from './topic-node.ts';
-import { topicLevels } from './topic-path.ts';
+import { topicLevels } from '../names/topic-path.ts';
 
 /** All topics by their levels. Adding and removing costs a topic its own levels, whatever the size. */
 export class TopicTree {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { TopicRate } from '../../connection/topic-rates.ts';
-import type { FindPublisher } from './publisher.ts';
+import type { FindPublisher } from '../names/publisher.ts';
 import { parseTopicFilter } from './topic-filter.ts';
 import { TopicsModel } from './topics-model.ts';
 

@@ -1,9 +1,9 @@
 import type { TopicChanges } from '../../connection/topic-rates.ts';
-import type { FindPublisher } from './publisher.ts';
+import type { FindPublisher } from '../names/publisher.ts';
 import { EMPTY_FILTER, type TopicFilter } from './topic-filter.ts';
 import type { TopicNode } from './topic-node.ts';
 import { isRanking, sortChildren, type TopicOrder } from './topic-order.ts';
-import { rootLabel } from './topic-path.ts';
+import { rootLabel } from '../names/topic-path.ts';
 import { summarise, TopicTree } from './topic-tree.ts';
 
 /** Of all topics, whatever is searched for. */

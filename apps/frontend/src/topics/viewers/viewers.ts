@@ -1,7 +1,7 @@
 import { DATA_FORMATS, type DataFormat } from '@ubii/proto';
 import { seriesOf } from '../values/value-series.ts';
 import BytesViewer from './bytes/BytesViewer.vue';
-import { EVENT_FORMATS } from './events/event-log.ts';
+import { EVENT_FORMATS } from '../history/event-log.ts';
 import EventsViewer from './events/EventsViewer.vue';
 import HistoryViewer from './HistoryViewer.vue';
 import JsonViewer from './JsonViewer.vue';

@@ -1,4 +1,4 @@
-import { clientOfPresence } from '../../../topics/presence-topic.ts';
+import { clientOfPresence } from '../../../topics/names/presence-topic.ts';
 import { parsePresence, type PresenceRecord } from './presence-record.ts';
 
 /** Another user who has the session open. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { clientOfPresence, presenceTopic } from '../../../topics/presence-topic.ts';
+import { clientOfPresence, presenceTopic } from '../../../topics/names/presence-topic.ts';
 import { PRESENCE_AGE_MS, PresenceBoard } from './presence-board.ts';
 import { MAX_NODES, parsePresence, presenceText, type PresenceRecord } from './presence-record.ts';
 

@@ -3,7 +3,7 @@ import { useDocumentVisibility, useEventListener, useIntervalFn } from '@vueuse/
 import { computed, onScopeDispose, shallowRef, watch, type ComputedRef } from 'vue';
 import { useConnection } from '../../../connection/useConnection.ts';
 import { playerIdentity, type PlayerIdentity } from '../../../players/player-identity.ts';
-import { PRESENCE_GLOB, presenceTopic } from '../../../topics/presence-topic.ts';
+import { PRESENCE_GLOB, presenceTopic } from '../../../topics/names/presence-topic.ts';
 import { useToastsOf } from '../../../ui/toasts/toasts.ts';
 import type { GraphEditor } from '../../editing/graph-editor.ts';
 import type { Saving } from '../use-save.ts';

@@ -1,5 +1,5 @@
 import { parseDataFormat } from '@ubii/proto';
-import { isInternalTopic } from '../../internal-topics.ts';
+import { isInternalTopic } from '../../names/internal-topics.ts';
 import { PLANE_FORMATS } from '../plane/plane-shapes.ts';
 
 const MAX_SUGGESTIONS = 30;

@@ -1,7 +1,7 @@
 import { useElementSize } from '@vueuse/core';
 import { computed, nextTick, onUpdated, shallowRef, type ComputedRef, type Ref } from 'vue';
-import type { TopicTreeView } from '../useTopicTree.ts';
-import type { TopicNode } from './topic-node.ts';
+import type { TopicTreeView } from './useTopicTree.ts';
+import type { TopicNode } from '../tree/topic-node.ts';
 import { isTypeAhead, TypeAhead } from '../../ui/keys/type-ahead.ts';
 import { keyOutcome } from './tree-keys.ts';
 

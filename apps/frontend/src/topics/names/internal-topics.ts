@@ -1,4 +1,4 @@
-import { isPageStateTopic } from '../connection/page-state.ts';
+import { isPageStateTopic } from '../../connection/page-state.ts';
 import { isPresenceTopic } from './presence-topic.ts';
 
 /** Every page of ours listens there; nothing has ever been published on most. */

@@ -3,9 +3,9 @@ import type { TopicRecord } from '@ubii/proto';
 import { mount } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick, ref, shallowRef, triggerRef } from 'vue';
-import { CONNECTION, type Connection } from '../connection/connection.ts';
-import type { TopicChanges, TopicRate } from '../connection/topic-rates.ts';
-import type { TopicOrder } from './tree/topic-order.ts';
+import { CONNECTION, type Connection } from '../../connection/connection.ts';
+import type { TopicChanges, TopicRate } from '../../connection/topic-rates.ts';
+import type { TopicOrder } from '../tree/topic-order.ts';
 import { useTopicTree, type TopicTreeView } from './useTopicTree.ts';
 
 const rateOf = (topic: string): TopicRate => ({

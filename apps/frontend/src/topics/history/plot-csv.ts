@@ -1,5 +1,5 @@
-import { csvText } from '../history/csv-text.ts';
-import type { LinePoints } from '../history/series-ring.ts';
+import { csvText } from './csv-text.ts';
+import type { LinePoints } from './series-ring.ts';
 
 /** A column of the table. */
 export interface CsvColumn {

@@ -3,7 +3,7 @@ import { ClientState, type Client } from '@ubii/proto';
 import { mount } from '@vue/test-utils';
 import { describe, expect, it } from 'vitest';
 import { computed, defineComponent, shallowRef } from 'vue';
-import { CONNECTION, type Connection } from '../connection/connection.ts';
+import { CONNECTION, type Connection } from '../../connection/connection.ts';
 import { useFindPublisher } from './useFindPublisher.ts';
 
 const clientOf = (id: string, state: ClientState): Client =>

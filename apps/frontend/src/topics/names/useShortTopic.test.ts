@@ -3,7 +3,7 @@ import { ClientState, type Client } from '@ubii/proto';
 import { mount } from '@vue/test-utils';
 import { expect, it } from 'vitest';
 import { defineComponent, shallowRef } from 'vue';
-import { CONNECTION, type Connection } from '../connection/connection.ts';
+import { CONNECTION, type Connection } from '../../connection/connection.ts';
 import { useShortTopic, type ShortTopic } from './useShortTopic.ts';
 
 const ID = '9b2f9c1e-3f0a-4d6e-8a11-0c1d2e3f4a5b';

@@ -1,5 +1,5 @@
 import type { TopicRate } from '../../connection/topic-rates.ts';
-import { isInternalTopic } from '../internal-topics.ts';
+import { isInternalTopic } from './internal-topics.ts';
 
 /** The words of a search, in small letters. */
 export const searchWords = (text: string): readonly string[] =>

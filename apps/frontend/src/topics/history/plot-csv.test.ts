@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { plotCsv } from './plot-csv.ts';
-import { aLine } from './testing/a-line.ts';
-import { clockTicks, spanText, ticksBefore } from './time-ticks.ts';
+import { aLine } from '../plot/testing/a-line.ts';
+import { clockTicks, spanText, ticksBefore } from '../plot/time-ticks.ts';
 
 it('writes what is in the window, one row for each moment of any line', () => {
   const a = aLine([

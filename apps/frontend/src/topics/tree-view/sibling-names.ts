@@ -1,7 +1,7 @@
 import { sortedNames, type SortedNames } from '../../ui/names/distinct-part.ts';
 import { nameOf } from '../rows/row-view.ts';
-import type { FindPublisher } from './publisher.ts';
-import type { TopicNode } from './topic-node.ts';
+import type { FindPublisher } from '../names/publisher.ts';
+import type { TopicNode } from '../tree/topic-node.ts';
 
 /** By the order of the children: a new one is made whenever a child comes, goes or is renamed. */
 const names = new WeakMap<readonly TopicNode[], SortedNames>();

@@ -1,4 +1,4 @@
-import type { TopicNode } from './topic-node.ts';
+import type { TopicNode } from '../tree/topic-node.ts';
 
 /** What a key does in the tree, after the treegrid pattern of WAI-ARIA. */
 export type KeyOutcome =

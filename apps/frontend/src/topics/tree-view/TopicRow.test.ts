@@ -2,7 +2,7 @@
 import { mount } from '@vue/test-utils';
 import { describe, expect, it } from 'vitest';
 import type { TopicRate } from '../../connection/topic-rates.ts';
-import { TopicsModel } from './topics-model.ts';
+import { TopicsModel } from '../tree/topics-model.ts';
 import TopicRow from './TopicRow.vue';
 
 const NOW = 1_000_000;

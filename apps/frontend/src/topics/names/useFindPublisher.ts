@@ -1,8 +1,8 @@
 import { ClientState } from '@ubii/proto';
 import { computed } from 'vue';
-import { isClientId, unnamedClient } from '../connection/display-names.ts';
-import { useConnection } from '../connection/useConnection.ts';
-import type { FindPublisher } from './tree/publisher.ts';
+import { isClientId, unnamedClient } from '../../connection/display-names.ts';
+import { useConnection } from '../../connection/useConnection.ts';
+import type { FindPublisher } from './publisher.ts';
 
 /** Clients by id, as the tree needs them; also those that are gone, as long as their topics are shown. */
 export function useFindPublisher(): FindPublisher {

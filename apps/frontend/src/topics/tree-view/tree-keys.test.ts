@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { TopicRate } from '../../connection/topic-rates.ts';
-import { TopicsModel } from './topics-model.ts';
+import { TopicsModel } from '../tree/topics-model.ts';
 import { keyOutcome } from './tree-keys.ts';
 
 const rateOf = (topic: string) =>

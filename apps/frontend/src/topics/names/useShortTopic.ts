@@ -1,4 +1,4 @@
-import { rootLabel } from './tree/topic-path.ts';
+import { rootLabel } from './topic-path.ts';
 import { useFindPublisher } from './useFindPublisher.ts';
 
 /** A topic as people can read it. */

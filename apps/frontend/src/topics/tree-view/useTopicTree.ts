@@ -8,17 +8,17 @@ import {
   type Ref,
   type ShallowRef,
 } from 'vue';
-import type { TopicChanges, TopicRate } from '../connection/topic-rates.ts';
-import { useConnection } from '../connection/useConnection.ts';
-import { isInternalTopic } from './internal-topics.ts';
-import { nameOf } from './rows/row-view.ts';
-import { RowValues } from './rows/row-values.ts';
-import type { FindPublisher } from './tree/publisher.ts';
-import { parseTopicFilter } from './tree/topic-filter.ts';
-import type { TopicNode } from './tree/topic-node.ts';
-import type { TopicOrder } from './tree/topic-order.ts';
-import { TopicsModel } from './tree/topics-model.ts';
-import { useFindPublisher } from './useFindPublisher.ts';
+import type { TopicChanges, TopicRate } from '../../connection/topic-rates.ts';
+import { useConnection } from '../../connection/useConnection.ts';
+import { isInternalTopic } from '../names/internal-topics.ts';
+import { nameOf } from '../rows/row-view.ts';
+import { RowValues } from '../rows/row-values.ts';
+import type { FindPublisher } from '../names/publisher.ts';
+import { parseTopicFilter } from '../tree/topic-filter.ts';
+import type { TopicNode } from '../tree/topic-node.ts';
+import type { TopicOrder } from '../tree/topic-order.ts';
+import { TopicsModel } from '../tree/topics-model.ts';
+import { useFindPublisher } from '../names/useFindPublisher.ts';
 
 /** How often the counters of all topics are asked for, milliseconds. */
 const STATISTICS_MS = 250;
