@@ -32,12 +32,12 @@ export const performanceRoutes: readonly RouteRecordRaw[] = [
       },
       {
         path: 'results',
-        component: () => import('./results/ResultsPanel.vue'),
+        component: () => import('./result-views/ResultsPanel.vue'),
         meta: { title: 'Results', parent: PARENT },
       },
       {
         path: 'results/:id',
-        component: () => import('./results/ResultPanel.vue'),
+        component: () => import('./result-views/ResultPanel.vue'),
         meta: { title: 'Result', parent: { title: 'Results', to: '/performance/results' } },
       },
       {

@@ -8,12 +8,12 @@ import type { TestRun } from '../measure/test-run.ts';
 import { createKeptResults, type KeptResults } from '../results/kept-results.ts';
 import { openResultStore } from '../results/result-store.ts';
 import type { Parameter, TestEnd, TestResult } from '../results/test-result.ts';
-import { isAbandoned } from '../session-speed/speed-session.ts';
 import { TEST_TITLES } from '../words/test-words.ts';
 import { circumstances } from './circumstances.ts';
 import { createLeavings, removalRequest, type Leaving, type Leavings } from './leavings.ts';
 import type { RunState } from './run-state.ts';
 import { systemClock } from './system-clock.ts';
+import { isAbandoned } from './test-session.ts';
 
 /** The page's tests and their results. */
 export interface Performance {

@@ -1,9 +1,10 @@
 import { FakeClock } from '@ubii/client-web/testing';
 import type { ModuleStatistics, SessionStatistics } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
+import { isAbandoned } from '../run/test-session.ts';
 import { measureSpeed, type SpeedSession } from './measure-speed.ts';
 import type { SpeedParameters } from './speed-parameters.ts';
-import { isAbandoned, speedSession, speedTopics } from './speed-session.ts';
+import { speedSession, speedTopics } from './speed-session.ts';
 
 const PARAMETERS: SpeedParameters = {
   iterations: 1000,

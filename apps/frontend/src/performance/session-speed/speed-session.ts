@@ -1,8 +1,6 @@
 import type { Init, ProcessingModule, Session } from '@ubii/proto';
+import { TEST_SESSION_TAG } from '../run/test-session.ts';
 import { processingMode, type SpeedParameters } from './speed-parameters.ts';
-
-/** Marks the sessions of this test, together with the id of the client each belongs to. */
-const TAG = 'performance-test';
 
 /** Topics of one run, below those of the client that measures. */
 export interface SpeedTopics {
@@ -40,7 +38,7 @@ export function speedSession(
   return {
     name: 'Session speed test',
     description: 'A temporary session of the performance page. It is removed after the test.',
-    tags: [TAG, ownerId],
+    tags: [TEST_SESSION_TAG, ownerId],
     processingModules: ids.map((id) => ({
       ...module,
       id,
@@ -63,14 +61,4 @@ export function speedSession(
             ],
     })),
   };
-}
-
-/** True for a session of this test whose page was closed, so that no page can stop it. */
-export function isAbandoned(
-  { tags }: Pick<Session, 'tags'>,
-  isThere: (clientId: string) => boolean,
-): boolean {
-  if (!tags.includes(TAG)) return false;
-  const owner = tags.find((tag) => tag !== TAG);
-  return owner === undefined || !isThere(owner);
 }

@@ -3,9 +3,9 @@ import { saveFile } from '../../files/save-file.ts';
 import type { TextFile } from '../../files/text-file.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import { usePerformance } from '../run/use-performance.ts';
-import { ResultFormatError } from './read-result.ts';
-import { resultsFromJson, resultsToCsv, resultsToJson } from './result-file.ts';
-import type { TestResult } from './test-result.ts';
+import { ResultFormatError } from '../results/read-result.ts';
+import { resultsFromJson, resultsToCsv, resultsToJson } from '../results/result-file.ts';
+import type { TestResult } from '../results/test-result.ts';
 
 const MAX_FILE_NAME = 60;
 
