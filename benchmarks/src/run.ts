@@ -4,7 +4,7 @@ import type { RunOptions } from './options.ts';
 import { SharedParts } from './parts/shared-parts.ts';
 import { Patience } from './quiet-machine.ts';
 import type { WorkloadResult } from './report/results.ts';
-import type { Measurement, Subject, Workload } from './workloads/workload.ts';
+import type { Measurement, Subject, Workload } from './measuring/workload.ts';
 
 /** Rounds after which everything is started anew: two starts of one program differ by some per cent. */
 const ROUNDS_PER_START = 5;

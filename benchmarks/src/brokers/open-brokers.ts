@@ -3,7 +3,7 @@ import type {
   MeasureOptions,
   Subject,
   WorkloadSetting,
-} from '../workloads/workload.ts';
+} from '../measuring/workload.ts';
 import { startRawWs } from './raw-ws.ts';
 import type { Target } from './target.ts';
 import { startUbii } from './ubii.ts';

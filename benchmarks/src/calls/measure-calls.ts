@@ -1,6 +1,6 @@
 import { mainThreadCpuUs } from '../cpu-time.ts';
-import { startLap } from '../workloads/stopwatch.ts';
-import type { Measurement, MeasureOptions } from '../workloads/workload.ts';
+import { startLap } from '../measuring/stopwatch.ts';
+import type { Measurement, MeasureOptions } from '../measuring/workload.ts';
 import { CallSeries, type Callee } from './call-series.ts';
 
 /** Code that was called for so long is compiled as well as it will be. */

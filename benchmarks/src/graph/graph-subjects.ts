@@ -1,7 +1,7 @@
 import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { startSession } from '../modules/running-session.ts';
 import { writeModuleFolder } from '../modules/trusted-modules.ts';
-import type { WorkloadSetting } from '../workloads/workload.ts';
+import type { WorkloadSetting } from '../measuring/workload.ts';
 import {
   startCanvasBrowser,
   type CanvasBrowser,

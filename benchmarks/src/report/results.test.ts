@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Measurement } from '../workloads/workload.ts';
+import type { Measurement } from '../measuring/workload.ts';
 import { compareRuns } from './compare-runs.ts';
 import { formatRun } from './format-run.ts';
 import { compareWithReference, faultsOf, type RunResult, type WorkloadResult } from './results.ts';

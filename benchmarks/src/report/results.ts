@@ -1,6 +1,6 @@
 import { REFERENCE } from '../brokers/target.ts';
 import { median, ratiosOf } from '../statistics.ts';
-import type { FigureInfo, Measurement } from '../workloads/workload.ts';
+import type { FigureInfo, Measurement } from '../measuring/workload.ts';
 
 /** What one workload gave: per target one measurement a round, in the order of the rounds. */
 export interface WorkloadResult {

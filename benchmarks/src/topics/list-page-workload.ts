@@ -1,7 +1,7 @@
 import { startMasterProcess } from '../brokers/master-process.ts';
 import type { Part } from '../parts/shared-parts.ts';
-import { IN_CHROMIUM } from '../workloads/in-chromium.ts';
-import type { Workload } from '../workloads/workload.ts';
+import { IN_CHROMIUM } from '../browser/in-chromium.ts';
+import type { Workload } from '../measuring/workload.ts';
 import { listFigures, listSubject, measureList } from './measure-list.ts';
 import { serveBareList, startListBrowser, type ListPage } from './topics-page.ts';
 

@@ -1,9 +1,9 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { descendantPids } from '../cpu-time.ts';
-import { startBrowserCpu } from '../graph/browser-cpu.ts';
+import { startBrowserCpu } from '../browser/browser-cpu.ts';
 import { percentile } from '../statistics.ts';
-import { startLap } from '../workloads/stopwatch.ts';
-import type { FigureInfo, Measurement, MeasureOptions, Subject } from '../workloads/workload.ts';
+import { startLap } from '../measuring/stopwatch.ts';
+import type { FigureInfo, Measurement, MeasureOptions, Subject } from '../measuring/workload.ts';
 import type { ListBrowser, ListPage } from './topics-page.ts';
 
 /** Frames are rarer than what other workloads measure. */

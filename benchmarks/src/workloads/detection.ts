@@ -4,7 +4,7 @@ import { readAssetSet } from '@ubii/vision/assets';
 import { readPhoto } from '@ubii/vision/testing';
 import type { Callee } from '../calls/call-series.ts';
 import { measureCalls, warmUp } from '../calls/measure-calls.ts';
-import type { Subject, Workload } from './workload.ts';
+import type { Subject, Workload } from '../measuring/workload.ts';
 
 const REFERENCE = 'TensorFlow.js';
 

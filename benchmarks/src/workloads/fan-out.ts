@@ -4,14 +4,14 @@ import { REFERENCE, type BrokerClient, type Target } from '../brokers/target.ts'
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { FlowWindow } from '../load/flow-window.ts';
 import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
-import { startLap } from './stopwatch.ts';
+import { startLap } from '../measuring/stopwatch.ts';
 import {
   describeFaults,
   type FigureInfo,
   type Measurement,
   type MeasureOptions,
   type Workload,
-} from './workload.ts';
+} from '../measuring/workload.ts';
 
 const RECORD_BYTES = 100;
 const SUBSCRIBERS = 100;

@@ -1,6 +1,6 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { descendantPids } from '../cpu-time.ts';
-import { startBrowserCpu } from '../graph/browser-cpu.ts';
+import { startBrowserCpu } from '../browser/browser-cpu.ts';
 import type { CanvasPage } from '../graph/canvas-page.ts';
 import { GESTURES, zoomIn, type Gesture } from '../graph/gestures.ts';
 import {
@@ -11,9 +11,15 @@ import {
   type OpenGraph,
 } from '../graph/graph-subjects.ts';
 import { percentile } from '../statistics.ts';
-import { IN_CHROMIUM } from './in-chromium.ts';
-import { startLap } from './stopwatch.ts';
-import type { FigureInfo, Measurement, MeasureOptions, Subject, Workload } from './workload.ts';
+import { IN_CHROMIUM } from '../browser/in-chromium.ts';
+import { startLap } from '../measuring/stopwatch.ts';
+import type {
+  FigureInfo,
+  Measurement,
+  MeasureOptions,
+  Subject,
+  Workload,
+} from '../measuring/workload.ts';
 
 const MODULES = 200;
 /** A gesture takes longer than what other workloads measure at a time. */

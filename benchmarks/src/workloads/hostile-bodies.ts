@@ -7,13 +7,13 @@ import { startBodySender } from '../load/body-sender.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
 import { percentile } from '../statistics.ts';
-import { startLap } from './stopwatch.ts';
+import { startLap } from '../measuring/stopwatch.ts';
 import {
   describeFaults,
   type Measurement,
   type MeasureOptions,
   type Workload,
-} from './workload.ts';
+} from '../measuring/workload.ts';
 
 const MIB = 1024 * 1024;
 const RECORD_BYTES = 100;

@@ -15,7 +15,7 @@ import { roundTrip } from './round-trip.ts';
 import { SEEING } from './seeing.ts';
 import { topicsPage } from './topics-page.ts';
 import { trigger } from './trigger.ts';
-import type { Workload } from './workload.ts';
+import type { Workload } from '../measuring/workload.ts';
 
 /** Every workload, in the order of the report. Goals: see the README. */
 export const WORKLOADS: readonly Workload[] = [

@@ -8,8 +8,13 @@ import { PassWatch } from '../modules/pass-watch.ts';
 import { startSession } from '../modules/running-session.ts';
 import { median, percentile } from '../statistics.ts';
 import { joinAsClient, numberFrame, vectorFrame, type LockstepClient } from './lockstep-client.ts';
-import { startLap } from './stopwatch.ts';
-import type { Measurement, MeasureOptions, Workload, WorkloadSetting } from './workload.ts';
+import { startLap } from '../measuring/stopwatch.ts';
+import type {
+  Measurement,
+  MeasureOptions,
+  Workload,
+  WorkloadSetting,
+} from '../measuring/workload.ts';
 
 const GROUP = 'lockstep';
 const CYCLE = 'cycle';

@@ -2,7 +2,7 @@ import { MarkerTracker, type Picture } from '@ubii/vision';
 import { createOpenCvRuntime, MARKER_IMAGE_SIZE, markerImage } from '@ubii/vision/testing/markers';
 import type { Callee } from '../calls/call-series.ts';
 import { measureCalls, warmUp } from '../calls/measure-calls.ts';
-import type { Subject, Workload } from './workload.ts';
+import type { Subject, Workload } from '../measuring/workload.ts';
 
 const REFERENCE = 'OpenCV.js';
 

@@ -3,8 +3,8 @@ import { createClient } from '@ubii/client-web/node';
 import type { UbiiClient } from '@ubii/client-web/node';
 import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { percentile } from '../statistics.ts';
-import { startLap } from './stopwatch.ts';
-import type { Measurement, MeasureOptions, Subject, Workload } from './workload.ts';
+import { startLap } from '../measuring/stopwatch.ts';
+import type { Measurement, MeasureOptions, Subject, Workload } from '../measuring/workload.ts';
 
 /** How often client and truth are compared, milliseconds. */
 const SAMPLE_MS = 20;

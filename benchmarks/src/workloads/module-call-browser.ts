@@ -1,10 +1,16 @@
-import type { PagePayload, PageSubject } from '../browser/calls-page.ts';
-import { openBrowserPage, type BrowserPage } from '../browser/chromium.ts';
+import type { PagePayload, PageSubject } from '../calls-page/calls-page.ts';
+import { openBrowserPage, type BrowserPage } from '../calls-page/browser-page.ts';
 import { picturePayload, RECORD_PAYLOAD, type Payload } from '../calls/payload.ts';
 import { descendantPids } from '../cpu-time.ts';
-import { IN_CHROMIUM } from './in-chromium.ts';
-import { startLap } from './stopwatch.ts';
-import type { FigureInfo, Measurement, MeasureOptions, Subject, Workload } from './workload.ts';
+import { IN_CHROMIUM } from '../browser/in-chromium.ts';
+import { startLap } from '../measuring/stopwatch.ts';
+import type {
+  FigureInfo,
+  Measurement,
+  MeasureOptions,
+  Subject,
+  Workload,
+} from '../measuring/workload.ts';
 
 const REFERENCE = 'bare worker';
 const SUBJECTS: readonly PageSubject[] = [REFERENCE, 'trusted', 'sandboxed'];

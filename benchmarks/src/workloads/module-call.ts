@@ -4,7 +4,7 @@ import { bareCallee, moduleCallee, openModule } from '../calls/module-callee.ts'
 import { picturePayload, RECORD_PAYLOAD, type Payload } from '../calls/payload.ts';
 import { startBareWorker } from '../modules/bare-worker.ts';
 import { startNodeSandboxes } from '../modules/node-sandboxes.ts';
-import type { FigureInfo, Subject, Workload } from './workload.ts';
+import type { FigureInfo, Subject, Workload } from '../measuring/workload.ts';
 
 const REFERENCE = 'bare worker';
 

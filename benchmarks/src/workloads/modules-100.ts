@@ -9,8 +9,8 @@ import { startTickerHost, type TickerHost } from '../modules/ticker-host.ts';
 import { TICKER_HERTZ, TICKER_MODULE } from '../modules/ticker-module.ts';
 import { TickerWatch } from '../modules/ticker-watch.ts';
 import { writeModuleFolder } from '../modules/trusted-modules.ts';
-import { startLap } from './stopwatch.ts';
-import type { Measurement, MeasureOptions, Subject, Workload } from './workload.ts';
+import { startLap } from '../measuring/stopwatch.ts';
+import type { Measurement, MeasureOptions, Subject, Workload } from '../measuring/workload.ts';
 
 const MODULES = 100;
 const REFERENCE = 'bare worker';

@@ -1,14 +1,20 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
-import { startBrowserCpu } from '../graph/browser-cpu.ts';
+import { startBrowserCpu } from '../browser/browser-cpu.ts';
 import { serveBareScreen } from '../party/bare-screen.ts';
 import { HostedParty } from '../party/hosted-party.ts';
 import { startScreenBrowser, type Screen } from '../party/screen-browser.ts';
 import type { SeenPress } from '../party/screen-watch.ts';
 import { median, percentile } from '../statistics.ts';
-import { IN_CHROMIUM } from './in-chromium.ts';
-import { startLap } from './stopwatch.ts';
-import type { FigureInfo, Measurement, MeasureOptions, Subject, Workload } from './workload.ts';
+import { IN_CHROMIUM } from '../browser/in-chromium.ts';
+import { startLap } from '../measuring/stopwatch.ts';
+import type {
+  FigureInfo,
+  Measurement,
+  MeasureOptions,
+  Subject,
+  Workload,
+} from '../measuring/workload.ts';
 
 const REFERENCE = 'bare page';
 const SCREEN = 'big screen';

@@ -3,8 +3,8 @@ import { phoneTopic } from '@ubii/party/net';
 import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { PartyRoom } from '../party/party-room.ts';
 import { percentile } from '../statistics.ts';
-import { startLap } from './stopwatch.ts';
-import type { Measurement, MeasureOptions, Subject, Workload } from './workload.ts';
+import { startLap } from '../measuring/stopwatch.ts';
+import type { Measurement, MeasureOptions, Subject, Workload } from '../measuring/workload.ts';
 
 const STEP_MS = 1000 / 60;
 /** A record that passes, and the step of the game that it waits for: no game that runs in steps is faster. */

@@ -4,13 +4,13 @@ import { REFERENCE, type Target } from '../brokers/target.ts';
 import { DeliveryVerifier } from '../load/delivery-verifier.ts';
 import { createRecordRing, type RecordRing } from '../load/record-ring.ts';
 import { percentile } from '../statistics.ts';
-import { startLap } from './stopwatch.ts';
+import { startLap } from '../measuring/stopwatch.ts';
 import {
   describeFaults,
   type Measurement,
   type MeasureOptions,
   type Workload,
-} from './workload.ts';
+} from '../measuring/workload.ts';
 
 const RECORD_BYTES = 100;
 /** No answer for so long: the record is lost. */

@@ -5,9 +5,9 @@ import { accuracyOf, type Accuracy } from '../seeing/accuracy.ts';
 import type { DetectionBackend } from '../seeing/library-messages.ts';
 import { openSeeingBrowser, type SeeingBrowser } from '../seeing/seeing-browser.ts';
 import type { SeeingSubject } from '../seeing/seeing-page.ts';
-import { IN_CHROMIUM } from './in-chromium.ts';
-import { startLap } from './stopwatch.ts';
-import type { Measurement, MeasureOptions, Subject, Workload } from './workload.ts';
+import { IN_CHROMIUM } from '../browser/in-chromium.ts';
+import { startLap } from '../measuring/stopwatch.ts';
+import type { Measurement, MeasureOptions, Subject, Workload } from '../measuring/workload.ts';
 
 const REFERENCE: SeeingSubject = '@vladmandic/human';
 const MODULE: SeeingSubject = 'object-detection';

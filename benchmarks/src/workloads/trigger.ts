@@ -10,7 +10,7 @@ import { startBareWorker } from '../modules/bare-worker.ts';
 import { ECHO_MODULE } from '../modules/echo-module.ts';
 import { startSession } from '../modules/running-session.ts';
 import { writeModuleFolder } from '../modules/trusted-modules.ts';
-import type { Measurement, Subject, Workload } from './workload.ts';
+import type { Measurement, Subject, Workload } from '../measuring/workload.ts';
 
 const RECORD_BYTES = 100;
 const PLAIN = 'plain';

@@ -1,5 +1,5 @@
-import { findChromium } from '../browser/chromium.ts';
-import type { Workload } from './workload.ts';
+import { findChromium } from './chromium.ts';
+import type { Workload } from '../measuring/workload.ts';
 
 /** What workloads that open a browser have in common. */
 export const IN_CHROMIUM: Pick<Workload, 'placement' | 'roundShare' | 'whyNot'> = {
