@@ -40,17 +40,15 @@ frontendOrder.push({
   to: { path: '^apps/frontend/src/' },
 });
 
-const inOrder = { pathNot: '^apps/frontend/' };
-
 export default {
   forbidden: [
-    { name: 'no-circle', comment, severity: 'error', from: inOrder, to: { circular: true } },
+    { name: 'no-circle', comment, severity: 'error', from: {}, to: { circular: true } },
     {
       name: 'no-folder-circle',
       comment,
       severity: 'error',
       scope: 'folder',
-      from: inOrder,
+      from: {},
       to: { circular: true },
     },
     ...frontendOrder,

@@ -58,6 +58,12 @@ function foldersInOrder() {
     'apps/master/src',
     'apps/node/src',
     'apps/frontend/src',
+    'benchmarks/src',
+    'e2e/fixtures',
+    'e2e/interop',
+    'e2e/pages',
+    'e2e/tests',
+    'robustness/src',
     ...packages.filter((path) => existsSync(inRoot(path))),
   ];
 }
