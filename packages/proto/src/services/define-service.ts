@@ -12,12 +12,13 @@ export interface ServiceInfo<
   Q extends RequestMember | undefined = RequestMember | undefined,
   P extends ReplyMember = ReplyMember,
   R extends boolean = boolean,
+  A extends RequestMember | undefined = RequestMember | undefined,
 > {
   readonly topic: string;
   /** Member of the request that carries the payload; undefined when it takes none. */
   readonly request: Q;
   /** Another member that is taken in its place. */
-  readonly alternativeRequest: RequestMember | undefined;
+  readonly alternativeRequest: A;
   /** Whether a request without payload is refused. */
   readonly requestRequired: R;
   /** Member of the reply that is set on success. */
@@ -34,9 +35,9 @@ export interface ServiceInfo<
   readonly isExtension: boolean;
 }
 
-interface Extras {
+interface Extras<A extends RequestMember | undefined> {
   readonly constant?: string;
-  readonly alternativeRequest?: RequestMember;
+  readonly alternativeRequest?: A;
 }
 
 /** A service that takes no payload. */
@@ -44,45 +45,58 @@ export function withoutPayload<P extends ReplyMember>(
   topic: string,
   reply: P,
   description: string,
-  extras: Extras = {},
-): ServiceInfo<undefined, P, false> {
+  extras: Extras<undefined> = {},
+): ServiceInfo<undefined, P, false, undefined> {
   return define(topic, undefined, false, reply, description, extras);
 }
 
 /** A service that needs a payload. */
-export function withPayload<Q extends RequestMember, P extends ReplyMember>(
+export function withPayload<
+  Q extends RequestMember,
+  P extends ReplyMember,
+  A extends RequestMember | undefined = undefined,
+>(
   topic: string,
   request: Q,
   reply: P,
   description: string,
-  extras: Extras = {},
-): ServiceInfo<Q, P, true> {
+  extras: Extras<A> = {},
+): ServiceInfo<Q, P, true, A> {
   return define(topic, request, true, reply, description, extras);
 }
 
 /** A service that can be asked with and without a payload. */
-export function withOptionalPayload<Q extends RequestMember, P extends ReplyMember>(
+export function withOptionalPayload<
+  Q extends RequestMember,
+  P extends ReplyMember,
+  A extends RequestMember | undefined = undefined,
+>(
   topic: string,
   request: Q,
   reply: P,
   description: string,
-  extras: Extras = {},
-): ServiceInfo<Q, P, false> {
+  extras: Extras<A> = {},
+): ServiceInfo<Q, P, false, A> {
   return define(topic, request, false, reply, description, extras);
 }
 
-function define<Q extends RequestMember | undefined, P extends ReplyMember, R extends boolean>(
+function define<
+  Q extends RequestMember | undefined,
+  P extends ReplyMember,
+  R extends boolean,
+  A extends RequestMember | undefined,
+>(
   topic: string,
   request: Q,
   requestRequired: R,
   reply: P,
   description: string,
-  { constant, alternativeRequest }: Extras,
-): ServiceInfo<Q, P, R> {
+  { constant, alternativeRequest }: Extras<A>,
+): ServiceInfo<Q, P, R, A> {
   return {
     topic,
     request,
-    alternativeRequest,
+    alternativeRequest: alternativeRequest as A,
     requestRequired,
     reply,
     requestFormat: request === undefined ? '' : formatOf('ubii.services.ServiceRequest', request),
