@@ -83,7 +83,7 @@ async function readReference() {
   }
   const options = { configFile: false, root: file('.'), logLevel: 'error' };
   const { module: services } = await runnerImport(
-    file('apps/master/src/core/access/service-rights.ts'),
+    file('apps/master/src/core/services/all-services.ts'),
     options,
   );
   const { module: rights } = await runnerImport(
@@ -92,7 +92,9 @@ async function readReference() {
   );
   return {
     messages,
-    serviceRights: services.SERVICE_RIGHTS,
+    serviceRights: Object.fromEntries(
+      services.ALL_SERVICES.map(({ name, roles, audited }) => [name, { roles, audited }]),
+    ),
     topicRights: Object.values(rights.TOPIC_RIGHTS),
     paths: rights.PATH_RIGHTS.map(({ method, path, content }) => ({ method, path, content })),
     sockets: Object.values(rights.SOCKET_RIGHTS).map(({ path, content }) => ({ path, content })),

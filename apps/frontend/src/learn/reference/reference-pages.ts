@@ -122,7 +122,9 @@ function services(): ReferencePage {
         ['Topic', code(topic)],
         ['Request', requestFormat !== '' && !requestRequired ? `${request}, optional` : request],
         ['Reply', code(replyFormat)],
-        ['Allowed for', roleWords(rights?.roles ?? [])],
+        ...(rights === undefined
+          ? [['Offered by', 'original masters, not this one'] as const]
+          : [['Allowed for', roleWords(rights.roles)] as const]),
         ...(rights?.audited ? [['Audit log', 'every call'] as const] : []),
         ...(isExtension ? [['Offered by', 'this master, not by original ones'] as const] : []),
       ],

@@ -20,7 +20,6 @@ declare module 'virtual:learn-reference' {
         string,
         {
           readonly roles: readonly string[] | 'anyone';
-          readonly actsForClient: boolean;
           readonly audited: boolean;
         }
       >

@@ -1,9 +1,4 @@
-import {
-  JoinProblem,
-  type ClientExtension,
-  type ServiceError,
-  type ServiceName,
-} from '@ubii/proto';
+import { JoinProblem, type ClientExtension, type ServiceError } from '@ubii/proto';
 import type { Clock } from '../ports/clock.ts';
 import type { AccessSecrets } from '../ports/access-secrets.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
@@ -16,7 +11,7 @@ import type { Grants } from './grants.ts';
 import type { GuessLimit, GuessSource } from './guess-limit.ts';
 import { readJoinCode } from './join-code.ts';
 import { joinRefusal, roleRefusal } from './join-refusals.ts';
-import { SERVICE_RIGHTS } from './service-rights.ts';
+import { mayCall, type ServiceRight } from './rights-table.ts';
 
 /** What access is decided by. */
 export interface AccessContext {
@@ -65,13 +60,13 @@ export class Access {
    * @param actsFor the id of the client that the request says it comes from; empty when it says none
    * @throws ServiceError when this caller may not call the service, or not for that client
    */
-  authorize(caller: Caller, name: ServiceName, topic: string, actsFor: string): void {
-    const { roles, actsForClient } = SERVICE_RIGHTS[name];
+  authorize(caller: Caller, service: ServiceRight, topic: string, actsFor: string): void {
+    const { roles, actsForClient } = service;
     if (roles === 'anyone') return;
     if (caller.kind === 'stranger') throw caller.refusal;
     if (caller.kind === 'joining') throw joinRefusal(JOIN_PROBLEM_MISSING);
     const { role } = caller;
-    if (!roles.some((allowed) => allowed === role)) {
+    if (!mayCall(service, role)) {
       throw roleRefusal(
         `The service ${topic} is for ${listed(roles)}; this device joined as ${role}.`,
       );

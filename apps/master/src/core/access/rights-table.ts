@@ -1,6 +1,4 @@
-import type { ServiceName } from '@ubii/proto';
-import type { GivenRole, Role } from './roles.ts';
-import { SERVICE_RIGHTS } from './service-rights.ts';
+import { JOINED, PARTICIPANTS, PUBLISHERS, READERS, type GivenRole, type Role } from './roles.ts';
 
 /** Roles of callers, from the fewest rights to the most; `none` is a stranger. */
 export const ROLES_BY_RIGHTS: readonly Role[] = [
@@ -11,10 +9,14 @@ export const ROLES_BY_RIGHTS: readonly Role[] = [
   'admin',
 ];
 
-const ALL: readonly GivenRole[] = ['viewer', 'player', 'participant', 'admin'];
-const READERS: readonly GivenRole[] = ['viewer', 'participant', 'admin'];
-const PUBLISHERS: readonly GivenRole[] = ['player', 'participant', 'admin'];
-const PARTICIPANTS: readonly GivenRole[] = ['participant', 'admin'];
+/** Who may call a service. `anyone` includes strangers. Each service is defined with its rights in `core/services`. */
+export interface ServiceRight {
+  readonly roles: readonly GivenRole[] | 'anyone';
+  /** Its request names the client that asks, which has to be the caller [AC-22]. */
+  readonly actsForClient: boolean;
+  /** The service affects other clients, so that its calls are audited [EX-90]. */
+  readonly audited: boolean;
+}
 
 /** Who may publish and who may receive one kind of topic. */
 export interface TopicRight {
@@ -26,18 +28,18 @@ export interface TopicRight {
 
 /** Every kind of topic. A topic is of the first kind that fits [AC-24] [AC-25] [TD-16]. */
 export const TOPIC_RIGHTS = {
-  ownState: { topics: '`/ubii/client/<own id>`', publish: [], receive: ALL },
+  ownState: { topics: '`/ubii/client/<own id>`', publish: [], receive: JOINED },
   granted: {
     topics: 'topics that the invitation of a player names; none of the next row to publish',
     publish: ['player'],
     receive: ['player'],
   },
   master: { topics: 'others in `/info/`, `/ubii/`', publish: [], receive: READERS },
-  ownPreflight: { topics: '`/<own id>/preflight`', publish: ALL, receive: ALL },
+  ownPreflight: { topics: '`/<own id>/preflight`', publish: JOINED, receive: JOINED },
   own: {
     topics: 'others in `/<own id>/`, `<own id>/`',
     publish: PUBLISHERS,
-    receive: ALL,
+    receive: JOINED,
   },
   farewell: {
     topics: '`removeClient` with the own id as a string',
@@ -108,13 +110,12 @@ export const SOCKET_RIGHTS = {
   topicData: {
     path: '/*',
     content: 'topic data of the client that the caller proves to be',
-    roles: ALL,
+    roles: JOINED,
   },
 } as const satisfies Readonly<Record<string, SocketRight>>;
 
 /** True when a caller with this role may call the service for itself [AC-21]. */
-export function mayCallService(name: ServiceName, role: Role): boolean {
-  const { roles } = SERVICE_RIGHTS[name];
+export function mayCall({ roles }: Pick<ServiceRight, 'roles'>, role: Role): boolean {
   return roles === 'anyone' || roles.some((allowed) => allowed === role);
 }
 

@@ -6,6 +6,13 @@ export type Role = 'none' | 'admin' | 'participant' | 'player' | 'viewer';
 /** A role that an invitation can give. */
 export type GivenRole = Exclude<Role, 'none'>;
 
+/** Sets of roles to which rights are given. */
+export const ADMINS: readonly GivenRole[] = ['admin'];
+export const PARTICIPANTS: readonly GivenRole[] = ['admin', 'participant'];
+export const PUBLISHERS: readonly GivenRole[] = ['admin', 'participant', 'player'];
+export const READERS: readonly GivenRole[] = ['admin', 'participant', 'viewer'];
+export const JOINED: readonly GivenRole[] = ['admin', 'participant', 'player', 'viewer'];
+
 const WIRE: { readonly [R in Role]: AccessRole } = {
   none: AccessRole.ACCESS_ROLE_NONE,
   admin: AccessRole.ACCESS_ROLE_ADMIN,
@@ -14,8 +21,6 @@ const WIRE: { readonly [R in Role]: AccessRole } = {
   viewer: AccessRole.ACCESS_ROLE_VIEWER,
 };
 
-const GIVEN: readonly GivenRole[] = ['admin', 'participant', 'player', 'viewer'];
-
 /** The role as it travels. */
 export function wireRole(role: Role): AccessRole {
   return WIRE[role];
@@ -23,10 +28,10 @@ export function wireRole(role: Role): AccessRole {
 
 /** The role that this number means; undefined for none and for numbers that mean nothing. */
 export function givenRole(wire: number): GivenRole | undefined {
-  return GIVEN.find((role) => WIRE[role] === wire);
+  return JOINED.find((role) => WIRE[role] === wire);
 }
 
 /** True for a role that an invitation can give. */
 export function isGivenRole(word: unknown): word is GivenRole {
-  return GIVEN.some((role) => role === word);
+  return JOINED.some((role) => role === word);
 }

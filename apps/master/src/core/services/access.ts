@@ -10,10 +10,10 @@ import {
 } from '@ubii/proto';
 import { isUsedUp } from '../access/access.ts';
 import { makerOf, type Caller } from '../access/caller.ts';
-import { clientIdsOf, endGrant, withDescendants, workOf } from './grant-work.ts';
+import { clientIdsOf, endGrant, withDescendants, workOf, type GrantParts } from './grant-work.ts';
 import { grantMessage, type Grant, type GrantSpec } from '../access/grant.ts';
 import { joinRefusal } from '../access/join-refusals.ts';
-import { givenRole, wireRole } from '../access/roles.ts';
+import { ADMINS, givenRole, wireRole } from '../access/roles.ts';
 import { CLOSE } from '../clients/close-codes.ts';
 import type { Core } from '../parts/core.ts';
 import { oneLine } from '../texts/one-line.ts';
@@ -21,7 +21,11 @@ import { nameOf } from '../parts/settings.ts';
 import { isLongerThan } from '../texts/text-length.ts';
 import { quote } from '../texts/quote.ts';
 import { byCaller } from './by-caller.ts';
-import type { ServiceCall, ServiceHandler } from './handler.ts';
+import { definer } from './define-service.ts';
+import type { ServiceCall } from './service-call.ts';
+
+type Parts = GrantParts & Pick<Core, 'settings' | 'limits' | 'patterns'>;
+const define = definer<keyof Parts>();
 
 const HOUR_MS = 3_600_000;
 const DEFAULT_LIFETIME_MS = 12 * HOUR_MS;
@@ -33,61 +37,77 @@ const MAX_TOPICS = 16;
 /** A path on this origin: `//host` and `/\\host` would be another. */
 const TARGET = /^\/(?![/\\])[^\s\\]*$/;
 
-/** `/services/ubii/join_check` [AC-16] */
-export const checkJoin: ServiceHandler = (core, request, call) => {
-  const { token } = request.joinCheckRequest!;
-  const masterName = nameOf(core.settings);
-  const { grant, problem, role, expiresMs } =
-    token === '' ? ofCaller(call) : ofToken(core, token, call);
-  if (grant === undefined && role === undefined) {
-    const why = problem ?? JoinProblem.JOIN_PROBLEM_MISSING;
-    return { joinCheck: { problem: why, message: joinRefusal(why).message, masterName } };
-  }
-  const isJoined = grant !== undefined && isOfGrant(call, grant);
-  return {
-    joinCheck: { role: role!, target: grant?.target ?? '', expiresMs, masterName, isJoined },
-  };
-};
-
-/** `/services/ubii/access_grant_create` [AC-10] */
-export const createGrant: ServiceHandler = async (core, request, { caller }) => {
-  const wanted = request.accessGrantCreateRequest!;
-  const spec = specOf(core, wanted, caller);
-  const staysUntilMs = core.clock.nowMs() + wanted.stayMs;
-  const { grant, token, code } = await core.access.grants.create(spec, staysUntilMs);
-  core.log.info('invitation created', { invitation: grant.label || grant.id, role: grant.role });
-  return { accessGrantCreated: { grant: messageOf(core, grant), token, code } };
-};
-
-/** `/services/ubii/access_grant_list` [AC-14] */
-export const listGrants: ServiceHandler = (core) => ({
-  accessGrantList: {
-    elements: core.access.grants.list().map((grant) => messageOf(core, grant)),
-  },
-});
-
-/** `/services/ubii/access_grant_revoke` [AC-15] */
-export const revokeGrant: ServiceHandler = async (core, request) => {
-  const { clientId, grantId, reason, work } = request.accessGrantRevokeRequest!;
-  const grant = core.access.grants.get(grantId);
-  if (grant === undefined) {
-    throw new ServiceError('not_found', `No invitation has the id ${quote(grantId)}.`);
-  }
-  // Revoke at once, before the change is written, so that no request comes in between.
-  const told = { code: CLOSE.revoked.code, reason: byCaller(core, clientId, reason) };
-  const isHandedOver = work === RevokedWork.REVOKED_WORK_HAND_OVER;
-  await Promise.all(
-    withDescendants(core, grant).map(async (one) => {
-      const revoked = core.access.grants.revoke(one);
-      await endGrant(core, one, told, isHandedOver);
-      core.log.info('invitation revoked', { invitation: one.label || one.id, joins: one.joins });
-      await revoked;
+/** Services on who may join, and as what. */
+export const ACCESS_SERVICES = [
+  // [AC-16]
+  define('joinCheck', {
+    roles: 'anyone',
+    handle(core, { token }, call) {
+      const masterName = nameOf(core.settings);
+      const { grant, problem, role, expiresMs } =
+        token === '' ? ofCaller(call) : ofToken(core, token, call);
+      if (grant === undefined && role === undefined) {
+        const why = problem ?? JoinProblem.JOIN_PROBLEM_MISSING;
+        return { problem: why, message: joinRefusal(why).message, masterName };
+      }
+      const isJoined = grant !== undefined && isOfGrant(call, grant);
+      return { role: role!, target: grant?.target ?? '', expiresMs, masterName, isJoined };
+    },
+  }),
+  // [AC-10]
+  define('accessGrantCreate', {
+    roles: ADMINS,
+    subject: ({ clientId }) => clientId,
+    auditObject: (_core, { label }) => label,
+    async handle(core, wanted, { caller }) {
+      const spec = specOf(core, wanted, caller);
+      const staysUntilMs = core.clock.nowMs() + wanted.stayMs;
+      const { grant, token, code } = await core.access.grants.create(spec, staysUntilMs);
+      core.log.info('invitation created', {
+        invitation: grant.label || grant.id,
+        role: grant.role,
+      });
+      return { grant: messageOf(core, grant), token, code };
+    },
+  }),
+  // [AC-14]
+  define('accessGrantList', {
+    roles: ADMINS,
+    handle: (core) => ({
+      elements: core.access.grants.list().map((grant) => messageOf(core, grant)),
     }),
-  );
-  return { accessGrant: messageOf(core, grant) };
-};
+  }),
+  // [AC-15]
+  define('accessGrantRevoke', {
+    roles: ADMINS,
+    subject: ({ clientId }) => clientId,
+    auditObject: ({ access }, { grantId }) => access.grants.get(grantId)?.label || grantId,
+    async handle(core, payload) {
+      const { clientId, grantId, reason, work } = payload;
+      const grant = core.access.grants.get(grantId);
+      if (grant === undefined) {
+        throw new ServiceError('not_found', `No invitation has the id ${quote(grantId)}.`);
+      }
+      // Revoke at once, before the change is written, so that no request comes in between.
+      const told = { code: CLOSE.revoked.code, reason: byCaller(core, clientId, reason) };
+      const isHandedOver = work === RevokedWork.REVOKED_WORK_HAND_OVER;
+      await Promise.all(
+        withDescendants(core, grant).map(async (one) => {
+          const revoked = core.access.grants.revoke(one);
+          await endGrant(core, one, told, isHandedOver);
+          core.log.info('invitation revoked', {
+            invitation: one.label || one.id,
+            joins: one.joins,
+          });
+          await revoked;
+        }),
+      );
+      return messageOf(core, grant);
+    },
+  }),
+];
 
-function messageOf(core: Core, grant: Grant): Init<AccessGrant> {
+function messageOf(core: Parts, grant: Grant): Init<AccessGrant> {
   return grantMessage(grant, clientIdsOf(core, grant), workOf(core, grant));
 }
 
@@ -98,7 +118,7 @@ interface Checked {
   readonly expiresMs?: number;
 }
 
-function ofToken({ access }: Core, token: string, call: ServiceCall): Checked {
+function ofToken({ access }: Parts, token: string, call: ServiceCall): Checked {
   const { grant, problem } = access.check(token, call);
   if (grant === undefined) return { problem };
   if (isUsedUp(grant) && !isOfGrant(call, grant)) return { problem: JoinProblem.JOIN_PROBLEM_USED };
@@ -130,7 +150,7 @@ function ofCaller({ caller }: ServiceCall): Checked {
 }
 
 /** @throws ServiceError for what no grant can be */
-function specOf(core: Core, wanted: AccessGrantCreateRequest, caller: Caller): GrantSpec {
+function specOf(core: Parts, wanted: AccessGrantCreateRequest, caller: Caller): GrantSpec {
   const { label, target, lifetimeMs, maxJoins, readTopics, writeTopics, stayMs } = wanted;
   const role = givenRole(wanted.role);
   if (role === undefined)
@@ -169,7 +189,7 @@ function specOf(core: Core, wanted: AccessGrantCreateRequest, caller: Caller): G
 }
 
 function requireGlobs(
-  { limits, patterns }: Core,
+  { limits, patterns }: Parts,
   member: string,
   role: string,
   globs: readonly string[],

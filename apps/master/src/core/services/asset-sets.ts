@@ -1,24 +1,35 @@
-import type { ServiceHandler } from './handler.ts';
+import { ADMINS, READERS } from '../access/roles.ts';
+import { definer, success } from './define-service.ts';
 
-/** `/services/ubii/asset_set_list` [EX-57] */
-export const listAssetSets: ServiceHandler = async ({ assetSets }, _request, { caller }) => {
-  const sets = await assetSets.list();
-  const isAdmin = caller.role === 'admin';
-  return {
-    assetSetList: { elements: sets.map((set) => (isAdmin ? set : { ...set, folder: '' })) },
-  };
-};
+const define = definer<'assetSets'>();
 
-/** `/services/ubii/asset_set_download` [EX-58] */
-export const downloadAssetSet: ServiceHandler = async ({ assetSets }, { assetSetRequest }) => {
-  const { name } = assetSetRequest!;
-  await assetSets.download(name);
-  return { success: { title: 'Success', message: `The asset set ${name} is being downloaded.` } };
-};
-
-/** `/services/ubii/asset_set_cancel` [EX-58] */
-export const cancelAssetSet: ServiceHandler = ({ assetSets }, { assetSetRequest }) => {
-  const { name } = assetSetRequest!;
-  assetSets.cancel(name);
-  return { success: { title: 'Success', message: `No download of ${name} is under way.` } };
-};
+/** Services on asset sets. Downloads connect to the publisher and write to the disk: they are an admin's. */
+export const ASSET_SET_SERVICES = [
+  // [EX-57]
+  define('assetSetList', {
+    roles: READERS,
+    async handle({ assetSets }, _payload, { caller }) {
+      const sets = await assetSets.list();
+      const isAdmin = caller.role === 'admin';
+      return { elements: sets.map((set) => (isAdmin ? set : { ...set, folder: '' })) };
+    },
+  }),
+  // [EX-58]
+  define('assetSetDownload', {
+    roles: ADMINS,
+    auditObject: (_core, { name }) => name,
+    async handle({ assetSets }, { name }) {
+      await assetSets.download(name);
+      return success(`The asset set ${name} is being downloaded.`);
+    },
+  }),
+  // [EX-58]
+  define('assetSetCancel', {
+    roles: ADMINS,
+    auditObject: (_core, { name }) => name,
+    handle({ assetSets }, { name }) {
+      assetSets.cancel(name);
+      return success(`No download of ${name} is under way.`);
+    },
+  }),
+];

@@ -1,4 +1,4 @@
-import { SERVICES, type RequestMember, type ServiceName } from '@ubii/proto';
+import { SERVICES, type RequestMember, type ServiceInfo } from '@ubii/proto';
 import type { LimitName, Limits } from '../limits/index.ts';
 
 /** How large the body of a request may be. */
@@ -26,8 +26,7 @@ const LARGE: { readonly [M in RequestMember]?: LimitName } = {
 };
 
 /** The limits on the body of a request to a service [SV-42]. */
-export function bodyLimitsOf(limits: Limits, name: ServiceName): BodyLimits {
-  const { request } = SERVICES[name];
+export function bodyLimitsOf(limits: Limits, { request }: ServiceInfo): BodyLimits {
   const large = request === undefined ? undefined : LARGE[request];
   if (large === undefined) {
     return {
@@ -48,7 +47,7 @@ export function bodyLimitsOf(limits: Limits, name: ServiceName): BodyLimits {
 
 /** The limits on the body of a request whose service is not known yet: those of the largest. */
 export function largestBodyLimits(limits: Limits): BodyLimits {
-  return (Object.keys(SERVICES) as ServiceName[])
-    .map((name) => bodyLimitsOf(limits, name))
+  return Object.values(SERVICES)
+    .map((service) => bodyLimitsOf(limits, service))
     .reduce((largest, each) => (each.bytes > largest.bytes ? each : largest));
 }

@@ -1,11 +1,13 @@
 import type { Core } from '../parts/core.ts';
 
+type Parts = Pick<Core, 'clients'>;
+
 /** The name of the client that asks, for people; empty when none does. */
-export function nameOfCaller({ clients }: Core, clientId: string): string {
+export function nameOfCaller({ clients }: Parts, clientId: string): string {
   return clients.get(clientId)?.label ?? '';
 }
 
 /** Who asked for something and why, for the person it affects: `by Ada: the event is over`. */
-export function byCaller(core: Core, clientId: string, reason: string): string {
+export function byCaller(core: Parts, clientId: string, reason: string): string {
   return `by ${nameOfCaller(core, clientId) || 'an admin'}${reason === '' ? '' : `: ${reason}`}`;
 }

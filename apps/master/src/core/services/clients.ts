@@ -1,44 +1,37 @@
-import type { Client as ClientMessage, ServiceRequest } from '@ubii/proto';
-import type { Core } from '../parts/core.ts';
+import { JOINED, READERS } from '../access/roles.ts';
 import { selectByProfiles } from '../topics/profiles.ts';
-import type { ServiceHandler } from './handler.ts';
+import { definer, success } from './define-service.ts';
 import { requireProfiles } from './list-limits.ts';
+import { clientRegistration } from './registration.ts';
 
-/** `/services/client/deregistration` [CL-16] */
-export const deregisterClient: ServiceHandler = ({ clients }, request) => {
-  const client = clients.require(request.client!.id, 'client.id');
-  clients.handleEvent(client, 'deregistered');
-  return { success: { title: 'Success', message: 'The client is deregistered.' } };
-};
+const define = definer<'clients' | 'limitWatch'>();
 
-/** `/services/client/get_list` [CL-20] */
-export const listClients: ServiceHandler = (core, request) => {
-  const profiles = requireProfiles(core, request.clientList?.elements ?? []);
-  return { clientList: { elements: selectByProfiles(messages(core), profiles) } };
-};
-
-/** `/services/latency_clients_list` */
-export const listLatencies: ServiceHandler = (core) => ({
-  clientList: {
-    elements: [...core.clients.values()].map(({ id, latencyMs }) => ({ id, latency: latencyMs })),
-  },
-});
-
-/** The id of the client that sends a request, as far as the request says it [CL-11]. */
-export function callerId(request: ServiceRequest): string {
-  return (
-    request.topicSubscription?.clientId ||
-    request.device?.clientId ||
-    request.client?.id ||
-    request.clientRenameRequest?.clientId ||
-    request.clientDisconnectRequest?.clientId ||
-    request.clientThrottleRequest?.clientId ||
-    request.accessGrantCreateRequest?.clientId ||
-    request.accessGrantRevokeRequest?.clientId ||
-    ''
-  );
-}
-
-function messages({ clients }: Core): Omit<ClientMessage, 'extension'>[] {
-  return [...clients.values()].map((client) => client.toMessage());
-}
+/** Services on clients: registration, and who is there. */
+export const CLIENT_SERVICES = [
+  clientRegistration,
+  // [CL-16]
+  define('clientDeregistration', {
+    roles: JOINED,
+    subject: ({ id }) => id,
+    isSignOfLife: false,
+    handle({ clients }, { id }) {
+      clients.handleEvent(clients.require(id, 'client.id'), 'deregistered');
+      return success('The client is deregistered.');
+    },
+  }),
+  // [CL-20]
+  define('clientGetList', {
+    roles: READERS,
+    handle(core, list) {
+      const profiles = requireProfiles(core, list?.elements ?? []);
+      const clients = [...core.clients.values()].map((client) => client.toMessage());
+      return { elements: selectByProfiles(clients, profiles) };
+    },
+  }),
+  define('latencyClientsList', {
+    roles: READERS,
+    handle: ({ clients }) => ({
+      elements: [...clients.values()].map(({ id, latencyMs }) => ({ id, latency: latencyMs })),
+    }),
+  }),
+];

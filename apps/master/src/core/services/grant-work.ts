@@ -6,11 +6,17 @@ import type { Cancel } from '../ports/clock.ts';
 import { quote } from '../texts/quote.ts';
 import type { Grant, GrantWork } from '../access/grant.ts';
 
+/** What ending a grant concerns. */
+export type GrantParts = Pick<
+  Core,
+  'processing' | 'clients' | 'access' | 'kept' | 'events' | 'clock' | 'log'
+>;
+
 /** How often the time of grants is looked at, milliseconds. */
 const LOOK_INTERVAL_MS = 1_000;
 
 /** What was made or changed with a grant [AC-90]. */
-export function workOf({ processing }: Core, { id }: Grant): GrantWork {
+export function workOf({ processing }: GrantParts, { id }: Grant): GrantWork {
   const { sessions, sessionLibrary, modules } = processing;
   const made = sessions.madeWith(id);
   return {
@@ -25,12 +31,12 @@ export function workOf({ processing }: Core, { id }: Grant): GrantWork {
 }
 
 /** Ids of the clients that joined with a grant and are registered. */
-export function clientIdsOf({ clients }: Core, grant: Grant): string[] {
+export function clientIdsOf({ clients }: GrantParts, grant: Grant): string[] {
   return [...clients.values()].flatMap(({ id, access }) => (access.grant === grant ? [id] : []));
 }
 
 /** The grant, and those that were made with it, and with those [AC-93]. */
-export function withDescendants({ access }: Core, grant: Grant): Grant[] {
+export function withDescendants({ access }: GrantParts, grant: Grant): Grant[] {
   const all = [grant];
   const others = access.grants.list();
   for (const one of all) {
@@ -44,7 +50,7 @@ export function withDescendants({ access }: Core, grant: Grant): Grant[] {
  * now on [AC-92]. All but what is written down has happened when this returns.
  */
 export async function endGrant(
-  core: Core,
+  core: GrantParts,
   grant: Grant,
   { code, reason }: Dismissal,
   isHandedOver: boolean,
@@ -71,7 +77,7 @@ export async function endGrant(
 }
 
 /** Ends grants when their time is over [AC-91]. @returns what makes it stop */
-export function watchGrants(core: Core): Cancel {
+export function watchGrants(core: GrantParts): Cancel {
   const look = (): void => {
     for (const grant of core.access.grants.takeOver()) {
       void endGrant(core, grant, CLOSE.expired, false);

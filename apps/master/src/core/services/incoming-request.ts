@@ -1,16 +1,13 @@
-import {
-  serviceByTopic,
-  ServiceError,
-  type ServiceErrorOptions,
-  type ServiceName,
-} from '@ubii/proto';
+import { ServiceError, type ServiceErrorOptions } from '@ubii/proto';
 import type { Access } from '../access/access.ts';
 import type { Caller } from '../access/caller.ts';
 import type { LimitName, Limits } from '../limits/index.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { BodyAccounts, BodyCharge } from '../connections/body-accounts.ts';
+import { findService } from './all-services.ts';
 import { bodyLimitsOf, largestBodyLimits, type BodyLimits } from './body-limits.ts';
+import type { Service } from './define-service.ts';
 
 export interface IncomingContext {
   readonly limits: Limits;
@@ -50,9 +47,9 @@ export class IncomingRequest {
    * @returns undefined when this caller may not call it or there is none, whatever the payload
    */
   limitsOf(topic: string): BodyLimits | undefined {
-    const name = serviceByTopic(topic);
-    if (name === undefined || !this.#mayCall(name, topic)) return undefined;
-    return this.#ofCaller(bodyLimitsOf(this.#context.limits, name));
+    const service = findService(topic);
+    if (service === undefined || !this.#mayCall(service)) return undefined;
+    return this.#ofCaller(bodyLimitsOf(this.#context.limits, service.info));
   }
 
   /** Takes room for a body of so many bytes. @throws ServiceError when there is none [SV-46] */
@@ -100,9 +97,9 @@ export class IncomingRequest {
     );
   }
 
-  #mayCall(name: ServiceName, topic: string): boolean {
+  #mayCall(service: Service): boolean {
     try {
-      this.#context.access.authorize(this.caller, name, topic, '');
+      this.#context.access.authorize(this.caller, service, service.info.topic, '');
       return true;
     } catch {
       return false;

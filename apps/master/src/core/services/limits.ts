@@ -1,27 +1,34 @@
 import type { Init, Limit } from '@ubii/proto';
+import { READERS } from '../access/roles.ts';
 import { LIMITS, type LimitName } from '../limits/index.ts';
 import { LIMIT_GROUPS } from '../limits/limit.ts';
 import { LIMIT_USES } from '../monitoring/limit-uses.ts';
-import type { ServiceHandler } from './handler.ts';
+import type { Core } from '../parts/core.ts';
+import { definer } from './define-service.ts';
 
-/** `/services/ubii/limit_list` [EX-35] */
-export const listLimits: ServiceHandler = (core) => {
-  const { limits, limitWatch } = core;
-  const hits = new Map([...limitWatch.hits()].map(({ limit, streak }) => [limit, streak.count]));
-  const groupIndex = (name: LimitName): number => LIMIT_GROUPS.indexOf(LIMITS[name].group);
-  const names = (Object.keys(LIMITS) as LimitName[]).sort((a, b) => groupIndex(a) - groupIndex(b));
-  const elements = names.map((name): Init<Limit> => {
-    const { unit, reason, group } = LIMITS[name];
-    const use = LIMIT_USES[name]?.(core);
-    return {
-      name,
-      value: limits[name],
-      unit,
-      reason,
-      group,
-      hits: hits.get(name) ?? 0,
-      ...(use !== undefined && { use }),
-    };
-  });
-  return { limitList: { elements } };
-};
+/** Lists the limits in force. [EX-35] */
+export const limitList = definer<keyof Core>()('limitList', {
+  roles: READERS,
+  handle(core) {
+    const { limits, limitWatch } = core;
+    const hits = new Map([...limitWatch.hits()].map(({ limit, streak }) => [limit, streak.count]));
+    const groupIndex = (name: LimitName): number => LIMIT_GROUPS.indexOf(LIMITS[name].group);
+    const names = (Object.keys(LIMITS) as LimitName[]).sort(
+      (a, b) => groupIndex(a) - groupIndex(b),
+    );
+    const elements = names.map((name): Init<Limit> => {
+      const { unit, reason, group } = LIMITS[name];
+      const use = LIMIT_USES[name]?.(core);
+      return {
+        name,
+        value: limits[name],
+        unit,
+        reason,
+        group,
+        hits: hits.get(name) ?? 0,
+        ...(use !== undefined && { use }),
+      };
+    });
+    return { elements };
+  },
+});

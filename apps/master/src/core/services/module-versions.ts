@@ -1,46 +1,49 @@
 import { ServiceError, type ModuleVersion, type ProcessingModule } from '@ubii/proto';
+import { READERS } from '../access/roles.ts';
 import type { Core } from '../parts/core.ts';
 import { isSame, type HistoryKey } from '../library/module-history.ts';
 import { quote } from '../texts/quote.ts';
-import type { ServiceHandler } from './handler.ts';
+import { definer } from './define-service.ts';
 
-/** `/services/ubii/module_version_list` [EX-40] */
-export const listModuleVersions: ServiceHandler = ({ processing }, request) => {
-  const { name, moduleId, number } = request.moduleVersionRequest!;
-  if ((name === '') === (moduleId === '')) {
-    throw new ServiceError(
-      'invalid_argument',
-      'The request has to give either the name of a stored module or the id of a module of a session.',
-    );
-  }
-  const key: HistoryKey = name === '' ? `instance ${moduleId}` : `module ${name}`;
-  const what = name === '' ? `with the id ${quote(moduleId)}` : `named ${quote(name)}`;
-  const versions = processing.history.list(key);
-  if (versions === undefined) {
-    throw new ServiceError(
-      'not_found',
-      `The master keeps no versions of a module ${what}: it was not changed, or does not exist.`,
-    );
-  }
-  const current = presentModule(processing, name, moduleId);
-  const isCurrent = newestIsCurrent(processing, key, versions, current);
-  if (number === 0) {
-    const elements = versions.map((version, index) => ({
-      ...version,
-      current: isCurrent && index === 0,
-    }));
-    return { moduleVersionList: { elements } };
-  }
-  const found = processing.history.get(key, number);
-  if (found === undefined) {
-    throw new ServiceError(
-      'not_found',
-      `The version ${number} of the module ${what} is not kept. The list shows the versions that are.`,
-    );
-  }
-  const element = { ...found, current: isCurrent && number === versions[0]?.number };
-  return { moduleVersionList: { elements: [element] } };
-};
+/** Lists or returns kept versions of a module. [EX-40] */
+export const moduleVersionList = definer<'processing'>()('moduleVersionList', {
+  roles: READERS,
+  handle({ processing }, { name, moduleId, number }) {
+    if ((name === '') === (moduleId === '')) {
+      throw new ServiceError(
+        'invalid_argument',
+        'The request has to give either the name of a stored module or the id of a module of a session.',
+      );
+    }
+    const key: HistoryKey = name === '' ? `instance ${moduleId}` : `module ${name}`;
+    const what = name === '' ? `with the id ${quote(moduleId)}` : `named ${quote(name)}`;
+    const versions = processing.history.list(key);
+    if (versions === undefined) {
+      throw new ServiceError(
+        'not_found',
+        `The master keeps no versions of a module ${what}: it was not changed, or does not exist.`,
+      );
+    }
+    const current = presentModule(processing, name, moduleId);
+    const isCurrent = newestIsCurrent(processing, key, versions, current);
+    if (number === 0) {
+      const elements = versions.map((version, index) => ({
+        ...version,
+        current: isCurrent && index === 0,
+      }));
+      return { elements };
+    }
+    const found = processing.history.get(key, number);
+    if (found === undefined) {
+      throw new ServiceError(
+        'not_found',
+        `The version ${number} of the module ${what} is not kept. The list shows the versions that are.`,
+      );
+    }
+    const element = { ...found, current: isCurrent && number === versions[0]?.number };
+    return { elements: [element] };
+  },
+});
 
 function presentModule(
   { modules, sessions }: Core['processing'],

@@ -7,8 +7,8 @@ import { wireRole } from '../access/roles.ts';
 import type { Client } from '../clients/client.ts';
 import type { Core } from '../parts/core.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
-import type { ServiceHandler } from './handler.ts';
-import { replayAfterReply } from './replay-after-reply.ts';
+import { definer } from './define-service.ts';
+import { replayAfterReply, type ReplayParts } from './replay-after-reply.ts';
 
 /** A credential that a registration gives, and what for [AC-13]. */
 interface Given {
@@ -18,34 +18,43 @@ interface Given {
   readonly hasJoined: boolean;
 }
 
-/** `/services/client/registration` [CL-1] [AC-13] */
-export const registerClient: ServiceHandler = async (core, request, call) => {
-  const { caller } = call;
-  const message = asClientOf(caller, request.client!);
-  const { clients, devices, info, access } = core;
-  const given = give(core, caller, message);
-  const clientAccess = accessOf(caller, given?.expiresMs ?? Number.POSITIVE_INFINITY);
-  requireNodeRights(clientAccess.role, message);
-  const { client, isResumed, isKnown } = clients.register(message, clientAccess);
-  const owed: TopicEntry[] = [];
-  try {
-    for (const device of message.devices) {
-      for (const entry of devices.register(client, device).owed) owed.push(entry); // [CL-5]
+type Parts = ReplayParts &
+  Pick<Core, 'clients' | 'devices' | 'info' | 'access' | 'tokens' | 'settings'>;
+
+/** Says itself whom it lets in, and as whom. [CL-1] [AC-13] [AC-23] */
+export const clientRegistration = definer<keyof Parts>()('clientRegistration', {
+  roles: 'anyone',
+  subject: ({ id }) => id,
+  mayNameOthers: true,
+  isSignOfLife: false,
+  async handle(core, payload, call) {
+    const { caller } = call;
+    const message = asClientOf(caller, payload);
+    const { clients, devices, info, access } = core;
+    const given = give(core, caller, message);
+    const clientAccess = accessOf(caller, given?.expiresMs ?? Number.POSITIVE_INFINITY);
+    requireNodeRights(clientAccess.role, message);
+    const { client, isResumed, isKnown } = clients.register(message, clientAccess);
+    const owed: TopicEntry[] = [];
+    try {
+      for (const device of message.devices) {
+        for (const entry of devices.register(client, device).owed) owed.push(entry); // [CL-5]
+      }
+      if (given !== undefined) {
+        await access.grants.count(given.grant, given.expiresMs, given.hasJoined);
+        // An admin revoked the invitation while it was written.
+        if (client.status === 'removed') throw removedMeanwhile();
+      }
+    } catch (error) {
+      // Half a registration is none, unless the client was there before.
+      if (!isKnown) clients.handleEvent(client, 'deregistered');
+      throw error;
     }
-    if (given !== undefined) {
-      await access.grants.count(given.grant, given.expiresMs, given.hasJoined);
-      // An admin revoked the invitation while it was written.
-      if (client.status === 'removed') throw removedMeanwhile();
-    }
-  } catch (error) {
-    // Half a registration is none, unless the client was there before.
-    if (!isKnown) clients.handleEvent(client, 'deregistered');
-    throw error;
-  }
-  info.announceClient(client); // [CL-31]
-  replayAfterReply(core, call, client, owed);
-  return { client: replyOf(core, client, isResumed) };
-};
+    info.announceClient(client); // [CL-31]
+    replayAfterReply(core, call, client, owed);
+    return replyOf(core, client, isResumed);
+  },
+});
 
 /** A caller with a credential can only resume the client of the credential [AC-23]. */
 function asClientOf(caller: Caller, message: ClientMessage): ClientMessage {
@@ -55,7 +64,7 @@ function asClientOf(caller: Caller, message: ClientMessage): ClientMessage {
 
 /** The credential this caller is to be given; undefined for those that need none. */
 function give(
-  { access, clients }: Core,
+  { access, clients }: Parts,
   caller: Caller,
   message: ClientMessage,
 ): Given | undefined {
@@ -83,7 +92,7 @@ function removedMeanwhile(): ServiceError {
 
 /** What a client is told about itself; those who did not ask for it see nothing of ours [EX-1]. */
 function replyOf(
-  { tokens, settings, access }: Core,
+  { tokens, settings, access }: Parts,
   client: Client,
   isResumed: boolean,
 ): Init<ClientMessage> {

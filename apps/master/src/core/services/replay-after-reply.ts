@@ -1,14 +1,17 @@
 import type { Client } from '../clients/client.ts';
 import type { Core } from '../parts/core.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
-import type { ServiceCall } from './handler.ts';
+import type { ServiceCall } from './service-call.ts';
+
+/** What sends retained records. */
+export type ReplayParts = Pick<Core, 'topics' | 'subscriptions' | 'clock' | 'limits'>;
 
 /**
  * Sends the client the retained records of these topics once the reply has left [TD-24]. Existing
  * clients know the callback only some turns after they read the reply: they are given the time.
  */
 export function replayAfterReply(
-  { topics, subscriptions, clock, limits }: Core,
+  { topics, subscriptions, clock, limits }: ReplayParts,
   call: ServiceCall,
   client: Client,
   entries: readonly TopicEntry[],

@@ -1,4 +1,4 @@
-import { serviceByTopic, ServiceError, SERVICES, type ServiceRequest } from '@ubii/proto';
+import { ServiceError, type ServiceInfo, type ServiceRequest } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
 import type { Core } from '../parts/core.ts';
 import { LIMITS } from '../limits/index.ts';
@@ -6,10 +6,10 @@ import type { ServiceAnswer } from './service-answer.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import { boundTexts } from '../texts/bound-texts.ts';
 import { quote } from '../texts/quote.ts';
-import { auditSubject, writeAudit } from './audit.ts';
-import { callerId } from './clients.ts';
-import type { ServiceCall } from './handler.ts';
-import { HANDLERS } from './handlers.ts';
+import { findService } from './all-services.ts';
+import { openAudit } from './audit.ts';
+import type { Service } from './define-service.ts';
+import type { ServiceCall } from './service-call.ts';
 
 /** A call that works longer than this gives others a turn, milliseconds. A frame of an animation is 16. */
 const LONGEST_BREATH_MS = 8;
@@ -64,56 +64,68 @@ export function refuse(core: Core, thrown: unknown, call?: Call): ServiceAnswer 
 
 /** Handles a request, and writes its result to the audit log if the service is audited [EX-90]. */
 async function audited(core: Core, request: ServiceRequest, call: Call): Promise<ServiceAnswer> {
-  const subject = auditSubject(core, request, call.caller);
-  if (subject === undefined) return handle(core, request, call);
+  const service = findService(request.topic);
+  const write = openAudit(core, service, request, call.caller);
   try {
-    const answer = await handle(core, request, call);
-    writeAudit(core, request, call.caller, subject, '');
+    const answer = await handle(core, service, request, call);
+    write?.('');
     return answer;
   } catch (error) {
-    writeAudit(core, request, call.caller, subject, ServiceError.from(error).code);
+    write?.(ServiceError.from(error).code);
     throw error;
   }
 }
 
-async function handle(core: Core, request: ServiceRequest, call: Call): Promise<ServiceAnswer> {
-  const { topic } = request;
-  const name = serviceByTopic(topic);
-  const handler = name === undefined ? undefined : HANDLERS[name];
-  if (name === undefined || handler === undefined) throw unknownService(topic);
-  const actsFor = callerId(request);
-  core.access.authorize(call.caller, name, topic, actsFor);
-  const { request: member, alternativeRequest, requestRequired, requestFormat } = SERVICES[name];
-  const isGiven =
-    (member !== undefined && request[member] !== undefined) ||
-    (alternativeRequest !== undefined && request[alternativeRequest] !== undefined);
-  if (requestRequired && !isGiven) {
-    throw new ServiceError(
-      'invalid_argument', // [SV-6]
-      `The service ${topic} needs the member ${member} (${requestFormat}), which the request does not have.`,
-      { details: { member } },
-    );
-  }
-  const bounded = withBoundTexts(core, request);
-  // Who registers or leaves says so itself. [CL-11]
-  if (name !== 'clientRegistration' && name !== 'clientDeregistration') {
-    const client = core.access.mayActFor(call.caller, actsFor)
-      ? core.clients.get(actsFor)
-      : undefined;
+async function handle(
+  core: Core,
+  service: Service | undefined,
+  request: ServiceRequest,
+  call: Call,
+): Promise<ServiceAnswer> {
+  if (service === undefined) throw unknownService(request.topic);
+  const actsFor = service.subjectOf(request);
+  core.access.authorize(call.caller, service, request.topic, actsFor);
+  requirePayload(service.info, request);
+  const bounded = withBoundTexts(core, request, actsFor);
+  if (service.isSignOfLife && core.access.mayActFor(call.caller, actsFor)) {
+    const client = core.clients.get(actsFor);
     if (client !== undefined) core.clients.handleSign(client);
   }
-  const reply = await handler(core, bounded, call);
+  const reply = await service.handle(core, bounded, call);
   return { reply, afterReply: () => call.finish() };
 }
 
-/** The request with its texts as long as they may be. @throws ServiceError when one is refused [EX-70] */
-function withBoundTexts(core: Core, request: ServiceRequest): ServiceRequest {
-  const { limits, limitWatch } = core;
+/** @throws ServiceError when the request has no payload, and needs one [SV-6] */
+function requirePayload(
+  { topic, request: member, alternativeRequest, requestRequired, requestFormat }: ServiceInfo,
+  request: ServiceRequest,
+): void {
+  const isGiven = [member, alternativeRequest].some(
+    (one) => one !== undefined && request[one] !== undefined,
+  );
+  if (isGiven || !requestRequired) return;
+  throw new ServiceError(
+    'invalid_argument',
+    `The service ${topic} needs the member ${member} (${requestFormat}), which the request does not have.`,
+    { details: { member } },
+  );
+}
+
+/**
+ * The request with its texts as long as they may be.
+ * @param actsFor the id of the client that asks, as far as the request says it
+ * @throws ServiceError when one is refused [EX-70]
+ */
+function withBoundTexts(
+  { limits, limitWatch, clients }: Core,
+  request: ServiceRequest,
+  actsFor: string,
+): ServiceRequest {
   return boundTexts('ubii.services.ServiceRequest', request, {
     limits,
     refuse({ member, limit, length }) {
       // The id in the request may be the text that is too long.
-      limitWatch.count(limit, core.clients.get(callerId(request))?.id);
+      limitWatch.count(limit, clients.get(actsFor)?.id);
       const max = limits[limit];
       const { unit } = LIMITS[limit];
       return new ServiceError(

@@ -1,63 +1,79 @@
 import { ServiceError, type Session as SessionMessage } from '@ubii/proto';
 import { makerOf } from '../access/caller.ts';
+import { PARTICIPANTS, READERS } from '../access/roles.ts';
 import type { Core } from '../parts/core.ts';
 import { requireRoom } from '../library/require-room.ts';
 import type { Session } from '../sessions/session.ts';
 import { quote } from '../texts/quote.ts';
-import type { ServiceHandler } from './handler.ts';
+import { definer, success } from './define-service.ts';
 import { requireElements } from './list-limits.ts';
+import { nameOfSession } from './sessions.ts';
 
-/** `/services/session/database/save` [SE-21] */
-export const saveSessions: ServiceHandler = async (core, request, { caller }) => {
-  const messages = [
-    ...(request.session === undefined ? [] : [request.session]),
-    ...requireElements(core, request.sessionList?.elements ?? []),
-  ];
-  const elements: SessionMessage[] = [];
-  for (const message of messages) {
-    elements.push((await saveSession(core, message, makerOf(caller))).toMessage());
-  }
-  return { sessionList: { elements } };
-};
+type Parts = Pick<Core, 'processing' | 'limitWatch'>;
+const define = definer<keyof Parts>();
 
-/** `/services/session/database/delete` [SE-21] */
-export const deleteStoredSession: ServiceHandler = async ({ processing }, request) => {
-  const { sessions, sessionLibrary } = processing;
-  const { id, name } = request.session!;
-  // The id may be that of the session that was made of the stored one.
-  const known = sessions.list().find((session) => session.id === id && session.isStored);
-  const stored = sessionLibrary.require(id, known?.description.name ?? name);
-  const made = sessions
-    .list()
-    .filter(({ isStored, description }) => isStored && description.name === stored.name);
-  const running = made.find(({ isLive }) => isLive);
-  if (running !== undefined) {
-    throw new ServiceError(
-      'failed_precondition',
-      `The session ${quote(running.label)} is ${running.life}, and a running session cannot be deleted. Stop it first.`,
-    );
-  }
-  await sessionLibrary.delete(stored.name);
-  for (const session of made) sessions.setStored(session, false);
-  return { success: { title: 'Success', message: 'The stored session is deleted.' } };
-};
-
-/** `/services/session/database/get` [SE-21] */
-export const getStoredSession: ServiceHandler = ({ processing }, request) => {
-  const { id, name } = request.session!;
-  return { session: processing.sessionLibrary.require(id, name) };
-};
-
-/** `/services/session/database/get_list` and `local/get_list` [SE-21] */
-export const listStoredSessions: ServiceHandler = ({ processing }) => ({
-  sessionList: { elements: processing.sessionLibrary.list() },
+const listStoredSessions = ({ processing }: Pick<Core, 'processing'>) => ({
+  elements: processing.sessionLibrary.list(),
 });
 
-/** `/services/session/database/online/get_list` [SE-25] */
-export const listOnlineSessions: ServiceHandler = () => ({ sessionList: { elements: [] } });
+/** Services on stored sessions. [SE-21] */
+export const STORED_SESSION_SERVICES = [
+  define('sessionDatabaseSave', {
+    roles: PARTICIPANTS,
+    auditObject: (core, { session, sessionList }) =>
+      session === undefined ? namesOf(sessionList?.elements ?? []) : nameOfSession(core, session),
+    async handle(core, { session, sessionList }, { caller }) {
+      const messages = [
+        ...(session === undefined ? [] : [session]),
+        ...requireElements(core, sessionList?.elements ?? []),
+      ];
+      const elements: SessionMessage[] = [];
+      for (const message of messages) {
+        elements.push((await saveSession(core, message, makerOf(caller))).toMessage());
+      }
+      return { elements };
+    },
+  }),
+  define('sessionDatabaseDelete', {
+    roles: PARTICIPANTS,
+    auditObject: nameOfSession,
+    async handle({ processing }, { id, name }) {
+      const { sessions, sessionLibrary } = processing;
+      // The id may be that of the session that was made of the stored one.
+      const known = sessions.list().find((session) => session.id === id && session.isStored);
+      const stored = sessionLibrary.require(id, known?.description.name ?? name);
+      const made = sessions
+        .list()
+        .filter(({ isStored, description }) => isStored && description.name === stored.name);
+      const running = made.find(({ isLive }) => isLive);
+      if (running !== undefined) {
+        throw new ServiceError(
+          'failed_precondition',
+          `The session ${quote(running.label)} is ${running.life}, and a running session cannot be deleted. Stop it first.`,
+        );
+      }
+      await sessionLibrary.delete(stored.name);
+      for (const session of made) sessions.setStored(session, false);
+      return success('The stored session is deleted.');
+    },
+  }),
+  define('sessionDatabaseGet', {
+    roles: READERS,
+    handle: ({ processing }, { id, name }) => processing.sessionLibrary.require(id, name),
+  }),
+  define('sessionDatabaseGetList', { roles: READERS, handle: listStoredSessions }),
+  define('sessionDatabaseLocalGetList', { roles: READERS, handle: listStoredSessions }),
+  // [SE-25]
+  define('sessionDatabaseOnlineGetList', { roles: READERS, handle: () => ({ elements: [] }) }),
+];
+
+function namesOf(sessions: readonly SessionMessage[]): string {
+  const shown = sessions.slice(0, 5).map(({ name }) => name.slice(0, 40));
+  return sessions.length > shown.length ? `${shown.join(', ')}, …` : shown.join(', ');
+}
 
 /** Makes a session known, and stores it under its name. */
-async function saveSession(core: Core, message: SessionMessage, maker: string): Promise<Session> {
+async function saveSession(core: Parts, message: SessionMessage, maker: string): Promise<Session> {
   const { sessions, sessionLibrary } = core.processing;
   if (message.name === '') {
     throw new ServiceError(

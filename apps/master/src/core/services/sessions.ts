@@ -1,76 +1,108 @@
-import type { Session as SessionMessage, ServiceRequest } from '@ubii/proto';
+import type { Session as SessionMessage } from '@ubii/proto';
 import { makerOf } from '../access/caller.ts';
+import { PARTICIPANTS, READERS } from '../access/roles.ts';
 import type { Core } from '../parts/core.ts';
-import type { Session } from '../sessions/session.ts';
-import type { ServiceHandler } from './handler.ts';
+import { definer, success } from './define-service.ts';
 
-/** `/services/session/runtime/add` [SE-1] */
-export const addSession: ServiceHandler = async ({ processing }, request, { caller }) => ({
-  session: (await processing.sessions.add(payloadOf(request), makerOf(caller))).toMessage(),
-});
+type Parts = Pick<Core, 'processing'>;
+const define = definer<keyof Parts>();
 
-/** `/services/session/runtime/get` */
-export const getSession: ServiceHandler = ({ processing }, request) => {
-  const { sessions, sessionLibrary } = processing;
-  const { id } = payloadOf(request);
-  // Reading changes nothing: what is only stored is answered as it is stored [SE-27].
-  const stored = sessions.isOpen(id) ? undefined : sessionLibrary.toOpen(id);
-  if (stored !== undefined) return { session: stored };
-  const session = sessions.require(id);
-  sessions.recheck(session);
-  return { session: session.toMessage() };
-};
+/** Of every service that changes sessions. */
+const CHANGE = { roles: PARTICIPANTS, auditObject: nameOfSession };
 
-/** `/services/session/runtime/get_list` */
-export const listSessions: ServiceHandler = ({ processing }) => ({
-  sessionList: { elements: processing.sessions.list().map((session) => session.toMessage()) },
-});
+/** Services on sessions that the master knows, running or not. */
+export const SESSION_SERVICES = [
+  // [SE-1]
+  define('sessionRuntimeAdd', {
+    ...CHANGE,
+    handle: async ({ processing }, message, { caller }) =>
+      (await processing.sessions.add(message, makerOf(caller))).toMessage(),
+  }),
+  define('sessionRuntimeGet', {
+    roles: READERS,
+    handle({ processing }, { id }) {
+      const { sessions, sessionLibrary } = processing;
+      // Reading changes nothing: what is only stored is answered as it is stored [SE-27].
+      const stored = sessions.isOpen(id) ? undefined : sessionLibrary.toOpen(id);
+      if (stored !== undefined) return stored;
+      const session = sessions.require(id);
+      sessions.recheck(session);
+      return session.toMessage();
+    },
+  }),
+  define('sessionRuntimeGetList', {
+    roles: READERS,
+    handle: ({ processing }) => ({
+      elements: processing.sessions.list().map((session) => session.toMessage()),
+    }),
+  }),
+  // [SE-11]
+  define('sessionRuntimeStart', {
+    ...CHANGE,
+    async handle(parts, message, { caller }) {
+      const session = await parts.processing.sessions.start(message, makerOf(caller));
+      return whenRemembered(parts, session.id, session.toMessage());
+    },
+  }),
+  // [SE-13]
+  define('sessionRuntimeStop', {
+    ...CHANGE,
+    async handle(parts, { id }) {
+      const { sessions } = parts.processing;
+      sessions.stop(await sessions.find(id));
+      return whenRemembered(parts, id, success('The session is stopping.'));
+    },
+  }),
+  // [SE-15]
+  define('sessionRuntimeUpdate', {
+    ...CHANGE,
+    async handle(parts, message, { caller }) {
+      const { sessions } = parts.processing;
+      const session = await sessions.find(message.id);
+      await sessions.update(session, message, makerOf(caller));
+      return whenRemembered(parts, session.id, session.toMessage());
+    },
+  }),
+  // [SE-16]
+  define('sessionRuntimeRemove', {
+    ...CHANGE,
+    handle(parts, { id }) {
+      const { sessions } = parts.processing;
+      sessions.remove(sessions.require(id));
+      return whenRemembered(parts, id, success('The session is removed.'));
+    },
+  }),
+  // [SE-14]
+  define('sessionPause', {
+    ...CHANGE,
+    async handle({ processing: { sessions } }, { id }) {
+      const session = await sessions.find(id);
+      sessions.pause(session);
+      return session.toMessage();
+    },
+  }),
+  // [SE-14]
+  define('sessionResume', {
+    ...CHANGE,
+    async handle({ processing: { sessions } }, { id }) {
+      const session = await sessions.find(id);
+      sessions.resume(session);
+      return session.toMessage();
+    },
+  }),
+];
 
-/** `/services/session/runtime/start` [SE-11] */
-export const startSession: ServiceHandler = async ({ processing }, request, { caller }) => ({
-  session: (await processing.sessions.start(payloadOf(request), makerOf(caller))).toMessage(),
-});
-
-/** `/services/session/runtime/stop` [SE-13] */
-export const stopSession: ServiceHandler = async (core, request) => {
-  const session = await known(core, request);
-  core.processing.sessions.stop(session);
-  return { success: { title: 'Success', message: 'The session is stopping.' } };
-};
-
-/** `/services/session/runtime/update` [SE-15] */
-export const updateSession: ServiceHandler = async (core, request, { caller }) => {
-  const session = await known(core, request);
-  await core.processing.sessions.update(session, payloadOf(request), makerOf(caller));
-  return { session: session.toMessage() };
-};
-
-/** `/services/session/runtime/remove` [SE-16] */
-export const removeSession: ServiceHandler = (core, request) => {
-  const { sessions } = core.processing;
-  sessions.remove(sessions.require(payloadOf(request).id));
-  return { success: { title: 'Success', message: 'The session is removed.' } };
-};
-
-/** `/services/ubii/session_pause` [SE-14] */
-export const pauseSession: ServiceHandler = async (core, request) => {
-  const session = await known(core, request);
-  core.processing.sessions.pause(session);
-  return { session: session.toMessage() };
-};
-
-/** `/services/ubii/session_resume` [SE-14] */
-export const resumeSession: ServiceHandler = async (core, request) => {
-  const session = await known(core, request);
-  core.processing.sessions.resume(session);
-  return { session: session.toMessage() };
-};
-
-/** The session of the request; a stored one is opened [SE-27]. */
-function known({ processing }: Core, request: ServiceRequest): Promise<Session> {
-  return processing.sessions.find(payloadOf(request).id);
+/** The name of a session, or what is known in place of it. */
+export function nameOfSession(
+  { processing }: Parts,
+  { id, name }: Pick<SessionMessage, 'id' | 'name'>,
+): string {
+  const known = processing.sessions.list().find((session) => session.id === id);
+  return known?.description.name || name || id;
 }
 
-function payloadOf(request: ServiceRequest): SessionMessage {
-  return request.session!;
+/** The reply, once it is on the disk what starts with the next master: what was answered, stands [SE-24]. */
+async function whenRemembered<R>({ processing }: Parts, id: string, reply: R): Promise<R> {
+  await processing.sessionLibrary.remembered(id);
+  return reply;
 }

@@ -7,32 +7,40 @@ import {
   type TopicSubscribers,
 } from '@ubii/proto';
 import { roleRefusal } from '../access/join-refusals.ts';
+import { JOINED } from '../access/roles.ts';
 import type { Core } from '../parts/core.ts';
 import { quote } from '../texts/quote.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
-import type { ServiceCall, ServiceHandler } from './handler.ts';
+import { definer } from './define-service.ts';
+import type { ServiceCall } from './service-call.ts';
 
 /** Topics of one request: what a page shows. */
 const MAX_TOPICS = 16;
 
-/** `/services/ubii/topic_subscribers` [EX-95] */
-export const topicSubscribers: ServiceHandler = (core, request, { caller }) => {
-  const { topics } = request.topicSubscribersRequest!;
-  if (topics.length > MAX_TOPICS) {
-    throw new ServiceError(
-      'invalid_argument',
-      `The request names ${topics.length} topics, but one request names at most ${MAX_TOPICS}.`,
-    );
-  }
-  if (caller.role !== 'player') {
+type Parts = Pick<
+  Core,
+  'id' | 'topics' | 'clients' | 'subscriptions' | 'selectionTable' | 'patternTable' | 'processing'
+>;
+
+/** Says who receives topics. Players learn how many receive their own, and no names. [EX-95] [EX-96] */
+export const topicSubscribers = definer<keyof Parts>()('topicSubscribers', {
+  roles: JOINED,
+  handle(core, { topics }, { caller }) {
+    if (topics.length > MAX_TOPICS) {
+      throw new ServiceError(
+        'invalid_argument',
+        `The request names ${topics.length} topics, but one request names at most ${MAX_TOPICS}.`,
+      );
+    }
+    if (caller.role !== 'player') {
+      return { elements: topics.map((topic) => subscribersOf(core, topic)) };
+    }
+    for (const topic of topics) requireOwn(caller, topic);
     return {
-      topicSubscribersList: { elements: topics.map((topic) => subscribersOf(core, topic)) },
+      elements: topics.map((topic) => ({ topic, count: subscribersOf(core, topic).count })),
     };
-  }
-  for (const topic of topics) requireOwn(caller, topic);
-  const elements = topics.map((topic) => ({ topic, count: subscribersOf(core, topic).count }));
-  return { topicSubscribersList: { elements } };
-};
+  },
+});
 
 /** [EX-96] */
 function requireOwn(caller: ServiceCall['caller'], topic: string): void {
@@ -42,7 +50,7 @@ function requireOwn(caller: ServiceCall['caller'], topic: string): void {
   );
 }
 
-function subscribersOf(core: Core, topic: string): Init<TopicSubscribers> & { count: number } {
+function subscribersOf(core: Parts, topic: string): Init<TopicSubscribers> & { count: number } {
   const entry = core.topics.get(topic);
   if (entry === undefined) return { topic, count: 0 };
   // The master and its modules are no client.
@@ -53,7 +61,7 @@ function subscribersOf(core: Core, topic: string): Init<TopicSubscribers> & { co
 }
 
 /** The modules of live sessions that have the topic on an input, each once [EX-97]. */
-function* modulesOf(core: Core, entry: TopicEntry): Iterable<Init<SubscribedModule>> {
+function* modulesOf(core: Parts, entry: TopicEntry): Iterable<Init<SubscribedModule>> {
   for (const session of core.processing.sessions.list()) {
     for (const module of session.isLive ? session.modules : []) {
       const takes = module.mapping.inputMappings.some(({ topic, topicMux }) =>
@@ -67,7 +75,7 @@ function* modulesOf(core: Core, entry: TopicEntry): Iterable<Init<SubscribedModu
 }
 
 /** The node of the module has subscribed to the same, so that it is known what matches. */
-function selects(core: Core, mux: TopicMux, entry: TopicEntry): boolean {
+function selects(core: Parts, mux: TopicMux, entry: TopicEntry): boolean {
   if (mux.component !== undefined) {
     return core.selectionTable.get(mux.component)?.entries.has(entry) === true;
   }

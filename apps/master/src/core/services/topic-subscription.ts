@@ -1,37 +1,42 @@
 import { ServiceError, type TopicSubscription } from '@ubii/proto';
+import { JOINED } from '../access/roles.ts';
 import type { Core } from '../parts/core.ts';
-import type { Subscriber } from '../topics/topic-entry.ts';
-import type { TopicEntry } from '../topics/topic-entry.ts';
-import type { ServiceHandler } from './handler.ts';
+import type { Subscriber, TopicEntry } from '../topics/topic-entry.ts';
+import { definer, success } from './define-service.ts';
 import { requireElements } from './list-limits.ts';
-import { replayAfterReply } from './replay-after-reply.ts';
+import { replayAfterReply, type ReplayParts } from './replay-after-reply.ts';
 
 /** One subscription or unsubscription of a request; returns the topics whose retained record is owed. */
 type Step = () => readonly TopicEntry[] | void;
 
-/** `/services/topic_subscription` [SV-12] */
-export const subscribe: ServiceHandler = async (core, request, call) => {
-  const message = request.topicSubscription!;
-  const client = core.clients.require(message.clientId, 'topic_subscription.client_id');
-  const rateHz = rateOf(message);
-  const owed: TopicEntry[] = [];
-  try {
-    for (const step of stepsOf(core, message, client.subscriber, rateHz)) {
-      for (const entry of step() ?? []) owed.push(entry);
-      const pause = call.breathe();
-      if (pause !== undefined) await pause;
-      if (client.status === 'removed') break;
+type Parts = ReplayParts & Pick<Core, 'clients' | 'limitWatch'>;
+
+/** Subscribes and unsubscribes. [SV-12] */
+export const topicSubscription = definer<keyof Parts>()('topicSubscription', {
+  roles: JOINED,
+  subject: ({ clientId }) => clientId,
+  async handle(core, message, call) {
+    const client = core.clients.require(message.clientId, 'topic_subscription.client_id');
+    const rateHz = rateOf(message);
+    const owed: TopicEntry[] = [];
+    try {
+      for (const step of stepsOf(core, message, client.subscriber, rateHz)) {
+        for (const entry of step() ?? []) owed.push(entry);
+        const pause = call.breathe();
+        if (pause !== undefined) await pause;
+        if (client.status === 'removed') break;
+      }
+    } finally {
+      // What was subscribed before something failed stands, and is owed its records.
+      replayAfterReply(core, call, client, owed);
     }
-  } finally {
-    // What was subscribed before something failed stands, and is owed its records.
-    replayAfterReply(core, call, client, owed);
-  }
-  return { success: { title: 'Success', message: 'Successfully processed all subscriptions.' } };
-};
+    return success('Successfully processed all subscriptions.');
+  },
+});
 
 /** Everything the request asks for, in the order in which it is done. */
 function* stepsOf(
-  core: Core,
+  core: Parts,
   message: TopicSubscription,
   subscriber: Subscriber,
   rateHz: number,

@@ -1,22 +1,19 @@
+import { READERS } from '../access/roles.ts';
 import { readTopicStatistics } from '../topics/topic-statistics.ts';
-import type { ServiceHandler } from './handler.ts';
+import { definer } from './define-service.ts';
+import { topicSubscribers } from './topic-subscribers.ts';
+import { topicSubscription } from './topic-subscription.ts';
 
-/** `/services/ubii/topic_statistics` [EX-11] */
-export const topicStatistics: ServiceHandler = ({ topics, subscriptions, clock }, request) => {
-  const { cursor } = request.topicStatisticsRequest!;
-  return { topicStatistics: readTopicStatistics(topics, subscriptions, cursor, clock.nowMs()) };
-};
+const define = definer<'topics' | 'subscriptions' | 'clock'>();
 
-/**
- * `/services/topic_list` [SV-11]
- * @param serviceTopics The topics of the services that are answered.
- */
-export function listTopics(serviceTopics: readonly string[]): ServiceHandler {
-  return ({ topics }) => {
-    const elements = [...serviceTopics];
-    for (const { topic, record, isExtension } of topics.values()) {
-      if (record !== undefined && !isExtension) elements.push(topic);
-    }
-    return { stringList: { elements } };
-  };
-}
+/** Services on topics and subscriptions. */
+export const TOPIC_SERVICES = [
+  topicSubscription,
+  topicSubscribers,
+  // [EX-11]
+  define('topicStatistics', {
+    roles: READERS,
+    handle: ({ topics, subscriptions, clock }, { cursor }) =>
+      readTopicStatistics(topics, subscriptions, cursor, clock.nowMs()),
+  }),
+];

@@ -1,6 +1,4 @@
-import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
-import type { Core } from '../parts/core.ts';
 
 /** What belongs to one call, beside its request. */
 export interface ServiceCall {
@@ -17,13 +15,3 @@ export interface ServiceCall {
   /** To be called between pieces of long work, and awaited when it took long: gives others a turn. */
   breathe(): Promise<void> | undefined;
 }
-
-/**
- * Answers the requests of one service. The router has checked that a required payload is there.
- * @throws ServiceError when the request cannot be fulfilled.
- */
-export type ServiceHandler = (
-  core: Core,
-  request: ServiceRequest,
-  call: ServiceCall,
-) => Init<ServiceReply> | Promise<Init<ServiceReply>>;
