@@ -34,6 +34,7 @@ const noNode = {
     'prom-client',
     'qrcode',
     '@ubii/patterns/re2',
+    '@ubii/program',
   ],
   message: 'The core is pure: take a port in the constructor and implement it in src/adapters.',
 };
@@ -165,7 +166,7 @@ export default ts.config(
   },
   { files: ['packages/client-web/**'], rules: restrict(noApps, noVue, noModules) },
   {
-    files: ['packages/{discovery,patterns}/**'],
+    files: ['packages/{discovery,patterns,program}/**'],
     rules: restrict(noApps, noVue, noClient, noRuntimes, noModules),
   },
   { files: ['packages/pm-sandbox/**'], rules: restrict(noApps, noVue, noClient, noModules) },

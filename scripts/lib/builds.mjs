@@ -21,7 +21,7 @@ const everywhere = [
 const builds = {
   master: {
     output: 'apps/master/dist/main.js',
-    inputs: [...everywhere, 'packages/discovery', 'apps/master'],
+    inputs: [...everywhere, 'packages/discovery', 'packages/program', 'apps/master'],
     build: async () => expectSuccess(await runNode(inRoot('apps/master/build.mjs'), [])),
   },
   frontend: {
@@ -60,7 +60,13 @@ const builds = {
   },
   node: {
     output: 'apps/node/dist/main.js',
-    inputs: [...everywhere, 'packages/client-web', 'packages/discovery', 'apps/node'],
+    inputs: [
+      ...everywhere,
+      'packages/client-web',
+      'packages/discovery',
+      'packages/program',
+      'apps/node',
+    ],
     build: async () => expectSuccess(await runNode(inRoot('apps/node/build.mjs'), [])),
   },
 };

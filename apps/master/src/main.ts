@@ -1,9 +1,10 @@
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
-import { ConfigError } from './adapters/config/config-error.ts';
-import { formatHelp } from './adapters/config/format-help.ts';
-import { resolveConfig } from './adapters/config/resolve-config.ts';
+import { readVersion, runProgram, shutDownOnRequest } from '@ubii/program';
+
+import { MASTER_PROGRAM } from './adapters/config/config.ts';
+import { createConfig } from './adapters/config/resolve-config.ts';
 import { LinesAfter } from './adapters/log/lines-after.ts';
 import { StreamLog } from './adapters/log/stream-log.ts';
 import { FaultGuard } from './adapters/process/fault-guard.ts';
@@ -19,12 +20,8 @@ import type { RunningMaster } from './start-master.ts';
 
 /** Everything is closed by then, or the process ends without it. */
 const SHUTDOWN_DEADLINE_MS = 1_500;
-/** Ctrl-C reaches the master from the terminal and from the start script: the second is no impatience. */
-const SAME_SIGNAL_MS = 500;
 
-const { version } = JSON.parse(
-  readFileSync(new URL('../package.json', import.meta.url), 'utf8'),
-) as { version: string };
+const version = readVersion(import.meta.url);
 // From src as well as from dist.
 const frontendFolder = fileURLToPath(new URL('../../frontend/dist', import.meta.url));
 // Those that come with the program; the operator's are in the data directory.
@@ -34,24 +31,9 @@ const assetsFolders = ['packages/vision', 'demos/ubi-party'].map((folder) =>
 const workerFile = findBuilt('pm-worker.js');
 const decodeWorkerFile = findBuilt('decode-worker.js');
 
-try {
-  await run(process.argv.slice(2));
-} catch (error) {
-  if (!(error instanceof ConfigError)) throw error;
-  process.stderr.write(`${error.message}\n`);
-  process.exit(1);
-}
+await runProgram(MASTER_PROGRAM, (options) => run(createConfig(options)), version);
 
-async function run(args: readonly string[]): Promise<void> {
-  if (args.includes('--help') || args.includes('-h')) {
-    process.stdout.write(formatHelp());
-    return;
-  }
-  const config = resolveConfig(args, process.env, process.cwd());
-  if (config.version) {
-    process.stdout.write(`${version}\n`);
-    return;
-  }
+async function run(config: Config): Promise<void> {
   // The banner comes first on a terminal, then what was logged meanwhile.
   const lines = new LinesAfter((line) => process.stderr.write(`${line}\n`));
   const log = createLog(config, lines);
@@ -90,41 +72,23 @@ function createLog({ logLevel, logFormat, limits }: Config, lines: LinesAfter): 
 }
 
 function endInGoodOrder(master: RunningMaster, log: LogTail, config: Config): void {
-  let endingSince: number | undefined;
-  const end = (exitCode: number): void => {
-    if (endingSince !== undefined) {
-      if (performance.now() - endingSince > SAME_SIGNAL_MS) process.exit(1);
-      return;
-    }
-    endingSince = performance.now();
-    const farewell = formatFarewell(master.sessionsAtStop());
-    setTimeout(() => process.exit(exitCode), SHUTDOWN_DEADLINE_MS).unref();
-    master.close().then(
-      () => {
-        // For programs standard output is one line of JSON.
-        if (config.printEndpoints === 'json') process.exit(exitCode);
-        process.stdout.write(`${farewell}\n`, () => process.exit(exitCode));
-      },
-      (error: unknown) => {
-        log.error('closing failed', { reason: String(error) });
-        process.exit(1);
-      },
-    );
-  };
-  process.on('SIGINT', () => end(0));
-  process.on('SIGTERM', () => end(0));
-  process.on('SIGHUP', () => end(0));
-  // A program that started the master with a channel to it does not leave it behind.
-  process.on('disconnect', () => end(0));
-  process.channel?.unref();
+  const end = shutDownOnRequest({
+    deadlineMs: SHUTDOWN_DEADLINE_MS,
+    async close() {
+      const farewell = formatFarewell(master.sessionsAtStop());
+      await master.close();
+      // For programs standard output is one line of JSON.
+      if (config.printEndpoints === 'json') return;
+      await new Promise((done) => process.stdout.write(`${farewell}\n`, done));
+    },
+    onError: (error) => log.error('closing failed', { reason: String(error) }),
+  });
 
   const faults = new FaultGuard(log, () => end(1));
   process.on('uncaughtException', (error) => faults.handle('uncaught error', error, Date.now()));
   process.on('unhandledRejection', (error) =>
     faults.handle('unhandled rejection', error, Date.now()),
   );
-  // A closed pipe (`npm start | head`) is no reason to end.
-  for (const stream of [process.stdout, process.stderr]) stream.on('error', () => {});
 }
 
 async function present(master: RunningMaster, config: Config): Promise<void> {

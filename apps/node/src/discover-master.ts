@@ -1,7 +1,7 @@
+import { ConfigError } from '@ubii/program';
 import { findMasters, ownAddresses } from '@ubii/discovery';
 import type { FindOptions, FoundMaster } from '@ubii/discovery';
 import type { Log } from './log.ts';
-import { ConfigError } from './read-config.ts';
 
 /** Time for further masters to answer after the first one, milliseconds. */
 const OTHERS_MS = 1_500;

@@ -1,6 +1,6 @@
 import type { Identity, IdentityStorage } from '@ubii/client-web/node';
+import { userStateFolder, type Environment } from '@ubii/program';
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
-import { homedir } from 'node:os';
 import { dirname, join } from 'node:path';
 
 interface Kept {
@@ -51,12 +51,10 @@ export function createIdentityFile(
 export function defaultIdentityFile(
   master: string,
   name: string,
-  env: Readonly<Record<string, string | undefined>> = process.env,
+  env: Environment = process.env,
 ): string {
-  // XDG Base Directory Specification; an unset or empty variable means ~/.local/state.
-  const state = env['XDG_STATE_HOME'] || join(homedir(), '.local', 'state');
   const file = encodeURIComponent(`${name} at ${new URL(master).host}`);
-  return join(state, 'ubi-interact', 'nodes', `${file}.json`);
+  return join(userStateFolder(env), 'nodes', `${file}.json`);
 }
 
 function read(path: string): Kept | undefined {

@@ -1,5 +1,4 @@
-import { LOG_LEVELS } from './options.ts';
-import type { LogLevel } from './options.ts';
+import { isLogged, type LogLevel } from '@ubii/program';
 
 /** Logs one line. */
 export type Log = (level: LogLevel, message: string) => void;
@@ -7,7 +6,7 @@ export type Log = (level: LogLevel, message: string) => void;
 /** @param write takes one line, without the line break */
 export function createLog(least: LogLevel, write: (line: string) => void, nowMs = Date.now): Log {
   return (level, message) => {
-    if (LOG_LEVELS.indexOf(level) > LOG_LEVELS.indexOf(least)) return;
+    if (!isLogged(level, least)) return;
     const time = new Date(nowMs()).toISOString().slice(11, 19);
     write(`${time} ${level.padEnd(5)} ${printable(message)}`);
   };

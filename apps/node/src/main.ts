@@ -1,9 +1,10 @@
-import { readFileSync } from 'node:fs';
+import { readVersion, runProgram, shutDownOnRequest } from '@ubii/program';
 import { discoverMaster } from './discover-master.ts';
-import { formatHelp } from './format-help.ts';
 import { createLog } from './log.ts';
 import type { Log } from './log.ts';
-import { ConfigError, readConfig } from './read-config.ts';
+import { NODE_PROGRAM } from './options.ts';
+import type { Config } from './options.ts';
+import { checkConfig } from './read-config.ts';
 import { openSandboxes } from './sandboxes.ts';
 import { startNode } from './start-node.ts';
 import type { RunningNode } from './start-node.ts';
@@ -11,27 +12,14 @@ import { readTokenFile } from './token-file.ts';
 
 /** The process exits after this time, even if closing has not finished. */
 const SHUTDOWN_DEADLINE_MS = 1_900;
-/** Ignore the duplicate Ctrl-C that npm sends. */
-const SAME_SIGNAL_MS = 500;
 
-try {
-  await run(process.argv.slice(2));
-} catch (error) {
-  if (!(error instanceof ConfigError)) throw error;
-  process.stderr.write(`${error.message}\n`);
-  process.exit(1);
-}
+await runProgram(
+  NODE_PROGRAM,
+  (options) => run(checkConfig(options)),
+  readVersion(import.meta.url),
+);
 
-async function run(args: readonly string[]): Promise<void> {
-  if (args.includes('--help')) {
-    process.stdout.write(formatHelp());
-    return;
-  }
-  const options = readConfig(args, process.env, process.cwd());
-  if (options.version) {
-    process.stdout.write(`${readVersion()}\n`);
-    return;
-  }
+async function run(options: Config): Promise<void> {
   const log = createLog(options.logLevel, (line) => process.stderr.write(`${line}\n`));
   const join = options.tokenFile === undefined ? options.join : readTokenFile(options.tokenFile);
   const found = options.discover ? { master: await discover(log) } : {};
@@ -66,28 +54,11 @@ function printWhenConnected({ client }: RunningNode, master: string): void {
 }
 
 function shutDownOnSignal(close: () => Promise<void>, log: Log): void {
-  let endingSince: number | undefined;
-  const end = (exitCode: number): void => {
-    if (endingSince !== undefined) {
-      if (performance.now() - endingSince > SAME_SIGNAL_MS) process.exit(1);
-      return;
-    }
-    endingSince = performance.now();
-    setTimeout(() => process.exit(exitCode), SHUTDOWN_DEADLINE_MS).unref();
-    close().then(
-      () => process.exit(exitCode),
-      (error: unknown) => {
-        log('error', `Shutdown failed: ${String(error)}`);
-        process.exit(1);
-      },
-    );
-  };
-  process.on('SIGINT', () => end(0));
-  process.on('SIGTERM', () => end(0));
-  process.on('SIGHUP', () => end(0));
-  // The parent process has ended.
-  process.on('disconnect', () => end(0));
-  process.channel?.unref();
+  const end = shutDownOnRequest({
+    close,
+    deadlineMs: SHUTDOWN_DEADLINE_MS,
+    onError: (error) => log('error', `Shutdown failed: ${String(error)}`),
+  });
   // An error of this program must not stop the modules that it runs.
   process.on('unhandledRejection', (error) =>
     log('error', `Unhandled rejection: ${describe(error)}`),
@@ -96,13 +67,6 @@ function shutDownOnSignal(close: () => Promise<void>, log: Log): void {
     log('error', `Uncaught exception: ${describe(error)}`);
     end(1);
   });
-  // Continue when a pipe is closed (`npm run node | head`).
-  for (const stream of [process.stdout, process.stderr]) stream.on('error', () => {});
-}
-
-function readVersion(): string {
-  const file = new URL('../package.json', import.meta.url);
-  return (JSON.parse(readFileSync(file, 'utf8')) as { version: string }).version;
 }
 
 function describe(error: unknown): string {

@@ -1,30 +1,21 @@
 import { hostname } from 'node:os';
-import { resolve } from 'node:path';
-
-/** One option of the program. */
-interface Option<T> {
-  /** Placeholder of the value in the help; `undefined` for a switch without a value. */
-  readonly placeholder: string | undefined;
-  readonly fallback: T;
-  /** Shown in the help instead of the fallback. */
-  readonly fallbackText?: string;
-  /** What it does, with its unit. */
-  readonly description: string;
-  /** @throws Error whose message is the expected value, to follow "must be" */
-  parse(text: string, baseDir: string): T;
-}
-
-function option<T>(entry: Option<T>): Option<T> {
-  return entry;
-}
+import {
+  HELP_OPTIONS,
+  logLevelOption,
+  option,
+  parseChoice,
+  parseFetchOrigins,
+  parseName,
+  parsePath,
+  parseSwitch,
+  parseWholeNumber,
+} from '@ubii/program';
+import type { OptionValues, ProgramOptions } from '@ubii/program';
 
 /** Room for a few modules. */
 const LEAST_MEGABYTES = 8;
 
-/**
- * Every option. Flag and environment variable are made from the name: `allowFetch` is `--allow-fetch`
- * and `UBII_NODE_ALLOW_FETCH`. A flag wins over the environment.
- */
+/** Every option. */
 export const OPTIONS = {
   master: option({
     placeholder: '<url>',
@@ -45,6 +36,7 @@ export const OPTIONS = {
     fallbackText: 'none',
     description:
       'Token or code to join with, when the master runs on another machine. Needed once: the node stores its identity.',
+    isSecret: true,
     parse: parseJoin,
   }),
   tokenFile: option<string | undefined>({
@@ -53,7 +45,7 @@ export const OPTIONS = {
     fallbackText: 'none',
     description:
       'File with the token to join with, so that the list of processes does not show it. The file admin-token in the data directory of a local master makes this node an admin.',
-    parse: (text, baseDir) => resolve(baseDir, text),
+    parse: parsePath,
   }),
   modules: option<string | undefined>({
     placeholder: '<folder>',
@@ -61,7 +53,7 @@ export const OPTIONS = {
     fallbackText: 'none',
     description:
       'Folder with modules of your own, as .pm, .js and .mjs files. Their code is trusted. Changes apply at once.',
-    parse: (text, baseDir) => resolve(baseDir, text),
+    parse: parsePath,
   }),
   name: option({
     placeholder: '<text>',
@@ -75,7 +67,7 @@ export const OPTIONS = {
     fallbackText: 'none',
     description:
       'Origins that modules may read from with the library http, such as https://example.org,http://sensor.local:8000.',
-    parse: parseOrigins,
+    parse: parseFetchOrigins,
   }),
   noAcceptWork: option({
     placeholder: undefined,
@@ -90,7 +82,7 @@ export const OPTIONS = {
     fallbackText: 'none',
     description:
       'Number of modules this node should run at once. The master uses it to choose a node.',
-    parse: parseCount,
+    parse: parseWholeNumber(0, 99_999),
   }),
   memory: option({
     placeholder: '<MiB>',
@@ -106,7 +98,7 @@ export const OPTIONS = {
     fallbackText: 'a file in the home directory, one for each name and master',
     description:
       'File with the identity of this node, so that its next run is the same client. off: each run is a new client.',
-    parse: (text, baseDir) => (text === 'off' ? 'off' : resolve(baseDir, text)),
+    parse: (text, baseDir) => (text === 'off' ? 'off' : parsePath(text, baseDir)),
   }),
   printEndpoints: option<'json' | undefined>({
     placeholder: 'json',
@@ -114,42 +106,26 @@ export const OPTIONS = {
     fallbackText: 'off',
     description:
       'When connected for the first time, write one line of JSON with id, name, master and pid to standard output.',
-    parse: parseJson,
+    parse: parseChoice('json'),
   }),
-  logLevel: option<LogLevel>({
-    placeholder: 'error|warn|info|debug',
-    fallback: 'info',
-    description: 'The least severe messages to log.',
-    parse: parseLevel,
-  }),
-  help: option({
-    placeholder: undefined,
-    fallback: false,
-    description: 'Show this help and exit.',
-    parse: parseSwitch,
-  }),
-  version: option({
-    placeholder: undefined,
-    fallback: false,
-    description: 'Show the version and exit.',
-    parse: parseSwitch,
-  }),
+  logLevel: logLevelOption,
+  ...HELP_OPTIONS,
 } as const;
 
-export type OptionName = keyof typeof OPTIONS;
-
-/** From most to least severe. */
-export const LOG_LEVELS = ['error', 'warn', 'info', 'debug'] as const;
-
-export type LogLevel = (typeof LOG_LEVELS)[number];
-
 /** The values of all options. */
-export type Config = {
-  readonly [O in OptionName]: (typeof OPTIONS)[O] extends Option<infer T> ? T : never;
-};
+export type Config = OptionValues<typeof OPTIONS>;
 
-/** The options with a common type, to iterate over them. */
-export const ALL_OPTIONS: Readonly<Record<OptionName, Option<unknown>>> = OPTIONS;
+/** The options and where they are read from. */
+export const NODE_PROGRAM: ProgramOptions<typeof OPTIONS> = {
+  options: OPTIONS,
+  environmentPrefix: 'UBII_NODE_',
+  about: `Ubi-Interact node: runs processing modules of the sessions of a master.
+
+  npm run node -- [flags]
+
+Each option is a flag and an environment variable. When both are set, the flag applies.
+`,
+};
 
 /** Returns the token or code. Also accepts the link of a QR code. */
 export function parseJoin(text: string): string {
@@ -168,54 +144,9 @@ function parseUrl(text: string): string {
   return url.origin;
 }
 
-function parseName(text: string): string {
-  const name = text.trim();
-  // eslint-disable-next-line no-control-regex -- names are lines that are drawn and logged
-  if (name === '' || name.length > 100 || /[\u0000-\u001f\u007f]/.test(name)) {
-    throw new Error('1 to 100 characters, without control characters');
-  }
-  return name;
-}
-
-function parseOrigins(text: string): readonly string[] {
-  const origins = text
-    .split(',')
-    .map((origin) => origin.trim())
-    .filter((origin) => origin !== '');
-  for (const origin of origins) {
-    const url = URL.canParse(origin) ? new URL(origin) : undefined;
-    if (url === undefined || !/^https?:$/.test(url.protocol) || url.pathname !== '/') {
-      throw new Error('origins separated by commas, such as https://example.org');
-    }
-  }
-  return origins.map((origin) => new URL(origin).origin);
-}
-
-function parseSwitch(text: string): boolean {
-  if (/^(1|true|on|yes)$/i.test(text)) return true;
-  if (/^(0|false|off|no|)$/i.test(text)) return false;
-  throw new Error('true or false');
-}
-
-function parseCount(text: string): number {
-  if (!/^\d{1,5}$/.test(text)) throw new Error('a whole number');
-  return Number(text);
-}
-
 /** @returns bytes */
 function parseMegabytes(text: string): number {
   const megabytes = /^\d{1,6}$/.test(text) ? Number(text) : 0;
   if (megabytes < LEAST_MEGABYTES) throw new Error(`a whole number of MiB from ${LEAST_MEGABYTES}`);
   return megabytes * 1024 * 1024;
-}
-
-function parseJson(text: string): 'json' {
-  if (text === 'json') return 'json';
-  throw new Error('json');
-}
-
-function parseLevel(text: string): LogLevel {
-  const level = LOG_LEVELS.find((candidate) => candidate === text.toLowerCase());
-  if (level === undefined) throw new Error('error, warn, info or debug');
-  return level;
 }

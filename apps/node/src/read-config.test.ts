@@ -1,8 +1,7 @@
+import { ConfigError, flagName, formatHelp } from '@ubii/program';
 import { describe, expect, it } from 'vitest';
-import { formatHelp } from './format-help.ts';
-import { ALL_OPTIONS } from './options.ts';
-import { ConfigError, flagName, readConfig } from './read-config.ts';
-import type { OptionName } from './options.ts';
+import { NODE_PROGRAM, OPTIONS } from './options.ts';
+import { readConfig } from './read-config.ts';
 
 const read = (args: string[], env = {}) => readConfig(args, env, '/home/ada');
 
@@ -49,8 +48,8 @@ describe('the configuration', () => {
   });
 
   it('lists every option in the help', () => {
-    const help = formatHelp();
-    for (const name of Object.keys(ALL_OPTIONS) as OptionName[]) {
+    const help = formatHelp(NODE_PROGRAM);
+    for (const name of Object.keys(OPTIONS)) {
       expect(help).toContain(`  ${flagName(name)}`);
     }
     for (const line of help.split('\n')) expect(line.length).toBeLessThanOrEqual(96);

@@ -1,3 +1,5 @@
+import { ConfigError } from '@ubii/program';
+import type { LogLevel } from '@ubii/program';
 import { createClient } from '@ubii/client-web/node';
 import type { ConnectionError, ConnectionState, UbiiClient } from '@ubii/client-web/node';
 import { createProcessingNode } from '@ubii/client-web/processing';
@@ -12,8 +14,7 @@ import { ModuleEventKind } from '@ubii/proto';
 import type { ModuleEvent, ProcessingModule } from '@ubii/proto';
 import { createIdentityFile, defaultIdentityFile } from './identity-file.ts';
 import type { Log } from './log.ts';
-import type { Config, LogLevel } from './options.ts';
-import { ConfigError } from './read-config.ts';
+import type { Config } from './options.ts';
 
 /** Time for each step of the shutdown, milliseconds. With the exit of the process, it takes 2 s at most. */
 const STOP_TIMEOUT_MS = 800;

@@ -1,6 +1,6 @@
+import { ConfigError } from '@ubii/program';
 import { readFileSync } from 'node:fs';
 import { parseJoin } from './options.ts';
-import { ConfigError } from './read-config.ts';
 
 /**
  * Reads a token from a file, such as `admin-token` in the data directory of a master [AC-44].

@@ -1,3 +1,4 @@
+import { ConfigError } from '@ubii/program';
 import { execFileSync, spawn } from 'node:child_process';
 import { createSocket } from 'node:dgram';
 import { mkdtempSync, rmSync } from 'node:fs';
@@ -6,7 +7,6 @@ import { join } from 'node:path';
 import { announceMaster } from '@ubii/discovery';
 import { describe, expect, it, onTestFinished } from 'vitest';
 import { discoverMaster } from '../src/discover-master.ts';
-import { ConfigError } from '../src/read-config.ts';
 import { masterProgram, nodeProgram } from './build-programs.ts';
 
 const TIMEOUT_MS = 60_000;

@@ -1,13 +1,11 @@
 import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { ConfigError, environmentName, flagName, formatHelp } from '@ubii/program';
 import { describe, expect, it } from 'vitest';
 
-import { ConfigError } from './config-error.ts';
-import { formatHelp } from './format-help.ts';
-import { environmentName, flagName } from './option-names.ts';
 import { resolveConfig } from './resolve-config.ts';
-import { OPTIONS } from './config.ts';
+import { MASTER_PROGRAM, OPTIONS } from './config.ts';
 import type { OptionName } from './config.ts';
 
 const names = Object.keys(OPTIONS) as OptionName[];
@@ -53,14 +51,14 @@ describe('options', () => {
 
   it('are named alike as flag, variable and key', () => {
     expect(flagName('dataDir')).toBe('--data-dir');
-    expect(environmentName('legacyPorts')).toBe('UBII_LEGACY_PORTS');
+    expect(environmentName('UBII_', 'legacyPorts')).toBe('UBII_LEGACY_PORTS');
   });
 
   it('are all in the help, with flag, variable and key', () => {
-    const help = formatHelp();
+    const help = formatHelp(MASTER_PROGRAM);
     for (const name of names) {
       expect(help).toContain(flagName(name));
-      expect(help).toContain(environmentName(name));
+      expect(help).toContain(environmentName('UBII_', name));
       expect(help).toContain(`"${name}"`);
     }
   });

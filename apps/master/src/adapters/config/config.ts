@@ -1,58 +1,39 @@
 import { hostname } from 'node:os';
-
-import { defaultDataDir } from './default-data-dir.ts';
-import { ORIGINAL_PORTS, type LegacyPorts } from './legacy-ports.ts';
 import {
+  HELP_OPTIONS,
+  logLevelOption,
+  option,
   parseChoice,
   parseFetchOrigins,
-  parseFilePath,
+  parseName,
+  parseNumber,
+  parsePath,
+  parseSwitch,
+  userDataFolder,
+} from '@ubii/program';
+import type { OptionValues, ProgramOptions } from '@ubii/program';
+
+import { ORIGINAL_PORTS, type LegacyPorts } from './legacy-ports.ts';
+import {
   parseHost,
   parseLegacyPorts,
   parseLimits,
   parseMirror,
-  parseName,
   parseNetworks,
   parseOrigins,
-  parsePercent,
   parsePort,
-  parseSwitch,
 } from './parse-values.ts';
 
 import { DEFAULT_CHECKS, type CheckSettings } from '../../core/checks/check-settings.ts';
 import type { Limits } from '../../core/limits/index.ts';
 
-/** One option of the master. */
-export interface Option<T> {
-  /** What follows the flag in the help; undefined for a switch that needs no value. */
-  readonly placeholder: string | undefined;
-  /** Default value. */
-  readonly fallback: T;
-  /** What the help says about the fallback, where the value itself would say little. */
-  readonly fallbackText?: string;
-  /** What it does, with its unit. */
-  readonly description: string;
-  /**
-   * @param text as given on the command line, in the environment or in the file
-   * @param baseDir folder that relative paths are relative to
-   * @throws Error whose message is what was expected, to follow "must be"
-   */
-  parse(text: string, baseDir: string): T;
-}
-
-function option<T>(entry: Option<T>): Option<T> {
-  return entry;
-}
-
-/**
- * Every option. The flag, the environment variable and the key in the config file are made from the
- * name: `dataDir` is `--data-dir`, `UBII_DATA_DIR` and `"dataDir"`. A flag wins over the environment,
- * the environment over the file, the file over the fallback.
- */
+/** Every option. */
 export const OPTIONS = {
   port: option({
     placeholder: '<number>',
     fallback: 8080,
     description: 'Port of the frontend, the services and the topic data; 0 takes any free port.',
+    hint: 'Use --port 8080, or --port 0 for any free port',
     parse: parsePort,
   }),
   host: option({
@@ -61,6 +42,7 @@ export const OPTIONS = {
     fallbackText: 'localhost with --lan off',
     description:
       'Name or address to listen on instead of all networks: localhost accepts programs of this machine only.',
+    hint: 'Use --host 127.0.0.1, or --lan for all networks',
     parse: parseHost,
   }),
   lan: option({
@@ -114,14 +96,15 @@ export const OPTIONS = {
     fallback: undefined,
     fallbackText: 'its own',
     description: 'Certificate for HTTPS from another authority, with its chain, as PEM.',
-    parse: parseFilePath,
+    parse: parsePath,
   }),
   tlsKey: option<string | undefined>({
     placeholder: '<file>',
     fallback: undefined,
     fallbackText: 'its own',
     description: 'Private key of that certificate, as PEM.',
-    parse: parseFilePath,
+    isSecret: true,
+    parse: parsePath,
   }),
   mdns: option<'on' | 'off'>({
     placeholder: 'on|off',
@@ -132,10 +115,10 @@ export const OPTIONS = {
   }),
   dataDir: option({
     placeholder: '<folder>',
-    fallback: defaultDataDir(),
+    fallback: userDataFolder(),
     description:
       'Folder for the data that the master keeps between runs. Created when it is missing.',
-    parse: parseFilePath,
+    parse: parsePath,
   }),
   modules: option<string | undefined>({
     placeholder: '<folder>',
@@ -143,7 +126,7 @@ export const OPTIONS = {
     fallbackText: 'none',
     description:
       'Folder of trusted processing modules (.pm, .js): they run at full speed, with libraries.',
-    parse: parseFilePath,
+    parse: parsePath,
   }),
   allowFetch: option<readonly string[]>({
     placeholder: '<origin>,...',
@@ -166,13 +149,14 @@ export const OPTIONS = {
     fallback: undefined,
     fallbackText: 'none',
     description: 'JSON file with options: { "port": 9000, "lan": false }.',
-    parse: parseFilePath,
+    parse: parsePath,
   }),
   legacyPorts: option<LegacyPorts | undefined>({
     placeholder: 'on|off|<services>,<topic data>',
     fallback: ORIGINAL_PORTS,
     fallbackText: 'on: 8102,8104',
     description: 'Ports that existing clients use. By default, a port that is in use is left out.',
+    hint: 'Use --legacy-ports off to disable them',
     parse: parseLegacyPorts,
   }),
   allowedOrigins: option<readonly string[]>({
@@ -181,6 +165,7 @@ export const OPTIONS = {
     fallbackText: 'none',
     description:
       'Web pages of other origins that may call the services, besides those of this machine and, with --lan, of private addresses: https://example.org, https://*.example.org, http://example.org:*, or * for all. Those named, and not *, need not join when this machine shows them over HTTPS, or by an address.',
+    hint: 'Use * to allow every page',
     parse: parseOrigins,
   }),
   name: option({
@@ -208,14 +193,14 @@ export const OPTIONS = {
     placeholder: '<percent>',
     fallback: DEFAULT_CHECKS.busyPercent,
     description: 'Share of the time, in percent, above which the master counts as busy.',
-    parse: parsePercent,
+    parse: parseNumber(1, 100),
   }),
   publisherPercent: option({
     placeholder: '<percent>',
     fallback: DEFAULT_CHECKS.publisherPercent,
     description:
       "Share of the master's time, in percent, that the records of one client may take before it counts as noisy.",
-    parse: parsePercent,
+    parse: parseNumber(1, 100),
   }),
   limits: option<Partial<Limits>>({
     placeholder: '<name>=<number>,...',
@@ -225,12 +210,7 @@ export const OPTIONS = {
       'Limits that differ from the defaults: clients=20000,topics=500000. Settings, Limits in the frontend lists all limits with units and reasons.',
     parse: parseLimits,
   }),
-  logLevel: option<'error' | 'warn' | 'info' | 'debug'>({
-    placeholder: 'error|warn|info|debug',
-    fallback: 'info',
-    description: 'The least severe messages to log.',
-    parse: parseChoice('error', 'warn', 'info', 'debug'),
-  }),
+  logLevel: logLevelOption,
   logFormat: option<'auto' | 'text' | 'json'>({
     placeholder: 'auto|text|json',
     fallback: 'auto',
@@ -238,26 +218,27 @@ export const OPTIONS = {
       'Format of the log on standard error; auto is text on a terminal and JSON lines otherwise.',
     parse: parseChoice('auto', 'text', 'json'),
   }),
-  help: option({
-    placeholder: undefined,
-    fallback: false,
-    description: 'Show this help and exit.',
-    parse: parseSwitch,
-  }),
-  version: option({
-    placeholder: undefined,
-    fallback: false,
-    description: 'Show the version and exit.',
-    parse: parseSwitch,
-  }),
+  ...HELP_OPTIONS,
 } as const;
 
 export type OptionName = keyof typeof OPTIONS;
 
 /** The values the master runs with. */
-export type Config = {
-  readonly [O in OptionName]: (typeof OPTIONS)[O] extends Option<infer T> ? T : never;
-} & {
+export type Config = OptionValues<typeof OPTIONS> & {
   /** Options that are set in any place. Only options that are not set may change at startup. */
   readonly given: ReadonlySet<OptionName>;
+};
+
+/** The options and where they are read from. */
+export const MASTER_PROGRAM: ProgramOptions<typeof OPTIONS> = {
+  options: OPTIONS,
+  environmentPrefix: 'UBII_',
+  fileOption: 'config',
+  about: `Ubi-Interact master: the frontend, the services and the topic data on one port.
+
+  npm start -- [flags]
+
+Each option is a flag, an environment variable and a key of the config file; the first of
+them that is set applies.
+`,
 };

@@ -1,15 +1,13 @@
 import { arch, platform } from 'node:os';
 import { sep } from 'node:path';
+import { flagName, type Option } from '@ubii/program';
 import type { Init, Setting, SettingList } from '@ubii/proto';
 
 import { OPTIONS, type Config, type OptionName } from './config.ts';
 import type { LegacyPorts } from './legacy-ports.ts';
-import { flagName } from './option-names.ts';
 
 /** What the program does in place of running. */
 const NO_SETTINGS: ReadonlySet<OptionName> = new Set(['help', 'version']);
-/** Paths of keys are not shown. */
-const SECRET: ReadonlySet<OptionName> = new Set(['tlsKey']);
 
 /**
  * The options in force, for people who see how a master is set up from elsewhere [EX-50].
@@ -20,11 +18,16 @@ export function describeConfig(config: Config, home: string): Init<SettingList> 
   const names = (Object.keys(OPTIONS) as OptionName[]).filter((name) => !NO_SETTINGS.has(name));
   const elements = names.map((name): Init<Setting> => ({
     flag: flagName(name),
-    value: SECRET.has(name) && config[name] !== undefined ? 'given' : textOf(config, name, home),
+    value: isSecret(name) && config[name] !== undefined ? 'given' : textOf(config, name, home),
     description: OPTIONS[name].description,
     given: config.given.has(name),
   }));
   return { elements, runtime: `Node.js ${process.version}, ${platform()} ${arch()}` };
+}
+
+function isSecret(name: OptionName): boolean {
+  const { isSecret = false }: Option<unknown> = OPTIONS[name];
+  return isSecret;
 }
 
 function textOf(config: Config, name: OptionName, home: string): string {

@@ -1,6 +1,6 @@
 import { accessSync, constants, mkdirSync } from 'node:fs';
 
-import { ConfigError } from './config-error.ts';
+import { ConfigError } from '@ubii/program';
 
 /**
  * Makes the data directory when it is missing, for its owner only: it holds secrets.

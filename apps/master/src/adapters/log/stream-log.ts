@@ -1,9 +1,5 @@
+import { isLogged, type LogLevel } from '@ubii/program';
 import type { Log, LogFields } from '../../core/ports/index.ts';
-
-/** From most to least severe. */
-export const LOG_LEVELS = ['error', 'warn', 'info', 'debug'] as const;
-
-export type LogLevel = (typeof LOG_LEVELS)[number];
 
 export interface LogOptions {
   /** The least severe level that is written. */
@@ -47,7 +43,7 @@ export class StreamLog implements Log {
 
   #line(level: LogLevel, message: string, fields: LogFields | undefined): void {
     const { level: least, format, write, nowMs } = this.#options;
-    if (LOG_LEVELS.indexOf(level) > LOG_LEVELS.indexOf(least)) return;
+    if (!isLogged(level, least)) return;
     const time = new Date(nowMs()).toISOString();
     const all = { ...this.#fields, ...fields };
     write(

@@ -1,8 +1,9 @@
 import { join } from 'node:path';
 import { AssetFolders } from '@ubii/pm-sandbox/node';
+import { asksForHelp, formatHelp, readOptions, type Environment } from '@ubii/program';
 import { AssetSetState } from '@ubii/proto';
+import { MASTER_PROGRAM, OPTIONS } from '../config/config.ts';
 import { prepareDataDir } from '../config/prepare-data-dir.ts';
-import { resolveConfig } from '../config/resolve-config.ts';
 import { modelAddress, modelBytes, type KnownModel } from './catalogue.ts';
 import { assetSetNames, describeAssetSet } from './describe-asset-set.ts';
 import { DownloadError } from './download-error.ts';
@@ -20,24 +21,26 @@ const STATE_WORDS: Readonly<Record<AssetSetState, string>> = {
   [AssetSetState.ASSET_SET_STATE_DAMAGED]: 'damaged',
 };
 
-const HELP = `Ubi-Interact models: downloads models for modules into the data directory of a master.
+const { dataDir, modelMirror, config } = OPTIONS;
+const HELP = formatHelp({
+  ...MASTER_PROGRAM,
+  options: { dataDir, modelMirror, config },
+  fileOption: 'config',
+  about: `Ubi-Interact models: downloads models for modules into the data directory of a master.
 
   npm run models                        lists models, and which are installed
   npm run models -- get <name>          downloads a model and verifies it
 
-  --data-dir <folder>      as the master has it
-  --model-mirror <url>     where models are downloaded from instead of their publishers
-  --config <file>          as the master has it
-
-A master that runs need not be restarted.
-`;
+Options are those of the master, from the same places. A running master need not be restarted.
+`,
+});
 
 /** What the program has around it. */
 export interface ModelProgram {
   readonly models: readonly KnownModel[];
   /** Asset sets that come with the program. */
   readonly assetsFolder: string;
-  readonly env: Readonly<Record<string, string | undefined>>;
+  readonly env: Environment;
   readonly cwd: string;
   /** Ends a download. */
   readonly signal: AbortSignal;
@@ -54,14 +57,13 @@ export interface ModelProgram {
  * @throws ConfigError for wrong flags
  */
 export async function runModels(args: readonly string[], program: ModelProgram): Promise<number> {
-  const firstFlag = args.findIndex((arg) => arg.startsWith('-'));
-  const words = firstFlag === -1 ? args : args.slice(0, firstFlag);
-  const flags = args.slice(words.length);
-  if (flags.includes('--help') || flags.includes('-h')) {
+  if (asksForHelp(args)) {
     program.write(HELP);
     return 0;
   }
-  const { dataDir, modelMirror } = resolveConfig(flags, program.env, program.cwd);
+  const models = { ...MASTER_PROGRAM, takesWords: true };
+  const { values, words } = readOptions(models, args, program.env, program.cwd);
+  const { dataDir, modelMirror } = values;
   const [command = 'list', name, ...more] = words;
   if (command === 'list' && name === undefined) return list(dataDir, modelMirror, program);
   if (command === 'get' && name !== undefined && more.length === 0) {

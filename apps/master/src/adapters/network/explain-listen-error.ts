@@ -1,4 +1,4 @@
-import { ConfigError } from '../config/config-error.ts';
+import { ConfigError } from '@ubii/program';
 
 /**
  * One sentence for a port that could not be had.

@@ -2,7 +2,7 @@ import { watchModuleFolder, type FolderWatch } from '@ubii/pm-sandbox/folder';
 import { ModuleOrigin, type ProcessingModule } from '@ubii/proto';
 
 import type { Log } from '../../core/ports/index.ts';
-import { ConfigError } from '../config/config-error.ts';
+import { ConfigError } from '@ubii/program';
 
 type LoadedFolder = FolderWatch['loaded'];
 

@@ -1,7 +1,7 @@
 import { mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 
-import { ConfigError } from '../config/config-error.ts';
+import { ConfigError } from '@ubii/program';
 import type { Issued } from './issue-certificates.ts';
 
 /** Where a certificate and its key are kept. */

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 
-import { ConfigError } from '../config/config-error.ts';
+import { ConfigError } from '@ubii/program';
 import { Certificates } from './certificates.ts';
 import type { CertificatesOptions } from './certificates.ts';
 

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { createSecureContext } from 'node:tls';
 
 import type { Log } from '../../core/ports/index.ts';
-import { ConfigError } from '../config/config-error.ts';
+import { ConfigError } from '@ubii/program';
 import { isIpAddress } from '../addresses/address-kinds.ts';
 import { readCertificate, writeCertificate } from './certificate-files.ts';
 import type { CertificateFiles } from './certificate-files.ts';

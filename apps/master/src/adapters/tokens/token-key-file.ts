@@ -2,7 +2,7 @@ import { randomBytes } from 'node:crypto';
 import { linkSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { ConfigError } from '../config/config-error.ts';
+import { ConfigError } from '@ubii/program';
 
 const FILE_NAME = 'resume-token.key';
 const KEY_BYTES = 32;
