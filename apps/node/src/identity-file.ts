@@ -1,7 +1,8 @@
 import type { Identity, IdentityStorage } from '@ubii/client-web/node';
-import { userStateFolder, type Environment } from '@ubii/program';
-import { mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { isProcessRunning, SECRET_MODE, userStateFolder, writeAtomicallySync } from '@ubii/program';
+import type { Environment } from '@ubii/program';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 
 interface Kept {
   readonly clientId: string;
@@ -40,9 +41,7 @@ export function createIdentityFile(
         ...(identity.credential === undefined ? {} : { credential: identity.credential }),
         pid: process.pid,
       };
-      mkdirSync(dirname(path), { recursive: true });
-      writeFileSync(`${path}.new`, JSON.stringify(kept), { mode: 0o600 });
-      renameSync(`${path}.new`, path);
+      writeAtomicallySync(path, JSON.stringify(kept), SECRET_MODE);
     },
   };
 }
@@ -64,14 +63,5 @@ function read(path: string): Kept | undefined {
     return kept as Kept;
   } catch {
     return undefined; // missing or invalid
-  }
-}
-
-function isProcessRunning(pid: number): boolean {
-  try {
-    process.kill(pid, 0);
-    return true;
-  } catch (error) {
-    return (error as NodeJS.ErrnoException).code === 'EPERM';
   }
 }

@@ -1,3 +1,9 @@
+export {
+  createAtomicallySync,
+  SECRET_MODE,
+  writeAtomically,
+  writeAtomicallySync,
+} from './atomic-files.ts';
 export { ConfigError } from './config-error.ts';
 export { formatHelp } from './format-help.ts';
 export { isLogged, type LogLevel } from './log-levels.ts';
@@ -16,5 +22,5 @@ export {
 export { HELP_OPTIONS, logLevelOption } from './program-options.ts';
 export { readOptions, type Environment, type ReadOptions } from './read-options.ts';
 export { asksForHelp, exitOnConfigError, readVersion, runProgram } from './run-program.ts';
-export { onStopRequest, shutDownOnRequest, type Shutdown } from './stopping.ts';
+export { isProcessRunning, onStopRequest, shutDownOnRequest, type Shutdown } from './stopping.ts';
 export { userDataFolder, userStateFolder } from './user-folders.ts';

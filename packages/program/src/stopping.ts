@@ -51,3 +51,13 @@ export function shutDownOnRequest({
   for (const stream of [process.stdout, process.stderr]) stream.on('error', () => {});
   return end;
 }
+
+/** Whether a process runs, of any user. */
+export function isProcessRunning(pid: number): boolean {
+  try {
+    process.kill(pid, 0);
+    return true;
+  } catch (error) {
+    return (error as NodeJS.ErrnoException).code === 'EPERM';
+  }
+}

@@ -1,6 +1,6 @@
-import { randomBytes } from 'node:crypto';
-import { readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
+import { SECRET_MODE, writeAtomicallySync } from '@ubii/program';
 
 const FILE_NAME = 'admin-token';
 
@@ -17,15 +17,7 @@ export class AdminTokenFile {
   constructor(dataDir: string, token: string) {
     this.path = join(dataDir, FILE_NAME);
     this.#text = `${token}\n`;
-    // Whole from the first moment, and a file of ours: a link in its place is replaced, not followed.
-    const draft = `${this.path}.${process.pid}.${randomBytes(4).toString('hex')}`;
-    try {
-      writeFileSync(draft, this.#text, { mode: 0o600, flag: 'wx' });
-      renameSync(draft, this.path);
-    } catch (error) {
-      rmSync(draft, { force: true });
-      throw error;
-    }
+    writeAtomicallySync(this.path, this.#text, SECRET_MODE);
   }
 
   /** Removes it, unless another master has written its own since. */

@@ -1,5 +1,6 @@
 import { mkdir, readdir, rename, rm, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
+import { isProcessRunning } from '@ubii/program';
 import { modelAddress, type KnownModel } from './catalogue.ts';
 import { diskError, DownloadError } from './download-error.ts';
 import { downloadFile } from './download-file.ts';
@@ -58,7 +59,7 @@ export async function removeLeftovers(folder: string, name: string): Promise<voi
   const entries = await readdir(folder).catch(() => []);
   for (const entry of entries) {
     const [, pid, of] = /^\.download-(\d+)-(.+?)(?:\.old)?$/.exec(entry) ?? [];
-    if (of !== name || (Number(pid) !== process.pid && isRunning(Number(pid)))) continue;
+    if (of !== name || (Number(pid) !== process.pid && isProcessRunning(Number(pid)))) continue;
     await rm(join(folder, entry), { recursive: true, force: true });
   }
 }
@@ -88,14 +89,5 @@ async function onDisk<T>(work: () => Promise<T>): Promise<T> {
   } catch (error) {
     const isOfDisk = typeof (error as NodeJS.ErrnoException).code === 'string';
     throw isOfDisk && !(error instanceof DownloadError) ? diskError(error) : error;
-  }
-}
-
-function isRunning(pid: number): boolean {
-  try {
-    process.kill(pid, 0);
-    return true;
-  } catch (error) {
-    return (error as NodeJS.ErrnoException).code === 'EPERM';
   }
 }

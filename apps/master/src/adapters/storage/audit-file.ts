@@ -2,6 +2,7 @@ import { mkdirSync, readFileSync } from 'node:fs';
 import { appendFile, rename } from 'node:fs/promises';
 import { join } from 'node:path';
 
+import { SECRET_MODE } from '@ubii/program';
 import type { AuditStore, Log } from '../../core/ports/index.ts';
 
 /** Lines that wait to be written at most: of more, while a disk hangs, the newest are lost. */
@@ -74,7 +75,7 @@ export class AuditFile implements AuditStore {
         this.#isCutOff = false;
       }
       const text = lines.map((line) => `${line}\n`).join('');
-      await appendFile(this.#current, this.#isCutOff ? `\n${text}` : text, { mode: 0o600 });
+      await appendFile(this.#current, this.#isCutOff ? `\n${text}` : text, { mode: SECRET_MODE });
       this.#isCutOff = false;
       this.#lineCount += lines.length;
     } catch (error) {

@@ -2,11 +2,11 @@ import { mkdirSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
 import { join } from 'node:path';
 
+import { SECRET_MODE, writeAtomically } from '@ubii/program';
 import type { JsonObject } from '@ubii/proto';
 import type { Cancel, DocumentStore, StoredDocument } from '../../core/ports/index.ts';
 import { fileNameOf, keyOfFileName } from './file-names.ts';
 import { FolderWatch } from './folder-watch.ts';
-import { writeAtomically } from './write-atomically.ts';
 
 /** What is no document of ours, or a mistake: a whole session with its code takes some hundred KiB. */
 const MAX_FILE_BYTES = 32 * 1024 * 1024;
@@ -38,7 +38,7 @@ export class FileDocuments implements DocumentStore {
   constructor(folder: string, extension: string, isSecret = false) {
     this.#folder = folder;
     this.#extension = extension;
-    this.#fileMode = isSecret ? 0o600 : 0o666;
+    this.#fileMode = isSecret ? SECRET_MODE : 0o666;
     mkdirSync(folder, { recursive: true, mode: isSecret ? 0o700 : 0o777 });
     this.#scan();
     this.#watch = new FolderWatch(folder, () => this.#handleChange());

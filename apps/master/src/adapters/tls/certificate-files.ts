@@ -1,7 +1,6 @@
-import { mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
-import { dirname } from 'node:path';
+import { readFileSync } from 'node:fs';
 
-import { ConfigError } from '@ubii/program';
+import { ConfigError, SECRET_MODE, writeAtomicallySync } from '@ubii/program';
 import type { Issued } from './issue-certificates.ts';
 
 /** Where a certificate and its key are kept. */
@@ -23,15 +22,6 @@ export function readCertificate({ certificate, key }: CertificateFiles): Issued 
 
 /** Writes both; the key is its owner's alone. */
 export function writeCertificate(files: CertificateFiles, issued: Issued): void {
-  mkdirSync(dirname(files.key), { recursive: true, mode: 0o700 });
-  replace(files.key, issued.key, 0o600);
-  replace(files.certificate, issued.certificate, 0o644);
-}
-
-/** As a whole or not at all. */
-function replace(file: string, text: string, mode: number): void {
-  const draft = `${file}.${process.pid}.tmp`;
-  rmSync(draft, { force: true });
-  writeFileSync(draft, text, { mode, flag: 'wx' });
-  renameSync(draft, file);
+  writeAtomicallySync(files.key, issued.key, SECRET_MODE);
+  writeAtomicallySync(files.certificate, issued.certificate, 0o644);
 }

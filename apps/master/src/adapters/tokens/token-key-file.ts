@@ -1,8 +1,8 @@
 import { randomBytes } from 'node:crypto';
-import { linkSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { ConfigError } from '@ubii/program';
+import { ConfigError, createAtomicallySync, SECRET_MODE } from '@ubii/program';
 
 const FILE_NAME = 'resume-token.key';
 const KEY_BYTES = 32;
@@ -17,16 +17,8 @@ export function readOrCreateTokenKey(dataDir: string): Uint8Array {
   const file = join(dataDir, FILE_NAME);
   const kept = readKey(file);
   if (kept !== undefined) return kept;
-  // Two masters may start at once: the file appears whole, and the first of the two stays.
-  const draft = `${file}.${process.pid}.${randomBytes(4).toString('hex')}`;
-  writeFileSync(draft, `${randomBytes(KEY_BYTES).toString('hex')}\n`, { mode: 0o600, flag: 'wx' });
-  try {
-    linkSync(draft, file);
-  } catch (error) {
-    if ((error as NodeJS.ErrnoException).code !== 'EEXIST') throw error;
-  } finally {
-    rmSync(draft, { force: true });
-  }
+  // Two masters may start at once: the file of the first one stays.
+  createAtomicallySync(file, `${randomBytes(KEY_BYTES).toString('hex')}\n`, SECRET_MODE);
   const key = readKey(file);
   if (key === undefined)
     throw new ConfigError(`The key file ${file} was removed while it was created.`);
