@@ -1,6 +1,8 @@
 import { join, relative, resolve } from 'node:path';
+import { callerFolder, runProgram } from '@ubii/program';
 import { describeCommit, describeMachine, loadAverage } from './machine.ts';
-import { helpText, parseOptions, UsageError, type RunOptions } from './options.ts';
+import { benchmarkProgram, createOptions } from './options.ts';
+import type { Options, RunOptions } from './options.ts';
 import { compareRuns } from './report/compare-runs.ts';
 import { formatRun } from './report/format-run.ts';
 import { faultsOf, type RunResult } from './report/results.ts';
@@ -11,22 +13,13 @@ import { WORKLOADS } from './workloads/index.ts';
 const GROUPS = [...new Set(WORKLOADS.map(({ group }) => group))];
 const RESULTS_DIR = join(import.meta.dirname, '..', 'results');
 
-/** A path as the caller means it: npm runs scripts in the directory of the package. */
-function fromCaller(path: string): string {
-  return resolve(process.env['INIT_CWD'] ?? process.cwd(), path);
-}
-
-async function main(): Promise<number> {
-  const options = parseOptions(process.argv.slice(2), GROUPS);
+async function main(options: Options): Promise<number> {
   switch (options.command) {
-    case 'help':
-      console.log(helpText(GROUPS));
-      return 0;
     case 'compare':
       console.log(
         compareRuns(
-          await readRun(fromCaller(options.before)),
-          await readRun(fromCaller(options.after)),
+          await readRun(resolve(callerFolder(), options.before)),
+          await readRun(resolve(callerFolder(), options.after)),
         ),
       );
       return 0;
@@ -44,13 +37,7 @@ async function run(options: RunOptions): Promise<number> {
     if (whyNot !== undefined) console.error(`${workload.name} is left out: ${whyNot}`);
     return whyNot === undefined;
   });
-  const paths = {
-    master: options.master && fromCaller(options.master),
-    profileDir: options.profileDir && fromCaller(options.profileDir),
-  };
-  const results = await runWorkloads(workloads, { ...options, ...paths }, (line) =>
-    console.error(line),
-  );
+  const results = await runWorkloads(workloads, options, (line) => console.error(line));
   const result: RunResult = {
     formatVersion: 1,
     startedAt,
@@ -63,17 +50,21 @@ async function run(options: RunOptions): Promise<number> {
     },
     workloads: results,
   };
-  const file = options.out
-    ? fromCaller(options.out)
-    : join(RESULTS_DIR, `${startedAt.replaceAll(':', '-')}.json`);
+  const file = options.out ?? join(RESULTS_DIR, `${startedAt.replaceAll(':', '-')}.json`);
   await writeRun(file, result);
-  console.log(`\n${formatRun(result)}\n\nWritten to ${relative(fromCaller('.'), file)}`);
+  console.log(`\n${formatRun(result)}\n\nWritten to ${relative(callerFolder(), file)}`);
   return faultsOf(result).length > 0 ? 1 : 0;
 }
 
 try {
-  process.exitCode = await main();
+  await runProgram(
+    benchmarkProgram(GROUPS),
+    async (read) => {
+      process.exitCode = await main(createOptions(read, GROUPS));
+    },
+    { cwd: callerFolder() },
+  );
 } catch (error) {
   console.error(error instanceof Error ? error.message : error);
-  process.exitCode = error instanceof UsageError ? 2 : 1;
+  process.exitCode = 1;
 }

@@ -1,28 +1,33 @@
+import { ConfigError, readOptions } from '@ubii/program';
 import { describe, expect, it } from 'vitest';
-import { parseOptions, UsageError } from './options.ts';
+import { benchmarkProgram, createOptions } from './options.ts';
 
 const GROUPS = ['round-trip', 'fan-out'];
 
-describe('parseOptions', () => {
+function parseOptions(args: readonly string[]) {
+  return createOptions(readOptions(benchmarkProgram(GROUPS), args, {}, '/folder'), GROUPS);
+}
+
+describe('the options of the benchmarks', () => {
   it('runs everything unless told what', () => {
-    expect(parseOptions([], GROUPS)).toMatchObject({ command: 'run', groups: GROUPS });
-    expect(parseOptions(['fan-out', '--rounds', '7'], GROUPS)).toMatchObject({
+    expect(parseOptions([])).toMatchObject({ command: 'run', groups: GROUPS });
+    expect(parseOptions(['fan-out', '--rounds', '7'])).toMatchObject({
       groups: ['fan-out'],
       rounds: 7,
     });
   });
 
   it('compares two files', () => {
-    expect(parseOptions(['compare', 'a.json', 'b.json'], GROUPS)).toEqual({
+    expect(parseOptions(['compare', 'a.json', 'b.json'])).toEqual({
       command: 'compare',
       before: 'a.json',
       after: 'b.json',
     });
-    expect(() => parseOptions(['compare', 'a.json'], GROUPS)).toThrow(UsageError);
+    expect(() => parseOptions(['compare', 'a.json'])).toThrow(ConfigError);
   });
 
   it('says what there is when it does not know a workload', () => {
-    expect(() => parseOptions(['fan-in'], GROUPS)).toThrow(
+    expect(() => parseOptions(['fan-in'])).toThrow(
       'There is no workload "fan-in"; there are round-trip and fan-out.',
     );
   });
@@ -34,6 +39,6 @@ describe('parseOptions', () => {
     ['--seconds', ''],
     ['--fast'],
   ])('refuses %s %s', (...args) => {
-    expect(() => parseOptions(args.filter(Boolean), GROUPS)).toThrow(UsageError);
+    expect(() => parseOptions(args.filter(Boolean))).toThrow(ConfigError);
   });
 });

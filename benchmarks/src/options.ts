@@ -1,7 +1,13 @@
-import { parseArgs } from 'node:util';
-
-/** A command line that cannot be understood; the message is one sentence for the user. */
-export class UsageError extends Error {}
+import {
+  ConfigError,
+  HELP_OPTIONS,
+  option,
+  parseNumber,
+  parseWholeNumber,
+  pathOption,
+  switchOption,
+} from '@ubii/program';
+import type { ProgramOptions, ReadOptions } from '@ubii/program';
 
 export interface RunOptions {
   readonly command: 'run';
@@ -21,107 +27,96 @@ export interface RunOptions {
 }
 
 export type Options =
-  | RunOptions
-  | { readonly command: 'help' }
-  | { readonly command: 'compare'; readonly before: string; readonly after: string };
+  RunOptions | { readonly command: 'compare'; readonly before: string; readonly after: string };
 
 const DEFAULTS = { rounds: 15, measureMs: 600, warmUpMs: 300 };
 const QUICK = { rounds: 3, measureMs: 500, warmUpMs: 200 };
-/** Fewer have no median worth the name. */
-const MIN_ROUNDS = 3;
-const MAX_ROUNDS = 50;
-const MIN_SECONDS = 0.1;
-const MAX_SECONDS = 60;
-const MAX_WAIT_SECONDS = 3600;
 
-/** The text of `--help`. */
-export function helpText(groups: readonly string[]): string {
-  return `Measures the master, and what runs modules, beside the least that does the same in the same run.
+const OPTIONS = {
+  quick: switchOption(
+    `${QUICK.rounds} rounds of ${QUICK.measureMs / 1000} s: to see that it works, not to judge by.`,
+  ),
+  rounds: option<number | undefined>({
+    placeholder: '<number>',
+    fallback: undefined,
+    fallbackText: String(DEFAULTS.rounds),
+    description:
+      'Measurements of each target, interleaved; the median counts. Workloads with modules take a third or a fifth of them.',
+    // Fewer have no median worth the name.
+    parse: parseWholeNumber(3, 50),
+  }),
+  seconds: option<number | undefined>({
+    placeholder: '<number>',
+    fallback: undefined,
+    fallbackText: String(DEFAULTS.measureMs / 1000),
+    description: 'Length of one measurement.',
+    parse: parseNumber(0.1, 60),
+  }),
+  wait: option({
+    placeholder: '<seconds>',
+    fallback: 0,
+    description: 'Wait for other processes before a measurement, at most so long in all.',
+    parse: parseNumber(0, 3600),
+  }),
+  out: pathOption('<file>', 'benchmarks/results/<time>.json', 'Where the JSON goes.'),
+  master: pathOption(
+    '<file>',
+    'the one that is built here',
+    'Another build of the master, to compare two of them.',
+  ),
+  profile: pathOption(
+    '<folder>',
+    'none',
+    'Write CPU profiles of the brokers. The figures of such a run do not count.',
+  ),
+  help: HELP_OPTIONS.help,
+};
+
+/** The program with its workload groups. */
+export function benchmarkProgram(groups: readonly string[]): ProgramOptions<typeof OPTIONS> {
+  return {
+    options: OPTIONS,
+    takesWords: true,
+    errorExitCode: 2,
+    about: `Measures the master, and what runs modules, beside the least that does the same in the same run.
 
   npm run bench                          every workload
   npm run bench -- <workload>…           ${groups.join(', ')}
   npm run bench -- compare <a> <b>       two JSON files of earlier runs
-
-  --quick            ${QUICK.rounds} rounds of ${QUICK.measureMs / 1000} s: to see that it works, not to judge by
-  --rounds <n>       measurements of each target, interleaved; the median counts (default ${DEFAULTS.rounds}, at least ${MIN_ROUNDS});
-                     workloads with modules take a third or a fifth of them
-  --seconds <s>      length of one measurement (default ${DEFAULTS.measureMs / 1000})
-  --wait <s>         wait for other processes before a measurement, in all so long (default 0)
-  --out <file>       where the JSON goes (default benchmarks/results/<time>.json)
-  --master <file>    another build of the master, to compare two of them
-  --profile <dir>    write CPU profiles of the brokers; the figures of such a run do not count
-  --help             this text
-
-Ends with 1 when a record was lost or altered, 2 when the command line is wrong.
-How to read the figures: benchmarks/README.md.`;
+`,
+    notes: `Ends with 1 when a record was lost or altered, 2 when the command line is wrong.
+How to read the figures: benchmarks/README.md.`,
+  };
 }
 
-/** @throws UsageError */
-export function parseOptions(args: readonly string[], groups: readonly string[]): Options {
-  const { values, positionals } = parse(args);
-  if (values.help) return { command: 'help' };
-  if (positionals[0] === 'compare') {
-    const [, before, after, ...more] = positionals;
+/** @throws ConfigError for words that are neither workloads nor a comparison */
+export function createOptions(
+  { values, words }: ReadOptions<typeof OPTIONS>,
+  groups: readonly string[],
+): Options {
+  if (words[0] === 'compare') {
+    const [, before, after, ...more] = words;
     if (before === undefined || after === undefined || more.length > 0) {
-      throw new UsageError('compare needs two files: npm run bench -- compare <a.json> <b.json>.');
+      throw new ConfigError('compare needs two files: npm run bench -- compare <a.json> <b.json>.');
     }
     return { command: 'compare', before, after };
   }
-  for (const name of positionals) {
+  for (const name of words) {
     if (!groups.includes(name)) {
-      throw new UsageError(`There is no workload "${name}"; there are ${groups.join(' and ')}.`);
+      const all = new Intl.ListFormat('en-GB').format(groups);
+      throw new ConfigError(`There is no workload "${name}"; there are ${all}.`);
     }
   }
   const base = values.quick ? QUICK : DEFAULTS;
   return {
     command: 'run',
-    groups: positionals.length > 0 ? positionals : groups,
-    rounds: numberOf('--rounds', values.rounds, base.rounds, MIN_ROUNDS, MAX_ROUNDS, true),
+    groups: words.length > 0 ? words : groups,
+    rounds: values.rounds ?? base.rounds,
     warmUpMs: base.warmUpMs,
-    measureMs:
-      1000 *
-      numberOf('--seconds', values.seconds, base.measureMs / 1000, MIN_SECONDS, MAX_SECONDS, false),
-    waitMs: 1000 * numberOf('--wait', values.wait, 0, 0, MAX_WAIT_SECONDS, false),
+    measureMs: values.seconds === undefined ? base.measureMs : 1000 * values.seconds,
+    waitMs: 1000 * values.wait,
     out: values.out,
     master: values.master,
     profileDir: values.profile,
   };
-}
-
-function parse(args: readonly string[]) {
-  try {
-    return parseArgs({
-      args: [...args],
-      allowPositionals: true,
-      options: {
-        help: { type: 'boolean', short: 'h' },
-        quick: { type: 'boolean' },
-        rounds: { type: 'string' },
-        seconds: { type: 'string' },
-        wait: { type: 'string' },
-        out: { type: 'string' },
-        master: { type: 'string' },
-        profile: { type: 'string' },
-      },
-    });
-  } catch (error) {
-    throw new UsageError(`${(error as Error).message.split('. ')[0]}. See --help.`);
-  }
-}
-
-function numberOf(
-  flag: string,
-  text: string | undefined,
-  preset: number,
-  min: number,
-  max: number,
-  isWhole: boolean,
-): number {
-  if (text === undefined) return preset;
-  const value = Number(text);
-  if (text.trim() === '' || !(value >= min && value <= max) || (isWhole && value % 1 !== 0)) {
-    const kind = isWhole ? 'whole number' : 'number';
-    throw new UsageError(`${flag} needs a ${kind} from ${min} to ${max}, received "${text}".`);
-  }
-  return value;
 }

@@ -1,10 +1,8 @@
-import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
-import { readVersion, runProgram, shutDownOnRequest } from '@ubii/program';
+import { findBuilt, readVersion, runProgram, shutDownOnRequest } from '@ubii/program';
 
-import { MASTER_PROGRAM } from './adapters/config/config.ts';
-import { createConfig } from './adapters/config/resolve-config.ts';
+import { createConfig, MASTER_PROGRAM } from './adapters/config/config.ts';
 import { LinesAfter } from './adapters/log/lines-after.ts';
 import { StreamLog } from './adapters/log/stream-log.ts';
 import { FaultGuard } from './adapters/process/fault-guard.ts';
@@ -28,10 +26,10 @@ const frontendFolder = fileURLToPath(new URL('../../frontend/dist', import.meta.
 const assetsFolders = ['packages/vision', 'demos/ubi-party'].map((folder) =>
   fileURLToPath(new URL(`../../../${folder}/dist/assets`, import.meta.url)),
 );
-const workerFile = findBuilt('pm-worker.js');
-const decodeWorkerFile = findBuilt('decode-worker.js');
+const workerFile = findBuilt('pm-worker.js', import.meta.url);
+const decodeWorkerFile = findBuilt('decode-worker.js', import.meta.url);
 
-await runProgram(MASTER_PROGRAM, (options) => run(createConfig(options)), version);
+await runProgram(MASTER_PROGRAM, (options) => run(createConfig(options)), { version });
 
 async function run(config: Config): Promise<void> {
   // The banner comes first on a terminal, then what was logged meanwhile.
@@ -52,12 +50,6 @@ async function run(config: Config): Promise<void> {
   } finally {
     lines.open();
   }
-}
-
-/** Beside the program when it is built; run from its sources, the last build has it. */
-function findBuilt(name: string): URL {
-  const beside = new URL(`./${name}`, import.meta.url);
-  return existsSync(beside) ? beside : new URL(`../dist/${name}`, import.meta.url);
 }
 
 function createLog({ logLevel, logFormat, limits }: Config, lines: LinesAfter): LogTail {

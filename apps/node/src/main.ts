@@ -4,7 +4,6 @@ import { createLog } from './log.ts';
 import type { Log } from './log.ts';
 import { NODE_PROGRAM } from './options.ts';
 import type { Config } from './options.ts';
-import { checkConfig } from './read-config.ts';
 import { openSandboxes } from './sandboxes.ts';
 import { startNode } from './start-node.ts';
 import type { RunningNode } from './start-node.ts';
@@ -13,11 +12,9 @@ import { readTokenFile } from './token-file.ts';
 /** The process exits after this time, even if closing has not finished. */
 const SHUTDOWN_DEADLINE_MS = 1_900;
 
-await runProgram(
-  NODE_PROGRAM,
-  (options) => run(checkConfig(options)),
-  readVersion(import.meta.url),
-);
+await runProgram(NODE_PROGRAM, ({ values }) => run(values), {
+  version: readVersion(import.meta.url),
+});
 
 async function run(options: Config): Promise<void> {
   const log = createLog(options.logLevel, (line) => process.stderr.write(`${line}\n`));

@@ -1,14 +1,17 @@
 import { hostname } from 'node:os';
 import {
+  ConfigError,
   HELP_OPTIONS,
+  listOption,
   logLevelOption,
   option,
   parseChoice,
   parseFetchOrigins,
   parseName,
   parsePath,
-  parseSwitch,
   parseWholeNumber,
+  pathOption,
+  switchOption,
 } from '@ubii/program';
 import type { OptionValues, ProgramOptions } from '@ubii/program';
 
@@ -23,13 +26,9 @@ export const OPTIONS = {
     description: 'Address of the master.',
     parse: parseUrl,
   }),
-  discover: option({
-    placeholder: undefined,
-    fallback: false,
-    description:
-      'Find the master in the local network (multicast DNS). With several masters, list them and exit.',
-    parse: parseSwitch,
-  }),
+  discover: switchOption(
+    'Find the master in the local network (multicast DNS). With several masters, list them and exit.',
+  ),
   join: option<string | undefined>({
     placeholder: '<token|code>',
     fallback: undefined,
@@ -39,43 +38,30 @@ export const OPTIONS = {
     isSecret: true,
     parse: parseJoin,
   }),
-  tokenFile: option<string | undefined>({
-    placeholder: '<file>',
-    fallback: undefined,
-    fallbackText: 'none',
-    description:
-      'File with the token to join with, so that the list of processes does not show it. The file admin-token in the data directory of a local master makes this node an admin.',
-    parse: parsePath,
-  }),
-  modules: option<string | undefined>({
-    placeholder: '<folder>',
-    fallback: undefined,
-    fallbackText: 'none',
-    description:
-      'Folder with modules of your own, as .pm, .js and .mjs files. Their code is trusted. Changes apply at once.',
-    parse: parsePath,
-  }),
+  tokenFile: pathOption(
+    '<file>',
+    'none',
+    'File with the token to join with, so that the list of processes does not show it. The file admin-token in the data directory of a local master makes this node an admin.',
+  ),
+  modules: pathOption(
+    '<folder>',
+    'none',
+    'Folder with modules of your own, as .pm, .js and .mjs files. Their code is trusted. Changes apply at once.',
+  ),
   name: option({
     placeholder: '<text>',
     fallback: `${hostname().split('.')[0] || 'unnamed'} node`,
     description: 'Name of this node, shown to users.',
     parse: parseName,
   }),
-  allowFetch: option<readonly string[]>({
-    placeholder: '<origin>,...',
-    fallback: [],
-    fallbackText: 'none',
-    description:
-      'Origins that modules may read from with the library http, such as https://example.org,http://sensor.local:8000.',
-    parse: parseFetchOrigins,
-  }),
-  noAcceptWork: option({
-    placeholder: undefined,
-    fallback: false,
-    description:
-      'Run only modules that a session assigns to this node by name. The master does not choose this node.',
-    parse: parseSwitch,
-  }),
+  allowFetch: listOption(
+    '<origin>,...',
+    'Origins that modules may read from with the library http, such as https://example.org,http://sensor.local:8000.',
+    parseFetchOrigins,
+  ),
+  noAcceptWork: switchOption(
+    'Run only modules that a session assigns to this node by name. The master does not choose this node.',
+  ),
   capacity: option({
     placeholder: '<number>',
     fallback: 0,
@@ -125,6 +111,18 @@ export const NODE_PROGRAM: ProgramOptions<typeof OPTIONS> = {
 
 Each option is a flag and an environment variable. When both are set, the flag applies.
 `,
+  check({ discover, join, tokenFile }, given) {
+    if (discover && given.has('master')) {
+      throw new ConfigError(
+        'The options --master and --discover both choose the master. Remove one of them.',
+      );
+    }
+    if (join !== undefined && tokenFile !== undefined) {
+      throw new ConfigError(
+        'The options --join and --token-file both set the token. Remove one of them.',
+      );
+    }
+  },
 };
 
 /** Returns the token or code. Also accepts the link of a QR code. */

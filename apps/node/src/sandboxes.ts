@@ -1,8 +1,8 @@
 import { createHttpLibrary, createNodeSandboxes } from '@ubii/pm-sandbox/node';
 import type { HostLibrary } from '@ubii/pm-sandbox/node';
 import type { SandboxFactory } from '@ubii/pm-sandbox';
+import { findBuilt } from '@ubii/program';
 import { existsSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
 
 /** The sandboxes of a node and their libraries. */
 export interface OpenSandboxes {
@@ -33,13 +33,8 @@ export function openSandboxes(
   };
 }
 
-/** Finds the worker script beside the built program. A program that runs from its sources uses the last build. */
 function findWorker(): URL {
-  const places = ['./module-worker.js', '../dist/module-worker.js'].map(
-    (path) => new URL(path, import.meta.url),
-  );
-  const found = places.find((place) => existsSync(fileURLToPath(place)));
-  if (found === undefined)
-    throw new Error('The worker script for modules is missing. Run "npm run build".');
-  return found;
+  const file = findBuilt('module-worker.js', import.meta.url);
+  if (existsSync(file)) return file;
+  throw new Error('The worker script for modules is missing. Run "npm run build".');
 }

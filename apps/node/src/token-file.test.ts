@@ -1,8 +1,9 @@
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { readOptions } from '@ubii/program';
 import { expect, it, onTestFinished } from 'vitest';
-import { readConfig } from './read-config.ts';
+import { NODE_PROGRAM } from './options.ts';
 import { readTokenFile } from './token-file.ts';
 
 function fileWith(text: string): string {
@@ -25,8 +26,9 @@ it('throws an error with the reason for an invalid file', () => {
 });
 
 it('replaces a token on the command line', () => {
-  const read = (...args: string[]) => readConfig(args, {}, '/folder').tokenFile;
-  expect(read('--token-file', 'a')).toBe('/folder/a');
-  expect(readConfig([], { UBII_NODE_TOKEN_FILE: '/b' }, '/').tokenFile).toBe('/b');
-  expect(() => read('--token-file', 'a', '--join', 'K7QF-2MXR')).toThrow('Remove one of them');
+  const read = (args: string[], env = {}) =>
+    readOptions(NODE_PROGRAM, args, env, '/folder').values.tokenFile;
+  expect(read(['--token-file', 'a'])).toBe('/folder/a');
+  expect(read([], { UBII_NODE_TOKEN_FILE: '/b' })).toBe('/b');
+  expect(() => read(['--token-file', 'a', '--join', 'K7QF-2MXR'])).toThrow('Remove one of them');
 });

@@ -1,13 +1,18 @@
 import { environmentName, flagName } from './option.ts';
-import type { Option, OptionTable, ProgramOptions } from './option.ts';
+import type { OptionTable, ProgramOptions } from './option.ts';
 
 const LINE_WIDTH = 96;
 const INDENT = '      ';
 
 /** Returns the help: each option with its flag, environment variable, key, default and meaning. */
-export function formatHelp<O extends OptionTable>(program: ProgramOptions<O>): string {
-  const { options, about, notes, environmentPrefix, fileOption } = program;
-  const entries = Object.entries<Option<unknown>>(options).map(([name, entry]) => {
+export function formatHelp({
+  options,
+  about,
+  notes,
+  environmentPrefix,
+  fileOption,
+}: Omit<ProgramOptions<OptionTable>, 'check'>): string {
+  const entries = Object.entries(options).map(([name, entry]) => {
     const { placeholder, fallback, fallbackText, description } = entry;
     const flag = `  ${flagName(name)}${placeholder === undefined ? '' : ` ${placeholder}`}`;
     const ways = [

@@ -1,26 +1,12 @@
-export {
-  createAtomicallySync,
-  SECRET_MODE,
-  writeAtomically,
-  writeAtomicallySync,
-} from './atomic-files.ts';
-export { ConfigError } from './config-error.ts';
-export { formatHelp } from './format-help.ts';
-export { isLogged, type LogLevel } from './log-levels.ts';
-export { environmentName, flagName, option } from './option.ts';
-export type { Option, OptionTable, OptionValues, ProgramOptions } from './option.ts';
-export {
-  parseChoice,
-  parseFetchOrigins,
-  parseList,
-  parseName,
-  parseNumber,
-  parsePath,
-  parseSwitch,
-  parseWholeNumber,
-} from './parse-values.ts';
-export { HELP_OPTIONS, logLevelOption } from './program-options.ts';
-export { readOptions, type Environment, type ReadOptions } from './read-options.ts';
-export { asksForHelp, exitOnConfigError, readVersion, runProgram } from './run-program.ts';
-export { isProcessRunning, onStopRequest, shutDownOnRequest, type Shutdown } from './stopping.ts';
-export { userDataFolder, userStateFolder } from './user-folders.ts';
+export * from './atomic-files.ts';
+export * from './config-error.ts';
+export * from './format-help.ts';
+export * from './kinds-of-options.ts';
+export * from './log-levels.ts';
+export * from './option.ts';
+export * from './parse-values.ts';
+export * from './program-files.ts';
+export * from './read-options.ts';
+export * from './run-program.ts';
+export * from './stopping.ts';
+export * from './user-folders.ts';

@@ -48,6 +48,13 @@ export interface ProgramOptions<O extends OptionTable> {
   readonly fileOption?: keyof O & string;
   /** Arguments that are no flags are accepted. Default: false */
   readonly takesWords?: boolean;
+  /**
+   * Checks combinations of options.
+   *
+   * @param given names of the options that are set
+   * @throws ConfigError for options that contradict each other
+   */
+  check?(values: OptionValues<O>, given: ReadonlySet<keyof O & string>): void;
   /** Exit code after a `ConfigError`. Default: 1 */
   readonly errorExitCode?: number;
 }

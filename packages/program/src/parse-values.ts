@@ -45,11 +45,13 @@ export function parseNumber(least: number, most: number): (text: string) => numb
   };
 }
 
+const eitherOf = new Intl.ListFormat('en-GB', { type: 'disjunction' });
+
 /** @param choices in lower case; the text may be in upper case */
 export function parseChoice<const C extends string>(...choices: readonly C[]): (text: string) => C {
   return (text) => {
     const choice = choices.find((candidate) => candidate === text.toLowerCase());
-    if (choice === undefined) throw new Error(choices.join(', ').replace(/, ([^,]*)$/, ' or $1'));
+    if (choice === undefined) throw new Error(eitherOf.format(choices));
     return choice;
   };
 }

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { ConfigError } from './config-error.ts';
-import type { Given, GivenOptions } from './given.ts';
+import type { Given, GivenOptions } from './read-flags.ts';
 import { flagName } from './option.ts';
 
 /**

@@ -1,8 +1,18 @@
 import { parseArgs } from 'node:util';
 import { ConfigError } from './config-error.ts';
-import type { Given, GivenOptions } from './given.ts';
 import { flagName } from './option.ts';
 import type { Option, OptionTable } from './option.ts';
+
+/** The text of an option that is set, its place, and the base folder of relative paths. */
+export interface Given {
+  readonly text: string;
+  /** Such as `on the command line`. */
+  readonly place: string;
+  readonly baseDir: string;
+}
+
+/** Options that are set, by name. */
+export type GivenOptions = ReadonlyMap<string, Given>;
 
 /** What may follow a switch, which means "on" without it. */
 const SWITCH = /^(on|off|true|false|yes|no|1|0)$/i;

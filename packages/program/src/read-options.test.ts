@@ -58,6 +58,17 @@ describe('options of a program', () => {
     expect(read('--', '--count')).toMatchObject({ count: 1, words: ['--count'] });
   });
 
+  it('are checked together, with what is set', () => {
+    const checked: ProgramOptions<typeof options> = {
+      ...program,
+      check({ lights }, given) {
+        if (lights && given.has('count')) throw new ConfigError('Remove one of them.');
+      },
+    };
+    expect(() => readOptions(checked, ['--lights', '--count=2'], {}, '/')).toThrow('Remove one');
+    expect(readOptions(checked, ['--lights'], {}, '/').given).toEqual(new Set(['lights']));
+  });
+
   it('are not read from the environment of a program without a prefix', () => {
     expect(read()).toMatchObject({ count: 1 });
     expect(

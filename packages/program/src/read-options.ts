@@ -1,5 +1,5 @@
 import { ConfigError } from './config-error.ts';
-import type { Given, GivenOptions } from './given.ts';
+import type { Given, GivenOptions } from './read-flags.ts';
 import { environmentName, flagName } from './option.ts';
 import type { Option, OptionTable, OptionValues, ProgramOptions } from './option.ts';
 import { readConfigFile } from './read-config-file.ts';
@@ -22,14 +22,15 @@ export interface ReadOptions<O extends OptionTable> {
  *
  * @param args command line without program and script
  * @param cwd folder that paths on the command line and in the environment are relative to
- * @throws ConfigError for an unknown flag or key and for an invalid value
+ * @throws ConfigError for an unknown flag or key, an invalid value, and options that contradict each other
  */
 export function readOptions<O extends OptionTable>(
-  { options, environmentPrefix, fileOption, takesWords = false }: ProgramOptions<O>,
+  program: ProgramOptions<O>,
   args: readonly string[],
   env: Environment,
   cwd: string,
 ): ReadOptions<O> {
+  const { options, environmentPrefix, fileOption, takesWords = false } = program;
   const names = Object.keys(options);
   const { flags, words } = readFlags(options, args, cwd);
   if (!takesWords) refuseWords(words);
@@ -41,15 +42,13 @@ export function readOptions<O extends OptionTable>(
       if (!given.has(name)) given.set(name, inFile);
     }
   }
-  const values = names.map((name) => {
+  const entries = names.map((name) => {
     const set = given.get(name);
     return [name, set === undefined ? options[name]!.fallback : valueOf(name, options[name]!, set)];
   });
-  return {
-    values: Object.fromEntries(values) as OptionValues<O>,
-    given: new Set(given.keys()),
-    words,
-  };
+  const values = Object.fromEntries(entries) as OptionValues<O>;
+  program.check?.(values, new Set(given.keys()));
+  return { values, given: new Set(given.keys()), words };
 }
 
 function readEnvironment(

@@ -1,4 +1,3 @@
-import { readFileSync } from 'node:fs';
 import { ConfigError } from './config-error.ts';
 import { formatHelp } from './format-help.ts';
 import type { OptionTable, ProgramOptions } from './option.ts';
@@ -10,11 +9,12 @@ import type { ReadOptions } from './read-options.ts';
  * options. After a `ConfigError`, prints its message and exits.
  *
  * @param version Default: the program has no option `version`
+ * @param cwd folder that paths on the command line are relative to. Default: that of the process
  */
 export async function runProgram<O extends OptionTable>(
   program: ProgramOptions<O>,
   main: (options: ReadOptions<O>) => void | Promise<void>,
-  version?: string,
+  { version, cwd = process.cwd() }: { readonly version?: string; readonly cwd?: string } = {},
 ): Promise<void> {
   const args = process.argv.slice(2);
   await exitOnConfigError(async () => {
@@ -22,7 +22,7 @@ export async function runProgram<O extends OptionTable>(
       process.stdout.write(formatHelp(program));
       return;
     }
-    const options = readOptions(program, args, process.env, process.cwd());
+    const options = readOptions(program, args, process.env, cwd);
     if (version !== undefined && 'version' in options.values && options.values.version === true) {
       process.stdout.write(`${version}\n`);
       return;
@@ -45,14 +45,4 @@ export async function exitOnConfigError(work: () => Promise<void>, exitCode = 1)
     process.stderr.write(`${error.message}\n`);
     process.exit(exitCode);
   }
-}
-
-/**
- * Returns the version in the `package.json` one folder above a file, which is the same from `src` and from `dist`.
- *
- * @param programUrl `import.meta.url` of the file
- */
-export function readVersion(programUrl: string): string {
-  const manifest = readFileSync(new URL('../package.json', programUrl), 'utf8');
-  return (JSON.parse(manifest) as { version: string }).version;
 }

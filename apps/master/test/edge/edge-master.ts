@@ -3,9 +3,10 @@ import { request } from 'node:http';
 import type { IncomingHttpHeaders } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { readOptions } from '@ubii/program';
 import { onTestFinished } from 'vitest';
 
-import { resolveConfig } from '../../src/adapters/config/resolve-config.ts';
+import { createConfig, MASTER_PROGRAM } from '../../src/adapters/config/config.ts';
 import type { KnownModel } from '../../src/adapters/models/catalogue.ts';
 import { StreamLog } from '../../src/adapters/log/stream-log.ts';
 import { LogTail, type TerminalAccess } from '../../src/index.ts';
@@ -52,7 +53,9 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     ...['--legacy-ports', 'off', '--mdns', 'off', '--trust-loopback'],
   ];
   const master = await startMaster({
-    config: resolveConfig([...flags, ...(options.flags ?? [])], {}, '/'),
+    config: createConfig(
+      readOptions(MASTER_PROGRAM, [...flags, ...(options.flags ?? [])], {}, '/'),
+    ),
     log,
     version: '1.2.3',
     frontendFolder: options.frontendFolder ?? join(newFolder(), 'not-there'),

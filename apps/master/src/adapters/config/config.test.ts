@@ -1,17 +1,16 @@
 import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { ConfigError, environmentName, flagName, formatHelp } from '@ubii/program';
+import { ConfigError, environmentName, flagName, formatHelp, readOptions } from '@ubii/program';
 import { describe, expect, it } from 'vitest';
 
-import { resolveConfig } from './resolve-config.ts';
-import { MASTER_PROGRAM, OPTIONS } from './config.ts';
+import { createConfig, MASTER_PROGRAM, OPTIONS } from './config.ts';
 import type { OptionName } from './config.ts';
 
 const names = Object.keys(OPTIONS) as OptionName[];
 
 function resolve(args: readonly string[], env: Record<string, string> = {}) {
-  return resolveConfig(args, env, '/work-folder');
+  return createConfig(readOptions(MASTER_PROGRAM, args, env, '/work-folder'));
 }
 
 function messageOf(args: readonly string[], env: Record<string, string> = {}): string {

@@ -1,6 +1,9 @@
 import { hostname } from 'node:os';
 import {
+  choiceOption,
+  ConfigError,
   HELP_OPTIONS,
+  listOption,
   logLevelOption,
   option,
   parseChoice,
@@ -9,9 +12,10 @@ import {
   parseNumber,
   parsePath,
   parseSwitch,
+  pathOption,
   userDataFolder,
 } from '@ubii/program';
-import type { OptionValues, ProgramOptions } from '@ubii/program';
+import type { OptionValues, ProgramOptions, ReadOptions } from '@ubii/program';
 
 import { ORIGINAL_PORTS, type LegacyPorts } from './legacy-ports.ts';
 import {
@@ -24,7 +28,7 @@ import {
   parsePort,
 } from './parse-values.ts';
 
-import { DEFAULT_CHECKS, type CheckSettings } from '../../core/checks/check-settings.ts';
+import { DEFAULT_CHECKS } from '../../core/checks/check-settings.ts';
 import type { Limits } from '../../core/limits/index.ts';
 
 /** Every option. */
@@ -53,21 +57,16 @@ export const OPTIONS = {
       'Listen on all networks of this machine, so that phones can join with the code that the terminal shows. Clients that have not joined have no access. Off with --host.',
     parse: parseSwitch,
   }),
-  allowLegacy: option<readonly string[]>({
-    placeholder: '<network>,...',
-    fallback: [],
-    fallbackText: 'none',
-    description:
-      'Networks whose existing clients are participants without joining, because they do not support codes: 192.168.1.0/24,10.0.0.7. For this machine, see --loopback.',
-    parse: parseNetworks,
-  }),
-  loopback: option<'participant' | 'none'>({
-    placeholder: 'participant|none',
-    fallback: 'participant',
-    description:
-      'Role of programs and pages of this machine that send no token: participant, so that existing clients work, or none. The address or code in the terminal makes an admin.',
-    parse: parseChoice('participant', 'none'),
-  }),
+  allowLegacy: listOption(
+    '<network>,...',
+    'Networks whose existing clients are participants without joining, because they do not support codes: 192.168.1.0/24,10.0.0.7. For this machine, see --loopback.',
+    parseNetworks,
+  ),
+  loopback: choiceOption(
+    ['participant', 'none'],
+    'participant',
+    'Role of programs and pages of this machine that send no token: participant, so that existing clients work, or none. The address or code in the terminal makes an admin.',
+  ),
   trustLoopback: option({
     placeholder: '[on|off]',
     fallback: false,
@@ -76,43 +75,30 @@ export const OPTIONS = {
       'Programs and pages of this machine are admins without a token, as in earlier versions. Use it only on a machine with one user and without a proxy.',
     parse: parseSwitch,
   }),
-  trustedProxy: option<readonly string[]>({
-    placeholder: '<network>,...',
-    fallback: [],
-    fallbackText: 'none',
-    description:
-      'Networks of proxies that name their clients in X-Forwarded-For or Forwarded: 10.0.0.7,192.168.2.0/24. Clients behind any other proxy have to join.',
-    parse: parseNetworks,
-  }),
-  https: option<'on' | 'off'>({
-    placeholder: 'on|off',
-    fallback: 'on',
-    description:
-      'HTTPS on the same port as HTTP, when other machines can reach the master. Browsers give sensors and cameras to HTTPS pages only. The master creates its certificates itself.',
-    parse: parseChoice('on', 'off'),
-  }),
-  tlsCertificate: option<string | undefined>({
-    placeholder: '<file>',
-    fallback: undefined,
-    fallbackText: 'its own',
-    description: 'Certificate for HTTPS from another authority, with its chain, as PEM.',
-    parse: parsePath,
-  }),
-  tlsKey: option<string | undefined>({
-    placeholder: '<file>',
-    fallback: undefined,
-    fallbackText: 'its own',
-    description: 'Private key of that certificate, as PEM.',
+  trustedProxy: listOption(
+    '<network>,...',
+    'Networks of proxies that name their clients in X-Forwarded-For or Forwarded: 10.0.0.7,192.168.2.0/24. Clients behind any other proxy have to join.',
+    parseNetworks,
+  ),
+  https: choiceOption(
+    ['on', 'off'],
+    'on',
+    'HTTPS on the same port as HTTP, when other machines can reach the master. Browsers give sensors and cameras to HTTPS pages only. The master creates its certificates itself.',
+  ),
+  tlsCertificate: pathOption(
+    '<file>',
+    'its own',
+    'Certificate for HTTPS from another authority, with its chain, as PEM.',
+  ),
+  tlsKey: {
+    ...pathOption('<file>', 'its own', 'Private key of that certificate, as PEM.'),
     isSecret: true,
-    parse: parsePath,
-  }),
-  mdns: option<'on' | 'off'>({
-    placeholder: 'on|off',
-    fallback: 'on',
-    description:
-      'Announce this master in the local network (_ubii._tcp, multicast DNS), when other machines can reach it, so that programs find it without its address.',
-    parse: parseChoice('on', 'off'),
-  }),
+  },
+  mdns: choiceOption(
+    ['on', 'off'],
+    'on',
+    'Announce this master in the local network (_ubii._tcp, multicast DNS), when other machines can reach it, so that programs find it without its address.',
+  ),
   dataDir: option({
     placeholder: '<folder>',
     fallback: userDataFolder(),
@@ -120,22 +106,16 @@ export const OPTIONS = {
       'Folder for the data that the master keeps between runs. Created when it is missing.',
     parse: parsePath,
   }),
-  modules: option<string | undefined>({
-    placeholder: '<folder>',
-    fallback: undefined,
-    fallbackText: 'none',
-    description:
-      'Folder of trusted processing modules (.pm, .js): they run at full speed, with libraries.',
-    parse: parsePath,
-  }),
-  allowFetch: option<readonly string[]>({
-    placeholder: '<origin>,...',
-    fallback: [],
-    fallbackText: 'none',
-    description:
-      'Origins that modules with the library http may read from: https://example.org,http://sensor.local:8000.',
-    parse: parseFetchOrigins,
-  }),
+  modules: pathOption(
+    '<folder>',
+    'none',
+    'Folder of trusted processing modules (.pm, .js): they run at full speed, with libraries.',
+  ),
+  allowFetch: listOption(
+    '<origin>,...',
+    'Origins that modules with the library http may read from: https://example.org,http://sensor.local:8000.',
+    parseFetchOrigins,
+  ),
   modelMirror: option<string | undefined>({
     placeholder: '<url>',
     fallback: undefined,
@@ -144,13 +124,7 @@ export const OPTIONS = {
       'Where models are downloaded from instead of their publishers, for rooms without internet: a folder as models/ of the data directory, such as http://10.0.0.7/models/. Sizes and hashes are verified all the same.',
     parse: parseMirror,
   }),
-  config: option<string | undefined>({
-    placeholder: '<file>',
-    fallback: undefined,
-    fallbackText: 'none',
-    description: 'JSON file with options: { "port": 9000, "lan": false }.',
-    parse: parsePath,
-  }),
+  config: pathOption('<file>', 'none', 'JSON file with options: { "port": 9000, "lan": false }.'),
   legacyPorts: option<LegacyPorts | undefined>({
     placeholder: 'on|off|<services>,<topic data>',
     fallback: ORIGINAL_PORTS,
@@ -159,15 +133,14 @@ export const OPTIONS = {
     hint: 'Use --legacy-ports off to disable them',
     parse: parseLegacyPorts,
   }),
-  allowedOrigins: option<readonly string[]>({
-    placeholder: '<origin>,...',
-    fallback: [],
-    fallbackText: 'none',
-    description:
+  allowedOrigins: {
+    ...listOption(
+      '<origin>,...',
       'Web pages of other origins that may call the services, besides those of this machine and, with --lan, of private addresses: https://example.org, https://*.example.org, http://example.org:*, or * for all. Those named, and not *, need not join when this machine shows them over HTTPS, or by an address.',
+      parseOrigins,
+    ),
     hint: 'Use * to allow every page',
-    parse: parseOrigins,
-  }),
+  },
   name: option({
     placeholder: '<text>',
     fallback: hostname().split('.')[0] || 'master-node',
@@ -182,13 +155,11 @@ export const OPTIONS = {
       'When ready, write one line of JSON with the addresses to standard output, for scripts; everything else goes to standard error.',
     parse: parseChoice('json'),
   }),
-  checks: option<CheckSettings['checks']>({
-    placeholder: 'off|warn|throttle',
-    fallback: DEFAULT_CHECKS.checks,
-    description:
-      'Reaction to overload by a publisher, a module or the master: nothing, a warning, or a warning and a throttle for noisy publishers.',
-    parse: parseChoice('off', 'warn', 'throttle'),
-  }),
+  checks: choiceOption(
+    ['off', 'warn', 'throttle'],
+    DEFAULT_CHECKS.checks,
+    'Reaction to overload by a publisher, a module or the master: nothing, a warning, or a warning and a throttle for noisy publishers.',
+  ),
   busyPercent: option({
     placeholder: '<percent>',
     fallback: DEFAULT_CHECKS.busyPercent,
@@ -211,13 +182,11 @@ export const OPTIONS = {
     parse: parseLimits,
   }),
   logLevel: logLevelOption,
-  logFormat: option<'auto' | 'text' | 'json'>({
-    placeholder: 'auto|text|json',
-    fallback: 'auto',
-    description:
-      'Format of the log on standard error; auto is text on a terminal and JSON lines otherwise.',
-    parse: parseChoice('auto', 'text', 'json'),
-  }),
+  logFormat: choiceOption(
+    ['auto', 'text', 'json'],
+    'auto',
+    'Format of the log on standard error; auto is text on a terminal and JSON lines otherwise.',
+  ),
   ...HELP_OPTIONS,
 } as const;
 
@@ -228,6 +197,11 @@ export type Config = OptionValues<typeof OPTIONS> & {
   /** Options that are set in any place. Only options that are not set may change at startup. */
   readonly given: ReadonlySet<OptionName>;
 };
+
+/** Returns what the master runs with: one who says where to listen does not want all networks. */
+export function createConfig({ values, given }: ReadOptions<typeof OPTIONS>): Config {
+  return { ...values, given, lan: values.lan && !given.has('host') };
+}
 
 /** The options and where they are read from. */
 export const MASTER_PROGRAM: ProgramOptions<typeof OPTIONS> = {
@@ -241,4 +215,21 @@ export const MASTER_PROGRAM: ProgramOptions<typeof OPTIONS> = {
 Each option is a flag, an environment variable and a key of the config file; the first of
 them that is set applies.
 `,
+  check(values, given) {
+    if (values.lan && given.has('lan') && given.has('host')) {
+      throw new ConfigError(
+        `--lan listens on all networks and --host on "${values.host}" only. Remove one of them.`,
+      );
+    }
+    if (values.trustLoopback && values.loopback === 'none') {
+      throw new ConfigError(
+        '--trust-loopback makes callers of this machine admins, and --loopback none gives them no access. Remove one of them.',
+      );
+    }
+    if ((values.tlsCertificate === undefined) !== (values.tlsKey === undefined)) {
+      throw new ConfigError(
+        'A certificate and its key belong together: give both --tls-certificate and --tls-key, or neither.',
+      );
+    }
+  },
 };

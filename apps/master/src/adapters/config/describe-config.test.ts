@@ -1,14 +1,18 @@
 import { homedir } from 'node:os';
 import { join } from 'node:path';
+import { readOptions } from '@ubii/program';
 import { expect, it } from 'vitest';
+import { createConfig, MASTER_PROGRAM } from './config.ts';
 import { describeConfig } from './describe-config.ts';
-import { resolveConfig } from './resolve-config.ts';
 
 const HOME = homedir();
 
+function settings(...args: string[]) {
+  return describeConfig(createConfig(readOptions(MASTER_PROGRAM, args, {}, HOME)), HOME);
+}
+
 function describe(...args: string[]): Record<string, string> {
-  const { elements } = describeConfig(resolveConfig(args, {}, HOME), HOME);
-  return Object.fromEntries(elements!.map(({ flag, value }) => [flag, value]));
+  return Object.fromEntries(settings(...args).elements!.map(({ flag, value }) => [flag, value]));
 }
 
 it('[EX-50] tells every option as people write it', () => {
@@ -43,7 +47,7 @@ it('[EX-50] tells neither where keys lie nor whose home it is', () => {
 });
 
 it('[EX-50] describes the options that are set, and the machine', () => {
-  const { elements, runtime } = describeConfig(resolveConfig(['--port', '0'], {}, HOME), HOME);
+  const { elements, runtime } = settings('--port', '0');
   expect(elements!.filter(({ given }) => given).map(({ flag }) => flag)).toEqual(['--port']);
   expect(runtime).toContain(process.version);
 });

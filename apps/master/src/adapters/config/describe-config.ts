@@ -18,20 +18,17 @@ export function describeConfig(config: Config, home: string): Init<SettingList> 
   const names = (Object.keys(OPTIONS) as OptionName[]).filter((name) => !NO_SETTINGS.has(name));
   const elements = names.map((name): Init<Setting> => ({
     flag: flagName(name),
-    value: isSecret(name) && config[name] !== undefined ? 'given' : textOf(config, name, home),
+    value: textOf(config, name, home),
     description: OPTIONS[name].description,
     given: config.given.has(name),
   }));
   return { elements, runtime: `Node.js ${process.version}, ${platform()} ${arch()}` };
 }
 
-function isSecret(name: OptionName): boolean {
-  const { isSecret = false }: Option<unknown> = OPTIONS[name];
-  return isSecret;
-}
-
 function textOf(config: Config, name: OptionName, home: string): string {
   const value: Config[OptionName] = config[name];
+  const { isSecret }: Option<unknown> = OPTIONS[name];
+  if (isSecret && value !== undefined) return 'given';
   if (name === 'legacyPorts') return portsText(config.legacyPorts);
   if (name === 'limits') return limitsText(config.limits);
   if (value === undefined) return name === 'printEndpoints' ? 'off' : 'none';

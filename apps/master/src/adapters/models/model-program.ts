@@ -25,7 +25,6 @@ const { dataDir, modelMirror, config } = OPTIONS;
 const HELP = formatHelp({
   ...MASTER_PROGRAM,
   options: { dataDir, modelMirror, config },
-  fileOption: 'config',
   about: `Ubi-Interact models: downloads models for modules into the data directory of a master.
 
   npm run models                        lists models, and which are installed

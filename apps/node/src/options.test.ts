@@ -1,9 +1,8 @@
-import { ConfigError, flagName, formatHelp } from '@ubii/program';
+import { ConfigError, flagName, formatHelp, readOptions } from '@ubii/program';
 import { describe, expect, it } from 'vitest';
 import { NODE_PROGRAM, OPTIONS } from './options.ts';
-import { readConfig } from './read-config.ts';
 
-const read = (args: string[], env = {}) => readConfig(args, env, '/home/ada');
+const read = (args: string[], env = {}) => readOptions(NODE_PROGRAM, args, env, '/home/ada').values;
 
 describe('the configuration', () => {
   it('prefers a flag to the environment, and the environment to the default', () => {
