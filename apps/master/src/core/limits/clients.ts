@@ -62,7 +62,6 @@ export const CLIENT_LIMITS = {
     'rates',
     'Average rate of announcements about one client to each subscriber, with bursts of 4 times as much. Further announcements are delayed, and only the last state is sent.',
   ),
-  // UNAVAILABLE_RETENTION_MS in docs/spec
   unavailableRetentionMs: limit(
     20 * 60_000,
     'ms',

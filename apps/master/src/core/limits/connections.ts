@@ -32,7 +32,6 @@ export const CONNECTION_LIMITS = {
     'storage',
     'The same limit for one IPv6 /64 network, because one machine can use all addresses of its network.',
   ),
-  // SERVICE_TIMEOUT_MS in docs/spec
   serviceTimeoutMs: limit(
     8_000,
     'ms',

@@ -14,14 +14,12 @@ export const DELIVERY_LIMITS = {
     'rates',
     'Bytes of records that a client may publish per second, also in one burst. Enough for three raw 4K cameras at 10 Hz.',
   ),
-  // MAX_ERRORS_PER_SECOND in docs/spec
   errorsPerSecond: limit(
     10,
     'errors/s',
     'rates',
     'TopicData errors sent to a client per second. More errors would cost more than the refused records.',
   ),
-  // MAX_PROTOCOL_ERRORS in docs/spec
   protocolErrors: limit(
     20,
     'messages',
@@ -29,7 +27,6 @@ export const DELIVERY_LIMITS = {
     'Frames within `protocolErrorWindowMs` that cannot be decoded, until the socket is closed. A faulty client sends a few such frames, a client of another protocol only such frames.',
   ),
   protocolErrorWindowMs: limit(10_000, 'ms', 'rates', 'Time window of `protocolErrors`.'),
-  // MAX_BATCH_BYTES in docs/spec
   batchBytes: limit(
     1 * MIB,
     'bytes',
@@ -60,14 +57,12 @@ export const DELIVERY_LIMITS = {
     'queues',
     'Queued bytes of all clients. At this limit, a client drops the oldest records of its own queue.',
   ),
-  // MAX_QUEUED_EVENTS in docs/spec
   queuedEventsPerTopic: limit(
     1_024,
     'events',
     'queues',
     "Events of one topic in a client's queue. Several seconds of fast typing or of touch events at 120 Hz.",
   ),
-  // SLOW_SOCKET_TIMEOUT_MS in docs/spec
   slowSocketTimeoutMs: limit(
     30_000,
     'ms',

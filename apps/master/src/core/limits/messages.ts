@@ -27,7 +27,6 @@ export const MESSAGE_LIMITS = {
     'messages',
     'Nesting depth of objects and lists in a JSON request. The deepest request of the protocol has 16 levels.',
   ),
-  // MAX_TOPIC_BYTES in docs/spec
   topicBytes: limit(
     1024,
     'bytes',

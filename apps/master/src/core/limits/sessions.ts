@@ -14,42 +14,36 @@ export const SESSION_LIMITS = {
     'rates',
     'Average rate of sessions started by callers with one invitation, in bytes of the sessions, with bursts of 32 times as much. Each change of state sends the session to all subscribers.',
   ),
-  // MAX_SESSIONS in docs/spec
   sessions: limit(
     1_024,
     'sessions',
     'sessions',
     'Sessions of the master, including stopped ones. A workshop has some hundred; a session takes some 10 KiB.',
   ),
-  // MAX_MODULES_PER_SESSION in docs/spec
   modulesPerSession: limit(
     256,
     'modules',
     'sessions',
     'Modules of one session. Enough for 256 players with one module each.',
   ),
-  // MAX_MAPPINGS_PER_SESSION in docs/spec
   mappingsPerSession: limit(
     4_096,
     'mappings',
     'sessions',
     'Mapped inputs and outputs of one session. Sixteen for each module.',
   ),
-  // MAX_SOURCE_BYTES in docs/spec
   moduleSourceBytes: limit(
     1 * MIB,
     'bytes',
     'sessions',
     'Bytes of the source of one module. Nodes have the same limit. Enough for a bundled library.',
   ),
-  // MAX_SESSION_BYTES in docs/spec
   sessionBytes: limit(
     8 * MIB,
     'bytes',
     'sessions',
     'Encoded bytes of one session or of one stored module. The code of a large module has some hundred KiB.',
   ),
-  // MAX_SESSIONS_BYTES in docs/spec
   sessionsBytes: limit(256 * MIB, 'bytes', 'sessions', 'Encoded bytes of all sessions.'),
   storedDocuments: limit(
     4_096,
@@ -81,21 +75,18 @@ export const SESSION_LIMITS = {
     'sessions',
     'Time to check the code of a session. Starting a worker takes one fifth of it.',
   ),
-  // START_TIMEOUT_MS in docs/spec
   startTimeoutMs: limit(
     10_000,
     'ms',
     'sessions',
     'Time within which nodes must report that modules run. Loading an object detector from disk takes several seconds.',
   ),
-  // STOP_TIMEOUT_MS in docs/spec
   stopTimeoutMs: limit(
     10_000,
     'ms',
     'sessions',
     'Time within which nodes must report that modules have stopped.',
   ),
-  // LOCKSTEP_TIMEOUT_MS in docs/spec
   lockstepTimeoutMs: limit(
     500,
     'ms',

@@ -38,14 +38,12 @@ export const SUBSCRIPTION_LIMITS = {
     'subscriptions',
     'Different regular expressions of all clients. Limits the matching cost of a new topic.',
   ),
-  // PATTERN_MATCH_MS in docs/spec
   patternMatchMs: limit(
     500,
     'ms',
     'subscriptions',
     'Time to match the regular expressions of one client without a pause. A usual pattern takes 0.001 ms per topic, a pattern that is slow on purpose up to 30 ms.',
   ),
-  // PATTERN_MATCH_MS_PER_SECOND in docs/spec
   patternMatchMsPerSecond: limit(
     50,
     'ms/s',

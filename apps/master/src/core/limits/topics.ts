@@ -62,14 +62,12 @@ export const TOPIC_LIMITS = {
     'storage',
     'The same limit for a player or viewer. Enough for one image of a phone camera at full resolution.',
   ),
-  // REPLAY_DELAY_MS in docs/spec
   replayDelayMs: limit(
     25,
     'ms',
     'time',
     'Delay of retained records after the reply to a subscription, for existing clients. Existing browser and Node clients attach their callback some event-loop turns after they read the reply; without the delay, they lost every third record.',
   ),
-  // MAX_KEEP_MS in docs/spec
   keepMs: limit(
     60 * 60_000,
     'ms',
