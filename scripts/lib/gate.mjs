@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { run, runNode } from './commands.mjs';
 import { fingerprint } from './fingerprint.mjs';
 import { findUndocumentedErrors } from './documented-errors.mjs';
+import { findRuleProblems } from './documented-rules.mjs';
 import { inRoot, programFile, readJson, root } from './repository.mjs';
 import { StepFailed, commandStep, step } from './steps.mjs';
 import { readCounts, reportFile } from './test-results.mjs';
@@ -25,6 +26,10 @@ export async function runGate() {
   );
   await step('errors documented', async () => {
     const problems = findUndocumentedErrors();
+    if (problems.length > 0) throw new StepFailed(problems.join('\n'));
+  });
+  await step('rules quoted', async () => {
+    const problems = findRuleProblems();
     if (problems.length > 0) throw new StepFailed(problems.join('\n'));
   });
   const { problems, notes } = await step('dependencies', async () => {
