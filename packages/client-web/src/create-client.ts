@@ -9,30 +9,22 @@ import { createHttpServices } from './transports/http.ts';
 import { createWebSocketTopicData } from './transports/websocket.ts';
 import type { OpenWebSocket } from './transports/websocket.ts';
 
-/** A client over HTTP and WebSocket, unless the options bring other transports. */
+/** A client over HTTP and WebSocket, except for the transports that the options bring. */
 export function createClientOver(
   options: ClientOptions,
   patterns: PatternSource,
   openWebSocket: OpenWebSocket,
   defaultUrl: string | undefined,
 ): UbiiClient {
-  const { clock = systemClock, random = Math.random, transports } = options;
-  if (transports !== undefined) {
-    return createUbiiClient(options, {
-      clock,
-      random,
-      patterns,
-      uuid: systemUuid,
-      ...transports,
-    });
-  }
-  const { servicesUrl, topicDataUrl } = resolveEndpoints(options, defaultUrl);
+  const { clock = systemClock, random = Math.random, transports = {} } = options;
+  const endpoints = () => resolveEndpoints(options, defaultUrl);
   return createUbiiClient(options, {
     clock,
     random,
     patterns,
     uuid: systemUuid,
-    services: createHttpServices({ url: servicesUrl }),
-    topicData: createWebSocketTopicData(topicDataUrl, openWebSocket),
+    services: transports.services ?? createHttpServices({ url: endpoints().servicesUrl }),
+    topicData:
+      transports.topicData ?? createWebSocketTopicData(endpoints().topicDataUrl, openWebSocket),
   });
 }

@@ -43,9 +43,9 @@ export interface ClientOptions {
   readonly clock?: Clock;
   /** @default Math.random */
   readonly random?: RandomSource;
-  /** Ways to the master, in place of HTTP and WebSocket. */
+  /** Ways to the master, each in place of the usual one: HTTP for services, WebSocket for topic data. */
   readonly transports?: {
-    readonly services: ServiceTransport;
-    readonly topicData: TopicDataTransport;
+    readonly services?: ServiceTransport;
+    readonly topicData?: TopicDataTransport;
   };
 }
