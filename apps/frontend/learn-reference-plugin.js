@@ -99,13 +99,14 @@ async function readReference() {
     paths: rights.PATH_RIGHTS.map(({ method, path, content }) => ({ method, path, content })),
     sockets: Object.values(rights.SOCKET_RIGHTS).map(({ path, content }) => ({ path, content })),
     closeCodes: markdownTable(readFileSync(file('docs/spec/extensions.md'), 'utf8')),
+    guides: markdownTable(readFileSync(file('docs/guides/README.md'), 'utf8')),
     glossary: markdownTable(readFileSync(file('docs/glossary.md'), 'utf8')),
   };
 }
 
 /**
  * Vite plugin: the facts of the reference pages of `/learn`, read from their sources when the frontend is
- * built: schema, rights of the master, glossary.
+ * built: schema, rights of the master, glossary, guides.
  *
  * @returns {import('vite').Plugin}
  */

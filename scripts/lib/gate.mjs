@@ -5,6 +5,7 @@ import { run, runNode } from './commands.mjs';
 import { fingerprint } from './fingerprint.mjs';
 import { findUndocumentedErrors } from './documented-errors.mjs';
 import { findRuleProblems } from './documented-rules.mjs';
+import { followGuides } from './follow-guides.mjs';
 import { inRoot, programFile, readJson, root } from './repository.mjs';
 import { StepFailed, commandStep, step } from './steps.mjs';
 import { readCounts, reportFile } from './test-results.mjs';
@@ -51,6 +52,7 @@ export async function runGate() {
     run(process.execPath, ['--test', ...scriptTests()]),
   );
   await commandStep('lint', () => runNode(programFile('', 'eslint'), ['.', '--max-warnings', '0']));
+  await step('guides followed', followGuides);
   return step('unit tests', runUnitTests);
 }
 

@@ -1,3 +1,4 @@
+import { readdirSync } from 'node:fs';
 import { moduleLibrary } from '@ubii/modules';
 import { DATA_FORMATS, SERVICES } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
@@ -42,6 +43,14 @@ describe('the reference', () => {
     expect(protocol).toContain('TopicDataRecord');
     expect(protocol.some((name) => name.startsWith('4001'))).toBe(true);
     expect(entriesOf('glossary').map(({ name }) => name)).toContain('master');
+  });
+
+  it('has every guide of the repository, with its file', () => {
+    const files = readdirSync(new URL('../../../../../docs/guides', import.meta.url))
+      .filter((name) => name !== 'README.md')
+      .map((name) => `\`docs/guides/${name}\``);
+    const shown = entriesOf('guides').map(({ facts }) => facts[0]?.[1]);
+    expect(shown.sort()).toEqual(files.sort());
   });
 
   it('names no rules, and gives each entry of a page an address of its own', () => {

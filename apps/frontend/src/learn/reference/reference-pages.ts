@@ -256,6 +256,20 @@ function glossary(): ReferencePage {
   };
 }
 
+function guides(): ReferencePage {
+  const entries = reference.guides.map(([link = '', sentence = '']) => {
+    const [, title = '', file = ''] = /\[(.+)\]\((.+)\)/.exec(link) ?? [];
+    return { name: title, sentence, facts: [['File', code(`docs/guides/${file}`)]] as const };
+  });
+  return {
+    id: 'guides',
+    title: 'Guides',
+    intro:
+      'Guides extend the product itself. They are files of the repository, each with all steps and the complete code.',
+    sections: [{ title: 'Tasks', entries }],
+  };
+}
+
 /** Every reference page, made from the sources. */
 export const REFERENCE_PAGES: readonly ReferencePage[] = [
   formats(),
@@ -263,6 +277,7 @@ export const REFERENCE_PAGES: readonly ReferencePage[] = [
   modules(),
   wireProtocol(),
   glossary(),
+  guides(),
 ];
 
 /** The id of an entry in its page. */

@@ -5,4 +5,5 @@ export const REFERENCE_TITLES: readonly { readonly id: string; readonly title: s
   { id: 'modules', title: 'Modules' },
   { id: 'wire-protocol', title: 'Wire protocol' },
   { id: 'glossary', title: 'Glossary' },
+  { id: 'guides', title: 'Guides' },
 ];

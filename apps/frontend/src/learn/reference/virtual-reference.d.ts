@@ -36,6 +36,7 @@ declare module 'virtual:learn-reference' {
     }[];
     readonly sockets: readonly { readonly path: string; readonly content: string }[];
     readonly closeCodes: readonly (readonly string[])[];
+    readonly guides: readonly (readonly string[])[];
     readonly glossary: readonly (readonly string[])[];
   };
 }
