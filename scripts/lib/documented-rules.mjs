@@ -5,6 +5,8 @@ import { inRoot } from './repository.mjs';
 const SPEC = /^docs\/spec\/.+\.md$/;
 const TEXT = /\.(js|md|mjs|proto|ts|vue)$/;
 const NOT_SOURCES = /^(\..*|node_modules|dist|generated|test-results)$/;
+/** A rule that a guide adds, in a block `diff`. */
+const ADDITION = /^\+- \*\*([A-Z]{2}-\d+)\*\*/gm;
 const DEFINITION = /^- \*\*([A-Z]{2}-\d+)\*\*/gm;
 
 /**
@@ -48,7 +50,9 @@ export function ruleProblems(files) {
   if (groups.length === 0) return ['No rules were found in docs/spec.'];
   const quoted = new RegExp(`\\b(?:${groups.join('|')})-\\d+\\b`, 'g');
   for (const { path, text } of files) {
-    const unknown = new Set(text.match(quoted)?.filter((id) => !pages.has(id)));
+    const added = new Set([...text.matchAll(ADDITION)].map(([, id]) => id));
+    const isKnown = (/** @type {string} */ id) => pages.has(id) || added.has(id);
+    const unknown = new Set(text.match(quoted)?.filter((id) => !isKnown(id)));
     for (const id of unknown) problems.push(`${path} quotes ${id}, which docs/spec does not have.`);
   }
   return problems;

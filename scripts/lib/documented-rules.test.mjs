@@ -27,6 +27,12 @@ test('a rule that is defined twice is reported', () => {
   ]);
 });
 
+test('a guide may quote the rule that it adds', () => {
+  const text = `+- **${id(2)}** A rule.\n\n// [${id(2)}]`;
+  const guide = { path: 'docs/guides/a-service.md', text };
+  assert.deepEqual(ruleProblems([spec(`- **${id(1)}** A rule.`), guide]), []);
+});
+
 test('words of other groups are no rules', () => {
   assert.deepEqual(ruleProblems([spec(`- **${id(1)}** A rule.`), code('UTF-8, RFC-9')]), []);
 });
