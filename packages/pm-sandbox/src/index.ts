@@ -22,6 +22,11 @@ export type {
 export { undeclaredName } from './worker/nearest-name.ts';
 export { exampleOf } from './worker/value-words.ts';
 export { LEAST_MODULE_BYTES } from './worker/quickjs/engine-pages.ts';
+export {
+  MAX_CHOICE_CHARACTERS,
+  MAX_CHOICES,
+  MAX_IO_DESCRIPTION_CHARACTERS,
+} from './definition/io-limits.ts';
 export { moduleProblems, type ModuleProblem } from './definition/module-problems.ts';
 export { moduleToWire } from './definition/module-to-wire.ts';
 export {

@@ -10,6 +10,7 @@ import { DEFAULT_RUNTIME_LIMITS } from '../limits.ts';
 import { MAX_SOURCE_BYTES } from '../sandbox-limits.ts';
 import { callbackSource } from './callback-source.ts';
 import { defineProcessingModule } from './define-processing-module.ts';
+import { MAX_CHOICE_CHARACTERS, MAX_CHOICES, MAX_IO_DESCRIPTION_CHARACTERS } from './io-limits.ts';
 import type { ModuleRecord } from './io-types.ts';
 import { moduleProblems } from './module-problems.ts';
 import { moduleToWire } from './module-to-wire.ts';
@@ -66,6 +67,39 @@ describe('moduleToWire', () => {
       extension: { libraries: ['http'] },
       onHaltedStringified: '',
     });
+  });
+
+  it('tells descriptions, defaults and choices, and leaves out what nobody said [PM-5] [PM-6] [PM-7]', () => {
+    const { inputs, outputs } = moduleToWire(
+      defineProcessingModule({
+        name: 'm',
+        inputs: {
+          backend: {
+            format: 'string',
+            default: 'auto',
+            description: 'What computes.',
+            choices: ['auto', 'cpu'],
+          },
+          plain: 'double',
+        },
+        outputs: { durationMs: { format: 'double', description: 'Time of a run, ms.' } },
+        onProcessing(_deltaTimeMs, { backend }) {
+          expectTypeOf(backend).toEqualTypeOf<ModuleRecord<'string'> | undefined>();
+        },
+      }),
+    );
+    expect(inputs).toEqual([
+      {
+        internalName: 'backend',
+        messageFormat: 'string',
+        isRecordList: false,
+        defaultJson: '{"string":"auto"}',
+        description: 'What computes.',
+        choices: ['auto', 'cpu'],
+      },
+      { internalName: 'plain', messageFormat: 'double', isRecordList: false },
+    ]);
+    expect(outputs).toMatchObject([{ description: 'Time of a run, ms.' }]);
   });
 
   it('makes texts that evaluate to the callbacks, the first state with them [PM-2]', () => {
@@ -153,6 +187,51 @@ describe('moduleProblems', () => {
       'name',
       'outputs[1].internalName',
       'outputs[2].internalName',
+    ]);
+  });
+
+  it('finds descriptions that are longer than a sentence [PM-6]', () => {
+    const io = (length: number) => ({ internalName: 'a', description: 'x'.repeat(length) });
+    const fine = io(MAX_IO_DESCRIPTION_CHARACTERS);
+    const long = io(MAX_IO_DESCRIPTION_CHARACTERS + 1);
+    expect(moduleProblems(full({ inputs: [fine], outputs: [fine] }))).toEqual([]);
+    expect(moduleProblems(full({ inputs: [long], outputs: [long] }))).toEqual([
+      {
+        path: 'inputs[0].description',
+        message: 'The description has 201 characters; the limit is 200.',
+      },
+      {
+        path: 'outputs[0].description',
+        message: 'The description has 201 characters; the limit is 200.',
+      },
+    ]);
+  });
+
+  it.each([
+    ['an empty one', ['a', ''], 'is empty'],
+    ['one that is there twice', ['a', 'b', 'a'], '"a" is there twice'],
+    ['a long one', ['x'.repeat(MAX_CHOICE_CHARACTERS + 1)], 'has 101 characters'],
+    ['too many', Array.from({ length: MAX_CHOICES + 1 }, (_, i) => `${i}`), 'has 101 choices'],
+  ])('finds choices that cannot be chosen from: %s [PM-7]', (_words, choices, message) => {
+    const inputs = [{ internalName: 'a', messageFormat: 'string', choices }];
+    expect(moduleProblems(full({ inputs }))).toEqual([
+      { path: 'inputs[0].choices', message: expect.stringContaining(message) },
+    ]);
+  });
+
+  it('takes choices of inputs for one string only [PM-7]', () => {
+    const choices = ['a', 'b'];
+    const of = (format: object) => full({ inputs: [{ internalName: 'a', choices, ...format }] });
+    expect(moduleProblems(of({ messageFormat: 'string' }))).toEqual([]);
+    for (const format of [
+      { messageFormat: 'double' },
+      { messageFormat: 'string', isRecordList: true },
+    ]) {
+      expect(moduleProblems(of(format)).map(({ path }) => path)).toEqual(['inputs[0].choices']);
+    }
+    const outputs = [{ internalName: 'a', messageFormat: 'string', choices }];
+    expect(moduleProblems(full({ outputs })).map(({ path }) => path)).toEqual([
+      'outputs[0].choices',
     ]);
   });
 

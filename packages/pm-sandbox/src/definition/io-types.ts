@@ -9,6 +9,10 @@ export type IoInit =
       readonly list?: boolean;
       /** Of an input: the value the callbacks use while nothing is connected, for people. [PM-5] */
       readonly default?: unknown;
+      /** What the values mean, with unit and range, for people: one sentence. [PM-6] */
+      readonly description?: string;
+      /** Of an input for a string: the texts it understands; default: any. [PM-7] */
+      readonly choices?: readonly string[];
     };
 
 /** Inputs or outputs by their internal names. */

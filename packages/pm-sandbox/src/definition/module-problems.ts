@@ -1,5 +1,11 @@
-import { ProcessingModuleLanguage, type ModuleIO, type ProcessingModule } from '@ubii/proto';
+import {
+  parseDataFormat,
+  ProcessingModuleLanguage,
+  type ModuleIO,
+  type ProcessingModule,
+} from '@ubii/proto';
 import { MAX_SOURCE_BYTES } from '../sandbox-limits.ts';
+import { MAX_CHOICE_CHARACTERS, MAX_CHOICES, MAX_IO_DESCRIPTION_CHARACTERS } from './io-limits.ts';
 
 /** Something wrong with a module. */
 export interface ModuleProblem {
@@ -27,6 +33,14 @@ export function moduleProblems(module: ProcessingModule): ModuleProblem[] {
   if (module.name.trim() === '') problems.push({ path: 'name', message: 'A module needs a name.' });
   checkNames(module.inputs, 'inputs', 'input', problems);
   checkNames(module.outputs, 'outputs', 'output', problems);
+  checkDescriptions(module.inputs, 'inputs', problems);
+  checkDescriptions(module.outputs, 'outputs', problems);
+  module.inputs.forEach((input, i) => checkChoices(input, `inputs[${i}].choices`, problems));
+  module.outputs.forEach(({ choices }, i) => {
+    if (choices.length === 0) return;
+    const message = 'Only inputs have choices. Remove the choices of the output.';
+    problems.push({ path: `outputs[${i}].choices`, message });
+  });
   checkSource(module, problems);
   return problems;
 }
@@ -51,6 +65,41 @@ function checkNames(
       problems.push({ path: at, message });
     }
   });
+}
+
+function checkDescriptions(
+  ios: readonly ModuleIO[],
+  path: string,
+  problems: ModuleProblem[],
+): void {
+  ios.forEach(({ description: { length } }, i) => {
+    if (length <= MAX_IO_DESCRIPTION_CHARACTERS) return;
+    const message = `The description has ${length} characters; the limit is ${MAX_IO_DESCRIPTION_CHARACTERS}.`;
+    problems.push({ path: `${path}[${i}].description`, message });
+  });
+}
+
+/** [PM-7] */
+function checkChoices(
+  { messageFormat, isRecordList, choices }: ModuleIO,
+  path: string,
+  problems: ModuleProblem[],
+): void {
+  if (choices.length === 0) return;
+  const twice = choices.find((choice, i) => choices.indexOf(choice) !== i);
+  const long = choices.find(({ length }) => length > MAX_CHOICE_CHARACTERS);
+  const add = (message: string): number => problems.push({ path, message });
+  if (parseDataFormat(messageFormat) !== 'string' || isRecordList) {
+    add('Only an input for one string has choices. Change its format, or remove the choices.');
+  } else if (choices.length > MAX_CHOICES) {
+    add(`The input has ${choices.length} choices; the limit is ${MAX_CHOICES}.`);
+  } else if (choices.includes('')) {
+    add('A choice is empty. Remove it; an empty text can be the default of the input.');
+  } else if (twice !== undefined) {
+    add(`The choice "${twice.slice(0, MAX_CHOICE_CHARACTERS)}" is there twice. Remove one.`);
+  } else if (long !== undefined) {
+    add(`A choice has ${long.length} characters; the limit is ${MAX_CHOICE_CHARACTERS}.`);
+  }
 }
 
 function checkSource(module: ProcessingModule, problems: ModuleProblem[]): void {

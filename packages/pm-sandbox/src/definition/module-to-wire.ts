@@ -60,12 +60,14 @@ function createdSource({ createState, onCreated }: AnyModuleDefinition): string 
 function ioToWire(inits: IoInits): Init<ModuleIO>[] {
   return Object.entries(inits).map(([internalName, init]) => {
     const io = typeof init === 'string' ? { format: init } : init;
-    const { format, list = false, default: value } = io;
+    const { format, list = false, default: value, description = '', choices = [] } = io;
     return {
       internalName,
       messageFormat: DATA_FORMATS[format].messageType,
       isRecordList: list,
       ...(value !== undefined && { defaultJson: JSON.stringify({ [format]: value }) }),
+      ...(description !== '' && { description }),
+      ...(choices.length > 0 && { choices: [...choices] }),
     };
   });
 }

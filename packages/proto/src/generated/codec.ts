@@ -2636,10 +2636,12 @@ export function encodeModuleIO(m: Init<T.ModuleIO>, w: Writer): void {
   if (m.messageFormat != null) w.string(18, m.messageFormat);
   if (m.isRecordList != null) w.bool(24, m.isRecordList);
   if (m.defaultJson != null) w.string(8002, m.defaultJson);
+  if (m.description != null) w.string(8010, m.description);
+  if (m.choices != null) for (const e of m.choices) w.string(8018, e);
 }
 
 export function decodeModuleIO(r: Reader, into?: T.ModuleIO): T.ModuleIO {
-  const m: T.ModuleIO = into ?? { internalName: '', messageFormat: '', isRecordList: false, defaultJson: '' };
+  const m: T.ModuleIO = into ?? { internalName: '', messageFormat: '', isRecordList: false, defaultJson: '', description: '', choices: [] };
   while (r.pos < r.end) {
     const tag = r.tag();
     switch (tag) {
@@ -2647,6 +2649,8 @@ export function decodeModuleIO(r: Reader, into?: T.ModuleIO): T.ModuleIO {
       case 18: m.messageFormat = r.string(); break;
       case 24: m.isRecordList = r.bool(); break;
       case 8002: m.defaultJson = r.string(); break;
+      case 8010: m.description = r.string(); break;
+      case 8018: m.choices.push(r.string()); break;
       default: skipField(r, tag);
     }
   }

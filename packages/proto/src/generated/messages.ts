@@ -2473,6 +2473,10 @@ export interface ModuleIO {
    * is none. Rule PM-5.
    */
   defaultJson: string;
+  /** For people: what the values mean, with unit and range, one sentence. Rule PM-6. */
+  description: string;
+  /** Of an input for a string: the texts it understands; empty: any. Rule PM-7. */
+  choices: string[];
 }
 
 /**

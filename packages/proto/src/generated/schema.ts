@@ -792,6 +792,8 @@ message ubii.processing.ModuleIO
 2 message_format string
 3 is_record_list bool
 1000 default_json string
+1001 description string
+1002 choices string *
 message ubii.processing.ProcessingMode
 1 frequency ubii.processing.ProcessingMode.Frequency mode
 2 lockstep ubii.processing.ProcessingMode.Lockstep mode

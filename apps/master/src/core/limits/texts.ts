@@ -1,3 +1,4 @@
+import { MAX_CHOICE_CHARACTERS, MAX_IO_DESCRIPTION_CHARACTERS } from '@ubii/pm-sandbox';
 import { KIB, limit } from './limit.ts';
 
 /** Limits of texts from clients, and of the log. */
@@ -25,13 +26,25 @@ export const TEXT_LIMITS = {
     256,
     'texts',
     'texts',
-    'Tags, authors or libraries of one session, module, device or client. A handful is usual.',
+    'Tags, authors or libraries of one session, module, device or client, or choices of an input. A handful is usual.',
   ),
   descriptionCharacters: limit(
     4_096,
     'characters',
     'texts',
     'Description, about two pages of text. Longer descriptions of clients, devices and components are cut, those of sessions and modules refused.',
+  ),
+  ioDescriptionCharacters: limit(
+    MAX_IO_DESCRIPTION_CHARACTERS,
+    'characters',
+    'texts',
+    'Description of an input or output of a module, one sentence. Longer ones are refused.',
+  ),
+  choiceCharacters: limit(
+    MAX_CHOICE_CHARACTERS,
+    'characters',
+    'texts',
+    'One of the texts that an input of a module understands. Longer ones are refused.',
   ),
   reasonCharacters: limit(
     200,

@@ -77,6 +77,37 @@ describe('a module of a session', () => {
     ]);
   });
 
+  it('has the descriptions and choices of the library, unless it says its own [PM-6] [PM-7]', () => {
+    const io = { messageFormat: 'string', description: 'What computes.' };
+    const offered = fromJson('ubii.processing.ProcessingModule', {
+      name: 'm',
+      inputs: ['a', 'b', 'c'].map((internalName) => ({
+        ...io,
+        internalName,
+        choices: ['auto', 'cpu'],
+      })),
+      outputs: [{ ...io, internalName: 'a' }],
+    });
+    const stored = () => ({ module: offered, isTrusted: true });
+    const given = {
+      name: 'm',
+      inputs: [
+        { internalName: 'a', messageFormat: 'string' },
+        { internalName: 'b', messageFormat: 'string', description: 'Mine.', choices: ['gpu'] },
+        { internalName: 'c', messageFormat: 'double' },
+      ],
+      outputs: [{ internalName: 'a', messageFormat: 'string' }],
+    };
+    const [draft] = complete({ processingModules: [given] }, { stored }).modules;
+    const told = draft?.spec.inputs.map(({ description, choices }) => [description, choices]);
+    expect(told).toEqual([
+      ['What computes.', ['auto', 'cpu']],
+      ['Mine.', ['gpu']],
+      ['', []],
+    ]);
+    expect(draft?.spec.outputs[0]?.description).toBe('What computes.');
+  });
+
   it('is completed from the library, its callbacks together [SE-1]', () => {
     const stored = () => ({ module: moduleOf(code), isTrusted: true });
     const given = { name: 'm', description: 'mine', onHaltedStringified: '() => 3' };

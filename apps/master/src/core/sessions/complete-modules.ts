@@ -95,8 +95,8 @@ function mergeModules(
     tags: given.tags.length > 0 ? given.tags : base.tags,
     description: given.description || base.description,
     processingMode: hasMode(given) ? given.processingMode : base.processingMode,
-    inputs: given.inputs.length > 0 ? withDefaults(given.inputs, base.inputs) : base.inputs,
-    outputs: given.outputs.length > 0 ? given.outputs : base.outputs,
+    inputs: given.inputs.length > 0 ? withOffered(given.inputs, base.inputs) : base.inputs,
+    outputs: given.outputs.length > 0 ? withOffered(given.outputs, base.outputs) : base.outputs,
     language: given.language || base.language,
     onProcessingStringified: code.onProcessingStringified,
     onCreatedStringified: code.onCreatedStringified,
@@ -106,13 +106,17 @@ function mergeModules(
   };
 }
 
-/** Defaults are told by who offers the module [PM-5]. */
-function withDefaults(given: readonly ModuleIO[], base: readonly ModuleIO[]): ModuleIO[] {
-  return given.map((input) => {
-    const { internalName, messageFormat, defaultJson } = input;
-    const offered = base.find((other) => other.internalName === internalName);
-    const isToAdd = defaultJson === '' && offered?.messageFormat === messageFormat;
-    return isToAdd ? { ...input, defaultJson: offered.defaultJson } : input;
+/** Default, description and choices are told by who offers the module [PM-5] [PM-6] [PM-7]. */
+function withOffered(given: readonly ModuleIO[], base: readonly ModuleIO[]): ModuleIO[] {
+  return given.map((io) => {
+    const offered = base.find(({ internalName }) => internalName === io.internalName);
+    if (offered?.messageFormat !== io.messageFormat) return io;
+    return {
+      ...io,
+      defaultJson: io.defaultJson || offered.defaultJson,
+      description: io.description || offered.description,
+      choices: io.choices.length > 0 ? io.choices : offered.choices,
+    };
   });
 }
 
