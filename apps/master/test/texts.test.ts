@@ -105,6 +105,22 @@ describe('texts of clients', () => {
       },
     ],
     [
+      'processing_module.inputs[1].description',
+      'ioDescriptionCharacters',
+      {
+        topic: '/services/processing_module/database/save',
+        processingModule: { name: 'm', inputs: [{}, { description: LONG }] },
+      },
+    ],
+    [
+      'session.processing_modules[0].inputs[0].choices[1]',
+      'choiceCharacters',
+      {
+        topic: '/services/session/runtime/add',
+        session: { processingModules: [{ inputs: [{ choices: ['auto', LONG] }] }] },
+      },
+    ],
+    [
       'client.devices[0].components[2].topic',
       'topicBytes',
       {

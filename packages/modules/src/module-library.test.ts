@@ -52,6 +52,32 @@ describe('the library', () => {
     },
   );
 
+  it('says of every input and output what its values mean, in one sentence [PM-6]', () => {
+    for (const { name, inputs, outputs } of moduleLibrary()) {
+      for (const { internalName, description } of [...inputs, ...outputs]) {
+        expect(description, `${name}.${internalName}`).toMatch(/^[A-Z].{5,118}\.$/);
+      }
+    }
+  });
+
+  it('offers the words that inputs understand [PM-7]', () => {
+    const choices = moduleLibrary().flatMap(({ name, inputs }) =>
+      inputs
+        .filter((input) => input.choices.length > 0)
+        .map((input) => [`${name}.${input.internalName}`, input.choices] as const),
+    );
+    const backends = ['auto', 'webgpu', 'webgl', 'wasm', 'cpu'];
+    expect(Object.fromEntries(choices)).toEqual({
+      'body-pose.backend': backends,
+      'camera-calibration.dictionary': expect.arrayContaining(['aruco_5x5_50']),
+      'hand-pose.backend': backends,
+      'image-tools.format': ['GRAY8', 'RGB8', 'RGBA8'],
+      'marker-tracking.dictionary': expect.arrayContaining(['aruco_4x4_50', 'apriltag_36h11']),
+      'object-detection.backend': backends,
+      'object-detection.detector': ['centernet', 'coco-ssd'],
+    });
+  });
+
   it.each(FOLDERS)('has a page and tests in %s', (folder) => {
     expect(existsSync(`${import.meta.dirname}/${folder}/README.md`)).toBe(true);
     expect(existsSync(`${import.meta.dirname}/${folder}/${folder}.test.ts`)).toBe(true);
@@ -81,8 +107,9 @@ function samples(module: AnyModuleDefinition, index: number): Record<string, unk
   };
   return Object.fromEntries(
     Object.entries(module.inputs as Readonly<Record<string, IoInit>>).flatMap(([name, init]) => {
-      const isFree = typeof init === 'string' && values[init] !== undefined;
-      return isFree ? [[name, values[init]]] : [];
+      const isSet = typeof init === 'object' && init.default !== undefined;
+      const value = values[formatOf(init)];
+      return isSet || isList(init) || value === undefined ? [] : [[name, value]];
     }),
   );
 }

@@ -1,3 +1,4 @@
+export * from './tensorflow/backend-names.ts';
 export * from './tensorflow/choose-backend.ts';
 export * from './tensorflow/create-tensorflow.ts';
 export type { Files } from './tensorflow/memory-platform.ts';
@@ -15,6 +16,7 @@ export * from './detection/coco-classes.ts';
 export * from './detection/coco-ssd.ts';
 export type * from './detection/detector.ts';
 export * from './detection/detector-choice.ts';
+export * from './detection/detector-names.ts';
 export * from './pose/body-keypoints.ts';
 export * from './pose/body-pose.ts';
 export * from './pose/smooth-pose.ts';

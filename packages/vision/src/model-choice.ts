@@ -1,4 +1,4 @@
-import type { BackendName } from './tensorflow/choose-backend.ts';
+import { BACKEND_CHOICES, type BackendName } from './tensorflow/backend-names.ts';
 import {
   sharedTensorflow,
   type Tensorflow,
@@ -6,7 +6,6 @@ import {
 } from './tensorflow/create-tensorflow.ts';
 import type { Files } from './tensorflow/memory-platform.ts';
 
-const BACKENDS = ['auto', 'webgpu', 'webgl', 'wasm', 'cpu'] as const;
 /** What is used in place of a backend that fails while it computes. */
 const NEXT_BACKEND: Readonly<Record<BackendName, BackendName | undefined>> = {
   webgpu: 'wasm',
@@ -258,9 +257,9 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
         `There is no detector "${model}". There are ${this.#names.join(' and ')}. ${models[this.name].title} detects.`,
       );
     }
-    const isBackend = (BACKENDS as readonly string[]).includes(backend);
+    const isBackend = (BACKEND_CHOICES as readonly string[]).includes(backend);
     if (!isBackend) {
-      problems.push(`There is no backend "${backend}". There are ${BACKENDS.join(', ')}.`);
+      problems.push(`There is no backend "${backend}". There are ${BACKEND_CHOICES.join(', ')}.`);
     }
     return {
       model: isModel ? (model as Name) : this.name,

@@ -1,5 +1,10 @@
-/** Layout of a pixel, one byte a channel: brightness; red, green, blue; and opacity (not premultiplied). */
-export type PixelFormat = 'GRAY8' | 'RGB8' | 'RGBA8';
+/**
+ * Layouts of a pixel, one byte a channel: brightness; red, green, blue; and opacity (not premultiplied). In the order of
+ * the numbers in `Image2D.DataFormat`.
+ */
+export const PIXEL_FORMATS = ['GRAY8', 'RGB8', 'RGBA8'] as const;
+
+export type PixelFormat = (typeof PIXEL_FORMATS)[number];
 
 /** Raw pixels, row by row from the top left without gaps. */
 export interface Picture {
@@ -41,9 +46,6 @@ export const MAX_PIXELS = 4096 * 4096;
 /** Longest side in pixels: a panorama of 16 megapixels with an aspect ratio of 16 : 1. */
 export const MAX_SIDE = 16_384;
 
-/** Formats by the number in `Image2D.DataFormat`. */
-const FORMATS: readonly PixelFormat[] = ['GRAY8', 'RGB8', 'RGBA8'];
-
 /**
  * Reads the message `Image2D`. The data is not copied.
  *
@@ -53,9 +55,9 @@ export function pictureOfImage2D(image: Image2DLike): Picture {
   const { dataFormat } = image;
   const index =
     typeof dataFormat === 'string'
-      ? FORMATS.findIndex((format) => format === dataFormat)
+      ? PIXEL_FORMATS.findIndex((format) => format === dataFormat)
       : (dataFormat ?? 0);
-  const format = FORMATS[index];
+  const format = PIXEL_FORMATS[index];
   if (format === undefined) {
     throw new RangeError(
       `The picture has the unknown format ${dataFormat}. Send GRAY8, RGB8 or RGBA8.`,

@@ -10,11 +10,17 @@ export const averagePositions = defineProcessingModule({
   tags: ['vector', 'muxer', 'demuxer', 'pointer'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { positions: { format: 'vector2', list: true } },
+  inputs: {
+    positions: { format: 'vector2', list: true, description: 'Positions to average, up to 1e100.' },
+  },
   outputs: {
-    middle: 'vector2',
-    count: 'int32',
-    offsets: { format: 'vector2', list: true },
+    middle: { format: 'vector2', description: 'Mean of the positions, in their unit.' },
+    count: { format: 'int32', description: 'Number of positions.' },
+    offsets: {
+      format: 'vector2',
+      list: true,
+      description: 'Position minus mean, one for each identity.',
+    },
   },
   mode: { frequency: { hertz: 30 } },
   onProcessing(_deltaTimeMs, inputs) {

@@ -1,5 +1,12 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type * as Vision from '@ubii/vision';
+import {
+  BACKEND_INPUT,
+  BACKEND_OUTPUTS,
+  IMAGE_INPUT,
+  MAX_RATE_INPUT,
+  TIME_OUTPUTS,
+} from '../image-io.ts';
 import type { NumberRecord } from '../number-record.ts';
 
 /** What an instance keeps. */
@@ -23,20 +30,35 @@ export const bodyPose = defineProcessingModule({
   version: '1.1.0',
   assets: ['vision', 'tfjs-wasm', 'movenet-lightning'],
   inputs: {
-    image: 'image2D',
-    minScore: { format: 'double', default: 0.3 },
-    smoothingMs: { format: 'double', default: 80 },
-    maxRate: { format: 'double', default: 15 },
-    backend: { format: 'string', default: 'auto' },
+    image: IMAGE_INPUT,
+    minScore: {
+      format: 'double',
+      default: 0.3,
+      description: 'Keypoints below this score are left out, 0 to 1.',
+    },
+    smoothingMs: {
+      format: 'double',
+      default: 80,
+      description: 'Time constant of the smoothing, 0 to 10 000 ms; 0 smooths nothing.',
+    },
+    maxRate: { ...MAX_RATE_INPUT, default: 15 },
+    backend: BACKEND_INPUT,
   },
   outputs: {
-    keypoints: 'object2DList',
-    score: 'double',
-    decodeMs: 'double',
-    durationMs: 'double',
-    backend: 'string',
-    backendFault: 'string',
-    error: 'string',
+    keypoints: {
+      format: 'object2DList',
+      description: 'Keypoints by name, 0 to 1 of width and height, each with its score.',
+    },
+    score: {
+      format: 'double',
+      description: 'Mean score of all keypoints, 0 to 1; below 0.2 there is hardly a body.',
+    },
+    ...TIME_OUTPUTS,
+    ...BACKEND_OUTPUTS,
+    error: {
+      format: 'string',
+      description: 'What is wrong with the image or the backend; empty when nothing is.',
+    },
   },
   mode: { triggerOnInput: {} },
   createState: (): PoseState => ({

@@ -1,5 +1,7 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type * as Vision from '@ubii/vision';
+import { DICTIONARY_NAMES } from '@ubii/vision/choices';
+import { IMAGE_INPUT } from '../image-io.ts';
 import type { NumberRecord } from '../number-record.ts';
 
 /** What an instance keeps. */
@@ -24,21 +26,48 @@ export const cameraCalibration = defineProcessingModule({
   version: '1.0.0',
   assets: ['vision', 'opencv'],
   inputs: {
-    image: 'image2D',
-    startOver: 'bool',
-    columns: { format: 'double', default: 5 },
-    rows: { format: 'double', default: 7 },
-    squareSize: { format: 'double', default: 0.032 },
-    markerSize: { format: 'double', default: 0.024 },
-    dictionary: { format: 'string', default: 'aruco_5x5_50' },
-    maxRate: { format: 'double', default: 5 },
+    image: IMAGE_INPUT,
+    startOver: { format: 'bool', description: 'True deletes all views and starts again.' },
+    columns: {
+      format: 'double',
+      default: 5,
+      description: 'Squares in a row of the board, 3 to 16.',
+    },
+    rows: { format: 'double', default: 7, description: 'Rows of squares, 3 to 16.' },
+    squareSize: { format: 'double', default: 0.032, description: 'Side of a square, up to 10 m.' },
+    markerSize: {
+      format: 'double',
+      default: 0.024,
+      description: 'Side of a marker in metres, less than squareSize.',
+    },
+    dictionary: {
+      format: 'string',
+      default: 'aruco_5x5_50',
+      description: 'Family of the markers on the board.',
+      choices: DICTIONARY_NAMES,
+    },
+    maxRate: {
+      format: 'double',
+      default: 5,
+      description:
+        'Most images per second that are looked at, 0.1 to 30; images in between are dropped.',
+    },
   },
   outputs: {
-    calibration: 'string',
-    views: 'double',
-    hint: 'string',
-    corners: 'object2DList',
-    error: 'string',
+    calibration: {
+      format: 'string',
+      description: 'Calibration as JSON, once all views are taken; input of marker-tracking.',
+    },
+    views: { format: 'double', description: 'Views taken so far, 0 to 12.' },
+    hint: { format: 'string', description: 'What to do next, in one sentence.' },
+    corners: {
+      format: 'object2DList',
+      description: 'Corners between the squares that are seen, 0 to 1 of width and height.',
+    },
+    error: {
+      format: 'string',
+      description: 'What is wrong with the image or the board; empty when nothing is.',
+    },
   },
   mode: { triggerOnInput: {} },
   createState: (): CalibrationState => ({

@@ -8,8 +8,18 @@ export const counter = defineProcessingModule({
   tags: ['event', 'number', 'counter'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { event: 'bool', reset: 'bool', step: { format: 'int32', default: 1 } },
-  outputs: { count: 'int32' },
+  inputs: {
+    event: { format: 'bool', description: 'Each true counts as one event.' },
+    reset: { format: 'bool', description: 'True sets the count to 0.' },
+    step: {
+      format: 'int32',
+      default: 1,
+      description: 'Increment for each event, may be negative.',
+    },
+  },
+  outputs: {
+    count: { format: 'int32', description: 'The count.' },
+  },
   mode: { triggerOnInput: {} },
   createState: (): { count: number; told: number | undefined; wasOn: boolean } => ({
     count: 0,

@@ -1,5 +1,12 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type * as Vision from '@ubii/vision';
+import {
+  BACKEND_INPUT,
+  BACKEND_OUTPUTS,
+  IMAGE_INPUT,
+  MAX_RATE_INPUT,
+  TIME_OUTPUTS,
+} from '../image-io.ts';
 import type { NumberRecord } from '../number-record.ts';
 
 /** What an instance keeps. */
@@ -21,21 +28,38 @@ export const handPose = defineProcessingModule({
   version: '1.1.0',
   assets: ['vision', 'tfjs-wasm', 'hand-pose'],
   inputs: {
-    image: 'image2D',
-    threshold: { format: 'double', default: 0.5 },
-    maxHands: { format: 'double', default: 2 },
-    maxRate: { format: 'double', default: 10 },
-    backend: { format: 'string', default: 'auto' },
+    image: IMAGE_INPUT,
+    threshold: {
+      format: 'double',
+      default: 0.5,
+      description: 'Hands below this score are left out, 0 to 1.',
+    },
+    maxHands: {
+      format: 'double',
+      default: 2,
+      description: 'Most hands, those with the highest scores, 1 to 10.',
+    },
+    maxRate: { ...MAX_RATE_INPUT, default: 10 },
+    backend: BACKEND_INPUT,
   },
   outputs: {
-    keypoints: 'object2DList',
-    positions: 'object3DList',
-    hands: 'double',
-    decodeMs: 'double',
-    durationMs: 'double',
-    backend: 'string',
-    backendFault: 'string',
-    error: 'string',
+    keypoints: {
+      format: 'object2DList',
+      description:
+        'Keypoints such as left.thumbTip, 0 to 1 of width and height, with the score of the hand.',
+    },
+    positions: {
+      format: 'object3DList',
+      description:
+        'The same keypoints in metres from the middle of the hand: x right, y down, z away from the camera.',
+    },
+    hands: { format: 'double', description: 'Number of hands.' },
+    ...TIME_OUTPUTS,
+    ...BACKEND_OUTPUTS,
+    error: {
+      format: 'string',
+      description: 'What is wrong with the image or the backend; empty when nothing is.',
+    },
   },
   mode: { triggerOnInput: {} },
   createState: (): HandState => ({

@@ -32,12 +32,35 @@ export const httpPoller = defineProcessingModule({
   version: '1.0.0',
   libraries: ['http'],
   inputs: {
-    url: 'string',
-    path: 'string',
-    intervalMs: { format: 'double', default: 1000 },
-    timeoutMs: { format: 'double', default: 10000 },
+    url: { format: 'string', description: 'Address to request, http or https.' },
+    path: {
+      format: 'string',
+      description:
+        'Path of the value in the response, such as main.temp or sensors[0].value; empty: the whole response.',
+    },
+    intervalMs: {
+      format: 'double',
+      default: 1000,
+      description: 'Time from one request to the next, 100 to 86 400 000 ms.',
+    },
+    timeoutMs: {
+      format: 'double',
+      default: 10000,
+      description: 'Longest time to wait for a response, 100 to 600 000 ms.',
+    },
   },
-  outputs: { number: 'double', text: 'string', status: 'int32', error: 'string' },
+  outputs: {
+    number: {
+      format: 'double',
+      description: 'The value, if it is a number; true is 1, false is 0.',
+    },
+    text: { format: 'string', description: 'The value as text; objects and lists are JSON.' },
+    status: { format: 'int32', description: 'HTTP status of the response.' },
+    error: {
+      format: 'string',
+      description: 'Why there is no value; empty after the next success.',
+    },
+  },
   mode: { frequency: { hertz: 10 } },
   createState: (): PollerState => ({ nowMs: 0, dueMs: 0, request: undefined, error: '' }),
   onCreated(state) {

@@ -1,5 +1,7 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type * as Vision from '@ubii/vision';
+import { PIXEL_FORMATS } from '@ubii/vision/choices';
+import { IMAGE_INPUT, TIME_OUTPUTS } from '../image-io.ts';
 import type { NumberRecord } from '../number-record.ts';
 
 /** What an instance keeps. */
@@ -18,24 +20,55 @@ export const imageTools = defineProcessingModule({
   version: '1.1.0',
   assets: ['vision'],
   inputs: {
-    image: 'image2D',
-    x: { format: 'double', default: 0 },
-    y: { format: 'double', default: 0 },
-    width: { format: 'double', default: 1 },
-    height: { format: 'double', default: 1 },
-    maxSide: { format: 'double', default: 0 },
-    format: { format: 'string', default: '' },
-    bins: { format: 'double', default: 16 },
-    motionThreshold: { format: 'double', default: 0.1 },
+    image: IMAGE_INPUT,
+    x: { format: 'double', default: 0, description: 'Left edge of the part, 0 to 1 of the width.' },
+    y: { format: 'double', default: 0, description: 'Top edge of the part, 0 to 1 of the height.' },
+    width: { format: 'double', default: 1, description: 'Width of the part, 0 to 1 of the width.' },
+    height: {
+      format: 'double',
+      default: 1,
+      description: 'Height of the part, 0 to 1 of the height.',
+    },
+    maxSide: {
+      format: 'double',
+      default: 0,
+      description:
+        'Larger images are scaled to this longer side, 0 to 16 384 pixels; 0 keeps the size.',
+    },
+    format: {
+      format: 'string',
+      default: '',
+      description: 'Pixel format of the output; empty keeps that of the input.',
+      choices: PIXEL_FORMATS,
+    },
+    bins: {
+      format: 'double',
+      default: 16,
+      description: 'Number of brightness ranges of the histogram, 1 to 256.',
+    },
+    motionThreshold: {
+      format: 'double',
+      default: 0.1,
+      description: 'A pixel counts as changed from this change of brightness on, 0 to 1.',
+    },
   },
   outputs: {
-    image: 'image2D',
-    motion: 'double',
-    changed: 'double',
-    histogram: 'doubleList',
-    decodeMs: 'double',
-    durationMs: 'double',
-    error: 'string',
+    image: { format: 'image2D', description: 'The part of the image as raw pixels.' },
+    motion: {
+      format: 'double',
+      description: 'Mean change of brightness since the image before, 0 to 1.',
+    },
+    changed: { format: 'double', description: 'Share of the pixels that changed, 0 to 1.' },
+    histogram: {
+      format: 'doubleList',
+      description:
+        'Share of the pixels in each range of brightness, from dark to bright; the sum is 1.',
+    },
+    ...TIME_OUTPUTS,
+    error: {
+      format: 'string',
+      description: 'What is wrong with the image or a parameter; empty when nothing is.',
+    },
   },
   mode: { triggerOnInput: {} },
   createState: (): ToolState => ({ before: undefined, error: '' }),
@@ -56,7 +89,7 @@ export const imageTools = defineProcessingModule({
     if (image === undefined || (triggers !== undefined && !triggers.includes('image')))
       return undefined;
     const vision = state.modules['vision'] as typeof Vision;
-    const formats = ['GRAY8', 'RGB8', 'RGBA8'] as const;
+    const formats = vision.PIXEL_FORMATS;
     const wanted = inputs.format?.string ?? '';
     const bins = Math.round(number(inputs.bins, 16, 1, 256));
     const startedMs = performance.now();

@@ -7,8 +7,16 @@ export const keyChord = defineProcessingModule({
   tags: ['event', 'key', 'keyboard', 'text'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { key: 'keyEvent' },
-  outputs: { chord: 'string', count: 'int32' },
+  inputs: {
+    key: { format: 'keyEvent', description: 'Key events, pressed and released.' },
+  },
+  outputs: {
+    chord: {
+      format: 'string',
+      description: 'The held keys in the order in which they were pressed, such as a + d.',
+    },
+    count: { format: 'int32', description: 'Number of held keys, 0 to 16.' },
+  },
   mode: { triggerOnInput: {} },
   createState: (): { held: string[]; told: string | undefined } => ({ held: [], told: undefined }),
   onProcessing(_deltaTimeMs, inputs, state) {

@@ -11,8 +11,23 @@ export const loadGenerator = defineProcessingModule({
   tags: ['load', 'benchmark', 'performance'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { iterations: { format: 'int32', default: 1000 }, stamp: 'double' },
-  outputs: { result: 'double', durationMs: 'double', runs: 'int32', echo: 'double' },
+  inputs: {
+    iterations: {
+      format: 'int32',
+      default: 1000,
+      description: 'Additions in each run, 0 to 10 000 000.',
+    },
+    stamp: { format: 'double', description: 'Any number; echo returns it, to measure latency.' },
+  },
+  outputs: {
+    result: {
+      format: 'double',
+      description: 'Fibonacci number at the index iterations, modulo 2^32.',
+    },
+    durationMs: { format: 'double', description: 'Time of the additions, ms.' },
+    runs: { format: 'int32', description: 'Runs since the start.' },
+    echo: { format: 'double', description: 'The number of stamp, with its timestamp.' },
+  },
   mode: { frequency: { hertz: 30 } },
   createState: () => ({ runs: 0 }),
   onProcessing(_deltaTimeMs, inputs, state) {

@@ -88,8 +88,17 @@ function defineLowPass<const F extends SmoothFormat>(name: string, format: F) {
     tags: ['filter', 'smoothing', 'low-pass'],
     authors: ['Ubi-Interact'],
     version: '1.0.0',
-    inputs: { value: format, cutoffHz: { format: 'double', default: 1 } },
-    outputs: { smoothed: format },
+    inputs: {
+      value: { format, description: 'Value to smooth.' },
+      cutoffHz: {
+        format: 'double',
+        default: 1,
+        description: 'Cut-off frequency, 0 to 1000 Hz; lower is smoother, 0 keeps the first value.',
+      },
+    },
+    outputs: {
+      smoothed: { format, description: 'The smoothed value, in the unit of value.' },
+    },
     mode: { triggerOnInput: {} },
     createState: (): LowPassState => ({ smoothed: undefined, waitedMs: 0 }),
     // The callback handles all formats, so it does not have the type of one format.

@@ -9,16 +9,38 @@ export const mapRange = defineProcessingModule({
   authors: ['Ubi-Interact'],
   version: '1.0.0',
   inputs: {
-    value: 'double',
-    inMin: { format: 'double', default: 0 },
-    inMax: { format: 'double', default: 1 },
-    outMin: { format: 'double', default: 0 },
-    outMax: { format: 'double', default: 1 },
-    clamp: { format: 'bool', default: true },
-    invert: { format: 'bool', default: false },
-    exponent: { format: 'double', default: 1 },
+    value: { format: 'double', description: 'Number to map.' },
+    inMin: { format: 'double', default: 0, description: 'The value that is mapped to outMin.' },
+    inMax: {
+      format: 'double',
+      default: 1,
+      description: 'The value that is mapped to outMax; may be less than inMin.',
+    },
+    outMin: { format: 'double', default: 0, description: 'Start of the output range.' },
+    outMax: {
+      format: 'double',
+      default: 1,
+      description: 'End of the output range; may be less than outMin.',
+    },
+    clamp: {
+      format: 'bool',
+      default: true,
+      description: 'True limits the result to the output range.',
+    },
+    invert: {
+      format: 'bool',
+      default: false,
+      description: 'True swaps the ends of the output range.',
+    },
+    exponent: {
+      format: 'double',
+      default: 1,
+      description: 'Curve, 0.01 to 100: 1 is linear, 2 starts slowly, 0.5 starts fast.',
+    },
   },
-  outputs: { mapped: 'double' },
+  outputs: {
+    mapped: { format: 'double', description: 'The mapped number.' },
+  },
   mode: { triggerOnInput: {} },
   onProcessing(_deltaTimeMs, inputs) {
     const read = {

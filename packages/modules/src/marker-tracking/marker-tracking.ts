@@ -1,5 +1,7 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type * as Vision from '@ubii/vision';
+import { DICTIONARY_NAMES } from '@ubii/vision/choices';
+import { IMAGE_INPUT, MAX_RATE_INPUT, TIME_OUTPUTS } from '../image-io.ts';
 import type { NumberRecord } from '../number-record.ts';
 
 /** What an instance keeps. */
@@ -23,21 +25,56 @@ export const markerTracking = defineProcessingModule({
   version: '1.1.0',
   assets: ['vision', 'opencv'],
   inputs: {
-    image: 'image2D',
-    dictionary: { format: 'string', default: 'aruco_4x4_50' },
-    markerSize: { format: 'double', default: 0.05 },
-    ids: 'int32List',
-    calibration: 'string',
-    fieldOfView: { format: 'double', default: 60 },
-    smoothingMs: { format: 'double', default: 0 },
-    maxRate: { format: 'double', default: 30 },
+    image: IMAGE_INPUT,
+    dictionary: {
+      format: 'string',
+      default: 'aruco_4x4_50',
+      description: 'Family of the printed markers.',
+      choices: DICTIONARY_NAMES,
+    },
+    markerSize: {
+      format: 'double',
+      default: 0.05,
+      description: 'Side of the markers with their black border, 0.001 to 100 m.',
+    },
+    ids: {
+      format: 'int32List',
+      description: 'Ids of the markers to look for; empty: all of the dictionary.',
+    },
+    calibration: {
+      format: 'string',
+      description: 'Calibration of the camera as JSON, as camera-calibration puts it out.',
+    },
+    fieldOfView: {
+      format: 'double',
+      default: 60,
+      description:
+        'Angle that the longer side of an image shows, 10 to 150°; counts without a calibration only.',
+    },
+    smoothingMs: {
+      format: 'double',
+      default: 0,
+      description: 'Time constant of the smoothing, 0 to 10 000 ms; 0 smooths nothing.',
+    },
+    maxRate: { ...MAX_RATE_INPUT, default: 30 },
   },
   outputs: {
-    markers: 'object3DList',
-    outlines: 'object2DList',
-    decodeMs: 'double',
-    durationMs: 'double',
-    error: 'string',
+    markers: {
+      format: 'object3DList',
+      description:
+        'Markers with their pose in the frame of the camera, in metres; y is up, z towards the viewer.',
+    },
+    outlines: {
+      format: 'object2DList',
+      description:
+        'The same markers in the image, 0 to 1 of width and height: box, corners and axes.',
+    },
+    ...TIME_OUTPUTS,
+    error: {
+      format: 'string',
+      description:
+        'What is wrong with the image, the calibration or a parameter; empty when nothing is.',
+    },
   },
   mode: { triggerOnInput: {} },
   createState: (): MarkerState => ({

@@ -8,8 +8,13 @@ export const mergeVector2 = defineProcessingModule({
   tags: ['vector', 'number', 'merge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { x: 'double', y: 'double' },
-  outputs: { vector: 'vector2' },
+  inputs: {
+    x: { format: 'double', description: 'First component; 0 without a value.' },
+    y: { format: 'double', description: 'Second component; 0 without a value.' },
+  },
+  outputs: {
+    vector: { format: 'vector2', description: 'The vector, in the unit of its components.' },
+  },
   mode: { triggerOnInput: {} },
   onProcessing(_deltaTimeMs, inputs) {
     if (!inputs.x && !inputs.y) return undefined;
@@ -28,8 +33,14 @@ export const mergeVector3 = defineProcessingModule({
   tags: ['vector', 'number', 'merge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { x: 'double', y: 'double', z: 'double' },
-  outputs: { vector: 'vector3' },
+  inputs: {
+    x: { format: 'double', description: 'First component; 0 without a value.' },
+    y: { format: 'double', description: 'Second component; 0 without a value.' },
+    z: { format: 'double', description: 'Third component; 0 without a value.' },
+  },
+  outputs: {
+    vector: { format: 'vector3', description: 'The vector, in the unit of its components.' },
+  },
   mode: { triggerOnInput: {} },
   onProcessing(_deltaTimeMs, inputs) {
     if (!inputs.x && !inputs.y && !inputs.z) return undefined;
@@ -48,8 +59,15 @@ export const mergeVector4 = defineProcessingModule({
   tags: ['vector', 'number', 'merge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { x: 'double', y: 'double', z: 'double', w: 'double' },
-  outputs: { vector: 'vector4' },
+  inputs: {
+    x: { format: 'double', description: 'First component; 0 without a value.' },
+    y: { format: 'double', description: 'Second component; 0 without a value.' },
+    z: { format: 'double', description: 'Third component; 0 without a value.' },
+    w: { format: 'double', description: 'Fourth component; 0 without a value.' },
+  },
+  outputs: {
+    vector: { format: 'vector4', description: 'The vector, in the unit of its components.' },
+  },
   mode: { triggerOnInput: {} },
   onProcessing(_deltaTimeMs, inputs) {
     if (!inputs.x && !inputs.y && !inputs.z && !inputs.w) return undefined;

@@ -12,11 +12,19 @@ export const mirrorPointer = defineProcessingModule({
   authors: ['Ubi-Interact'],
   version: '1.0.0',
   inputs: {
-    pointer: 'vector2',
-    mirrorX: { format: 'bool', default: false },
-    mirrorY: { format: 'bool', default: false },
+    pointer: {
+      format: 'vector2',
+      description: 'Position, 0 to 1 of width and height, origin top left.',
+    },
+    mirrorX: { format: 'bool', default: false, description: 'True swaps left and right.' },
+    mirrorY: { format: 'bool', default: false, description: 'True swaps top and bottom.' },
   },
-  outputs: { mirrored: 'vector2' },
+  outputs: {
+    mirrored: {
+      format: 'vector2',
+      description: 'The mirrored position, 0 to 1 of width and height.',
+    },
+  },
   mode: { triggerOnInput: {} },
   onProcessing(_deltaTimeMs, inputs, state) {
     const pointer = inputs.pointer;

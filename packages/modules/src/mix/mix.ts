@@ -9,14 +9,16 @@ export const mix = defineProcessingModule({
   authors: ['Ubi-Interact'],
   version: '1.0.0',
   inputs: {
-    a: 'double',
-    b: 'double',
-    c: 'double',
-    gainA: { format: 'double', default: 1 },
-    gainB: { format: 'double', default: 1 },
-    gainC: { format: 'double', default: 1 },
+    a: { format: 'double', description: 'First number; 0 without a value.' },
+    b: { format: 'double', description: 'Second number; 0 without a value.' },
+    c: { format: 'double', description: 'Third number; 0 without a value.' },
+    gainA: { format: 'double', default: 1, description: 'Factor of a; a negative one subtracts.' },
+    gainB: { format: 'double', default: 1, description: 'Factor of b; a negative one subtracts.' },
+    gainC: { format: 'double', default: 1, description: 'Factor of c; a negative one subtracts.' },
   },
-  outputs: { mixed: 'double' },
+  outputs: {
+    mixed: { format: 'double', description: 'Sum of the numbers times their gains.' },
+  },
   mode: { triggerOnInput: {} },
   onProcessing(_deltaTimeMs, inputs) {
     const read = {

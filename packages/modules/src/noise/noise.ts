@@ -15,12 +15,27 @@ export const noise = defineProcessingModule({
   authors: ['Ubi-Interact'],
   version: '1.0.0',
   inputs: {
-    amplitude: { format: 'double', default: 1 },
-    offset: { format: 'double', default: 0 },
-    walkSpeed: { format: 'double', default: 1 },
-    seed: { format: 'int32', default: 1 },
+    amplitude: { format: 'double', default: 1, description: 'Factor of all outputs.' },
+    offset: { format: 'double', default: 0, description: 'Added to all outputs.' },
+    walkSpeed: {
+      format: 'double',
+      default: 1,
+      description: 'Standard deviation of the random walk after one second, 0 to 100.',
+    },
+    seed: {
+      format: 'int32',
+      default: 1,
+      description: 'Seed of the sequence; a change restarts it.',
+    },
   },
-  outputs: { uniform: 'double', normal: 'double', walk: 'double' },
+  outputs: {
+    uniform: { format: 'double', description: 'Uniform numbers, offset ± amplitude.' },
+    normal: {
+      format: 'double',
+      description: 'Normal numbers around the offset; the standard deviation is the amplitude.',
+    },
+    walk: { format: 'double', description: 'Random walk within offset ± amplitude.' },
+  },
   mode: { frequency: { hertz: 30 } },
   createState: (): { seed: number | undefined; random: number; walk: number } => ({
     seed: undefined,

@@ -1,5 +1,13 @@
 import { defineProcessingModule } from '@ubii/pm-sandbox';
 import type * as Vision from '@ubii/vision';
+import { DETECTOR_NAMES } from '@ubii/vision/choices';
+import {
+  BACKEND_INPUT,
+  BACKEND_OUTPUTS,
+  IMAGE_INPUT,
+  MAX_RATE_INPUT,
+  TIME_OUTPUTS,
+} from '../image-io.ts';
 import type { NumberRecord } from '../number-record.ts';
 
 /** What an instance keeps. */
@@ -22,24 +30,52 @@ export const objectDetection = defineProcessingModule({
   assets: ['vision', 'tfjs-wasm', 'centernet-coco'],
   optionalAssets: ['coco-ssd'],
   inputs: {
-    image: 'image2D',
+    image: IMAGE_INPUT,
     // Without a value, the detector's own: they differ.
-    threshold: 'double',
-    maxObjects: { format: 'double', default: 20 },
-    classes: 'stringList',
-    inputSize: 'double',
-    maxRate: { format: 'double', default: 15 },
-    detector: { format: 'string', default: 'centernet' },
-    backend: { format: 'string', default: 'auto' },
+    threshold: {
+      format: 'double',
+      description:
+        'Objects below this score are left out, 0 to 1; unset: 0.4 for centernet, 0.5 for coco-ssd.',
+    },
+    maxObjects: {
+      format: 'double',
+      default: 20,
+      description: 'Most objects, those with the highest scores, 1 to 100.',
+    },
+    classes: {
+      format: 'stringList',
+      description: 'Classes to detect, such as person and cup; empty: all 80 classes of COCO.',
+    },
+    inputSize: {
+      format: 'double',
+      description:
+        'Longer side of what the detector sees, 128 to 1024 pixels; smaller is faster and less exact.',
+    },
+    maxRate: { ...MAX_RATE_INPUT, default: 15 },
+    detector: {
+      format: 'string',
+      default: 'centernet',
+      description: 'The model that detects; coco-ssd has to be downloaded first.',
+      choices: DETECTOR_NAMES,
+    },
+    backend: BACKEND_INPUT,
   },
   outputs: {
-    predictions: 'object2DList',
-    belowThreshold: 'object2DList',
-    decodeMs: 'double',
-    durationMs: 'double',
-    backend: 'string',
-    backendFault: 'string',
-    error: 'string',
+    predictions: {
+      format: 'object2DList',
+      description:
+        'Objects with class, box from 0 to 1 of the image, and score; the highest score first.',
+    },
+    belowThreshold: {
+      format: 'object2DList',
+      description: 'Objects with a score from 0.1 to the threshold, in the same form.',
+    },
+    ...TIME_OUTPUTS,
+    ...BACKEND_OUTPUTS,
+    error: {
+      format: 'string',
+      description: 'What is wrong with image, classes, detector or backend; empty when nothing is.',
+    },
   },
   mode: { triggerOnInput: {} },
   createState: (): DetectionState => ({

@@ -112,12 +112,27 @@ function defineOneEuro<const F extends SmoothFormat>(name: string, format: F) {
     authors: ['Ubi-Interact'],
     version: '1.0.0',
     inputs: {
-      value: format,
-      minCutoffHz: { format: 'double', default: 1 },
-      beta: { format: 'double', default: 1 },
-      derivativeCutoffHz: { format: 'double', default: 1 },
+      value: { format, description: 'Value to smooth.' },
+      minCutoffHz: {
+        format: 'double',
+        default: 1,
+        description: 'Cut-off frequency at rest, 0 to 1000 Hz; lower is smoother.',
+      },
+      beta: {
+        format: 'double',
+        default: 1,
+        description:
+          'Increase of the cut-off for each unit per second of speed, in Hz, 0 to 1e9; higher reduces delay.',
+      },
+      derivativeCutoffHz: {
+        format: 'double',
+        default: 1,
+        description: 'Cut-off frequency of the speed, 0 to 1000 Hz.',
+      },
     },
-    outputs: { smoothed: format },
+    outputs: {
+      smoothed: { format, description: 'The smoothed value, in the unit of value.' },
+    },
     mode: { triggerOnInput: {} },
     createState: (): OneEuroState => ({ smoothed: undefined, speed: [], waitedMs: 0 }),
     // The callback handles all formats, so it does not have the type of one format.

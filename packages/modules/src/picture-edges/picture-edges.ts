@@ -13,8 +13,26 @@ export const pictureEdges = defineProcessingModule({
   tags: ['image', 'filter', 'edge'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { picture: 'image2D', threshold: { format: 'double', default: 0 } },
-  outputs: { grey: 'image2D', edges: 'image2D', error: 'string' },
+  inputs: {
+    picture: {
+      format: 'image2D',
+      description: 'Raw pixels (GRAY8, RGB8 or RGBA8), up to 640 × 480.',
+    },
+    threshold: {
+      format: 'double',
+      default: 0,
+      description:
+        'Edges below this strength are black, others white, 0 to 1; 0 keeps their strength.',
+    },
+  },
+  outputs: {
+    grey: { format: 'image2D', description: 'Brightness of the image, GRAY8.' },
+    edges: { format: 'image2D', description: 'Strength of the edges, GRAY8.' },
+    error: {
+      format: 'string',
+      description: 'What is wrong with the image; empty when nothing is.',
+    },
+  },
   mode: { triggerOnInput: {} },
   createState: () => ({ error: '' }),
   onProcessing(_deltaTimeMs, inputs, state) {

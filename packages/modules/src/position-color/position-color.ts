@@ -8,8 +8,21 @@ export const positionColor = defineProcessingModule({
   tags: ['color', 'vector', 'pointer', 'convert'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { position: 'vector2', saturation: { format: 'double', default: 0.8 } },
-  outputs: { color: 'color', hex: 'string' },
+  inputs: {
+    position: {
+      format: 'vector2',
+      description: 'Position, 0 to 1, origin top left: x is the hue, y the lightness.',
+    },
+    saturation: {
+      format: 'double',
+      default: 0.8,
+      description: 'Saturation of the colour, 0 to 1; 0 is grey.',
+    },
+  },
+  outputs: {
+    color: { format: 'color', description: 'Opaque sRGB colour, each part from 0 to 1.' },
+    hex: { format: 'string', description: 'The same colour as #rrggbb.' },
+  },
   mode: { triggerOnInput: {} },
   onProcessing(_deltaTimeMs, inputs) {
     const read = {

@@ -19,8 +19,25 @@ export const speedVector2 = defineProcessingModule({
   tags: ['vector', 'number', 'derivative', 'pointer'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
-  inputs: { position: 'vector2', smoothingMs: { format: 'double', default: 60 } },
-  outputs: { velocity: 'vector2', speed: 'double', distance: 'double' },
+  inputs: {
+    position: { format: 'vector2', description: 'The position, up to 1e100.' },
+    smoothingMs: {
+      format: 'double',
+      default: 60,
+      description: 'Time constant of the smoothing, 0 to 60 000 ms; 0 smooths nothing.',
+    },
+  },
+  outputs: {
+    velocity: { format: 'vector2', description: 'Change of the position per second.' },
+    speed: {
+      format: 'double',
+      description: 'Length of the velocity, in units of the position per second.',
+    },
+    distance: {
+      format: 'double',
+      description: 'Travelled distance since the start, in units of the position.',
+    },
+  },
   mode: { frequency: { hertz: 30 } },
   createState: (): SpeedState => ({
     last: undefined,

@@ -37,17 +37,28 @@ export const statistics = defineProcessingModule({
   authors: ['Ubi-Interact'],
   version: '1.0.0',
   inputs: {
-    value: 'double',
-    windowMs: { format: 'double', default: 1000 },
-    windowCount: { format: 'int32', default: 0 },
+    value: { format: 'double', description: 'Number to aggregate, up to ±1e140.' },
+    windowMs: {
+      format: 'double',
+      default: 1000,
+      description: 'Values older than this do not count, in ms; 0: no limit.',
+    },
+    windowCount: {
+      format: 'int32',
+      default: 0,
+      description: 'Most values that count, 0 to 10 000; 0: as many as possible.',
+    },
   },
   outputs: {
-    count: 'int32',
-    mean: 'double',
-    min: 'double',
-    max: 'double',
-    standardDeviation: 'double',
-    rms: 'double',
+    count: { format: 'int32', description: 'Number of values in the window.' },
+    mean: { format: 'double', description: 'Arithmetic mean.' },
+    min: { format: 'double', description: 'Smallest value.' },
+    max: { format: 'double', description: 'Largest value.' },
+    standardDeviation: {
+      format: 'double',
+      description: 'Standard deviation of the sample; 0 with one value.',
+    },
+    rms: { format: 'double', description: 'Root of the mean square.' },
   },
   mode: { triggerOnInput: {} },
   createState: (): StatisticsState => ({

@@ -9,11 +9,17 @@ export const testPicture = defineProcessingModule({
   authors: ['Ubi-Interact'],
   version: '1.0.0',
   inputs: {
-    width: { format: 'int32', default: 96 },
-    height: { format: 'int32', default: 54 },
-    turnsPerSecond: { format: 'double', default: 0.2 },
+    width: { format: 'int32', default: 96, description: 'Width of the image, 16 to 320 pixels.' },
+    height: { format: 'int32', default: 54, description: 'Height of the image, 16 to 240 pixels.' },
+    turnsPerSecond: {
+      format: 'double',
+      default: 0.2,
+      description: 'Rounds of the disc per second, 0 to 10.',
+    },
   },
-  outputs: { picture: 'image2D' },
+  outputs: {
+    picture: { format: 'image2D', description: 'The image as raw pixels, RGB8.' },
+  },
   mode: { frequency: { hertz: 12 } },
   createState: () => ({ turns: 0 }),
   onProcessing(deltaTimeMs, inputs, state) {

@@ -9,11 +9,27 @@ export const threshold = defineProcessingModule({
   authors: ['Ubi-Interact'],
   version: '1.0.0',
   inputs: {
-    value: 'double',
-    threshold: { format: 'double', default: 0.5 },
-    hysteresis: { format: 'double', default: 0 },
+    value: { format: 'double', description: 'Number to compare.' },
+    threshold: {
+      format: 'double',
+      default: 0.5,
+      description: 'The number counts as above from this value on.',
+    },
+    hysteresis: {
+      format: 'double',
+      default: 0,
+      description: 'Distance below the threshold at which the number counts as below, 0 or more.',
+    },
   },
-  outputs: { isAbove: 'bool', rose: 'bool', fell: 'bool', riseCount: 'int32' },
+  outputs: {
+    isAbove: { format: 'bool', description: 'True while the number is above the threshold.' },
+    rose: { format: 'bool', description: 'True when the number rises to the threshold.' },
+    fell: {
+      format: 'bool',
+      description: 'True when the number falls below the threshold minus hysteresis.',
+    },
+    riseCount: { format: 'int32', description: 'Number of rises since the start.' },
+  },
   mode: { triggerOnInput: {} },
   createState: (): { isAbove: boolean | undefined; riseCount: number } => ({
     isAbove: undefined,

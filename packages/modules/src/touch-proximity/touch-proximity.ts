@@ -31,17 +31,46 @@ export const touchProximity = defineProcessingModule({
   authors: ['Ubi-Interact'],
   version: '1.1.0',
   inputs: {
-    touches: { format: 'vector2', list: true },
-    touching: { format: 'bool', list: true },
-    distance: { format: 'double', default: 0.1 },
-    hysteresis: { format: 'double', default: 0.02 },
-    vibrationMs: { format: 'double', default: 100 },
-    maxAgeMs: { format: 'double', default: 2000 },
+    touches: {
+      format: 'vector2',
+      list: true,
+      description: 'Touch positions of all clients, 0 to 1 of width and height.',
+    },
+    touching: {
+      format: 'bool',
+      list: true,
+      description: 'Whether each client touches; without a value, its newest position counts.',
+    },
+    distance: {
+      format: 'double',
+      default: 0.1,
+      description: 'Touches within this distance are near, in units of the positions.',
+    },
+    hysteresis: {
+      format: 'double',
+      default: 0.02,
+      description:
+        'Additional distance at which near touches stay near, in units of the positions.',
+    },
+    vibrationMs: {
+      format: 'double',
+      default: 100,
+      description: 'Duration of the vibration, 0 to 10 000 ms; 0 vibrates nothing.',
+    },
+    maxAgeMs: {
+      format: 'double',
+      default: 2000,
+      description: 'A touch without a new value for this time has ended, in ms; 0: no limit.',
+    },
   },
   outputs: {
-    vibration: { format: 'double', list: true },
-    isNear: { format: 'bool', list: true },
-    nearCount: 'int32',
+    vibration: {
+      format: 'double',
+      list: true,
+      description: 'Duration of the vibration for each client near another one, ms.',
+    },
+    isNear: { format: 'bool', list: true, description: 'True for each client near another one.' },
+    nearCount: { format: 'int32', description: 'Number of clients near another one.' },
   },
   mode: { frequency: { hertz: 20 } },
   createState: (): TouchProximityState => ({

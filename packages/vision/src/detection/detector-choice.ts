@@ -1,13 +1,11 @@
 import { ModelChoice, type ModelSources } from '../model-choice.ts';
 import type { Picture } from '../picture.ts';
-import type { BackendName } from '../tensorflow/choose-backend.ts';
+import type { BackendName } from '../tensorflow/backend-names.ts';
 import type { Files } from '../tensorflow/memory-platform.ts';
 import { createCenterNet } from './center-net.ts';
 import { createCocoSsd } from './coco-ssd.ts';
+import type { DetectorName } from './detector-names.ts';
 import type { Detection, DetectionOptions, Detector } from './detector.ts';
-
-/** Detectors by the names that modules use. */
-export type DetectorName = 'centernet' | 'coco-ssd';
 
 /** What a choice of detectors needs. */
 export interface DetectorSources extends Omit<ModelSources<DetectorName, Detector>, 'models'> {

@@ -1,5 +1,4 @@
-/** Where TensorFlow.js computes: on the graphics card (two interfaces), in WebAssembly, in plain JavaScript. */
-export type BackendName = 'webgpu' | 'webgl' | 'wasm' | 'cpu';
+import type { BackendName } from './backend-names.ts';
 
 /** A backend to try. */
 export interface BackendCandidate {

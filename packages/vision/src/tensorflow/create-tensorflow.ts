@@ -4,12 +4,8 @@ import '@tensorflow/tfjs-backend-webgl';
 import '@tensorflow/tfjs-backend-webgpu';
 import { type GraphModel, loadGraphModel } from '@tensorflow/tfjs-converter';
 import * as tf from '@tensorflow/tfjs-core';
-import {
-  type BackendCandidate,
-  type BackendChoice,
-  type BackendName,
-  chooseBackend,
-} from './choose-backend.ts';
+import type { BackendName } from './backend-names.ts';
+import { type BackendCandidate, type BackendChoice, chooseBackend } from './choose-backend.ts';
 import { BackendLostError, lossOf, runUnlessLost, startBackend } from './gpu-backend.ts';
 import { type GpuSupport, webglSupport, webgpuSupport } from './gpu-support.ts';
 import { type Files, useMemoryPlatform } from './memory-platform.ts';

@@ -1,7 +1,7 @@
 import type { MathBackendWebGL } from '@tensorflow/tfjs-backend-webgl';
 import type { WebGPUBackend } from '@tensorflow/tfjs-backend-webgpu';
 import * as tf from '@tensorflow/tfjs-core';
-import type { BackendName } from './choose-backend.ts';
+import type { BackendName } from './backend-names.ts';
 
 /** The graphics card took away what a backend computes with: a driver was reset, or memory ran out. */
 export class BackendLostError extends Error {

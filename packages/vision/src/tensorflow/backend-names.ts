@@ -1,0 +1,7 @@
+/** Where TensorFlow.js computes: on the graphics card (two interfaces), in WebAssembly, in plain JavaScript. */
+export const BACKEND_NAMES = ['webgpu', 'webgl', 'wasm', 'cpu'] as const;
+
+export type BackendName = (typeof BACKEND_NAMES)[number];
+
+/** What callers may ask for: the fastest backend, or one by name. */
+export const BACKEND_CHOICES = ['auto', ...BACKEND_NAMES] as const;
