@@ -42,6 +42,12 @@ test('a value in the row of a node changes what runs, and what is typed wrong sa
   await expect(high).toContainText('true');
 
   const limit = graph.value('Module threshold', 'threshold');
+  await test.step('the inspector says what the value means [PM-6]', async () => {
+    await graph.node('Module threshold').click();
+    await expect(graph.inspector.getByRole('group', { name: 'Input threshold' })).toContainText(
+      'The number counts as above from this value on.',
+    );
+  });
   await test.step('what is no number is told beside the field', async () => {
     await limit.click();
     await limit.fill('high');

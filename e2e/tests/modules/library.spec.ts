@@ -27,6 +27,7 @@ test('the library is searched by words and data formats, and a module tells all 
   await modules.link('mirror-pointer').click();
   await expect(modules.detail).toContainText('built in');
   await expect(modules.detail.getByRole('region', { name: 'Inputs' })).toContainText('pointer');
+  await expect(modules.detail).toContainText('True swaps left and right.');
   await expect(modules.detail.getByRole('region', { name: 'Where it can run' })).toContainText(
     'Master',
   );

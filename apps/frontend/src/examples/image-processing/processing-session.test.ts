@@ -7,6 +7,8 @@ const io = (internalName: string, messageFormat: string, isRecordList = false): 
   messageFormat,
   isRecordList,
   defaultJson: '',
+  description: '',
+  choices: [],
 });
 const module = {
   name: 'tools',

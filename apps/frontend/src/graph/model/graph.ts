@@ -35,6 +35,10 @@ export interface Port {
   readonly isDeclared: boolean;
   /** Of an input: what the module uses while nothing is connected, such as `{"double":1}`. [PM-5] */
   readonly defaultJson?: string | undefined;
+  /** What its values mean, with unit and range, one sentence. [PM-6] */
+  readonly description?: string | undefined;
+  /** Of an input for a string: the texts that it understands. [PM-7] */
+  readonly choices?: readonly string[] | undefined;
 }
 
 interface NodeBase {

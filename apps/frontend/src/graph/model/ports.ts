@@ -89,7 +89,8 @@ function sidePorts(
 ): Iterable<Port> {
   const idOf = direction === 'in' ? inputPort : outputPort;
   const ports = new Map<string, Port>();
-  for (const { internalName, messageFormat, isRecordList, defaultJson } of declared) {
+  for (const io of declared) {
+    const { internalName, messageFormat, isRecordList } = io;
     if (ports.has(internalName)) continue;
     ports.set(internalName, {
       id: idOf(internalName),
@@ -99,7 +100,9 @@ function sidePorts(
       formatText: messageFormat,
       isList: isRecordList,
       isDeclared: true,
-      defaultJson: defaultJson || undefined,
+      defaultJson: io.defaultJson || undefined,
+      description: io.description || undefined,
+      choices: io.choices.length > 0 ? io.choices : undefined,
     });
   }
   for (const name of mapped) {

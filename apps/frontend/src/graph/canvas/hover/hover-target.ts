@@ -15,6 +15,8 @@ export interface HoverWords {
   /** Whose values are shown; undefined when there is no single topic. */
   readonly topic: string | undefined;
   readonly format: string;
+  /** Of an input or output of a module: what its values mean. [PM-6] */
+  readonly about?: string | undefined;
   /** What stands there instead of values. */
   readonly note: string | undefined;
 }
@@ -61,7 +63,8 @@ export function hoverWords(graph: Graph, target: HoverTarget): HoverWords | unde
       : wire
         ? 'The values of many topics as a list'
         : noteOf(constant);
-  return { title: `${side} ${port.name || nodeTitle(node)}`, topic, format, note };
+  const title = `${side} ${port.name || nodeTitle(node)}`;
+  return { title, topic, format, about: port.description, note };
 }
 
 const noteOf = (constant: string | undefined): string =>

@@ -1,7 +1,10 @@
 import type { IoDraft, ModeDraft, ModuleDraft } from './module-draft.ts';
 
-const ioWords = ({ name, format, isList }: IoDraft): string =>
-  `${name}: ${isList ? 'list of ' : ''}${format || 'any format'}`;
+function ioWords({ name, format, isList, description, choices = [] }: IoDraft): string {
+  const words = `${name}: ${isList ? 'list of ' : ''}${format || 'any format'}`;
+  const oneOf = choices.length > 0 ? `one of ${choices.join(', ')}` : undefined;
+  return [words, oneOf, description].filter(Boolean).join('; ');
+}
 
 function modeText({ kind, hertz, minDelayMs, allInputsNeedUpdate }: ModeDraft): string {
   switch (kind) {

@@ -3,6 +3,7 @@ import { fromJson } from '@ubii/proto';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { draftProblems } from './draft-problems.ts';
 import { draftNames, dropDraft, keepDraft, readDraft } from './draft-store.ts';
+import { draftText } from './draft-text.ts';
 import { draftOf, isSameDraft, moduleOf } from './module-draft.ts';
 import { TEMPLATES } from './templates.ts';
 import { splitText } from '../text/module-text.ts';
@@ -11,7 +12,10 @@ const module = fromJson('ubii.processing.ProcessingModule', {
   name: 'doubler',
   tags: ['arithmetic'],
   authors: ['Anna'],
-  inputs: [{ internalName: 'number', messageFormat: 'double' }],
+  inputs: [
+    { internalName: 'number', messageFormat: 'double', description: 'Number to double.' },
+    { internalName: 'mode', messageFormat: 'string', choices: ['exact', 'fast'] },
+  ],
   outputs: [
     { internalName: 'each', messageFormat: 'ubii.dataStructure.Vector2', isRecordList: true },
   ],
@@ -33,18 +37,41 @@ describe('a draft', () => {
     expect(isSameDraft(draft, { ...draft, tags: [] })).toBe(false);
   });
 
+  it('is the same in whatever order its fields were filled in', () => {
+    const [number, mode] = draft.inputs;
+    const filled = (io: object) => ({ ...draft, inputs: [number!, { ...mode!, ...io }] });
+    const stored = draftOf(moduleOf(filled({ description: 'How.' })));
+    expect(isSameDraft(stored, filled({ description: 'How.' }))).toBe(true);
+    expect(isSameDraft(draft, filled({ description: 'How.' }))).toBe(false);
+    expect(isSameDraft(draft, filled({ description: '' }))).toBe(true);
+    expect(isSameDraft(draft, filled({ choices: ['exact'] }))).toBe(false);
+  });
+
+  it('is compared with descriptions and choices as text', () => {
+    expect(draftText(draft)).toContain('// Input number: double; Number to double.\n');
+    expect(draftText(draft)).toContain('// Input mode: string; one of exact, fast\n');
+  });
+
   it('says what is wrong beside the field', () => {
     const io = { name: 'a', format: 'double', isList: false };
     const broken = {
       ...draft,
       name: 'clock',
-      inputs: [io, io, { ...io, name: 'two words' }, { ...io, name: 'b', format: 'whatever' }],
+      inputs: [
+        io,
+        io,
+        { ...io, name: 'two words', description: 'x'.repeat(201) },
+        { ...io, name: 'b', format: 'whatever' },
+        { ...io, name: 'c', choices: ['a'] },
+      ],
       mode: { ...draft.mode, kind: 'frequency', hertz: Number.NaN },
     } as const;
     expect([...draftProblems(broken, new Set(['clock'])).keys()].sort()).toEqual([
       'inputs[1].name',
+      'inputs[2].description',
       'inputs[2].name',
       'inputs[3].format',
+      'inputs[4].choices',
       'mode.hertz',
       'name',
     ]);

@@ -19,6 +19,10 @@ export interface IoDraft {
   readonly isList: boolean;
   /** Of an input: what the callbacks use while nothing is connected. [PM-5] */
   readonly defaultJson?: string;
+  /** What its values mean, with unit and range. [PM-6] */
+  readonly description?: string | undefined;
+  /** Of an input for a string: the texts that it understands. [PM-7] */
+  readonly choices?: readonly string[] | undefined;
 }
 
 export type ModeKind = 'frequency' | 'trigger' | 'lockstep' | 'free';
@@ -52,12 +56,15 @@ export interface ModuleDraft {
 
 const DEFAULT_HERTZ = 30;
 
-function ioDraft({ internalName, messageFormat, isRecordList, defaultJson }: ModuleIO): IoDraft {
+function ioDraft(io: ModuleIO): IoDraft {
+  const { internalName, messageFormat, isRecordList, defaultJson, description, choices } = io;
   return {
     name: internalName,
     format: parseDataFormat(messageFormat) ?? messageFormat,
     isList: isRecordList,
     ...(defaultJson !== '' && { defaultJson }),
+    ...(description !== '' && { description }),
+    ...(choices.length > 0 && { choices }),
   };
 }
 
@@ -88,13 +95,22 @@ export function draftOf(module: ProcessingModule): ModuleDraft {
   };
 }
 
-function ioOf({ name, format, isList, defaultJson }: IoDraft): Init<ModuleIO> {
+function ioOf({
+  name,
+  format,
+  isList,
+  defaultJson,
+  description = '',
+  choices = [],
+}: IoDraft): Init<ModuleIO> {
   const known = parseDataFormat(format);
   return {
     internalName: name,
     messageFormat: known ? DATA_FORMATS[known].messageType : format,
     isRecordList: isList,
     ...(defaultJson !== undefined && { defaultJson }),
+    ...(description !== '' && { description }),
+    ...(choices.length > 0 && { choices: [...choices] }),
   };
 }
 
@@ -163,9 +179,10 @@ export function isSameDraft(a: ModuleDraft, b: ModuleDraft): boolean {
   return fingerprint(a) === fingerprint(b);
 }
 
-/** Compares code by its callbacks: spaces between them do not count as a change. */
-function fingerprint({ code, name, ...rest }: ModuleDraft): string {
+/** Compares code by its callbacks: spaces between them do not count as a change, nor does the order of members. */
+function fingerprint({ code, name, inputs, outputs, ...rest }: ModuleDraft): string {
   const split = splitText(code);
   const isSound = split.problems.length === 0;
-  return JSON.stringify([name.trim(), rest, isSound ? sourcesOf(split) : code]);
+  const ios = [inputs.map(ioOf), outputs.map(ioOf)];
+  return JSON.stringify([name.trim(), rest, ios, isSound ? sourcesOf(split) : code]);
 }
