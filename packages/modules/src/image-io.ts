@@ -4,7 +4,7 @@ import { BACKEND_CHOICES } from '@ubii/vision/choices';
 
 export const IMAGE_INPUT = {
   format: 'image2D',
-  description: 'Raw pixels, or a JPEG or PNG file as data, up to 16 megapixels.',
+  description: 'Raw pixels, or a JPEG or PNG file, up to 16 megapixels.',
 } as const;
 
 export const BACKEND_INPUT = {

@@ -39,7 +39,7 @@ export const bodyPose = defineProcessingModule({
     smoothingMs: {
       format: 'double',
       default: 80,
-      description: 'Time constant of the smoothing, 0 to 10 000 ms; 0 smooths nothing.',
+      description: 'Smoothing time constant, 0 to 10 000 ms; 0 smooths nothing.',
     },
     maxRate: { ...MAX_RATE_INPUT, default: 15 },
     backend: BACKEND_INPUT,

@@ -49,8 +49,7 @@ export const cameraCalibration = defineProcessingModule({
     maxRate: {
       format: 'double',
       default: 5,
-      description:
-        'Most images per second that are looked at, 0.1 to 30; images in between are dropped.',
+      description: 'Most images per second, 0.1 to 30; images in between are dropped.',
     },
   },
   outputs: {

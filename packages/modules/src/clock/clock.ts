@@ -24,7 +24,7 @@ export const clock = defineProcessingModule({
     dutyCycle: {
       format: 'double',
       default: 0.5,
-      description: 'Fraction of a period in which square is high, 0 to 1.',
+      description: 'Fraction of a period, 0 to 1, in which square is high.',
     },
   },
   outputs: {

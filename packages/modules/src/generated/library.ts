@@ -70,7 +70,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'image',
         messageFormat: 'ubii.dataStructure.Image2D',
         isRecordList: false,
-        description: 'Raw pixels, or a JPEG or PNG file as data, up to 16 megapixels.',
+        description: 'Raw pixels, or a JPEG or PNG file, up to 16 megapixels.',
       },
       {
         internalName: 'minScore',
@@ -84,7 +84,7 @@ export const LIBRARY: readonly JsonObject[] = [
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":80}',
-        description: 'Time constant of the smoothing, 0 to 10 000 ms; 0 smooths nothing.',
+        description: 'Smoothing time constant, 0 to 10 000 ms; 0 smooths nothing.',
       },
       {
         internalName: 'maxRate',
@@ -179,7 +179,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'image',
         messageFormat: 'ubii.dataStructure.Image2D',
         isRecordList: false,
-        description: 'Raw pixels, or a JPEG or PNG file as data, up to 16 megapixels.',
+        description: 'Raw pixels, or a JPEG or PNG file, up to 16 megapixels.',
       },
       {
         internalName: 'startOver',
@@ -241,8 +241,7 @@ export const LIBRARY: readonly JsonObject[] = [
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":5}',
-        description:
-          'Most images per second that are looked at, 0.1 to 30; images in between are dropped.',
+        description: 'Most images per second, 0.1 to 30; images in between are dropped.',
       },
     ],
     outputs: [
@@ -339,7 +338,7 @@ export const LIBRARY: readonly JsonObject[] = [
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":0.5}',
-        description: 'Fraction of a period in which square is high, 0 to 1.',
+        description: 'Fraction of a period, 0 to 1, in which square is high.',
       },
     ],
     outputs: [
@@ -472,7 +471,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'image',
         messageFormat: 'ubii.dataStructure.Image2D',
         isRecordList: false,
-        description: 'Raw pixels, or a JPEG or PNG file as data, up to 16 megapixels.',
+        description: 'Raw pixels, or a JPEG or PNG file, up to 16 megapixels.',
       },
       {
         internalName: 'threshold',
@@ -486,7 +485,7 @@ export const LIBRARY: readonly JsonObject[] = [
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":2}',
-        description: 'Most hands, those with the highest scores, 1 to 10.',
+        description: 'Most hands, 1 to 10: those with the highest scores.',
       },
       {
         internalName: 'maxRate',
@@ -602,14 +601,14 @@ export const LIBRARY: readonly JsonObject[] = [
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":1000}',
-        description: 'Time from one request to the next, 100 to 86 400 000 ms.',
+        description: 'Interval of requests, 100 to 86 400 000 ms.',
       },
       {
         internalName: 'timeoutMs',
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":10000}',
-        description: 'Longest time to wait for a response, 100 to 600 000 ms.',
+        description: 'Timeout of a response, 100 to 600 000 ms.',
       },
     ],
     outputs: [
@@ -669,7 +668,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'image',
         messageFormat: 'ubii.dataStructure.Image2D',
         isRecordList: false,
-        description: 'Raw pixels, or a JPEG or PNG file as data, up to 16 megapixels.',
+        description: 'Raw pixels, or a JPEG or PNG file, up to 16 megapixels.',
       },
       {
         internalName: 'x',
@@ -705,7 +704,7 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
         defaultJson: '{"double":0}',
         description:
-          'Larger images are scaled to this longer side, 0 to 16 384 pixels; 0 keeps the size.',
+          'Longest side, 0 to 16 384 pixels; larger images are scaled down, 0 keeps the size.',
       },
       {
         internalName: 'format',
@@ -720,14 +719,14 @@ export const LIBRARY: readonly JsonObject[] = [
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":16}',
-        description: 'Number of brightness ranges of the histogram, 1 to 256.',
+        description: 'Brightness ranges of the histogram, 1 to 256.',
       },
       {
         internalName: 'motionThreshold',
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":0.1}',
-        description: 'A pixel counts as changed from this change of brightness on, 0 to 1.',
+        description: 'Change of brightness, 0 to 1, from which on a pixel counts as changed.',
       },
     ],
     outputs: [
@@ -1253,7 +1252,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'image',
         messageFormat: 'ubii.dataStructure.Image2D',
         isRecordList: false,
-        description: 'Raw pixels, or a JPEG or PNG file as data, up to 16 megapixels.',
+        description: 'Raw pixels, or a JPEG or PNG file, up to 16 megapixels.',
       },
       {
         internalName: 'dictionary',
@@ -1281,7 +1280,7 @@ export const LIBRARY: readonly JsonObject[] = [
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":0.05}',
-        description: 'Side of the markers with their black border, 0.001 to 100 m.',
+        description: 'Side with the black border, 0.001 to 100 m.',
       },
       {
         internalName: 'ids',
@@ -1301,14 +1300,14 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
         defaultJson: '{"double":60}',
         description:
-          'Angle that the longer side of an image shows, 10 to 150°; counts without a calibration only.',
+          'Angle of the longer side of an image, 10 to 150°; used without a calibration only.',
       },
       {
         internalName: 'smoothingMs',
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":0}',
-        description: 'Time constant of the smoothing, 0 to 10 000 ms; 0 smooths nothing.',
+        description: 'Smoothing time constant, 0 to 10 000 ms; 0 smooths nothing.',
       },
       {
         internalName: 'maxRate',
@@ -1683,7 +1682,7 @@ export const LIBRARY: readonly JsonObject[] = [
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":1}',
-        description: 'Standard deviation of the random walk after one second, 0 to 100.',
+        description: 'Standard deviation of walk, 0 to 100, after one second.',
       },
       {
         internalName: 'seed',
@@ -1744,7 +1743,7 @@ export const LIBRARY: readonly JsonObject[] = [
         internalName: 'image',
         messageFormat: 'ubii.dataStructure.Image2D',
         isRecordList: false,
-        description: 'Raw pixels, or a JPEG or PNG file as data, up to 16 megapixels.',
+        description: 'Raw pixels, or a JPEG or PNG file, up to 16 megapixels.',
       },
       {
         internalName: 'threshold',
@@ -1758,7 +1757,7 @@ export const LIBRARY: readonly JsonObject[] = [
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":20}',
-        description: 'Most objects, those with the highest scores, 1 to 100.',
+        description: 'Most objects, 1 to 100: those with the highest scores.',
       },
       {
         internalName: 'classes',
@@ -1771,7 +1770,7 @@ export const LIBRARY: readonly JsonObject[] = [
         messageFormat: 'double',
         isRecordList: false,
         description:
-          'Longer side of what the detector sees, 128 to 1024 pixels; smaller is faster and less exact.',
+          'Longer side in pixels, 128 to 1024, of what the detector sees; smaller is faster and less exact.',
       },
       {
         internalName: 'maxRate',
@@ -1891,7 +1890,7 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
         defaultJson: '{"double":1}',
         description:
-          'Increase of the cut-off for each unit per second of speed, in Hz, 0 to 1e9; higher reduces delay.',
+          'Speed coefficient, 0 to 1e9: Hz of cut-off per unit per second of speed; higher reduces delay.',
       },
       {
         internalName: 'derivativeCutoffHz',
@@ -1955,7 +1954,7 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
         defaultJson: '{"double":1}',
         description:
-          'Increase of the cut-off for each unit per second of speed, in Hz, 0 to 1e9; higher reduces delay.',
+          'Speed coefficient, 0 to 1e9: Hz of cut-off per unit per second of speed; higher reduces delay.',
       },
       {
         internalName: 'derivativeCutoffHz',
@@ -2019,7 +2018,7 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
         defaultJson: '{"double":1}',
         description:
-          'Increase of the cut-off for each unit per second of speed, in Hz, 0 to 1e9; higher reduces delay.',
+          'Speed coefficient, 0 to 1e9: Hz of cut-off per unit per second of speed; higher reduces delay.',
       },
       {
         internalName: 'derivativeCutoffHz',
@@ -2083,7 +2082,7 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
         defaultJson: '{"double":1}',
         description:
-          'Increase of the cut-off for each unit per second of speed, in Hz, 0 to 1e9; higher reduces delay.',
+          'Speed coefficient, 0 to 1e9: Hz of cut-off per unit per second of speed; higher reduces delay.',
       },
       {
         internalName: 'derivativeCutoffHz',
@@ -2147,7 +2146,7 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
         defaultJson: '{"double":1}',
         description:
-          'Increase of the cut-off for each unit per second of speed, in Hz, 0 to 1e9; higher reduces delay.',
+          'Speed coefficient, 0 to 1e9: Hz of cut-off per unit per second of speed; higher reduces delay.',
       },
       {
         internalName: 'derivativeCutoffHz',
@@ -2300,7 +2299,7 @@ export const LIBRARY: readonly JsonObject[] = [
         isRecordList: false,
         defaultJson: '{"double":0}',
         description:
-          'Edges below this strength are black, others white, 0 to 1; 0 keeps their strength.',
+          'Edge strength, 0 to 1, below which pixels are black, others white; 0 keeps the strength.',
       },
     ],
     outputs: [
@@ -2412,7 +2411,7 @@ export const LIBRARY: readonly JsonObject[] = [
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":60}',
-        description: 'Time constant of the smoothing, 0 to 60 000 ms; 0 smooths nothing.',
+        description: 'Smoothing time constant, 0 to 60 000 ms; 0 smooths nothing.',
       },
     ],
     outputs: [
@@ -2715,7 +2714,7 @@ export const LIBRARY: readonly JsonObject[] = [
         messageFormat: 'double',
         isRecordList: false,
         defaultJson: '{"double":2000}',
-        description: 'A touch without a new value for this time has ended, in ms; 0: no limit.',
+        description: 'Time in ms after which a touch without a new value has ended; 0: no limit.',
       },
     ],
     outputs: [

@@ -37,7 +37,7 @@ export const handPose = defineProcessingModule({
     maxHands: {
       format: 'double',
       default: 2,
-      description: 'Most hands, those with the highest scores, 1 to 10.',
+      description: 'Most hands, 1 to 10: those with the highest scores.',
     },
     maxRate: { ...MAX_RATE_INPUT, default: 10 },
     backend: BACKEND_INPUT,

@@ -41,12 +41,12 @@ export const httpPoller = defineProcessingModule({
     intervalMs: {
       format: 'double',
       default: 1000,
-      description: 'Time from one request to the next, 100 to 86 400 000 ms.',
+      description: 'Interval of requests, 100 to 86 400 000 ms.',
     },
     timeoutMs: {
       format: 'double',
       default: 10000,
-      description: 'Longest time to wait for a response, 100 to 600 000 ms.',
+      description: 'Timeout of a response, 100 to 600 000 ms.',
     },
   },
   outputs: {

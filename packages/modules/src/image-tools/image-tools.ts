@@ -33,7 +33,7 @@ export const imageTools = defineProcessingModule({
       format: 'double',
       default: 0,
       description:
-        'Larger images are scaled to this longer side, 0 to 16 384 pixels; 0 keeps the size.',
+        'Longest side, 0 to 16 384 pixels; larger images are scaled down, 0 keeps the size.',
     },
     format: {
       format: 'string',
@@ -44,12 +44,12 @@ export const imageTools = defineProcessingModule({
     bins: {
       format: 'double',
       default: 16,
-      description: 'Number of brightness ranges of the histogram, 1 to 256.',
+      description: 'Brightness ranges of the histogram, 1 to 256.',
     },
     motionThreshold: {
       format: 'double',
       default: 0.1,
-      description: 'A pixel counts as changed from this change of brightness on, 0 to 1.',
+      description: 'Change of brightness, 0 to 1, from which on a pixel counts as changed.',
     },
   },
   outputs: {

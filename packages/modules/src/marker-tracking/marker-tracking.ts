@@ -35,7 +35,7 @@ export const markerTracking = defineProcessingModule({
     markerSize: {
       format: 'double',
       default: 0.05,
-      description: 'Side of the markers with their black border, 0.001 to 100 m.',
+      description: 'Side with the black border, 0.001 to 100 m.',
     },
     ids: {
       format: 'int32List',
@@ -49,12 +49,12 @@ export const markerTracking = defineProcessingModule({
       format: 'double',
       default: 60,
       description:
-        'Angle that the longer side of an image shows, 10 to 150°; counts without a calibration only.',
+        'Angle of the longer side of an image, 10 to 150°; used without a calibration only.',
     },
     smoothingMs: {
       format: 'double',
       default: 0,
-      description: 'Time constant of the smoothing, 0 to 10 000 ms; 0 smooths nothing.',
+      description: 'Smoothing time constant, 0 to 10 000 ms; 0 smooths nothing.',
     },
     maxRate: { ...MAX_RATE_INPUT, default: 30 },
   },

@@ -20,7 +20,7 @@ export const noise = defineProcessingModule({
     walkSpeed: {
       format: 'double',
       default: 1,
-      description: 'Standard deviation of the random walk after one second, 0 to 100.',
+      description: 'Standard deviation of walk, 0 to 100, after one second.',
     },
     seed: {
       format: 'int32',

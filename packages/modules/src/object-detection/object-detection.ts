@@ -40,7 +40,7 @@ export const objectDetection = defineProcessingModule({
     maxObjects: {
       format: 'double',
       default: 20,
-      description: 'Most objects, those with the highest scores, 1 to 100.',
+      description: 'Most objects, 1 to 100: those with the highest scores.',
     },
     classes: {
       format: 'stringList',
@@ -49,7 +49,7 @@ export const objectDetection = defineProcessingModule({
     inputSize: {
       format: 'double',
       description:
-        'Longer side of what the detector sees, 128 to 1024 pixels; smaller is faster and less exact.',
+        'Longer side in pixels, 128 to 1024, of what the detector sees; smaller is faster and less exact.',
     },
     maxRate: { ...MAX_RATE_INPUT, default: 15 },
     detector: {

@@ -122,7 +122,7 @@ function defineOneEuro<const F extends SmoothFormat>(name: string, format: F) {
         format: 'double',
         default: 1,
         description:
-          'Increase of the cut-off for each unit per second of speed, in Hz, 0 to 1e9; higher reduces delay.',
+          'Speed coefficient, 0 to 1e9: Hz of cut-off per unit per second of speed; higher reduces delay.',
       },
       derivativeCutoffHz: {
         format: 'double',

@@ -22,7 +22,7 @@ export const pictureEdges = defineProcessingModule({
       format: 'double',
       default: 0,
       description:
-        'Edges below this strength are black, others white, 0 to 1; 0 keeps their strength.',
+        'Edge strength, 0 to 1, below which pixels are black, others white; 0 keeps the strength.',
     },
   },
   outputs: {

@@ -60,7 +60,7 @@ export const touchProximity = defineProcessingModule({
     maxAgeMs: {
       format: 'double',
       default: 2000,
-      description: 'A touch without a new value for this time has ended, in ms; 0: no limit.',
+      description: 'Time in ms after which a touch without a new value has ended; 0: no limit.',
     },
   },
   outputs: {
