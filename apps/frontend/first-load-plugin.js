@@ -14,7 +14,7 @@ const QUALITY = 9;
  * @property {string} code
  * @property {boolean} isEntry
  * @property {string | null} facadeModuleId
- * @property {readonly string[]} imports file names of chunks that it imports at once
+ * @property {readonly string[]} imports filenames of chunks that it imports at once
  */
 
 /**

@@ -6,7 +6,7 @@ import { Patience } from './quiet-machine.ts';
 import type { WorkloadResult } from './report/results.ts';
 import type { Measurement, Subject, Workload } from './measuring/workload.ts';
 
-/** Rounds after which everything is started anew: two starts of one program differ by some per cent. */
+/** Rounds after which everything is started again: two starts of one program differ by some per cent. */
 const ROUNDS_PER_START = 5;
 /** Fewer have no median worth the name. */
 const MIN_ROUNDS = 3;

@@ -37,7 +37,7 @@ export class GathererPage {
     await expect(this.session.getByRole('status')).toContainText(word);
   }
 
-  /** The row of a phone, by the name of its person. */
+  /** The row of a phone, by the name of its user. */
   phone(name: string): Locator {
     return this.#phones.filter({ hasText: name });
   }

@@ -136,7 +136,7 @@ export class GraphPage {
   /** Drags with a real mouse, in steps, as a hand does. */
   async drag(from: Locator, to: Place): Promise<void> {
     const { mouse } = this.page;
-    // A list that is being filtered makes its rows anew
+    // A list that is being filtered makes its rows again
     await expect(() => from.scrollIntoViewIfNeeded({ timeout: 1000 })).toPass();
     const start = await middleOf(from);
     await mouse.move(start.x, start.y);
@@ -196,7 +196,7 @@ export class GraphPage {
   }
 }
 
-/** The box of what is seen, also when a list is drawn anew at that moment. */
+/** The box of what is seen, also when a list is drawn again at that moment. */
 async function boxOf(locator: Locator) {
   for (;;) {
     await locator.waitFor();

@@ -3,7 +3,7 @@ import type { BrowserContextOptions } from '@playwright/test';
 
 /**
  * What makes somebody on this machine a stranger, as a proxy would that brings them from elsewhere.
- * [AC-1] Sockets carry no such header, and are let in by who they prove to be.
+ * [AC-1] Sockets carry no such header, and are admitted by who they prove to be.
  */
 export const FROM_ELSEWHERE: BrowserContextOptions = {
   extraHTTPHeaders: { 'x-forwarded-for': '203.0.113.7' },

@@ -32,7 +32,7 @@ export async function run(command, args, options = {}) {
   try {
     return await started.ended;
   } finally {
-    // A stopped script waits for the exit above instead of going on with its next step.
+    // A stopped script waits for the exit above instead of continuing with its next step.
     if (!started.asked) stopListening();
     else await new Promise(() => {});
   }

@@ -3,7 +3,7 @@ import { existsSync, readdirSync } from 'node:fs';
 import { inRoot, readJson } from './repository.mjs';
 
 /**
- * Which licences what we hand on may have.
+ * Which licences packages that we ship may have.
  *
  * @typedef {object} LicencePolicy
  * @property {string[]} allowed SPDX identifiers

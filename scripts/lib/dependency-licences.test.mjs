@@ -30,7 +30,7 @@ for (const [expression, expected] of [
   });
 }
 
-test('packages are named that may not be handed on', () => {
+test('packages are named that may not be shipped', () => {
   const exceptions = { graph: { licence: 'EPL-2.0', reason: 'unmodified' } };
   const packages = [
     { name: 'fine', version: '1.0.0', licence: 'MIT' },

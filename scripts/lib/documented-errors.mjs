@@ -11,7 +11,7 @@ const sources = [
     entry: /'([a-z_]+)'/g,
     page: 'docs/errors.md',
     /** What is above the other lists. */
-    section: /^.*?(?=^## Why somebody is not let in)/ms,
+    section: /^.*?(?=^## Why a client is not admitted)/ms,
     row: /^\| `([a-z_]+)`/gm,
   },
   {
@@ -20,7 +20,7 @@ const sources = [
     block: /type JoinProblem =(.*?);/s,
     entry: /'([a-z_]+)'/g,
     page: 'docs/errors.md',
-    section: /^## Why somebody is not let in.*?(?=^## Problems of a master)/ms,
+    section: /^## Why a client is not admitted.*?(?=^## Problems of a master)/ms,
     row: /^\| `([a-z_]+)`/gm,
   },
   {

@@ -8,7 +8,7 @@ import { inRoot, readJson } from './repository.mjs';
 const licenceFile = /^(licen[cs]e|copying|notice|third-?party)/i;
 
 /**
- * One package of others that we hand on.
+ * One package of others that we ship.
  *
  * @typedef {object} PackageLicence
  * @property {string} name
@@ -86,7 +86,7 @@ export function filesOfVision() {
 
 /**
  * Vite plugin: adds `/licences.json` to the build, with everything in it, in its workers, and in the
- * programs that are handed on with it. Development serves none: what is in a build is known after it.
+ * programs that are shipped with it. Development serves none: what is in a build is known after it.
  *
  * @returns {{ plugin: object, workerPlugin: () => object }} for `plugins` and for `worker.plugins`
  */

@@ -66,7 +66,7 @@ export interface MasterParts {
 /** A master that listens. */
 export interface RunningMaster {
   readonly ports: ListeningPorts;
-  /** Asked anew each time: networks come and go. */
+  /** Asked again each time: networks come and go. */
   reachability(): Reachability;
   /** What the terminal shows; undefined when it could not be kept [AC-19] [AC-42]. */
   readonly terminal: TerminalAccess | undefined;

@@ -21,7 +21,7 @@ class LeapingClock extends FakeClock {
     this.#leaptMs += durationMs;
   }
 }
-describe('a grant', () => {
+describe('an invitation', () => {
   it('shows its secrets once, and is listed without [AC-11] [AC-14]', async () => {
     const master = new TestMaster();
     const { grant, token, code } = await createGrant(master, ACCESS_ROLE_PLAYER, {
@@ -40,7 +40,7 @@ describe('a grant', () => {
     expect(kept.replaceAll(`hash of token ${token}`, '')).not.toContain(token);
   });
 
-  it('lets in with token and code, as what it says [AC-11] [AC-13] [AC-20]', async () => {
+  it('admits with token and code, as what it says [AC-11] [AC-13] [AC-20]', async () => {
     const master = new TestMaster();
     const { token, code, grant } = await createGrant(master, ACCESS_ROLE_VIEWER);
     for (const secret of [token, code, code.toLowerCase().replace('-', ' ')]) {
@@ -61,7 +61,7 @@ describe('a grant', () => {
     });
   });
 
-  it('does not let in who registers without our extension [AC-13]', async () => {
+  it('does not admit who registers without our extension [AC-13]', async () => {
     const master = new TestMaster();
     const { token } = await createGrant(master, ACCESS_ROLE_PARTICIPANT);
     expect(await problemOf(master, stranger(token), { name: 'old' })).toBe('failed_precondition');
@@ -221,7 +221,7 @@ describe('a credential', () => {
     ).toBe('permission_denied');
   });
 
-  it('is no sign of life of others [CL-11] [AC-22]', async () => {
+  it('does not keep another client alive [CL-11] [AC-22]', async () => {
     const master = new TestMaster();
     const ada = await master.register({ name: 'ada', extension: {} });
     const ben = await joinAs(master, ACCESS_ROLE_PARTICIPANT);
@@ -267,7 +267,7 @@ describe('a credential', () => {
     },
   );
 
-  it('lives for seven days, and is renewed as long as its grant lets stay [AC-13] [AC-91]', async () => {
+  it('lives for seven days, and is renewed as long as its invitation lets stay [AC-13] [AC-91]', async () => {
     // Nothing else is to happen in these days.
     const master = new TestMaster({ clock: new LeapingClock() });
     const { token } = await createGrant(master, ACCESS_ROLE_PLAYER, {
@@ -288,7 +288,7 @@ describe('a credential', () => {
     expect(await problemOf(master, phone.caller)).toBe(JoinProblem.JOIN_PROBLEM_EXPIRED);
   });
 
-  it('stands after a restart, with id, role and grants [AC-19] [AC-23]', async () => {
+  it('stands after a restart, with id, role and invitations [AC-19] [AC-23]', async () => {
     const before = new TestMaster();
     const { token, grant } = await createGrant(before, ACCESS_ROLE_PLAYER, { maxJoins: 1 });
     const phone = await join(before, token);

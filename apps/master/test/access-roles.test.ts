@@ -13,7 +13,7 @@ function published(client: TestClient, topic: string): string {
 }
 
 describe('services by role [AC-21]', () => {
-  it('let participants neither see nor make grants, nor read the log', async () => {
+  it('let participants neither see nor make invitations, nor read the log', async () => {
     const client = await joinAs(new TestMaster(), ACCESS_ROLE_PARTICIPANT);
     const grants = [
       '/services/ubii/access_grant_list',
@@ -72,7 +72,7 @@ describe('publishing [AC-24]', () => {
     ).toBe('permission_denied');
   });
 
-  it('players publish on their own topics and those of their grant', async () => {
+  it('players publish on their own topics and those of their invitation', async () => {
     const master = new TestMaster();
     const ada = await master.extension('ada');
     await ada.subscribe({ subscribeTopicRegexp: ['.*'] });
@@ -240,7 +240,7 @@ describe('subscribing [AC-25]', () => {
     expect(published(phone, '/a')).toBe('permission_denied');
   });
 
-  it('another grant of the same role brings its own topics, and takes the others [AC-18]', async () => {
+  it('another invitation of the same role brings its own topics, and takes the others [AC-18]', async () => {
     const master = new TestMaster();
     const ada = await master.extension('ada');
     const player = await joinAs(master, ACCESS_ROLE_PLAYER, {
@@ -305,7 +305,7 @@ describe('devices, nodes and modules [AC-26]', () => {
     expect(await register({ topic: '/secret', ioType: SUBSCRIBER })).toBe('permission_denied');
   });
 
-  it('are not let in by the registration of a client either', async () => {
+  it('are not admitted by the registration of a client either', async () => {
     const master = new TestMaster();
     const admit = async (role: AccessRole, client: object) => {
       const { token } = await createGrant(master, role);

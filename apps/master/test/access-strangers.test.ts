@@ -59,7 +59,7 @@ describe('strangers', () => {
     expect(server).toBeDefined();
   });
 
-  it('of a network that is let in are participants, for themselves [AC-4] [AC-22]', async () => {
+  it('of a network that is admitted are participants, for themselves [AC-4] [AC-22]', async () => {
     const master = new TestMaster();
     const ada = await master.extension('ada');
     const old = await master.register({ name: 'old' }, NETWORK_CALLER);

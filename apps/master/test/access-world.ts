@@ -8,7 +8,7 @@ export function stranger(bearer?: string, place = '192.168.1.50'): CallerFacts {
   return { standing: 'other', isHere: false, place, bearer };
 }
 
-/** A caller of a network that is let in without a token. */
+/** A caller of a network that is admitted without a token. */
 export const NETWORK_CALLER: CallerFacts = {
   standing: 'network',
   isHere: false,
@@ -49,7 +49,7 @@ export async function joinAs(
   return join(master, (await createGrant(master, role, wanted)).token);
 }
 
-/** Why a caller is not let in, as its error says; the code when it is another error. */
+/** Why a caller is not admitted, as its error says; the code when it is another error. */
 export async function problemOf(
   master: TestMaster,
   caller: CallerFacts,

@@ -99,7 +99,7 @@ describe('disconnecting a client', () => {
     expect(reason).toMatch(/^by an admin: 😀[ö ]+…$/u);
   });
 
-  it('tells a client that was away when it comes back, and lets it register anew [EX-30]', async () => {
+  it('tells a client that was away when it comes back, and lets it register again [EX-30]', async () => {
     const { master, ben } = await createRoom();
     ben.drop();
     await disconnect(master, ben.id, 'the lesson is over');

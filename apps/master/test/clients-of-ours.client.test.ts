@@ -285,7 +285,7 @@ describe('a client of ours that leaves', () => {
     expect(client.counters.recordsIn).toBe(0);
   });
 
-  it('does not fight for ever with a second program of the same identity', async () => {
+  it('does not fight forever with a second program of the same identity', async () => {
     const world = new ClientWorld();
     const identity = createMemoryIdentity();
     const first = await world.connect('cleo', { identity });

@@ -33,7 +33,7 @@ describe('delivery', () => {
     expect(ben.takeValues()).toHaveLength(4);
   });
 
-  it('gives the same batch to all who are owed the same [TD-30]', async () => {
+  it('gives the same batch to all subscribers of the same records [TD-30]', async () => {
     const { master, ada, ben } = await createPair();
     const cleo = await master.legacy('cleo');
     await cleo.subscribe({ subscribeTopicRegexp: ['^/[ab]$'] });

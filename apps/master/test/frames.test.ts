@@ -5,7 +5,7 @@ import { TestMaster } from '../src/testing/index.ts';
 const text = (value: string): Uint8Array => new TextEncoder().encode(value);
 
 describe('the topic-data socket', () => {
-  it('takes PONG as text and as binary for a sign of life [TD-2]', async () => {
+  it('counts PONG as text and as binary as activity [TD-2]', async () => {
     const { clock, ...master } = await withAda();
     for (const pong of [
       () => master.ada.socket.handleText('PONG'),

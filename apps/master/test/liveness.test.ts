@@ -17,7 +17,7 @@ async function createAda(limits = {}) {
 }
 
 describe('liveness', () => {
-  it('goes from active to inactive to unavailable, and back with a sign of life [CL-10] [CL-13]', async () => {
+  it('goes from active to inactive to unavailable, and back with its next activity [CL-10] [CL-13]', async () => {
     const { clock, ada, state } = await createAda();
     const seen = [await state()];
     clock.advance(4_999);
@@ -46,7 +46,7 @@ describe('liveness', () => {
       (ada) => ada.call({ topic: '/services/device/get', device: { clientId: ada.id } }),
     ],
   ] as [string, (ada: Awaited<ReturnType<typeof createAda>>['ada']) => unknown][])(
-    'takes %s for a sign of life [CL-11]',
+    'counts %s as activity [CL-11]',
     async (_, sign) => {
       const { clock, ada, state } = await createAda();
       clock.advance(20_000);
@@ -56,7 +56,7 @@ describe('liveness', () => {
     },
   );
 
-  it('does not take the request of another for a sign of life [CL-11]', async () => {
+  it('does not count the request of another as activity [CL-11]', async () => {
     const { master, clock, ada, state } = await createAda();
     clock.advance(20_000);
     await master.call({ topic: '/services/client/get_list' });
@@ -146,7 +146,7 @@ describe('liveness', () => {
     expect(topicStatistics?.elements).toEqual([]);
   });
 
-  it('lets the longest absent make room when the house is full [CL-14]', async () => {
+  it('removes the client that has been offline longest at the limit [CL-14]', async () => {
     const { master, clock, ada, state } = await createAda({ clients: 3 });
     const ben = await master.legacy('ben');
     const cleo = await master.legacy('cleo');
@@ -166,7 +166,7 @@ describe('liveness', () => {
     expect(await state()).toBe(ACTIVE);
   });
 
-  it('lets those make room first who never had a socket [CL-14]', async () => {
+  it('removes those first that never had a socket [CL-14]', async () => {
     const { master, clock, ada, state } = await createAda({ clients: 2 });
     ada.drop();
     clock.advance(500);

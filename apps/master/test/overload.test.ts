@@ -76,7 +76,7 @@ describe('a busy master', () => {
     expect(await codes()).toEqual([]);
   });
 
-  it('is told apart from a busy machine [EX-46]', async () => {
+  it('is distinguished from a busy machine [EX-46]', async () => {
     const { master, ben, status, pass } = await createRoom();
     master.usage.measured = { cpuPercent: 350, busyPercent: 20, delayMs: 2 };
     pass(3, ben, 0);

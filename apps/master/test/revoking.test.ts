@@ -75,7 +75,7 @@ const lasting = (from: string, to: string): Init<Session> => ({
   extension: { startWithMaster: true },
 });
 
-describe('what was made with a grant [AC-90]', () => {
+describe('what was made with an invitation [AC-90]', () => {
   it('is listed with it: sessions, which of them run, stored ones, modules', async () => {
     const master = new TestMaster();
     const guest = await Guest.join(master);
@@ -172,7 +172,7 @@ describe('revoking [AC-92]', () => {
     expect(await listed(next, guest.grantId)).toMatchObject({ moduleNames: [] });
   });
 
-  it('revokes the grants that were made with it [AC-93]', async () => {
+  it('revokes the invitations that were made with it [AC-93]', async () => {
     const master = new TestMaster();
     const first = await createGrant(master, ACCESS_ROLE_ADMIN);
     const admin = await join(master, first.token, 'admin');
@@ -189,7 +189,7 @@ describe('revoking [AC-92]', () => {
   });
 });
 
-describe('the time of a grant [AC-91]', () => {
+describe('the time of an invitation [AC-91]', () => {
   it('is that of who joined, too: sockets end with a code of their own, sessions stop', async () => {
     const master = new TestMaster();
     const guest = await Guest.join(master, { lifetimeMs: 2_000 });

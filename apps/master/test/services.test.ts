@@ -6,7 +6,7 @@ import { TestMaster } from '../src/testing/index.ts';
 
 describe('services', () => {
   it('that take too long are answered with deadline_exceeded [SV-2]', async () => {
-    // Every subscription takes longer than a breath, and no turn ever comes.
+    // Every subscription takes longer than a turn may, and no turn ever comes.
     const master = new TestMaster({
       patterns: {
         compile(source) {

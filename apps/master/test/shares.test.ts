@@ -154,7 +154,7 @@ describe('clients of one invitation [AC-80]', () => {
     await joinAs(master, ACCESS_ROLE_ADMIN);
   });
 
-  it('that are away make room for others of theirs, and for no more privileged ones [AC-84]', async () => {
+  it('that are away are removed for others of theirs, and for no more privileged ones [AC-84]', async () => {
     const master = new TestMaster({ limits: { ...LIMITS, clients: 16 } });
     const host = await master.extension('host');
     const { token } = await createGrant(master, ACCESS_ROLE_PLAYER);

@@ -14,7 +14,7 @@ function callee(answer: (sequence: number) => Promise<number>): Callee<number, n
 }
 
 describe('measureCalls', () => {
-  it('counts calls and goes on with their numbers', async () => {
+  it('counts calls and continues with their numbers', async () => {
     const echo = callee((sequence) => Promise.resolve(sequence));
     const first = await measureCalls(echo, OPTIONS);
     const reached = echo.sequence;

@@ -50,7 +50,7 @@ export async function startScreenBrowser(): Promise<ScreenBrowser> {
     executablePath: findChromium()!,
     args: [...flags, ...(hasCard ? [] : SOFTWARE_WEBGL)],
   });
-  // One context: a page that leads a party goes on with what the page before stored.
+  // One context: a page that leads a party continues with what the page before stored.
   const context = await browser.newContext({ viewport: VIEWPORT });
   await context.addInitScript({ content: outputFiles[0]!.text });
   return {

@@ -156,7 +156,7 @@ describe('older applications, by hand', () => {
     );
   });
 
-  // The Python node names the address its host name resolves to, which is not the loopback everywhere.
+  // The Python node names the address its hostname resolves to, which is not the loopback everywhere.
   test('a program of this machine may name one of its own addresses as its origin [SV-8]', async () => {
     const own = Object.values(networkInterfaces())
       .flatMap((addresses) => addresses ?? [])

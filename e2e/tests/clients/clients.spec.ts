@@ -250,7 +250,7 @@ test('a client that left keeps its address, and shows there when it is back', as
   await expect(anna.page.getByText('No client has this id now.')).toBeVisible();
 });
 
-test('only what is broken shows what needs a look, with the words for it', async ({ room }) => {
+test('only what is broken shows what needs attention, with the words for it', async ({ room }) => {
   const anna = await room.atDesk('Anna');
   const drum = await room.program('Drum');
   const robot = await room.program('Robot');

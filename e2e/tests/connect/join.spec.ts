@@ -8,7 +8,7 @@ import { makeGrant, revokeGrant } from './make-grant.ts';
 /** Refusals of services are answers with a status of their own, which browsers log. */
 const REFUSED = /status of (401|403|429)/;
 
-/** Somebody with a phone who is not let in yet. */
+/** Somebody with a phone who is not admitted yet. */
 async function stranger(
   room: { withPhone: (name: string, options: object) => Promise<Person> },
   options: object = {},
@@ -86,7 +86,7 @@ test('what is wrong with a code is said in words, with the way out [AC-12]', asy
   await expect(phone.page).toHaveURL(/\/topics/);
 });
 
-test('beside somebody who tries codes, a right one waits and then lets in; scanning works at once [AC-17]', async ({
+test('beside somebody who tries codes, a right one waits and then joins; scanning works at once [AC-17]', async ({
   master,
   room,
 }) => {

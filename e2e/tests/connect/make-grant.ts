@@ -2,7 +2,7 @@ import { AccessRole, type AccessGrantCreateRequest, type AccessGrantCreated } fr
 import { callService } from '../../fixtures/call-service.ts';
 import type { MasterProcess } from '../../fixtures/master-process.ts';
 
-/** Leave to join, made as by the host. */
+/** An invitation, made as by the host. */
 export async function makeGrant(
   master: MasterProcess,
   changes: Partial<AccessGrantCreateRequest> = {},

@@ -121,7 +121,7 @@ test('a phone is the same client with its device, subscriptions and role, whatev
     await expectTheSame('After the sleep');
   });
 
-  await test.step('the master is started anew', async () => {
+  await test.step('the master is started again', async () => {
     await master.stop();
     await expect(strip).toBeVisible();
     await master.startAgain();

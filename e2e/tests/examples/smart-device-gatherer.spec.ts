@@ -43,7 +43,7 @@ test('four phones come and go while it runs, and exactly those who touch near fe
     await expect(ben.flash).toBeVisible();
     await expect(anna.page.getByText('Another finger is near')).toBeVisible();
     await expect(stage.phone('Anna')).toContainText('Near');
-    // Longer than a touch counts that is not said again: resting fingers go on feeling each other
+    // Longer than a touch counts that is not repeated: resting fingers go on feeling each other
     await expect.poll(() => told.get(annaId) ?? 0, { timeout: 20_000 }).toBeGreaterThan(30);
     expect(new Set(told.keys())).toEqual(new Set([annaId, benId]));
     await expect(cleo.flash).toHaveCount(0);

@@ -38,7 +38,7 @@ test('a wire is led through points with the mouse, and every step is undone', as
   const point = graph.points.first();
   const middle = await wirePlace(graph);
 
-  await test.step('a double click adds one', async () => {
+  await test.step('a double-click adds one', async () => {
     await mouse.dblclick(middle.x, middle.y);
     await expect(graph.points).toHaveCount(1);
   });
@@ -81,7 +81,7 @@ test('a wire is led through points with the mouse, and every step is undone', as
     await expect.poll(async () => (await graph.middleOf(point)).y - from.y).toBeCloseTo(0, -1);
   });
 
-  await test.step('a double click on it takes it away', async () => {
+  await test.step('a double-click on it takes it away', async () => {
     const at = await graph.middleOf(point);
     await mouse.dblclick(at.x, at.y);
     await expect(graph.points).toHaveCount(0);

@@ -118,7 +118,7 @@ test('a module is written, tried, saved, used by a session, changed under it and
     await expect(anna.page.getByRole('link', { name: 'Numbers', exact: true })).toBeVisible();
   });
 
-  await test.step('saving lets the session go on with it, and is still the same session', async () => {
+  await test.step('saving lets the session continue with it, and is still the same session', async () => {
     await editor.typeAfter('const factor', '');
     await anna.page.keyboard.press('ArrowLeft');
     await anna.page.keyboard.press('Backspace');

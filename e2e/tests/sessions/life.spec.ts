@@ -159,7 +159,7 @@ test('a session that was made here is there after a restart of the master, and o
   await session.act('Start');
   await session.expectState('Running');
 
-  await test.step('deleted, it is gone for good', async () => {
+  await test.step('deleted, it is gone permanently', async () => {
     await session.choose('Delete');
     await expect(anna.page).toHaveURL(/\/sessions$/);
     await expect(anna.page.getByRole('button', { name: 'Start Smoothing chain' })).toBeVisible();

@@ -26,7 +26,7 @@ const PROBE_MS = 750;
 const NETWORKS_MS = 10_000;
 /** How long the farewell may take, milliseconds. */
 const FAREWELL_MS = 400;
-/** More masters of one name are not told apart by their number. */
+/** More masters of one name are not distinguished by their number. */
 const MAX_ATTEMPTS = 100;
 
 const TYPE_NAME = `_${SERVICE_TYPE}._tcp.local`;

@@ -28,7 +28,7 @@ export interface Responder {
   /** Calls `fn` with the records of each response heard, one's own included. */
   onResponse(fn: (records: readonly ReceivedRecord[]) => void): void;
   query(name: string, type: 'PTR' | 'ANY'): void;
-  /** Ends without a word; resolves when the socket is closed. */
+  /** Ends silently; resolves when the socket is closed. */
   close(): Promise<void>;
 }
 

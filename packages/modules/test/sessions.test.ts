@@ -160,7 +160,7 @@ describe('a module of the library on a node', () => {
     await expect(startSession(session)).rejects.toMatchObject({ kind: 'library' });
   });
 
-  it('goes on with its state after a halt [PM-10]', async () => {
+  it('continues with its state after a halt [PM-10]', async () => {
     const session = sessionOf('clock', [], ['count']);
     const { clock, runtime, ids, values } = await startSession(session);
     const id = ids.get('clock')!;

@@ -19,7 +19,7 @@ export interface RuntimeLimits {
   readonly patternMatchMsPerSecond: number;
   /** Topics that the demuxers of one instance make. [SE-61] */
   readonly maxTopics: number;
-  /** A topic that no demuxer wrote for this long makes room for another one at the limit. [SE-61] */
+  /** A topic that no demuxer wrote for this long ends for another one at the limit. [SE-61] */
   readonly topicRestMs: number;
   /** Records put out. [PM-55] */
   readonly maxOutputsPerSecond: number;

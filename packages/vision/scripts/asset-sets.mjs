@@ -85,7 +85,7 @@ export const ASSET_SETS = [
  * Reads the files of an asset set out of the installed packages.
  *
  * @param {string} name of the set
- * @returns {Record<string, Uint8Array>} bytes by file name
+ * @returns {Record<string, Uint8Array>} bytes by filename
  */
 export function readAssetSet(name) {
   const set = ASSET_SETS.find((one) => one.name === name);

@@ -37,7 +37,7 @@ export const opencvFolder = () => dirname(dirname(resolve('@techstark/opencv-js'
  * Takes the published OpenCV.js apart: a script whose value is a function of Emscripten's options, which
  * returns the library, and the WebAssembly.
  *
- * @returns {Record<string, Uint8Array>} bytes by file name
+ * @returns {Record<string, Uint8Array>} bytes by filename
  */
 export function readOpenCv() {
   const text = readFileSync(join(opencvFolder(), 'dist', 'opencv.js'), 'utf8');

@@ -208,7 +208,7 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
       await this.#load(model, tensorflow);
     } catch (error) {
       problems.push(this.#whyNot(model, error));
-      // On the chosen backend all the same.
+      // On the chosen backend anyway.
       await this.#load(this.#names[0]!, tensorflow).catch((other: unknown) =>
         problems.push(messageOf(other)),
       );

@@ -18,7 +18,7 @@ const HELP = `Takes away what a built master needs while it works, and looks wha
   --master <file>   another build of the master
   --help            this text
 
-A program stores sessions, starts them, makes leave to join and takes it back, and writes down what was acknowledged.
+A program stores sessions, starts them, makes invitations and revokes them, and writes down what was acknowledged.
 Ends with 1 when something acknowledged is gone, or does not come back. Full and read-only disks take root on Linux.`;
 
 const { values } = parseArgs({

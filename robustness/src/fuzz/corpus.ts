@@ -11,7 +11,7 @@ export interface Find {
   readonly reason: string;
   /** Base64. */
   readonly inputs: readonly string[];
-  /** Who is to mend it, or what stands against it: then the gate shows it and does not fail. */
+  /** Who is to fix it, or what stands against it: then the gate shows it and does not fail. */
   readonly todo?: string;
 }
 

@@ -18,7 +18,7 @@ const HELP = `Sends mutated inputs to every entrance of a built master, and look
   --seed <n>        the same seed gives the same inputs (default: random; it is printed)
   --entrance <x>,…  ${ENTRANCES.map(({ name }) => name).join(', ')}
   --master <file>   another build of the master
-  --record          write the seeds anew, from programs of the client library
+  --record          write the seeds again, from programs of the client library
   --help            this text
 
 Finds go to robustness/corpus, where the gate replays them. Ends with 1 when there are any.`;

@@ -37,7 +37,7 @@ export interface Member {
   readonly bearer: string | undefined;
 }
 
-/** Somebody with an address, with or without leave to join. */
+/** Somebody with an address, with or without an invitation. */
 export class Outsider {
   readonly place: Place;
   readonly #agent: DialingAgent;
@@ -140,7 +140,7 @@ export class Outsider {
       agent: this.#agent,
       perMessageDeflate: false,
     });
-    // Who gives no sign of life is gone after a while. [CL-10]
+    // A client without activity is removed after a while. [CL-10]
     socket.on('message', (data, isBinary) => {
       if (!isBinary && String(data as Buffer) === 'PING') socket.send('PONG');
     });

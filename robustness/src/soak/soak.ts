@@ -19,7 +19,7 @@ const SAMPLES = 120;
 const WARM_UP = 0.25;
 /** What is kept of those who left is bounded; the bounds are lower here, so that the warm-up reaches them. */
 const LIMITS = 'unavailableRetentionMs=5000,keptRemovals=200,auditEntries=500';
-/** Time until those who went without a word are forgotten: the silence of CL-11, and the retention above. */
+/** Time until those who went silently are forgotten: the silence of CL-11, and the retention above. */
 const QUIET_MS = 90_000;
 
 export interface SoakPlan {
@@ -131,7 +131,7 @@ function begin(plan: SoakPlan, world: PhoneWorld, talkers: readonly Talker[]): S
         if (world.token === '') return pause(20);
         await bePhone(world);
       },
-      // Its leave to join was taken back meanwhile: that is part of the work.
+      // Its invitation was revoked meanwhile: that is part of the work.
       (error) =>
         /taken back|403|Unexpected server response/.test(String(error))
           ? tally.done('phones sent away')

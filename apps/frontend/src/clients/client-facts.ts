@@ -7,7 +7,7 @@ import {
 } from '@ubii/proto';
 import { formatLook } from '../formats/families.ts';
 
-/** More sockets than this are not told apart at a glance. */
+/** More sockets than this are not distinguished at a glance. */
 const MAX_SOCKETS = 6;
 
 /** One socket for the data formats of a client that look alike. */

@@ -6,9 +6,9 @@ import type { ClientIntent } from './act/client-menu.ts';
 import { useClientActions } from './act/useClientActions.ts';
 import type { ClientView } from './model/client-view.ts';
 
-/** What a person wants of a client, from the wish to the deed, with the questions in between. */
+/** What a user wants of a client, from the choice to the action, with the questions in between. */
 export interface ClientIntents {
-  /** Why the last deed failed; stays until the next one. */
+  /** Why the last action failed; stays until the next one. */
   readonly failure: ShallowRef<string | undefined>;
   /** What is being asked about which client. */
   readonly question: Readonly<

@@ -5,7 +5,7 @@ import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 const ORDER_MS = 2500;
 
 /**
- * Things in an order that goes by live numbers, and stands still for a while all the same.
+ * Things in an order that goes by live numbers, and stands still for a while anyway.
  * @param sorted in the order of now
  * @param reasons what puts them into the order of now at once, when it changes
  */

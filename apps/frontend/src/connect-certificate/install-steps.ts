@@ -55,7 +55,7 @@ export const INSTALL_GUIDES: readonly InstallGuide[] = [
     file: { href: '/ca.pem', text: 'Load the certificate' },
     steps: [
       'Load the certificate and open the file: Keychain Access takes it into the login keychain.',
-      'Open it there by a double click and compare the fingerprint.',
+      'Open it there by a double-click and compare the fingerprint.',
       'Under Trust, choose “Always Trust” for “When using this certificate”, close and confirm. Restart the browser.',
     ],
     removal: 'Keychain Access, login, Certificates: delete the one of Ubi-Interact.',

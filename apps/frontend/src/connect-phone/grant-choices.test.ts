@@ -45,7 +45,7 @@ describe('reusable', () => {
   });
 });
 
-it('a grant is open until its end, its last join or its revocation', () => {
+it('an invitation is open until its end, its last join or its revocation', () => {
   expect(isOpen(grant(), MINUTE)).toBe(true);
   expect(isOpen(grant(), 15 * MINUTE)).toBe(false);
   expect(isOpen(grant({ maxJoins: 1, joins: 1 }), MINUTE)).toBe(false);

@@ -7,7 +7,7 @@ const ECHO_MS = 5000;
 
 /**
  * Adopts the name that another client gave this page, so that the page uses the name that others see.
- * [EX-29] Echoes of what it said itself are not taken: two that follow each other would chase for ever.
+ * [EX-29] Echoes of what it said itself are not taken: two that follow each other would chase forever.
  * @param nowMs this machine's clock
  */
 export function adoptName(

@@ -21,7 +21,7 @@ export function unnamedClient(id: string): string {
 /**
  * Returns a display name for each client by its id, no two alike: of clients with the same name, the first keeps it and
  * the others get a number, `Phone`, `Phone 2`. A client keeps its display name as long as it keeps its own name; clients
- * that are gone make room for those that are here.
+ * that are gone give up theirs to those that are here.
  *
  * @param clients in the order in which this page learned of them
  * @param before the result of the call before

@@ -5,7 +5,7 @@ import { shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 import { perFrame } from './per-frame.ts';
 
 const ANNOUNCEMENTS = '/info/session/*';
-/** After an announcement the list is asked for anew: what was retained of long ago may have come, too. */
+/** After an announcement the list is asked for again: what was retained of long ago may have come, too. */
 const SETTLE_MS = 300;
 
 /** Every session the master knows, as it announces them. [SE-8] */

@@ -281,7 +281,7 @@ describe('sessions store', () => {
     expect(names()).toEqual(['b']);
   });
 
-  it('asks anew after announcements: what was retained may be of long ago', async () => {
+  it('asks again after announcements: what was retained may be of long ago', async () => {
     const { names, hear, call } = setup([session('a')], [session('a')]);
     await settle();
     hear('/info/session/new', session('gone long ago'));

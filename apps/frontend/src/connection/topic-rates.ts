@@ -198,7 +198,7 @@ function noteGap(track: Track, { records, publishedMs }: TopicStatistic): void {
   const before = track.statistic;
   if (records > before.records && before.publishedMs > 0) {
     const gapMs = (publishedMs - before.publishedMs) / (records - before.records);
-    // Half of what was before: presses of a button come as they like.
+    // Half of what was before: presses of a button are irregular.
     track.gapMs = track.gapMs === undefined ? gapMs : (track.gapMs + gapMs) / 2;
   } else if (records < before.records) {
     track.gapMs = undefined; // another run of the master

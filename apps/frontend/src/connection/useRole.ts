@@ -6,7 +6,7 @@ import { useConnection } from './useConnection.ts';
 export interface OwnRole {
   /** `undefined` while not connected, and at masters that know no roles. */
   readonly role: ComputedRef<ClientRole | undefined>;
-  /** It is let in, and not to what only admins may. [AC-21] */
+  /** It is admitted, and not to what only admins may. [AC-21] */
   readonly isNoAdmin: ComputedRef<boolean>;
 }
 

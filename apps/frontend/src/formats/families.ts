@@ -12,7 +12,7 @@ import {
 import { DATA_FORMATS, parseDataFormat, type DataFormat, type DataFormatFamily } from '@ubii/proto';
 import type { Component } from 'vue';
 
-/** How a family of data formats is told apart, besides colour and shape. */
+/** How a family of data formats is distinguished, besides colour and shape. */
 export interface FamilyLook {
   readonly name: string;
   readonly letter: string;

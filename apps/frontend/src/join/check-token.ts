@@ -4,7 +4,7 @@ import { fromJson, SERVICES, ServiceError, type JoinCheck } from '@ubii/proto';
 const TIMEOUT_MS = 8000;
 
 /**
- * Asks what a token or code is good for, without being a client: who is not let in has no connection to
+ * Asks what a token or code is good for, without being a client: who is not admitted has no connection to
  * ask over. [AC-16]
  * @throws {ServiceError} what the master answered
  * @throws {ConnectionError} there was no answer

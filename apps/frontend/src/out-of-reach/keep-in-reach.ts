@@ -5,7 +5,7 @@ import { isInstalled } from '../install/install-offer.ts';
 const SERVICE_WORKER = '/service-worker.js';
 
 /**
- * Where a page that cannot be loaded is of no use, words take its place: on phones and in the installed app.
+ * Where a page that cannot be loaded does not help, words take its place: on phones and in the installed app.
  * The machine of the master has them not: its addresses belong to other programs, too.
  */
 export function keepInReach(): void {

@@ -12,7 +12,7 @@ function load(): HostMemory | undefined {
     const text = localStorage.getItem(MEMORY_KEY);
     return text === null ? undefined : (JSON.parse(text) as HostMemory);
   } catch {
-    return undefined; // storage that is blocked or damaged: the party begins anew
+    return undefined; // storage that is blocked or damaged: the party begins again
   }
 }
 
@@ -20,7 +20,7 @@ function save(memory: HostMemory): void {
   try {
     localStorage.setItem(MEMORY_KEY, JSON.stringify(memory));
   } catch {
-    // The party goes on; a reload would begin anew
+    // The party goes on; a reload would begin again
   }
 }
 

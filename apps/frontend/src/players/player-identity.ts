@@ -1,4 +1,4 @@
-/** The shapes and colours people are told apart by, in this order. Tokens: --player-<colour>. */
+/** The shapes and colours people are distinguished by, in this order. Tokens: --player-<colour>. */
 const PLAYERS = [
   { shape: 'circle', colour: 'coral' },
   { shape: 'triangle', colour: 'blue' },

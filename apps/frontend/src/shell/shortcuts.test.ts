@@ -17,7 +17,7 @@ describe('matchShortcut', () => {
     expect(matchShortcut(pending, 't').shortcut?.does).toEqual({ kind: 'go', to: '/topics' });
   });
 
-  it('lets a key that completes no pair begin anew', () => {
+  it('lets a key that completes no pair begin again', () => {
     expect(matchShortcut('G', '/').shortcut?.text).toBe('Find or do anything');
     expect(matchShortcut('G', 'g')).toEqual({ pending: 'G' });
     expect(matchShortcut('G', 'Escape')).toEqual({});

@@ -54,7 +54,7 @@ export function createTabNode(
       if (isWanted.value) {
         if (state.value.status !== 'on') state.value = { status: 'starting' };
         node ??= await openNode();
-        // Only who chose it for good lets the master choose, too
+        // Only who chose it permanently lets the master choose, too
         await node.setAcceptsWork(isChosen.value);
         await node.start();
         state.value = { status: 'on' };

@@ -1,6 +1,6 @@
 import type { ResourceUsage, UsageMeasurement } from '../core/ports/resource-usage.ts';
 
-/** A process that takes what the test says; without a word always the same. */
+/** A process that takes what the test says; always the same. */
 export class FixedUsage implements ResourceUsage {
   readonly processors = 4;
   measured: UsageMeasurement = { cpuPercent: 12.5, busyPercent: 5, delayMs: 1 };

@@ -88,7 +88,7 @@ export class TestClient {
     return this.#testMaster.call(request, this.caller);
   }
 
-  /** Subscribes and unsubscribes, and waits for what it is owed. @throws Error with the master's message when it refuses. */
+  /** Subscribes and unsubscribes, and waits for what it has to receive. @throws Error with the master's message when it refuses. */
   async subscribe(subscription: Init<TopicSubscription>): Promise<void> {
     const { error } = await this.call({
       topic: '/services/topic_subscription',

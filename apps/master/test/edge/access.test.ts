@@ -423,7 +423,7 @@ describe('pages without a name [AC-46]', () => {
 });
 
 describe('joining over HTTP', () => {
-  it('lets in with a token, and goes on with the credential, in any spelling of the header [AC-13]', async () => {
+  it('admits with a token, and continues with the credential, in any spelling of the header [AC-13]', async () => {
     const { port } = await startEdgeMaster();
     const { token } = await createGrant(port, AccessRole.ACCESS_ROLE_VIEWER);
     const { reply } = await register(port, token);
@@ -485,7 +485,7 @@ describe('joining over HTTP', () => {
       .toBeDefined();
   });
 
-  it('keeps grants for its owner only, without secrets, over a restart [AC-11] [AC-19]', async () => {
+  it('keeps invitations for its owner only, without secrets, over a restart [AC-11] [AC-19]', async () => {
     const dataDir = newFolder();
     const before = await startEdgeMaster({ dataDir });
     const { token, code, grant } = await createGrant(before.port, AccessRole.ACCESS_ROLE_PLAYER, {

@@ -33,7 +33,7 @@ describe('asset sets of a master [PM-92]', () => {
     });
   });
 
-  it('are served file by file, for good, and as nothing that a browser runs', async () => {
+  it('are served file by file, permanently, and as nothing that a browser runs', async () => {
     const { port } = await startEdgeMaster({ dataDir: dataWithSet() });
     const { status, headers, body } = await send(port, `/asset-sets/greeting/${HASH}/texts/a.txt`);
     expect([status, body.toString()]).toEqual([200, HELLO]);

@@ -141,7 +141,7 @@ describe('a session with a Python node', () => {
 });
 
 describe('a session with a Unity node', () => {
-  it('does not wait for ever for the end of its modules [SE-13]', async () => {
+  it('does not wait forever for the end of its modules [SE-13]', async () => {
     const world = await SessionWorld.create();
     const node = await TestNode.original(world.master, 'unity', { processingModules: [offered] });
     const session = await world.ask(TOPICS.start, { processingModules: [{ name: 'detector' }] });
@@ -159,7 +159,7 @@ describe('a session with a Unity node', () => {
 });
 
 describe('a module that is not reported', () => {
-  it('makes the session degraded, and a late word mends it [SE-12]', async () => {
+  it('makes the session degraded, and a late report repairs it [SE-12]', async () => {
     const world = await SessionWorld.create();
     const node = await TestNode.original(world.master, 'nodejs', { processingModules: [offered] });
     const session = await world.ask(TOPICS.start, {

@@ -31,7 +31,7 @@ async function setup() {
 }
 
 describe('a stored module that changes [SE-26]', () => {
-  it('is what running sessions go on with, without losing the session', async () => {
+  it('is what running sessions continue with, without losing the session', async () => {
     const { world, save, session, answer } = await setup();
     await save(tripler);
     expect(await answer()).toBe(3);

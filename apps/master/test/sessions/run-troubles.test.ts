@@ -50,7 +50,7 @@ describe('a module whose runs fail [SE-12]', () => {
     expect(codes((await now()).extension?.problems)).not.toContain('module_run_failed');
   });
 
-  it('is none any more when its code was mended', async () => {
+  it('is none any more when its code was corrected', async () => {
     const { world, put, now } = await createWorld();
     await put(-1, 2);
     const failing = await now();

@@ -102,7 +102,7 @@ describe('topics of the modules of a session', () => {
     expect(await topics()).toHaveLength(20);
   });
 
-  it('make room when they were not written for a minute [SE-61]', async () => {
+  it('end when they were not written for a minute [SE-61]', async () => {
     const { world, go, topics } = await createWorld();
     await world.ask(TOPICS.start, demuxing('runaway', 5));
     await go(2);

@@ -181,7 +181,7 @@ describe('an update of a running session', () => {
     sentBack.processingModules[0]!.extension!.replaceable = false;
     const pinned = await world.ask(TOPICS.update, sentBack);
     expect(replaceable(pinned)).toBe(false);
-    // A copy is placed anew.
+    // A copy is placed again.
     const copy = await world.ask(TOPICS.add, { ...sentBack, id: '' });
     expect(replaceable(copy)).toBe(false);
     const free = await world.ask(TOPICS.add, { ...session, id: '' });

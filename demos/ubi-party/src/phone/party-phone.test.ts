@@ -132,7 +132,7 @@ test('seat that was free after a lost connection is not called a removal', async
   expect(page.get('h1').text()).toBe('Your seat is free again');
 });
 
-test('player who leaves is at the door again, without a word on it', async () => {
+test('player who leaves returns to the join screen without a message', async () => {
   const link = page.open({ room: roomWith(1) });
   await page.button('Leave').trigger('click');
   expect(link.asked).toEqual([]);

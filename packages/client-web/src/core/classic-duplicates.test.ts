@@ -21,7 +21,7 @@ describe('ClassicDuplicates', () => {
     expect(duplicates.isCopy(frame(9), 1)).toBe(false);
   });
 
-  it('starts anew with another frame', () => {
+  it('starts again with another frame', () => {
     const duplicates = new ClassicDuplicates();
     expect(duplicates.isCopy(frame(1), 2)).toBe(false);
     expect(duplicates.isCopy(frame(2), 2)).toBe(false);

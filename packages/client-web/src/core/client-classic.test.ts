@@ -44,7 +44,7 @@ describe('a client of an original master [EX-1]', () => {
     expect(values).toEqual([1]);
   });
 
-  it('hands out once what the master sends for each subscription', async () => {
+  it('delivers once what the master sends for each subscription', async () => {
     const { master, client } = await setup();
     const values: unknown[][] = [[], [], []];
     client.subscribe('/a').onRecord(({ value }) => values[0]!.push(value));

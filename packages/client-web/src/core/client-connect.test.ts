@@ -121,7 +121,7 @@ describe('client.connect()', () => {
     await connected;
   });
 
-  it('does not wait for ever for a master that keeps silent', async () => {
+  it('does not wait forever for a master that keeps silent', async () => {
     const master = new FakeMaster();
     master.isSilent = true;
     const { client, clock } = createTestClient(master, { serviceTimeoutMs: 3_000 });

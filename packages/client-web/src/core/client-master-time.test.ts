@@ -56,7 +56,7 @@ describe('client.masterTime', () => {
     }
   });
 
-  it('goes on with the time of day after a sleep, until it is measured again [TS-7]', async () => {
+  it('continues with the time of day after a sleep, until it is measured again [TS-7]', async () => {
     const { client, master, clock, masterMs, setMaster } = await setup();
     await clock.advance(10_000);
     master.isSilent = true;
@@ -78,7 +78,7 @@ describe('client.masterTime', () => {
     expect(client.masterTime.nowMs()).toBe(masterMs());
   });
 
-  it('is measured anew on a new link: its master may be another one [TS-8]', async () => {
+  it('is measured again on a new link: its master may be another one [TS-8]', async () => {
     const { client, master, clock, masterMs, setMaster } = await setup();
     await clock.advance(10_000);
     master.restart();

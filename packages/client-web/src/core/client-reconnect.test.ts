@@ -76,7 +76,7 @@ describe('a client whose socket drops [EX-5]', () => {
     expect(client.id).toBe('client-2');
   });
 
-  it('stops for good when another socket took its identity (4001)', async () => {
+  it('stops permanently when another socket took its identity (4001)', async () => {
     const { master, client, clock, states } = await setup();
     master.isSilent = true;
     const held = client.call('topicList').catch((error: unknown) => error);
@@ -107,7 +107,7 @@ describe('a client whose socket drops [EX-5]', () => {
     expect(clock.pendingTimers).toBe(0);
   });
 
-  it('registers anew when told to connect again after 4010', async () => {
+  it('registers again when told to connect again after 4010', async () => {
     const { master, client } = await setup();
     master.forget('client-1');
     master.drop(4010, '');
@@ -168,7 +168,7 @@ describe('a client whose socket drops [EX-5]', () => {
 
   it('does not hurry twice in one outage', async () => {
     const { master, clock, client } = await setup();
-    // Registration succeeds, and the socket is refused all the same.
+    // Registration succeeds, and the socket is refused anyway.
     const refuse = master.openConnection.bind(master);
     let refusals = 0;
     master.openConnection = (query, peer) => {
@@ -299,7 +299,7 @@ describe('a client whose socket drops [EX-5]', () => {
     await client.connect();
     await clock.advance(10_000);
     const open = master.openConnection.bind(master);
-    // A socket that is refused without a word: services are asked why. [AC-27]
+    // A socket that is refused silently: services are asked why. [AC-27]
     master.openConnection = () => undefined;
     master.handleServiceRequest = () => new Promise(() => undefined);
     master.drop();

@@ -103,7 +103,7 @@ describe('client.subscribe()', () => {
     ]);
   });
 
-  it('hands out only the wanted format', async () => {
+  it('delivers only the wanted format', async () => {
     const { master, client } = await setup();
     const records: TopicRecord<'double'>[] = [];
     client.subscribe('/a', { format: 'double' }).onRecord((record) => records.push(record));

@@ -107,7 +107,7 @@ export class ComponentTopics {
   }
 
   /**
-   * Hands out what belongs to a profile. Of the rest, those up to `lastAsked` came before the
+   * Delivers what belongs to a profile. Of the rest, those up to `lastAsked` came before the
    * question was asked, so the answer says that they belong to none.
    */
   #releaseRecords(lastAsked: ReceivedRecord | undefined): void {

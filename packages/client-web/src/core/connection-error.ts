@@ -4,7 +4,7 @@ import type { JoinProblem } from './join.ts';
  * Why a link failed: `closed`: by us, by the master, or it broke · `refused`: by the master, or
  * the master is down · `timeout` · `protocol`: what came makes no sense · `superseded`: another socket
  * uses this identity now · `disconnected`: an admin removed this client, the message says who and why
- * · `join`: the client has to join first, or anew; `joinProblem` says why.
+ * · `join`: the client has to join first, or again; `joinProblem` says why.
  */
 export type ConnectionErrorReason =
   'closed' | 'refused' | 'timeout' | 'protocol' | 'superseded' | 'disconnected' | 'join';

@@ -136,7 +136,7 @@ export class Connection {
   }
 
   /**
-   * Tries at once when waiting to try again, and anew when an attempt has been under way for a while:
+   * Tries at once when waiting to try again, and again when an attempt has been under way for a while:
    * the network it was begun on may be gone. When connected, makes sure that the link is alive. [CL-41]
    */
   retryNow(): void {
@@ -163,7 +163,7 @@ export class Connection {
   }
 
   /**
-   * Stops for good. The state changes at once; the link is handed over for what is left to be said.
+   * Stops permanently. The state changes at once; the link is handed over for what is left to be said.
    * @param farewell what a link is closed with that is not up yet
    * @returns the link, if it is up, and the end of the attempt under way
    */
@@ -311,7 +311,7 @@ export class Connection {
       if (isTold(failure)) registration.invalidate();
       else registration.doubt();
     }
-    // A socket that is refused without a word: services say why, and a browser is not told. [AC-27]
+    // A socket that is refused silently: services say why, and a browser is not told. [AC-27]
     const isMute =
       hadLink && failure.code === BROKEN && !failure.wasUp && failure.error.cause === undefined;
     if (remedy === 'retry' && isMute && registration.credential !== undefined) registration.doubt();

@@ -1,9 +1,9 @@
 import { AccessRole, JoinProblem as WireProblem, ServiceError } from '@ubii/proto';
 
 /**
- * Why a client is not let in: `missing`: it has no token · `wrong`: the token is unknown · `expired`
+ * Why a client is not admitted: `missing`: it has no token · `wrong`: the token is unknown · `expired`
  * · `revoked` · `used`: as many have joined with it as may · `guessing`: too many wrong codes were tried
- * · `role`: it is let in, but not to what it asked for. [AC-12]
+ * · `role`: it is admitted, but not to what it asked for. [AC-12]
  */
 export type JoinProblem =
   'missing' | 'wrong' | 'expired' | 'revoked' | 'used' | 'guessing' | 'role';

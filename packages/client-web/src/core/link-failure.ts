@@ -17,16 +17,16 @@ export type Remedy = 'stop' | 'register-as-new' | 'register-again' | 'retry';
 /** No close code of the master: the link broke. */
 export const BROKEN = 1006;
 
-/** What a client closes with that leaves for good. [EX-55] */
+/** What a client closes with that leaves permanently. [EX-55] */
 export const LEFT = { code: 4000, reason: 'left' } as const;
 
 /** What the master says with a close code. [EX-5] Every other code: try again, with back-off. */
 const REMEDIES: ReadonlyMap<number, Remedy> = new Map([
-  [4001, 'stop'], // superseded: trying again would take the identity back, and so on for ever
+  [4001, 'stop'], // superseded: trying again would take the identity back, and so on forever
   [4003, 'register-as-new'], // not this client
   [4004, 'register-again'], // unknown client
   [4010, 'stop'], // disconnected by an admin [EX-30]
-  [4011, 'stop'], // revoked: it has to join anew [AC-15]
+  [4011, 'stop'], // revoked: it has to join again [AC-15]
   [4012, 'stop'], // the time of what it joined with is over [AC-91]
   [1000, 'register-again'], // deregistered, on whose behalf ever [CL-16]
 ]);

@@ -58,7 +58,7 @@ export interface LinkTime {
 interface SentPing {
   readonly number: number;
   readonly sent: ClockReading;
-  /** Sent for the clock alone: neither a sign of life nor a round trip is expected of it. */
+  /** Sent for the clock alone: neither activity nor a round trip is expected of it. */
   readonly isExtra: boolean;
   /** Who waits for it. */
   readonly answered: Deferred<void> | undefined;
@@ -250,7 +250,7 @@ export class Link {
   }
 
   #endSilent(waited: string): void {
-    this.#endWithTimeout(`Expected a sign of life from the master, received none for ${waited}`);
+    this.#endWithTimeout(`Expected a frame from the master, received none for ${waited}`);
   }
 
   #endWithTimeout(message: string): void {

@@ -12,7 +12,7 @@ import type { ServerPattern, TopicPattern } from './topic-pattern.ts';
 
 const DEFAULT_BUFFER_SIZE = 1_000;
 
-/** One subscription of the program: filters, limits and hands on the records it is given. */
+/** One subscription of the program: filters, limits and delivers the records it is given. */
 export class LocalSubscription implements Subscription, Receiver {
   readonly takesBuffers = false;
   readonly pattern: TopicPattern;
@@ -101,7 +101,7 @@ export class LocalSubscription implements Subscription, Receiver {
     else this.#rateLimit.handle(record);
   }
 
-  /** A record without a value says nothing that a subscription could hand on. [TD-13] */
+  /** A record without a value says nothing that a subscription could deliver. [TD-13] */
   handleGone(): void {}
 
   /** The master has accepted it. */

@@ -66,7 +66,7 @@ export class Probe {
   #handleDeadline(askedMs: number, waitMs: number): void {
     const waitedMs = this.#options.clock.monotonicMs() - askedMs;
     const hasSlept = waitedMs > waitMs + SLEPT_MS;
-    // The answer waits behind large frames, which came all the same.
+    // The answer waits behind large frames, which came anyway.
     const isAlive = this.#heardMs > askedMs + EARLIER_FRAMES_MS;
     this.#cancelDeadline = undefined;
     if (hasSlept || isAlive) this.#ask();

@@ -16,7 +16,7 @@ export interface PublishOptions {
   readonly keepSeconds?: number;
   /**
    * How long the value stands on the master while no newer record of the topic comes, whole milliseconds: for values
-   * that are of no use later, or of which no copy is to stay, such as pictures of a camera. [TD-47] @default 0, as long as any
+   * that are not needed later, or of which no copy is to stay, such as pictures of a camera. [TD-47] @default 0, as long as any
    */
   readonly expiryMs?: number;
 }

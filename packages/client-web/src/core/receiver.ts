@@ -16,6 +16,6 @@ export interface Receiver {
   handleAccepted(): void;
   /** Ends it, with the error if there is one. */
   end(error: Error | undefined): void;
-  /** The client stopped for good, but may connect again. */
+  /** The client stopped permanently, but may connect again. */
   failIterators(error: Error): void;
 }

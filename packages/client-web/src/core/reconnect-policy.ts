@@ -24,7 +24,7 @@ export interface ReconnectPolicy {
    */
   readonly giveUpAfterAttempts: number;
   /**
-   * A link that held this long, milliseconds, starts the count of failures anew when it breaks; one
+   * A link that held this long, milliseconds, starts the count of failures again when it breaks; one
    * that broke earlier counts as a failed attempt itself, so that a master that throws the client out
    * again and again is left alone. @default 5000
    */

@@ -120,7 +120,7 @@ export class Registration {
     if (this.#identity === undefined) return;
     this.#clientId = this.#identity.clientId;
     // An earlier run of this program left its devices and subscriptions behind. Nothing here knows
-    // them, so the master would send their records for ever: the earlier run is ended first. [EX-7]
+    // them, so the master would send their records forever: the earlier run is ended first. [EX-7]
     try {
       await this.#calls.call('clientDeregistration', { id: this.#identity.clientId });
     } catch (error) {
@@ -192,14 +192,14 @@ export class Registration {
     this.#doubted = undefined;
   }
 
-  /** The identity is of no use any more: register as a new client. [EX-5] */
+  /** The identity is not valid any more: register as a new client. [EX-5] */
   forget(): void {
     this.invalidate();
     this.#identity = undefined;
     this.#save(undefined);
   }
 
-  /** Changes the profile. The master learns it with `update`, or when the client registers anew. */
+  /** Changes the profile. The master learns it with `update`, or when the client registers again. */
   describe(change: Partial<ClientProfile>): void {
     this.#profile = { ...this.#profile, ...change };
     this.#isProfileNew = true;

@@ -19,7 +19,7 @@ describe('RoundTripWindow', () => {
     expect(window.current).toEqual({ lastMs: 5, p50Ms: 5, p95Ms: 5 });
   });
 
-  it('starts anew when cleared', () => {
+  it('starts again when cleared', () => {
     const window = new RoundTripWindow();
     window.add(5);
     window.clear();

@@ -69,7 +69,7 @@ export class ServiceCalls {
 
   /**
    * Finds the connections that a browser keeps for requests and that lead nowhere since the network went
-   * without a word: it would take them first. What is not answered soon is cancelled, which closes them. [CL-43]
+   * silently: it would take them first. What is not answered soon is cancelled, which closes them. [CL-43]
    */
   freshen(): void {
     for (let i = 0; i < KEPT_CONNECTIONS; i++) {

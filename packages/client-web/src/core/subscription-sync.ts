@@ -77,7 +77,7 @@ export class SubscriptionSync {
   /** @param maxRateHz 0 for every record */
   want(pattern: ServerPattern, maxRateHz: number): void {
     const held = this.#held.get(pattern.key);
-    // Given up, and wanted again before the master was told: made anew for its retained records. [TD-24]
+    // Given up, and wanted again before the master was told: made again for its retained records. [TD-24]
     if (held !== undefined && !this.#wanted.has(pattern.key)) held.certainty = 'stale';
     this.#wanted.set(pattern.key, { pattern, maxRateHz });
     this.#schedule();
@@ -100,7 +100,7 @@ export class SubscriptionSync {
   }
 
   /**
-   * The link is up: makes every subscription anew, because the master may have lost them, and because
+   * The link is up: makes every subscription again, because the master may have lost them, and because
    * what was published meanwhile comes with a new subscription only [TD-24] [TD-33]. Resolves when
    * the master has all.
    * @throws {ConnectionError | ServiceError} if the link failed, or the master does not know the client
@@ -186,7 +186,7 @@ export class SubscriptionSync {
 
   async #perform(step: Step): Promise<void> {
     for (const wanted of step.subscribe) {
-      // Noted before the request: should the answer get lost, the master may have it all the same.
+      // Noted before the request: should the answer get lost, the master may have it anyway.
       this.#held.set(wanted.pattern.key, { ...wanted, certainty: 'asked' });
     }
     const online = this.#online;

@@ -5,7 +5,7 @@ import type { TopicPattern } from './topic-pattern.ts';
 export interface SubscribeOptions<F extends DataFormat = DataFormat> {
   /** Only records of this data format are delivered. @default every format */
   readonly format?: F;
-  /** At most this many records of a topic per second; the newest is never withheld for good. @default no limit */
+  /** At most this many records of a topic per second; the newest is never withheld permanently. @default no limit */
   readonly maxRateHz?: number;
   /** Records an async iterator holds for a slow consumer before the oldest is dropped. @default 1000 */
   readonly bufferSize?: number;

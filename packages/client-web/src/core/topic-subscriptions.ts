@@ -212,7 +212,7 @@ export class TopicSubscriptions {
     for (const { members } of groups) for (const member of members) member.end(undefined);
   }
 
-  /** The client stopped for good: loops end with the error. Callbacks stand, should it connect again. */
+  /** The client stopped permanently: loops end with the error. Callbacks stand, should it connect again. */
   failIterators(error: Error): void {
     for (const { members } of this.#groups.values()) {
       for (const member of members) member.failIterators(error);
@@ -245,7 +245,7 @@ export class TopicSubscriptions {
     }
   }
 
-  /** The master is asked once records can be told apart; its retained ones come with that. [TD-64] */
+  /** The master is asked once records can be distinguished; its retained ones come with that. [TD-64] */
   async #load(group: Group): Promise<void> {
     const { pattern } = group;
     if (pattern.kind !== 'regex' || pattern.matcher.match !== undefined) return;

@@ -75,7 +75,7 @@ export interface UbiiClient {
   readonly name: string;
   /**
    * Changes the name. The master learns it now, or as soon as it can be reached; an original master
-   * when the client registers anew. Rejects with the `ServiceError` when the master refuses it.
+   * when the client registers again. Rejects with the `ServiceError` when the master refuses it.
    */
   rename(name: string): Promise<void>;
   /**
@@ -138,7 +138,7 @@ export interface UbiiClient {
   /**
    * Subscribes to encoded records, to forward them or to decode them elsewhere: they
    * are decoded here only if an ordinary subscription wants them, too. A large record that no other subscription
-   * receives comes with its buffer (`isOwned`), uncopied. Records without a value come as `onGone`.
+   * receives comes with its buffer (`isOwned`), without a copy. Records without a value come as `onGone`.
    * @returns ends the subscription
    * @throws {TypeError} if the pattern is empty or not a regular expression
    */

@@ -281,7 +281,7 @@ class Node implements ProcessingNode {
     });
   }
 
-  /** What runs under the client's id of now, or of before, ends; what comes later is made anew. */
+  /** What runs under the client's id of now, or of before, ends; what comes later is made again. */
   async #endAll(): Promise<void> {
     const keepers = [...this.#keepers.values()];
     const runtime = this.#runtime;

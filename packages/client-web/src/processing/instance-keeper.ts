@@ -25,7 +25,7 @@ export interface InstanceKeeperOptions {
 interface Wanted {
   readonly assigned: AssignedModule;
   readonly spec: InstanceSpec;
-  /** With another one the instance has to be made anew. */
+  /** With another one the instance has to be made again. */
   readonly codeKey: string;
   readonly mappingKey: string;
   readonly modeKey: string;
@@ -200,7 +200,7 @@ export class InstanceKeeper {
         await runtime.destroy(this.id);
       }
     } catch {
-      // Faults of onHalted and onDestroyed are reported by the runtime; it is gone all the same.
+      // Faults of onHalted and onDestroyed are reported by the runtime; it is gone anyway.
     }
     this.#present = undefined;
     this.#isProcessing = false;

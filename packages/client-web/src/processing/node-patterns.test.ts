@@ -53,13 +53,13 @@ async function run(mux: object, options: Partial<ProcessingNodeOptions> = {}) {
 }
 
 describe.each(['node', 'browser'] as const)('the muxers of a %s node', (kind) => {
-  it('[PM-70] go on with a selector that stalls others', async () => {
+  it('[PM-70] continue with a selector that stalls others', async () => {
     const { out, loads } = await run({ topicSelector: SLOW, identitySource: 3 }, { kind });
     expect(out).toBe('/x/aaa');
     expect(loads).toBe(1);
   });
 
-  it('[PM-70] go on with an identity that stalls others', async () => {
+  it('[PM-70] continue with an identity that stalls others', async () => {
     const mux = { topicGlob: '/**', identityMatchPattern: SLOW };
     const { out } = await run(mux, { kind });
     expect(out).toBe('-,aaa');

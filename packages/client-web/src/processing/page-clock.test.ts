@@ -43,7 +43,7 @@ describe('the clock of a page', () => {
     expect(calls).toEqual(['a']);
   });
 
-  it('goes on with each step of an interval, until it is cancelled', () => {
+  it('continues with each step of an interval, until it is cancelled', () => {
     const { clock, posted, due } = setup();
     let count = 0;
     const cancel = clock.every(10, () => (count += 1));

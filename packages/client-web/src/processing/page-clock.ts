@@ -54,7 +54,7 @@ export function createPageClock(timers: PageTimers = browserTimers): Clock {
   return {
     ...processingClock,
     after,
-    /** Each step is set anew, so that it follows the page when it is hidden and shown. */
+    /** Each step is set again, so that it follows the page when it is hidden and shown. */
     every(intervalMs, fn) {
       let dueMs = processingClock.monotonicMs() + intervalMs;
       let cancel = after(intervalMs, step);

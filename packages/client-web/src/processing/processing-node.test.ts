@@ -62,7 +62,7 @@ describe('a node says what it is', () => {
     ]);
   });
 
-  it('anew when its modules change, or whether it takes work', async () => {
+  it('again when its modules change, or whether it takes work', async () => {
     const { node, master } = await createNodeWorld();
     await node.setModules([timesTen('', '')]);
     await node.setAcceptsWork(false);
@@ -217,7 +217,7 @@ describe('a node and the sessions', () => {
     expect(sessions.told).toEqual(['add m1']);
   });
 
-  it('makes modules anew when their session is stopped and started in one turn', async () => {
+  it('makes modules again when their session is stopped and started in one turn', async () => {
     const world = await setupRunning();
     world.sessions.stop('s1');
     world.sessions.start(sessionOf(world.module));

@@ -48,7 +48,7 @@ export interface ProcessingNode {
   /** Ends all modules, tells the master, and takes part no longer; may be started again. */
   stop(): Promise<void>;
   readonly isStarted: boolean;
-  /** Other modules to offer from now on. Those that run keep their code until their session changes or starts anew. */
+  /** Other modules to offer from now on. Those that run keep their code until their session changes or starts again. */
   setModules(modules: readonly Init<ProcessingModule>[]): Promise<void>;
   /** Whether the master may choose this node by itself, from now on. */
   setAcceptsWork(acceptsWork: boolean): Promise<void>;

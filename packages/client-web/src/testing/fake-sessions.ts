@@ -53,7 +53,7 @@ export class FakeSessions {
     this.#master.publish({ topic: INFO_TOPICS.stopSession, format: 'session', value: { id } });
   }
 
-  /** Puts a session into the list without a word. */
+  /** Puts a session into the list silently. */
   put(init: Init<Session>, state: SessionState): Session {
     const bytes = encode('ubii.sessions.Session', { ...init, extension: { state } });
     const session = decode('ubii.sessions.Session', bytes);
@@ -61,7 +61,7 @@ export class FakeSessions {
     return session;
   }
 
-  /** Forgets a session without a word. */
+  /** Forgets a session silently. */
   forget(id: string): void {
     this.#sessions.delete(id);
   }

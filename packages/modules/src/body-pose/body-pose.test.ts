@@ -76,7 +76,7 @@ describe('body-pose', () => {
     expect((between.y - away.y) / (there.y - away.y)).toBeCloseTo(0.63, 1);
   });
 
-  it('says once what is wrong with an image, and goes on with the next', async () => {
+  it('says once what is wrong with an image, and continues with the next', async () => {
     const broken = { width: 10, height: 10, dataFormat: 2, data: new Uint8Array(7) };
     expect((await detect(broken)).error).toMatch(/7 bytes/);
     expect(await detect(broken)).toEqual({});

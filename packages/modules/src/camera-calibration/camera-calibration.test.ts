@@ -30,7 +30,7 @@ const look = async (image: unknown, parameters: object = {}, ...triggers: string
   };
 
 describe('camera-calibration', () => {
-  it('puts out the calibration once, with the last view, and begins anew when told', async () => {
+  it('puts out the calibration once, with the last view, and begins again when told', async () => {
     const calibrations: string[] = [];
     let views = 0;
     let longestMs = 0;
@@ -49,8 +49,8 @@ describe('camera-calibration', () => {
     expect({ views, used, width }).toEqual({ views: 12, used: 12, width: 640 });
     expect(longestMs).toBeLessThan(CALL_LIMIT_MS);
 
-    const anew = await look(imageOf(BOARD_POSES[0]!), { startOver: true }, 'startOver');
-    expect(anew.views).toBe(0);
+    const again = await look(imageOf(BOARD_POSES[0]!), { startOver: true }, 'startOver');
+    expect(again.views).toBe(0);
   }, 120_000);
 
   it('says what to do, and where the corners are', async () => {

@@ -59,7 +59,7 @@ describe('hand-pose', () => {
     });
   });
 
-  it('says once what is wrong with an image, and goes on with the next', async () => {
+  it('says once what is wrong with an image, and continues with the next', async () => {
     const broken = { width: 10, height: 10, dataFormat: 2, data: new Uint8Array(7) };
     expect((await detect(broken)).error).toMatch(/7 bytes/);
     expect(await detect(broken)).toEqual({});

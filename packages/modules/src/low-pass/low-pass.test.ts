@@ -100,7 +100,7 @@ describe.each(WAYS)('low-pass %s', (_way, drive) => {
     expect(await module.run(50, { cutoffHz: 5 }, ['cutoffHz'])).toEqual({});
   });
 
-  it('goes on with the newest value in runs that nothing triggers', async () => {
+  it('continues with the newest value in runs that nothing triggers', async () => {
     const module = await drive(lowPass);
     await module.run(0, { value: 0 });
     await module.run(1000, { value: 1 });

@@ -75,7 +75,7 @@ describe('marker-tracking', () => {
     expect(lines.filter((line) => line.includes('field of view of 60°'))).toHaveLength(1);
   }, 60_000);
 
-  it('says once what is wrong with an image, and goes on with the next', async () => {
+  it('says once what is wrong with an image, and continues with the next', async () => {
     const broken = { width: 10, height: 10, dataFormat: 2, data: new Uint8Array(7) };
     expect((await track(broken)).error).toMatch(/7 bytes/);
     expect(await track(broken)).toEqual({});

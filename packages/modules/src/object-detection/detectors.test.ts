@@ -84,7 +84,7 @@ it('each detector has its own threshold where none is given', async () => {
   expect(classes(await look({ image, threshold: 0.4 }))).toEqual(['person']);
 }, 60_000);
 
-it('says how to get a model that is missing, goes on with CenterNet, and uses it when it arrives', async () => {
+it('says how to get a model that is missing, continues with CenterNet, and uses it when it arrives', async () => {
   const { lookUntil } = looker(await driveWithVision(objectDetection, { models }));
   const missing = await lookUntil(hasError, { detector: 'coco-ssd' });
   expect(missing.error).toContain('npm run models -- get coco-ssd');

@@ -88,7 +88,7 @@ describe('object-detection on images of every format', () => {
 });
 
 describe('object-detection', () => {
-  it('tells apart what is above and below the threshold, and leaves out noise', async () => {
+  it('distinguishes what is above and below the threshold, and leaves out noise', async () => {
     const scores = (list: Object2DList | undefined): number[] =>
       list!.elements.map(
         ({ userDataJson }) => (JSON.parse(userDataJson) as { score: number }).score,
@@ -111,7 +111,7 @@ describe('object-detection', () => {
     expect(module.outputs['durationMs']).not.toHaveProperty('timestamp');
   });
 
-  it('says once what is wrong with an image, and goes on with the next', async () => {
+  it('says once what is wrong with an image, and continues with the next', async () => {
     const broken = { width: 10, height: 10, dataFormat: 2, data: new Uint8Array(7) };
     const { error } = await detect(broken);
     expect(error).toMatch(/7 bytes/);

@@ -117,7 +117,7 @@ class KeepingStore implements AssetStore {
     return loading;
   }
 
-  /** Who comes next begins anew. */
+  /** Who comes next begins again. */
   #end(name: string, abort: AbortController): void {
     if (this.#loading.get(name)?.abort === abort) this.#loading.delete(name);
   }

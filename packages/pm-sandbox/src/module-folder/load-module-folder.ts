@@ -14,7 +14,7 @@ export interface FolderProblem {
 
 /** What a folder holds. */
 export interface LoadedFolder {
-  /** Complete, by file name from a to z. */
+  /** Complete, by filename from a to z. */
   readonly modules: readonly ProcessingModule[];
   readonly problems: readonly FolderProblem[];
 }

@@ -4,7 +4,7 @@ import type { SourcePosition } from '../worker/v8/v8-engine.ts';
 const FILE_NAME = 'ubii-module.js';
 
 /**
- * Where a text does not parse. V8 says so only to who compiles a script with a file name: first line
+ * Where a text does not parse. V8 says so only to who compiles a script with a filename: first line
  * `file:line`, then the line itself, then a mark under the place.
  *
  * @param text begins with one character that is not the author's

@@ -37,8 +37,8 @@ export interface ModuleRuntimeOptions {
   onEvent(event: ModuleEvent): void;
   /**
    * The status of an instance changed: INITIALIZED with a fault when it was killed and waits to be
-   * created anew, CREATED, PROCESSING, HALTED, DESTROYED; the last with a fault when it has failed for
-   * good, and is there until `destroy`.
+   * created again, CREATED, PROCESSING, HALTED, DESTROYED; the last with a fault when it has failed
+   * permanently, and is there until `destroy`.
    */
   onStatus(instanceId: string, status: ProcessingModuleStatus, fault?: ModuleFault): void;
 }

@@ -309,7 +309,7 @@ describe('the life of an instance', () => {
 });
 
 describe('[PM-54] a killed instance', () => {
-  it('is created anew with an empty state, after a delay, and goes on in its mode', async () => {
+  it('is created again with an empty state, after a delay, and goes on in its mode', async () => {
     const world = createModuleWorld({ restartDelayMs: 250 });
     const { clock, sandboxes, topics } = world;
     await world.begin({ mode: ON_INPUT, inputs: { a: 'double' }, from: { a: '/a' } });
@@ -390,7 +390,7 @@ describe('[PM-54] a killed instance', () => {
     expect(world.topics.subscriptionCount).toBe(0);
   });
 
-  it('is not created anew when it was destroyed meanwhile', async () => {
+  it('is not created again when it was destroyed meanwhile', async () => {
     const world = createModuleWorld();
     await world.begin({ mode: TEN_HERTZ });
     world.sandboxes.last.kill();

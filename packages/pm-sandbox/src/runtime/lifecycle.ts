@@ -7,7 +7,7 @@ export type InstanceStatus =
   | 'processing'
   | 'halting'
   | 'halted'
-  /** Its sandbox is gone; it waits to be created anew. */
+  /** Its sandbox is gone; it waits to be created again. */
   | 'killed'
   | 'recreating'
   /** Given up. */

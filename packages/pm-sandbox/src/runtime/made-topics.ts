@@ -3,7 +3,7 @@ import type { TopicPort } from '../ports/topic-port.ts';
 
 /**
  * The topics that the demuxers of one instance made. At the limit, a topic that was not written for a
- * while makes room; when none rests, new topics are refused while the others go on. [SE-61]
+ * while ends; when none rests, new topics are refused while the others go on. [SE-61]
  */
 export class MadeTopics {
   readonly #port: Pick<TopicPort, 'makeTopic' | 'endTopics'>;

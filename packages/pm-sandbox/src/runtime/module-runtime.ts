@@ -14,7 +14,7 @@ export interface InstanceSpec {
 export interface PassRequest {
   readonly instanceIds: readonly string[];
   readonly deltaTimeMs: number;
-  /** The snapshot: inputs of all these instances, told apart by topic. */
+  /** The snapshot: inputs of all these instances, distinguished by topic. */
   readonly records: readonly EncodedRecord[];
 }
 

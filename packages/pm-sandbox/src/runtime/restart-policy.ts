@@ -5,7 +5,7 @@ type RestartLimits = Pick<
   'maxRestarts' | 'restartWindowMs' | 'restartDelayMs' | 'maxRestartDelayMs'
 >;
 
-/** Says when a killed instance is created anew, and when it is given up. [PM-54] */
+/** Says when a killed instance is created again, and when it is given up. [PM-54] */
 export class RestartPolicy {
   readonly #limits: RestartLimits;
   /** When restarts were granted, monotonic milliseconds, oldest first. */

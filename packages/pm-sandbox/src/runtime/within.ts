@@ -1,7 +1,7 @@
 import type { Clock } from '../ports/clock.ts';
 
 /**
- * Waits for work, but not for ever.
+ * Waits for work, but not forever.
  *
  * @returns false when the time was over first
  * @throws what the work rejects with, if it does so in time

@@ -232,7 +232,7 @@ function memberOf(source: object): DataFormat | undefined {
   return Object.keys(source).find(isDataFormat);
 }
 
-/** A time stamp as the wire has it, or milliseconds since the epoch. [PM-32] */
+/** A timestamp as the wire has it, or milliseconds since the epoch. [PM-32] */
 function timestampOf(given: unknown): Init<Timestamp> | undefined {
   if (given === undefined || given === null) return undefined;
   if (typeof given === 'number' && Number.isFinite(given)) return timestampFromMs(given);

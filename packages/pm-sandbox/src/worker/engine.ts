@@ -16,7 +16,7 @@ export interface EngineHooks {
   loadAssets(name: string): Promise<LoadedAssets['files']>;
   /** The module's code is about to go on, outside of a call. */
   onResume(): void;
-  /** The module's code failed for good outside of a call; what is given is as if thrown by one. */
+  /** The module's code failed permanently outside of a call; what is given is as if thrown by one. */
   onFailure(thrown: unknown): void;
 }
 

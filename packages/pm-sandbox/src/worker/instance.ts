@@ -24,7 +24,7 @@ export interface InstanceHost {
 
 /** What an instance tells its surroundings. */
 export interface InstanceHooks extends Omit<EngineHooks, 'onFailure'> {
-  /** Its code failed for good outside of a call. */
+  /** Its code failed permanently outside of a call. */
   onFailed(fault: ModuleFault): void;
 }
 

@@ -6,7 +6,7 @@
  * `ubii.clients.Client.State`
  */
 export const ClientState = {
-  /** Gave a sign of life lately. */
+  /** Was active lately. */
   ACTIVE: 0,
   /** Silent for some seconds; everything of it still stands. */
   INACTIVE: 1,
@@ -29,7 +29,7 @@ export const ButtonEventType = {
 export type ButtonEventType = (typeof ButtonEventType)[keyof typeof ButtonEventType];
 
 /**
- * Gestures a Myo armband tells apart.
+ * Gestures a Myo armband distinguishes.
  *
  * `ubii.dataStructure.HandGestureType`
  */
@@ -142,7 +142,7 @@ export const AssetSetState = {
 export type AssetSetState = (typeof AssetSetState)[keyof typeof AssetSetState];
 
 /**
- * How the caller was let in.
+ * How the caller was admitted.
  *
  * `ubii.extension.AuditEntry.Way`
  */
@@ -151,7 +151,7 @@ export const AuditEntryWay = {
   GRANT: 0,
   /** As a program of the master's own machine. */
   LOCAL: 1,
-  /** As an existing client of a network that is let in. */
+  /** As an existing client of a network that is admitted. */
   NETWORK: 2,
 } as const;
 export type AuditEntryWay = (typeof AuditEntryWay)[keyof typeof AuditEntryWay];
@@ -1093,7 +1093,7 @@ export interface TopicMuxList {
 }
 
 /**
- * Leave to join, made by an admin. Rules AC-10 to AC-16.
+ * An invitation, made by an admin. Rules AC-10 to AC-16.
  *
  * `ubii.extension.AccessGrant`
  */
@@ -1139,7 +1139,7 @@ export interface AccessGrant {
 }
 
 /**
- * Asks for leave to join. Rule AC-10.
+ * Asks for an invitation. Rule AC-10.
  *
  * `ubii.extension.AccessGrantCreateRequest`
  */
@@ -1168,7 +1168,7 @@ export interface AccessGrantCreateRequest {
 }
 
 /**
- * Leave to join, with its secrets. They are shown this once. Rule AC-11.
+ * The invitation, with its secrets. They are shown this once. Rule AC-11.
  *
  * `ubii.extension.AccessGrantCreated`
  */
@@ -1303,7 +1303,7 @@ export interface AuditEntry {
   clientName: string;
   /** What it might do. */
   role: AccessRole;
-  /** How it was let in. */
+  /** How it was admitted. */
   way: AuditEntryWay;
   /** Id of the invitation it joined with; empty when it needed none. */
   grantId: string;
@@ -1359,7 +1359,7 @@ export interface ClientActivity {
   clientId: string;
   /** When it registered: milliseconds since the Unix epoch, master's clock. */
   firstSeenMs: number;
-  /** Its last sign of life, the same clock. Rule CL-11. */
+  /** Its last activity, the same clock. Rule CL-11. */
   lastSeenMs: number;
   /** It has an open socket. */
   connected: boolean;
@@ -2723,11 +2723,11 @@ export interface ServiceReply {
   topicSubscribersList?: TopicSubscribersList | undefined;
   /** What a token is good for. Rule AC-16. */
   joinCheck?: JoinCheck | undefined;
-  /** Leave to join, with its secrets. Rule AC-11. */
+  /** The invitation, with its secrets. Rule AC-11. */
   accessGrantCreated?: AccessGrantCreated | undefined;
-  /** Leave to join. Rule AC-15. */
+  /** The invitation. Rule AC-15. */
   accessGrant?: AccessGrant | undefined;
-  /** All leave to join. Rule AC-14. */
+  /** All invitations. Rule AC-14. */
   accessGrantList?: AccessGrantList | undefined;
   /** Entries of the audit log. Rule EX-93. */
   auditLog?: AuditLog | undefined;
@@ -2797,9 +2797,9 @@ export interface ServiceRequest {
   topicSubscribersRequest?: TopicSubscribersRequest | undefined;
   /** A token to be checked. Rule AC-16. */
   joinCheckRequest?: JoinCheckRequest | undefined;
-  /** Leave to join that is wanted. Rule AC-10. */
+  /** The invitation that is wanted. Rule AC-10. */
   accessGrantCreateRequest?: AccessGrantCreateRequest | undefined;
-  /** Leave to join that is taken back. Rule AC-15. */
+  /** The invitation that is revoked. Rule AC-15. */
   accessGrantRevokeRequest?: AccessGrantRevokeRequest | undefined;
   /** Which entries of the audit log are wanted. Rule EX-93. */
   auditLogRequest?: AuditLogRequest | undefined;

@@ -18,7 +18,7 @@ export const OPERATION_SERVICES = {
     '/services/ubii/client_disconnect',
     'clientDisconnectRequest',
     'success',
-    'Removes a client, which stops and tells its person why.',
+    'Removes a client, which stops and tells its user why.',
   ),
   clientThrottle: withPayload(
     '/services/ubii/client_throttle',

@@ -106,7 +106,7 @@ describe('a choice of detectors', () => {
     let nowMs = 0;
     const { choose } = await setUp({ loadCocoSsd: load, now: () => nowMs });
     const [detector, backend, problem] = await choose('coco-ssd', 'cpu');
-    // The backend is used all the same.
+    // The backend is used anyway.
     expect([detector, backend]).toEqual(['centernet', 'cpu']);
     expect(problem).toMatch(
       /^COCO-SSD cannot be used: The weights of "model.json" have \d+ bytes instead of \d+. Get the model again. CenterNet detects instead.$/,
@@ -126,7 +126,7 @@ describe('a choice of detectors', () => {
     ]);
   });
 
-  it('goes on with another backend when one fails while it detects', async () => {
+  it('continues with another backend when one fails while it detects', async () => {
     let isBroken = false;
     const { choice, choose } = await setUp({
       createTensorflow: async (files, backend) => {

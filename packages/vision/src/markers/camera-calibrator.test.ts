@@ -77,7 +77,7 @@ describe('CameraCalibrator', () => {
     calibrator.dispose();
   }, 60_000);
 
-  it('begins anew when the size of the pictures changes', async () => {
+  it('begins again when the size of the pictures changes', async () => {
     const calibrator = new CameraCalibrator(runtime, DEFAULT_BOARD);
     const straight = picture(BOARD_POSES[0]!);
     await calibrator.look(straight);

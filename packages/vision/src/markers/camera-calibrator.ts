@@ -67,7 +67,7 @@ export class CameraCalibrator {
     this.#detector = new BoardDetector(runtime, board);
   }
 
-  /** Looks at the next picture; another size of pictures begins anew. */
+  /** Looks at the next picture; another size of pictures begins again. */
   async look(picture: Picture): Promise<CalibrationLook> {
     const { width, height } = picture;
     if (width !== this.#size.width || height !== this.#size.height) this.reset();

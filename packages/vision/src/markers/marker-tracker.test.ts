@@ -220,7 +220,7 @@ describe('MarkerTracker', () => {
     await expect(tracker.track(scene, { calibration: wide })).rejects.toThrow('1280 × 720');
   });
 
-  it('goes on with another OpenCV after one that stopped', async () => {
+  it('continues with another OpenCV after one that stopped', async () => {
     const own = createOpenCvRuntime();
     const fresh = new MarkerTracker(own);
     const scene = renderScene(CAMERA, [print(7, at(0, 0, -0.5))]);

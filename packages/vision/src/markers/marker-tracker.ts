@@ -162,7 +162,7 @@ export class MarkerTracker {
     });
   }
 
-  /** The detector of the dictionary, made anew for another dictionary or another OpenCV. */
+  /** The detector of the dictionary, made again for another dictionary or another OpenCV. */
   #nativeDetector(cv: OpenCv, keep: Keep, dictionary: string): CvArucoDetector {
     const known = this.#detector;
     if (known?.cv === cv && known.dictionary === dictionary) return known.native;

@@ -3,7 +3,7 @@ import type { BodyPose, Keypoint } from './body-pose.ts';
 export interface PoseSmootherOptions {
   /** Time constant of the filter: after it, 63 % of a step are reached; default 80 ms. */
   readonly timeConstantMs?: number;
-  /** Keypoints with a lower score are not filtered, and filtering starts anew after them; default 0.3. */
+  /** Keypoints with a lower score are not filtered, and filtering starts again after them; default 0.3. */
   readonly minScore?: number;
 }
 

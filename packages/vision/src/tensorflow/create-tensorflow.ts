@@ -97,7 +97,7 @@ export function createTensorflow(
     const run: Tensorflow['run'] = (task) =>
       inTurn(async () => {
         if (tf.engine().registry[choice.backend] !== instance) {
-          throw lossOf(instance) ?? new BackendLostError(`${choice.backend} was started anew.`);
+          throw lossOf(instance) ?? new BackendLostError(`${choice.backend} was started again.`);
         }
         if (tf.getBackend() !== choice.backend) await tf.setBackend(choice.backend);
         return runUnlessLost(task);
@@ -167,7 +167,7 @@ function wasmCandidate(files: Files): Candidate {
       }
       // The build for threads starts workers from source text, which the policies of workers forbid.
       tf.env().set('WASM_HAS_MULTITHREAD_SUPPORT', false);
-      // Reads through the memory platform, which ignores the path before the file name.
+      // Reads through the memory platform, which ignores the path before the filename.
       setWasmPaths('memory/', true);
     },
   };

@@ -15,7 +15,7 @@ const factories = new Map<BackendName, Factory>();
 const startErrors = new Map<BackendName, unknown>();
 
 /**
- * Starts a backend and makes it the one in use. One that was lost is started anew.
+ * Starts a backend and makes it the one in use. One that was lost is started again.
  *
  * @throws the error that kept the backend from starting; TensorFlow.js only writes it to the console
  */
@@ -94,7 +94,7 @@ class LossWatch {
   #check(): void {
     const gl = this.#context;
     if (gl?.isContextLost() !== true) return;
-    // TensorFlow.js asks for ever whether a lost context has finished.
+    // TensorFlow.js asks forever whether a lost context has finished.
     gl.clientWaitSync = () => gl.ALREADY_SIGNALED;
     this.#lose('The WebGL context was lost.');
   }

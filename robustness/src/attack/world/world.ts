@@ -64,7 +64,7 @@ export class World {
     return meter;
   }
 
-  /** Makes leave to join, as the operator. */
+  /** Makes an invitation, as the operator. */
   async invite(
     master: MasterProcess,
     role: AccessRole,

@@ -7,7 +7,7 @@ import type { Story } from '../story.ts';
 import { Theatre } from '../theatre.ts';
 
 const HOUR_MS = 3_600_000;
-/** Leave to join lives for seven days here: none of these ends it. */
+/** Invitations last for seven days here: none of these ends one. */
 const JUMPS_MS = [HOUR_MS, -2 * HOUR_MS, 26 * HOUR_MS, -25 * HOUR_MS, 400, -400, 0];
 
 export const clockJumps: Story = {

@@ -41,7 +41,7 @@ async function tellDiskStory(
       await fault.begin(disk);
       let stored = 0;
       for (let tries = 0; tries < TRIES; tries++) if (await theatre.scribe.save()) stored++;
-      if (stored > 0) notes.push(`${stored} of ${TRIES} sessions were stored all the same`);
+      if (stored > 0) notes.push(`${stored} of ${TRIES} sessions were stored anyway`);
       // Records go on: they need no disk.
       await pulse.beat();
       losses.push(...(await theatre.findLosses()));

@@ -28,7 +28,7 @@ export async function runSession(master: MasterProcess, name: string, tally: Tal
   tally.done('sessions');
 }
 
-/** Makes leave to join for phones, and takes that back with which they joined before. */
+/** Makes invitations for phones, and revokes those with which they joined before. */
 export async function inviteAnew(world: PhoneWorld): Promise<void> {
   const before = world.token === '' ? undefined : grants.get(world);
   const { accessGrantCreated } = await world.master.call({

@@ -40,7 +40,7 @@ export async function bePhone(world: PhoneWorld): Promise<void> {
       await publish(socket, member.client);
     }
     if (random.oneIn(8)) {
-      tally.done('phones gone without a word');
+      tally.done('phones gone silently');
       return;
     }
     const { error } = await phone.call(

@@ -21,7 +21,7 @@ export interface ClientView {
   /** Browser and system, or library, with their usual names; empty when unknown. */
   readonly agent: string;
   readonly kinds: ReadonlySet<ClientKind>;
-  /** Something is wrong that a person may want to mend. */
+  /** Something is wrong that a user may want to correct. */
   readonly isBroken: boolean;
   /** How it is, in a word: what is wrong with it, else its state. */
   readonly look: ClientStateLook;

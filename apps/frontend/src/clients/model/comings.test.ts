@@ -30,7 +30,7 @@ describe('Comings', () => {
     expect(comings.next([anna, robot])).toEqual([{ kind: 'back', clientId: 'r', name: 'Robot' }]);
   });
 
-  it('recognises a newcomer by the name of one who left, once', () => {
+  it('recognises a new client by the name of one that left, once', () => {
     const comings = new Comings();
     comings.next([robot]);
     comings.next([]);

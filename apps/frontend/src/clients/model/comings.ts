@@ -6,7 +6,7 @@ export interface Coming {
   readonly kind: 'left' | 'lost' | 'back';
   readonly clientId: string;
   readonly name: string;
-  /** A newcomer with the name of one who left. */
+  /** A new client with the name of one that left. */
   readonly isNew?: boolean;
 }
 

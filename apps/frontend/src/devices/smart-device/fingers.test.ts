@@ -27,7 +27,7 @@ describe('fingers on a pad', () => {
     expect(fingers.all).toEqual([]);
   });
 
-  it('are told apart, and a number is given again when its finger has gone', () => {
+  it('are distinguished, and a number is given again when its finger has gone', () => {
     const fingers = new Fingers();
     fingers.start(5, at(0.1), 0);
     expect(fingers.start(6, at(0.2), 0).id).toBe('2');

@@ -34,7 +34,7 @@ import { Reading } from './reading.ts';
 const READOUT_MS = 100;
 /** How often people are shown how much is sent, milliseconds. */
 const SENT_MS = 1000;
-/** How often a finger that rests is said again, milliseconds: else it would look like one that left. */
+/** How often a finger that rests is repeated, milliseconds: else it would look like one that left. */
 const RESTING_TOUCH_MS = 500;
 /** How long the page flashes where a device cannot vibrate, milliseconds at least. */
 const SHORTEST_FLASH_MS = 120;

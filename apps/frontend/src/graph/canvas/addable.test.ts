@@ -22,7 +22,7 @@ const graph = graphOf(aSession());
 const texts = (typed: string, end?: { node: string; port: string }): string[] =>
   addables(graph, sources, typed, end).map(({ text }) => text);
 
-describe('addables', () => {
+describe('nodes that can be added', () => {
   it('are modules, topics and the rest; what the master tells of itself is none', () => {
     expect(texts('')).toEqual([
       // Takes the format of the topic that nothing reads yet.

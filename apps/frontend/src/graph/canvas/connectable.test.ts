@@ -19,7 +19,7 @@ const placeOf = ({ node }: { node: string }) => ({
 const found = (typed: string): string[] =>
   connectables(graph, ref(graph, 'source.o'), typed, [], placeOf).map(({ text }) => text);
 
-describe('connectables', () => {
+describe('ports that can be connected', () => {
   it('lists what fits, free sockets first', () => {
     expect(found('')).toEqual(['far · value', 'near · value']);
   });

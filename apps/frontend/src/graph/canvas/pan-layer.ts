@@ -5,12 +5,12 @@ import type { View } from './stage-view.ts';
 const REST_MS = 200;
 
 /**
- * Makes what is panned a layer of its own, which browsers move without drawing it anew.
+ * Makes what is panned a layer of its own, which browsers move without drawing it again.
  *
  * It is an animation that stands still, at one place after the other: Chromium puts all layers of a page
  * together again whenever the transform of one has changed, unless it is animated. It is no
  * `will-change`, with which Chromium draws what is small as large as at 100 %, only to make it smaller
- * in each frame. And it goes by whole pixels of the screen, or each frame would be drawn anew.
+ * in each frame. And it goes by whole pixels of the screen, or each frame would be drawn again.
  */
 export class PanLayer {
   readonly #element: HTMLElement;

@@ -204,7 +204,7 @@ describe('the graph editor', () => {
     expect(editor.changes.value).toBe(1);
   });
 
-  it('goes on with a draft as something that is not saved', () => {
+  it('continues with a draft as something that is not saved', () => {
     const editor = editorOf(aSession());
     addTopic(editor, '/b');
     const draft = editor.toSession();

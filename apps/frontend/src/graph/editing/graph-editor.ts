@@ -78,7 +78,7 @@ export interface GraphEditor {
    * @returns a function that ends the delay
    */
   hold(sent: Session): () => void;
-  /** Recognises a save that this page sent before it was opened anew. */
+  /** Recognises a save that this page sent before it was opened again. */
   expect(sent: Session): void;
   /** Puts down everything as it was arranged now: for saving. */
   toSession(): Session;

@@ -1,7 +1,7 @@
 import { createTextVNode, type FunctionalComponent } from 'vue';
 
 /**
- * Text that changes often. Only this is rendered anew, not what stands around it, and its node stays:
+ * Text that changes often. Only this is rendered again, not what stands around it, and its node stays:
  * browsers lay out a changed text faster than a new one.
  */
 export const LiveText: FunctionalComponent<{ read: () => string | undefined }> = ({ read }) =>

@@ -4,7 +4,7 @@ import { endKey, readModules } from './read-mappings.ts';
 /**
  * The session with an id of its own for every module, muxer and demuxer, as a master gives them
  * [SE-2]. Sessions have to go through this before they are edited: without ids, what is moved or
- * removed could not be told apart.
+ * removed could not be distinguished.
  * @param uuid gives a new UUID
  * @returns the session itself when nothing lacks an id
  */

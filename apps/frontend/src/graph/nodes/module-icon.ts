@@ -36,7 +36,7 @@ const ICONS: readonly (readonly [RegExp, Component])[] = [
   [/wave|generator|audio/, AudioWaveform],
 ];
 
-/** A picture for what a module does, so that nodes are told apart from afar. */
+/** A picture for what a module does, so that nodes are distinguished from afar. */
 export function moduleIcon({ name, tags }: Pick<ProcessingModule, 'name' | 'tags'>): Component {
   const find = (text: string): Component | undefined =>
     ICONS.find(([words]) => words.test(text.toLowerCase()))?.[1];

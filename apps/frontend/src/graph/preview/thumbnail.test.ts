@@ -10,7 +10,7 @@ const gray = (width: number, height: number): Image2D => ({
 });
 
 describe('a thumbnail', () => {
-  it('takes every so manieth pixel', () => {
+  it('takes every nth pixel', () => {
     expect(shrunk(gray(4, 4), 2)).toMatchObject({
       width: 2,
       height: 2,

@@ -24,7 +24,7 @@ it('takes questions', () => {
   expect(find('How do I publish from Python?')[0]).toBe('Publish from Python');
 });
 
-it('forgives letters that are left out of a title', () => {
+it('finds a title with letters left out', () => {
   expect(find('pblish pythn')).toEqual(['Publish from Python']);
 });
 

@@ -3,7 +3,7 @@ const WINDOW_MS = 1_000;
 
 /** Turns a count that grows into a rate. */
 export interface RunRate {
-  /** @returns runs per second since about a second ago; 0 at first, and after the count began anew */
+  /** @returns runs per second since about a second ago; 0 at first, and after the count began again */
   measure(count: number): number;
 }
 

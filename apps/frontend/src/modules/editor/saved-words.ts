@@ -16,7 +16,7 @@ export function runningWords(users: readonly Session[]): string | undefined {
 export const errorWords = (errors: number): string =>
   errors === 1 ? '1 error' : `${errors} errors`;
 
-/** What saving does, for people: which running sessions go on with the new code; `undefined` when none runs. [SE-26] */
+/** What saving does, for people: which running sessions continue with the new code; `undefined` when none runs. [SE-26] */
 export function savedNote(users: readonly Session[]): string | undefined {
   const who = runningWords(users);
   if (who === undefined) return undefined;

@@ -21,7 +21,7 @@ describe('durations', () => {
     });
   });
 
-  it('are all the same of one', () => {
+  it('equal the value when there is one', () => {
     const durations = new Durations();
     durations.add(7, 0);
     expect(durations.summary()).toMatchObject({ p50Ms: 7, p99Ms: 7, jitterMs: 0 });

@@ -1,7 +1,7 @@
 import type { Curve } from './findings.ts';
 import { percentile, type Durations } from './durations.ts';
 
-/** Points of a curve over time: more than a screen can tell apart would only cost. */
+/** Points of a curve over time: more than a screen can distinguish would only cost. */
 const MAX_POINTS = 120;
 /** Stretches are at least this long, milliseconds. */
 const MIN_STRETCH_MS = 250;

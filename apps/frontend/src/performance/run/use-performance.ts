@@ -160,7 +160,7 @@ export function providePerformance(): Performance {
     hasBeenHidden ||= document.hidden;
   });
   onScopeDispose(() => end('left'));
-  // A page that is closed or loaded anew has no time for an answer
+  // A page that is closed or loaded again has no time for an answer
   useEventListener(window, 'pagehide', () => {
     const sessions = leavings.all.filter(({ kind }) => kind === 'session');
     // The client of a session keeps its topics until the last run is over: it is taken away on the
@@ -182,7 +182,7 @@ export function providePerformance(): Performance {
   return performance;
 }
 
-/** What is called like what was chosen can be told apart without opening it. */
+/** What is called like what was chosen can be distinguished without opening it. */
 function nameOf(kind: TestKind, parameters: readonly Parameter[]): string {
   const chosen = parameters
     .slice(0, 2)
@@ -190,7 +190,7 @@ function nameOf(kind: TestKind, parameters: readonly Parameter[]): string {
   return `${TEST_TITLES[kind]}: ${chosen.join(', ')}`;
 }
 
-/** Runs beside each other are told apart by their names. */
+/** Runs beside each other are distinguished by their names. */
 function freeName(name: string, results: readonly TestResult[]): string {
   const taken = new Set(results.map((result) => result.name));
   if (!taken.has(name)) return name;

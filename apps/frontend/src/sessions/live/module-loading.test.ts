@@ -17,7 +17,7 @@ it('reads from the statistics of a module what it loads [PM-94]', () => {
   expect(loadingOf(undefined)).toBeUndefined();
 });
 
-it('tells the time that is left by the pace so far, and begins anew with each set', () => {
+it('tells the time that is left by the pace so far, and begins again with each set', () => {
   const pace = new LoadingPace();
   expect(pace.with(loadingOf(statistics(0))!, 1000).leftMs).toBeUndefined();
   expect(pace.with(loadingOf(statistics(5_000_000))!, 2000).leftMs).toBe(3000);

@@ -113,7 +113,7 @@ describe('usePageSession', () => {
     expect(page.session.value).toBeUndefined();
   });
 
-  it('sends nothing for a plan that is made anew and says the same', async () => {
+  it('sends nothing for a plan that is made again and says the same', async () => {
     const { plan, done } = setup(planOn('master'));
     await flushPromises();
     plan.value = planOn('master');

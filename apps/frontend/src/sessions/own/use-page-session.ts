@@ -121,7 +121,7 @@ export function usePageSession(
 
   /** One change after the other, however fast the plan changes. */
   let changes: Promise<void> = Promise.resolve();
-  /** Plans are made anew with everything they are made of; only what they say differently counts. */
+  /** Plans are made again with everything they are made of; only what they say differently counts. */
   const planText = computed(() => JSON.stringify(plan()));
   /** Whether the page is being told of a failure: a plan that it ends now leaves the reason on the screen. */
   let isTelling = false;

@@ -28,7 +28,7 @@ export interface SessionSketch {
 const WIDTH = 96;
 const HEIGHT = 54;
 const MARGIN = 6;
-/** More of them cannot be told apart. */
+/** More of them cannot be distinguished. */
 const MAX_ROWS = 4;
 const MAX_COLUMNS = 9;
 const MODULE = { width: 18, height: 12 };

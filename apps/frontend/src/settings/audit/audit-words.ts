@@ -57,7 +57,7 @@ export function whoOf(
   if (clientName !== '') return clientName;
   if (clientId !== '') return unnamedClient(clientId);
   if (way === AuditEntryWay.LOCAL) return 'A program of the master’s machine';
-  return way === AuditEntryWay.NETWORK ? 'A program of a network that is let in' : 'A client';
+  return way === AuditEntryWay.NETWORK ? 'A program of a network that is admitted' : 'A client';
 }
 
 /** `started the session Lights`, or `tried to start` it; of services without words, their name. */

@@ -37,7 +37,7 @@ export function limitReadout(value: number, unit: string): Readout {
   return { digits: formatNumber(value, Number.isInteger(value) ? 0 : 1), unit };
 }
 
-/** The same of what is used: beside what is allowed, the unit need not be said again. */
+/** The same of what is used: beside what is allowed, the unit need not be repeated. */
 function useReadout(value: number, unit: string): Readout {
   const { digits, unit: shown } = limitReadout(value, unit);
   return shown === unit ? { digits } : limitReadout(value, unit);

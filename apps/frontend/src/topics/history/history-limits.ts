@@ -1,6 +1,6 @@
 import { formatBytes } from '../../ui/readouts/format-bytes.ts';
 
-/** How much of a topic a page keeps: what is older or beyond the memory makes room. */
+/** How much of a topic a page keeps: older records, and those beyond the memory, are dropped. */
 export interface HistoryLimits {
   readonly maxAgeMs: number;
   /** Points of the lines and records, half of it each. */

@@ -16,7 +16,7 @@ export interface LinePoints {
 
 /**
  * The newest points of some lines over one time axis, in typed arrays. Grows up to `maxPoints`, then
- * the oldest point makes room.
+ * the oldest point is dropped.
  */
 export class SeriesRing {
   #maxPoints: number;
@@ -78,7 +78,7 @@ export class SeriesRing {
     return this.#columns.length - 1;
   }
 
-  /** Keeps so many points from now on; the oldest ones make room at once. */
+  /** Keeps so many points from now on; the oldest ones are dropped at once. */
   setMaxPoints(maxPoints: number): void {
     this.#maxPoints = Math.max(1, Math.floor(maxPoints));
     if (this.#capacity <= this.#maxPoints) return;

@@ -3,7 +3,7 @@ import { rootLabel } from './topic-path.ts';
 /** What the tree needs to know of a client. */
 export interface Publisher {
   readonly name: string;
-  /** It gave no sign of life lately, or left. */
+  /** It has not been active lately, or left. */
   readonly isAway: boolean;
 }
 

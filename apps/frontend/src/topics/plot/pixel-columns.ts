@@ -7,7 +7,7 @@ const SPARE = 4;
 
 /**
  * The first, lowest, highest and last value of each pixel of a window. A window that moves on with
- * time costs its new points only; any other change counts anew what the window shows.
+ * time costs its new points only; any other change counts again what the window shows.
  */
 export class PixelColumns {
   readonly #line: LinePoints;

@@ -1,7 +1,7 @@
 import type { DataFormatFamily } from '@ubii/proto';
 import type { PlotSeries } from './plot-settings.ts';
 
-/** How a line is told apart: the colour of its family, then tone and dashes, never colour alone. */
+/** How a line is distinguished: the colour of its family, then tone and dashes, never colour alone. */
 export interface SeriesLook {
   readonly family: DataFormatFamily;
   /** `lit` is mixed with ink, `dim` lets the ground through. */

@@ -11,7 +11,7 @@ const CLOSE_IN_BELOW = 0.5;
 /** for this long, milliseconds: nothing jumps because of one quiet moment. */
 const CLOSE_IN_AFTER_MS = 2000;
 
-/** The range of the value axis: opens at once, closes in late, so that lines do not breathe. */
+/** The range of the value axis: opens at once, closes in late, so that lines keep their scale. */
 export class ValueAxis {
   #range: Range | undefined;
   #roomySinceMs: number | undefined;

@@ -31,7 +31,7 @@ describe('JsonTree', () => {
     expect(wrapper.text()).not.toContain('true');
   });
 
-  it('begins anew with another topic', async () => {
+  it('begins again with another topic', async () => {
     const wrapper = mount(JsonTree, { props: { record: deep('first') } });
     await wrapper.get('button[aria-label="a"]').trigger('click');
     await wrapper.setProps({ record: { ...deep('second'), topic: '/b' } });

@@ -78,7 +78,7 @@ describe('RowValues', () => {
     expect(values.get('/a')?.text).toBeUndefined();
   });
 
-  it('subscribes anew when a topic was deleted and came back', () => {
+  it('subscribes again when a topic was deleted and came back', () => {
     const { values, log } = setUp();
     values.show([rateOf('/a')]);
     values.show([rateOf('/a')]);

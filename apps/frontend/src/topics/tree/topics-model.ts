@@ -137,7 +137,7 @@ export class TopicsModel {
   }
 
   /**
-   * Sums up the newest rates and, when something moved, lays out the rows anew.
+   * Sums up the newest rates and, when something moved, lays out the rows again.
    * @param nowMs any clock; bounds how often a ranking moves rows
    */
   refresh(nowMs: number): void {

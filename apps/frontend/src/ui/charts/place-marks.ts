@@ -13,7 +13,7 @@ export interface PlacedMark<M extends ChartMark> {
   readonly x: number;
   /** The words stand to the right of the line or, near the right edge, to the left. */
   readonly side: 'left' | 'right';
-  /** False when the words would run into a newer mark's; the line is drawn all the same. */
+  /** False when the words would run into a newer mark's; the line is drawn anyway. */
   readonly showText: boolean;
 }
 

@@ -8,7 +8,7 @@ export interface PlotLine {
   readonly stroke?: PlotStroke;
 }
 
-/** Told apart by shade and dash, never by shade alone. `color` is a token such as `--family-vector`. */
+/** Distinguished by shade and dash, never by shade alone. `color` is a token such as `--family-vector`. */
 export interface PlotStroke {
   /** @default '--ink-1' */
   readonly color?: `--${string}`;

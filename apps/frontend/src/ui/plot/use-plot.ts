@@ -24,7 +24,7 @@ export interface PlotReading {
   readonly left: number;
 }
 
-/** Keeps a plot in `frame`: made anew when its lines, the theme or the contrast change, else only fed. */
+/** Keeps a plot in `frame`: made again when its lines, the theme or the contrast change, else only fed. */
 export function usePlot(
   chart: Readonly<Ref<PlotChart>>,
   frame: Readonly<Ref<HTMLElement | null>>,

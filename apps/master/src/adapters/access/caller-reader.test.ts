@@ -73,7 +73,7 @@ describe('a caller', () => {
     expect(read('10.0.0.77', { 'x-real-ip': '10.0.0.77' }).standing).toBe('other');
   });
 
-  it('is trusted, let in or neither, as the operator says [AC-2] [AC-40]', () => {
+  it('is trusted, admitted or neither, as the operator says [AC-2] [AC-40]', () => {
     const socket = { remoteAddress: '::1' };
     const page = { host: 'localhost', origin: 'http://localhost:8081' };
     const foreign = { host: 'localhost', origin: 'https://evil.example' };

@@ -27,7 +27,7 @@ export interface CallerReaderOptions {
   readonly loopback: LoopbackFacts['role'];
   /** Whether an address is one of this machine. */
   readonly isOwnAddress: (address: string) => boolean;
-  /** Whether an address is of a network that is let in without a token. */
+  /** Whether an address is of a network that is admitted without a token. */
   readonly isLegacyAddress: (address: string) => boolean;
   /** Whether an address is of a proxy that may speak for others. */
   readonly isTrustedProxy: (address: string) => boolean;

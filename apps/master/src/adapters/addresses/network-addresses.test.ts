@@ -41,7 +41,7 @@ describe('addresses of this machine', () => {
     expect(found.map(({ address: text }) => text)).toEqual(['fd00::1']);
   });
 
-  it('are told apart by what the system says, where it says something', () => {
+  it('are distinguished by what the system says, where it says something', () => {
     const files = new Set([
       '/sys/class/net',
       '/sys/class/net/mlan0/wireless',

@@ -121,7 +121,7 @@ export const OPTIONS = {
     fallback: undefined,
     fallbackText: 'the publishers',
     description:
-      'Where models are downloaded from instead of their publishers, for rooms without internet: a folder as models/ of the data directory, such as http://10.0.0.7/models/. Sizes and hashes are verified all the same.',
+      'Where models are downloaded from instead of their publishers, for rooms without internet: a folder as models/ of the data directory, such as http://10.0.0.7/models/. Sizes and hashes are verified anyway.',
     parse: parseMirror,
   }),
   config: pathOption('<file>', 'none', 'JSON file with options: { "port": 9000, "lan": false }.'),

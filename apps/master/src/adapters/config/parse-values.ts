@@ -15,7 +15,7 @@ export const parsePort = parseWholeNumber(0, 65_535);
 export function parseHost(text: string): string {
   const host = text.replace(/^\[(.*)\]$/, '$1');
   if (isIP(host) === 0 && !/^[a-z0-9]([a-z0-9._-]*[a-z0-9])?$/i.test(host)) {
-    throw new Error('a host name or an IP address, without scheme and port');
+    throw new Error('a hostname or an IP address, without scheme and port');
   }
   return host.toLowerCase();
 }

@@ -24,7 +24,7 @@ export function addAssets(app: FastifyInstance, assets: AssetFolders): void {
     const file = files.find((one) => one.path === path && one.sha256 === hash);
     if (file === undefined)
       throw new ServiceError('not_found', `The asset set ${name} has no such file.`);
-    // Caches keep it for good: what was damaged would stay so after it was repaired.
+    // Caches keep it permanently: what was damaged would stay so after it was repaired.
     const full = await orServiceError(assets.verify(name, file));
     return reply
       .header('cache-control', ONE_YEAR)

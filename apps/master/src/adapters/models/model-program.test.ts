@@ -93,7 +93,7 @@ describe('npm run models [EX-59]', () => {
     expect(left()).toEqual(['tiny']);
   });
 
-  it('installs anew what is damaged', async () => {
+  it('installs again what is damaged', async () => {
     mkdirSync(join(dataDir, 'models', 'tiny'), { recursive: true });
     writeFileSync(join(dataDir, 'models', 'tiny', 'model.json'), 'damaged');
     await run(['get', 'tiny']);

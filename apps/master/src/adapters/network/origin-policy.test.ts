@@ -174,7 +174,7 @@ describe('whose a page is, on this machine', () => {
   });
 });
 
-describe('[SV-8] host names, against re-binding', () => {
+describe('[SV-8] hostnames, against re-binding', () => {
   it.each([
     'localhost',
     '127.0.0.1:8080',

@@ -8,7 +8,7 @@ export interface OriginPolicyOptions {
   /** Origins of the configuration, see `allowedOrigins` in config.ts. */
   readonly allowedOrigins: readonly string[];
   /**
-   * Whether an address is one of this machine. Programs here call themselves by what their host name
+   * Whether an address is one of this machine. Programs here call themselves by what their hostname
    * resolves to (the Python node does), which is no loopback address everywhere. @default never
    */
   readonly isOwnAddress?: (address: string) => boolean;
@@ -33,7 +33,7 @@ const NAMELESS =
  *
  * Two attacks are kept out: a page of another origin that calls the services of a visitor's own
  * machine, and a page whose name was re-bound to this machine's address, so that the browser takes
- * it for the same origin. Programs that are no browsers send no Origin and are let in.
+ * it for the same origin. Programs that are no browsers send no Origin and are admitted.
  */
 export class OriginPolicy {
   readonly #options: OriginPolicyOptions;

@@ -77,7 +77,7 @@ describe('a folder of documents', () => {
   });
 });
 
-describe('file names', () => {
+describe('filenames', () => {
   it.each(['plain', 'a/b', 'CON', 'com1', '50%', 'x.', ' y ', '%41'])('%j comes back', (key) => {
     expect(keyOfFileName(fileNameOf(key))).toBe(key);
   });

@@ -1,4 +1,4 @@
-/** What Windows, macOS or Linux do not take in a file name, and the escape itself. */
+/** What Windows, macOS or Linux do not take in a filename, and the escape itself. */
 // eslint-disable-next-line no-control-regex -- control characters are among them
 const UNSAFE = /[\u0000-\u001f\u007f<>:"/\\|?*%]|^\.|[. ]$/gu;
 /** Names that Windows keeps for devices. */
@@ -6,7 +6,7 @@ const RESERVED = /^(con|prn|aux|nul|com\d|lpt\d)$/i;
 /** File systems take 255 bytes of UTF-8, and an extension and a number follow. */
 const MAX_BYTES = 200;
 
-/** The file name of a document, without its extension: the key, escaped as in a URL where needed [SE-20]. */
+/** The filename of a document, without its extension: the key, escaped as in a URL where needed [SE-20]. */
 export function fileNameOf(key: string): string {
   const escaped = (RESERVED.test(key) ? `%${hex(key[0]!)}${key.slice(1)}` : key).replace(
     UNSAFE,
@@ -16,7 +16,7 @@ export function fileNameOf(key: string): string {
   return `${cut(escaped)}%${hash(key)}`;
 }
 
-/** The key of a file name; what was cut off is not known, which the name inside makes up for. */
+/** The key of a filename; what was cut off is not known, which the name inside makes up for. */
 export function keyOfFileName(fileName: string): string {
   return fileName.replace(/%([0-9a-f]{2})/gi, (_, digits: string) =>
     String.fromCharCode(Number.parseInt(digits, 16)),

@@ -143,7 +143,7 @@ describe('the certificates of a master', () => {
     );
   });
 
-  it('are mended when the leaf is damaged', async () => {
+  it('are repaired when the leaf is damaged', async () => {
     const first = await open();
     writeFileSync(file('leaf.pem'), 'damaged');
     const second = await open();

@@ -13,7 +13,7 @@ export interface CertificatesOptions {
   readonly dataDir: string;
   /** Files of a certificate of another issuer; the master then issues none. */
   readonly own: CertificateFiles | undefined;
-  /** Host names and addresses this machine has now. */
+  /** Hostnames and addresses this machine has now. */
   readonly names: () => readonly string[];
   /** For people: whose authority it is. */
   readonly masterName: string;
@@ -21,7 +21,7 @@ export interface CertificatesOptions {
   readonly log: Log;
 }
 
-/** A leaf is issued anew when it ends sooner than this. */
+/** A leaf is issued again when it ends sooner than this. */
 const RENEW_BEFORE_MS = 30 * 24 * 60 * 60 * 1000;
 
 /**

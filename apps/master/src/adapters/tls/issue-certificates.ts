@@ -57,7 +57,7 @@ x509.cryptoProvider.set(webcrypto as Crypto);
  * An authority that can vouch for local names and addresses only (RFC 5280, 4.2.1.10), and for the
  * names and addresses this machine has now: a public address may be all a machine has.
  *
- * @param names host names and addresses of this machine
+ * @param names hostnames and addresses of this machine
  */
 export async function issueAuthority(
   commonName: string,
@@ -85,7 +85,7 @@ export async function issueAuthority(
  * A certificate for a server of these names. Those its authority cannot vouch for are left out: one
  * of them would make all of it worthless.
  *
- * @param names host names and addresses
+ * @param names hostnames and addresses
  * @throws Error when the authority's certificate or key cannot be read
  */
 export async function issueLeaf(

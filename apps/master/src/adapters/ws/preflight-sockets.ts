@@ -24,7 +24,7 @@ const POLICY_VIOLATION = 1008;
 
 /**
  * Sockets that carry nothing: each question comes back with the master's time behind it. They tell a page
- * that is not let in yet whether the live channel will work, how fast it is and what the time is.
+ * that is not admitted yet whether the live channel will work, how fast it is and what the time is.
  */
 export class PreflightSockets {
   readonly #clock: Pick<Clock, 'preciseMs' | 'after'>;
@@ -58,7 +58,7 @@ export class PreflightSockets {
     return true;
   }
 
-  /** Ends what is still open, without a word. */
+  /** Ends what is still open silently. */
   terminate(): void {
     for (const webSocket of this.#server.clients) webSocket.terminate();
   }

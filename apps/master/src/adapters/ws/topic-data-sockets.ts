@@ -74,7 +74,7 @@ export class TopicDataSockets {
     });
   }
 
-  /** Ends what is still open, without a word. */
+  /** Ends what is still open silently. */
   terminate(): void {
     for (const webSocket of this.#server.clients) webSocket.terminate();
     this.#options.preflights?.terminate();

@@ -36,7 +36,7 @@ const TRUSTED: Caller = { kind: 'local', role: 'admin' };
 const LOCAL: Caller = { kind: 'local', role: 'participant' };
 const NETWORK: Caller = { kind: 'network', role: 'participant' };
 
-/** Decides who is let in, and to what. */
+/** Decides who is admitted, and to what. */
 export class Access {
   readonly grants: Grants;
   readonly #context: AccessContext;

@@ -4,7 +4,7 @@ import type { Role } from './roles.ts';
 
 /**
  * Who calls, once the transport and the token were looked at: `local`, of this machine, without a
- * token [AC-2] · `network`, let in without one [AC-4] · `client`, a client that joined, shown by its credential [AC-13] · `joining`,
+ * token [AC-2] · `network`, admitted without one [AC-4] · `client`, a client that joined, shown by its credential [AC-13] · `joining`,
  * with a token or code, to register with · `stranger`, everybody else.
  */
 export type Caller =
@@ -22,7 +22,7 @@ export type Caller =
   | {
       readonly kind: 'stranger';
       readonly role: 'none';
-      /** Why it is not let in. */
+      /** Why it is not admitted. */
       readonly refusal: ServiceError;
     };
 

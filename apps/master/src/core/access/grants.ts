@@ -124,7 +124,7 @@ export class Grants {
     return { grant, token, code };
   }
 
-  /** Takes a grant back, for good [AC-15]. It counts at once, and is kept when the promise is fulfilled. */
+  /** Takes a grant back, permanently [AC-15]. It counts at once, and is kept when the promise is fulfilled. */
   async revoke(grant: Grant): Promise<void> {
     if (grant.revokedMs === 0) grant.revokedMs = this.#context.clock.nowMs();
     await this.#keep(grant);

@@ -67,7 +67,7 @@ describe('the pace of wrong codes [AC-17]', () => {
     expect(network.looked()).toBeLessThanOrEqual(1_240);
   });
 
-  it('lets newcomers in at once, from whatever number of addresses others try', () => {
+  it('admits new clients at once, from whatever number of addresses others try', () => {
     const { guesses, tryWrong, during } = world();
     let refused = 0;
     during(20, 1_000, (n) => {
@@ -78,7 +78,7 @@ describe('the pace of wrong codes [AC-17]', () => {
     expect(refused).toBeLessThanOrEqual(10);
   });
 
-  it('lets in who was wrong a few times, within seconds, while 250 addresses try', () => {
+  it('admits who was wrong a few times, within seconds, while 250 addresses try', () => {
     const { guesses, tryWrong, during, clock } = world();
     during(10, 1_000, (n) => tryWrong(`10.0.0.${n % 250}`));
     const mistaken = { place: '10.1.0.1' };

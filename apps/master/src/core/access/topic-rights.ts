@@ -25,7 +25,7 @@ const MAX_REMEMBERED = 1_024;
 /** Kinds that do not depend on the role: the master publishes there, and players by their invitation. */
 const MASTERS_KINDS: readonly TopicKind[] = ['ownState', 'master', 'granted'];
 
-/** Kinds that are told apart by who is registered: only where it matters, as it costs a search. */
+/** Kinds that are distinguished by who is registered: only where it matters, as it costs a search. */
 const KINDS_OF_OTHERS: readonly TopicKind[] = ['identify', 'inputOfOther', 'other', 'elsewhere'];
 
 /** A client's rights on topics. */

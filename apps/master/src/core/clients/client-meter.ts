@@ -3,7 +3,7 @@ import type { Traffic } from './traffic.ts';
 
 /** What records cost, compared with receiving one [EX-27]. */
 const WORK = { record: 1, delivery: 0.25, kib: 0.1 };
-/** What handing out costs is shared by publisher and subscriber. */
+/** The cost of delivery is split between publisher and subscriber. */
 const HALF = 0.5;
 
 /** Counts of one client at the last measurement. */

@@ -133,7 +133,7 @@ export class ClientRegistry {
     return this.#context.tokens.verify(id, token) ? id : undefined;
   }
 
-  /** The client gave a sign of life [CL-11]. */
+  /** The client was active [CL-11]. */
   handleSign(client: Client): void {
     client.lastSignMs = this.#context.clock.monotonicMs();
     if (client.status !== 'active') this.handleEvent(client, 'sign');

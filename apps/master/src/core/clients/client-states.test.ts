@@ -26,7 +26,7 @@ describe('nextStatus', () => {
     expect(nextStatus(status, event)).toBe(status);
   });
 
-  it('ends with deregistration, from everywhere and for good [CL-16]', () => {
+  it('ends with deregistration, from everywhere and permanently [CL-16]', () => {
     for (const status of STATUSES) expect(nextStatus(status, 'deregistered')).toBe('removed');
     expect(nextStatus('removed', 'sign')).toBe('removed');
   });

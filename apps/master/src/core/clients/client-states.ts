@@ -5,13 +5,13 @@ export type ClientStatus = 'active' | 'inactive' | 'unavailable' | 'removed';
 
 /** What can happen to a client. */
 export type ClientEvent =
-  /** It gave a sign of life [CL-11]. */
+  /** It was active [CL-11]. */
   | 'sign'
-  /** No sign of life for `silentAfterMs` [CL-13]. */
+  /** No activity for `silentAfterMs` [CL-13]. */
   | 'silent'
   /** Its socket closed [CL-13]. */
   | 'socket closed'
-  /** No sign of life for `lostAfterMs` [CL-13]. */
+  /** No activity for `lostAfterMs` [CL-13]. */
   | 'lost'
   /** Unavailable for too long [CL-14]. */
   | 'expired'

@@ -8,7 +8,7 @@ import type { ClientRegistry } from './client-registry.ts';
 export const SWEEP_INTERVAL_MS = 500;
 /** Silence after which a client is asked [CL-12], milliseconds. */
 export const PING_AFTER_MS = 1_000;
-/** Age at which a latency is measured anew, however much the client says [CL-12], milliseconds. */
+/** Age at which a latency is measured again, however much the client says [CL-12], milliseconds. */
 export const LATENCY_AGE_MS = 5_000;
 /** Silence that makes a client inactive [CL-13], milliseconds. */
 export const SILENT_AFTER_MS = 5_000;

@@ -78,7 +78,8 @@ export class SocketAdmission {
     if (client.heardSequence !== undefined) {
       // What came after the last word of the client may not have reached it. [TD-33]
       for (const entry of subscriptions.replayable(client.subscriber)) {
-        if (entry.record !== undefined && entry.sequence > client.heardSequence) outbox.owe(entry);
+        if (entry.record !== undefined && entry.sequence > client.heardSequence)
+          outbox.queueReplay(entry);
       }
     }
     client.heardSequence = topics.sequence;

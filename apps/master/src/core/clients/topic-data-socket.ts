@@ -25,11 +25,11 @@ export interface SocketContext extends PublishContext {
   readonly topicTexts: TextCache;
   readonly limitWatch: LimitWatch;
   readonly counters: Counters;
-  /** The client gave a sign of life. */
+  /** The client was active. */
   readonly onSign: (client: Client) => void;
   /** A node says something. @throws DecodeError when it cannot be read */
   readonly onNodeMessage: (client: Client, bytes: Uint8Array) => void;
-  /** The socket is closed, from whichever side. Not called for one that was superseded. @param hasLeft the client closed it for good [EX-55] */
+  /** The socket is closed, from whichever side. Not called for one that was superseded. @param hasLeft the client closed it permanently [EX-55] */
   readonly onClosed: (socket: TopicDataSocket, hasLeft: boolean) => void;
 }
 

@@ -20,12 +20,12 @@ interface AddressGroup {
   strangers: number;
 }
 
-/** One limit that a newcomer meets. */
+/** One limit that a new connection meets. */
 interface Level {
   readonly limit: LimitName;
   readonly used: number;
   readonly max: number;
-  /** Who goes when it is full; undefined: the newcomer. */
+  /** Who goes when it is full; undefined: the new one. */
   readonly findVictim: () => OpenConnection | undefined;
 }
 
@@ -78,7 +78,7 @@ export class Connections {
   /**
    * Takes a connection that was just made.
    *
-   * @param cut closes it at once, without a word
+   * @param cut closes it at once, silently
    * @returns undefined when there is no room: it is to be cut
    */
   admit(peer: TransportPeer, cut: () => void): OpenConnection | undefined {
@@ -199,7 +199,7 @@ export class Connections {
   }
 
   /**
-   * The stranger that goes for a newcomer: one of the address with most of them, when the newcomer's own
+   * The stranger that is closed for a new connection: one of the address with most of them, when its own
    * has fewer, else the oldest that had time to say something. [AC-61]
    *
    * @param network looks among its addresses only

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { Streak } from './streak.ts';
 
 describe('Streak', () => {
-  it('stands for 30 s after the last mishap, and begins anew after that [EX-18]', () => {
+  it('stands for 30 s after the last mishap, and begins again after that [EX-18]', () => {
     const streak = new Streak();
     expect(streak.isOn(0)).toBe(false);
     expect(streak.add(1_000)).toBe(true);

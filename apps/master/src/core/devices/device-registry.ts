@@ -88,10 +88,10 @@ export class DeviceRegistry {
 
   /**
    * Registers a device of this client, or replaces it.
-   * @returns the device with its ids, and the topics whose retained record a watcher is owed.
+   * @returns the device with its ids, and the topics whose retained record a watcher receives.
    * @throws ServiceError when the id belongs to another client, or a limit would be exceeded.
    */
-  register(client: DeviceOwner, message: Device): { device: Device; owed: TopicEntry[] } {
+  register(client: DeviceOwner, message: Device): { device: Device; replays: TopicEntry[] } {
     const before = this.#devices.get(message.id);
     if (before !== undefined && before.client !== client) {
       throw new ServiceError(
@@ -102,9 +102,9 @@ export class DeviceRegistry {
     requireDeviceRights(client, message);
     const byteLength = encode('ubii.devices.Device', message).byteLength;
     this.#check(client, message, byteLength, before);
-    const isWatcher = message.deviceType === DeviceType.WATCHER; // it is owed values [DV-3]
+    const isWatcher = message.deviceType === DeviceType.WATCHER; // it receives retained values [DV-3]
     if (before !== undefined && !isWatcher && isSame(before.device, message)) {
-      return { device: before.device, owed: [] }; // [EX-76]
+      return { device: before.device, replays: [] }; // [EX-76]
     }
     if (before !== undefined) this.#remove(before);
 
@@ -117,7 +117,7 @@ export class DeviceRegistry {
       return { ...component, id: componentId, deviceId: id };
     });
     const device: Device = { ...message, id, components, clientId: client.id };
-    return { device, owed: this.#add({ device, client, byteLength }) };
+    return { device, replays: this.#add({ device, client, byteLength }) };
   }
 
   /** Removes a device of this client. Returns false when there is none, which is as well [DV-4]. */

@@ -42,7 +42,7 @@ interface Instance {
   isBusy: boolean;
   /** Its runtime has given it up. */
   isGivenUp: boolean;
-  /** It is to be made anew, though nothing of it changed. */
+  /** It is to be made again, though nothing of it changed. */
   isStale: boolean;
 }
 

@@ -234,8 +234,8 @@ class ListeningReceiver implements Receiver {
     // Nothing waits: what came was handed over at once.
   }
 
-  forgive(): void {
-    // Nothing is owed: what came was handed over at once.
+  cancelReplay(): void {
+    // There is no replay: records are delivered at once.
   }
 }
 

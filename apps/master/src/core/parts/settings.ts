@@ -63,7 +63,7 @@ export interface MasterSettings {
   readonly name?: string;
   /** Version of the master, semantic versioning. */
   readonly version: string;
-  /** Asked anew for each reply: ports are known only once the master listens, networks come and go. */
+  /** Asked again for each reply: ports are known only once the master listens, networks come and go. */
   readonly endpoints: () => MasterEndpoints;
   /** Names of the libraries that trusted modules find in `state.modules`. Default: none. */
   readonly libraries?: readonly string[];

@@ -1,6 +1,6 @@
 /**
  * Who calls, as far as the transport can tell: `trusted`, this machine itself where the operator trusts
- * all of it; `local`, this machine; `network`, one of the networks that are let in without a token;
+ * all of it; `local`, this machine; `network`, one of the networks that are admitted without a token;
  * `other`, everybody else [AC-1] [AC-4] [AC-5] [AC-40].
  */
 export type CallerStanding = 'trusted' | 'local' | 'network' | 'other';

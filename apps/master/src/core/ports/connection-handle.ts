@@ -11,7 +11,7 @@ export interface ConnectionHandle {
   handleBinary(bytes: Uint8Array): void;
   /** A text message. */
   handleText(text: string): void;
-  /** The system took all that was handed over: `queuedBytes` is small again. Owed after it grew beyond `limits.connectionQueuedBytes`. */
+  /** The system took all that was handed over: `queuedBytes` is small again. Due after it grew beyond `limits.connectionQueuedBytes`. */
   handleDrain(): void;
   /** The adapter refused input on its own, such as a frame over the size limit. `reason` is one sentence. Counted as a protocol error. */
   handleProtocolError(reason: string): void;

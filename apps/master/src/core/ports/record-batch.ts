@@ -5,7 +5,7 @@ export interface BatchEncoder<T> {
 
 /**
  * Records that leave together, in publishing order. One batch is handed to every connection that is
- * owed exactly these records, so what is made of it should be made once: see `memo`.
+ * sent exactly these records, so what is made of it should be made once: see `memo`.
  */
 export interface RecordBatch {
   /** At least one encoded `TopicDataRecord` each. Shared and kept by the master: never write to them. */

@@ -16,9 +16,9 @@ export const DEVICE_SERVICES = [
     subject: ({ clientId }) => clientId,
     handle(core, message, call) {
       const client = core.clients.require(message.clientId, 'device.client_id');
-      const { device, owed } = core.devices.register(client, message);
+      const { device, replays } = core.devices.register(client, message);
       core.info.announceClient(client); // [CL-31]
-      replayAfterReply(core, call, client, owed); // [DV-3]
+      replayAfterReply(core, call, client, replays); // [DV-3]
       return device;
     },
   }),
@@ -32,7 +32,7 @@ export const DEVICE_SERVICES = [
       return success('The device is deregistered.');
     },
   }),
-  // Clients that ask for a device of their own name themselves: a sign of life. [CL-11]
+  // Clients that ask for a device of their own name themselves: activity. [CL-11]
   define('deviceGet', {
     roles: READERS,
     subject: ({ clientId }) => clientId,

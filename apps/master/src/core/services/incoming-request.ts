@@ -114,7 +114,7 @@ export class IncomingRequest {
     return bytes < service.bytes ? { ...service, bytes, bytesLimit } : service;
   }
 
-  /** Callers that have not joined are told that first, and why: it is what they can mend. */
+  /** Callers that have not joined are told that first, and why: it is what they can correct. */
   #refusal(limit: LimitName, message: string): ServiceError {
     this.#count(limit);
     const details = { limit, max: this.#context.limits[limit] };

@@ -21,7 +21,7 @@ interface Given {
 type Parts = ReplayParts &
   Pick<Core, 'clients' | 'devices' | 'info' | 'access' | 'tokens' | 'settings'>;
 
-/** Says itself whom it lets in, and as whom. [CL-1] [AC-13] [AC-23] */
+/** Says itself whom it admits, and as whom. [CL-1] [AC-13] [AC-23] */
 export const clientRegistration = definer<keyof Parts>()('clientRegistration', {
   roles: 'anyone',
   subject: ({ id }) => id,
@@ -35,10 +35,10 @@ export const clientRegistration = definer<keyof Parts>()('clientRegistration', {
     const clientAccess = accessOf(caller, given?.expiresMs ?? Number.POSITIVE_INFINITY);
     requireNodeRights(clientAccess.role, message);
     const { client, isResumed, isKnown } = clients.register(message, clientAccess);
-    const owed: TopicEntry[] = [];
+    const replays: TopicEntry[] = [];
     try {
       for (const device of message.devices) {
-        for (const entry of devices.register(client, device).owed) owed.push(entry); // [CL-5]
+        for (const entry of devices.register(client, device).replays) replays.push(entry); // [CL-5]
       }
       if (given !== undefined) {
         await access.grants.count(given.grant, given.expiresMs, given.hasJoined);
@@ -51,7 +51,7 @@ export const clientRegistration = definer<keyof Parts>()('clientRegistration', {
       throw error;
     }
     info.announceClient(client); // [CL-31]
-    replayAfterReply(core, call, client, owed);
+    replayAfterReply(core, call, client, replays);
     return replyOf(core, client, isResumed);
   },
 });
@@ -74,7 +74,7 @@ function give(
   if (message.extension === undefined) {
     throw new ServiceError(
       'failed_precondition', // [AC-13]
-      'A client that joins with a token registers with Client.extension; existing clients are let in with --allow-legacy.',
+      'A client that joins with a token registers with Client.extension; existing clients are admitted with --allow-legacy.',
     );
   }
   const before = clients.get(clients.provenId(message) ?? '');

@@ -12,7 +12,7 @@ import type { Service } from './define-service.ts';
 import type { ServiceCall } from './service-call.ts';
 
 /** A call that works longer than this gives others a turn, milliseconds. A frame of an animation is 16. */
-const LONGEST_BREATH_MS = 8;
+const MAX_TURN_MS = 8;
 
 /**
  * Answers a request, whatever it holds; never rejects [SV-2].
@@ -160,17 +160,17 @@ class Call implements ServiceCall {
   #caller: Caller | undefined = undefined;
   #afterReply: (() => void)[] = [];
   #isFinished = false;
-  #breathMs: number;
+  #lastYieldMs: number;
 
   constructor(core: Core, facts: CallerFacts, known?: Caller) {
     this.#core = core;
     this.#facts = facts;
-    // Who was let in is looked at again: it may have been revoked while the body came.
+    // Who was admitted is looked at again: it may have been revoked while the body came.
     if (known?.kind === 'stranger') this.#caller = known;
     this.place = facts.place;
     this.isHere = facts.isHere;
     this.address = facts.address;
-    this.#breathMs = core.clock.monotonicMs();
+    this.#lastYieldMs = core.clock.monotonicMs();
   }
 
   /** Found once: a wrong code counts once. */
@@ -184,12 +184,12 @@ class Call implements ServiceCall {
     else this.#afterReply.push(fn);
   }
 
-  breathe(): Promise<void> | undefined {
+  yieldToEventLoop(): Promise<void> | undefined {
     const { clock } = this.#core;
-    if (clock.monotonicMs() - this.#breathMs < LONGEST_BREATH_MS) return undefined;
+    if (clock.monotonicMs() - this.#lastYieldMs < MAX_TURN_MS) return undefined;
     return new Promise((resolve) => {
       clock.after(0, () => {
-        this.#breathMs = clock.monotonicMs();
+        this.#lastYieldMs = clock.monotonicMs();
         resolve();
       });
     });

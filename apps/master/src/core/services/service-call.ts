@@ -13,5 +13,5 @@ export interface ServiceCall {
   /** Has `fn` called when the reply has left [TD-24]. */
   afterReply(fn: () => void): void;
   /** To be called between pieces of long work, and awaited when it took long: gives others a turn. */
-  breathe(): Promise<void> | undefined;
+  yieldToEventLoop(): Promise<void> | undefined;
 }

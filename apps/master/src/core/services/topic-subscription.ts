@@ -6,7 +6,7 @@ import { definer, success } from './define-service.ts';
 import { requireElements } from './list-limits.ts';
 import { replayAfterReply, type ReplayParts } from './replay-after-reply.ts';
 
-/** One subscription or unsubscription of a request; returns the topics whose retained record is owed. */
+/** One subscription or unsubscription of a request; returns the topics whose retained record is to be sent. */
 type Step = () => readonly TopicEntry[] | void;
 
 type Parts = ReplayParts & Pick<Core, 'clients' | 'limitWatch'>;
@@ -18,17 +18,17 @@ export const topicSubscription = definer<keyof Parts>()('topicSubscription', {
   async handle(core, message, call) {
     const client = core.clients.require(message.clientId, 'topic_subscription.client_id');
     const rateHz = rateOf(message);
-    const owed: TopicEntry[] = [];
+    const replays: TopicEntry[] = [];
     try {
       for (const step of stepsOf(core, message, client.subscriber, rateHz)) {
-        for (const entry of step() ?? []) owed.push(entry);
-        const pause = call.breathe();
+        for (const entry of step() ?? []) replays.push(entry);
+        const pause = call.yieldToEventLoop();
         if (pause !== undefined) await pause;
         if (client.status === 'removed') break;
       }
     } finally {
-      // What was subscribed before something failed stands, and is owed its records.
-      replayAfterReply(core, call, client, owed);
+      // What was subscribed before something failed stands, and gets its records.
+      replayAfterReply(core, call, client, replays);
     }
     return success('Successfully processed all subscriptions.');
   },

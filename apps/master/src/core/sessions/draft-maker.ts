@@ -55,7 +55,7 @@ export function completeDraft(
   return { draft: { ...describeSession(message), modules }, problems };
 }
 
-/** The draft of a session that is there, to look at it anew. */
+/** The draft of a session that is there, to look at it again. */
 export function draftOf(session: Session): SessionDraft {
   return {
     ...session.description,

@@ -32,7 +32,7 @@ export function handleNodeBack(context: LifeContext, nodeId: string): void {
   }
 }
 
-/** Gives modules to nodes anew, and tells those. */
+/** Gives modules to nodes again, and tells those. */
 export function placeAgain(
   context: LifeContext,
   session: Session,

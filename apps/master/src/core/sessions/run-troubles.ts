@@ -6,7 +6,7 @@ import type { SessionModule } from './session-module.ts';
 
 /** After an event, statistics may be from before it, milliseconds: longer than between two looks. */
 const SETTLE_MS = 2500;
-/** Runs without an error for so long count as mended, milliseconds: other inputs may still fail. */
+/** Runs without an error for so long count as repaired, milliseconds: other inputs may still fail. */
 const MENDED_MS = 5000;
 /** The same for nodes that report no statistics. */
 const SILENT_MS = 30_000;
@@ -59,7 +59,7 @@ export class RunTroubles {
     this.#context.onChange(session);
   }
 
-  /** Drops what is mended. */
+  /** Drops what is repaired. */
   look(session: Session): void {
     const standing = new Map(session.modules.map((module) => [keyOf(module), module]));
     let hasChanged = false;
@@ -76,11 +76,11 @@ export class RunTroubles {
 
   #isMended(module: SessionModule): boolean {
     const failing = this.#failing.get(module);
-    // Updated: what fails in it now is told anew.
+    // Updated: what fails in it now is told again.
     if (failing === undefined) return true;
     const sinceMs = this.#context.monotonicMs() - failing.failedMs;
     const runs = runsOf(module);
-    // An instance that was created anew counts from the beginning.
+    // An instance that was created again counts from the beginning.
     const isNew = runs < failing.runs;
     if (sinceMs < SETTLE_MS) {
       if (!isNew) failing.runs = runs;

@@ -265,7 +265,7 @@ export class Sessions {
     }
   }
 
-  /** Looks anew at what is doubtful about its surroundings, and tells if that has changed [SE-5]. */
+  /** Looks again at what is doubtful about its surroundings, and tells if that has changed [SE-5]. */
   recheck(session: Session, isToTell = true): void {
     const { drafts, life } = this.#context;
     const { modules } = draftOf(session);

@@ -9,7 +9,7 @@ import { wireState } from './session-states.ts';
 
 /** How often sessions that live are looked at and reported on [SE-50], milliseconds. */
 export const STATISTICS_INTERVAL_MS = 250;
-/** Every so many looks, what is doubtful about a specification is looked for anew. */
+/** Every so many looks, what is doubtful about a specification is looked for again. */
 const LOOKS_PER_CHECK = 4;
 
 /** What the supervision asks of others. */
@@ -18,7 +18,7 @@ export interface SupervisionParts {
   readonly passes: (
     session: Session,
   ) => Pick<SessionStatistics, 'passesPerSecond' | 'passP50Ms' | 'passP95Ms' | 'lateAnswers'>;
-  /** Looks anew at what is doubtful about a session [SE-5]. */
+  /** Looks again at what is doubtful about a session [SE-5]. */
   readonly recheck: (session: Session) => void;
   /** Looks for modules that make too many topics [SE-61], and whose runs no longer fail [SE-12]. */
   readonly lookAtTroubles: (session: Session) => void;

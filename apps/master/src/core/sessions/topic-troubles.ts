@@ -58,7 +58,7 @@ export class TopicTroubles {
       this.#looks.set(module, { refused, atMs: nowMs, streak: new Streak() });
       return false;
     }
-    // A module that was created anew counts from the beginning.
+    // A module that was created again counts from the beginning.
     const more = refused < look.refused ? refused : refused - look.refused;
     const perSecond = (more * 1000) / Math.max(1, nowMs - look.atMs);
     look.refused = refused;

@@ -87,7 +87,7 @@ function takeOver(
     JSON.stringify([module.spec.inputs, module.spec.outputs]) ===
       JSON.stringify([old.spec.inputs, old.spec.outputs]);
   if (isSameCode && module.phase !== 'failed') return;
-  // Its node starts it anew, and says when it runs.
+  // Its node starts it again, and says when it runs.
   context.local.retry(module.id);
   module.phase = 'waiting';
   module.problem = undefined;

@@ -21,7 +21,7 @@ describe('BatchNode', () => {
     expect(first.records).toEqual([bytes(1)]);
   });
 
-  it('is the same batch for all who are owed the same records', () => {
+  it('is the same batch for all subscribers of the same records', () => {
     const root = BatchNode.empty();
     const [one, two] = [bytes(1), bytes(2)];
     const ada = root.append(entry, one, false).append(entry, two, false);

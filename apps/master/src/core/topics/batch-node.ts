@@ -3,7 +3,7 @@ import type { TopicEntry } from './topic-entry.ts';
 
 /**
  * A batch as the last node of a chain of records. Appending gives the next node and leaves this one as
- * it is. A node remembers the last node appended to it, so that subscribers that are owed the same
+ * it is. A node remembers the last node appended to it, so that subscribers that get the same
  * records walk the same chain and share every node, and with it the frame the adapter builds of it.
  */
 export class BatchNode implements RecordBatch {

@@ -35,7 +35,7 @@ export class Outbox implements Flushable {
   #handedRecords = 0;
   /** Undefined while nothing waits, which is nearly always. */
   #waiting: WaitingRecords | undefined = undefined;
-  readonly #owed = new Set<TopicEntry>();
+  readonly #replays = new Set<TopicEntry>();
   readonly #account: Account;
   #openedSequence = 0;
   /** Whether it is told of values that were deleted, which only nodes understand [TD-42]. */
@@ -74,7 +74,7 @@ export class Outbox implements Flushable {
   }
 
   /**
-   * Sends to this connection from now on: first what is owed, then what waited for the connection before
+   * Sends to this connection from now on: first what is to be replayed, then what waited for the connection before
    * [TD-7] [TD-24].
    * @param sequence Sequence number of the newest record of all.
    */
@@ -82,18 +82,18 @@ export class Outbox implements Flushable {
     this.#moveBatchToWaiting();
     this.#connection = connection;
     this.#openedSequence = sequence;
-    for (const entry of this.#owed) {
+    for (const entry of this.#replays) {
       if (entry.record !== undefined && !this.#waiting?.has(entry)) this.#deliverRetained(entry);
     }
-    this.#owed.clear();
+    this.#replays.clear();
     this.handleDrain();
   }
 
-  /** There is no connection any more. What was on its way is owed as a retained record [TD-33]. */
+  /** There is no connection any more. What was on its way is replayed as a retained record [TD-33]. */
   close(): void {
     this.#connection = undefined;
-    for (const node of this.#batch?.nodes() ?? []) this.#owed.add(node.entry!);
-    for (const entry of this.#waiting?.topics() ?? []) this.#owed.add(entry);
+    for (const node of this.#batch?.nodes() ?? []) this.#replays.add(node.entry!);
+    for (const entry of this.#waiting?.topics() ?? []) this.#replays.add(entry);
     this.#batch = undefined;
     this.#waiting?.clear();
     this.#waiting = undefined;
@@ -102,7 +102,7 @@ export class Outbox implements Flushable {
   /** Everything on its way is void: the client is gone. */
   discard(): void {
     this.close();
-    this.#owed.clear();
+    this.#replays.clear();
   }
 
   /** Gives the client one record. The hot path: runs once for each record and subscriber. */
@@ -123,20 +123,20 @@ export class Outbox implements Flushable {
 
   /**
    * Gives the client the retained record of a topic it subscribed to when the newest record of all had
-   * the number `sinceSequence`, unless it has got a newer one by itself. Without a connection it is owed
+   * the number `sinceSequence`, unless it has got a newer one by itself. Without a connection it is queued
    * to the next [TD-24].
    */
   replay(entry: TopicEntry, sinceSequence: number): void {
     if (entry.record === undefined) return;
-    if (this.#connection === undefined) this.#owed.add(entry);
+    if (this.#connection === undefined) this.#replays.add(entry);
     else if (entry.sequence <= Math.max(sinceSequence, this.#openedSequence)) {
       this.#deliverRetained(entry);
     }
   }
 
-  /** Owes the client the retained record of a topic, as soon as it has a connection. */
-  owe(entry: TopicEntry): void {
-    this.#owed.add(entry);
+  /** Queues the retained record of a topic, as soon as it has a connection. */
+  queueReplay(entry: TopicEntry): void {
+    this.#replays.add(entry);
   }
 
   handleGone(entry: TopicEntry): void {
@@ -151,8 +151,8 @@ export class Outbox implements Flushable {
   }
 
   /** The topic is forgotten or the client has no subscription to it any more. */
-  forgive(entry: TopicEntry): void {
-    this.#owed.delete(entry);
+  cancelReplay(entry: TopicEntry): void {
+    this.#replays.delete(entry);
   }
 
   flush(): void {

@@ -31,7 +31,7 @@ describe('sampled subscriptions', () => {
     ]);
   });
 
-  it('never withhold the newest record for good [TD-28]', async () => {
+  it('never withhold the newest record permanently [TD-28]', async () => {
     const { ada, ben, advance } = await createPair(10);
     ada.publish('/a', 'double', 1);
     ada.publish('/a', 'double', 2);
@@ -114,7 +114,7 @@ describe('sampled subscriptions', () => {
     expect(ben.takeValues()).toEqual([]);
   });
 
-  it('owe the record they held back when the socket closed [TD-33]', async () => {
+  it('queue the record they held back when the socket closed [TD-33]', async () => {
     const { ada, ben, advance } = await createPair(10);
     ada.publish('/a', 'double', 1);
     ada.publish('/a', 'double', 2);

@@ -67,9 +67,9 @@ export class Sampler implements TopicSampler {
     this.#outbox.withdraw(entry);
   }
 
-  /** The connection is closed: what is held back is owed [TD-33]. */
+  /** The connection is closed: what is held back is queued for replay [TD-33]. */
   close(): void {
-    for (const { entry } of this.#holding) this.#outbox.owe(entry);
+    for (const { entry } of this.#holding) this.#outbox.queueReplay(entry);
     this.discard();
   }
 

@@ -24,7 +24,7 @@ export interface SubscriptionContext {
   readonly components: () => Iterable<Component>;
 }
 
-/** Who is subscribed to what [TD-20]. Subscribing returns the topics whose retained record is owed [TD-24]. */
+/** Who is subscribed to what [TD-20]. Subscribing returns the topics whose retained record is to be sent [TD-24]. */
 export class SubscriptionTable {
   readonly #context: SubscriptionContext;
   readonly #watchers = new Set<Subscriber>();
@@ -101,9 +101,9 @@ export class SubscriptionTable {
         'more time than the regular expressions of one client may take (in milliseconds)';
       throw limits.refusal('patternMatchMs', text, subscriber.clientId); // [TD-29]
     }
-    const owed = this.#subscribe(subscriber, pattern, subscriber.patterns, rateHz, isNew);
+    const replays = this.#subscribe(subscriber, pattern, subscriber.patterns, rateHz, isNew);
     settle(pattern, RESOURCE.patterns);
-    return owed;
+    return replays;
   }
 
   /** @throws ServiceError when there are too many. */
@@ -114,9 +114,9 @@ export class SubscriptionTable {
     if (isNew) this.#requireOwn(subscriber, RESOURCE.profiles, subscriber.selections.size);
     if (selection === undefined) accounts.require(subscriber.account, RESOURCE.profiles, 1);
     selection ??= selections.create(profile, components(), (topic) => topics.get(topic));
-    const owed = this.#subscribe(subscriber, selection, subscriber.selections, rateHz, isNew);
+    const replays = this.#subscribe(subscriber, selection, subscriber.selections, rateHz, isNew);
     settle(selection, RESOURCE.profiles);
-    return owed;
+    return replays;
   }
 
   // What is not subscribed is unsubscribed already [TD-23].
@@ -127,7 +127,7 @@ export class SubscriptionTable {
     entry.subscribers.delete(subscriber);
     subscriber.account.add(RESOURCE.subscriptions, -1);
     this.#context.topics.settlePayer(entry);
-    if (!this.isSubscribed(subscriber, entry)) subscriber.outbox.forgive(entry);
+    if (!this.isSubscribed(subscriber, entry)) subscriber.outbox.cancelReplay(entry);
     this.#context.topics.markSubscribersChanged(entry);
     this.#context.topics.forgetIfUnused(entry);
   }
@@ -225,7 +225,7 @@ export class SubscriptionTable {
   /** What a client may receive is something else now [AC-25]. */
   handleRightsChanged(subscriber: Subscriber): void {
     for (const entry of this.#context.topics.values()) {
-      if (!this.#reaches(subscriber, entry)) subscriber.outbox.forgive(entry);
+      if (!this.#reaches(subscriber, entry)) subscriber.outbox.cancelReplay(entry);
     }
     this.#markAllChanged();
   }
@@ -248,7 +248,7 @@ export class SubscriptionTable {
   #unsubscribe(subscriber: Subscriber, subscribed: SharedSubscription): void {
     subscribed.subscribers.delete(subscriber);
     for (const entry of subscribed.entries) {
-      if (!this.isSubscribed(subscriber, entry)) subscriber.outbox.forgive(entry);
+      if (!this.isSubscribed(subscriber, entry)) subscriber.outbox.cancelReplay(entry);
       this.#context.topics.markSubscribersChanged(entry);
     }
   }

@@ -60,7 +60,7 @@ export class TopicEntry {
   patterns: SharedPattern[] = [];
   /** Component profiles that select this topic [TD-27]. */
   selections: SharedSelection[] = [];
-  /** Who gets a record; computed anew when `areTargetsStale`. */
+  /** Who gets a record; computed again when `areTargetsStale`. */
   targets: Targets | undefined = undefined;
   areTargetsStale = true;
 
@@ -121,7 +121,7 @@ export interface Receiver {
   /** The value has expired: what waits of it is dropped [TD-47]. */
   withdraw(entry: TopicEntry): void;
   /** The subscriber has no subscription to the topic any more. */
-  forgive(entry: TopicEntry): void;
+  cancelReplay(entry: TopicEntry): void;
 }
 
 /** Who gets a record of a topic, each client once [TD-14]. */

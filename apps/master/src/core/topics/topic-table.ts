@@ -96,7 +96,7 @@ export class TopicTable {
   }
 
   /**
-   * Finds anew who pays for a topic [AC-80]: while it has a value, its owner or the master; else the client
+   * Finds again who pays for a topic [AC-80]: while it has a value, its owner or the master; else the client
    * that subscribed to it longest ago.
    */
   settlePayer(entry: TopicEntry): void {
@@ -151,7 +151,7 @@ export class TopicTable {
     }
   }
 
-  /** Its subscribers changed: targets have to be computed anew. */
+  /** Its subscribers changed: targets have to be computed again. */
   markSubscribersChanged(entry: TopicEntry): void {
     entry.areTargetsStale = true;
     entry.changedEpoch = this.#epoch;

@@ -9,7 +9,7 @@ import { RequestLimit } from './request-limit.ts';
 const LIVE_STEPS = 30;
 /** Of each phone: a few quick ones, then one a second. */
 const OWN_LIMIT = { atOnce: 3, perSecond: 1 };
-/** Of all together: more could not be told apart on the big screen. */
+/** Of all together: more could not be distinguished on the big screen. */
 const COMMON_LIMIT = { atOnce: 16, perSecond: 8 };
 
 export interface AudienceOptions {

@@ -178,7 +178,7 @@ export class PartyHost {
     if (key !== undefined) this.#photos.takeDown(key);
   }
 
-  /** No photos on the big screen, until it is said again that there may be. */
+  /** No photos on the big screen, until a message allows them again. */
   hidePhotos(areHidden: boolean): void {
     this.#photos.hideAll(areHidden);
     this.#save();
@@ -217,7 +217,7 @@ export class PartyHost {
     if (one?.awaySinceMs !== undefined) this.apply({ type: 'back', key });
   }
 
-  /** A screen that knows of no party goes on with the one that another screen has led. */
+  /** A screen that knows of no party continues with the one that another screen has led. */
   async #adopt(): Promise<void> {
     if (this.#room.players.length > 0) return;
     const view = await roomOfBefore(this.#client, this.#options.clock);

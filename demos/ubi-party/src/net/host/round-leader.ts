@@ -48,7 +48,7 @@ export class RoundLeader {
     return this.#state;
   }
 
-  /** Goes on with a round that another screen has planned. */
+  /** Continues with a round that another screen has planned. */
   adopt(round: RoundView | undefined): void {
     this.#round = round;
   }
@@ -72,7 +72,7 @@ export class RoundLeader {
     this.#publishPlan(undefined);
   }
 
-  /** The module was started anew: it goes on from the newest state that came here. */
+  /** The module was started again: it goes on from the newest state that came here. */
   resume(nowMs: number): void {
     const round = this.#round;
     if (!round) return;

@@ -3,7 +3,7 @@ import { Image2DDataFormat } from '@ubii/proto';
 import { phoneTopic } from '../topics.ts';
 import { isHidden, photoId, type HiddenPhotos, type Photo } from './photo.ts';
 
-/** A photo is said again so often while it is shown, and is gone when it was not for three times as long. */
+/** A photo is repeated so often while it is shown, and is gone when it was not for three times as long. */
 const AGAIN_MS = 5000;
 
 /** The photo that a phone shows on the big screen: one at a time, gone from the master when it ends. */

@@ -73,7 +73,7 @@ test('spectator sees who won, the table, and takes a seat', async () => {
   expect(page.get('h1').text()).toBe('You’re next');
 });
 
-test('spectator stops watching without a word, and learns of a removal', async () => {
+test('spectator stops watching silently, and learns of a removal', async () => {
   const link = page.open(watched('lobby'));
   expect(page.text).toContain('2 players. The game has not started.');
   await page.button('Stop watching').trigger('click');

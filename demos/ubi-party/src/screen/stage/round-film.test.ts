@@ -17,7 +17,7 @@ describe('the film of a round', () => {
     expect(film.at(film.lengthMs + 1)).toBeUndefined();
   });
 
-  it('begins anew with another round', () => {
+  it('begins again with another round', () => {
     const film = new RoundFilm();
     for (let step = 1; step <= 100; step += 1) film.add(frame(step));
     film.add(frame(1, 'b'));

@@ -9,7 +9,7 @@ const SPEED = 0.6;
 export class RoundFilm {
   #frames: RoundState[] = [];
 
-  /** A state of another round begins anew. */
+  /** A state of another round begins again. */
   add(state: RoundState): void {
     const last = this.#frames.at(-1);
     if (last && (last.id !== state.id || last.step >= state.step)) this.#frames = [];

@@ -46,7 +46,7 @@ describe('seats', () => {
     );
   });
 
-  it('are filled with bots, who make room for people', () => {
+  it('are filled with bots, which leave when people come', () => {
     const full = after(pair, { type: 'fill', by: 'host', players: MAX_SEATS });
     expect(full.players).toHaveLength(MAX_SEATS);
     const more = after(full, join('cleo'));
@@ -83,7 +83,7 @@ describe('who leads', () => {
     expect(after(pair, { type: 'proceed', by: { key: 'ada' } }).phase).toBe('explanation');
   });
 
-  it('is handed on when the leader goes, to a player who is there', () => {
+  it('passes on when the leader goes, to a player who is there', () => {
     const three = after(pair, join('cleo'), { type: 'away', key: 'bob' });
     expect(after(three, { type: 'leave', key: 'ada' }).leader).toBe(2);
     expect(after(pair, { type: 'lead', by: { key: 'ada' }, seat: 1 }).leader).toBe(1);

@@ -29,7 +29,7 @@ export function join(room: Room, key: string, name: string): Room {
   return seated({ ...others, leader: room.leader ?? seat }, player);
 }
 
-/** Who leads hands on to the next person who is there. */
+/** The lead passes on to the next person who is there. */
 export function remove(room: Room, isGone: (player: Player) => boolean): Room {
   const players = room.players.filter((player) => !isGone(player));
   const { leader, ...rest } = room;

@@ -39,7 +39,7 @@ export function withoutSpectators(room: Room, isGone: (one: Spectator) => boolea
     : room;
 }
 
-/** Why nobody can get a seat now, one sentence; undefined: somebody can. Bots make room. */
+/** Why nobody can get a seat now, one sentence; undefined: somebody can. Bots leave when people come. */
 export function whyNoSeat({ isLocked, players }: Room): string | undefined {
   if (isLocked) return 'The game is locked. Ask the host to let you in.';
   const people = players.filter(({ key }) => key !== undefined);

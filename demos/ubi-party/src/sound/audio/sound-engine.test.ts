@@ -83,7 +83,7 @@ test('music is given to the clock of the sound card ahead of time', () => {
   expect(Math.max(...starts)).toBe(0.25);
 });
 
-test('events of one moment are heard one after the other, not more than can be told apart', () => {
+test('events of one moment are heard one after the other, not more than can be distinguished', () => {
   engine.start();
   engine.play(Array.from({ length: 40 }, (_, seat) => ({ kind: 'hit', seat: seat % 32 })));
   expect(new Set(starts).size).toBe(12);

@@ -16,7 +16,7 @@ export interface BitStart {
   readonly lifeS: number;
 }
 
-/** Small things that fly and fall: one drawing for all of them. The oldest makes room for the newest. */
+/** Small things that fly and fall: one drawing for all of them. The newest replaces the oldest. */
 export class FlyingBits {
   readonly mesh: InstancedMesh;
   readonly #most: number;

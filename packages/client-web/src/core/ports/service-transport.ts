@@ -11,7 +11,7 @@ export interface ServiceExchange {
    * a status other than 200, `protocol` when the answer is not a reply, `closed` after `cancel()`.
    */
   readonly reply: Promise<ServiceReply>;
-  /** Gives up waiting. The master may have handled the request all the same. */
+  /** Gives up waiting. The master may have handled the request anyway. */
   cancel(): void;
 }
 

@@ -102,7 +102,7 @@ export class MasterClock implements MasterTime {
       this.#measureAgain();
       return;
     }
-    // A wall clock that is ahead went on through a sleep, or was set: then the next measurement mends
+    // A wall clock that is ahead went on through a sleep, or was set: then the next measurement corrects
     // it. No sleep sets it back.
     const slept = aheadMs > 0;
     this.#makeshift = {

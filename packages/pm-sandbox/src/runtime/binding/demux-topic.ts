@@ -31,7 +31,7 @@ export function parseDemuxFormat(format: string): DemuxFormat {
   return { parts };
 }
 
-/** Whether elements can be told apart at all: the format has a placeholder. [SE-4] */
+/** Whether elements can be distinguished at all: the format has a placeholder. [SE-4] */
 export function hasPlaceholder(format: DemuxFormat): boolean {
   return format.parts.some(({ kind }) => kind !== 'text');
 }

@@ -99,7 +99,7 @@ export class InputBinding implements InputMarks {
     return names;
   }
 
-  /** Ends all subscriptions, for good. */
+  /** Ends all subscriptions, permanently. */
   close(): void {
     this.#isClosed = true;
     for (const slot of this.#slots) slot.close();

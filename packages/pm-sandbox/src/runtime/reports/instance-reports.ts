@@ -107,7 +107,7 @@ export class InstanceReports {
     this.#refusedOutput = output;
     const message = `Output "${output}": elements on new topics are dropped, ${reason}. Existing topics continue.`;
     this.#refused += count;
-    // No fault of a run, which goes on with the topics there are.
+    // No fault of a run, which continues with the topics there are.
     this.#tell({ kind: ModuleEventKind.REFUSED, message });
   }
 

@@ -94,7 +94,7 @@ export function adaptedStep(state: AdaptState, wanted: Readonly<PictureSettings>
 }
 
 /**
- * Decides anew, about twice a second. The link decides on the level: down by what it takes (multiplicative), up one
+ * Decides again, about twice a second. The link decides on the level: down by what it takes (multiplicative), up one
  * level at a time (additive), and where it was too slow before only after a calm time that doubles with every failure.
  * Modules and this device decide on the rate alone: what they take hardly depends on quality and size.
  */

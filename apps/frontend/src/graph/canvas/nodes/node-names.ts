@@ -6,7 +6,7 @@ import { nodeTitle } from '../../nodes/node-label.ts';
 const NAMES: InjectionKey<ComputedRef<SortedNames>> = Symbol('names of nodes');
 const NONE = computed((): SortedNames => []);
 
-/** Gives the titles of all nodes to the views below, so that shortened ones can be told apart. */
+/** Gives the titles of all nodes to the views below, so that shortened ones can be distinguished. */
 export function provideNodeNames(graph: () => Graph): void {
   const titles = computed<SortedNames>((before) => {
     const next = sortedNames([...graph().nodes.values()].map(nodeTitle));

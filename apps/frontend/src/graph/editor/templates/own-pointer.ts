@@ -52,7 +52,7 @@ export const useOwnPointer = whileUsed((): OwnPointer => {
       device = registered;
       publish(0.5, 0.5);
     } catch {
-      // Only when the client is closed for good, which the shell shows.
+      // Only when the client is closed permanently, which the shell shows.
       isOn.value = false;
     }
   });

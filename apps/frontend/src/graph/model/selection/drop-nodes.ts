@@ -26,7 +26,7 @@ export interface NodeDrop {
   readonly isDetached: boolean;
   /** Where it was dropped on a wire, when it was one node. */
   readonly on: InsertPlace | undefined;
-  /** All nodes as they are drawn: on a wire, what is downstream makes room. */
+  /** All nodes as they are drawn: on a wire, nodes downstream move aside. */
   readonly others?: readonly Box[];
 }
 

@@ -51,7 +51,7 @@ export function insertionOf(graph: Graph, wire: Wire, node: GraphNode): Insertio
 /**
  * Leads a wire through a node, which is added when it is not there; undefined when it does not fit.
  * @param leg how many of the points of the wire come before the node
- * @param boxes of all nodes and of this one, where it should go: what is downstream makes room
+ * @param boxes of all nodes and of this one, where it should go: nodes downstream move aside
  */
 export function insertOnWire(
   graph: Graph,

@@ -10,7 +10,7 @@ export const WIRE_GAP = 90;
 /** Between a node and one below it. */
 const GAP = 20;
 
-/** Where a node goes that is put on a wire, and what makes room for it. */
+/** Where a node goes that is put on a wire, and which nodes move aside. */
 export interface Room {
   readonly position: Point;
   /** How far the nodes behind it move to the right. */
@@ -19,7 +19,7 @@ export interface Room {
 }
 
 /**
- * Makes room for a node on a wire: what is downstream moves to the right, with its frames, and pushes
+ * Frees the space of a node on a wire: what is downstream moves to the right, with its frames, and pushes
  * what it would cover. Wires that go back leave everything where it is.
  * @param box of the node, where it should go
  * @param boxes of all nodes, as they are drawn
@@ -111,7 +111,7 @@ function moveAll(
   const places = new Map(
     boxes.flatMap(({ id, x, y }) => {
       if (all.has(id)) return [[id, { x: x + shift, y }] as const];
-      // Nodes without a stored position would be laid out anew.
+      // Nodes without a stored position would be laid out again.
       return graph.nodes.get(id)?.position === undefined ? [[id, { x, y }] as const] : [];
     }),
   );

@@ -56,7 +56,7 @@ const COLORS = {
   'diffEditor.unchangedRegionForeground': '--ink-3',
 } as const;
 
-/** Chrome is ink: words are told apart by a few of the families' colours, as data is. */
+/** Chrome is ink: words are distinguished by a few of the families' colours, as data is. */
 const TOKENS = {
   '': '--ink-1',
   comment: '--ink-3',

@@ -218,7 +218,7 @@ export function useTryRun(
     putAll(run);
     await run.open(moduleOf(draft()), mapping());
   }
-  /** Creates it anew; what ran goes on running. */
+  /** Creates it again; what ran goes on running. */
   async function renew(): Promise<void> {
     const wasRunning = isActive.value;
     endPasses();
@@ -227,7 +227,7 @@ export function useTryRun(
   }
   const isOutdated = computed(() => status.value !== 'off' && opened.value !== what());
 
-  // Code that was mended counts while it runs, as in sessions. [SE-26]
+  // Code that was corrected counts while it runs, as in sessions. [SE-26]
   watchDebounced(
     what,
     async () => {

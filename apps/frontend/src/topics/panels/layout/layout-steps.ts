@@ -12,7 +12,7 @@ export interface LayoutSteps {
 
 export const firstStep = (present: Layout): LayoutSteps => ({ past: [], present, future: [] });
 
-/** @param isSame goes on with the step before, as every move of one drag does */
+/** @param isSame continues with the step before, as every move of one drag does */
 export function nextStep(
   { past, present, future }: LayoutSteps,
   next: Layout,

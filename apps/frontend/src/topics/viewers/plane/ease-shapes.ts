@@ -13,7 +13,7 @@ interface Eased {
   goneMs: number | undefined;
 }
 
-/** Moves shapes to their new places, and lets those that are gone vanish. Shapes are told apart by their keys. */
+/** Moves shapes to their new places, and lets those that are gone vanish. Shapes are distinguished by their keys. */
 export class ShapeEasing {
   #marks = new Map<string, Eased>();
 

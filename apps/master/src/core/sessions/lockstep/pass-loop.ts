@@ -32,7 +32,7 @@ export class PassLoop {
   readonly #session: Session;
   readonly #inputs: SnapshotInputs;
   readonly #durations: Durations;
-  /** Nodes that owe an answer to an earlier pass. */
+  /** Nodes that have not answered an earlier pass. */
   readonly #late = new Set<string>();
   #number = 0;
   #pass: Pass | undefined = undefined;

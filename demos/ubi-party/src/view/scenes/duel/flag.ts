@@ -91,7 +91,7 @@ export class Flag {
   }
 }
 
-/** Checkered: its edge at the pole is x = 0. */
+/** Chequered: its edge at the pole is x = 0. */
 function buildCloth(): BufferGeometry {
   const parts = 3;
   const plane = new PlaneGeometry(
