@@ -41,6 +41,11 @@ export async function runGate() {
   for (const note of notes) process.stderr.write(`    ${note}\n`);
   if (problems.length > 0) throw new StepFailed(problems.join('\n'));
   await step('generated code unchanged', checkGeneratedCode);
+  await step('prose', async () => {
+    const { checkWrittenFiles } = await import('./prose/check-prose.mjs');
+    const findings = await checkWrittenFiles();
+    if (findings.length > 0) throw new StepFailed(findings.join('\n'));
+  });
   for (const pair of pairs(packagesWithTypes())) {
     await step(`types of ${pair.map(({ name }) => name).join(' and ')}`, async () => {
       const results = await Promise.all(pair.map(({ folder }) => checkTypes(folder)));
@@ -107,7 +112,7 @@ function packagesWithTypes() {
 
 /** One by one: what `node --test` makes of a folder differs between versions of Node. */
 function scriptTests() {
-  return readdirSync(inRoot('scripts/lib'))
+  return readdirSync(inRoot('scripts/lib'), { recursive: true })
     .filter((name) => name.endsWith('.test.mjs'))
     .map((name) => join('scripts', 'lib', name));
 }
