@@ -69,6 +69,17 @@ const noNativePatterns = ['NewExpression', 'CallExpression'].map((call) => ({
   message:
     'A pattern that somebody else wrote can stop the thread: compile it with @ubii/patterns. A pattern of ours may stay, with the reason why it is linear.',
 }));
+/** A word or a sentence for one thing, and another for several. */
+const noHandWrittenPlurals = [
+  '[consequent.type="Literal"][consequent.value=/./][alternate.value=/./]',
+  '[consequent.type="Literal"][consequent.value=/./][alternate.type="TemplateLiteral"]',
+  '[consequent.type="TemplateLiteral"][alternate.value=/./]',
+  '[consequent.type="TemplateLiteral"][alternate.type="TemplateLiteral"]',
+  '[consequent.value=""][alternate.value=/^e?s$/]',
+].map((forms) => ({
+  selector: `ConditionalExpression[test.operator="==="][test.right.value=1]${forms}`,
+  message: 'Use `plural` or `counted` of @ubii/words.',
+}));
 const restrict = (...patterns) => ({
   '@typescript-eslint/no-restricted-imports': ['error', { patterns }],
 });
@@ -156,7 +167,11 @@ export default ts.config(
       'benchmarks/**',
       'robustness/**',
     ],
-    rules: { 'no-restricted-syntax': ['error', ...noNativePatterns] },
+    rules: { 'no-restricted-syntax': ['error', ...noNativePatterns, ...noHandWrittenPlurals] },
+  },
+  {
+    files: ['**/*.vue'],
+    rules: { 'vue/no-restricted-syntax': ['error', ...noHandWrittenPlurals] },
   },
   { files: ['**/*.test.ts'], rules: { 'vue/one-component-per-file': 'off' } },
   { files: ['packages/**'], rules: restrict(noApps, noVue) },
@@ -166,7 +181,7 @@ export default ts.config(
   },
   { files: ['packages/client-web/**'], rules: restrict(noApps, noVue, noModules) },
   {
-    files: ['packages/{discovery,patterns,program}/**'],
+    files: ['packages/{discovery,patterns,program,words}/**'],
     rules: restrict(noApps, noVue, noClient, noRuntimes, noModules),
   },
   { files: ['packages/pm-sandbox/**'], rules: restrict(noApps, noVue, noClient, noModules) },

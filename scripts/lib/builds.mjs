@@ -11,6 +11,7 @@ const everywhere = [
   'tsconfig.base.json',
   'packages/proto',
   'packages/patterns',
+  'packages/words',
   'packages/pm-sandbox',
   'packages/modules',
   'demos/ubi-party',

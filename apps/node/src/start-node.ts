@@ -12,6 +12,7 @@ import { watchModuleFolder } from '@ubii/pm-sandbox/folder';
 import type { FolderWatch, LoadedFolder } from '@ubii/pm-sandbox/folder';
 import { ModuleEventKind } from '@ubii/proto';
 import type { ModuleEvent, ProcessingModule } from '@ubii/proto';
+import { counted } from '@ubii/words';
 import { createIdentityFile, defaultIdentityFile } from './identity-file.ts';
 import type { Log } from './log.ts';
 import type { Config } from './options.ts';
@@ -137,7 +138,7 @@ function keepConnecting(client: UbiiClient, log: Log): void {
 function describeModules(modules: readonly ProcessingModule[]): string {
   const names = modules.map(({ name }) => name).join(', ');
   if (modules.length === 0) return 'No modules';
-  return `${modules.length} ${modules.length === 1 ? 'module' : 'modules'} (${names})`;
+  return `${counted(modules.length, 'module')} (${names})`;
 }
 
 /** Logs changes of the connection. Logs only the first of several failed attempts as a warning. */

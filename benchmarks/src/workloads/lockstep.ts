@@ -1,5 +1,6 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { sessionStatisticsTopic, type SessionStatistics } from '@ubii/proto';
+import { counted } from '@ubii/words';
 import { startMasterProcess, type MasterProcess } from '../brokers/master-process.ts';
 import { echoTopics, LOCKSTEP_MODULE, passTopics } from '../modules/lockstep-module.ts';
 import { startLockstepNode, type LockstepNode } from '../modules/lockstep-node.ts';
@@ -33,7 +34,7 @@ export function lockstep(modules: number, nodes: number): Workload {
   return {
     name: `lockstep-${modules}-on-${nodes}`,
     group: GROUP,
-    title: `Lockstep pass, ${modules} ${modules === 1 ? 'module' : 'modules'} on ${nodes} ${nodes === 1 ? 'node' : 'nodes'} (processes)`,
+    title: `Lockstep pass, ${counted(modules, 'module')} on ${counted(nodes, 'node')} (processes)`,
     figures: [
       {
         key: 'p50Us',

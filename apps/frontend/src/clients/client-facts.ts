@@ -5,6 +5,7 @@ import {
   type StatusEvent,
   type StatusProblem,
 } from '@ubii/proto';
+import { counted } from '@ubii/words';
 import { formatLook } from '../formats/families.ts';
 
 /** More sockets than this are not distinguished at a glance. */
@@ -76,5 +77,5 @@ export function clientNote(
   if (state === ClientState.UNAVAILABLE) return { text: `connection lost${since}`, tone: 'plain' };
   if (isSelf) return { text: 'this browser', tone: 'plain' };
   if (topics === 0) return { text: 'publishes nothing', tone: 'plain' };
-  return { text: `${topics} ${topics === 1 ? 'topic' : 'topics'}`, tone: 'plain' };
+  return { text: counted(topics, 'topic'), tone: 'plain' };
 }

@@ -1,4 +1,5 @@
 import { AccessRole, type AccessGrant } from '@ubii/proto';
+import { counted, plural } from '@ubii/words';
 
 /** The choices of the host for an invitation. */
 export interface GrantChoice {
@@ -100,7 +101,7 @@ export function leftWord(ms: number): string {
 /** How many use an invitation, or did: `2 connected`. */
 export function usedWords({ joins, clientIds }: AccessGrant): string {
   if (clientIds.length > 0) return `${clientIds.length} connected`;
-  return joins === 0 ? 'not used yet' : `used ${joins === 1 ? 'once' : `${joins} times`}`;
+  return joins === 0 ? 'not used yet' : `used ${plural(joins, 'once', `${joins} times`)}`;
 }
 
 /** Lists what was created with an invitation: `2 sessions (1 running), 1 module`; empty for nothing. */
@@ -110,8 +111,7 @@ export function workWords({
   storedSessionNames,
   moduleNames,
 }: AccessGrant): string {
-  const count = (number: number, one: string): string =>
-    number === 0 ? '' : `${number} ${one}${number === 1 ? '' : 's'}`;
+  const count = (number: number, one: string): string => (number === 0 ? '' : counted(number, one));
   const running = runningSessionIds.length;
   const runs = running === 0 ? '' : ` (${running} running)`;
   const sessions = count(sessionIds.length, 'session');

@@ -1,3 +1,5 @@
+import { capitalised, plural } from '@ubii/words';
+
 /** The facts that the sentence is made from. */
 export interface HomeFacts {
   /** Connected clients, this page included. */
@@ -37,16 +39,15 @@ const WORDS = [
 ];
 
 const inWords = (count: number): string => WORDS[count] ?? String(count);
-const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 function whatIs({ active, running, recordsPerSecond }: HomeFacts): string {
   if (running > 0) {
     const clients = active <= 1 ? 'this browser only' : `${inWords(active)} clients`;
-    const verb = running === 1 ? 'session is' : 'sessions are';
-    return `${capital(inWords(running))} ${verb} running for ${clients}.`;
+    const verb = plural(running, 'session is', 'sessions are');
+    return `${capitalised(inWords(running))} ${verb} running for ${clients}.`;
   }
   if (active <= 1) return 'Only this browser is connected.';
-  const here = `${capital(inWords(active))} clients are connected`;
+  const here = `${capitalised(inWords(active))} clients are connected`;
   if (recordsPerSecond === undefined) return `${here}.`;
   return recordsPerSecond < 0.5
     ? `${here}, and none is publishing.`
@@ -56,13 +57,15 @@ function whatIs({ active, running, recordsPerSecond }: HomeFacts): string {
 function whatAsks(facts: HomeFacts): string | undefined {
   const { active, running, troubledModules, silent, errors, warnings } = facts;
   const needs = (count: number, thing: string): string =>
-    `${capital(inWords(count))} ${thing}${count === 1 ? ' needs' : 's need'} attention.`;
+    `${capitalised(inWords(count))} ${plural(count, thing)} ${plural(count, 'needs', 'need')} attention.`;
   if (troubledModules > 0 && errors === 0) return needs(troubledModules, 'module');
   if (errors > 0) return needs(errors, 'problem');
   if (silent > 0) {
-    return silent === 1
-      ? 'One client lost its connection.'
-      : `${capital(inWords(silent))} clients lost their connection.`;
+    return plural(
+      silent,
+      'One client lost its connection.',
+      `${capitalised(inWords(silent))} clients lost their connection.`,
+    );
   }
   if (warnings > 0) return needs(warnings, 'warning');
   if (active <= 1 && running === 0) return 'Connect a phone or open an example.';

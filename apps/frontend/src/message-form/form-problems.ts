@@ -1,4 +1,5 @@
 import { computed, inject, provide, type ComputedRef, type InjectionKey } from 'vue';
+import { capitalised } from '@ubii/words';
 
 /** What is wrong at each path of a message: `must be a number, got "a"`. */
 export type FormProblems = ReadonlyMap<string, string>;
@@ -20,6 +21,6 @@ export function useFormProblem(path: () => string): ComputedRef<string | undefin
   );
   return computed(() => {
     const found = problems.value.get(path());
-    return found && asSentence(`${found[0]!.toUpperCase()}${found.slice(1)}`);
+    return found && asSentence(capitalised(found));
   });
 }

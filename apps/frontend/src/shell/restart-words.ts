@@ -1,4 +1,5 @@
 import type { Session } from '@ubii/proto';
+import { plural } from '@ubii/words';
 import { isAlive } from '../sessions/state/session-state.ts';
 
 type Living = Pick<Session, 'name' | 'status' | 'extension'>;
@@ -28,12 +29,12 @@ export function afterRestart(before: readonly string[], now: readonly Living[]):
     if (again === undefined) ended.push(name);
     else (again.extension?.startWithMaster === true ? byMaster : byPages).push(name);
   }
-  const pages = byPages.length === 1 ? 'An open page' : 'Open pages';
+  const pages = plural(byPages.length, 'An open page', 'Open pages');
   return [
     ...(byMaster.length > 0 ? [`The master started ${namesOf(byMaster)} again.`] : []),
     ...(byPages.length > 0 ? [`${pages} started ${namesOf(byPages)} again.`] : []),
     ...(ended.length > 0
-      ? [`${namesOf(ended)} ${ended.length === 1 ? 'does' : 'do'} not run.`]
+      ? [`${namesOf(ended)} ${plural(ended.length, 'does', 'do')} not run.`]
       : []),
   ].join(' ');
 }

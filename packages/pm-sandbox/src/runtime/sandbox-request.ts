@@ -1,3 +1,5 @@
+import { plural } from '@ubii/words';
+
 import { parseModule } from '../definition/parse-module.ts';
 import type { RuntimeLimits } from '../limits.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
@@ -23,7 +25,7 @@ export function sandboxRequest(
   }
   const lacking = libraries.filter((library) => !offered.includes(library));
   if (lacking.length > 0) {
-    const message = `This node does not offer ${lacking.length === 1 ? 'the library' : 'the libraries'} ${lacking.join(', ')}.`;
+    const message = `This node does not offer ${plural(lacking.length, 'the library', 'the libraries')} ${lacking.join(', ')}.`;
     return { fault: { kind: 'library', phase: '', message } };
   }
   const { memoryBytes, outputBytes } = limits;

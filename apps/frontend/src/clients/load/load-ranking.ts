@@ -1,4 +1,5 @@
 import type { ClientActivity } from '@ubii/proto';
+import { plural } from '@ubii/words';
 import { formatBytes } from '../../ui/readouts/format-bytes.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 import type { ClientView } from '../model/client-view.ts';
@@ -98,7 +99,7 @@ function ownWords(activity: ClientActivity, isHeavy: boolean): { cause: string; 
 function flow(records: number, bytes: number): string {
   const { digits, unit } = formatBytes(bytes, 'B/s');
   const many = Math.round(records);
-  return `${formatNumber(many)} ${many === 1 ? 'record' : 'records'} per second, ${digits} ${unit ?? ''}`;
+  return `${formatNumber(many)} ${plural(many, 'record')} per second, ${digits} ${unit ?? ''}`;
 }
 
 /** The master's sentence begins with the name, which stands beside it already. */

@@ -1,3 +1,5 @@
+import { plural } from '@ubii/words';
+
 import { randomUuid } from '../../connection/random-uuid.ts';
 import type { GraphEditor } from '../editing/graph-editor.ts';
 import { commandLabel } from '../model/commands/command-label.ts';
@@ -76,7 +78,7 @@ export class CanvasCommands {
     const { nodes } = this.#editor.graph.value;
     const frames = this.#selected().filter((id) => nodes.get(id)?.kind === 'frame');
     if (frames.length === 0) return false;
-    const label = frames.length === 1 ? 'Remove the frame' : `Remove ${frames.length} frames`;
+    const label = plural(frames.length, 'Remove the frame', `Remove ${frames.length} frames`);
     const inside = [...nodes.values()].filter(({ frame }) => frames.includes(frame ?? ''));
     const commands = frames.map((frame) => ({ kind: 'ungroup', frame }) as const);
     this.#editor.apply({ kind: 'all', label, commands });

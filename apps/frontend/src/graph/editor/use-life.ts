@@ -1,3 +1,5 @@
+import { capitalised } from '@ubii/words';
+
 import {
   isAlive,
   sessionState,
@@ -22,7 +24,7 @@ export function useLife(editor: GraphEditor, saving: Saving): Life {
   /** A session that is not stored was not saved: it ends with the master or the page that made it. */
   function tell(done: string): void {
     const isStored = editor.session.value.extension?.stored === true;
-    show(isStored ? `Saved and ${done}` : `${done[0]?.toUpperCase()}${done.slice(1)}`);
+    show(isStored ? `Saved and ${done}` : capitalised(done));
   }
   return {
     can: (action) => stateLook(sessionState(editor.session.value)).actions.includes(action),

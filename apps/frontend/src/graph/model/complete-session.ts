@@ -1,4 +1,5 @@
 import type { ProcessingModule, Session } from '@ubii/proto';
+import { plural } from '@ubii/words';
 import { graphOf } from './graph-of.ts';
 import { applyCommand } from './commands/apply-command.ts';
 import { sessionOf } from './session-of.ts';
@@ -77,9 +78,10 @@ export function withPlaceholders(
 /** One clear sentence on what is missing; empty when nothing is. */
 export function missingWords(missing: readonly string[]): string {
   if (missing.length === 0) return '';
-  const what =
-    missing.length === 1
-      ? `The module ${missing[0]!} is unknown. The import keeps it as a muted placeholder`
-      : `${missing.length} modules are unknown: ${missing.join(', ')}. The import keeps them as muted placeholders`;
+  const what = plural(
+    missing.length,
+    `The module ${missing[0]!} is unknown. The import keeps it as a muted placeholder`,
+    `${missing.length} modules are unknown: ${missing.join(', ')}. The import keeps them as muted placeholders`,
+  );
   return `${what} with all wires.`;
 }

@@ -1,4 +1,5 @@
 import type { ServiceName } from '@ubii/proto';
+import { plural } from '@ubii/words';
 import type { CallFact, LessonFacts, TopicFact } from './facts.ts';
 import type { Check, Measurement } from './lesson.ts';
 
@@ -250,7 +251,7 @@ export function clientIs(name: string, isHere: boolean, named: Named): Check {
       if (isHere && count === 0) return NOTHING;
       return {
         passed: isHere ? count > 0 : count === 0,
-        value: count === 0 ? 'not connected' : count === 1 ? 'connected' : `${count} connected`,
+        value: count === 0 ? 'not connected' : plural(count, 'connected', `${count} connected`),
       };
     },
   };

@@ -8,6 +8,7 @@ import {
   type ServiceName,
 } from '@ubii/proto';
 import { reference } from 'virtual:learn-reference';
+import { capitalised } from '@ubii/words';
 
 /** A fact of the reference: one row of a page, one result of the search. */
 export interface ReferenceEntry {
@@ -43,7 +44,6 @@ const { messages } = reference;
 const RECORD_FIELDS = messages['ubii.topicData.TopicDataRecord']?.fields ?? {};
 
 const code = (text: string): string => `\`${text}\``;
-const titleOf = (word: string): string => word.slice(0, 1).toUpperCase() + word.slice(1);
 const roleWords = (roles: readonly string[] | 'anyone'): string => {
   if (roles === 'anyone') return 'every caller';
   return roles.length === 0 ? 'no role' : roles.join(', ');
@@ -77,7 +77,7 @@ function sections(
 ): ReferenceSection[] {
   const byHead = new Map<string, ReferenceEntry[]>();
   for (const [head, entry] of entries) byHead.set(head, [...(byHead.get(head) ?? []), entry]);
-  return [...byHead].map(([head, list]) => ({ title: titleOf(head), entries: list }));
+  return [...byHead].map(([head, list]) => ({ title: capitalised(head), entries: list }));
 }
 
 function formats(): ReferencePage {
@@ -199,12 +199,12 @@ function wireProtocol(): ReferencePage {
         entries: [
           ...paths.map(({ method, path, content }) => ({
             name: `${method} ${path}`,
-            sentence: titleOf(content),
+            sentence: capitalised(content),
             facts: [],
           })),
           ...sockets.map(({ path, content }) => ({
             name: `WebSocket ${path}`,
-            sentence: titleOf(content),
+            sentence: capitalised(content),
             facts: [],
           })),
         ],
@@ -234,7 +234,7 @@ function wireProtocol(): ReferencePage {
         title: 'Close codes',
         entries: closeCodes.map(([name = '', meaning = '', client = '']) => ({
           name,
-          sentence: titleOf(withoutRules(meaning)),
+          sentence: capitalised(withoutRules(meaning)),
           facts: [['The client', client]],
         })),
       },

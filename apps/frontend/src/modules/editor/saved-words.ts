@@ -1,4 +1,5 @@
 import type { Session } from '@ubii/proto';
+import { counted, plural } from '@ubii/words';
 import { isAlive } from '../../sessions/state/session-state.ts';
 
 /** Names the sessions that run, in words; `undefined` when none does. */
@@ -13,13 +14,12 @@ export function runningWords(users: readonly Session[]): string | undefined {
     : [first, second].filter(Boolean).join(' and ');
 }
 
-export const errorWords = (errors: number): string =>
-  errors === 1 ? '1 error' : `${errors} errors`;
+export const errorWords = (errors: number): string => counted(errors, 'error');
 
 /** What saving does, for people: which running sessions continue with the new code; `undefined` when none runs. [SE-26] */
 export function savedNote(users: readonly Session[]): string | undefined {
   const who = runningWords(users);
   if (who === undefined) return undefined;
-  const verb = users.filter(isAlive).length === 1 ? 'runs' : 'run';
+  const verb = plural(users.filter(isAlive).length, 'runs', 'run');
   return `${who} ${verb} the new code.`;
 }

@@ -1,4 +1,5 @@
 import type { ProcessingModule } from '@ubii/proto';
+import { plural } from '@ubii/words';
 import { isFixed, type ModuleEntry } from '../library/module-entry.ts';
 
 /**
@@ -20,5 +21,5 @@ export function importedWords(imported: number, inFile: number): string | undefi
   const left = inFile - imported;
   const all = imported === 0 ? 'Nothing to import' : `Imported ${imported} of ${inFile} modules`;
   if (left === 0) return `Imported ${imported} modules`;
-  return `${all}: ${left === 1 ? 'one' : left} ${left === 1 ? 'is a built-in module' : 'are built-in modules'}.`;
+  return `${all}: ${plural(left, 'one is a built-in module', `${left} are built-in modules`)}.`;
 }

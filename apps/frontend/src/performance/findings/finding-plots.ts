@@ -53,6 +53,7 @@ function histogramPlot(
   );
   // An empty bin at each side: the steps begin and end at the ground
   const bins = Array.from({ length: to - from + 3 }, (_, index) => from - 1 + index);
+  const isAlone = runs.length === 1;
   const summaries: string[] = [];
   const lines = runs.map(({ name, histogram }, index) => {
     const total = histogram.counts.reduce((sum, count) => sum + count, 0);
@@ -62,7 +63,7 @@ function histogramPlot(
     const top = bins[values.indexOf(Math.max(...values))]!;
     const range = `between ${edge(top)} and ${edge(top + 1)} ms`;
     summaries.push(
-      runs.length === 1
+      isAlone
         ? `Most often ${range}; all ${total} between ${edge(histogram.firstBin)} and ${edge(histogram.firstBin + histogram.counts.length)} ms.`
         : `${name}: most often ${range}.`,
     );

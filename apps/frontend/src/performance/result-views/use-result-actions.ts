@@ -1,4 +1,5 @@
 import { shallowRef, type ShallowRef } from 'vue';
+import { plural } from '@ubii/words';
 import { saveFile } from '../../files/save-file.ts';
 import type { TextFile } from '../../files/text-file.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
@@ -32,7 +33,7 @@ export function useResultActions(): {
     },
     remove(results) {
       void kept.remove(results.map(({ id }) => id));
-      const what = results.length === 1 ? `“${results[0]!.name}”` : `${results.length} results`;
+      const what = plural(results.length, `“${results[0]!.name}”`, `${results.length} results`);
       toasts.show(`Removed ${what}`, { text: 'Undo', run: () => void kept.put(...results) });
     },
     async importFiles(files) {
@@ -50,7 +51,7 @@ export function useResultActions(): {
         }
       }
       if (ids.length > 0) {
-        toasts.show(ids.length === 1 ? 'Imported 1 result' : `Imported ${ids.length} results`);
+        toasts.show(plural(ids.length, 'Imported 1 result', `Imported ${ids.length} results`));
       }
       return ids;
     },

@@ -69,7 +69,7 @@ export function withoutPlaces(spec: Init<Session>): Init<Session> {
 export function copyName(name: string, taken: ReadonlySet<string>): string {
   const base = name.replace(/ copy(?: \d+)?$/, '');
   for (let number = 1; ; number += 1) {
-    const candidate = number === 1 ? `${base} copy` : `${base} copy ${number}`;
+    const candidate = `${base} copy${number === 1 ? '' : ` ${number}`}`;
     if (!taken.has(candidate)) return candidate;
   }
 }

@@ -1,4 +1,5 @@
 import { NodeExtensionKind, type NodeInfo, type ProcessingModule } from '@ubii/proto';
+import { counted } from '@ubii/words';
 
 const KINDS: Readonly<Record<NodeExtensionKind, string>> = {
   [NodeExtensionKind.EXTERNAL]: 'other program',
@@ -12,7 +13,7 @@ export function nodeHint(node: NodeInfo): string {
   const kind = KINDS[node.node?.kind ?? NodeExtensionKind.EXTERNAL] ?? KINDS[0];
   if (!node.available) return `${kind}, away`;
   const count = node.instances;
-  return count === 0 ? kind : `${kind}, ${count} ${count === 1 ? 'module' : 'modules'}`;
+  return count === 0 ? kind : `${kind}, ${counted(count, 'module')}`;
 }
 
 /** The display name of a node; its id when unknown. */

@@ -1,4 +1,5 @@
 import type { Session } from '@ubii/proto';
+import { plural } from '@ubii/words';
 import { isAlive } from '../state/session-state.ts';
 
 /** A session, as others name it. */
@@ -68,9 +69,10 @@ export function sharedTopics(session: Session, sessions: readonly Session[]): Sh
 /** Who else writes, and what follows. */
 export function sharedWords({ topic, others }: SharedTopic): string {
   const names = others.map(({ name }) => `"${name}"`).join(', ');
-  const who =
-    others.length === 1
-      ? `The session ${names} runs and writes`
-      : `The sessions ${names} run and write`;
+  const who = plural(
+    others.length,
+    `The session ${names} runs and writes`,
+    `The sessions ${names} run and write`,
+  );
   return `${who} ${topic}, too; the last record wins.`;
 }

@@ -1,12 +1,11 @@
 import type { Limit } from '@ubii/proto';
+import { capitalised } from '@ubii/words';
 import { formatBytes } from '../../ui/readouts/format-bytes.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 import type { Readout } from '../../ui/readouts/readout.ts';
 
 /** Share of a limit from which on it is shown as almost reached. */
 export const NEAR_SHARE = 0.8;
-
-const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** One limit as a row shows it. */
 export interface LimitRow {
@@ -49,7 +48,7 @@ export function limitRow(limit: Limit): LimitRow {
   const isFull = share !== undefined && share >= 1;
   return {
     limit,
-    words: capital(name.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`)),
+    words: capitalised(name.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`)),
     allowed: limitReadout(value, unit),
     used: use && useReadout(use.value, unit),
     share,
@@ -82,6 +81,6 @@ export function groupLimits(limits: readonly Limit[], search: string): LimitGrou
     if (row.state !== 'fine') continue;
     groups.set(row.limit.group, [...(groups.get(row.limit.group) ?? []), row]);
   }
-  const quiet = [...groups].map(([group, of]) => ({ title: capital(group), rows: of }));
+  const quiet = [...groups].map(([group, of]) => ({ title: capitalised(group), rows: of }));
   return loud.length === 0 ? quiet : [{ title: 'Reached or almost reached', rows: loud }, ...quiet];
 }

@@ -10,6 +10,7 @@ import {
   type Image2D,
   type Vector3,
 } from '@ubii/proto';
+import { counted } from '@ubii/words';
 import { formatBytes } from '../../ui/readouts/format-bytes.ts';
 import { formatNumber } from '../../ui/readouts/format-number.ts';
 
@@ -61,7 +62,7 @@ function list<T>(
 
 /** The first names of things, after how many there are: `2 objects: cup, person`. */
 function named(one: string, many: string, names: readonly string[]): string {
-  const count = `${names.length} ${names.length === 1 ? one : many}`;
+  const count = counted(names.length, one, many);
   const first = names.filter((name) => name !== '').slice(0, MAX_NAMED);
   return first.length === 0 ? count : `${count}: ${text(first.map(cut).join(', '))}`;
 }

@@ -1,3 +1,5 @@
+import { counted } from '@ubii/words';
+
 import { oneLine } from '../../core/texts/one-line.ts';
 
 /** Names that one line lists. */
@@ -12,7 +14,7 @@ export function printable(text: string, maxCharacters: number): string {
 
 /** `1 session` · `3 sessions` */
 export function countSessions(names: readonly string[]): string {
-  return names.length === 1 ? '1 session' : `${names.length} sessions`;
+  return counted(names.length, 'session');
 }
 
 /** `"Hands", "Mirror" and 3 more` */

@@ -1,3 +1,5 @@
+import { capitalised } from '@ubii/words';
+
 import type { Controller } from '../../sim/index.ts';
 import type { Steering } from '../pads/stick.ts';
 
@@ -23,7 +25,7 @@ function stickWords(x: number, y: number): string {
   const upward = y > 0.38 * length ? 'up' : y < -0.38 * length ? 'down' : '';
   const sideways = x > 0.38 * length ? 'right' : x < -0.38 * length ? 'left' : '';
   const words = [upward, sideways].filter((word) => word !== '').join(' ');
-  return `${words.charAt(0).toUpperCase()}${words.slice(1)} ${percent(length)}`;
+  return `${capitalised(words)} ${percent(length)}`;
 }
 
 const percent = (share: number): string => `${Math.round(Math.abs(share) * 100)} %`;

@@ -1,3 +1,5 @@
+import { counted, plural } from '@ubii/words';
+
 import type { Player, Room } from '../../sim/index.ts';
 import { gameTexts, nextGame } from '../round/game-of.ts';
 import { placeTable } from '../round/place-table.ts';
@@ -22,14 +24,14 @@ export function winnersOf(room: Room): string {
   );
   if (names.length === 0) return 'The round is over';
   if (names.length > 2) return `${names.length} players win`;
-  return `${names.join(' and ')} ${names.length > 1 ? 'win' : 'wins'}`;
+  return `${names.join(' and ')} ${plural(names.length, 'wins', 'win')}`;
 }
 
 /** One sentence on what goes on, for who watches. */
 export function watchSentence(room: Room, game: string | undefined, playing: number): string {
   const { title } = gameTexts(game);
   const next = nextGame(room)?.title;
-  const count = playing === 1 ? '1 player' : `${playing} players`;
+  const count = counted(playing, 'player');
   switch (room.phase) {
     case 'lobby':
       return playing === 0 ? 'No players yet.' : `${count}. The game has not started.`;
@@ -38,7 +40,7 @@ export function watchSentence(room: Room, game: string | undefined, playing: num
     case 'countdown':
       return `${title} starts now with ${count}.`;
     case 'play':
-      return `${count} ${playing === 1 ? 'is' : 'are'} playing.`;
+      return `${count} ${plural(playing, 'is', 'are')} playing.`;
     case 'podium':
       return next === undefined ? 'That was the last game.' : `Next: ${next}.`;
     case 'end':

@@ -1,3 +1,5 @@
+import { counted } from '@ubii/words';
+
 import { STEPS_PER_SECOND, type Seat } from '../game.ts';
 import { NEWS_STEPS, type Hud } from '../hud.ts';
 import { standing, type HillState, type Piece } from './hill-state.ts';
@@ -34,7 +36,7 @@ function noteFor(piece: Piece, crown: Seat | undefined): string {
   const seconds = Math.floor(piece.crownSteps / STEPS_PER_SECOND);
   if (piece.seat === crown) return `king ${seconds} s`;
   if (seconds > 0) return `${seconds} s`;
-  if (piece.pushes > 0) return piece.pushes === 1 ? '1 push' : `${piece.pushes} pushes`;
+  if (piece.pushes > 0) return counted(piece.pushes, 'push', 'pushes');
   return '0 s';
 }
 

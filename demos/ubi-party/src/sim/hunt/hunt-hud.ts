@@ -1,3 +1,5 @@
+import { counted } from '@ubii/words';
+
 import type { Seat } from '../game.ts';
 import { NEWS_STEPS, type Hud } from '../hud.ts';
 import { huntHeadline } from './hunt-feedback.ts';
@@ -8,7 +10,7 @@ export function huntHud(state: HuntState, nameOf: (seat: Seat) => string): Hud {
   const { hunt, decided, points, seats } = state;
   const nowMs = nowMsOf(state);
   const notes = Object.fromEntries(
-    seats.map((seat) => [seat, points[seat] === 1 ? '1 point' : `${points[seat]} points`]),
+    seats.map((seat) => [seat, counted(points[seat] ?? 0, 'point')]),
   );
   const last = hunt && findersOf(hunt).at(-1);
   const sinceMs = last === undefined ? Infinity : nowMs - hunt!.photos[last]!.atMs;

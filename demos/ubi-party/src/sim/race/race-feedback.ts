@@ -32,5 +32,5 @@ function sentenceFor(cart: Cart | undefined): string {
   if (cart.finishedAt !== undefined) return 'You have finished. Cheer for the others.';
   if (cart.liftSteps > 0) return 'Off the track: you are put back.';
   if (cart.boostSteps > 0) return 'Boost!';
-  return cart.energy === 1 ? 'Your boost is ready.' : 'The boost fills up.';
+  return cart.energy < 1 ? 'The boost fills up.' : 'Your boost is ready.';
 }

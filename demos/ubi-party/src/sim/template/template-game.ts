@@ -1,3 +1,5 @@
+import { counted } from '@ubii/words';
+
 import { placeOf } from '../feedback.ts';
 import { placesByScore, STEP_S, STEPS_PER_SECOND, type Game, type Seat } from '../game.ts';
 import { clamp, length, unit, withinOne, type Vector } from '../plane/vector.ts';
@@ -89,7 +91,7 @@ export const templateGame: Game<TemplateState, { readonly speed: number }> = {
     return {
       place: placeOf(templateGame.places(state), seat),
       of: state.runners.length,
-      headline: found === 1 ? '1 apple' : `${found} apples`,
+      headline: counted(found, 'apple'),
       sentence: state.last?.seat === seat ? 'You found it!' : 'Look for the next apple.',
       progress: state.step / ROUND_STEPS,
       gauge: runner?.breath ?? 0,

@@ -1,4 +1,5 @@
 import type { SubscribedModule, TopicSubscribers } from '@ubii/proto';
+import { capitalised, plural } from '@ubii/words';
 
 /** How clients are called. */
 export interface WatcherNames {
@@ -33,7 +34,7 @@ export function watcherNames({ clientIds }: TopicSubscribers, names: WatcherName
   if (own === 0) return strangers;
   return [
     ...strangers,
-    own === 1 ? 'another tab of this browser' : `${own} other tabs of this browser`,
+    plural(own, 'another tab of this browser', `${own} other tabs of this browser`),
   ];
 }
 
@@ -48,23 +49,16 @@ export function moduleWords(module: SubscribedModule, names: WatcherNames): stri
 
 function sentenceOf(names: readonly string[], others: number): string {
   if (names.length + others === 0) return 'No other client receives these pictures.';
-  const kind = `${names.length > 0 ? 'other ' : ''}${others === 1 ? 'client' : 'clients'}`;
+  const kind = `${names.length > 0 ? 'other ' : ''}${plural(others, 'client')}`;
   const parts = others === 0 ? names : [...names, `${others} ${kind}`];
   const isOne = names.reduce((sum, one) => sum + countOf(one), others) === 1;
   const verb = isOne ? 'receives' : 'receive';
   const sentence = `${listOf(parts)} ${verb} these pictures.`;
-  return capital(sentence);
+  // Names of clients are left as they are
+  return sentence.replace(/^the master|^another tab/, capitalised);
 }
 
 const countOf = (name: string): number => Number(/^(\d+) other tabs/.exec(name)?.[1] ?? 1);
-
-/** Names of clients are left as they are. */
-function capital(sentence: string): string {
-  return sentence.replace(
-    /^the master|^another tab/,
-    (start) => start[0]!.toUpperCase() + start.slice(1),
-  );
-}
 
 function listOf(parts: readonly string[]): string {
   const before = parts.length > 1 ? `${parts.slice(0, -1).join(', ')} and ` : '';

@@ -1,3 +1,5 @@
+import { counted } from '@ubii/words';
+
 import { topicOfWire } from '../../live/topics-in-graph.ts';
 import { portName } from '../../model/commands/command-label.ts';
 import type { Graph } from '../../model/graph.ts';
@@ -20,7 +22,7 @@ export function placeText(graph: Graph, { node: id, port }: KeyPlace): PlaceText
     const { in: incoming, out } = wiresOf(graph, id);
     const count = incoming.length + out.length;
     const name = node.kind === 'topic' ? node.topic : nodeTitle(node);
-    const wires = count === 0 ? 'no wires' : count === 1 ? '1 wire' : `${count} wires`;
+    const wires = count === 0 ? 'no wires' : counted(count, 'wire');
     return { name, rest: `${nodeKind(node).toLowerCase()}, ${wires}` };
   }
   const ref = { node: id, port };

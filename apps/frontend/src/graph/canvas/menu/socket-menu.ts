@@ -1,3 +1,5 @@
+import { plural } from '@ubii/words';
+
 import { neutralConstant } from '../../model/new-node.ts';
 import type { Graph, PortRef } from '../../model/graph.ts';
 import { portOf } from '../../model/port-format.ts';
@@ -42,7 +44,7 @@ export function socketMenu(graph: Graph, ref: PortRef, { at }: MenuPlace): MenuE
       ? []
       : [
           action(
-            wires.length === 1 ? 'Disconnect' : `Disconnect all ${wires.length}`,
+            plural(wires.length, 'Disconnect', `Disconnect all ${wires.length}`),
             { command: { kind: 'remove', wires } },
             { isDanger: true },
           ),

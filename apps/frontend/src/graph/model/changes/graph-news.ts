@@ -1,3 +1,5 @@
+import { plural } from '@ubii/words';
+
 import { nodeName, portName } from '../commands/command-label.ts';
 import type { Graph, GraphNode } from '../graph.ts';
 import { sameValue } from './same-value.ts';
@@ -25,8 +27,11 @@ export function graphNews(before: Graph, after: Graph): GraphNews[] {
     return old === undefined || !sameValue(look(old), look(node));
   });
   if (moved.length > 0) {
-    const words =
-      moved.length === 1 ? `moved ${nodeName(moved[0])}` : `moved ${moved.length} nodes`;
+    const words = plural(
+      moved.length,
+      `moved ${nodeName(moved[0])}`,
+      `moved ${moved.length} nodes`,
+    );
     return [{ words, node: moved[0]?.id }];
   }
   const led = [...after.wires.values()].find(

@@ -1,3 +1,5 @@
+import { plural } from '@ubii/words';
+
 import { fitOf } from '../fit/fit-of.ts';
 import type { Graph, ModuleNode } from '../graph.ts';
 import { wiresOf } from '../wires-of.ts';
@@ -90,10 +92,11 @@ function* doubleWriters(graph: Graph): Iterable<GraphProblem> {
 function* cycles(graph: Graph): Iterable<GraphProblem> {
   for (const { nodes, wires } of cyclesIn(graph)) {
     const names = nodes.map((id) => quoted(nameOf(graph, id)));
-    const who =
-      names.length === 1
-        ? `The module ${names[0]} feeds itself`
-        : `The modules ${names.join(', ')} feed each other`;
+    const who = plural(
+      names.length,
+      `The module ${names[0]} feeds itself`,
+      `The modules ${names.join(', ')} feed each other`,
+    );
     const message = `${who}; see to it that the values do not grow without end.`;
     for (const [index, node] of nodes.entries())
       yield { ...warning('cycle', message), node, wires, isEcho: index > 0 };

@@ -1,3 +1,5 @@
+import { plural } from '@ubii/words';
+
 import type { GraphCommand } from '../commands/graph-command.ts';
 import type { Graph, GraphNode, Point, PortRef, Wire } from '../graph.ts';
 import { wireId } from '../graph.ts';
@@ -68,7 +70,7 @@ export function paste(graph: Graph, text: string, options: PasteOptions): Pasted
     const topics = placed.filter(({ kind, id }) => kind === 'topic' && graph.nodes.has(id));
     const added = placed.filter((node) => !topics.includes(node));
     const label =
-      options.label ?? `Paste ${placed.length === 1 ? 'a node' : `${placed.length} nodes`}`;
+      options.label ?? `Paste ${plural(placed.length, 'a node', `${placed.length} nodes`)}`;
     return {
       kind: 'nodes',
       command: { kind: 'add', nodes: added, wires, label },
@@ -87,7 +89,7 @@ export function duplicate(
   uuid: () => string,
 ): Extract<Pasted, { kind: 'nodes' }> | undefined {
   const chosen = [...ids].filter((id) => graph.nodes.get(id)?.kind !== 'topic');
-  const label = `Duplicate ${chosen.length === 1 ? 'a node' : `${chosen.length} nodes`}`;
+  const label = `Duplicate ${plural(chosen.length, 'a node', `${chosen.length} nodes`)}`;
   const pasted = paste(graph, copyText(graph, chosen), { uuid, label });
   return pasted.kind === 'nodes' && pasted.ids.length > 0 ? pasted : undefined;
 }

@@ -8,6 +8,7 @@ import {
   type IOMapping,
   type JsonValue,
 } from '@ubii/proto';
+import { capitalised } from '@ubii/words';
 import type { IoDraft, ModuleDraft } from '../draft/module-draft.ts';
 
 /** Where the values of one input come from while it is tried. */
@@ -115,7 +116,7 @@ export function recordsOf(io: IoDraft, input: TryInput): TryRecords {
     const read = constantRecord(JSON.stringify(member), format);
     if ('problem' in read) {
       const problem = read.problem.replace(/the constant/, 'this');
-      return { problem: `${problem.slice(0, 1).toUpperCase()}${problem.slice(1)}.` };
+      return { problem: `${capitalised(problem)}.` };
     }
     const topic = io.isList ? `${topicOf(io.name)}/${index + 1}` : topicOf(io.name);
     records.push({ topic, bytes: read.bytes });

@@ -1,4 +1,5 @@
 import { globToRegExpSource, type SessionProblem, type TopicMux } from '@ubii/proto';
+import { plural } from '@ubii/words';
 import { quote } from '../../texts/quote.ts';
 import type { DraftModule } from '../draft.ts';
 import { errorProblem, warningProblem } from '../problems.ts';
@@ -27,10 +28,11 @@ export const checkCycles: Check = function* (modules, context) {
 function describe(cycle: readonly Node[], isEndless: boolean): SessionProblem {
   const names = cycle.map(({ draft }) => quote(draft.spec.name));
   const { draft } = cycle[0]!;
-  const who =
-    names.length === 1
-      ? `The module ${names[0]} feeds itself`
-      : `The modules ${names.join(', ')} feed each other`;
+  const who = plural(
+    names.length,
+    `The module ${names[0]} feeds itself`,
+    `The modules ${names.join(', ')} feed each other`,
+  );
   return isEndless
     ? errorProblem({
         ...about(draft),

@@ -1,0 +1,2 @@
+export { capitalised } from './capitalised.ts';
+export { counted, plural } from './plural.ts';

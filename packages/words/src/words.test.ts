@@ -1,0 +1,34 @@
+import { describe, expect, it } from 'vitest';
+
+import { capitalised, counted, plural } from './index.ts';
+
+describe('plural', () => {
+  it.each([
+    [0, 'sessions'],
+    [1, 'session'],
+    [2, 'sessions'],
+    [21, 'sessions'],
+    [1.5, 'sessions'],
+  ])('of %d is %s', (number, expected) => {
+    expect(plural(number, 'session')).toBe(expected);
+  });
+
+  it('takes irregular forms, and parts of sentences', () => {
+    expect(plural(2, 'library', 'libraries')).toBe('libraries');
+    expect(plural(1, 'module runs', 'modules run')).toBe('module runs');
+  });
+});
+
+describe('counted', () => {
+  it('puts the number before the noun', () => {
+    expect(counted(1, 'warning')).toBe('1 warning');
+    expect(counted(3, 'library', 'libraries')).toBe('3 libraries');
+  });
+});
+
+describe('capitalised', () => {
+  it('changes the first letter only', () => {
+    expect(capitalised('saved and Started')).toBe('Saved and Started');
+    expect(capitalised('')).toBe('');
+  });
+});
