@@ -35,6 +35,14 @@ describe('image-tools', () => {
     expect(histogram?.elements).toEqual([0.5, 0.5]);
   });
 
+  it('says which value of a parameter is used in place of one that is out of its range', async () => {
+    const { histogram, error } = await run(halves(255), { bins: 999 });
+    expect(histogram?.elements).toHaveLength(256);
+    expect(error).toBe('bins is 1 to 256, not 999; 256 is used.');
+    expect((await run(halves(255), { bins: 999 })).error).toBeUndefined();
+    expect((await run(halves(255), { bins: 8 })).error).toBe('');
+  });
+
   it('crops, scales and converts, in this order', async () => {
     const { image } = await run(halves(200), { x: 0.5, width: 0.5, maxSide: 1, format: 'RGB8' });
     expect(image).toEqual({

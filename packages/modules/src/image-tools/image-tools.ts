@@ -73,14 +73,20 @@ export const imageTools = defineProcessingModule({
   mode: { triggerOnInput: {} },
   createState: (): ToolState => ({ before: undefined, error: '' }),
   async onProcessing(_deltaTimeMs, inputs, state) {
+    const faults: string[] = [];
     const number = (
-      record: NumberRecord | undefined,
+      name: keyof typeof inputs & string,
       fallback: number,
       min: number,
       max: number,
     ): number => {
+      const record = inputs[name] as NumberRecord | undefined;
       const value = record?.double ?? record?.float ?? record?.int32;
-      return Number.isFinite(value) ? Math.min(max, Math.max(min, value!)) : fallback;
+      if (value === undefined) return fallback;
+      const used = Number.isFinite(value) ? Math.min(max, Math.max(min, value)) : fallback;
+      if (used !== value)
+        faults.push(`${name} is ${min} to ${max}, not ${value}; ${used} is used.`);
+      return used;
     };
     const image = inputs.image?.image2D;
     const timestamp = inputs.image?.timestamp;
@@ -91,10 +97,11 @@ export const imageTools = defineProcessingModule({
     const vision = state.modules['vision'] as typeof Vision;
     const formats = vision.PIXEL_FORMATS;
     const wanted = inputs.format?.string ?? '';
-    const bins = Math.round(number(inputs.bins, 16, 1, 256));
+    const bins = Math.round(number('bins', 16, 1, 256));
+    const motionThreshold = number('motionThreshold', 0.1, 0, 1);
     const startedMs = performance.now();
     let decodedMs = startedMs;
-    let error = '';
+    let error: string | undefined;
     let picture: Vision.Picture | undefined;
     try {
       const format = formats.find((one) => one === wanted);
@@ -103,14 +110,14 @@ export const imageTools = defineProcessingModule({
       picture = await vision.readImage2D(image);
       decodedMs = performance.now();
       const part = {
-        x: number(inputs.x, 0, 0, 1) * picture.width,
-        y: number(inputs.y, 0, 0, 1) * picture.height,
-        width: number(inputs.width, 1, 0, 1) * picture.width,
-        height: number(inputs.height, 1, 0, 1) * picture.height,
+        x: number('x', 0, 0, 1) * picture.width,
+        y: number('y', 0, 0, 1) * picture.height,
+        width: number('width', 1, 0, 1) * picture.width,
+        height: number('height', 1, 0, 1) * picture.height,
       };
       const isWhole = part.width === picture.width && part.height === picture.height;
       if (!isWhole || part.x > 0 || part.y > 0) picture = vision.cropPicture(picture, part);
-      const maxSide = number(inputs.maxSide, 0, 0, 16_384);
+      const maxSide = number('maxSide', 0, 0, 16_384);
       const scale = maxSide / Math.max(picture.width, picture.height);
       if (maxSide >= 1 && scale < 1) {
         const sideOf = (side: number): number => Math.max(1, Math.round(side * scale));
@@ -123,17 +130,16 @@ export const imageTools = defineProcessingModule({
       error = thrown.message;
       picture = undefined;
     }
+    error ??= faults.join(' ');
     const isNewError = error !== state.error;
     state.error = error;
-    if (picture === undefined)
-      return isNewError ? { outputs: { error: { string: error } } } : undefined;
+    const newError = isNewError ? { string: error } : undefined;
+    if (picture === undefined) return newError && { outputs: { error: newError } };
 
     const { before } = state;
     state.before = picture;
     const isSameSize = before?.width === picture.width && before.height === picture.height;
-    const motion = isSameSize
-      ? vision.motionEnergy(before, picture, number(inputs.motionThreshold, 0.1, 0, 1))
-      : undefined;
+    const motion = isSameSize ? vision.motionEnergy(before, picture, motionThreshold) : undefined;
     const { width, height, data } = picture;
     const [counts = []] = vision.histogram(vision.greyPicture(picture), bins);
     return {
@@ -155,7 +161,7 @@ export const imageTools = defineProcessingModule({
         },
         decodeMs: { double: decodedMs - startedMs },
         durationMs: { double: performance.now() - startedMs },
-        error: isNewError ? { string: '' } : undefined,
+        error: newError,
       },
     };
   },

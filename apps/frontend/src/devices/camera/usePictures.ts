@@ -2,7 +2,7 @@ import type { Image2D } from '@ubii/proto';
 import { useDocumentVisibility, useIntervalFn } from '@vueuse/core';
 import { onScopeDispose, shallowReactive, watch } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
-import { RateMeter } from '../sensors/rate-meter.ts';
+import { RateMeter, SHOWN_WINDOW_MS } from '../sensors/rate-meter.ts';
 import { adaptationWords } from './adapt/adaptation-words.ts';
 import { adaptedStep, adaptPictures, FIRST_STATE } from './adapt/adapt-pictures.ts';
 import { PictureMeter } from './adapt/picture-meter.ts';
@@ -119,7 +119,7 @@ export function usePictures(options: {
       : FIRST_STATE;
     const after = adaptedStep(state, settings);
     if (after.width !== before.width || after.quality !== before.quality) sent.clear();
-    measures.adapted = adaptationWords(state, settings);
+    measures.adapted = adaptationWords(state, settings, sent.summary());
   }
   const { pause, resume } = useIntervalFn(decide, DECIDE_MS, { immediate: false });
   watch(
@@ -155,7 +155,7 @@ export function usePictures(options: {
     (isWanted, _before, onCleanup) => {
       if (!isWanted) return;
       const encoder = new PictureEncoder();
-      const meter = new RateMeter();
+      const meter = new RateMeter(undefined, SHOWN_WINDOW_MS);
       let isOver = false;
       let cancel: (() => void) | undefined;
       decidedMs = performance.now();

@@ -1,7 +1,9 @@
-/** How many moments are looked at, at most. */
-const MOMENTS = 32;
+/** How many moments are looked at in each second of the window, at most. */
+const MOMENTS_PER_S = 16;
 /** Older moments say nothing of now, milliseconds. */
 const WINDOW_MS = 2000;
+/** Of rates that people read: fewer digits that dance, milliseconds. */
+export const SHOWN_WINDOW_MS = 4000;
 /** So many of what happens seldom count for longer. */
 const MIN_MOMENTS = 4;
 
@@ -9,18 +11,23 @@ const MIN_MOMENTS = 4;
 export class RateMeter {
   readonly #atMs: number[] = [];
   readonly #staleMs: number;
+  readonly #windowMs: number;
 
-  /** @param staleMs without anything for this long, nothing comes any more, milliseconds */
-  constructor(staleMs = 1000) {
+  /**
+   * @param staleMs without anything for this long, nothing comes any more, milliseconds
+   * @param windowMs what is older does not count, milliseconds
+   */
+  constructor(staleMs = 1000, windowMs = WINDOW_MS) {
     this.#staleMs = staleMs;
+    this.#windowMs = windowMs;
   }
 
   /** It happened. */
   note(nowMs: number): void {
     const moments = this.#atMs;
     moments.push(nowMs);
-    if (moments.length > MOMENTS) moments.shift();
-    while (moments.length > MIN_MOMENTS && moments[0]! < nowMs - WINDOW_MS) moments.shift();
+    if (moments.length > (this.#windowMs / 1000) * MOMENTS_PER_S) moments.shift();
+    while (moments.length > MIN_MOMENTS && moments[0]! < nowMs - this.#windowMs) moments.shift();
   }
 
   /** Forgets what was: something else is measured from now on. */

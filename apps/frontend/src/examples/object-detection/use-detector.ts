@@ -1,4 +1,5 @@
-import { shallowRef, watch, type Ref } from 'vue';
+import { computed, shallowRef, watch, type Ref } from 'vue';
+import { useKeptChoice } from '../pictures/use-kept-choice.ts';
 import type { useDevice } from '../../devices/use-device.ts';
 import type { SEEING_COMPONENTS } from './seeing-topics.ts';
 
@@ -11,16 +12,23 @@ export type DetectorName = (typeof DETECTORS)[number]['value'];
 
 type SeeingDevice = ReturnType<typeof useDevice<typeof SEEING_COMPONENTS>>;
 
-/** Which detector looks at the pictures, and what is wrong with it. */
-export function useDetector(threshold: Ref<number>) {
+/** Which detector looks at the pictures, with which threshold, and what is wrong with it. */
+export function useDetector() {
   const name = shallowRef<DetectorName>('centernet');
   /** What the module says of detector, backend and pictures; empty when all is well. */
   const problem = shallowRef('');
-  watch(name, (value) => {
-    threshold.value = DETECTORS.find((one) => one.value === value)!.threshold;
+  const thresholds = useKeptChoice<Record<string, number>>(
+    'thresholds',
+    Object.fromEntries(DETECTORS.map(({ value, threshold }) => [value, threshold])),
+  );
+  const threshold = computed({
+    get: () => thresholds.value[name.value]!,
+    set: (value) => (thresholds.value = { ...thresholds.value, [name.value]: value }),
   });
   return {
     name,
+    /** Of this detector; each keeps its own. */
+    threshold,
     problem,
     /** Tells the module, now, with each change, and again after a restart of the master. */
     publishOn(

@@ -5,7 +5,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
 import { seeingSession, type Seen } from '../../devices/camera/seeing-session.ts';
 import type { TakenPicture } from '../../devices/camera/usePictures.ts';
-import { RateMeter } from '../../devices/sensors/rate-meter.ts';
+import { RateMeter, SHOWN_WINDOW_MS } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
@@ -35,8 +35,8 @@ export function useObjectDetection(sources: PictureSources) {
   const { client, isConnected, name } = useConnection();
   const { isOn, wasEnded } = useIsOn(sources);
   const place = useKeptPlace();
-  const threshold = useKeptChoice('threshold', 0.4);
-  const detector = useDetector(threshold);
+  const detector = useDetector();
+  const { threshold } = detector;
   const looksFor = useKeptChoice<Record<Seen, boolean>>('looks-for', {
     objects: true,
     bodies: false,
@@ -66,6 +66,8 @@ export function useObjectDetection(sources: PictureSources) {
   const newest = new Map<Seen, { readonly record: TopicRecord; readonly atMs: number }>();
   const times = new StageTimes();
   const results = new RateMeter(HOLD_MS);
+  /** As the pictures that are sent are counted: both are shown side by side. */
+  const shown = new RateMeter(HOLD_MS, SHOWN_WINDOW_MS);
   const made = new Map<number, Pick<TakenPicture, 'captureMs' | 'encodeMs'>>();
   let decodeMs: number | undefined;
   let result: { readonly takenMs: number; readonly arrivedMs: number } | undefined;
@@ -81,6 +83,7 @@ export function useObjectDetection(sources: PictureSources) {
     hasChanged = true;
     if (what !== 'objects') return;
     results.note(performance.now());
+    shown.note(performance.now());
     const takenMs = record.timestampMs;
     result = takenMs === undefined ? undefined : { takenMs, arrivedMs: client.masterTime.nowMs() };
   }
@@ -187,6 +190,7 @@ export function useObjectDetection(sources: PictureSources) {
   watch([place, () => sources.kind.value, isOn], () => {
     clearTimes();
     results.clear();
+    shown.clear();
     stages.value = undefined;
     backend.value = '';
     detector.problem.value = '';
@@ -219,7 +223,7 @@ export function useObjectDetection(sources: PictureSources) {
     }
     const nowMs = performance.now();
     stages.value = times.summary(client.masterTime.nowMs(), clocks.errorMs());
-    rates.value = { sentHz: measures.rateHz, seenHz: results.rateHz(nowMs) };
+    rates.value = { sentHz: measures.rateHz, seenHz: shown.rateHz(nowMs) };
     const detect = stages.value?.stages.find(({ name }) => name === 'Detect');
     if (detect && backend.value !== '') {
       placeMs.value = new Map(placeMs.value).set(place.value, {

@@ -244,4 +244,17 @@ describe('what is said of it', () => {
       '640 → 480 px, quality 80 → 50 %, because 500 kB/s reach the master; 30 → 4 Hz, because modules take 4 pictures a second.',
     );
   });
+
+  it('tells rates as they are, and what pictures wait for', () => {
+    const sent = { bytes: 20_000, encodeMs: 5, leaveMs: 4, rateHz: 2.4, bytesPerSecond: 48_000 };
+    const slow = { ...FIRST_STATE, deviceHz: 6, encodeMs: 100 };
+    expect(adaptationWords(slow, WANTED, sent)).toBe('30 → 2.4 Hz, because this device is busy.');
+    expect(adaptationWords(slow, WANTED, { ...sent, rateHz: 5.5 })).toBe(
+      '30 → 6 Hz, because this device encodes slowly.',
+    );
+    expect(adaptationWords(FIRST_STATE, WANTED, { ...sent, leaveMs: 350 })).toBe(
+      '30 → 2.4 Hz, because 48 kB/s reach the master.',
+    );
+    expect(adaptationWords(FIRST_STATE, WANTED, { ...sent, rateHz: 28 })).toBeUndefined();
+  });
 });

@@ -3,19 +3,31 @@ import { formatNumber } from '../../../ui/readouts/format-number.ts';
 import type { PictureSettings } from '../encode-picture.ts';
 import { adaptedStep, type AdaptState } from './adapt-pictures.ts';
 import { pictureLadder } from './picture-ladder.ts';
+import type { SentSummary } from './picture-meter.ts';
 
 /** Smaller differences of the rate are no change. */
 const SAME_RATE = 0.97;
+/** Fewer pictures leave than were decided on. */
+const BEHIND = 0.8;
+/** Of the time between two pictures, that in which one leaves: more, and the network is what they wait for. */
+const MUCH_LEAVING = 0.5;
 
-/** What is sent otherwise than wanted, and why, in one sentence; `undefined` when nothing is. */
+/**
+ * What is sent otherwise than wanted, and why, in one sentence; `undefined` when nothing is.
+ *
+ * @param sent what was measured of the pictures that left; rates are told as they are, not as they were decided on
+ */
 export function adaptationWords(
   state: AdaptState,
   wanted: Readonly<PictureSettings>,
+  sent?: SentSummary,
 ): string | undefined {
   const ladder = pictureLadder(wanted);
   const ofLink = ladder[Math.min(state.level, ladder.length - 1)]!;
-  const rateHz = adaptedStep(state, wanted).rateHz;
-  const isLinksRate = rateHz >= ofLink.rateHz;
+  const decidedHz = adaptedStep(state, wanted).rateHz;
+  const isBehind = sent !== undefined && sent.rateHz < BEHIND * decidedHz;
+  const rateHz = isBehind ? sent.rateHz : decidedHz;
+  const isLinksRate = isBehind ? waitsForLink(sent) : decidedHz >= ofLink.rateHz;
   const byLink = [
     ...(ofLink.width < wanted.width ? [`${wanted.width} → ${ofLink.width} px`] : []),
     ...(ofLink.quality < wanted.quality
@@ -24,16 +36,22 @@ export function adaptationWords(
     ...(isLinksRate ? rateChange(wanted.rateHz, rateHz) : []),
   ];
   const byOthers = isLinksRate ? [] : rateChange(wanted.rateHz, rateHz);
+  const otherReason = isBehind ? 'this device is busy' : rateReason(state);
   const parts = [
-    ...(byLink.length > 0 ? [`${byLink.join(', ')}, because ${linkReason(state)}`] : []),
-    ...(byOthers.length > 0 ? [`${byOthers.join()}, because ${rateReason(state)}`] : []),
+    ...(byLink.length > 0 ? [`${byLink.join(', ')}, because ${linkReason(state, sent)}`] : []),
+    ...(byOthers.length > 0 ? [`${byOthers.join()}, because ${otherReason}`] : []),
   ];
   return parts.length === 0 ? undefined : `${parts.join('; ')}.`;
 }
 
+function waitsForLink({ leaveMs, rateHz }: SentSummary): boolean {
+  return (leaveMs * rateHz) / 1000 > MUCH_LEAVING;
+}
+
 /** What came through before the level was lowered. A slow network and a busy machine look the same from here. */
-function linkReason({ linkBytesPerSecond = 0 }: AdaptState): string {
-  const { digits, unit } = formatBytes(linkBytesPerSecond, 'B/s');
+function linkReason({ linkBytesPerSecond }: AdaptState, sent: SentSummary | undefined): string {
+  const bytesPerSecond = linkBytesPerSecond ?? sent?.bytesPerSecond ?? 0;
+  const { digits, unit } = formatBytes(bytesPerSecond, 'B/s');
   return `${digits} ${unit} reach the master`;
 }
 
