@@ -193,7 +193,7 @@ test('what is changed on the disk of the master appears, and asks when both chan
   await change('2 * inputs', '7 * inputs');
   await editor.expectCode('7 * inputs.value.double');
 
-  const description = editor.about.getByLabel('Description');
+  const description = editor.about.getByLabel('Description', { exact: true });
   await description.fill('Mine.');
   await change('7 * inputs', '9 * inputs');
   const question = anna.page.getByRole('alert', { name: 'Changed on both sides' });
