@@ -35,6 +35,7 @@ const noNode = {
     'qrcode',
     '@ubii/patterns/re2',
     '@ubii/program',
+    '@ubii/timing/system',
   ],
   message: 'The core is pure: take a port in the constructor and implement it in src/adapters.',
 };
@@ -51,7 +52,10 @@ const noRuntimes = {
   message: 'The wire knows nothing of those who run modules.',
 };
 const noPlatform = {
-  group: ['node:*', 'esbuild', '**/node/**', '**/browser/**', '**/module-folder/**'],
+  group: [
+    ...['node:*', 'esbuild', '@ubii/timing/system'],
+    ...['**/node/**', '**/browser/**', '**/module-folder/**'],
+  ],
   message:
     'The core of the sandbox is pure: `node`, `browser` and `module-folder` are its adapters.',
 };
@@ -181,7 +185,7 @@ export default ts.config(
   },
   { files: ['packages/client-web/**'], rules: restrict(noApps, noVue, noModules) },
   {
-    files: ['packages/{discovery,patterns,program,words}/**'],
+    files: ['packages/{discovery,patterns,program,timing,words}/**'],
     rules: restrict(noApps, noVue, noClient, noRuntimes, noModules),
   },
   { files: ['packages/pm-sandbox/**'], rules: restrict(noApps, noVue, noClient, noModules) },

@@ -12,6 +12,7 @@ const everywhere = [
   'packages/proto',
   'packages/patterns',
   'packages/words',
+  'packages/timing',
   'packages/pm-sandbox',
   'packages/modules',
   'demos/ubi-party',

@@ -1,0 +1,1 @@
+export { SystemClock, systemClock, type SystemClockOptions } from './system-clock.ts';
