@@ -15,7 +15,7 @@ import { limitsOfMachine, openSandboxes } from './adapters/processing/open-sandb
 import { TrustedLibrary } from './adapters/processing/trusted-library.ts';
 import { createMaster, DEFAULT_LIMITS, fitConnections } from './index.ts';
 import type { LogTail, Master, TerminalAccess } from './index.ts';
-import { SystemClock } from './adapters/clock/system-clock.ts';
+import { PreciseSystemClock } from './adapters/clock/precise-system-clock.ts';
 import { describeConfig } from './adapters/config/describe-config.ts';
 import { prepareDataDir } from './adapters/config/prepare-data-dir.ts';
 import { BodyDecoder } from './adapters/http/bodies/body-decoder.ts';
@@ -144,7 +144,7 @@ export async function startMaster({
       lan.https !== undefined,
     );
 
-  const clock = new SystemClock(log);
+  const clock = new PreciseSystemClock(log);
   const assetSets = new StoredAssetSets({
     assets,
     folder: modelsFolder,

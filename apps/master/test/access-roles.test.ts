@@ -98,7 +98,7 @@ describe('publishing [AC-24]', () => {
       `/ubii/client/${player.id}`,
     ];
     for (const topic of refused) {
-      master.clock.advance(200); // Errors are told at a rate.
+      master.clock.advanceSync(200); // Errors are told at a rate.
       expect([topic, published(player, topic)]).toEqual([topic, 'permission_denied']);
     }
     expect(ada.takeRecords().map(({ topic }) => topic)).toEqual([
@@ -122,7 +122,7 @@ describe('publishing [AC-24]', () => {
       await joinAs(master, ACCESS_ROLE_VIEWER),
     ];
     const says = (client: TestClient, format: 'string' | 'double', value: string | number) => {
-      master.clock.advance(200); // Errors are told at a rate.
+      master.clock.advanceSync(200); // Errors are told at a rate.
       client.takeErrors();
       client.publish(FAREWELL_TOPIC, format, value);
       return client.takeErrors()[0]?.code ?? '';
@@ -206,7 +206,7 @@ describe('subscribing [AC-25]', () => {
       };
       await ada.call({ topic: '/services/device/registration', device: late });
     }
-    master.clock.advance(100);
+    master.clock.advanceSync(100);
     const topics = new Set(player.takeRecords().map(({ topic }) => topic));
     expect([...topics].filter((topic) => !topic.startsWith('/game/')).sort()).toEqual([
       `/ubii/client/${player.id}`,

@@ -103,7 +103,7 @@ describe('guessing codes [AC-17]', () => {
     expect(await problemOf(master, stranger(code, '192.168.1.51'))).toBe(
       JoinProblem.JOIN_PROBLEM_NONE,
     );
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     expect(await problemOf(master, stranger(code))).toBe(JoinProblem.JOIN_PROBLEM_NONE);
   });
 

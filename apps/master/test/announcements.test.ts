@@ -58,16 +58,16 @@ describe('announcements', () => {
     }
     sentBytes(watcher);
     for (let i = 0; i < 200; i++) await register({ name: `ada ${i}` });
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     expect(sentBytes(watcher)).toBeLessThan(64 * 1024);
     for (let i = 0; i < 60; i++) {
       for (let j = 0; j < 20; j++) await register({ name: `eve ${i} ${j}` });
-      master.clock.advance(1_000);
+      master.clock.advanceSync(1_000);
     }
     const bytes = sentBytes(watcher);
     expect(bytes).toBeLessThan(61 * 16 * 1024);
     await register({ name: 'the last' });
-    master.clock.advance(3_000);
+    master.clock.advanceSync(3_000);
     const news = watcher.takeRecords().filter(({ topic }) => topic === `/ubii/client/${ada.id}`);
     expect(news.at(-1)).toMatchObject({ value: { name: 'the last', state: ClientState.ACTIVE } });
     expect(news.filter(({ value }) => (value as Client).name === 'the last')).toHaveLength(1);
@@ -138,7 +138,7 @@ describe('announcements', () => {
       });
       expect(error).toBeUndefined();
     }
-    master.clock.advance(10_000);
+    master.clock.advanceSync(10_000);
     const changes = watcher
       .takeRecords()
       .filter(({ topic }) => topic === '/info/session/change')
@@ -177,7 +177,7 @@ describe('announcements', () => {
     expect(sentBytes(watcher)).toBeLessThan(3 * (32 + 4 + 4) * 1024 * 1024);
     expect((await start(other)).error).toBeUndefined();
     await stop();
-    master.clock.advance(10_000);
+    master.clock.advanceSync(10_000);
     expect((await start(guest)).error).toBeUndefined();
   });
 
@@ -189,7 +189,7 @@ describe('announcements', () => {
     expect(news.at(-1)).toMatchObject({
       value: { name: 'ada 1999', state: ClientState.UNAVAILABLE },
     });
-    master.clock.advance(60_000);
+    master.clock.advanceSync(60_000);
     expect(watcher.takeRecords().map(({ topic }) => topic)).not.toContain(`/ubii/client/${ada.id}`);
   });
 });

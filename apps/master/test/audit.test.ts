@@ -140,7 +140,7 @@ describe('the audit log', () => {
     await flood(500);
     const { kept, entries } = await read(master, { count: 500 });
     expect(kept).toBe(61); // a minute of them, and the invitation
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     await flood(1);
     expect((await read(master)).entries[0]).toMatchObject({ leftOut: 440 });
     for (const line of master.audit.lines) expect(line.length).toBeLessThan(2_048);
@@ -149,7 +149,7 @@ describe('the audit log', () => {
     expect((await read(master)).entries[0]).toMatchObject({ object: 'other', leftOut: 0 });
     expect(entries[0]!.object.length).toBeLessThanOrEqual(200);
     for (let i = 0; i < 200; i++) {
-      master.clock.advance(1_000);
+      master.clock.advanceSync(1_000);
       await flood(1);
     }
     expect((await read(master)).kept).toBe(150);

@@ -160,7 +160,7 @@ describe('throttling a client', () => {
     await throttle(master, ben, 5);
     for (let i = 0; i < 20; i++) ben.publish('/a', 'double', i);
     expect(mara.takeValues()).toHaveLength(5);
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     for (let i = 0; i < 20; i++) ben.publish('/a', 'double', i);
     expect(mara.takeValues()).toHaveLength(5);
     expect(await activity(master, ben)).toMatchObject({
@@ -220,7 +220,7 @@ describe('throttling a client', () => {
     await throttle(master, ben, 0.1);
     for (let second = 0; second < 20; second++) {
       ben.publish('/a', 'double', second);
-      master.clock.advance(1_000);
+      master.clock.advanceSync(1_000);
     }
     expect((await activity(master, ben)).recordsIn).toBe(2);
   });

@@ -34,7 +34,7 @@ describe('the client report', () => {
     const before = await of(ada);
     expect(before).toMatchObject({ recordsIn: 10, recordsInPerSecond: 0 });
     expect((await report()).measuredMs).toBe(0);
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     const adas = await of(ada);
     const bens = await of(ben);
     expect((await report()).measuredMs).toBe(1_000);
@@ -42,7 +42,7 @@ describe('the client report', () => {
     expect(adas.bytesInPerSecond).toBe(adas.bytesIn);
     expect(bens).toMatchObject({ recordsIn: 0, recordsOut: 10, recordsOutPerSecond: 10 });
     expect(bens.bytesOut).toBe(adas.bytesIn);
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     expect(await of(ada)).toMatchObject({ recordsIn: 10, recordsInPerSecond: 0, workShare: 0 });
   });
 
@@ -51,7 +51,7 @@ describe('the client report', () => {
     ada.socket.handleText('PING 1');
     expect((await of(ada)).clock).toBeUndefined();
     ada.socket.handleText('PING 2 -3600000.500 0.250 -12.5');
-    master.clock.advance(300);
+    master.clock.advanceSync(300);
     expect((await of(ada)).clock).toEqual({
       offsetMs: -3600000.5,
       errorMs: 0.25,
@@ -64,7 +64,7 @@ describe('the client report', () => {
   it('says when it came, when it was heard of, and how far away it is [EX-25]', async () => {
     const { master, ada, of } = await createRoom();
     const startedMs = master.clock.nowMs();
-    master.clock.advance(1_200);
+    master.clock.advanceSync(1_200);
     ada.socket.handleText('PONG');
     expect(await of(ada)).toMatchObject({
       firstSeenMs: startedMs,
@@ -138,7 +138,7 @@ describe('the client report', () => {
     const { master, ada, ben, of } = await createRoom();
     await ben.subscribe({ subscribeTopics: ['/a'] });
     for (let i = 0; i < 100; i++) ada.publish('/a', 'bool', true);
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     const [adas, bens] = [await of(ada), await of(ben)];
     expect(adas.workShare + bens.workShare).toBeCloseTo(1);
     expect(bens.workShare).toBeGreaterThan(0.08);

@@ -9,6 +9,7 @@ import { createMemoryServices, createMemoryTopicData, settle } from '@ubii/clien
 import type { MemoryConnection, MemoryMaster, MemoryPeer } from '@ubii/client-web/testing';
 import { encodeErrorFrame, encodeRecordListFrame, recordFrameHeader } from '@ubii/proto/wire';
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
 import type {
   CallerFacts,
   CallerStanding,
@@ -16,7 +17,7 @@ import type {
   ConnectionHandle,
   Limits,
 } from '../src/index.ts';
-import { FakeClock, TestMaster, type TestMasterOptions } from '../src/testing/index.ts';
+import { TestMaster, type TestMasterOptions } from '../src/testing/index.ts';
 
 /** Time passes in steps of this size, with a turn for promises after each, milliseconds. */
 const STEP_MS = 50;
@@ -74,10 +75,10 @@ export class ClientWorld implements MemoryMaster {
   /** Lets time pass, for master and clients. */
   async pass(durationMs: number): Promise<void> {
     await settle();
-    this.clock.advance(0);
+    this.clock.advanceSync(0);
     await settle();
     for (let passedMs = 0; passedMs < durationMs; passedMs += STEP_MS) {
-      this.clock.advance(Math.min(STEP_MS, durationMs - passedMs));
+      this.clock.advanceSync(Math.min(STEP_MS, durationMs - passedMs));
       await settle();
     }
   }
@@ -116,7 +117,7 @@ export class ClientWorld implements MemoryMaster {
     );
     void Promise.resolve().then(() => {
       afterReply();
-      this.clock.endTurn();
+      this.clock.endTurnSync();
     });
     return reply;
   }
@@ -136,23 +137,23 @@ export class ClientWorld implements MemoryMaster {
     // The edge refuses the upgrade: to a client, a link that never came up.
     if (this.#test.master.refuseConnection(wanted, caller) !== undefined) return undefined;
     const handle = this.#test.master.openConnection(wanted, new PeerConnection(peer), caller);
-    this.clock.endTurn();
+    this.clock.endTurnSync();
     if (handle === undefined) return undefined;
     const open = { peer, handle };
     this.#open.add(open);
     return {
       handleBinary: (bytes) => {
         handle.handleBinary(bytes);
-        this.clock.endTurn();
+        this.clock.endTurnSync();
       },
       handleText: (text) => {
         handle.handleText(text);
-        this.clock.endTurn();
+        this.clock.endTurnSync();
       },
       handleClose: () => {
         this.#open.delete(open);
         handle.handleClose();
-        this.clock.endTurn();
+        this.clock.endTurnSync();
       },
     };
   }

@@ -50,7 +50,7 @@ describe('connections', () => {
   it('[AC-61] of one address give way to its next ones when they had time to say who they are', () => {
     const { master, connect, cut } = world();
     for (let i = 0; i < 4; i++) connect('10.0.0.1');
-    master.clock.advance(3_000);
+    master.clock.advanceSync(3_000);
     expect(connect('10.0.0.1')).toBeDefined();
     expect(cut).toEqual(['10.0.0.1 #1']);
   });
@@ -99,10 +99,10 @@ describe('connections', () => {
     const local = connect('127.0.0.1')!;
     asked.handleRequest();
     connect('10.0.0.2');
-    master.clock.advance(DEFAULT_LIMITS.headersTimeoutMs - 1_000);
+    master.clock.advanceSync(DEFAULT_LIMITS.headersTimeoutMs - 1_000);
     local.handleRequest();
     expect(cut).toEqual([]);
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     expect(cut).toEqual(['10.0.0.2 #3']);
   });
 

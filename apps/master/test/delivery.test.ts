@@ -26,7 +26,7 @@ describe('delivery', () => {
     ada.send('/b', 'double', 2);
     ada.send('/a', 'double', 3);
     expect(ben.connection.sent).toEqual([]);
-    master.clock.endTurn();
+    master.clock.endTurnSync();
     expect(ben.connection.batches.splice(0)).toHaveLength(1);
     ada.publish('/a', 'double', 4);
     expect(ben.connection.batches).toHaveLength(1);
@@ -39,7 +39,7 @@ describe('delivery', () => {
     await cleo.subscribe({ subscribeTopicRegexp: ['^/[ab]$'] });
     ada.send('/a', 'double', 1);
     ada.send('/b', 'double', 2);
-    master.clock.endTurn();
+    master.clock.endTurnSync();
     expect(cleo.connection.batches[0]).toBe(ben.connection.batches[0]);
   });
 
@@ -47,7 +47,7 @@ describe('delivery', () => {
     const { master, ada, ben } = await createPair({ limits: { batchBytes: 100 } });
     const record = encodeRecord({ topic: '/a', format: 'string', value: 'x'.repeat(40) });
     ada.sendRecords(...Array.from({ length: 5 }, () => record));
-    master.clock.endTurn();
+    master.clock.endTurnSync();
     expect(ben.connection.batches.map((batch) => batch.records.length)).toEqual([3, 2]);
     ada.publish('/a', 'double', 1);
     expect(ben.connection.batches).toHaveLength(3);
@@ -177,7 +177,7 @@ describe('delivery', () => {
     ben.connection.stall();
     for (let i = 0; i < 65; i++) {
       ada.publish('/a', 'double', i);
-      master.clock.advance(500);
+      master.clock.advanceSync(500);
       if (ben.closed === undefined) ben.socket.handleText('PONG');
     }
     expect(ben.closed).toEqual({ code: 4009, reason: 'too slow' });
@@ -192,7 +192,7 @@ describe('delivery', () => {
     for (let i = 0; i < 200; i++) {
       ada.publish('/a', 'double', i);
       ben.connection.take(1);
-      master.clock.advance(500);
+      master.clock.advanceSync(500);
       ben.socket.handleText('PONG');
     }
     expect(ben.closed).toBeUndefined();
@@ -203,7 +203,7 @@ describe('delivery', () => {
     ben.connection.stall();
     ada.publish('/a', 'double', 1);
     ben.connection.take();
-    master.clock.advance(500);
+    master.clock.advanceSync(500);
     expect(ben.takeValues()).toEqual([['/a', 1]]);
   });
 

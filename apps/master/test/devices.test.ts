@@ -108,7 +108,7 @@ describe('devices', () => {
     const { master, ada, ben, register, deregister } = await createPair();
     ada.publish('/a', 'double', 1);
     const { device } = await register(ben, { deviceType: DeviceType.WATCHER });
-    master.clock.advance(25);
+    master.clock.advanceSync(25);
     expect(ben.takeValues()).toContainEqual(['/a', 1]);
     ada.publish('/b', 'double', 2);
     ada.publish('/a', 'double', 3);

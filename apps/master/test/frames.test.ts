@@ -11,7 +11,7 @@ describe('the topic-data socket', () => {
       () => master.ada.socket.handleText('PONG'),
       () => master.ada.socket.handleBinary(text('PONG')),
     ]) {
-      clock.advance(1_500);
+      clock.advanceSync(1_500);
       expect(master.ada.takeSent()).toContainEqual({ kind: 'PING' });
       pong();
       expect(master.ada.takeSent()).toEqual([]);

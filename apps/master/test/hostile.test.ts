@@ -206,10 +206,10 @@ describe('a hostile client', () => {
     const record = encodeRecord({ topic: '/ada', format: 'string', value: 'x'.repeat(1000) });
     for (let i = 0; i < 20_000; i++) {
       ada.sendRecords(record);
-      if (i % 10 === 0) master.clock.endTurn();
+      if (i % 10 === 0) master.clock.endTurnSync();
       if (i % 100 === 0) ben.takeSent();
     }
-    master.clock.endTurn();
+    master.clock.endTurnSync();
     ben.takeSent();
     expect(mallory.connection.batches).toEqual([]);
   });

@@ -48,12 +48,12 @@ describe('kept values', () => {
     keep(eva, '/eva', 2);
     ada.drop(LEFT);
     eva.drop();
-    master.clock.advance(11_000);
+    master.clock.advanceSync(11_000);
     expect(await topics()).toEqual(['/light', '/eva']);
     expect(await valueOf('/light')).toBe(0.5);
-    master.clock.advance(9 * MINUTE_MS);
+    master.clock.advanceSync(9 * MINUTE_MS);
     expect(await valueOf('/eva')).toBe(2);
-    master.clock.advance(MINUTE_MS + 1_000);
+    master.clock.advanceSync(MINUTE_MS + 1_000);
     expect(await topics()).toEqual([]);
   });
 
@@ -67,7 +67,7 @@ describe('kept values', () => {
     ben.publish('/by another', 'double', 2);
     ada.drop(LEFT);
     expect(await topics()).toEqual(['/long']);
-    master.clock.advance(MINUTE_MS + 500);
+    master.clock.advanceSync(MINUTE_MS + 500);
     expect(await topics()).toEqual([]);
   });
 
@@ -86,11 +86,11 @@ describe('kept values', () => {
     const { master, ada, topics, comeBack } = await createWorld();
     keep(ada, '/light', 0.5);
     ada.drop(LEFT);
-    master.clock.advance(9 * MINUTE_MS);
+    master.clock.advanceSync(9 * MINUTE_MS);
     const again = await comeBack(ada);
     again.open();
     for (let i = 0; i < 20; i++) {
-      master.clock.advance(4_000);
+      master.clock.advanceSync(4_000);
       again.socket.handleText('PONG');
     }
     expect(await topics()).toEqual(['/light']);
@@ -104,7 +104,7 @@ describe('kept values', () => {
     keep(ada, '/light', 0.5);
     ada.drop(LEFT);
     ben.publish('/light', 'double', 0.7);
-    master.clock.advance(0);
+    master.clock.advanceSync(0);
     const again = await comeBack(ada);
     again.open();
     again.drop(LEFT);
@@ -146,7 +146,7 @@ describe('kept values', () => {
     for (let n = 0; n < 20; n++) other.publish(`/${other.id}/${n}`, 'double', n);
     expect(other.takeErrors()).toEqual([]);
     other.drop(LEFT);
-    master.clock.advance(11 * MINUTE_MS);
+    master.clock.advanceSync(11 * MINUTE_MS);
     expect(await used(master, 'topics')).toBe(before);
     expect(await used(master, 'retainedBytes')).toBe(bytesBefore);
   });

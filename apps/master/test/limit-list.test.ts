@@ -41,7 +41,7 @@ describe('the list of limits', () => {
     ada.publish('/a', 'double', 1);
     for (let i = 0; i < 7; i++) ben.publish('/b', 'double', i);
     ben.publish('/c', 'double', 1);
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     const uses = Object.fromEntries((await read(master)).map(({ name, use }) => [name, use]));
     expect(uses).toMatchObject({
       clients: { value: 2, clientId: '' },

@@ -102,9 +102,9 @@ describe('the limits', () => {
     const master = new TestMaster({ limits: { recordsPerSecond: 10 } });
     const ada = await master.legacy('ada');
     await ada.subscribe({ subscribeTopics: ['/a'] });
-    master.clock.advance(1000);
+    master.clock.advanceSync(1000);
     for (let i = 0; i < 20; i++) ada.publish('/a', 'double', i);
-    master.clock.advance(300);
+    master.clock.advanceSync(300);
     for (let i = 20; i < 40; i++) ada.publish('/a', 'double', i);
     expect(ada.takeValues().map(([, value]) => value)).toEqual([
       ...[0, 1, 2, 3, 4, 5, 6, 7, 8, 9],

@@ -103,9 +103,9 @@ describe('lists', () => {
     const { master, ada, ben, clients, devices, components } = await createHouse();
     ada.drop();
     expect(await devices()).toEqual(['phone', 'pen']);
-    master.clock.advance(9_500);
+    master.clock.advanceSync(9_500);
     ben.socket.handleText('PONG');
-    master.clock.advance(500);
+    master.clock.advanceSync(500);
     expect(await clients()).toEqual(['ada', 'ben']);
     expect(await devices()).toEqual(['pen']);
     expect(await components({})).toEqual(['tip']);

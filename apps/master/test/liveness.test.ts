@@ -20,15 +20,15 @@ describe('liveness', () => {
   it('goes from active to inactive to unavailable, and back with its next activity [CL-10] [CL-13]', async () => {
     const { clock, ada, state } = await createAda();
     const seen = [await state()];
-    clock.advance(4_999);
+    clock.advanceSync(4_999);
     seen.push(await state());
-    clock.advance(501);
+    clock.advanceSync(501);
     seen.push(await state());
     ada.socket.handleText('PONG');
     seen.push(await state());
-    clock.advance(9_500);
+    clock.advanceSync(9_500);
     seen.push(await state());
-    clock.advance(500);
+    clock.advanceSync(500);
     seen.push(await state());
     ada.socket.handleText('PONG');
     seen.push(await state());
@@ -49,7 +49,7 @@ describe('liveness', () => {
     'counts %s as activity [CL-11]',
     async (_, sign) => {
       const { clock, ada, state } = await createAda();
-      clock.advance(20_000);
+      clock.advanceSync(20_000);
       expect(await state()).toBe(UNAVAILABLE);
       await sign(ada);
       expect(await state()).toBe(ACTIVE);
@@ -58,7 +58,7 @@ describe('liveness', () => {
 
   it('does not count the request of another as activity [CL-11]', async () => {
     const { master, clock, ada, state } = await createAda();
-    clock.advance(20_000);
+    clock.advanceSync(20_000);
     await master.call({ topic: '/services/client/get_list' });
     await master.call({ topic: '/services/client/registration', client: { id: ada.id } });
     expect(await state()).toBe(UNAVAILABLE);
@@ -67,14 +67,14 @@ describe('liveness', () => {
   it('pings who said nothing for a second, every half second [CL-12]', async () => {
     const { clock, ada } = await createAda();
     const pings = () => ada.takeSent().filter(({ kind }) => kind === 'PING').length;
-    clock.advance(999);
+    clock.advanceSync(999);
     expect(pings()).toBe(0);
-    clock.advance(1);
+    clock.advanceSync(1);
     expect(pings()).toBe(1);
-    clock.advance(1_000);
+    clock.advanceSync(1_000);
     expect(pings()).toBe(2);
     ada.socket.handleText('PONG');
-    clock.advance(999);
+    clock.advanceSync(999);
     expect(pings()).toBe(0);
   });
 
@@ -83,7 +83,7 @@ describe('liveness', () => {
     let pings = 0;
     for (let i = 0; i < 110; i++) {
       ada.publish('/a', 'double', i);
-      clock.advance(100);
+      clock.advanceSync(100);
       for (const { kind } of ada.takeSent()) {
         if (kind !== 'PING') continue;
         pings++;
@@ -95,13 +95,13 @@ describe('liveness', () => {
 
   it('notices a closed socket at once, and counts from there [CL-13]', async () => {
     const { clock, ada, state } = await createAda();
-    clock.advance(4_000);
+    clock.advanceSync(4_000);
     ada.socket.handleText('PONG');
     ada.drop();
     expect(await state()).toBe(INACTIVE);
-    clock.advance(9_500);
+    clock.advanceSync(9_500);
     expect(await state()).toBe(INACTIVE);
-    clock.advance(500);
+    clock.advanceSync(500);
     expect(await state()).toBe(UNAVAILABLE);
   });
 
@@ -110,7 +110,7 @@ describe('liveness', () => {
     await ada.subscribe({ subscribeTopics: ['/b'] });
     ada.publish('/a', 'double', 1);
     ada.drop();
-    clock.advance(10_500);
+    clock.advanceSync(10_500);
     const { stringList } = await master.call({ topic: '/services/topic_list' });
     expect(stringList?.elements).not.toContain('/a');
     ada.open();
@@ -122,7 +122,7 @@ describe('liveness', () => {
   it('makes a client that never opens a socket unavailable, and still answers it [CL-13]', async () => {
     const { master, clock } = await createAda();
     const cleo = await master.register({ name: 'cleo' });
-    clock.advance(10_000);
+    clock.advanceSync(10_000);
     const { clientList } = await master.call({ topic: '/services/client/get_list' });
     expect(clientList?.elements.find(({ id }) => id === cleo.id)?.state).toBe(UNAVAILABLE);
     await cleo.subscribe({ subscribeTopics: ['/a'] });
@@ -133,9 +133,9 @@ describe('liveness', () => {
     const { clock, ada, state, master } = await createAda();
     await ada.subscribe({ subscribeTopics: ['/a'] });
     ada.drop();
-    clock.advance(10_000 + DEFAULT_LIMITS.unavailableRetentionMs - 1);
+    clock.advanceSync(10_000 + DEFAULT_LIMITS.unavailableRetentionMs - 1);
     expect(await state()).toBe(UNAVAILABLE);
-    clock.advance(501);
+    clock.advanceSync(501);
     expect(await state()).toBeUndefined();
     expect(ada.open()).toBe(false);
     expect(ada.closed).toMatchObject({ code: 4004 });
@@ -154,10 +154,10 @@ describe('liveness', () => {
       'more than 3 clients (limit clients',
     );
     ben.drop();
-    clock.advance(500);
+    clock.advanceSync(500);
     cleo.drop();
     for (let i = 0; i < 24; i++) {
-      clock.advance(500);
+      clock.advanceSync(500);
       ada.socket.handleText('PONG');
     }
     await master.register({ name: 'dora' });
@@ -169,9 +169,9 @@ describe('liveness', () => {
   it('removes those first that never had a socket [CL-14]', async () => {
     const { master, clock, ada, state } = await createAda({ clients: 2 });
     ada.drop();
-    clock.advance(500);
+    clock.advanceSync(500);
     await master.register({ name: 'stranger' });
-    clock.advance(11_000);
+    clock.advanceSync(11_000);
     await master.register({ name: 'ben' });
     const { clientList } = await master.call({ topic: '/services/client/get_list' });
     expect(clientList?.elements.map(({ name }) => name)).toEqual(['ada', 'ben']);
@@ -184,12 +184,12 @@ describe('liveness', () => {
       const { clientList } = await master.call({ topic: '/services/latency_clients_list' });
       return clientList?.elements.map(({ id, latency: ms }) => [id, ms]);
     };
-    clock.advance(1_500);
-    clock.advance(30);
+    clock.advanceSync(1_500);
+    clock.advanceSync(30);
     ada.socket.handleText('PONG');
     expect(await latency()).toEqual([[ada.id, 30]]);
     // A PONG without a PING is not measured.
-    clock.advance(100);
+    clock.advanceSync(100);
     ada.socket.handleText('PONG');
     expect(await latency()).toEqual([[ada.id, 30]]);
   });

@@ -38,7 +38,7 @@ describe('the log tail', () => {
     const master = new TestMaster();
     const { cursor, reset } = await read(master, { cursor: 12, level: 2 });
     expect(reset).toBe(true);
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     const next = new TestMaster({ clock: master.clock });
     expect(await read(next, { cursor, level: 2 })).toMatchObject({ reset: true });
   });

@@ -18,8 +18,8 @@ async function createRoom(options: TestMasterOptions = {}) {
   const pass = (seconds: number, client: TestClient, records: number): void => {
     for (let second = 0; second < seconds; second++) {
       for (let i = 0; i < records; i++) client.send('/a', 'double', i);
-      master.clock.endTurn();
-      master.clock.advance(1_000);
+      master.clock.endTurnSync();
+      master.clock.advanceSync(1_000);
       for (const one of [mara, ben]) one.socket.handleText('PONG');
     }
   };

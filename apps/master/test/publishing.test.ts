@@ -18,7 +18,7 @@ describe('publishing', () => {
       encodeRecord({ topic: '/b', format: 'double', value: 2 }),
       encodeRecord({ topic: '/a', format: 'double', value: 3 }),
     );
-    master.clock.endTurn();
+    master.clock.endTurnSync();
     expect(ben.takeValues()).toEqual([
       ['/a', 1],
       ['/b', 2],
@@ -36,7 +36,7 @@ describe('publishing', () => {
       ...[0x0a, 0x02, 0x2f, 0x61],
     );
     ada.sendRecords(record);
-    master.clock.endTurn();
+    master.clock.endTurnSync();
     expect(ben.takeSent()).toEqual([{ kind: 'record', record }]);
     const cleo = await master.legacy('cleo');
     await cleo.subscribe({ subscribeTopics: ['/a'] });
@@ -51,7 +51,7 @@ describe('publishing', () => {
     pooled.set(frame, 1000);
     for (const bytes of [frame, Buffer.from(frame), pooled.subarray(1000, 1000 + frame.length)]) {
       ada.socket.handleBinary(bytes);
-      master.clock.endTurn();
+      master.clock.endTurnSync();
       expect(ben.takeValues()).toEqual([['/a', 'mine']]);
     }
   });
@@ -66,7 +66,7 @@ describe('publishing', () => {
       broken,
       encodeRecord({ topic: '/c', format: 'double', value: 3 }),
     );
-    master.clock.endTurn();
+    master.clock.endTurnSync();
     expect(ben.takeValues()).toEqual([['/a', 1]]);
     expect(ada.takeErrors()).toMatchObject([{ code: 'invalid_argument', stack: '' }]);
   });
@@ -75,7 +75,7 @@ describe('publishing', () => {
     const { ada, ben, master } = await createPair();
     await ben.subscribe({ subscribeTopics: ['/a'] });
     ada.sendRecords(emptyRecord('/a'));
-    master.clock.endTurn();
+    master.clock.endTurnSync();
     expect(ben.takeRecords()).toMatchObject([{ topic: '/a', value: undefined }]);
     const { stringList } = await master.call({ topic: '/services/topic_list' });
     expect(stringList?.elements).toContain('/a');
@@ -90,7 +90,7 @@ describe('publishing', () => {
     const { ada, ben, master } = await createPair();
     await ben.subscribe({ subscribeTopicRegexp: ['.*'] });
     ada.sendRecords(encode('ubii.topicData.TopicDataRecord', { topic, double: 1 }));
-    master.clock.endTurn();
+    master.clock.endTurnSync();
     expect(ada.takeErrors()).toMatchObject([{ code }]);
     expect(ben.takeSent()).toEqual([]);
   });
@@ -153,7 +153,7 @@ describe('publishing', () => {
     });
     expect(masterStatus?.refused).toBe(100);
     expect(masterStatus?.recordsIn).toBe(0);
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     ada.takeSent();
     for (let i = 0; i < 100; i++) ada.send('/info/x', 'double', i);
     expect(ada.takeErrors()).toHaveLength(10);
@@ -164,7 +164,7 @@ describe('publishing', () => {
     const garbage = Uint8Array.of(0x12, 0xff);
     for (let i = 0; i < 20; i++) ada.socket.handleBinary(garbage);
     expect(ada.closed).toBeUndefined();
-    master.clock.advance(5_000);
+    master.clock.advanceSync(5_000);
     ada.socket.handleBinary(garbage);
     expect(ada.closed).toEqual({ code: 4008, reason: 'protocol errors' });
     ada.socket.handleBinary(garbage);
@@ -178,7 +178,7 @@ describe('publishing', () => {
     const { ada, master } = await createPair();
     for (let i = 0; i < 100; i++) {
       ada.socket.handleBinary(Uint8Array.of(0x12, 0xff));
-      master.clock.advance(501);
+      master.clock.advanceSync(501);
     }
     expect(ada.closed).toBeUndefined();
   });

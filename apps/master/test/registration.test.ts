@@ -1,6 +1,7 @@
 import { AccessRole, ProcessingModuleLanguage } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { FakeClock, TestMaster } from '../src/testing/index.ts';
+import { TestMaster } from '../src/testing/index.ts';
 
 const UUID = /^[0-9a-f-]{36}$/;
 

@@ -225,7 +225,7 @@ describe('the time of an invitation [AC-91]', () => {
     const guest = await Guest.join(master, { lifetimeMs: 2_000 });
     await guest.ask(TOPICS.start, lasting('/a', '/b'));
     await master.master.close();
-    master.clock.advance(10_000);
+    master.clock.advanceSync(10_000);
     const next = restarted(master);
     await next.pass();
     const { sessionList } = await next.call({ topic: TOPICS.list });

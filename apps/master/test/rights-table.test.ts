@@ -122,7 +122,7 @@ describe('topics, in both directions [AC-24] [AC-25] [TD-16]', () => {
     const world = await createWorld(role);
     const { client, master } = world;
     for (const topic of EXAMPLES[kind](world)) {
-      master.clock.advance(200); // Errors are sent at a rate.
+      master.clock.advanceSync(200); // Errors are sent at a rate.
       client.takeErrors();
       client.publish(topic, 'string', client.id);
       expect([topic, client.takeErrors().length === 0]).toEqual([topic, publish]);

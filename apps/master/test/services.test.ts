@@ -33,7 +33,7 @@ describe('services', () => {
       TRUSTED_CALLER,
     );
     master.clock.spend(DEFAULT_LIMITS.serviceTimeoutMs);
-    master.clock.advance(0);
+    master.clock.advanceSync(0);
     const { reply } = await answer;
     expect(reply.error).toMatchObject({ code: 'deadline_exceeded' });
     expect(reply.error?.message).toContain('/services/topic_subscription');
@@ -248,7 +248,7 @@ describe('services', () => {
     await expect(
       ada.subscribe({ subscribeTopics: ['/a'], subscribeTopicRegexp: ['(', '^/b'] }),
     ).rejects.toThrow('invalid_argument');
-    master.clock.advance(25);
+    master.clock.advanceSync(25);
     ada.publish('/b', 'double', 2);
     expect(ada.takeValues()).toEqual([['/a', 1]]);
   });

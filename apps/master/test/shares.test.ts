@@ -136,7 +136,7 @@ describe.each(Object.entries(TAKES))('shares of %s [AC-80]', (_, take) => {
       client.drop();
       away.push(client);
     }
-    master.clock.advance(11_000);
+    master.clock.advanceSync(11_000);
     expect(await takeAll(take, await join(master, token))).toBeGreaterThan(10);
     expect(await takeAll(take, await join(master, token))).toBeGreaterThan(10);
   });
@@ -160,7 +160,7 @@ describe('clients of one invitation [AC-80]', () => {
     const { token } = await createGrant(master, ACCESS_ROLE_PLAYER);
     for (let i = 0; i < 4; i++) (await join(master, token)).drop();
     host.drop();
-    master.clock.advance(11_000);
+    master.clock.advanceSync(11_000);
     for (let i = 0; i < 4; i++) (await join(master, token)).drop();
     expect(host.open()).toBe(true);
   });

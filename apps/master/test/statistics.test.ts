@@ -1,5 +1,6 @@
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { FakeClock, TestMaster } from '../src/testing/index.ts';
+import { TestMaster } from '../src/testing/index.ts';
 
 async function createAda(clock?: FakeClock) {
   const master = new TestMaster(clock === undefined ? {} : { clock });
@@ -22,7 +23,7 @@ describe('topic statistics', () => {
     await ada.subscribe({ subscribeTopics: ['/a', '/empty'], subscribeTopicRegexp: ['.*'] });
     const startMs = master.clock.nowMs();
     ada.publish('/a', 'double', 1);
-    master.clock.advance(100);
+    master.clock.advanceSync(100);
     ada.publish('/a', 'vector2', { x: 1, y: 2 });
     const { elements, masterTimeMs, reset, removed } = await statistics();
     const [first, second] = ada
@@ -100,7 +101,7 @@ describe('topic statistics', () => {
     first.ada.publish('/a', 'double', 1);
     let { cursor } = await first.statistics();
     for (let i = 0; i < 100; i++) ({ cursor } = await first.statistics(cursor));
-    clock.advance(1_000);
+    clock.advanceSync(1_000);
     const second = await createAda(clock);
     second.ada.publish('/b', 'double', 1);
     const { reset, elements } = await second.statistics(cursor);

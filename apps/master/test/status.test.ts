@@ -26,7 +26,7 @@ describe('the status of the master', () => {
     ada.publish('/info/x', 'double', 1);
     const [record] = ada.takeSent();
     const byteLength = record!.kind === 'record' ? record!.record.byteLength : 0;
-    master.clock.advance(6_000);
+    master.clock.advanceSync(6_000);
     ada.socket.handleText('PONG');
     expect(await status()).toMatchObject({
       masterId: master.master.id,
@@ -53,14 +53,14 @@ describe('the status of the master', () => {
   it('has a sample for every two seconds, for ten minutes [EX-17]', async () => {
     const { clock, ada, status, startedMs } = await createAda();
     for (let i = 0; i < 10; i++) ada.publish('/a', 'double', i);
-    clock.advance(2_000);
-    clock.advance(2_000);
+    clock.advanceSync(2_000);
+    clock.advanceSync(2_000);
     expect((await status()).samples).toMatchObject([
       { timeMs: startedMs + 2_000, recordsPerSecond: 5 },
       { timeMs: startedMs + 4_000, recordsPerSecond: 0 },
     ]);
     expect((await status(startedMs + 2_000)).samples).toHaveLength(1);
-    clock.advance(20 * 60_000);
+    clock.advanceSync(20 * 60_000);
     const { samples, nowMs } = await status();
     expect(samples).toHaveLength(300);
     expect(samples[0]!.timeMs).toBe(nowMs - 10 * 60_000 + 2_000);
@@ -68,11 +68,11 @@ describe('the status of the master', () => {
 
   it('has the last 200 events [EX-17]', async () => {
     const { master, clock, ada, status, startedMs } = await createAda();
-    clock.advance(1_000);
+    clock.advanceSync(1_000);
     const ben = await master.legacy('ben');
     await ben.call({ topic: '/services/client/deregistration', client: { id: ben.id } });
     ada.drop();
-    clock.advance(10_500);
+    clock.advanceSync(10_500);
     ada.open();
     expect((await status()).events.map(({ kind, clientId }) => [kind, clientId])).toEqual([
       [StatusEventKind.MASTER_STARTED, ''],
@@ -102,7 +102,7 @@ describe('the status of the master', () => {
         ({ name }) => name,
       );
     expect(await listed()).toEqual(['ada', 'eva']);
-    clock.advance(10_500);
+    clock.advanceSync(10_500);
     const { events } = await status();
     expect(events.slice(-3).map(({ text }) => text)).toEqual([
       'ben left',
@@ -132,7 +132,7 @@ describe('the status of the master', () => {
   it('has a problem as long as it is true [EX-18]', async () => {
     const { clock, ada, status } = await createAda();
     expect((await status()).problems).toEqual([]);
-    clock.advance(6_000);
+    clock.advanceSync(6_000);
     const { problems, nowMs } = await status();
     expect(problems).toMatchObject([
       { code: 'client_silent', severity: StatusProblemSeverity.WARNING, clientId: ada.id },
@@ -141,7 +141,7 @@ describe('the status of the master', () => {
     expect(problems[0]?.text).toMatch(
       /nothing for 6 s\. After 10 s its retained values are deleted/,
     );
-    clock.advance(100_000);
+    clock.advanceSync(100_000);
     expect((await status()).problems[0]?.text).toMatch(
       /nothing for 106 s\. After 10 s its retained values were deleted/,
     );
@@ -160,7 +160,7 @@ describe('the status of the master', () => {
     expect(problems[0]?.text).toContain('topicsPerClient');
     const alive = (durationMs: number) => {
       for (let passed = 0; passed < durationMs; passed += 1_000) {
-        clock.advance(1_000);
+        clock.advanceSync(1_000);
         ada.socket.handleText('PONG');
       }
     };
@@ -174,9 +174,9 @@ describe('the status of the master', () => {
 
   it('puts the severe problems first [EX-18]', async () => {
     const { clock, ada, status } = await createAda({ limits: { topics: 1 } });
-    clock.advance(6_000);
+    clock.advanceSync(6_000);
     ada.publish('/a', 'double', 1);
-    clock.advance(6_000);
+    clock.advanceSync(6_000);
     const { problems } = await status();
     expect(problems.map(({ severity, code }) => [severity, code])).toEqual([
       [StatusProblemSeverity.ERROR, 'limit_reached'],

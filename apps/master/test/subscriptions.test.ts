@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { Re2Patterns } from '@ubii/patterns/re2';
-import { FakeClock, TestMaster, type TestMasterOptions } from '../src/testing/index.ts';
+import { FakeClock } from '@ubii/timing/testing';
+import { TestMaster, type TestMasterOptions } from '../src/testing/index.ts';
 import { TRUSTED_CALLER } from '../src/index.ts';
 
 async function createPair(options: TestMasterOptions = {}) {
@@ -103,20 +104,20 @@ describe('subscriptions', () => {
         requestOf(client.id, { subscribeTopics: ['/a'] }),
         TRUSTED_CALLER,
       );
-      master.clock.advance(100);
+      master.clock.advanceSync(100);
       expect(reply.success).toBeDefined();
       expect(client.takeSent()).toEqual([]);
       afterReply();
-      master.clock.endTurn();
+      master.clock.endTurnSync();
       if (client === ben) {
         expect(client.takeSent()).toEqual([]);
-        master.clock.advance(24);
+        master.clock.advanceSync(24);
         expect(client.takeSent()).toEqual([]);
-        master.clock.advance(1);
+        master.clock.advanceSync(1);
       }
       expect(client.takeValues()).toEqual([['/a', 1]]);
       afterReply();
-      master.clock.advance(100);
+      master.clock.advanceSync(100);
       expect(client.takeValues()).toEqual([]);
     }
   });
@@ -130,7 +131,7 @@ describe('subscriptions', () => {
     );
     ada.publish('/a', 'double', 2);
     afterReply();
-    master.clock.advance(100);
+    master.clock.advanceSync(100);
     expect(ben.takeValues()).toEqual([['/a', 2]]);
   });
 
@@ -143,7 +144,7 @@ describe('subscriptions', () => {
         topicSubscription: { clientId: ben.id, [list]: ['/a'] },
       });
     }
-    master.clock.advance(100);
+    master.clock.advanceSync(100);
     expect(ben.takeSent()).toEqual([]);
   });
 
@@ -300,7 +301,7 @@ describe('subscriptions', () => {
     // What was there stands, and time heals.
     ada.publish('/fast', 'bool', true);
     expect(ben.takeValues()).toHaveLength(1);
-    clock.advance(4_000);
+    clock.advanceSync(4_000);
     await ben.subscribe({ subscribeTopicRegexp: ['(other)'] });
   });
 

@@ -198,7 +198,7 @@ describe('the log', () => {
       { level: 'warn', fields: { lines: 10_000 - written } },
       { level: 'error', message: 'the disk is full' },
     ]);
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     for (let i = 0; i < 100; i++) master.logTail.info(line);
     expect(master.log.lines.length).toBeLessThan(written + 20);
   });
@@ -207,7 +207,7 @@ describe('the log', () => {
     const master = new TestMaster({ limits: { logBytesPerSecond: 1e9 } });
     const field = 'z'.repeat(1_000);
     for (let i = 0; i < 1_000; i++) {
-      master.clock.advance(30_000);
+      master.clock.advanceSync(30_000);
       master.logTail.info('much', { a: field, b: field, c: field, d: field });
     }
     const { logTail } = await master.call({

@@ -33,9 +33,9 @@ describe('topics that end', () => {
     const { master, ada, topics } = await createPair();
     ada.publish('/a', 'double', 1);
     ada.drop();
-    master.clock.advance(9_000);
+    master.clock.advanceSync(9_000);
     expect(await topics()).toEqual(['/a']);
-    master.clock.advance(1_000);
+    master.clock.advanceSync(1_000);
     expect(await topics()).toEqual([]);
   });
 

@@ -1,7 +1,6 @@
 import {
   auditStoreSuite,
   clientConnectionSuite,
-  clockSuite,
   documentStoreSuite,
   idSourceSuite,
   logSuite,
@@ -9,7 +8,6 @@ import {
   resumeTokensSuite,
 } from './acceptance/index.ts';
 import {
-  FakeClock,
   FixedUsage,
   MemoryAudit,
   MemoryDocuments,
@@ -18,11 +16,6 @@ import {
   RecordingLog,
   SequentialIds,
 } from './index.ts';
-
-clockSuite('FakeClock', () => {
-  const clock = new FakeClock();
-  return { clock, passTime: () => clock.advance(100) };
-});
 
 const memoryAudit = new MemoryAudit();
 auditStoreSuite('MemoryAudit', () => memoryAudit);

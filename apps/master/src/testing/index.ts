@@ -1,6 +1,5 @@
 export { MemoryAudit } from './memory-audit.ts';
 export { MemoryDocuments, MemoryStorage } from './memory-documents.ts';
-export { FakeClock } from './fake-clock.ts';
 export { FixedUsage } from './fixed-usage.ts';
 export { PlainSecrets } from './plain-secrets.ts';
 export { PlainTokens } from './plain-tokens.ts';

@@ -1,5 +1,5 @@
 import type { JsonObject } from '@ubii/proto';
-import type { Cancel } from '../core/ports/clock.ts';
+import type { Cancel } from '@ubii/timing';
 import type {
   DocumentStore,
   SessionStorage,

@@ -73,14 +73,14 @@ export class TestClient {
       this.caller,
       peer,
     );
-    this.#testMaster.clock.endTurn();
+    this.#testMaster.clock.endTurnSync();
     return this.#handle !== undefined;
   }
 
   /** Its network goes away, or it closes with a code of its own: the socket closes, and the turn ends. */
   drop(code = 1006): void {
     this.socket.handleClose(code);
-    this.#testMaster.clock.endTurn();
+    this.#testMaster.clock.endTurnSync();
   }
 
   /** Calls a service as this client; the reply leaves, and the turn ends. */
@@ -96,7 +96,7 @@ export class TestClient {
     });
     if (error) throw new Error(`${error.code}: ${error.message}`);
     if (this.registered.extension === undefined) {
-      this.#testMaster.clock.advance(DEFAULT_LIMITS.replayDelayMs);
+      this.#testMaster.clock.advanceSync(DEFAULT_LIMITS.replayDelayMs);
     }
   }
 
@@ -113,7 +113,7 @@ export class TestClient {
   /** Publishes one record, and the turn ends. */
   publish<F extends DataFormat>(topic: string, format: F, value: DataFormatValues[F]): void {
     this.send(topic, format, value);
-    this.#testMaster.clock.endTurn();
+    this.#testMaster.clock.endTurnSync();
   }
 
   /** What its socket was sent since it was asked last. */

@@ -16,9 +16,9 @@ import type { Master } from '../core/master/master.ts';
 import { TRUSTED_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
 import { LogTail } from '../core/counters/log-tail.ts';
 import type { MasterEndpoints, MasterSettings } from '../core/parts/settings.ts';
-import { FakeClock } from './fake-clock.ts';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import type { AssetStore, SandboxFactory } from '@ubii/pm-sandbox';
+import { FakeClock } from '@ubii/timing/testing';
 import { FakeAssetSets } from './fake-asset-sets.ts';
 import { FakeLan } from './fake-lan.ts';
 import { FixedUsage } from './fixed-usage.ts';
@@ -138,11 +138,11 @@ export class TestMaster {
     for (;;) {
       for (let i = 0; i < 10; i++) await Promise.resolve();
       if (isAnswered) break;
-      this.clock.advance(0);
+      this.clock.advanceSync(0);
     }
     const { reply, afterReply } = await promise;
     afterReply();
-    this.clock.endTurn();
+    this.clock.endTurnSync();
     return decode('ubii.services.ServiceReply', encode('ubii.services.ServiceReply', reply));
   }
 
@@ -151,7 +151,7 @@ export class TestMaster {
     const stepMs = 5;
     await settle();
     for (let passedMs = 0; ; passedMs += stepMs) {
-      this.clock.advance(Math.min(stepMs, Math.max(0, durationMs - passedMs)));
+      this.clock.advanceSync(Math.min(stepMs, Math.max(0, durationMs - passedMs)));
       await settle();
       if (passedMs >= durationMs) return;
     }

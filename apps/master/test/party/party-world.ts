@@ -201,7 +201,7 @@ export class PartyWorld {
   async pass(durationMs: number): Promise<void> {
     await settle();
     for (let passed = 0; passed < durationMs; passed += STEP_MS) {
-      this.world.clock.advance(STEP_MS);
+      this.world.clock.advanceSync(STEP_MS);
       await settle();
     }
   }

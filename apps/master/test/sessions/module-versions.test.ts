@@ -40,7 +40,7 @@ describe('versions of a stored module', () => {
   it('come with each save that changes something, newest first [EX-40] [EX-41]', async () => {
     const world = await SessionWorld.create();
     await saveTimes(world, 2);
-    world.master.clock.advance(1_000);
+    world.master.clock.advanceSync(1_000);
     await saveTimes(world, 3);
     await saveTimes(world, 3);
     const list = await versions(world, { name: 'doubler' });

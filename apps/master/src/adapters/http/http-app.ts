@@ -2,10 +2,11 @@ import type { IncomingMessage } from 'node:http';
 import fastify from 'fastify';
 import type { FastifyInstance } from 'fastify';
 import type { AssetFolders } from '@ubii/pm-sandbox/node';
+import type { Clock } from '@ubii/timing';
 
 import type { Master } from '../../core/master/master.ts';
 import type { Limits } from '../../core/limits/index.ts';
-import type { Clock, Log } from '../../core/ports/index.ts';
+import type { Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import type { Doorkeeper } from '../network/doorkeeper.ts';
 import type { OriginPolicy } from '../network/origin-policy.ts';

@@ -3,10 +3,10 @@ import type { IncomingMessage } from 'node:http';
 import type { FastifyInstance, FastifyReply, FastifyRequest } from 'fastify';
 import { ServiceError } from '@ubii/proto';
 import type { ServiceRequest } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 
 import type { Limits } from '../../core/limits/index.ts';
 import type { Master, ServiceAnswer } from '../../core/master/master.ts';
-import type { Clock } from '../../core/ports/index.ts';
 import type { IncomingRequest } from '../../core/services/incoming-request.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import type { Doorkeeper } from '../network/doorkeeper.ts';

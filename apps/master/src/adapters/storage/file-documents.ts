@@ -4,7 +4,8 @@ import { join } from 'node:path';
 
 import { SECRET_MODE, writeAtomically } from '@ubii/program';
 import type { JsonObject } from '@ubii/proto';
-import type { Cancel, DocumentStore, StoredDocument } from '../../core/ports/index.ts';
+import type { Cancel } from '@ubii/timing';
+import type { DocumentStore, StoredDocument } from '../../core/ports/index.ts';
 import { fileNameOf, keyOfFileName } from './file-names.ts';
 import { FolderWatch } from './folder-watch.ts';
 

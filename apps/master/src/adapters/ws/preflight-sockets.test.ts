@@ -1,10 +1,10 @@
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { once } from 'node:events';
+import { FakeClock } from '@ubii/timing/testing';
 import { afterEach, describe, expect, it } from 'vitest';
 import { WebSocket } from 'ws';
 
-import { FakeClock } from '../../testing/index.ts';
 import { PreflightSockets } from './preflight-sockets.ts';
 
 const open: (() => void)[] = [];
@@ -60,7 +60,7 @@ describe('PreflightSockets [AC-29]', () => {
     const socket = connect();
     await once(socket, 'open');
     const closed = once(socket, 'close');
-    clock.advance(10_000);
+    clock.advanceSync(10_000);
     await closed;
   });
 

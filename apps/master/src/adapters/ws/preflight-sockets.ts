@@ -1,10 +1,10 @@
 import type { IncomingMessage } from 'node:http';
 import type { Duplex } from 'node:stream';
+import type { PreciseClock } from '@ubii/timing';
 import { WebSocketServer } from 'ws';
 import type { WebSocket } from 'ws';
 
 import { SOCKET_RIGHTS } from '../../core/access/rights-table.ts';
-import type { Clock } from '../../core/ports/index.ts';
 import { refuseUpgrade } from './refuse-upgrade.ts';
 
 /** Where a page tries whether its browser gets WebSockets through, before it joins. [AC-29] */
@@ -27,7 +27,7 @@ const POLICY_VIOLATION = 1008;
  * that is not admitted yet whether the live channel will work, how fast it is and what the time is.
  */
 export class PreflightSockets {
-  readonly #clock: Pick<Clock, 'preciseMs' | 'after'>;
+  readonly #clock: Pick<PreciseClock, 'preciseMs' | 'after'>;
   readonly #server = new WebSocketServer({
     noServer: true,
     maxPayload: MAX_MESSAGE_BYTES,
@@ -36,7 +36,7 @@ export class PreflightSockets {
   });
   readonly #openByAddress = new Map<string, number>();
 
-  constructor(clock: Pick<Clock, 'preciseMs' | 'after'>) {
+  constructor(clock: Pick<PreciseClock, 'preciseMs' | 'after'>) {
     this.#clock = clock;
   }
 

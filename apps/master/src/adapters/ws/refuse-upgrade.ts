@@ -1,7 +1,6 @@
 import { STATUS_CODES } from 'node:http';
 import type { Duplex } from 'node:stream';
-
-import type { Clock } from '../../core/ports/index.ts';
+import type { Clock } from '@ubii/timing';
 
 /** How long the other side may take to read the answer and close, milliseconds. */
 const LINGER_MS = 1_000;

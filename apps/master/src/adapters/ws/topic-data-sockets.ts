@@ -1,10 +1,11 @@
 import type { IncomingMessage } from 'node:http';
 import type { Duplex } from 'node:stream';
+import type { Clock } from '@ubii/timing';
 import { WebSocketServer } from 'ws';
 import type { WebSocket } from 'ws';
 
 import type { Master } from '../../core/master/master.ts';
-import type { CallerFacts, Clock, Log } from '../../core/ports/index.ts';
+import type { CallerFacts, Log } from '../../core/ports/index.ts';
 import type { CallerReader } from '../access/caller-reader.ts';
 import { kindOfPeer } from '../addresses/address-kinds.ts';
 import type { Doorkeeper } from '../network/doorkeeper.ts';

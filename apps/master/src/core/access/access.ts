@@ -1,5 +1,5 @@
 import { JoinProblem, type ClientExtension, type ServiceError } from '@ubii/proto';
-import type { Clock } from '../ports/clock.ts';
+import type { Clock } from '@ubii/timing';
 import type { AccessSecrets } from '../ports/access-secrets.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
 import type { ResumeTokens } from '../ports/resume-tokens.ts';

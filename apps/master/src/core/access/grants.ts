@@ -1,4 +1,4 @@
-import type { Clock } from '../ports/clock.ts';
+import type { Clock } from '@ubii/timing';
 import type { AccessSecrets } from '../ports/access-secrets.ts';
 import type { DocumentStore } from '../ports/document-store.ts';
 import type { IdSource } from '../ports/id-source.ts';

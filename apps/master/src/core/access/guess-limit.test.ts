@@ -1,6 +1,7 @@
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 
-import { FakeClock, RecordingLog } from '../../testing/index.ts';
+import { RecordingLog } from '../../testing/index.ts';
 import { DEFAULT_LIMITS } from '../limits/index.ts';
 import { EventLog } from '../counters/event-log.ts';
 import { LimitWatch } from '../counters/limit-watch.ts';
@@ -29,7 +30,7 @@ function world() {
   const during = (seconds: number, times: number, each: (n: number) => void): void => {
     for (let n = 0; n < seconds * times; n++) {
       each(n);
-      clock.advance(1_000 / times);
+      clock.advanceSync(1_000 / times);
     }
   };
   return { clock, guesses, tryWrong, during, looked: () => looked };
@@ -109,7 +110,7 @@ describe('the pace of wrong codes [AC-17]', () => {
   it('forgets places that were not wrong for a minute', () => {
     const { clock, guesses, tryWrong } = world();
     while (tryWrong('10.0.0.1'));
-    clock.advance(60_000);
+    clock.advanceSync(60_000);
     expect(guesses.mayTry({ place: '10.0.0.1' })).toBe(true);
   });
 });

@@ -1,6 +1,6 @@
+import type { Clock } from '@ubii/timing';
 import type { LimitName } from '../limits/index.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 
 /** Where a code comes from. */

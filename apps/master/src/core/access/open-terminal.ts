@@ -1,4 +1,4 @@
-import type { Clock } from '../ports/clock.ts';
+import type { Clock } from '@ubii/timing';
 import type { Access } from './access.ts';
 import type { TerminalAccess, TerminalJoin } from './terminal-access.ts';
 import type { GrantSpec } from './grant.ts';

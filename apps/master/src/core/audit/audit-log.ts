@@ -1,8 +1,7 @@
 import type { AuditEntry, AuditLogRequest, AuditLog as AuditLogMessage, Init } from '@ubii/proto';
+import { TokenBucket, type Clock } from '@ubii/timing';
 import type { Limits } from '../limits/index.ts';
 import type { AuditStore } from '../ports/audit-store.ts';
-import type { Clock } from '../ports/clock.ts';
-import { TokenBucket } from '../counters/token-bucket.ts';
 import { auditEntryFromLine, lineOfAuditEntry } from './audit-line.ts';
 
 /** Seconds of entries of one caller that may come at once. */

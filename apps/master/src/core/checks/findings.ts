@@ -1,5 +1,5 @@
 import { StatusEventKind } from '@ubii/proto';
-import type { Clock } from '../ports/clock.ts';
+import type { Clock } from '@ubii/timing';
 import type { EventLog } from '../counters/event-log.ts';
 import type { Problem } from './problem.ts';
 

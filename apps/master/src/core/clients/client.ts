@@ -1,4 +1,5 @@
 import type { Client as ClientMessage, Device, NodeExtension } from '@ubii/proto';
+import type { TokenBucket } from '@ubii/timing';
 import { TRUSTED_ACCESS, type ClientAccess } from '../access/caller.ts';
 import type { AddressKind } from '../ports/address-kind.ts';
 import type { Account } from '../shares/account.ts';
@@ -6,7 +7,6 @@ import { Streak } from '../counters/streak.ts';
 import type { PublishingClient } from '../topics/publication.ts';
 import type { ClientSubscriber } from '../topics/subscriber.ts';
 import type { PublishRights } from '../topics/rights.ts';
-import type { TokenBucket } from '../counters/token-bucket.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { ClientSocket } from './client-socket.ts';
 import { wireState, type ClientStatus } from './client-states.ts';

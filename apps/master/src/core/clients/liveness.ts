@@ -1,4 +1,4 @@
-import type { Cancel, Clock } from '../ports/clock.ts';
+import type { Cancel, Clock } from '@ubii/timing';
 import type { Limits } from '../limits/index.ts';
 import type { KeptValues } from '../topics/kept-values.ts';
 import type { Client } from './client.ts';

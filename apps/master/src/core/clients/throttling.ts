@@ -1,8 +1,7 @@
 import { StatusEventKind } from '@ubii/proto';
-import type { Clock } from '../ports/clock.ts';
+import { TokenBucket, type Clock } from '@ubii/timing';
 import type { Limits } from '../limits/index.ts';
 import type { EventLog } from '../counters/event-log.ts';
-import { TokenBucket } from '../counters/token-bucket.ts';
 import type { Client } from './client.ts';
 import { describeThrottle, type Throttle } from '../counters/throttle.ts';
 

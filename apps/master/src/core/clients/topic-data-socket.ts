@@ -1,16 +1,14 @@
 import { DecodeError, ServiceError, type ServiceErrorCode } from '@ubii/proto';
 import { scanTopicData, type TextCache, type TopicDataSink } from '@ubii/proto/wire';
+import { TokenBucket, type EndOfTurn, type PreciseClock } from '@ubii/timing';
 import type { LimitName } from '../limits/index.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { ConnectionHandle } from '../ports/connection-handle.ts';
 import type { Log } from '../ports/log.ts';
 import type { Counters } from '../counters/counters.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { Publication } from '../topics/publication.ts';
-import type { EndOfTurn } from '../topics/end-of-turn.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
-import { TokenBucket } from '../counters/token-bucket.ts';
 import type { ClientSocket } from './client-socket.ts';
 import type { Client } from './client.ts';
 import { CLOSE } from './close-codes.ts';
@@ -18,7 +16,7 @@ import { formatTimedPong, parseTimedPing } from './timed-ping.ts';
 
 /** What a socket works on. */
 export interface SocketContext extends PublishContext {
-  readonly clock: Clock;
+  readonly clock: PreciseClock;
   readonly log: Log;
   readonly endOfTurn: EndOfTurn;
   /** Topics that came lately, of all clients. */

@@ -1,6 +1,6 @@
+import type { Cancel, Clock } from '@ubii/timing';
 import type { Caller } from '../access/caller.ts';
 import type { LimitName, Limits } from '../limits/index.ts';
-import type { Cancel, Clock } from '../ports/clock.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { KnownAddresses } from './known-addresses.ts';
 import { OpenConnection, type ConnectionKind, type TransportPeer } from './open-connection.ts';

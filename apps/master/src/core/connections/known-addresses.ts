@@ -1,4 +1,4 @@
-import type { Clock } from '../ports/clock.ts';
+import type { Clock } from '@ubii/timing';
 
 /** Addresses remembered; those of the longest ago go first. */
 const MOST = 4_096;

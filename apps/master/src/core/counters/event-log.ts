@@ -1,6 +1,6 @@
 import { StatusEventKind, type StatusEvent } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import type { Limits } from '../limits/index.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { Log } from '../ports/log.ts';
 import { oneLine } from '../texts/one-line.ts';
 

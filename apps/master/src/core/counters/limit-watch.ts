@@ -1,6 +1,6 @@
 import { ServiceError, StatusEventKind } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import type { LimitName, Limits } from '../limits/index.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { Log } from '../ports/log.ts';
 import type { EventLog } from './event-log.ts';
 import { Streak } from './streak.ts';

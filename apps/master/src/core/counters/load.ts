@@ -1,4 +1,4 @@
-import type { Cancel, Clock } from '../ports/clock.ts';
+import type { Cancel, Clock } from '@ubii/timing';
 import type { ResourceUsage, UsageMeasurement } from '../ports/resource-usage.ts';
 
 /** How often the master looks at itself [EX-45], milliseconds. */

@@ -1,5 +1,5 @@
 import type { StatusSample } from '@ubii/proto';
-import type { Cancel, Clock } from '../ports/clock.ts';
+import type { Cancel, Clock } from '@ubii/timing';
 import type { Counters } from './counters.ts';
 import type { Load } from './load.ts';
 

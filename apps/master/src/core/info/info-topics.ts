@@ -5,8 +5,8 @@ import {
   type Device,
   type Init,
 } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import type { Limits } from '../limits/index.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { Account } from '../shares/account.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import type { MasterPublisher } from './master-publisher.ts';

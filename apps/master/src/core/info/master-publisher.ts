@@ -1,7 +1,7 @@
 import { encode, timestampFromMs, type Init, type TopicDataRecord } from '@ubii/proto';
 import { recordValueField } from '@ubii/proto/wire';
+import type { Clock } from '@ubii/timing';
 import { areEqual } from '../topics/equal-bytes.ts';
-import type { Clock } from '../ports/clock.ts';
 import { Publication } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
 

@@ -1,5 +1,4 @@
-import type { Cancel, Clock } from '../ports/clock.ts';
-import { TokenBucket } from '../counters/token-bucket.ts';
+import { TokenBucket, type Cancel, type Clock } from '@ubii/timing';
 
 /** How much one subject may have told of it, bytes. */
 export interface NewsPace {

@@ -1,5 +1,5 @@
 import { StatusEventKind } from '@ubii/proto';
-import type { Cancel } from '../ports/clock.ts';
+import type { Cancel } from '@ubii/timing';
 import type { Log } from '../ports/log.ts';
 import type { EventLog } from '../counters/event-log.ts';
 import type { BrokenDocument, StoredMessages } from './stored-messages.ts';

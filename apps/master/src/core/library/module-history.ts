@@ -7,7 +7,7 @@ import {
   type ModuleVersion,
   type ProcessingModule,
 } from '@ubii/proto';
-import type { Clock } from '../ports/clock.ts';
+import type { Clock } from '@ubii/timing';
 import type { DocumentStore } from '../ports/document-store.ts';
 import type { Log } from '../ports/log.ts';
 

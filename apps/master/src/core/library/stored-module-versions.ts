@@ -1,5 +1,5 @@
 import { ModuleVersionOrigin, type ProcessingModule } from '@ubii/proto';
-import type { Cancel } from '../ports/clock.ts';
+import type { Cancel } from '@ubii/timing';
 import type { ModuleHistory } from './module-history.ts';
 import type { StoredMessages } from './stored-messages.ts';
 

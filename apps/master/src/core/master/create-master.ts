@@ -1,5 +1,6 @@
 import { StatusEventKind, type ServiceRequest } from '@ubii/proto';
 import { TextCache } from '@ubii/proto/wire';
+import { EndOfTurn } from '@ubii/timing';
 import { Access } from '../access/access.ts';
 import { watchGrants } from '../services/grant-work.ts';
 import { Grants } from '../access/grants.ts';
@@ -48,7 +49,6 @@ import { Accounts } from '../shares/accounts.ts';
 import { readMetrics } from '../monitoring/metrics.ts';
 import { Load } from '../counters/load.ts';
 import { Samples } from '../counters/samples.ts';
-import { EndOfTurn } from '../topics/end-of-turn.ts';
 import { ExpiringValues } from '../topics/expiring-values.ts';
 import { KeptValues } from '../topics/kept-values.ts';
 import { PatternTable } from '../topics/pattern-table.ts';
@@ -56,6 +56,7 @@ import { SelectionTable } from '../topics/selection-table.ts';
 import { subscriberFactory } from '../topics/subscriber-factory.ts';
 import { SubscriptionTable } from '../topics/subscription-table.ts';
 import { TopicTable } from '../topics/topic-table.ts';
+import { TurnBatches } from '../topics/turn-batches.ts';
 
 /** Creates a master. Until its first call, it only measures time. */
 export function createMaster(ports: MasterPorts, settings: MasterSettings): Master {
@@ -172,7 +173,8 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
   });
   const kept = new KeptValues({ clock, limits, topics, accounts });
   const publishing = { topics, subscriptions, limits, accounts, counters, kept };
-  const endOfTurn = new EndOfTurn(clock);
+  const batches = new TurnBatches();
+  const endOfTurn = new EndOfTurn(clock, () => batches.renew());
   const publisher = new MasterPublisher(publishing, clock);
   const info = new InfoTopics(publisher, clock, limits);
 
@@ -201,7 +203,7 @@ function createCore(ports: MasterPorts, limits: Limits, settings: MasterSettings
     kept,
     devices,
     dismissals,
-    createSubscriber: subscriberFactory({ ...publishing, clock, endOfTurn }),
+    createSubscriber: subscriberFactory({ ...publishing, clock, endOfTurn, batches }),
     topicRightsOf: (clientId, { role, grant }) =>
       topicRightsOf(clientId, role, grant, namespaces, ports.patterns),
     onPresence: (client) => processing.handlePresence(client.id),

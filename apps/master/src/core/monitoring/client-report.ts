@@ -9,9 +9,9 @@ import {
   type Init,
   type ClientReport,
 } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import type { Core } from '../parts/core.ts';
 import type { AddressKind } from '../ports/address-kind.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { ClientSubscriber } from '../topics/subscriber.ts';
 import type { Client } from '../clients/client.ts';
 import type { Throttle } from '../counters/throttle.ts';

@@ -1,10 +1,10 @@
 import { StatusProblemSeverity } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
 import { LOST_AFTER_MS } from '../clients/liveness.ts';
 import { describeThrottle } from '../counters/throttle.ts';
 import type { Core } from '../parts/core.ts';
 import type { LimitName } from '../limits/index.ts';
-import type { Clock } from '../ports/clock.ts';
 import { oneLine } from '../texts/one-line.ts';
 import { quote } from '../texts/quote.ts';
 import type { Problem } from '../checks/problem.ts';

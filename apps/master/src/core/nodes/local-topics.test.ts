@@ -2,7 +2,9 @@ import { Re2Patterns } from '@ubii/patterns/re2';
 import { describeTopicPort } from '@ubii/pm-sandbox/testing';
 import { ComponentIOType, decode, encode, encodeRecord } from '@ubii/proto';
 import { recordValueField } from '@ubii/proto/wire';
-import { FakeClock, RecordingLog, SequentialIds, testAccount } from '../../testing/index.ts';
+import { EndOfTurn, TokenBucket } from '@ubii/timing';
+import { FakeClock } from '@ubii/timing/testing';
+import { RecordingLog, SequentialIds, testAccount } from '../../testing/index.ts';
 import { Client, specOf } from '../clients/client.ts';
 import { DeviceRegistry } from '../devices/device-registry.ts';
 import { InfoTopics } from '../info/info-topics.ts';
@@ -12,14 +14,13 @@ import { Accounts } from '../shares/accounts.ts';
 import { Counters } from '../counters/counters.ts';
 import { EventLog } from '../counters/event-log.ts';
 import { LimitWatch } from '../counters/limit-watch.ts';
-import { EndOfTurn } from '../topics/end-of-turn.ts';
 import { KeptValues } from '../topics/kept-values.ts';
 import { PatternTable } from '../topics/pattern-table.ts';
 import { SelectionTable } from '../topics/selection-table.ts';
 import { subscriberFactory } from '../topics/subscriber-factory.ts';
 import { SubscriptionTable } from '../topics/subscription-table.ts';
-import { TokenBucket } from '../counters/token-bucket.ts';
 import { TopicTable } from '../topics/topic-table.ts';
+import { TurnBatches } from '../topics/turn-batches.ts';
 import { LocalTopics, tellOfGone } from './local-topics.ts';
 
 /** The topics of a master, with one client. */
@@ -66,6 +67,7 @@ function setup() {
     ...publishing,
     clock,
     endOfTurn: new EndOfTurn(clock),
+    batches: new TurnBatches(),
   });
   const account = testAccount();
   const client = new Client({
@@ -101,7 +103,7 @@ describeTopicPort("the master's topics", () => {
       port.publishAs(client, record.topic, bytes, recordValueField(bytes), 'session');
     },
     settle() {
-      clock.endTurn();
+      clock.endTurnSync();
       return Promise.resolve();
     },
     seenByOthers: (topic) => topics.get(topic)?.record,

@@ -7,14 +7,13 @@ import type {
   TopicSelector,
 } from '@ubii/pm-sandbox';
 import { globToRegExpSource } from '@ubii/proto';
+import { TokenBucket, type Clock } from '@ubii/timing';
 import type { LimitName, Limits } from '../limits/index.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { Account } from '../shares/account.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import { Publication, type PublishingClient } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
 import type { Receiver, Subscriber } from '../topics/topic-entry.ts';
-import { TokenBucket } from '../counters/token-bucket.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 
 const NO_BYTES = new Uint8Array(0);

@@ -1,9 +1,9 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import type { AssetStore, SandboxFactory } from '@ubii/pm-sandbox';
 import type { Init, MasterAddress, ProcessingModule, SettingList } from '@ubii/proto';
+import type { PreciseClock } from '@ubii/timing';
 import type { AssetSets } from '../ports/asset-sets.ts';
 import type { AuditStore } from '../ports/audit-store.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { AccessSecrets } from '../ports/access-secrets.ts';
 import type { DocumentStore, SessionStorage } from '../ports/document-store.ts';
 import type { IdSource } from '../ports/id-source.ts';
@@ -17,7 +17,7 @@ import type { LogTail } from '../counters/log-tail.ts';
 
 /** What the core needs from outside. */
 export interface MasterPorts {
-  readonly clock: Clock;
+  readonly clock: PreciseClock;
   readonly ids: IdSource;
   readonly tokens: ResumeTokens;
   readonly accessSecrets: AccessSecrets;

@@ -1,5 +1,5 @@
 import type { JsonObject } from '@ubii/proto';
-import type { Cancel } from './clock.ts';
+import type { Cancel } from '@ubii/timing';
 
 /** A document as it was read, or why it could not be. */
 export type StoredDocument =

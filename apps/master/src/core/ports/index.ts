@@ -4,7 +4,6 @@ export { LOCAL_CALLER, TRUSTED_CALLER } from './caller-facts.ts';
 export type { CallerFacts, CallerStanding } from './caller-facts.ts';
 export type { AssetSets } from './asset-sets.ts';
 export type { AuditStore } from './audit-store.ts';
-export type { Cancel, Clock } from './clock.ts';
 export type { IdSource } from './id-source.ts';
 export type { ResumeTokens } from './resume-tokens.ts';
 export type { Lan } from './lan.ts';

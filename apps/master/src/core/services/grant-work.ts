@@ -1,8 +1,8 @@
 import { StatusEventKind } from '@ubii/proto';
+import type { Cancel } from '@ubii/timing';
 import { CLOSE } from '../clients/close-codes.ts';
 import type { Dismissal } from '../clients/dismissals.ts';
 import type { Core } from '../parts/core.ts';
-import type { Cancel } from '../ports/clock.ts';
 import { quote } from '../texts/quote.ts';
 import type { Grant, GrantWork } from '../access/grant.ts';
 

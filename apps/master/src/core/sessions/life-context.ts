@@ -1,6 +1,6 @@
+import type { Clock } from '@ubii/timing';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import type { Limits } from '../limits/index.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { Log } from '../ports/log.ts';
 import type { LocalNode } from '../nodes/local-node.ts';
 import type { Node } from '../nodes/node.ts';

@@ -5,8 +5,8 @@ import {
   type ModuleReports,
 } from '@ubii/proto';
 import { readNodeMessage } from '@ubii/proto/wire';
+import type { Clock } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { Limits } from '../limits/index.ts';
 import { cutTexts } from '../texts/bound-texts.ts';
 import type { TopicTable } from '../topics/topic-table.ts';

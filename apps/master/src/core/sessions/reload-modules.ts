@@ -1,6 +1,6 @@
 import { ServiceError, type ProcessingModule, type Session as SessionMessage } from '@ubii/proto';
+import type { Cancel } from '@ubii/timing';
 import type { ModuleLibrary } from '../library/module-library.ts';
-import type { Cancel } from '../ports/clock.ts';
 import { quote } from '../texts/quote.ts';
 import { hasCodeOf } from '../library/module-offer.ts';
 import { warningProblem } from './problems.ts';

@@ -7,11 +7,11 @@ import {
   type ModuleEvent,
   type SessionStatistics,
 } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
 import type { MasterPublisher } from '../info/master-publisher.ts';
 import { PacedNews } from '../info/paced-news.ts';
 import type { Limits } from '../limits/index.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { Session } from './session.ts';

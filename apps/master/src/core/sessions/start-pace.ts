@@ -1,7 +1,6 @@
 import { ServiceError } from '@ubii/proto';
-import type { Clock } from '../ports/clock.ts';
+import { TokenBucket, type Clock } from '@ubii/timing';
 import type { LimitWatch } from '../counters/limit-watch.ts';
-import { TokenBucket } from '../counters/token-bucket.ts';
 import { quote } from '../texts/quote.ts';
 import type { Session } from './session.ts';
 

@@ -1,5 +1,5 @@
 import type { SessionStatistics } from '@ubii/proto';
-import type { Cancel } from '../ports/clock.ts';
+import type { Cancel } from '@ubii/timing';
 import { quote } from '../texts/quote.ts';
 import type { LifeContext } from './life-context.ts';
 import { errorProblem, warningProblem } from './problems.ts';

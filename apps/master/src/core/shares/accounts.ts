@@ -1,6 +1,6 @@
 import { ServiceError } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import type { LimitName } from '../limits/index.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { Account } from './account.ts';
 import { describeShortage, limitOf, type Shortage } from './shortage.ts';

@@ -1,5 +1,5 @@
 import { readRecordHead } from '@ubii/proto/wire';
-import type { Cancel, Clock } from '../ports/clock.ts';
+import type { Cancel, Clock } from '@ubii/timing';
 import type { SubscriptionTable } from './subscription-table.ts';
 import type { TopicEntry } from './topic-entry.ts';
 import type { TopicTable } from './topic-table.ts';

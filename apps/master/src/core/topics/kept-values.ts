@@ -1,6 +1,6 @@
 import { readRecordHead } from '@ubii/proto/wire';
+import type { Clock } from '@ubii/timing';
 import type { Limits } from '../limits/index.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { Accounts, Share } from '../shares/accounts.ts';
 import { fillMaxOf, type Shortage } from '../shares/shortage.ts';
 import type { TopicEntry, TopicOwner } from './topic-entry.ts';

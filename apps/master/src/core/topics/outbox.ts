@@ -1,12 +1,12 @@
 import { encodeRecord } from '@ubii/proto';
+import type { Clock, EndOfTurn, TurnTask } from '@ubii/timing';
 import type { Limits } from '../limits/index.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { Account } from '../shares/account.ts';
-import type { Clock } from '../ports/clock.ts';
 import { Streak } from '../counters/streak.ts';
 import type { BatchNode } from './batch-node.ts';
-import type { EndOfTurn, Flushable } from './end-of-turn.ts';
 import { isEventField, type TopicEntry } from './topic-entry.ts';
+import type { TurnBatches } from './turn-batches.ts';
 import { WaitingRecords } from './waiting-records.ts';
 
 /** Records of this size are large [TD-35], bytes. */
@@ -16,6 +16,7 @@ const LARGE_RECORD_BYTES = 16 * 1024;
 export interface OutboxContext {
   readonly clock: Clock;
   readonly endOfTurn: EndOfTurn;
+  readonly batches: TurnBatches;
   readonly limits: Limits;
   /** Records were handed to the connection. */
   readonly onSent: (records: number, bytes: number) => void;
@@ -24,7 +25,7 @@ export interface OutboxContext {
 }
 
 /** Everything on its way to one client: what leaves at the end of this turn, and what waits for its socket. */
-export class Outbox implements Flushable {
+export class Outbox implements TurnTask {
   readonly #context: OutboxContext;
   // What every record touches comes first and lies together: with many subscribers, each further cache
   // line is a trip to slower memory.
@@ -110,13 +111,9 @@ export class Outbox implements Flushable {
     if (this.#connection === undefined) return; // [TD-33]
     if (!this.#isTouched) {
       this.#isTouched = true;
-      this.#context.endOfTurn.touch(this);
+      this.#context.endOfTurn.add(this);
     }
-    const batch = (this.#batch ?? this.#context.endOfTurn.emptyBatch).append(
-      entry,
-      record,
-      isEvent,
-    );
+    const batch = (this.#batch ?? this.#context.batches.empty).append(entry, record, isEvent);
     this.#batch = batch;
     if (batch.byteLength >= this.#context.limits.batchBytes) this.#send();
   }
@@ -155,7 +152,7 @@ export class Outbox implements Flushable {
     this.#replays.delete(entry);
   }
 
-  flush(): void {
+  handleEndOfTurn(): void {
     this.#isTouched = false;
     this.#send();
   }
@@ -163,7 +160,7 @@ export class Outbox implements Flushable {
   /** The connection can take more: what waits leaves, in pieces, as far as it goes. */
   handleDrain(): void {
     while (this.#waiting !== undefined && this.#canSend(this.#waiting)) {
-      let batch = this.#context.endOfTurn.emptyBatch;
+      let batch = this.#context.batches.empty;
       while (batch.byteLength < this.#context.limits.batchBytes) {
         const taken = this.#waiting.take();
         if (taken === undefined) break;

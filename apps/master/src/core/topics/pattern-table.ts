@@ -1,5 +1,5 @@
 import type { PatternCompiler } from '@ubii/patterns';
-import type { Clock } from '../ports/clock.ts';
+import type { Clock } from '@ubii/timing';
 import { Pattern } from './pattern.ts';
 import type { Subscriber, TopicEntry } from './topic-entry.ts';
 import type { TopicMatching } from './topic-table.ts';

@@ -1,7 +1,7 @@
+import type { TokenBucket } from '@ubii/timing';
 import type { PublishRights } from './rights.ts';
 import type { Throttle } from '../counters/throttle.ts';
 import type { Shortage } from '../shares/shortage.ts';
-import type { TokenBucket } from '../counters/token-bucket.ts';
 import type { TopicEntry, TopicOwner } from './topic-entry.ts';
 
 /** What is counted of a client that publishes [EX-26]. */

@@ -9,7 +9,7 @@ async function createPair(maxRateHz: number) {
   // Advance in small steps, so that no client is removed for being silent.
   const advance = (durationMs: number): void => {
     for (let rest = durationMs; rest > 0; rest -= 1000) {
-      master.clock.advance(Math.min(rest, 1000));
+      master.clock.advanceSync(Math.min(rest, 1000));
       ada.socket.handleText('PONG');
       ben.socket.handleText('PONG');
     }

@@ -1,4 +1,4 @@
-import type { Cancel, Clock } from '../ports/clock.ts';
+import type { Cancel, Clock } from '@ubii/timing';
 import type { Outbox } from './outbox.ts';
 import { isEventField, type Sample, type TopicEntry, type TopicSampler } from './topic-entry.ts';
 

@@ -1,14 +1,13 @@
+import { TokenBucket, type Clock, type EndOfTurn } from '@ubii/timing';
 import type { Limits } from '../limits/index.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { Account } from '../shares/account.ts';
 import type { Counters } from '../counters/counters.ts';
-import type { EndOfTurn } from './end-of-turn.ts';
 import { Outbox, type OutboxContext } from './outbox.ts';
 import { Sampler, type SamplerContext } from './sampler.ts';
 import type { ClientSubscriber } from './subscriber.ts';
 import type { SubscriptionTable } from './subscription-table.ts';
-import { TokenBucket } from '../counters/token-bucket.ts';
 import type { TopicTable } from './topic-table.ts';
+import type { TurnBatches } from './turn-batches.ts';
 
 /** What subscribers have in common. */
 export interface SubscriberParts {
@@ -16,6 +15,7 @@ export interface SubscriberParts {
   readonly limits: Limits;
   readonly counters: Counters;
   readonly endOfTurn: EndOfTurn;
+  readonly batches: TurnBatches;
   readonly topics: TopicTable;
   readonly subscriptions: SubscriptionTable;
 }
@@ -24,11 +24,12 @@ export interface SubscriberParts {
 export function subscriberFactory(
   parts: SubscriberParts,
 ): (clientId: string, isExtension: boolean, account: Account) => ClientSubscriber {
-  const { clock, limits, counters, endOfTurn, topics, subscriptions } = parts;
+  const { clock, limits, counters, endOfTurn, batches, topics, subscriptions } = parts;
   const outboxContext: OutboxContext = {
     clock,
     limits,
     endOfTurn,
+    batches,
     onSent(records, bytes) {
       counters.recordsOut += records;
       counters.bytesOut += bytes;

@@ -5,7 +5,7 @@ import {
   isMasterTopic,
   type Component,
 } from '@ubii/proto';
-import type { TokenBucket } from '../counters/token-bucket.ts';
+import type { TokenBucket } from '@ubii/timing';
 import type { Account } from '../shares/account.ts';
 import type { ReadRights } from './rights.ts';
 

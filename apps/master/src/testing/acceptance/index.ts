@@ -5,7 +5,6 @@ export {
   type Seen,
 } from './client-connection-suite.ts';
 export { auditStoreSuite } from './audit-store-suite.ts';
-export { clockSuite } from './clock-suite.ts';
 export { idSourceSuite } from './id-source-suite.ts';
 export { logSuite, type WrittenLine } from './log-suite.ts';
 export { resourceUsageSuite } from './resource-usage-suite.ts';

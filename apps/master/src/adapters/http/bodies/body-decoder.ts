@@ -6,9 +6,9 @@ import {
 } from 'node:worker_threads';
 import { ServiceError } from '@ubii/proto';
 import type { ServiceRequest } from '@ubii/proto';
+import type { Cancel, Clock } from '@ubii/timing';
 
-import type { Clock, Log } from '../../../core/ports/index.ts';
-import type { Cancel } from '../../../core/ports/clock.ts';
+import type { Log } from '../../../core/ports/index.ts';
 import { FORMATS, type FormatName } from '../service-format.ts';
 import type { DecodeAnswer, DecodeJob, DecodeWorkerData } from './decode-job.ts';
 import { JoinedMessage, type MessagePiece } from './message-pieces.ts';

@@ -1,6 +1,5 @@
 import type { IncomingMessage } from 'node:http';
-
-import type { Clock } from '../../../core/ports/index.ts';
+import type { Clock } from '@ubii/timing';
 
 /** What is still read of a refused body, so that its sender hears why, bytes. */
 const MAX_DRAINED_BYTES = 1024 * 1024;

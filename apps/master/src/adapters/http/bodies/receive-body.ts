@@ -1,9 +1,9 @@
 import type { IncomingMessage } from 'node:http';
 import { ServiceError } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 
 import type { BodyLimits } from '../../../core/services/body-limits.ts';
 import type { IncomingRequest } from '../../../core/services/incoming-request.ts';
-import type { Clock } from '../../../core/ports/index.ts';
 import type { BodyScan } from './body-scan.ts';
 
 /** Bytes charged for any request: a request without a body takes memory, too. */

@@ -1,8 +1,8 @@
 import type { ModuleFault, SandboxFactory } from '@ubii/pm-sandbox';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import { decode, type ProcessingModule } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { FakeClock } from '../../../testing/fake-clock.ts';
 import type { DraftModule } from '../draft.ts';
 import { checkSources } from './check-sources.ts';
 
@@ -50,7 +50,7 @@ describe('the check of sources', () => {
       clock,
       timeoutMs: TIMEOUT_MS,
     });
-    clock.advance(TIMEOUT_MS);
+    clock.advanceSync(TIMEOUT_MS);
     expect(await checked).toMatchObject([{ isError: false, code: 'not_checked' }]);
   });
 });

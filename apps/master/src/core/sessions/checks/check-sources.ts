@@ -1,7 +1,7 @@
 import type { ModuleFault, ModuleSource, SandboxFactory } from '@ubii/pm-sandbox';
 import type { SessionProblem } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import { isJavaScript } from '../../nodes/node.ts';
-import type { Clock } from '../../ports/clock.ts';
 import { quote } from '../../texts/quote.ts';
 import type { DraftModule } from '../draft.ts';
 import { errorProblem, warningProblem } from '../problems.ts';

@@ -1,8 +1,8 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import type { TopicPort } from '@ubii/pm-sandbox';
+import type { Clock } from '@ubii/timing';
 import type { ClientRegistry } from '../../clients/client-registry.ts';
 import type { Limits } from '../../limits/index.ts';
-import type { Clock } from '../../ports/clock.ts';
 import type { LocalNode } from '../../nodes/local-node.ts';
 import type { NodeTable } from '../../nodes/node-table.ts';
 import type { PublishingClient } from '../../topics/publication.ts';

@@ -1,6 +1,6 @@
 import type { EncodedRecord } from '@ubii/pm-sandbox';
 import { encodeLockstepRequestFrame, readRecordHead } from '@ubii/proto/wire';
-import type { Cancel } from '../../ports/clock.ts';
+import type { Cancel } from '@ubii/timing';
 import { quote } from '../../texts/quote.ts';
 import { warningProblem } from '../problems.ts';
 import type { Session } from '../session.ts';
