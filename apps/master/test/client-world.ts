@@ -5,10 +5,11 @@ import type {
   ConnectionState,
   UbiiClient,
 } from '@ubii/client-web/node';
-import { createMemoryServices, createMemoryTopicData, settle } from '@ubii/client-web/testing';
+import { createMemoryServices, createMemoryTopicData } from '@ubii/client-web/testing';
 import type { MemoryConnection, MemoryMaster, MemoryPeer } from '@ubii/client-web/testing';
 import { encodeErrorFrame, encodeRecordListFrame, recordFrameHeader } from '@ubii/proto/wire';
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
+import { settle } from '@ubii/timing/testing';
 import { FakeClock } from '@ubii/timing/testing';
 import type {
   CallerFacts,

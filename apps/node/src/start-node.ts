@@ -12,6 +12,8 @@ import { watchModuleFolder } from '@ubii/pm-sandbox/folder';
 import type { FolderWatch, LoadedFolder } from '@ubii/pm-sandbox/folder';
 import { ModuleEventKind } from '@ubii/proto';
 import type { ModuleEvent, ProcessingModule } from '@ubii/proto';
+import { within } from '@ubii/timing';
+import { systemClock } from '@ubii/timing/system';
 import { counted } from '@ubii/words';
 import { createIdentityFile, defaultIdentityFile } from './identity-file.ts';
 import type { Log } from './log.ts';
@@ -101,8 +103,10 @@ export async function startNode({
     node,
     async close() {
       folder?.close();
-      await within(STOP_TIMEOUT_MS, node.stop());
-      await within(STOP_TIMEOUT_MS, client.close());
+      // A master that is not available: nothing to deregister from.
+      const ignore = (): void => undefined;
+      await within(systemClock, STOP_TIMEOUT_MS, node.stop().catch(ignore));
+      await within(systemClock, STOP_TIMEOUT_MS, client.close().catch(ignore));
     },
   };
 }
@@ -208,15 +212,6 @@ function createInstanceLog(log: Log): (instances: readonly NodeInstance[]) => vo
     for (const [id, text] of known) if (!now.has(id)) log('info', `Stopped ${text}`);
     known = now;
   };
-}
-
-async function within(timeoutMs: number, work: Promise<unknown>): Promise<void> {
-  let timer: NodeJS.Timeout | undefined;
-  await Promise.race([
-    work.catch(() => undefined), // the master is not available: nothing to deregister from
-    new Promise((resolve) => (timer = setTimeout(resolve, timeoutMs))),
-  ]);
-  clearTimeout(timer);
 }
 
 function messageOf(error: unknown): string {

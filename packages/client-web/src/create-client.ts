@@ -1,9 +1,9 @@
 import type { PatternSource } from '@ubii/patterns';
+import { systemClock } from '@ubii/timing/system';
 import type { ClientOptions } from './core/client-options.ts';
 import { createUbiiClient } from './core/create-ubii-client.ts';
 import type { UbiiClient } from './core/ubii-client.ts';
 import { resolveEndpoints } from './endpoints.ts';
-import { systemClock } from './system-clock.ts';
 import { systemUuid } from './system-uuid.ts';
 import { createHttpServices } from './transports/http.ts';
 import { createWebSocketTopicData } from './transports/websocket.ts';

@@ -36,7 +36,6 @@ it('the names of the entry points are these', () => {
         "systemClock",
       ],
       "testing": [
-        "FakeClock",
         "FakeMaster",
         "FakeSessions",
         "createMemoryServices",
@@ -45,7 +44,6 @@ it('the names of the entry points are these', () => {
         "describeIdentityStorage",
         "describeServiceTransport",
         "describeTopicDataTransport",
-        "settle",
       ],
     }
   `);

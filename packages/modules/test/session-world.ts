@@ -1,7 +1,8 @@
 import { Re2Patterns } from '@ubii/patterns/re2';
 import { createModuleRuntime, type ModuleRuntime } from '@ubii/pm-sandbox';
-import { createInlineSandboxes, FakeClock, FakeTopics } from '@ubii/pm-sandbox/testing';
+import { createInlineSandboxes, FakeTopics } from '@ubii/pm-sandbox/testing';
 import { decode, encode, type Init, type ModuleEvent, type Session } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
 import { moduleLibrary } from '../src/index.ts';
 
 /** A session that runs on one node, with a clock and topics of the test. */

@@ -47,7 +47,6 @@ export {
   type LoadedAssets,
 } from './assets/asset-store.ts';
 export { ASSETS_PATH, createHttpAssets } from './assets/http-assets.ts';
-export type { Cancel, Clock } from './ports/clock.ts';
 export type { ModuleFault, ModuleFaultKind, ModulePhase } from './ports/module-fault.ts';
 export type {
   ModuleSource,
@@ -86,7 +85,6 @@ export {
   type PatternTimes,
 } from './runtime/binding/session-patterns.ts';
 export { eventKey } from './runtime/reports/event-key.ts';
-export { TokenBucket } from './runtime/reports/token-bucket.ts';
 export { createModuleRuntime, type ModuleRuntimeOptions } from './runtime/create-module-runtime.ts';
 export type {
   InstanceSpec,

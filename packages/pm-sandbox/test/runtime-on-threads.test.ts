@@ -1,29 +1,13 @@
 import { Re2Patterns } from '@ubii/patterns/re2';
 import { fromJson, ModuleEventKind, type ModuleEvent } from '@ubii/proto';
+import { SystemClock } from '@ubii/timing/system';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import {
-  createModuleRuntime,
-  type Clock,
-  type ModuleRuntime,
-  type SandboxFactory,
-} from '../src/index.ts';
+import { createModuleRuntime, type ModuleRuntime, type SandboxFactory } from '../src/index.ts';
 import { createNodeSandboxes } from '../src/node/index.ts';
 import { FakeTopics, ioMapping } from '../src/testing/index.ts';
 import { WORKER_FILE } from './build-worker.ts';
 
-const CLOCK: Clock = {
-  nowMs: () => Date.now(),
-  monotonicMs: () => performance.now(),
-  every(intervalMs, fn) {
-    const timer = setInterval(fn, intervalMs);
-    return () => clearInterval(timer);
-  },
-  after(delayMs, fn) {
-    const timer = setTimeout(fn, delayMs);
-    return () => clearTimeout(timer);
-  },
-  atEndOfTurn: (fn) => void setImmediate(fn),
-};
+const CLOCK = new SystemClock({ endTurn: (fn) => void setImmediate(fn) });
 
 const ON_INPUT = { triggerOnInput: {} };
 

@@ -1,5 +1,5 @@
 import { lazyPatterns, MeteredPatterns } from '@ubii/patterns';
-import { TokenBucket } from '@ubii/pm-sandbox';
+import { TokenBucket } from '@ubii/timing';
 import { shallowRef, type ShallowRef } from 'vue';
 
 /** What matching the patterns of a view may take at once, milliseconds, and a second in the long run. */

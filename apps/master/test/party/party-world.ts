@@ -2,7 +2,7 @@ import { build } from 'esbuild';
 import { fileURLToPath } from 'node:url';
 import { createAssetStore } from '@ubii/pm-sandbox';
 import { FakeAssets } from '@ubii/pm-sandbox/testing';
-import { createMemoryServices, createMemoryTopicData, settle } from '@ubii/client-web/testing';
+import { createMemoryServices, createMemoryTopicData } from '@ubii/client-web/testing';
 import { createMemoryIdentity } from '@ubii/client-web/node';
 import type {
   ClientOptions,
@@ -21,6 +21,7 @@ import {
   type GameId,
   type Seat,
 } from '@ubii/party/sim';
+import { settle } from '@ubii/timing/testing';
 import { vi } from 'vitest';
 import { ClientWorld } from '../client-world.ts';
 import { behindLine, type Line } from './slow-line.ts';

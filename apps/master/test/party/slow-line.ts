@@ -61,5 +61,6 @@ export function clockAhead(clock: Clock, aheadMs: number): Clock {
     monotonicMs: () => clock.monotonicMs(),
     after: (delayMs, fn) => clock.after(delayMs, fn),
     every: (intervalMs, fn) => clock.every(intervalMs, fn),
+    atEndOfTurn: (fn) => clock.atEndOfTurn(fn),
   };
 }

@@ -45,6 +45,7 @@ describe('a press in Quick Draw', () => {
     party.host.apply({ type: 'set-games', by: 'host', games: ['duel'] });
     await party.pass(MEASURED_AFTER_MS);
     await party.playTo('play');
+    await party.until(() => party.states.length > 0);
     // From now on they press when the test says
     for (const phone of phones) phone.isAsleep = true;
     return phones;

@@ -1,6 +1,6 @@
+import { settle } from '@ubii/timing/testing';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { createTestClient } from '../testing/create-test-client.ts';
-import { settle } from '../testing/fake-clock.ts';
 import { FakeMaster } from '../testing/fake-master.ts';
 import { followPageEvents } from './page-events.ts';
 

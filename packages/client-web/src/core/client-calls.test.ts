@@ -1,7 +1,7 @@
 import { SERVICES, ServiceError } from '@ubii/proto';
 import type { ServiceRequest } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { FakeClock } from '../testing/fake-clock.ts';
 import { FakeMaster } from '../testing/fake-master.ts';
 import { createMemoryServices } from '../transports/memory.ts';
 import { ClientCalls } from './client-calls.ts';

@@ -1,12 +1,11 @@
 import { ServiceError } from '@ubii/proto';
 import type { Init, ServiceName, ServiceReplyOf, ServiceRequestOf } from '@ubii/proto';
+import { within, type Clock } from '@ubii/timing';
 import { ConnectionError } from './connection-error.ts';
 import type { Connection } from './connection.ts';
 import { unknownClient } from './link-failure.ts';
-import type { Clock } from './ports/clock.ts';
 import type { Registration } from './registration.ts';
 import type { ServiceCalls } from './service-calls.ts';
-import { within } from './time-limit.ts';
 
 /** Services whose request says on whose behalf it comes. Elsewhere a client id is a criterion. */
 const SERVICES_WITH_CLIENT_ID: ReadonlySet<ServiceName> = new Set([
@@ -52,12 +51,12 @@ export class ClientCalls {
     const connection = this.#options.connection();
     const deadlineMs = clock.monotonicMs() + timeoutMs;
     if (connection.state.status !== 'connected') {
-      await within(clock, timeoutMs, connection.whenConnected(), () => {
+      if (!(await within(clock, timeoutMs, connection.whenConnected()))) {
         throw new ConnectionError(
           'timeout',
           `Expected a connection for "${service}" within ${timeoutMs} ms`,
         );
-      });
+      }
     }
     return this.callNow(service, request, Math.max(0, deadlineMs - clock.monotonicMs()));
   }

@@ -1,6 +1,6 @@
+import { settle } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { createTestClient } from '../testing/create-test-client.ts';
-import { settle } from '../testing/fake-clock.ts';
 import { FakeMaster } from '../testing/fake-master.ts';
 import { createMemoryIdentity } from './identity.ts';
 
@@ -20,7 +20,7 @@ describe('client.close()', () => {
     expect(publishedBefore).toMatchObject([{ value: 1 }, { value: 2 }]);
     expect(master.clientIds).toEqual([]);
     expect(states.at(-1)).toEqual({ status: 'closed', error: undefined });
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('can be called again, during and after', async () => {
@@ -89,7 +89,7 @@ describe('client.close()', () => {
     expect(client.state.status).toBe('closed');
     await clock.advance(4_000);
     await closed;
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('stops a client that is waiting to reconnect', async () => {
@@ -103,7 +103,7 @@ describe('client.close()', () => {
     await clock.advance(60_000);
     expect(states.at(-1)).toEqual({ status: 'closed', error: undefined });
     expect(master.requests).toHaveLength(requests);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('rejects a connect() that is under way, and leaves no client behind', async () => {
@@ -129,7 +129,7 @@ describe('client.close()', () => {
       await client.close();
       await settle();
       expect(master.clientIds).toEqual([]);
-      expect(clock.pendingTimers).toBe(0);
+      expect(clock.timerCount).toBe(0);
       expect(client.state).toEqual({ status: 'closed', error: undefined });
     },
   );
@@ -164,7 +164,7 @@ describe('client.leave()', () => {
     expect(master.published).toMatchObject([{ topic: '/b', value: 1 }]);
     expect(master.farewells).toEqual([{ clientId: 'client-1', code: 4000 }]);
     expect(master.clientIds).toEqual([]);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
 
     await client.connect();
     expect(states.at(-1)).toMatchObject({ clientId: 'client-1', resumed: true });
@@ -203,6 +203,6 @@ describe('client.leave()', () => {
     client.leave();
     await clock.advance(60_000);
     expect(client.state).toEqual({ status: 'closed', error: undefined });
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 });

@@ -36,8 +36,8 @@ class Story {
     return this.#test.clock.advance(ms);
   }
 
-  get pendingTimers(): number {
-    return this.#test.clock.pendingTimers;
+  get timerCount(): number {
+    return this.#test.clock.timerCount;
   }
 
   async step(): Promise<void> {
@@ -138,6 +138,6 @@ describe.each([
     await story.pass(10_000);
     await closed;
     expect(master.clientIds).not.toContain(client.id);
-    expect(story.pendingTimers).toBe(0);
+    expect(story.timerCount).toBe(0);
   });
 });

@@ -6,9 +6,9 @@ import {
   encodeNodeMessageFrame,
   encodeRecordListFrame,
 } from '@ubii/proto/wire';
+import { settle } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { createTestClient } from '../testing/create-test-client.ts';
-import { settle } from '../testing/fake-clock.ts';
 import { FakeMaster } from '../testing/fake-master.ts';
 import type { EncodedRecord } from './encoded-record.ts';
 import type { TopicPattern } from './topic-pattern.ts';

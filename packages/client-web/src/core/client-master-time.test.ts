@@ -1,6 +1,6 @@
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { createTestClient } from '../testing/create-test-client.ts';
-import { FakeClock } from '../testing/fake-clock.ts';
 import { FakeMaster } from '../testing/fake-master.ts';
 import type { ClientOptions } from './client-options.ts';
 import { PING_INTERVAL_MS } from './link.ts';
@@ -11,7 +11,8 @@ const HOUR_MS = 3_600_000;
 /** A client whose clock is an hour behind that of its master. */
 async function setup(options: Partial<ClientOptions> = {}) {
   const clock = new FakeClock();
-  const masterMs = (): number => 1_700_000_000_000 + HOUR_MS + clock.monotonicMs() + aheadMs;
+  const startMs = clock.nowMs();
+  const masterMs = (): number => startMs + HOUR_MS + clock.monotonicMs() + aheadMs;
   let aheadMs = 0;
   const master = new FakeMaster({ timeMs: masterMs });
   const all = createTestClient(master, { ...options, clock });

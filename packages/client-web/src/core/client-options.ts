@@ -1,5 +1,5 @@
 import type { Init, NodeExtension, ProcessingModule } from '@ubii/proto';
-import type { Clock } from './ports/clock.ts';
+import type { Clock } from '@ubii/timing';
 import type { IdentityStorage } from './ports/identity-storage.ts';
 import type { RandomSource } from './ports/random.ts';
 import type { ServiceTransport } from './ports/service-transport.ts';

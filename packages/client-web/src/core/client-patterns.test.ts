@@ -1,9 +1,9 @@
 import { LazyPatterns, type PatternCompiler } from '@ubii/patterns';
 import { Re2Patterns } from '@ubii/patterns/re2';
 import type { RecordInit } from '@ubii/proto';
+import { settle } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { createTestClient } from '../testing/create-test-client.ts';
-import { settle } from '../testing/fake-clock.ts';
 import { FakeMaster } from '../testing/fake-master.ts';
 import { Deferred } from './deferred.ts';
 

@@ -1,6 +1,6 @@
+import { settle } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { createTestClient } from '../testing/create-test-client.ts';
-import { settle } from '../testing/fake-clock.ts';
 import { FakeMaster } from '../testing/fake-master.ts';
 
 async function setup(options: Parameters<typeof createTestClient>[1] = {}) {
@@ -86,7 +86,7 @@ describe('a client whose socket drops [EX-5]', () => {
     expect(await held).toMatchObject({ reason: 'superseded' });
     await clock.advance(600_000);
     expect(states).toHaveLength(1);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('stops after an admin disconnected it (4010), with the name and the reason [EX-30]', async () => {
@@ -104,7 +104,7 @@ describe('a client whose socket drops [EX-5]', () => {
     ]);
     await clock.advance(600_000);
     expect(states).toHaveLength(1);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('registers again when told to connect again after 4010', async () => {
@@ -193,7 +193,7 @@ describe('a client whose socket drops [EX-5]', () => {
     await clock.advance(60_000);
     expect(client.state).toMatchObject({ status: 'closed', error: { reason: 'closed' } });
     expect(await later).toMatchObject({ name: 'ConnectionError' });
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('tries at once when told to', async () => {

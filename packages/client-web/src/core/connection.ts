@@ -1,3 +1,4 @@
+import type { Cancel, Clock } from '@ubii/timing';
 import { ConnectionError } from './connection-error.ts';
 import { next } from './connection-state.ts';
 import type { ConnectionEvent, ConnectionState } from './connection-state.ts';
@@ -7,7 +8,6 @@ import type { LinkTime } from './link.ts';
 import { BROKEN, failureOf, isAnswered, isTold, remedyFor, unknownClient } from './link-failure.ts';
 import type { LinkFailure } from './link-failure.ts';
 import { Listeners } from './listeners.ts';
-import type { Cancel, Clock } from './ports/clock.ts';
 import type { RandomSource } from './ports/random.ts';
 import type { TopicDataTransport } from './ports/topic-data-transport.ts';
 import { reconnectDelayMs } from './reconnect-policy.ts';

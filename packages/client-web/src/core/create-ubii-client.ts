@@ -8,6 +8,7 @@ import type {
   ServiceRequestOf,
 } from '@ubii/proto';
 import type { EncodedNodeMessage } from '@ubii/proto/wire';
+import { within, type Clock } from '@ubii/timing';
 import { ClientCalls } from './client-calls.ts';
 import type { ClientCounters } from './client-counters.ts';
 import type { ClientOptions } from './client-options.ts';
@@ -25,7 +26,6 @@ import type { ClientRole } from './join.ts';
 import { failureOf, LEFT } from './link-failure.ts';
 import { Listeners } from './listeners.ts';
 import type { ClientPorts } from './ports/client-ports.ts';
-import type { Clock } from './ports/clock.ts';
 import { endingRecord, toWaitingRecord, waitingRecordOf } from './publication.ts';
 import { PublishBuffer } from './publish-buffer.ts';
 import type { PublishOptions } from './publish-buffer.ts';
@@ -36,7 +36,6 @@ import { RoundTripWindow } from './round-trip.ts';
 import type { RoundTrip } from './round-trip.ts';
 import { ServiceCalls } from './service-calls.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';
-import { within } from './time-limit.ts';
 import { describeEstimate } from './time/describe-estimate.ts';
 import { MasterClock } from './time/master-clock.ts';
 import type { MasterTime } from './time/master-time.ts';

@@ -1,5 +1,6 @@
 import { ComponentIOType, DeviceType, ServiceError, componentTopic } from '@ubii/proto';
 import type { DataFormat, Device, Init } from '@ubii/proto';
+import type { Cancel, Clock } from '@ubii/timing';
 import { messageFormatOf } from './component-profile.ts';
 import { ConnectionError } from './connection-error.ts';
 import { Deferred } from './deferred.ts';
@@ -10,7 +11,6 @@ import type {
   RegisteredDevice,
 } from './devices.ts';
 import { isUnknownClient } from './link-failure.ts';
-import type { Cancel, Clock } from './ports/clock.ts';
 import type { IdSource } from './ports/id-source.ts';
 import type { PublishOptions } from './publish-buffer.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';

@@ -1,5 +1,5 @@
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { FakeClock } from '../testing/fake-clock.ts';
 import { Link, PING_INTERVAL_MS } from './link.ts';
 import type { LinkTime } from './link.ts';
 import type { LinkFailure } from './link-failure.ts';
@@ -64,7 +64,7 @@ describe('Link to a master of ours', () => {
     await expect(link.up).rejects.toMatchObject({ code: 4004, wasUp: false });
     await expect(link.ended).rejects.toMatchObject({ code: 4004 });
     expect(ends).toHaveLength(1);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('ends when nothing opens in time', async () => {
@@ -169,7 +169,7 @@ describe('Link to a master of ours', () => {
     expect(closes).toEqual([1000]);
     expect(ends).toEqual([]);
     expect(unknown).toEqual([]);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 });
 
@@ -210,7 +210,7 @@ describe('Link to a master that tells its time', () => {
     expect(ends).toEqual([]);
     await clock.advance(PING_INTERVAL_MS);
     expect(ends).toHaveLength(1);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('takes a PONG for that of its PING, whatever was left unanswered', async () => {

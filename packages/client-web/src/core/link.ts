@@ -1,8 +1,8 @@
+import type { Cancel, Clock } from '@ubii/timing';
 import { ConnectionError } from './connection-error.ts';
 import { Deferred } from './deferred.ts';
 import { BROKEN, failureOfClose } from './link-failure.ts';
 import type { LinkFailure } from './link-failure.ts';
-import type { Cancel, Clock } from './ports/clock.ts';
 import type {
   TopicDataQuery,
   TopicDataSocket,

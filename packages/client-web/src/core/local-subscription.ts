@@ -1,8 +1,8 @@
 import type { DataFormat, TopicRecord } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import { ConnectionError } from './connection-error.ts';
 import { Deferred } from './deferred.ts';
 import { Listeners } from './listeners.ts';
-import type { Clock } from './ports/clock.ts';
 import { RateLimit } from './rate-limit.ts';
 import type { ReceivedRecord } from './received-record.ts';
 import type { Receiver } from './receiver.ts';

@@ -1,5 +1,5 @@
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { FakeClock } from '../testing/fake-clock.ts';
 import type { Deferred } from './deferred.ts';
 import { Probe } from './probe.ts';
 
@@ -24,7 +24,7 @@ describe('a probe of a link that seems open [CL-42]', () => {
     questions[0]!.resolve();
     await clock.advance(10_000);
     expect(deaths).toEqual([]);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it.each([

@@ -1,5 +1,5 @@
+import type { Cancel, Clock } from '@ubii/timing';
 import { Deferred } from './deferred.ts';
-import type { Cancel, Clock } from './ports/clock.ts';
 
 /** The answer may take so many usual round trips, within these bounds, milliseconds. [CL-42] */
 const TRIPS = 4;

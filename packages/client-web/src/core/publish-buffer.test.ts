@@ -1,6 +1,6 @@
 import { decodeTopicData, encodeRecord } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { FakeClock } from '../testing/fake-clock.ts';
 import { PUBLISH_LIMITS, PublishBuffer } from './publish-buffer.ts';
 
 function setup(intervalMs = 15) {
@@ -61,7 +61,7 @@ describe('PublishBuffer while the socket takes everything', () => {
     expect(frames).toEqual([['a=1'], ['a=2', 'a=3']]);
     await clock.advance(100);
     expect(frames).toHaveLength(2);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('splits what is large into several frames', async () => {
@@ -233,6 +233,6 @@ describe('PublishBuffer without a connection', () => {
     add('b', 1);
     buffer.clear();
     expect(buffer.dropped).toBe(2);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 });

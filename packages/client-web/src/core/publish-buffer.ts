@@ -1,5 +1,5 @@
 import { encodeRecordListFrame, recordFrameHeader } from '@ubii/proto/wire';
-import type { Cancel, Clock } from './ports/clock.ts';
+import type { Cancel, Clock } from '@ubii/timing';
 
 /** How one record is published. */
 export interface PublishOptions {

@@ -1,5 +1,5 @@
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { FakeClock } from '../testing/fake-clock.ts';
 import { RateLimit } from './rate-limit.ts';
 
 function setup(maxRateHz = 10) {
@@ -43,7 +43,7 @@ describe('RateLimit [TD-28]', () => {
     const { limit, clock } = setup(10);
     limit.handle({ topic: 'a', n: 1 });
     await clock.advance(100);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('delivers nothing after close()', async () => {
@@ -53,7 +53,7 @@ describe('RateLimit [TD-28]', () => {
     limit.close();
     await clock.advance(1_000);
     expect(delivered).toEqual(['a1']);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it.each([0, -1, Number.NaN])('refuses a rate of %s Hz', (rate) => {

@@ -1,4 +1,4 @@
-import type { Cancel, Clock } from './ports/clock.ts';
+import type { Cancel, Clock } from '@ubii/timing';
 
 /**
  * Lets the newest record of each topic through, at most so often. One that comes too early waits,

@@ -1,8 +1,8 @@
 import { ServiceError } from '@ubii/proto';
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
 import { decode, encode } from '@ubii/proto';
+import { FakeClock, settle } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { FakeClock, settle } from '../testing/fake-clock.ts';
 import { ConnectionError } from './connection-error.ts';
 import { Deferred } from './deferred.ts';
 import { ServiceCalls } from './service-calls.ts';
@@ -40,7 +40,7 @@ describe('ServiceCalls', () => {
     expect(sent).toEqual([
       { topic: '/services/topic_subscription', topicSubscription: { subscribeTopics: ['/a'] } },
     ]);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('leaves an optional request out', () => {
@@ -101,7 +101,7 @@ describe('ServiceCalls', () => {
     expect(await first).toMatchObject({ reason: 'closed' });
     expect(await second).toMatchObject({ reason: 'closed' });
     expect(cancelled()).toBe(2);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
 
     const third = calls.call('topicList', undefined);
     await settle();

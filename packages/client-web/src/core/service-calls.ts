@@ -7,9 +7,9 @@ import type {
   ServiceRequest,
   ServiceRequestOf,
 } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import { ConnectionError } from './connection-error.ts';
 import { Deferred } from './deferred.ts';
-import type { Clock } from './ports/clock.ts';
 import type { ServiceTransport } from './ports/service-transport.ts';
 
 /** Connections that browsers keep to one origin. */

@@ -1,5 +1,5 @@
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
-import { FakeClock } from '../testing/fake-clock.ts';
 import { SleepWatch } from './sleep-watch.ts';
 
 function setup() {
@@ -42,6 +42,6 @@ describe('SleepWatch [CL-41]', () => {
     watch.stop();
     await clock.sleep(60_000);
     expect(wakes()).toBe(0);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 });

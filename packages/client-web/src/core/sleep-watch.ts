@@ -1,4 +1,4 @@
-import type { Cancel, Clock } from './ports/clock.ts';
+import type { Cancel, Clock } from '@ubii/timing';
 import type { ClockReading } from './time/clock-reading.ts';
 import { readClocks } from './time/clock-reading.ts';
 

@@ -1,9 +1,9 @@
 import { ServiceError } from '@ubii/proto';
 import type { Init, TopicSubscription } from '@ubii/proto';
+import type { Cancel, Clock } from '@ubii/timing';
 import { profileToMessage } from './component-profile.ts';
 import { Deferred } from './deferred.ts';
 import { isUnknownClient } from './link-failure.ts';
-import type { Cancel, Clock } from './ports/clock.ts';
 import type { ServerPattern } from './topic-pattern.ts';
 
 /** Patterns of one request. The master takes more; a smaller request is answered sooner. */

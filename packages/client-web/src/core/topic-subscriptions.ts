@@ -1,12 +1,12 @@
 import type { PatternSource } from '@ubii/patterns';
 import { INFO_TOPICS, ServiceError, isMasterTopic } from '@ubii/proto';
 import type { Component, DataFormat, EmptyRecord, Init, TopicSubscription } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import type { ComponentProfile } from './component-profile.ts';
 import { ComponentTopics } from './component-topics.ts';
 import type { EncodedListener } from './encoded-record.ts';
 import { EncodedSubscription } from './encoded-subscription.ts';
 import { LocalSubscription } from './local-subscription.ts';
-import type { Clock } from './ports/clock.ts';
 import { ReceivedRecord } from './received-record.ts';
 import type { Receiver } from './receiver.ts';
 import { SubscriptionSync } from './subscription-sync.ts';

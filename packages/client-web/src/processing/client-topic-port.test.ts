@@ -1,8 +1,8 @@
 import { decodeRecord, type KeyEvent } from '@ubii/proto';
 import type { EncodedRecord } from '@ubii/pm-sandbox';
+import { settle } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { createTestClient } from '../testing/create-test-client.ts';
-import { settle } from '../testing/fake-clock.ts';
 import { FakeMaster } from '../testing/fake-master.ts';
 import { ClientTopicPort } from './client-topic-port.ts';
 import { DeviceTopics } from './device-topics.ts';

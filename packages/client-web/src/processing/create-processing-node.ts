@@ -2,7 +2,9 @@ import { compilerOf, lazyPatterns, type PatternSource } from '@ubii/patterns';
 import { ModuleEventKind, NodeExtensionKind } from '@ubii/proto';
 import type { Init, ModuleEvent, ProcessingModule, Session } from '@ubii/proto';
 import { createModuleRuntime } from '@ubii/pm-sandbox';
-import type { Clock, ModuleFault, ModuleRuntime } from '@ubii/pm-sandbox';
+import type { ModuleFault, ModuleRuntime } from '@ubii/pm-sandbox';
+import type { Clock } from '@ubii/timing';
+import { systemClock } from '@ubii/timing/system';
 import { Listeners } from '../core/listeners.ts';
 import type { UbiiClient, Unsubscribe } from '../core/ubii-client.ts';
 import { ClientTopicPort } from './client-topic-port.ts';
@@ -17,7 +19,7 @@ import { activityOf, modulesFor } from './session-modules.ts';
 import type { AssignedModule, SessionActivity } from './session-modules.ts';
 import { SessionWatch } from './session-watch.ts';
 import { createPageClock } from './page-clock.ts';
-import { inMasterTime, processingClock } from './processing-clock.ts';
+import { inMasterTime } from './in-master-time.ts';
 
 /** How often statistics are reported, milliseconds. [PM-80] */
 export const STATISTICS_INTERVAL_MS = 250;
@@ -56,8 +58,7 @@ class Node implements ProcessingNode {
   constructor(client: UbiiClient, options: ProcessingNodeOptions) {
     this.#client = client;
     this.#options = options;
-    const clock =
-      options.clock ?? (options.kind === 'browser' ? createPageClock() : processingClock);
+    const clock = options.clock ?? (options.kind === 'browser' ? createPageClock() : systemClock);
     // What modules publish is stamped alike, on whatever node they run. [TS-9]
     this.#clock = inMasterTime(clock, client.masterTime);
     this.#patterns = options.patterns ?? lazyPatterns();

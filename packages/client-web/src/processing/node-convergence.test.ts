@@ -1,7 +1,7 @@
 import { SessionState } from '@ubii/proto';
 import type { Init, Session } from '@ubii/proto';
+import { settle } from '@ubii/timing/testing';
 import { expect, it } from 'vitest';
-import { settle } from '../testing/fake-clock.ts';
 import { createNodeWorld, rest, sessionOf, timesTen } from '../testing/node-world.ts';
 
 /** Numbers that look random and are the same in every run. */

@@ -1,3 +1,4 @@
+import { clockSuite } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { createPageClock } from './page-clock.ts';
 import type { TimerThread } from './page-clock.ts';
@@ -27,6 +28,12 @@ function setup({ canStart = true } = {}) {
     },
   };
 }
+
+clockSuite('the clock of a page that is shown', () => {
+  const { clock, show } = setup();
+  show();
+  return { clock, passTime: () => undefined };
+});
 
 describe('the clock of a page', () => {
   it('leaves the time to a thread while the page is hidden', () => {

@@ -1,5 +1,5 @@
-import type { Cancel, Clock } from '@ubii/pm-sandbox';
-import { processingClock } from './processing-clock.ts';
+import type { Cancel, Clock } from '@ubii/timing';
+import { systemClock } from '@ubii/timing/system';
 
 /** A thread that keeps time: what is posted to it is `[id, delayMs]` or `[id]`, what it posts is an id. */
 export interface TimerThread {
@@ -42,7 +42,7 @@ export function createPageClock(timers: PageTimers = browserTimers): Clock {
 
   const after = (delayMs: number, fn: () => void): Cancel => {
     const keeper = timers.isHidden() ? threadNow() : undefined;
-    if (keeper === undefined) return processingClock.after(delayMs, fn);
+    if (keeper === undefined) return systemClock.after(delayMs, fn);
     const id = ++ids;
     waiting.set(id, fn);
     keeper.post([id, delayMs]);
@@ -52,14 +52,16 @@ export function createPageClock(timers: PageTimers = browserTimers): Clock {
   };
 
   return {
-    ...processingClock,
+    nowMs: () => systemClock.nowMs(),
+    monotonicMs: () => systemClock.monotonicMs(),
+    atEndOfTurn: (fn) => systemClock.atEndOfTurn(fn),
     after,
     /** Each step is set again, so that it follows the page when it is hidden and shown. */
     every(intervalMs, fn) {
-      let dueMs = processingClock.monotonicMs() + intervalMs;
+      let dueMs = systemClock.monotonicMs() + intervalMs;
       let cancel = after(intervalMs, step);
       function step(): void {
-        const nowMs = processingClock.monotonicMs();
+        const nowMs = systemClock.monotonicMs();
         dueMs = Math.max(dueMs + intervalMs, nowMs);
         cancel = after(dueMs - nowMs, step);
         fn();

@@ -249,7 +249,7 @@ describe('a node and the sessions', () => {
     await rest();
     expect(world.sessions.told).toHaveLength(2);
     expect(world.node.instances).toEqual([]);
-    expect(world.clock.pendingTimers).toBeLessThanOrEqual(2); // the client's own: PING and the watch for sleep
+    expect(world.clock.timerCount).toBeLessThanOrEqual(2); // the client's own: PING and the watch for sleep
   });
 });
 

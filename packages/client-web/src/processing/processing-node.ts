@@ -2,12 +2,12 @@ import type { PatternSource } from '@ubii/patterns';
 import type { Init, ModuleEvent, ProcessingModule } from '@ubii/proto';
 import type {
   AssetStore,
-  Clock,
   ModuleRuntime,
   ModuleRuntimeOptions,
   RuntimeLimits,
   SandboxFactory,
 } from '@ubii/pm-sandbox';
+import type { Clock } from '@ubii/timing';
 import type { Unsubscribe } from '../core/ubii-client.ts';
 import type { NodeInstance } from './node-instance.ts';
 

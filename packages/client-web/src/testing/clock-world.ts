@@ -1,5 +1,5 @@
+import type { Cancel, Clock } from '@ubii/timing';
 import { Link } from '../core/link.ts';
-import type { Cancel, Clock } from '../core/ports/clock.ts';
 import type { TopicDataHandler, TopicDataTransport } from '../core/ports/topic-data-transport.ts';
 import { MasterClock } from '../core/time/master-clock.ts';
 
@@ -56,6 +56,7 @@ export class ClockWorld {
       monotonicMs: () => this.#inGrains(this.#timerMs),
       after: (delayMs, fn) => this.#after(delayMs, fn),
       every: (intervalMs, fn) => this.#every(intervalMs, fn),
+      atEndOfTurn: (fn) => void this.#at(this.#trueMs, true, fn),
     };
     this.masterClock = new MasterClock(this.#clock, () => this.#link?.measureTime());
   }

@@ -1,5 +1,6 @@
 import { readyPatterns, type PatternSource } from '@ubii/patterns';
 import { Re2Patterns } from '@ubii/patterns/re2';
+import { FakeClock } from '@ubii/timing/testing';
 import type { ClientOptions } from '../core/client-options.ts';
 import type { ConnectionState } from '../core/connection-state.ts';
 import { createUbiiClient } from '../core/create-ubii-client.ts';
@@ -7,7 +8,6 @@ import type { ClientProblem, UbiiClient } from '../core/ubii-client.ts';
 import { systemUuid } from '../system-uuid.ts';
 import { createMemoryServices, createMemoryTopicData } from '../transports/memory.ts';
 import type { MemoryMaster } from '../transports/memory.ts';
-import { FakeClock } from './fake-clock.ts';
 
 /** A client on a clock that stands still, with what it reported so far. */
 export interface TestClient {

@@ -1,6 +1,5 @@
 export { createTestClient } from './create-test-client.ts';
 export type { TestClient } from './create-test-client.ts';
-export { FakeClock, settle } from './fake-clock.ts';
 export { FakeMaster } from './fake-master.ts';
 export { FakeSessions } from './fake-sessions.ts';
 export { describeIdentityStorage } from './identity-storage-suite.ts';

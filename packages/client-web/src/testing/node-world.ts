@@ -1,9 +1,8 @@
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
-import type { Clock } from '@ubii/pm-sandbox';
 import type { Init, ProcessingModule, Session } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
+import { settle, type FakeClock } from '@ubii/timing/testing';
 import { createTestClient } from './create-test-client.ts';
-import { settle } from './fake-clock.ts';
-import type { FakeClock } from './fake-clock.ts';
 import { FakeMaster } from './fake-master.ts';
 import { FakeSessions } from './fake-sessions.ts';
 import { createProcessingNode } from '../processing/create-processing-node.ts';

@@ -1,5 +1,5 @@
 import type { Component } from '@ubii/proto';
-import type { Cancel } from './clock.ts';
+import type { Cancel } from '@ubii/timing';
 
 /** Selects topics. */
 export type TopicSelector =

@@ -1,9 +1,9 @@
 import { ProcessingModuleStatus } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { Sandbox, SandboxEvents, SandboxFactory } from '../ports/sandbox.ts';
-import { FakeClock } from '../testing/fake-clock.ts';
 import { EMPTY_RESULT } from '../testing/fake-sandboxes.ts';
 import { createModuleWorld, instanceSpec } from '../testing/module-world.ts';
 

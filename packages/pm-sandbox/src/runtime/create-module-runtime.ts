@@ -1,14 +1,13 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import type { ModuleEvent, ProcessingModuleStatus } from '@ubii/proto';
+import { EndOfTurn, type Clock } from '@ubii/timing';
 import { DEFAULT_RUNTIME_LIMITS, type RuntimeLimits } from '../limits.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { AssetStore } from '../assets/asset-store.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxFactory } from '../ports/sandbox.ts';
 import type { EncodedRecord, TopicPort } from '../ports/topic-port.ts';
 import { RecordCompletion } from './binding/record-completion.ts';
 import { SessionPatterns } from './binding/session-patterns.ts';
-import { EndOfTurn } from './end-of-turn.ts';
 import { ModuleInstance } from './module-instance.ts';
 import type { InstanceSpec, ModuleRuntime, PassReply, PassRequest } from './module-runtime.ts';
 import type { RuntimeContext } from './runtime-context.ts';
@@ -17,6 +16,7 @@ import type { RuntimeContext } from './runtime-context.ts';
 export interface ModuleRuntimeOptions {
   /** Id of the client or master it is: the client id of all that its modules put out. */
   readonly nodeId: string;
+  /** Its time of day is that of the master [PM-15]. */
   readonly clock: Clock;
   readonly topics: TopicPort;
   readonly patterns: PatternCompiler;

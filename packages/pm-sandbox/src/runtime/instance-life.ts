@@ -1,5 +1,5 @@
 import { ModuleEventKind, ProcessingModuleStatus } from '@ubii/proto';
-import type { Cancel } from '../ports/clock.ts';
+import { within, type Cancel } from '@ubii/timing';
 import type { ModuleFault, ModulePhase } from '../ports/module-fault.ts';
 import type { Sandbox, SandboxRequest } from '../ports/sandbox.ts';
 import { nextStatus, wireStatus, type InstanceMove, type InstanceStatus } from './lifecycle.ts';
@@ -11,7 +11,6 @@ import type { RuntimeContext } from './runtime-context.ts';
 import { sandboxRequest } from './sandbox-request.ts';
 import { isDeadly, toFault } from './to-fault.ts';
 import { loadAssets, loadOptionalAssets } from './load-assets.ts';
-import { within } from './within.ts';
 
 /** What happens in an instance's life. */
 export interface LifeEvents {

@@ -1,11 +1,11 @@
 import type { IOMapping } from '@ubii/proto';
+import { TokenBucket } from '@ubii/timing';
 import type { ParsedIo } from '../definition/parse-module.ts';
 import type { SandboxInput, SandboxResult } from '../ports/sandbox.ts';
 import { OutputBinding, type OutputRecord, type OutputSink } from './binding/output-binding.ts';
 import { expiryOf, isPicture } from './binding/record-completion.ts';
 import { MadeTopics } from './made-topics.ts';
 import type { InstanceReports } from './reports/instance-reports.ts';
-import { TokenBucket } from './reports/token-bucket.ts';
 import type { RuntimeContext } from './runtime-context.ts';
 
 /** What an instance puts out: completed, limited and counted. [PM-32] to [PM-35], [PM-55] */

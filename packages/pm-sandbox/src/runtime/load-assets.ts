@@ -1,6 +1,6 @@
+import type { Clock } from '@ubii/timing';
 import { AssetError } from '../assets/asset-error.ts';
 import type { AssetProgress, AssetStore, LoadedAssets } from '../assets/asset-store.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { InstanceSpec } from './module-runtime.ts';
 import type { InstanceReports } from './reports/instance-reports.ts';

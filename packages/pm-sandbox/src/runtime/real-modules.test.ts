@@ -1,12 +1,12 @@
 import { Re2Patterns } from '@ubii/patterns/re2';
 import { fromJson, ModuleEventKind, type ModuleEvent } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import {
   defineProcessingModule,
   type AnyModuleDefinition,
 } from '../definition/define-processing-module.ts';
 import { moduleToWire } from '../definition/module-to-wire.ts';
-import { FakeClock } from '../testing/fake-clock.ts';
 import { FakeTopics } from '../testing/fake-topics.ts';
 import { createInlineSandboxes } from '../testing/inline-sandboxes.ts';
 import { ioMapping, type ModuleSketch } from '../testing/module-world.ts';

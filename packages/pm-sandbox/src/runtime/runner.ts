@@ -1,4 +1,4 @@
-import type { Clock } from '../ports/clock.ts';
+import type { Clock } from '@ubii/timing';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { Sandbox, SandboxInput, SandboxResult } from '../ports/sandbox.ts';
 import { toFault } from './to-fault.ts';

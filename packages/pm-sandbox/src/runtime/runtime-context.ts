@@ -1,13 +1,12 @@
 import type { ModuleEvent, ProcessingModuleStatus } from '@ubii/proto';
+import type { Clock, EndOfTurn } from '@ubii/timing';
 import type { RuntimeLimits } from '../limits.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { AssetStore } from '../assets/asset-store.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxFactory } from '../ports/sandbox.ts';
 import type { TopicPort } from '../ports/topic-port.ts';
 import type { RecordCompletion } from './binding/record-completion.ts';
 import type { SessionPatterns } from './binding/session-patterns.ts';
-import type { EndOfTurn } from './end-of-turn.ts';
 
 /** What the instances of a runtime have in common. */
 export interface RuntimeContext {

@@ -1,4 +1,4 @@
-import type { Cancel } from '../ports/clock.ts';
+import type { Cancel } from '@ubii/timing';
 import { WATCHDOG_GRACE_MS, WATCHDOG_INTERVAL_MS } from '../sandbox-limits.ts';
 import type { Progress } from '../worker/protocol.ts';
 

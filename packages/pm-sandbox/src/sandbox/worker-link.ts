@@ -1,4 +1,4 @@
-import type { Cancel } from '../ports/clock.ts';
+import type { Cancel } from '@ubii/timing';
 import type { HostBatch, Progress, WorkerBatch, WorkerStart } from '../worker/protocol.ts';
 import type { PoolMemoryOptions } from './pool-memory.ts';
 

@@ -14,7 +14,7 @@ import {
   type Init,
   type TopicRecord,
 } from '@ubii/proto';
-import type { Cancel } from '../ports/clock.ts';
+import type { Cancel } from '@ubii/timing';
 import type {
   EncodedRecord,
   TopicListener,

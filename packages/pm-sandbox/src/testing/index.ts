@@ -10,7 +10,6 @@ export {
 } from './sandbox-fixture.ts';
 export { describeSandboxes, type SandboxSuite } from './sandbox-suite.ts';
 export { FakeAssets, loadedAssets, manifestOf, type AssetTexts } from './fake-assets.ts';
-export { FakeClock, settle } from './fake-clock.ts';
 export {
   EMPTY_RESULT,
   FakeSandbox,

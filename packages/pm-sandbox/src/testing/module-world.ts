@@ -8,13 +8,13 @@ import {
   type ProcessingModule,
   type ProcessingModuleStatus,
 } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
 import type { AssetStore } from '../assets/asset-store.ts';
 import type { RuntimeLimits } from '../limits.ts';
 import type { ModuleFault } from '../ports/module-fault.ts';
 import type { SandboxFactory } from '../ports/sandbox.ts';
 import { createModuleRuntime } from '../runtime/create-module-runtime.ts';
 import type { InstanceSpec, ModuleRuntime } from '../runtime/module-runtime.ts';
-import { FakeClock } from './fake-clock.ts';
 import { FakeSandboxes } from './fake-sandboxes.ts';
 import { FakeTopics } from './fake-topics.ts';
 

@@ -1,6 +1,6 @@
 import { decodeRecord, encodeRecord, type DataFormat, type RecordInit } from '@ubii/proto';
+import type { Cancel } from '@ubii/timing';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import type { Cancel } from '../ports/clock.ts';
 import type { EncodedRecord, TopicPort, TopicSelector } from '../ports/topic-port.ts';
 
 /** A port, and another client with the same topics. */

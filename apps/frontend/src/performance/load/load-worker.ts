@@ -1,7 +1,7 @@
 /** Worker of the load test: its clients live here, so that drawing the page does not slow them down. */
 import { createClient, type UbiiClient } from '@ubii/client-web';
 import { Image2DDataFormat } from '@ubii/proto';
-import { systemClock } from '../run/system-clock.ts';
+import { systemClock } from '@ubii/timing/system';
 import type { LoadParameters } from './load-parameters.ts';
 import { measureLoad, type LoadClient } from './measure-load.ts';
 import type { FromLoadWorker, ToLoadWorker } from './worker-messages.ts';

@@ -1,4 +1,4 @@
-import { FakeClock } from '@ubii/client-web/testing';
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { findKnee, type LoadStep } from './knee.ts';
 import { rampOf, type LoadParameters } from './load-parameters.ts';
@@ -44,7 +44,7 @@ describe('message load', () => {
     expect(curves[0]!.mark).toMatchObject({ x: 400 });
     expect(figures.find(({ key }) => key === 'knee')!.value).toBeCloseTo(400, -1);
     expect(notes[0]).toContain('The master was the limit');
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('says so when there is no knee', async () => {

@@ -1,4 +1,4 @@
-import type { Clock } from '@ubii/client-web';
+import type { Clock } from '@ubii/timing';
 import type { Findings } from './findings.ts';
 
 /** How far a running test is. */

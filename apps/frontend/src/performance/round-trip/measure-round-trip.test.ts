@@ -1,4 +1,4 @@
-import { FakeClock } from '@ubii/client-web/testing';
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import type { Findings } from '../measure/findings.ts';
 import type { Progress } from '../measure/test-run.ts';
@@ -45,7 +45,7 @@ describe('round trip', () => {
     expect(reports.map(({ share }) => share)).toEqual(
       reports.map(({ share }) => share).sort((a, b) => a - b),
     );
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 
   it('calls lost what does not come back', async () => {
@@ -84,6 +84,6 @@ describe('round trip', () => {
     expect(figure(found, 'immediate.lost')).toBeUndefined();
     // Echoes that are still under way are the only timers
     await clock.advance(10);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 });

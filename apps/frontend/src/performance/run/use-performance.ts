@@ -1,4 +1,5 @@
 import { ServiceError } from '@ubii/proto';
+import { systemClock } from '@ubii/timing/system';
 import { useEventListener } from '@vueuse/core';
 import { inject, onScopeDispose, provide, shallowRef, watch, type InjectionKey } from 'vue';
 import { randomUuid } from '../../connection/random-uuid.ts';
@@ -12,7 +13,6 @@ import { TEST_TITLES } from '../words/test-words.ts';
 import { circumstances } from './circumstances.ts';
 import { createLeavings, removalRequest, type Leaving, type Leavings } from './leavings.ts';
 import type { RunState } from './run-state.ts';
-import { systemClock } from './system-clock.ts';
 import { isAbandoned } from './test-session.ts';
 
 /** The page's tests and their results. */

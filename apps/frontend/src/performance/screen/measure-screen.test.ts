@@ -1,4 +1,4 @@
-import { FakeClock } from '@ubii/client-web/testing';
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { measureScreen, type ScreenWorld } from './measure-screen.ts';
 
@@ -52,6 +52,6 @@ describe('topic to screen', () => {
     stop.abort();
     await clock.advance(2000);
     expect((await findings).figures.some(({ key }) => key === 'lost')).toBe(false);
-    expect(clock.pendingTimers).toBe(0);
+    expect(clock.timerCount).toBe(0);
   });
 });

@@ -1,5 +1,5 @@
-import { FakeClock } from '@ubii/client-web/testing';
 import type { ModuleStatistics, SessionStatistics } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { isAbandoned } from '../run/test-session.ts';
 import { measureSpeed, type SpeedSession } from './measure-speed.ts';

@@ -1,12 +1,7 @@
 import { Traffic } from '../clients/traffic.ts';
-import type {
-  Cancel,
-  EncodedRecord,
-  TopicListener,
-  TopicPort,
-  TopicSelector,
-} from '@ubii/pm-sandbox';
+import type { EncodedRecord, TopicListener, TopicPort, TopicSelector } from '@ubii/pm-sandbox';
 import { globToRegExpSource } from '@ubii/proto';
+import type { Cancel } from '@ubii/timing';
 import { TokenBucket, type Clock } from '@ubii/timing';
 import type { LimitName, Limits } from '../limits/index.ts';
 import type { Account } from '../shares/account.ts';

@@ -1,5 +1,5 @@
 import type { PatternSource } from '@ubii/patterns';
-import type { Clock } from './clock.ts';
+import type { Clock } from '@ubii/timing';
 import type { IdSource } from './id-source.ts';
 import type { RandomSource } from './random.ts';
 import type { ServiceTransport } from './service-transport.ts';

@@ -1,4 +1,4 @@
-import type { Clock } from '../ports/clock.ts';
+import type { Clock } from '@ubii/timing';
 
 /** Both clocks of this machine at one moment, milliseconds. */
 export interface ClockReading {

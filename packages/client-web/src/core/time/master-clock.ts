@@ -1,5 +1,5 @@
+import type { Clock } from '@ubii/timing';
 import { Listeners } from '../listeners.ts';
-import type { Clock } from '../ports/clock.ts';
 import type { Unsubscribe } from '../unsubscribe.ts';
 import { ClockGrain } from './clock-grain.ts';
 import { readClocks, wallAheadMs } from './clock-reading.ts';

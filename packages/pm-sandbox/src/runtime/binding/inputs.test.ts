@@ -1,8 +1,8 @@
 import { decodeRecord, encodeRecord, ModuleEventKind } from '@ubii/proto';
+import { FakeClock } from '@ubii/timing/testing';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { SandboxRecord } from '../../ports/sandbox.ts';
-import { FakeClock } from '../../testing/fake-clock.ts';
 import { EMPTY_RESULT, inputValues } from '../../testing/fake-sandboxes.ts';
 import { createModuleWorld, ioMapping, type ModuleSketch } from '../../testing/module-world.ts';
 import { MuxList } from './mux-list.ts';

@@ -1,6 +1,6 @@
 import { MatchBudgetError } from '@ubii/patterns';
 import { DATA_FORMATS, parseDataFormat, type DataFormat, type TopicMux } from '@ubii/proto';
-import type { Cancel } from '../../ports/clock.ts';
+import type { Cancel } from '@ubii/timing';
 import type { SandboxInput } from '../../ports/sandbox.ts';
 import type { EncodedRecord, TopicListener, TopicSelector } from '../../ports/topic-port.ts';
 import { fieldFits } from './formats-fit.ts';

@@ -1,8 +1,7 @@
 import { MeteredPatterns, type PatternCompiler } from '@ubii/patterns';
 import { MuxIdentity, type IOMapping, type TopicMux } from '@ubii/proto';
+import { TokenBucket, type Clock } from '@ubii/timing';
 import type { RuntimeLimits } from '../../limits.ts';
-import type { Clock } from '../../ports/clock.ts';
-import { TokenBucket } from '../reports/token-bucket.ts';
 import { muxSelector } from './mux-selector.ts';
 
 /** Sessions whose budget is remembered. One that is forgotten begins with a full one. */

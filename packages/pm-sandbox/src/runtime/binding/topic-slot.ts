@@ -1,4 +1,4 @@
-import type { Cancel } from '../../ports/clock.ts';
+import type { Cancel } from '@ubii/timing';
 import type { SandboxInput } from '../../ports/sandbox.ts';
 import type { EncodedRecord, TopicListener } from '../../ports/topic-port.ts';
 import { describeField, fieldFits } from './formats-fit.ts';

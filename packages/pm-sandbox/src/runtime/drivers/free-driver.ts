@@ -1,4 +1,4 @@
-import type { Cancel } from '../../ports/clock.ts';
+import type { Cancel } from '@ubii/timing';
 import type { ModeDriver, RunHost } from './mode-driver.ts';
 
 /** Runs again as soon as the run before ended and other work had a turn. [PM-28] */

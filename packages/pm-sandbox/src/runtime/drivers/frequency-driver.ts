@@ -1,5 +1,4 @@
-import type { Cancel } from '../../ports/clock.ts';
-import type { TurnTask } from '../end-of-turn.ts';
+import type { Cancel, TurnTask } from '@ubii/timing';
 import type { ModeDriver, RunHost } from './mode-driver.ts';
 
 /**

@@ -1,5 +1,4 @@
-import type { Cancel } from '../../ports/clock.ts';
-import type { TurnTask } from '../end-of-turn.ts';
+import type { Cancel, TurnTask } from '@ubii/timing';
 
 /** Says when an instance runs. Made for one mode, started and stopped any number of times. */
 export interface ModeDriver {

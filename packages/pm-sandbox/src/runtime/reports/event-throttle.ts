@@ -1,5 +1,5 @@
 import type { ModuleEvent } from '@ubii/proto';
-import type { Cancel, Clock } from '../../ports/clock.ts';
+import type { Cancel, Clock } from '@ubii/timing';
 import { eventKey } from './event-key.ts';
 
 /** Equal events are told once in this time. [PM-81] */

@@ -4,14 +4,13 @@ import {
   type ModuleEvent,
   type ModuleStatistics,
 } from '@ubii/proto';
+import { TokenBucket, type Clock } from '@ubii/timing';
 import type { AssetProgress } from '../../assets/asset-store.ts';
 import type { RuntimeLimits } from '../../limits.ts';
-import type { Clock } from '../../ports/clock.ts';
 import type { ModuleFault } from '../../ports/module-fault.ts';
 import { EventThrottle } from './event-throttle.ts';
 import { RunDurations } from './run-durations.ts';
 import { RunRate } from './run-rate.ts';
-import { TokenBucket } from './token-bucket.ts';
 
 /** Who is reported on. */
 export interface ReportSubject {

@@ -1,9 +1,9 @@
 import { ModuleEventKind, ProcessingModuleStatus } from '@ubii/proto';
+import { TokenBucket } from '@ubii/timing';
 import { describe, expect, it } from 'vitest';
 import { EMPTY_RESULT } from '../../testing/fake-sandboxes.ts';
 import { createModuleWorld } from '../../testing/module-world.ts';
 import { RunDurations } from './run-durations.ts';
-import { TokenBucket } from './token-bucket.ts';
 
 const TEN_HERTZ = { mode: { frequency: { hertz: 10 } } };
 

@@ -1,6 +1,7 @@
 import { EXAMPLE_SESSIONS, moduleLibrary } from '@ubii/modules';
 import { Re2Patterns } from '@ubii/patterns/re2';
-import { createInlineSandboxes, FakeClock } from '@ubii/pm-sandbox/testing';
+import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
+import { FakeClock } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { completeExample } from '../../../sessions/examples/complete-example.ts';
 import { GALLERY, type GalleryEntry } from '../gallery.ts';

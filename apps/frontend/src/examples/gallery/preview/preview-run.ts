@@ -1,10 +1,5 @@
 import type { PatternCompiler } from '@ubii/patterns';
-import {
-  createModuleRuntime,
-  type Clock,
-  type ModuleRuntime,
-  type SandboxFactory,
-} from '@ubii/pm-sandbox';
+import { createModuleRuntime, type ModuleRuntime, type SandboxFactory } from '@ubii/pm-sandbox';
 import {
   decodeRecord,
   type ProcessingModule,
@@ -12,6 +7,7 @@ import {
   type Session,
   type TopicRecord,
 } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import { PageTopics } from './page-topics.ts';
 
 /** Dependencies of a preview run. */

@@ -1,4 +1,5 @@
 import { ButtonEventType, type RecordInit } from '@ubii/proto';
+import { systemClock } from '@ubii/timing/system';
 import {
   useDocumentVisibility,
   useElementVisibility,
@@ -6,7 +7,6 @@ import {
   usePreferredReducedMotion,
 } from '@vueuse/core';
 import { computed, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
-import { browserClock } from '../../../modules/editor/tryout/browser-clock.ts';
 import type { GalleryEntry } from '../gallery.ts';
 import type { InputName } from '../inputs/input-names.ts';
 import { DEMO_INTERVAL_MS, demoInputs } from './demo-input.ts';
@@ -60,7 +60,7 @@ export function usePreview(
       if (isOver) return;
 
       const memory = new PreviewMemory(`/examples/${entry.id}/`);
-      const world = { sandboxes: kit.sandboxes, patterns, clock: browserClock };
+      const world = { sandboxes: kit.sandboxes, patterns, clock: systemClock };
       const run = new PreviewRun(session, kit.library, world, (record) =>
         memory.take(record, performance.now()),
       );
@@ -77,7 +77,7 @@ export function usePreview(
       let fromMs = 0;
       const startMs = performance.now();
       ends.push(
-        browserClock.every(DEMO_INTERVAL_MS, () => {
+        systemClock.every(DEMO_INTERVAL_MS, () => {
           const toMs = performance.now() - startMs;
           if (!isPointed.value) demoInputs(entry, fromMs, toMs).forEach(put);
           fromMs = toMs;
@@ -88,7 +88,7 @@ export function usePreview(
       };
       if (still) {
         ends.push(
-          browserClock.after(STILL_AFTER_MS, () => {
+          systemClock.after(STILL_AFTER_MS, () => {
             draw();
             end();
           }),

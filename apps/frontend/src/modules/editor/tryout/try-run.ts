@@ -1,7 +1,6 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import {
   createModuleRuntime,
-  type Clock,
   type ModuleFault,
   type ModuleRuntime,
   type SandboxFactory,
@@ -14,6 +13,7 @@ import {
   type ProcessingMode,
   type ProcessingModule,
 } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
 import { tapSandboxes } from './tap-sandboxes.ts';
 import { TryTopics } from './try-topics.ts';
 

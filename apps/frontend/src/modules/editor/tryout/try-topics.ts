@@ -1,12 +1,7 @@
 import { compileGlob, type PatternCompiler } from '@ubii/patterns';
 import { recordValueField } from '@ubii/proto/wire';
-import type {
-  Cancel,
-  EncodedRecord,
-  TopicListener,
-  TopicPort,
-  TopicSelector,
-} from '@ubii/pm-sandbox';
+import type { EncodedRecord, TopicListener, TopicPort, TopicSelector } from '@ubii/pm-sandbox';
+import type { Cancel } from '@ubii/timing';
 
 interface Subscription {
   readonly selects: (topic: string) => boolean;

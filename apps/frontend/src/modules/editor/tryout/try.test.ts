@@ -1,7 +1,8 @@
 import { Re2Patterns } from '@ubii/patterns/re2';
-import { createInlineSandboxes, FakeClock, settle } from '@ubii/pm-sandbox/testing';
+import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import type { ModuleFault, SandboxResult } from '@ubii/pm-sandbox';
 import { decodeRecord, ModuleEventKind, type ModuleEvent } from '@ubii/proto';
+import { FakeClock, settle } from '@ubii/timing/testing';
 import { describe, expect, it } from 'vitest';
 import { moduleOf, type ModuleDraft } from '../draft/module-draft.ts';
 import { TEMPLATES } from '../draft/templates.ts';

@@ -8,6 +8,7 @@ import {
   type RecordInit,
   type TopicRecord,
 } from '@ubii/proto';
+import { systemClock } from '@ubii/timing/system';
 import { watchDebounced } from '@vueuse/core';
 import {
   computed,
@@ -23,7 +24,6 @@ import { useConnection } from '../../../connection/useConnection.ts';
 import { withEvent } from '../../../sessions/live/event-log.ts';
 import { sparkNumbers } from '../../../topics/values/value-series.ts';
 import { moduleOf, type ModuleDraft } from '../draft/module-draft.ts';
-import { browserClock } from './browser-clock.ts';
 import { newTryInput, recordsOf, tryMapping, type TryInput } from './try-input.ts';
 import { TryRun, type TryStatus } from './try-run.ts';
 
@@ -117,7 +117,7 @@ export function useTryRun(
   function open(): Promise<TryRun> {
     return (current ??= Promise.all([openSandboxes(), patterns.load()]).then(
       ([sandboxes, compiler]) =>
-        new TryRun(sandboxes, compiler, browserClock, {
+        new TryRun(sandboxes, compiler, systemClock, {
           onResult: handleResult,
           onFailedRun() {
             count += 1;

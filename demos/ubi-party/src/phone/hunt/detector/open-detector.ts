@@ -5,7 +5,6 @@ import {
   createHttpAssets,
   createModuleRuntime,
   type AssetStore,
-  type Clock,
 } from '@ubii/pm-sandbox';
 import { createBrowserSandboxes } from '@ubii/pm-sandbox/browser';
 import {
@@ -61,7 +60,7 @@ export async function openDetector(onLoaded: (bytes: number) => void): Promise<D
   const sandboxes = createBrowserSandboxes({ maxWorkers: 1 });
   const runtime = createModuleRuntime({
     nodeId: 'page',
-    clock: pageClock,
+    clock: systemClock,
     topics,
     patterns: {
       compile: () => {
@@ -127,5 +126,3 @@ function counted(store: AssetStore, onLoaded: (bytes: number) => void): AssetSto
       }),
   };
 }
-
-const pageClock: Clock = { ...systemClock, atEndOfTurn: (fn) => queueMicrotask(fn) };
