@@ -67,7 +67,7 @@ export function launch(command, args, options = {}) {
       stdio,
       ...(options.ownedByUs ? /** @type {const} */ (['ipc']) : []),
     ],
-    shell: process.platform === 'win32' && command === 'npx',
+    shell: process.platform === 'win32' && /^np[mx]$/.test(command),
   });
   let output = '';
   for (const stream of [child.stdout, child.stderr]) {

@@ -26,6 +26,10 @@ const CHECKED = [
   'npx vitest run',
 ];
 const NOT_COPIED = /^(\.git|\.cache.*|\.pnpm|\.vite.*|dist)$/;
+/** Folders of running programs, which may change while they are copied. */
+const IN_USE = ['data', 'benchmarks/results', 'robustness/results', 'e2e/test-results'].map(
+  (path) => inRoot(path),
+);
 
 /** @returns {{ name: string, steps: import('./guides.mjs').GuideStep[] }[]} all guides */
 export function readGuides() {
@@ -42,6 +46,9 @@ export function readGuides() {
  */
 export async function followGuides() {
   const copy = copyRepository();
+  const remove = () => rmSync(copy, { recursive: true, force: true });
+  // Also when the program is interrupted
+  process.once('exit', remove);
   try {
     const steps = readGuides().flatMap(({ name, steps }) => applyFiles(copy, name, steps));
     for (const [program = '', ...args] of commandsOf(steps)) {
@@ -49,7 +56,8 @@ export async function followGuides() {
     }
     await checkTypes(copy, filesOf(steps));
   } finally {
-    rmSync(copy, { recursive: true, force: true });
+    remove();
+    process.off('exit', remove);
   }
 }
 
@@ -59,7 +67,7 @@ function copyRepository() {
   cpSync(root, copy, {
     recursive: true,
     verbatimSymlinks: true,
-    filter: (source) => !NOT_COPIED.test(basename(source)),
+    filter: (source) => !NOT_COPIED.test(basename(source)) && !IN_USE.includes(source),
   });
   symlinkSync(inRoot('node_modules/.pnpm'), join(copy, 'node_modules/.pnpm'), 'junction');
   return copy;

@@ -128,7 +128,7 @@ async function runUnitTests() {
   const report = reportFile('unit');
   const { code, output } = await runNode(programFile('', 'vitest'), [
     ...['run', '--root', root, '--reporter=dot', '--reporter=json', `--outputFile.json=${report}`],
-    // Tests leave nothing behind, so sources are loaded once per worker instead of once per file
+    // Tests leave nothing behind and those with mocks reset modules, so sources are loaded once per worker instead of once per file
     '--no-isolate',
   ]);
   if (code !== 0) {

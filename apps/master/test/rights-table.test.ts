@@ -5,6 +5,7 @@ import {
   ComponentIOType,
   FAREWELL_TOPIC,
   identifyTopic,
+  messageDescriptor,
   preflightTopic,
 } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
@@ -33,6 +34,20 @@ describe('the page of the rights', () => {
     const page = readFileSync(new URL('../../../docs/security.md', import.meta.url), 'utf8');
     expect(page).toBe(withRights(page));
   });
+});
+
+/** Their payloads name a client that is looked for. */
+const ABOUT_CLIENTS = ['auditLog', 'deviceGet'];
+
+it('a service whose payload names a client says whether it is the caller [AC-22]', () => {
+  const members = messageDescriptor('ubii.services.ServiceRequest').fieldByName;
+  const silent = ALL_SERVICES.filter(({ name, info, actsForClient }) => {
+    const type = info.request === undefined ? undefined : members.get(info.request)?.type;
+    const isMessage = typeof type === 'object' && type.kind === 'message';
+    const namesClient = isMessage && type.fieldByName.has('clientId');
+    return namesClient && !actsForClient && !ABOUT_CLIENTS.includes(name);
+  });
+  expect(silent.map(({ name }) => name)).toEqual([]);
 });
 
 describe('services, in both directions [AC-21]', () => {

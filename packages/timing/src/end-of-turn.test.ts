@@ -21,7 +21,7 @@ describe('the end of a turn', () => {
     expect(run).toEqual(['a', 'b']);
   });
 
-  it('is told to its owner before the first task', () => {
+  it('calls the function of its owner before the first task', () => {
     const clock = new FakeClock();
     const order: string[] = [];
     const endOfTurn = new EndOfTurn(clock, () => order.push('end'));
@@ -31,7 +31,7 @@ describe('the end of a turn', () => {
     expect(order).toEqual(['end', 'a', 'b']);
   });
 
-  it('leaves to the next turn what a task adds', () => {
+  it('runs a task that another task adds in the next turn', () => {
     const { clock, endOfTurn, run, add } = setup();
     endOfTurn.add({ handleEndOfTurn: () => add('next') });
     clock.atEndOfTurn(() => run.push('this'));
@@ -39,7 +39,7 @@ describe('the end of a turn', () => {
     expect(run).toEqual(['this', 'next']);
   });
 
-  it('comes with the end of the input of one who alone sends [TD-30]', () => {
+  it('runs tasks when the input of the only sender ends [TD-30]', () => {
     const { clock, endOfTurn, run, add } = setup();
     const sender = {};
     endOfTurn.beginRead(sender);
@@ -55,7 +55,7 @@ describe('the end of a turn', () => {
     expect(run).toEqual(['first', 'second', 'third']);
   });
 
-  it('is waited for while several send, and with what is already there [TD-30]', () => {
+  it('runs tasks at the end of the turn while several clients send [TD-30]', () => {
     const { clock, endOfTurn, run, add } = setup();
     const [one, other] = [{}, {}];
     for (const sender of [one, other, one]) {

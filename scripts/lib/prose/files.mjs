@@ -12,8 +12,9 @@ export const PLACES = /** @type {const} */ (['docs', 'comments', 'screens', 'mes
 
 /** @typedef {(typeof PLACES)[number]} Place */
 
-/** Folders with nothing that is written by hand, besides hidden ones. */
-const notWritten = /^(node_modules|dist|generated|results|data|playwright-report|test-results)$/;
+/** Folders with nothing that is written by hand, besides hidden ones; as paths from the root. */
+const notWritten =
+  /(^|\/)(node_modules|dist|generated)$|^(data|(benchmarks|robustness)\/results|e2e\/(playwright-report|test-results))$/;
 
 const screens = /^(apps\/frontend|demos\/[^/]+)\/src\//;
 /** Other texts there are examples: what people type, what a program answers. */
@@ -41,10 +42,10 @@ export function writtenFiles() {
 /** @param {string} folder relative to the root @returns {string[]} */
 function pathsIn(folder) {
   return readdirSync(inRoot(folder), { withFileTypes: true }).flatMap((entry) => {
-    const path = join(folder, entry.name);
-    if (entry.name.startsWith('.') || notWritten.test(entry.name)) return [];
+    const path = join(folder, entry.name).split(sep).join('/');
+    if (entry.name.startsWith('.') || notWritten.test(path)) return [];
     if (entry.isDirectory()) return pathsIn(path);
-    return extname(path) in readers ? [path.split(sep).join('/')] : [];
+    return extname(path) in readers ? [path] : [];
   });
 }
 

@@ -15,10 +15,5 @@ export async function findMisspelled(words, ownWords) {
     { noConfigSearch: true, generateSuggestions: true },
     { language: locale, words: [...ownWords], numSuggestions: 3 },
   );
-  return new Map(
-    issues.map(({ line, offset, suggestions = [] }) => [
-      line.text.trim() || lines[offset],
-      suggestions,
-    ]),
-  );
+  return new Map(issues.map(({ line, suggestions = [] }) => [line.text.trim(), suggestions]));
 }

@@ -1,10 +1,13 @@
-import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { afterAll, afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { effectScope, ref, type EffectScope } from 'vue';
 import { usePublisher, type Publisher } from './use-publisher.ts';
 
 const publish = vi.fn();
 let reportError: (problem: Error) => void;
 const isConnected = ref(true);
+// Files share their modules: what is mocked here is neither there before nor afterwards
+vi.hoisted(() => vi.resetModules());
+afterAll(() => void vi.resetModules());
 vi.mock('../connection/useConnection.ts', () => ({
   useConnection: () => ({
     isConnected,

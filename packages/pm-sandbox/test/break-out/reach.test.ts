@@ -23,6 +23,7 @@ beforeAll(async () => {
 
 afterAll(() => {
   server.close();
+  delete process.env['UBII_BREAK_OUT_SECRET'];
   rmSync(folder, { recursive: true });
 });
 

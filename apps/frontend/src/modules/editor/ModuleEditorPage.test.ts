@@ -1,10 +1,13 @@
 // @vitest-environment happy-dom
 import { flushPromises, mount } from '@vue/test-utils';
-import { expect, it, vi } from 'vitest';
+import { afterAll, expect, it, vi } from 'vitest';
 import { defineComponent, h, ref } from 'vue';
 import { createMemoryHistory, createRouter, RouterView } from 'vue-router';
 import ModuleEditorPage from './ModuleEditorPage.vue';
 
+// Files share their modules: what is mocked here is neither there before nor afterwards
+vi.hoisted(() => vi.resetModules());
+afterAll(() => void vi.resetModules());
 vi.mock('./ModuleWorkbench.vue', () => ({
   default: defineComponent({
     name: 'ModuleWorkbench',

@@ -33,7 +33,11 @@ export function useResultActions(): {
     },
     remove(results) {
       void kept.remove(results.map(({ id }) => id));
-      const what = plural(results.length, `“${results[0]!.name}”`, `${results.length} results`);
+      const what = plural(
+        results.length,
+        `“${results[0]?.name ?? ''}”`,
+        `${results.length} results`,
+      );
       toasts.show(`Removed ${what}`, { text: 'Undo', run: () => void kept.put(...results) });
     },
     async importFiles(files) {

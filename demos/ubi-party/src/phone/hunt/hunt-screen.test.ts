@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { flushPromises } from '@vue/test-utils';
-import { beforeEach, expect, test, vi } from 'vitest';
+import { afterAll, afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { Feedback, Question } from '../../sim/index.ts';
 import { FEEDBACK, type FakeParty } from '../testing/fake-phone-link.ts';
 import { inRound, PhonePage } from '../testing/phone-page.ts';
@@ -8,6 +8,9 @@ import type { Sighting } from './detector/detector.ts';
 import { bestFor } from './detector/sightings.ts';
 import { liveSentence } from './live-sentence.ts';
 
+// Files share their modules: what is mocked here is neither there before nor afterwards
+vi.hoisted(() => vi.resetModules());
+afterAll(() => void vi.resetModules());
 vi.mock('./picture.ts', () => ({
   takeStill: ({ width, height }: object & { width: number; height: number }) => ({ width, height }),
   pixelsOf: () => ({ width: 4, height: 3, data: new Uint8ClampedArray(48) }),
@@ -57,6 +60,9 @@ beforeEach(() => {
     value: { getUserMedia: refuse },
     configurable: true,
   });
+});
+afterEach(() => {
+  delete (navigator as { mediaDevices?: unknown }).mediaDevices;
 });
 
 /** Opens the page with a detector that sees what the test says. */

@@ -23,6 +23,8 @@ export class PhonePage {
     afterEach(() => {
       this.close();
       vi.unstubAllGlobals();
+      delete (navigator as { vibrate?: unknown }).vibrate;
+      localStorage.clear();
     });
   }
 
