@@ -1,5 +1,7 @@
 import { shallowRef, type ShallowRef } from 'vue';
+import type { Sphere } from './framing.ts';
 import { orbitKey, pan, startOrbit, turn, zoom, type Orbit, type Up } from './orbit.ts';
+import { ORIGIN } from './space-things.ts';
 
 /** Radians for a drag across the picture. */
 const TURN_ACROSS = Math.PI * 1.5;
@@ -10,7 +12,7 @@ export interface OrbitGesture {
   readonly orbit: Readonly<ShallowRef<Orbit>>;
   /** A person chose where to look from: it stays until it is reset. */
   readonly isChosen: Readonly<ShallowRef<boolean>>;
-  reset(reach: number): void;
+  reset(shown: Sphere): void;
   press(event: PointerEvent): void;
   move(event: PointerEvent): void;
   release(event: PointerEvent): void;
@@ -27,7 +29,7 @@ interface Held {
 }
 
 export function createOrbitGesture(up: () => Up): OrbitGesture {
-  const orbit = shallowRef(startOrbit(1));
+  const orbit = shallowRef(startOrbit({ center: ORIGIN, radius: 1 }));
   const isChosen = shallowRef(false);
   const held = new Map<number, Held>();
 
@@ -44,8 +46,8 @@ export function createOrbitGesture(up: () => Up): OrbitGesture {
   return {
     orbit,
     isChosen,
-    reset(reach) {
-      orbit.value = startOrbit(reach);
+    reset(shown) {
+      orbit.value = startOrbit(shown);
       isChosen.value = false;
     },
     press(event) {

@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { eyeOf, orbitKey, pan, startOrbit, turn, zoom } from './orbit.ts';
 import { MAX_TRAIL, Trails } from './trails.ts';
 
-const start = startOrbit(2);
+const start = startOrbit({ center: [0, 0, 0], radius: 2 });
 
 it('looks from its distance, whichever axis points up', () => {
   for (const up of ['y', 'z'] as const) {

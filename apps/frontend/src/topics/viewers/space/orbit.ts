@@ -1,3 +1,4 @@
+import type { Sphere } from './framing.ts';
 import type { Point } from './space-things.ts';
 
 /** Which axis points up on the screen. */
@@ -22,10 +23,10 @@ const START = { azimuth: 0.6, elevation: 0.42 } as const;
 const KEY_TURN = Math.PI / 24;
 const KEY_ZOOM = 1.15;
 
-/** An eye that sees everything within `reach` of the origin. */
-export function startOrbit(reach: number): Orbit {
-  const distance = (reach * 1.15) / Math.sin((FIELD_DEGREES * Math.PI) / 360);
-  return { ...START, distance, target: [0, 0, 0] };
+/** An eye that sees everything in a sphere. */
+export function startOrbit({ center, radius }: Sphere): Orbit {
+  const distance = (radius * 1.15) / Math.sin((FIELD_DEGREES * Math.PI) / 360);
+  return { ...START, distance, target: center };
 }
 
 export function turn(orbit: Orbit, byAzimuth: number, byElevation: number): Orbit {

@@ -17,6 +17,8 @@ export interface SceneColors {
 export interface SceneInput {
   readonly things: readonly SpaceThing[];
   readonly ground: Ground;
+  /** Radius of what the first picture shows: marks are as large as that wants. */
+  readonly scale: number;
   readonly up: Up;
   readonly orbit: Orbit;
   readonly trails: ReadonlyMap<string, readonly Point[]>;

@@ -52,7 +52,7 @@ export class SpaceScene {
 
   /** @returns what is to be written where */
   draw(input: SceneInput): SceneLabel[] {
-    const { things, colors, ground, trails } = input;
+    const { things, colors, ground, scale, trails } = input;
     this.#aim(input);
     for (const batch of [this.#lines, this.#arrows, this.#dots]) batch.begin();
     this.#addGround(input);
@@ -64,14 +64,14 @@ export class SpaceScene {
     const arms: { thing: SpaceThing; index: number; arm: string }[] = [];
     for (const thing of things) {
       const { at, axes, mark, size } = thing;
-      if (mark === 'arrow') this.#arrows.addArrow(ORIGIN, at, ground.reach * 0.014, colors.vector);
-      if (mark === 'dot') this.#dots.addDot(at, ground.reach * 0.022, colors.vector);
+      if (mark === 'arrow') this.#arrows.addArrow(ORIGIN, at, scale * 0.014, colors.vector);
+      if (mark === 'dot') this.#dots.addDot(at, scale * 0.022, colors.vector);
       if (mark !== 'axes') this.#addDrop(at, input);
       if (size) this.#addBox(at, axes, size, colors.box);
-      const length = thing.isToScale ? 1 : ground.reach * 0.22;
+      const length = thing.isToScale ? 1 : scale * 0.22;
       axes?.forEach((axis, part) => {
         const along = axis.map((one) => one * length) as unknown as Point;
-        const wide = Math.min(ground.reach, 4 * length) * 0.018;
+        const wide = Math.min(scale, 4 * length) * 0.018;
         const index = this.#arrows.addArrow(at, along, wide, colors.arms[part]!);
         if (index >= 0 && things.length <= LETTERED) arms.push({ thing, index, arm: ARMS[part]! });
       });
