@@ -13,7 +13,8 @@ for (const screen of ['desktop', 'phone'] as const) {
     await expect(page.getByRole('article')).toHaveCount(12);
     const sine = card(page, 'Sine wave');
 
-    await test.step('the preview runs the modules of the session', async () => {
+    await test.step('the preview runs the modules of the session where it is seen', async () => {
+      await sine.scrollIntoViewIfNeeded();
       await expect(sine.locator('.label')).toContainText(/\d\.\d\d/);
     });
 
