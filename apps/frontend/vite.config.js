@@ -69,7 +69,7 @@ export default defineConfig({
             },
             {
               name: 'shared',
-              test: /\/src\/(formats|locations|ui\/readouts|ui\/tooltip|connection)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(page\/shell|shell\/(pages|shortcuts)|join\/(join-words|this-machine|AdminNeeded)|connect-phone\/addresses|ui\/keys\/single-key|ui\/charts\/line-path|devices\/(keyboard-mouse\/held-keys|pointer-topic)|sessions\/(live\/session-totals|state\/session-state)|patterns\/pattern-source)|packages\/patterns\/src\/(glob|remembered)|@vueuse|vue-router|vite\/preload-helper/,
+              test: /\/src\/(formats|locations|ui\/readouts|ui\/tooltip|connection)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(page\/shell|shell\/(pages|shortcuts)|join\/(join-words|this-machine|AdminNeeded)|connect-phone\/addresses|ui\/keys\/single-key|ui\/charts\/line-path|devices\/(keyboard-mouse\/held-keys|pointer-topic)|sessions\/(live\/session-totals|state\/session-state|useStoredSessions)|patterns\/pattern-source)|packages\/patterns\/src\/(glob|remembered|pattern-source)|packages\/(timing|words)\/src\/|@vueuse|vue-router|vite\/preload-helper|plugin-vue:export-helper/,
               minShareCount: 2,
               includeDependenciesRecursively: false,
             },
