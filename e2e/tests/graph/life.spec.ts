@@ -238,12 +238,13 @@ test('an example runs with the finger of a phone, one click after it was chosen'
   const ines = await room.withPhone('Ines');
   await ines.page.goto('/examples/mouse-pointer');
   const pad = ines.page.getByRole('application', { name: 'Pointer pad' });
-  await pad.tap({ position: { x: 40, y: 60 } });
-
   const anna = new GraphPage(await room.atDesk('Anna'));
   await anna.page.goto('/sessions/new');
   const begin = anna.page.getByRole('region', { name: 'Getting started' });
-  await expect(begin).toContainText('Takes the pointer of Ines.');
+  await expect(async () => {
+    await pad.tap({ position: { x: 40, y: 60 } });
+    await expect(begin).toContainText('Takes the pointer of Ines.', { timeout: 1000 });
+  }).toPass();
   await begin.getByRole('button', { name: /^Smooth a pointer/ }).click();
   await expect(anna.title).toHaveText('Smooth a pointer');
   await anna.life.getByRole('button', { name: 'Start' }).click();
