@@ -11,7 +11,7 @@ const MARGIN = 1.2;
 
 /**
  * What the first picture shows: the whole ground, or of several things the space that they and the origin take, so that
- * markers before a camera are not a knot in the middle. Once one of them leaves it, the ground is shown for good.
+ * markers before a camera are not a knot in the middle. Once one of them leaves it, the ground is shown permanently.
  */
 export class Framing {
   #sphere: Sphere | undefined;
@@ -28,7 +28,7 @@ export class Framing {
     return this.#isWhole ? whole : sphere;
   }
 
-  /** The next things are framed anew. */
+  /** The next things are framed again. */
   clear(): void {
     this.#sphere = undefined;
     this.#isWhole = false;
