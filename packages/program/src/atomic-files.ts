@@ -64,7 +64,7 @@ function withDraft<T>(file: string, text: string, mode: number, use: (draft: str
   }
 }
 
-/** Beside the file, and of a name that nobody can guess and occupy. */
+/** Beside the file, and with a name that no other program can guess and occupy. */
 function draftOf(file: string): string {
   return `${file}.${process.pid}.${randomBytes(4).toString('hex')}.tmp`;
 }

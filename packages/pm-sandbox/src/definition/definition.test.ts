@@ -69,7 +69,7 @@ describe('moduleToWire', () => {
     });
   });
 
-  it('tells descriptions, defaults and choices, and leaves out what nobody said [PM-5] [PM-6] [PM-7]', () => {
+  it('tells descriptions, defaults and choices, and leaves out what a definition lacks [PM-5] [PM-6] [PM-7]', () => {
     const { inputs, outputs } = moduleToWire(
       defineProcessingModule({
         name: 'm',
