@@ -7,58 +7,64 @@ import { findUndocumentedErrors } from './documented-errors.mjs';
 import { findRuleProblems } from './documented-rules.mjs';
 import { followGuides } from './follow-guides.mjs';
 import { inRoot, programFile, readJson, root } from './repository.mjs';
-import { StepFailed, commandStep, step } from './steps.mjs';
+import { StepFailed, expectSuccess, step, stepsTogether } from './steps.mjs';
 import { readCounts, reportFile } from './test-results.mjs';
 
 /**
- * Everything that must hold before a change is committed, cheapest first. Throws StepFailed at the
- * first thing that does not.
+ * Everything that must hold before a change is committed. Throws StepFailed at the first thing that does not.
  *
  * @returns {Promise<import('./test-results.mjs').Counts>} counts of the unit tests
  */
 export async function runGate() {
-  await commandStep('format', () =>
-    runNode(programFile('', 'prettier'), ['--check', '.', '--log-level', 'warn']),
-  );
-  await commandStep('no import circles', () =>
-    runNode(programFile('', 'dependency-cruiser', 'depcruise'), [
-      ...['--config', 'dependency-cruiser.config.mjs', ...foldersInOrder()],
-    ]),
-  );
-  await step('errors documented', async () => {
-    const problems = findUndocumentedErrors();
-    if (problems.length > 0) throw new StepFailed(problems.join('\n'));
-  });
-  await step('rules quoted', async () => {
-    const problems = findRuleProblems();
-    if (problems.length > 0) throw new StepFailed(problems.join('\n'));
-  });
   const { problems, notes } = await step('dependencies', async () => {
     // Needs packages, which may have been installed only now
     const { checkDependencies } = await import('./dependencies.mjs');
     return checkDependencies(Date.now());
   });
   for (const note of notes) process.stderr.write(`    ${note}\n`);
-  if (problems.length > 0) throw new StepFailed(problems.join('\n'));
+  expectNone(problems);
+  // Writes sources, which all that follows reads
   await step('generated code unchanged', checkGeneratedCode);
-  await step('prose', async () => {
-    const { checkWrittenFiles } = await import('./prose/check-prose.mjs');
-    const findings = await checkWrittenFiles();
-    if (findings.length > 0) throw new StepFailed(findings.join('\n'));
-  });
-  for (const pair of pairs(packagesWithTypes())) {
-    await step(`types of ${pair.map(({ name }) => name).join(' and ')}`, async () => {
-      const results = await Promise.all(pair.map(({ folder }) => checkTypes(folder)));
-      const failed = results.filter(({ code }) => code !== 0);
-      if (failed.length > 0) throw new StepFailed(failed.map(({ output }) => output).join('\n'));
-    });
-  }
-  await commandStep('tests of the scripts', () =>
-    run(process.execPath, ['--test', ...scriptTests()]),
-  );
-  await commandStep('lint', () => runNode(programFile('', 'eslint'), ['.', '--max-warnings', '0']));
-  await step('guides followed', followGuides);
+  await stepsTogether(readingSteps());
   return step('unit tests', runUnitTests);
+}
+
+/** What only reads the sources: the longest first, beside it the others, cheapest first. */
+function readingSteps() {
+  return [
+    { name: 'lint', work: tool('eslint', 'eslint', ['.', '--max-warnings', '0']) },
+    { name: 'format', work: tool('prettier', 'prettier', ['--check', '.', '--log-level', 'warn']) },
+    {
+      name: 'no import circles',
+      work: tool('dependency-cruiser', 'depcruise', [
+        ...['--config', 'dependency-cruiser.config.mjs', ...foldersInOrder()],
+      ]),
+    },
+    { name: 'errors documented', work: async () => expectNone(findUndocumentedErrors()) },
+    { name: 'rules quoted', work: async () => expectNone(findRuleProblems()) },
+    { name: 'prose', work: checkWrittenWords },
+    ...packagesWithTypes().map(({ name, folder }) => ({
+      name: `types of ${name}`,
+      work: async () => expectSuccess(await checkTypes(folder)),
+    })),
+    { name: 'tests of the scripts', work: testScripts },
+    { name: 'guides followed', work: followGuides },
+  ];
+}
+
+/** @param {string} name package @param {string} program @param {readonly string[]} args */
+function tool(name, program, args) {
+  return async () => expectSuccess(await runNode(programFile('', name, program), args));
+}
+
+/** @param {readonly string[]} problems */
+function expectNone(problems) {
+  if (problems.length > 0) throw new StepFailed(problems.join('\n'));
+}
+
+async function checkWrittenWords() {
+  const { checkWrittenFiles } = await import('./prose/check-prose.mjs');
+  expectNone(await checkWrittenFiles());
 }
 
 /** Sources whose files and folders import each other in one order. */
@@ -84,12 +90,11 @@ function foldersInOrder() {
 async function checkGeneratedCode() {
   const generated = ['packages/proto/src/generated'];
   const before = fingerprint(generated);
-  const { code, output } = await runNode(
-    programFile('packages/proto', 'tsx'),
-    ['scripts/generate.ts'],
-    { cwd: inRoot('packages/proto') },
+  expectSuccess(
+    await runNode(programFile('packages/proto', 'tsx'), ['scripts/generate.ts'], {
+      cwd: inRoot('packages/proto'),
+    }),
   );
-  if (code !== 0) throw new StepFailed(output);
   if (fingerprint(generated) !== before) {
     throw new StepFailed(
       `${generated} was not made from packages/proto/schema as it is now. It has been made again: look at the difference and commit it.`,
@@ -110,11 +115,12 @@ function packagesWithTypes() {
     .filter(({ scripts }) => scripts?.typecheck !== undefined);
 }
 
-/** One by one: what `node --test` makes of a folder differs between versions of Node. */
-function scriptTests() {
-  return readdirSync(inRoot('scripts/lib'), { recursive: true })
+async function testScripts() {
+  // One by one: what `node --test` makes of a folder differs between versions of Node
+  const tests = readdirSync(inRoot('scripts/lib'), { recursive: true })
     .filter((name) => name.endsWith('.test.mjs'))
     .map((name) => join('scripts', 'lib', name));
+  expectSuccess(await run(process.execPath, ['--test', ...tests]));
 }
 
 /** Runs a package's own type check. @param {string} folder */
@@ -135,9 +141,4 @@ async function runUnitTests() {
     throw Object.assign(new StepFailed(output), { counts: readCounts(report, code) });
   }
   return readCounts(report, code);
-}
-
-/** @template T @param {readonly T[]} list @returns {T[][]} two at a time: more does not fit a small machine */
-function pairs(list) {
-  return list.flatMap((_, index) => (index % 2 === 0 ? [list.slice(index, index + 2)] : []));
 }

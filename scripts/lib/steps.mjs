@@ -10,15 +10,54 @@ export class StepFailed extends Error {}
  * @returns {Promise<T>}
  */
 export async function step(name, work) {
+  process.stderr.write(begunLine(name));
+  return timed(work, (ending) => process.stderr.write(ending));
+}
+
+/**
+ * Independent steps, two at a time: more does not fit a small machine. They begin in the order of the list;
+ * each has its line on stderr when it ends. After the first that fails none begins.
+ *
+ * @param {readonly { name: string, work: () => Promise<unknown> }[]} steps
+ * @throws what the first step threw that failed, once none runs any more
+ */
+export async function stepsTogether(steps) {
+  const waiting = [...steps];
+  const lane = async () => {
+    for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) {
+      const { name, work } = next;
+      try {
+        await timed(work, (ending) => process.stderr.write(begunLine(name) + ending));
+      } catch (error) {
+        waiting.length = 0;
+        throw error;
+      }
+    }
+  };
+  const lanes = await Promise.allSettled([lane(), lane()]);
+  const failed = lanes.find(({ status }) => status === 'rejected');
+  if (failed !== undefined) throw failed.reason;
+}
+
+/** @param {string} name */
+function begunLine(name) {
+  return `  ${name} ${'.'.repeat(Math.max(3, 44 - name.length))} `;
+}
+
+/**
+ * @template T
+ * @param {() => Promise<T>} work @param {(ending: string) => void} say told once how long it took
+ * @returns {Promise<T>}
+ */
+async function timed(work, say) {
   const begun = performance.now();
   const seconds = () => `${((performance.now() - begun) / 1000).toFixed(1)} s\n`;
-  process.stderr.write(`  ${name} ${'.'.repeat(Math.max(3, 44 - name.length))} `);
   try {
     const result = await work();
-    process.stderr.write(seconds());
+    say(seconds());
     return result;
   } catch (error) {
-    process.stderr.write(`failed after ${seconds()}`);
+    say(`failed after ${seconds()}`);
     throw error;
   }
 }
