@@ -19,17 +19,20 @@ const title = count > 1 ? \`Of \${count} sessions none runs\` : 'One session is 
 
 test('texts on screens are listed by feature, once for each file, with … for what is put in', () => {
   const texts = textsOfScreens([page, { path: 'docs/a.md', source: 'No text of a screen.' }]);
-  assert.deepEqual([...texts], [
+  assert.deepEqual(
+    [...texts],
     [
-      'apps/frontend/src/home',
       [
-        'apps/frontend/src/home/HomePage.vue:3 Of … sessions none runs',
-        'apps/frontend/src/home/HomePage.vue:3 One session is there',
-        'apps/frontend/src/home/HomePage.vue:6 What runs',
-        'apps/frontend/src/home/HomePage.vue:7 Start … here',
+        'apps/frontend/src/home',
+        [
+          'apps/frontend/src/home/HomePage.vue:3 Of … sessions none runs',
+          'apps/frontend/src/home/HomePage.vue:3 One session is there',
+          'apps/frontend/src/home/HomePage.vue:6 What runs',
+          'apps/frontend/src/home/HomePage.vue:7 Start … here',
+        ],
       ],
     ],
-  ]);
+  );
 });
 
 test('the list can be of one folder', () => {
