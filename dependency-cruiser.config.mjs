@@ -13,8 +13,8 @@ const FRONTEND = [
   ['page', 'message-form', 'tab-node', 'install', 'asset-sets'],
   ['topics', 'sessions'],
   ['clients', 'devices', 'modules', 'publish', 'calls', 'performance'],
-  ['graph', 'join'],
-  ['session-pages', 'learn', 'settings', 'connect-phone', 'connect-certificate', 'out-of-reach'],
+  ['graph', 'joining'],
+  ['session-pages', 'learn', 'settings', 'out-of-reach'],
   ['examples', 'party'],
   ['home', 'markers', 'shell'],
 ];

@@ -5,7 +5,7 @@ import App from './App.vue';
 import { CONNECTION } from './connection/connection.ts';
 import { createConnection } from './connection/create-connection.ts';
 import { keepInstallOffer } from './install/install-offer.ts';
-import { sendToJoin } from './join/send-to-join.ts';
+import { sendToJoin } from './joining/join/send-to-join.ts';
 import { keepInReach } from './out-of-reach/keep-in-reach.ts';
 import { routes } from './routes.ts';
 import { createTabNode } from './tab-node/create-tab-node.ts';

@@ -1,4 +1,4 @@
-import { isThisMachine } from '../join/this-machine.ts';
+import { isThisMachine } from '../joining/join/this-machine.ts';
 import { isInstalled } from '../install/install-offer.ts';
 
 /** Built from `service-worker.ts` by `service-worker-plugin.js`. */

@@ -16,7 +16,7 @@ import {
 import { useClipboard } from '@vueuse/core';
 import { computed, type ComputedRef } from 'vue';
 import { useRouter } from 'vue-router';
-import { bestAddress } from '../../connect-phone/addresses.ts';
+import { bestAddress } from '../../joining/connect-phone/addresses.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { Command } from '../../page/command.ts';
 import { useShell } from '../../page/shell.ts';

@@ -1,0 +1,92 @@
+import { MasterAddressKind, type MasterAddress } from '@ubii/proto';
+import { JOIN_PATH } from '../../locations/join-location.ts';
+
+/** An address as a person types it: host and port apart, so that a long one breaks there. */
+export interface AddressParts {
+  readonly host: string;
+  /** With its colon; empty for the scheme's own port. */
+  readonly port: string;
+}
+
+export function addressParts(url: string): AddressParts {
+  const { protocol, hostname, port } = new URL(url);
+  const scheme = protocol === 'http:' ? '' : `${protocol}//`;
+  return { host: `${scheme}${hostname}`, port: port === '' ? '' : `:${port}` };
+}
+
+/** Addresses another machine can use, best first as the master sorted them. */
+export function reachableAddresses(addresses: readonly MasterAddress[]): MasterAddress[] {
+  return addresses.filter(({ kind }) => kind !== MasterAddressKind.LOOPBACK);
+}
+
+/** The best address for another machine; `undefined` when the master listens on loopback only. */
+export function bestAddress(addresses: readonly MasterAddress[]): string | undefined {
+  return reachableAddresses(addresses)[0]?.url;
+}
+
+/** What an interface without a plain network behind it is, by the name that systems give it. */
+const VIRTUAL_KINDS = [
+  [/^(utun|tun|tap|wg|tailscale|zt|ham|ppp|ipsec)/i, 'VPN'],
+  [/^(docker|br-|veth|podman|cni|flannel|cali|lxc|lxd)/i, 'Container'],
+  [/^(virbr|vmnet|vboxnet|vEthernet|bridge)/i, 'Virtual machine'],
+] as const;
+
+const LINK_LOCAL = /^(169\.254\.|\[fe[89ab])/i;
+
+/** Returns the kind of network that an address belongs to. */
+export function networkWord({ kind, interfaceName, url }: MasterAddress): string {
+  if (LINK_LOCAL.test(new URL(url).hostname)) return 'Link-local';
+  switch (kind) {
+    case MasterAddressKind.WIFI:
+      return 'Wi-Fi';
+    case MasterAddressKind.ETHERNET:
+      return 'Ethernet';
+    case MasterAddressKind.LOOPBACK:
+      return 'This machine only';
+    default:
+      return VIRTUAL_KINDS.find(([pattern]) => pattern.test(interfaceName))?.[1] ?? 'Virtual';
+  }
+}
+
+/** Returns the address to join with a token. Browsers send the part behind # to no server. [AC-11] */
+export function joinAddress(origin: string, token: string): string {
+  return `${pageAddress(origin, JOIN_PATH)}#${token}`;
+}
+
+/** The address of a page on the master. */
+export function pageAddress(origin: string, path: string): string {
+  return new URL(path, origin).href;
+}
+
+/** What can be offered to a phone. */
+export interface PhoneAddress {
+  readonly url: string;
+  readonly network: string;
+  /** The network interface, as the system calls it; empty when unknown. */
+  readonly interfaceName: string;
+}
+
+const isLoopbackHost = (hostname: string): boolean =>
+  hostname === 'localhost' || hostname === '[::1]' || /^127\./.test(hostname);
+
+/**
+ * The addresses for a phone, best first. When the master names none but this page was opened over
+ * the network, its own address works for others too.
+ */
+export function phoneAddresses(
+  addresses: readonly MasterAddress[],
+  pageUrl: string,
+): PhoneAddress[] {
+  const reachable = reachableAddresses(addresses)
+    .map((address) => ({
+      url: address.url,
+      network: networkWord(address),
+      interfaceName: address.interfaceName,
+    }))
+    // Only neighbours on the same wire reach these.
+    .sort((a, b) => Number(a.network === 'Link-local') - Number(b.network === 'Link-local'));
+  if (reachable.length > 0) return reachable;
+  const { origin, hostname } = new URL(pageUrl);
+  if (isLoopbackHost(hostname)) return [];
+  return [{ url: origin, network: 'This page’s address', interfaceName: '' }];
+}
