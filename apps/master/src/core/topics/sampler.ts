@@ -40,6 +40,8 @@ export class Sampler implements TopicSampler {
   readonly #holding = new Set<Sample>();
   #cancelTimer: Cancel | undefined = undefined;
   #timerDueMs = Number.POSITIVE_INFINITY;
+  /** When the first record was delivered: from then on the ticks of every interval count. */
+  #firstMs: number | undefined = undefined;
 
   constructor(outbox: Outbox, context: SamplerContext) {
     this.#outbox = outbox;
@@ -83,8 +85,19 @@ export class Sampler implements TopicSampler {
   #deliver(sample: Sample, nowMs: number): void {
     const { entry } = sample;
     if (entry.record === undefined) return;
-    sample.dueMs = nowMs + sample.intervalMs;
+    sample.dueMs = this.#tickAfter(nowMs, sample.intervalMs);
     this.#outbox.deliver(entry, entry.record, isEventField(entry.valueField));
+  }
+
+  /**
+   * The next tick of an interval. Topics of one interval share their ticks, so that what a client sees of inputs
+   * and outputs is from one moment.
+   */
+  #tickAfter(nowMs: number, intervalMs: number): number {
+    this.#firstMs ??= nowMs;
+    // A tick that is due now is over, also when its time was rounded
+    const ticks = Math.floor((nowMs - this.#firstMs) / intervalMs + 1e-6) + 1;
+    return this.#firstMs + ticks * intervalMs;
   }
 
   #wakeAt(dueMs: number, nowMs: number): void {
