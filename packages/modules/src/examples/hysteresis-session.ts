@@ -9,7 +9,7 @@ export const hysteresisSession = {
   processingModules: [
     { name: 'clock', processingMode: { frequency: { hertz: 30 } } },
     { name: 'noise', processingMode: { frequency: { hertz: 30 } } },
-    { name: 'mix', processingMode: { frequency: { hertz: 30 } } },
+    { name: 'mix' },
     { name: 'threshold' },
   ],
   ioMappings: [

@@ -12,7 +12,7 @@ export const metronomeSession = {
   processingModules: [
     { name: 'clock', processingMode: { frequency: { hertz: 25 } } },
     { name: 'clock', processingMode: { lockstep: {} } },
-    { name: 'mix', processingMode: { frequency: { hertz: 25 } } },
+    { name: 'mix' },
     { name: 'counter' },
   ],
   ioMappings: [

@@ -8,7 +8,7 @@ export const mixedWavesSession = {
   processingModules: [
     { name: 'clock', processingMode: { frequency: { hertz: 60 } } },
     { name: 'clock', processingMode: { frequency: { hertz: 60 } } },
-    { name: 'mix', processingMode: { frequency: { hertz: 60 } } },
+    { name: 'mix' },
   ],
   ioMappings: [
     {

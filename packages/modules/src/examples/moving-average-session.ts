@@ -7,7 +7,7 @@ export const movingAverageSession = {
   tags: ['example'],
   processingModules: [
     { name: 'noise', processingMode: { frequency: { hertz: 30 } } },
-    { name: 'mix', processingMode: { frequency: { hertz: 30 } } },
+    { name: 'mix' },
     { name: 'statistics' },
   ],
   ioMappings: [

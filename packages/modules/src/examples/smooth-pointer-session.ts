@@ -9,7 +9,10 @@ export const smoothPointerSession = {
   description:
     'Smooths the position of one topic with a 1€ filter and publishes it on another topic.',
   tags: ['example'],
-  processingModules: [{ name: 'one-euro-filter-vector2' }],
+  // At a frequency, as it also moves while the pointer rests: until it is there
+  processingModules: [
+    { name: 'one-euro-filter-vector2', processingMode: { frequency: { hertz: 60 } } },
+  ],
   ioMappings: [
     {
       processingModuleName: 'one-euro-filter-vector2',
