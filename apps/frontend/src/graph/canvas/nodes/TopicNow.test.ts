@@ -34,4 +34,14 @@ describe('TopicNow', () => {
   it('shows the value of a published record', () => {
     expect(textOf({ ...UNPUBLISHED, ageMs: 20, text: '0.5' })).toBe('0.5');
   });
+
+  it('shows a colour as what it looks like', () => {
+    const value = { r: 1, g: 0.5, b: 0, a: 1 };
+    const topic = { ...UNPUBLISHED, ageMs: 20, text: '1, 0.5, 0, 1' };
+    const record = { topic: '/c', format: 'color', value } as LiveTopic['record'];
+    const shown = mount(TopicNow, {
+      props: { read: () => ({ ...topic, record }), family: 'vector' },
+    });
+    expect(shown.find('.swatch').exists()).toBe(true);
+  });
 });
