@@ -91,6 +91,18 @@ test('a session is found, renamed, duplicated, deleted and brought back', async 
     await expect(sessions.row('My chain')).toContainText('Running');
     await expect(sessions.list.getByRole('listitem')).toHaveCount(2);
   });
+
+  await test.step('all that run are stopped at once, and started again', async () => {
+    const stop = anna.page.getByRole('button', { name: 'Stop all 2' });
+    await anna.page.getByRole('button', { name: 'Start My chain copy' }).click();
+    await stop.click();
+    for (const name of ['My chain', 'My chain copy'])
+      await expect(sessions.row(name)).toContainText('Stopped');
+    await expect(stop).toBeHidden();
+    await anna.page.getByRole('button', { name: 'Start again' }).click();
+    for (const name of ['My chain', 'My chain copy'])
+      await expect(sessions.row(name)).toContainText('Running');
+  });
 });
 
 test('sessions are handled with the keyboard alone', async ({ room }) => {

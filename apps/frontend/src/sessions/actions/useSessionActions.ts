@@ -1,5 +1,6 @@
 import { ConnectionError } from '@ubii/client-web';
 import { ServiceError, SessionState, type Init, type Session } from '@ubii/proto';
+import { counted } from '@ubii/words';
 import { until } from '@vueuse/core';
 import { shallowRef, type ShallowRef } from 'vue';
 import { randomUuid } from '../../connection/random-uuid.ts';
@@ -22,6 +23,8 @@ export interface SessionActions {
   /** Ids of sessions an intent for which is under way. */
   readonly busy: Readonly<ShallowRef<ReadonlySet<string>>>;
   act(session: Session, action: LifeAction): Promise<void>;
+  /** Stops them at once, and offers to start them again. */
+  stopAll(sessions: readonly Session[]): Promise<void>;
   /** @returns the new session, `undefined` when it failed */
   duplicate(session: Session): Promise<Session | undefined>;
   rename(session: Session, name: string): Promise<void>;
@@ -87,11 +90,25 @@ export function useSessionActions(): SessionActions {
     return true;
   }
 
+  const act = (session: Session, action: LifeAction): Promise<void> =>
+    attempt(session.id, () => calls.act(session, action));
+
+  async function stopAll(running: readonly Session[]): Promise<void> {
+    await Promise.all(running.map((session) => act(session, 'stop')));
+    const stopped = running.filter(({ id }) => !failures.value.has(id));
+    if (stopped.length === 0) return;
+    toasts.show(`Stopped ${counted(stopped.length, 'session')}`, {
+      text: 'Start again',
+      run: () => stopped.forEach((session) => void act(session, 'start')),
+    });
+  }
+
   return {
     calls,
     failures,
     busy,
-    act: (session, action) => attempt(session.id, () => calls.act(session, action)),
+    act,
+    stopAll,
     duplicate: (session) => attempt(session.id, () => calls.duplicate(session)),
     rename: async (session, name) =>
       void (await attempt(session.id, () => calls.rename(session, name))),
