@@ -35,37 +35,3 @@ export type ConnectionState =
 
 /** One word for each state. */
 export type ConnectionStatus = ConnectionState['status'];
-
-/** What moves the connection from one status to another. */
-export type ConnectionEvent =
-  | 'connect' // the program asked for it
-  | 'established' // registered, socket open and answering, devices and subscriptions restored
-  | 'failed' // the link broke or an attempt failed, and another attempt follows
-  | 'ended' // nothing more will be tried
-  | 'close'; // the program asked for it
-
-const MOVES: Record<ConnectionStatus, Partial<Record<ConnectionEvent, ConnectionStatus>>> = {
-  idle: { connect: 'connecting', close: 'closed' },
-  connecting: {
-    established: 'connected',
-    failed: 'reconnecting',
-    ended: 'closed',
-    close: 'closed',
-  },
-  connected: { failed: 'reconnecting', ended: 'closed', close: 'closed' },
-  reconnecting: {
-    established: 'connected',
-    failed: 'reconnecting',
-    ended: 'closed',
-    close: 'closed',
-  },
-  closed: { connect: 'connecting', close: 'closed' },
-};
-
-/** The status after `event`, or `undefined` when the event is not legal in `status`. */
-export function next(
-  status: ConnectionStatus,
-  event: ConnectionEvent,
-): ConnectionStatus | undefined {
-  return MOVES[status][event];
-}

@@ -16,7 +16,7 @@ import { profileToMessage } from './component-profile.ts';
 import { ConnectionError } from './connection-error.ts';
 import type { ConnectionState } from './connection-state.ts';
 import { Connection } from './connection.ts';
-import type { Arrival } from './connection.ts';
+import type { Arrival } from './connection-model.ts';
 import { DeviceRegistry } from './device-registry.ts';
 import type { ComponentInit, DeviceInit, RegisteredDevice } from './devices.ts';
 import type { EncodedListener } from './encoded-record.ts';
@@ -450,13 +450,13 @@ class Client implements UbiiClient {
   async #close(): Promise<void> {
     this.#publishes.flush();
     this.#publishes.clear();
-    const { link, attemptDone } = this.#connection.close();
+    const { link, registered } = this.#connection.close();
     this.#subscriptions.closeAll();
     this.#devices.clear(new ConnectionError('closed', 'The client was closed'));
     // Deregistering goes another way and would overtake the last records. [TD-40]
     if (link !== undefined) await within(this.#clock, FAREWELL_TIMEOUT_MS, link.handled());
     // An attempt that was under way may be registering the client this moment.
-    await within(this.#clock, FAREWELL_TIMEOUT_MS, attemptDone);
+    await within(this.#clock, FAREWELL_TIMEOUT_MS, registered);
     try {
       await this.#registration.deregister(FAREWELL_TIMEOUT_MS);
     } catch (error) {

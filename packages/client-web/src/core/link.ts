@@ -71,13 +71,10 @@ interface SentPing {
 export class Link {
   /** Resolves when the link is up, rejects with the `LinkFailure` when it ends before. */
   readonly up: Promise<void>;
-  /** Never resolves; rejects with the `LinkFailure` when the link ends. */
-  readonly ended: Promise<never>;
 
   readonly #options: LinkOptions;
   readonly #socket: TopicDataSocket;
   readonly #up = new Deferred<void>();
-  readonly #ended = new Deferred<never>();
   readonly #cancelOpenTimer: Cancel;
   #cancelPings: Cancel | undefined;
   readonly #probe: Probe;
@@ -94,7 +91,6 @@ export class Link {
   constructor(options: LinkOptions) {
     this.#options = options;
     this.up = this.#up.promise;
-    this.ended = this.#ended.promise;
     this.#probe = new Probe({
       clock: options.clock,
       ask: (answered) => this.#ping({ answered }),
@@ -116,11 +112,6 @@ export class Link {
 
   get isUp(): boolean {
     return this.#isUp && this.#failure === undefined;
-  }
-
-  /** Why it ended; `undefined` while it has not. */
-  get failure(): LinkFailure | undefined {
-    return this.#failure;
   }
 
   /** Bytes handed over and not yet taken by the system. */
@@ -277,6 +268,5 @@ export class Link {
     for (const ping of this.#pings) ping.answered?.resolve();
     this.#pings = [];
     this.#up.reject(failure);
-    this.#ended.reject(failure);
   }
 }

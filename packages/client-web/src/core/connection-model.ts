@@ -1,0 +1,150 @@
+import type { ConnectionError } from './connection-error.ts';
+import type { ConnectionState, ConnectionStatus } from './connection-state.ts';
+import type { LinkFailure } from './link-failure.ts';
+import type { ReconnectPolicy } from './reconnect-policy.ts';
+import type { Membership } from './registration.ts';
+
+type Announced<S extends ConnectionStatus> = Extract<ConnectionState, { status: S }>;
+
+/** What later decisions depend on, in every phase. */
+export interface ConnectionMemory {
+  /** Number of the newest attempt. Events of earlier attempts are ignored. */
+  readonly attemptId: number;
+  /** Client id of the last connection or of an earlier run, empty when there was none; `undefined` until it is loaded. */
+  readonly lastId: string | undefined;
+  /** What the back-off counts: failed attempts, and links that broke early. See `ReconnectPolicy`. */
+  readonly failedAttempts: number;
+  /** Whether this outage has had its one attempt without delay. */
+  readonly hasHurried: boolean;
+  /** Attempts that took too long, since the last sign that the network works. [CL-43] */
+  readonly slowAttempts: number;
+  /** Whether the last link fell silent. [CL-43] */
+  readonly wasSilent: boolean;
+}
+
+interface Attempting<P> {
+  readonly phase: P;
+  readonly announced: Announced<'connecting' | 'reconnecting'>;
+  /** Start of the attempt, monotonic milliseconds. */
+  readonly startedMs: number;
+}
+
+interface Linked<P> extends Attempting<P> {
+  readonly membership: Membership;
+}
+
+/** The state of the machine. `announced` is what the program sees of it. */
+export type MachineState = { readonly memory: ConnectionMemory } & (
+  | { readonly phase: 'idle'; readonly announced: Announced<'idle'> }
+  /** Loads the identity and makes sure that the master knows the client; there is no link. */
+  | Attempting<'registering'>
+  | Linked<'opening'>
+  /** The link is up: asks an original master whether it knows the client. */
+  | Linked<'checking'>
+  /** Puts devices and subscriptions back. */
+  | Linked<'restoring'>
+  | {
+      readonly phase: 'connected';
+      readonly announced: Announced<'connected'>;
+      /** Start of the connection, monotonic milliseconds. */
+      readonly connectedMs: number;
+    }
+  /** Waits for the time of the next attempt; there is no link. */
+  | { readonly phase: 'waiting'; readonly announced: Announced<'reconnecting'> }
+  | { readonly phase: 'closed'; readonly announced: Announced<'closed'> }
+);
+
+/** How an attempt found the client at the master. */
+export interface Arrival {
+  readonly membership: Membership;
+  /** The id before this arrival; empty for the first one. */
+  readonly previousId: string;
+}
+
+/** The close code of a client that closes a link that is not up yet, and its reason. */
+export interface Farewell {
+  readonly code?: number;
+  readonly reason?: string;
+}
+
+/** An event of one attempt, or of the connection that it led to. */
+export type AttemptEvent = { readonly attempt: number } & (
+  | { readonly type: 'registered'; readonly membership: Membership }
+  | { readonly type: 'link-up' }
+  /** An original master knows the client. */
+  | { readonly type: 'known' }
+  | { readonly type: 'restored' }
+  /** A step of the attempt failed, or the link ended. */
+  | { readonly type: 'failed'; readonly failure: LinkFailure }
+  /** The attempt took longer than it may. */
+  | { readonly type: 'patience-over'; readonly patienceMs: number }
+);
+
+/** What happens to the connection. */
+export type MachineEvent =
+  | AttemptEvent
+  | { readonly type: 'connect' }
+  /** The network may work again. [CL-41] */
+  | { readonly type: 'retry-now' }
+  | { readonly type: 'retry-due' }
+  /** The link of a connected client does not work. */
+  | { readonly type: 'drop'; readonly error: ConnectionError }
+  | { readonly type: 'close'; readonly farewell: Farewell }
+  /** The identity of an earlier run was loaded; the id is empty when there was none. */
+  | { readonly type: 'identity-loaded'; readonly clientId: string };
+
+/** Time, chance and settings at the time of an event. */
+export interface MachineContext {
+  readonly policy: ReconnectPolicy;
+  /** How long opening a socket may take, milliseconds. */
+  readonly openTimeoutMs: number;
+  /** Milliseconds since the Unix epoch. */
+  readonly nowMs: number;
+  readonly monotonicMs: number;
+  /** For the jitter of a delay: uniform in [0, 1). */
+  readonly chance: number;
+  /** Whether registering again, even twice at once, makes no second client. [CL-3] */
+  readonly isResumable: boolean;
+  /** Whether the client has joined. [AC-13] */
+  readonly hasCredential: boolean;
+}
+
+/** What is to be done after an event, in this order. `announce` comes last: its callbacks may cause further events. */
+export type MachineEffect =
+  | { readonly type: 'register'; readonly attempt: number }
+  | { readonly type: 'cancel-registration'; readonly error: ConnectionError }
+  /** What the client knows of its registration holds, may not hold, or does not hold; or its identity is worth nothing. */
+  | { readonly type: 'trust' | 'doubt' | 'invalidate' | 'forget' }
+  | { readonly type: 'open-link'; readonly attempt: number; readonly membership: Membership }
+  | { readonly type: 'close-link'; readonly farewell: Farewell }
+  | { readonly type: 'probe-link' }
+  | { readonly type: 'freshen-services' }
+  | { readonly type: 'check-known'; readonly attempt: number }
+  | { readonly type: 'restore'; readonly attempt: number; readonly arrival: Arrival }
+  | { readonly type: 'start-patience'; readonly attempt: number; readonly patienceMs: number }
+  | { readonly type: 'start-retry'; readonly delayMs: number }
+  | { readonly type: 'cancel-patience' | 'cancel-retry' }
+  | { readonly type: 'start-sleep-watch' | 'stop-sleep-watch' }
+  /** Resolves the promises of those who wait for the connection, or rejects them. */
+  | { readonly type: 'settle'; readonly error: ConnectionError | undefined }
+  | { readonly type: 'announce'; readonly state: ConnectionState };
+
+/** The state after an event, and what is to be done. */
+export interface Step {
+  readonly state: MachineState;
+  readonly effects: readonly MachineEffect[];
+}
+
+/** The state of a client that was not connected yet. */
+export const IDLE: MachineState = {
+  phase: 'idle',
+  announced: { status: 'idle' },
+  memory: {
+    attemptId: 0,
+    lastId: undefined,
+    failedAttempts: 0,
+    hasHurried: false,
+    slowAttempts: 0,
+    wasSilent: false,
+  },
+};
