@@ -1,8 +1,9 @@
 import { ClientState, ServiceError } from '@ubii/proto';
-import type { Client, Init, NodeExtension, ProcessingModule, ServiceRequestOf } from '@ubii/proto';
+import type { Init, NodeExtension, ProcessingModule, ServiceRequestOf } from '@ubii/proto';
+import { Admission } from './admission.ts';
 import { ConnectionError } from './connection-error.ts';
 import type { Identity } from './identity.ts';
-import { clientRole, joinProblemOf, sendableToken, wrongToken } from './join.ts';
+import { clientRole } from './join.ts';
 import type { ClientRole } from './join.ts';
 import { LIBRARY_NAME } from './library-name.ts';
 import type { IdentityStorage } from './ports/identity-storage.ts';
@@ -49,11 +50,7 @@ export class Registration {
   #isProfileNew = false;
   #updating: Promise<void> | undefined;
   #serial = 0;
-  /** Token or code to join with, until the client has joined. */
-  #joinToken: string | undefined;
-  /** A person gave it just now, and is to hear when it is good for nothing. */
-  #isTokenAsked = false;
-  #hasTriedToken = false;
+  readonly #admission: Admission;
 
   constructor(
     calls: ServiceCalls,
@@ -64,7 +61,14 @@ export class Registration {
     this.#calls = calls;
     this.#storage = storage;
     this.#profile = profile;
-    this.#joinToken = joinToken;
+    this.#admission = new Admission(
+      {
+        credential: () => this.credential ?? this.#loadSharedCredential(),
+        isMember: () => this.#membership !== undefined,
+        dropCredential: (credential) => this.#dropCredential(credential),
+      },
+      joinToken,
+    );
   }
 
   /** What shows later requests to come from this client. [AC-13] */
@@ -74,15 +78,13 @@ export class Registration {
 
   /** Joins with this the next time it registers; the master learns it with `update`, too. */
   joinWith(token: string): void {
-    this.#joinToken = token;
-    this.#isTokenAsked = true;
-    this.#hasTriedToken = false;
+    this.#admission.joinWith(token);
     this.#isProfileNew = true;
   }
 
   /** Whether the token of `joinWith` was shown to the master: an attempt under way may not have known it. */
   get hasTriedToken(): boolean {
-    return this.#hasTriedToken;
+    return this.#admission.hasTriedToken;
   }
 
   /** Asks for a new credential with the next `update`: the one it has will end. [AC-13] */
@@ -234,7 +236,7 @@ export class Registration {
     const profile = this.#profile;
     const { name, description, tags, node, processingModules, isDedicatedNode } = profile;
     const resumeToken = this.#identity?.resumeToken;
-    const client = await this.#join({
+    const message: Init<ServiceRequestOf<'clientRegistration'>> = {
       name,
       ...(description === '' ? {} : { description }),
       ...(tags.length === 0 ? {} : { tags: [...tags] }),
@@ -248,7 +250,10 @@ export class Registration {
         ...(resumeToken === undefined ? {} : { resumeToken }), // [EX-3]
         ...(node === undefined ? {} : { node }), // [PM-60]
       },
-    });
+    };
+    const client = await this.#admission.admit((bearer) =>
+      this.#calls.call('clientRegistration', message, undefined, bearer),
+    );
     if (client.id === '') {
       throw new ConnectionError(
         'protocol',
@@ -274,56 +279,6 @@ export class Registration {
     this.#isProfileNew = this.#profile !== profile;
     this.#save(this.#identity);
     return membership;
-  }
-
-  /**
-   * Registers with the first available secret: the given token, the credential of the client, that of
-   * an earlier client here, else nothing, which is enough on the master's own machine. [AC-3] [AC-23]
-   */
-  async #join(message: Init<ServiceRequestOf<'clientRegistration'>>): Promise<Client> {
-    const register = (bearer: string): Promise<Client> =>
-      this.#calls.call('clientRegistration', message, undefined, bearer);
-    const credential = this.credential ?? this.#loadSharedCredential();
-    const hasToken = this.#joinToken !== undefined;
-    try {
-      if (hasToken) return await this.#joinByToken(register, credential);
-      return await register(credential ?? '');
-    } catch (error) {
-      const problem = joinProblemOf(error);
-      const isRefused = problem !== undefined && problem !== 'role';
-      if (hasToken || credential === undefined || !isRefused) throw error;
-      this.#dropCredential(credential);
-      // Of why it is worth nothing more can be told than that nothing was shown.
-      return await register('').catch((again: unknown) =>
-        Promise.reject((joinProblemOf(again) === 'missing' ? error : again) as Error),
-      );
-    }
-  }
-
-  async #joinByToken(
-    register: (bearer: string) => Promise<Client>,
-    credential: string | undefined,
-  ): Promise<Client> {
-    const joinToken = this.#joinToken!;
-    const isAsked = this.#isTokenAsked;
-    this.#hasTriedToken = true;
-    const sendable = sendableToken(joinToken);
-    let client: Client;
-    try {
-      if (sendable === undefined) throw wrongToken();
-      client = await register(sendable);
-    } catch (error) {
-      if (joinProblemOf(error) === undefined) throw error;
-      // What a person typed is not tried again by itself.
-      if (isAsked && this.#joinToken === joinToken && this.#membership !== undefined) {
-        this.#joinToken = undefined;
-      }
-      // A client that has joined stays joined when its user opens the same old link again.
-      if (isAsked || credential === undefined) throw error;
-      client = await register(credential).catch(() => Promise.reject(error as Error));
-    }
-    if (this.#joinToken === joinToken) this.#joinToken = undefined;
-    return client;
   }
 
   #dropCredential(credential: string): void {
