@@ -158,6 +158,8 @@ export default ts.config(
       'scripts/**',
       '**/*.config.ts',
       'packages/*/examples/**',
+      // The default of a client's `onError`.
+      'packages/client-web/src/console-errors.ts',
     ],
     rules: { 'no-console': 'error' },
   },

@@ -58,6 +58,7 @@ export async function startNode({
     name: config.name,
     tags: ['processing-node'],
     publishIntervalMs: 0,
+    onError: (error, source) => log('error', `Error in ${source}: ${messageOf(error)}`),
     ...(config.join === undefined ? {} : { joinToken: config.join }),
     ...(config.identity === 'off'
       ? {}

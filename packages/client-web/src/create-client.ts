@@ -1,5 +1,6 @@
 import type { PatternSource } from '@ubii/patterns';
 import { systemClock } from '@ubii/timing/system';
+import { createConsoleErrors } from './console-errors.ts';
 import type { ClientOptions } from './core/client-options.ts';
 import { createUbiiClient } from './core/create-ubii-client.ts';
 import type { UbiiClient } from './core/ubii-client.ts';
@@ -23,6 +24,7 @@ export function createClientOver(
     random,
     patterns,
     uuid: systemUuid,
+    reportError: createConsoleErrors(),
     services: transports.services ?? createHttpServices({ url: endpoints().servicesUrl }),
     topicData:
       transports.topicData ?? createWebSocketTopicData(endpoints().topicDataUrl, openWebSocket),

@@ -29,6 +29,7 @@ export { clientRole, joinProblem } from './core/join.ts';
 export type { ClientRole, JoinProblem } from './core/join.ts';
 export type { Cancel, Clock } from '@ubii/timing';
 export { systemClock } from '@ubii/timing/system';
+export type { ErrorHandler, ErrorSource } from './core/ports/error-handler.ts';
 export type { IdentityStorage } from './core/ports/identity-storage.ts';
 export type { RandomSource } from './core/ports/random.ts';
 export type { ServiceExchange, ServiceTransport } from './core/ports/service-transport.ts';

@@ -174,24 +174,6 @@ describe('client.connect() with the identity of an earlier run', () => {
     expect(states.at(-1)).toMatchObject({ resumed: false });
     expect(await identity.load()).toEqual({ clientId: 'client-1', resumeToken: 'key:client-1' });
   });
-
-  it('connects when the storage fails', async () => {
-    const surfaced: unknown[] = [];
-    const handleRejection = (reason: unknown): void => void surfaced.push(reason);
-    process.on('unhandledRejection', handleRejection);
-    const { client } = createTestClient(new FakeMaster(), {
-      identity: {
-        load: () => Promise.reject(new Error('cannot load')),
-        save: () => {
-          throw new Error('cannot save');
-        },
-      },
-    });
-    await client.connect();
-    await settle();
-    process.off('unhandledRejection', handleRejection);
-    expect(surfaced.map(String)).toEqual(['Error: cannot load', 'Error: cannot save']);
-  });
 });
 
 describe('client.rename()', () => {

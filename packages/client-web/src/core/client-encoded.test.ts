@@ -245,30 +245,6 @@ describe('client.subscribeEncoded()', () => {
     await settle();
     expect(problems).toMatchObject([{ code: 'invalid_argument' }]);
   });
-
-  it('surfaces the fault of a listener without losing records of others', async () => {
-    const { master, client } = await setup();
-    const faults: unknown[] = [];
-    const listen = (reason: unknown) => faults.push(reason);
-    const before = process.listeners('unhandledRejection');
-    process.removeAllListeners('unhandledRejection');
-    process.on('unhandledRejection', listen);
-    client.subscribeEncoded('/a', {
-      onRecord: () => {
-        throw new Error('mine');
-      },
-      onGone: () => undefined,
-    });
-    const { records } = collect(client, '/a');
-    await settle();
-    master.publish(int32('/a', 1));
-    await settle();
-    await settle();
-    process.off('unhandledRejection', listen);
-    for (const listener of before) process.on('unhandledRejection', listener);
-    expect(valuesOf(records)).toEqual([1]);
-    expect(faults).toMatchObject([{ message: 'mine' }]);
-  });
 });
 
 describe('client.publishEncoded()', () => {

@@ -1,5 +1,6 @@
 import type { Init, NodeExtension, ProcessingModule } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
+import type { ErrorHandler } from './ports/error-handler.ts';
 import type { IdentityStorage } from './ports/identity-storage.ts';
 import type { RandomSource } from './ports/random.ts';
 import type { ServiceTransport } from './ports/service-transport.ts';
@@ -39,6 +40,12 @@ export interface ClientOptions {
   readonly serviceTimeoutMs?: number;
   /** When to try again after the link failed. @default see DEFAULT_RECONNECT_POLICY */
   readonly reconnect?: Partial<ReconnectPolicy>;
+  /**
+   * Called with errors of the program's own code: of its callbacks, asynchronous ones included, and of the
+   * storage of the identity. None of them ends the connection or the process. Problems of the connection and
+   * its data go to `client.onError`. @default writes each error to the console, equal ones once
+   */
+  readonly onError?: ErrorHandler;
   /** @default the system's clock */
   readonly clock?: Clock;
   /** @default Math.random */

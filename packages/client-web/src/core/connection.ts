@@ -12,6 +12,7 @@ import type {
 } from './connection-model.ts';
 import type { ConnectionState } from './connection-state.ts';
 import { Deferred } from './deferred.ts';
+import type { ErrorHandler } from './ports/error-handler.ts';
 import { Link } from './link.ts';
 import type { LinkTime } from './link.ts';
 import { failureOf, unknownClient } from './link-failure.ts';
@@ -40,12 +41,14 @@ export interface ConnectionOptions {
   readonly time: LinkTime & { handleLink(): void };
   /** Puts devices and subscriptions back; part of every attempt. A rejection fails the attempt. */
   readonly restore: (arrival: Arrival) => Promise<void>;
+  /** A callback of the program failed. */
+  readonly onError: ErrorHandler;
 }
 
 /** Keeps the client connected: performs what `transition` decides, and reports what comes of it. */
 export class Connection {
   readonly #options: ConnectionOptions;
-  readonly #stateListeners = new Listeners<ConnectionState>();
+  readonly #stateListeners: Listeners<ConnectionState>;
   readonly #sleepWatch: SleepWatch;
   #state: MachineState = IDLE;
   #connected: Deferred<void> | undefined;
@@ -56,6 +59,7 @@ export class Connection {
 
   constructor(options: ConnectionOptions) {
     this.#options = options;
+    this.#stateListeners = new Listeners(options.onError);
     this.#sleepWatch = new SleepWatch(options.clock, () => this.retryNow()); // [CL-41]
   }
 

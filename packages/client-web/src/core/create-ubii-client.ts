@@ -20,6 +20,8 @@ import type { Arrival } from './connection-model.ts';
 import { DeviceRegistry } from './device-registry.ts';
 import type { ComponentInit, DeviceInit, RegisteredDevice } from './devices.ts';
 import type { EncodedListener } from './encoded-record.ts';
+import { withFallback } from './program-errors.ts';
+import type { ErrorHandler } from './ports/error-handler.ts';
 import { createMemoryIdentity } from './identity.ts';
 import type { Link } from './link.ts';
 import type { ClientRole } from './join.ts';
@@ -32,6 +34,7 @@ import type { PublishOptions } from './publish-buffer.ts';
 import { DEFAULT_RECONNECT_POLICY } from './reconnect-policy.ts';
 import { Registration } from './registration.ts';
 import type { ClientProfile } from './registration.ts';
+import { reportingStorage } from './reporting-storage.ts';
 import { RoundTripWindow } from './round-trip.ts';
 import type { RoundTrip } from './round-trip.ts';
 import { ServiceCalls } from './service-calls.ts';
@@ -65,6 +68,7 @@ export function createUbiiClient(options: ClientOptions, ports: ClientPorts): Ub
 
 /** Joins the parts; each part says itself what it does. */
 class Client implements UbiiClient {
+  readonly reportError: ErrorHandler;
   readonly #clock: Clock;
   readonly #open: ServiceCalls;
   readonly #calls: ClientCalls;
@@ -77,10 +81,10 @@ class Client implements UbiiClient {
   readonly #masterClock: MasterClock;
   readonly #stampsInMasterTime: boolean;
   readonly #roundTrips = new RoundTripWindow();
-  readonly #roundTripListeners = new Listeners<RoundTrip>();
-  readonly #problemListeners = new Listeners<ClientProblem>();
-  readonly #identityListeners = new Listeners<IdentityChange>();
-  readonly #nodeListeners = new Listeners<EncodedNodeMessage>();
+  readonly #roundTripListeners: Listeners<RoundTrip>;
+  readonly #problemListeners: Listeners<ClientProblem>;
+  readonly #identityListeners: Listeners<IdentityChange>;
+  readonly #nodeListeners: Listeners<EncodedNodeMessage>;
   /** When a new credential was asked for last, monotonic milliseconds. */
   #credentialMs: number;
   #isLeaving = false;
@@ -89,9 +93,15 @@ class Client implements UbiiClient {
   #closing: Promise<void> | undefined;
 
   constructor(options: ClientOptions, ports: ClientPorts) {
-    const { clock, random, patterns, uuid, services, topicData } = ports;
+    const { clock, random, patterns, uuid, services, topicData, reportError } = ports;
     this.#clock = clock;
     this.#credentialMs = clock.monotonicMs();
+    const onError = withFallback(options.onError ?? reportError, reportError);
+    this.reportError = onError;
+    this.#roundTripListeners = new Listeners(onError);
+    this.#problemListeners = new Listeners(onError);
+    this.#identityListeners = new Listeners(onError);
+    this.#nodeListeners = new Listeners(onError);
     const timeoutMs = options.serviceTimeoutMs ?? DEFAULT_SERVICE_TIMEOUT_MS;
     const bearer = (): string | undefined => this.#registration.credential; // [AC-13]
     this.#open = new ServiceCalls(services, clock, timeoutMs, bearer);
@@ -99,7 +109,7 @@ class Client implements UbiiClient {
     const registrationCalls = new ServiceCalls(services, clock, timeoutMs, bearer);
     this.#registration = new Registration(
       registrationCalls,
-      options.identity ?? createMemoryIdentity(),
+      reportingStorage(options.identity ?? createMemoryIdentity(), onError),
       {
         name: options.name,
         description: options.description ?? '',
@@ -132,6 +142,7 @@ class Client implements UbiiClient {
       },
       handleProblem,
       handleUnknownClient,
+      onError,
     });
     this.#inbox = new TopicDataInbox({
       handleRecord: (record) => this.#subscriptions.handleRecord(record),
@@ -154,7 +165,7 @@ class Client implements UbiiClient {
       handleUnknownClient,
     });
     this.#stampsInMasterTime = options.stampInMasterTime ?? false;
-    this.#masterClock = new MasterClock(clock, () => this.#connection.link?.measureTime());
+    this.#masterClock = new MasterClock(clock, () => this.#connection.link?.measureTime(), onError);
     this.#connection = new Connection({
       clock,
       random,
@@ -175,6 +186,7 @@ class Client implements UbiiClient {
         describeClock: () => describeEstimate(this.#masterClock.estimate),
       },
       restore: (arrival) => this.#restore(arrival),
+      onError,
     });
     this.#publishes = new PublishBuffer(
       clock,

@@ -1,3 +1,5 @@
+import { reportRejection } from './program-errors.ts';
+import type { ErrorHandler } from './ports/error-handler.ts';
 import type { EncodedListener } from './encoded-record.ts';
 import type { ReceivedRecord } from './received-record.ts';
 import type { Receiver } from './receiver.ts';
@@ -9,21 +11,33 @@ export class EncodedSubscription implements Receiver {
   readonly maxRateHz = Infinity;
   readonly takesBuffers = true;
   readonly #listener: EncodedListener;
+  readonly #onError: ErrorHandler;
   #hasEnded = false;
 
-  constructor(serverPattern: ServerPattern, listener: EncodedListener) {
+  constructor(serverPattern: ServerPattern, listener: EncodedListener, onError: ErrorHandler) {
     this.serverPattern = serverPattern;
     this.#listener = listener;
+    this.#onError = onError;
   }
 
   handleRecord(record: ReceivedRecord, isSole: boolean): void {
     if (this.#hasEnded) return;
     const isOwned = isSole && record.isTransferable;
-    this.#tell(() => this.#listener.onRecord(isOwned ? record.handOver() : record.encoded));
+    const encoded = isOwned ? record.handOver() : record.encoded;
+    try {
+      reportRejection(this.#listener.onRecord(encoded), 'listener', this.#onError);
+    } catch (error) {
+      this.#onError(error, 'listener');
+    }
   }
 
   handleGone(topic: string): void {
-    if (!this.#hasEnded) this.#tell(() => this.#listener.onGone(topic));
+    if (this.#hasEnded) return;
+    try {
+      reportRejection(this.#listener.onGone(topic), 'listener', this.#onError);
+    } catch (error) {
+      this.#onError(error, 'listener');
+    }
   }
 
   handleAccepted(): void {}
@@ -34,13 +48,4 @@ export class EncodedSubscription implements Receiver {
   }
 
   failIterators(): void {}
-
-  /** A fault of the program, not of the link. */
-  #tell(call: () => void): void {
-    try {
-      call();
-    } catch (error) {
-      void Promise.reject(error);
-    }
-  }
 }

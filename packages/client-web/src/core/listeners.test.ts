@@ -1,9 +1,14 @@
+import { settle } from '@ubii/timing/testing';
 import { describe, expect, it, vi } from 'vitest';
 import { Listeners } from './listeners.ts';
 
+const unexpected = (error: unknown): never => {
+  throw error;
+};
+
 describe('Listeners', () => {
   it('calls each callback in the order they were added', () => {
-    const listeners = new Listeners<number>();
+    const listeners = new Listeners<number>(unexpected);
     const calls: string[] = [];
     listeners.add((n) => calls.push(`a${n}`));
     listeners.add((n) => calls.push(`b${n}`));
@@ -12,7 +17,7 @@ describe('Listeners', () => {
   });
 
   it('takes back one of two equal callbacks', () => {
-    const listeners = new Listeners<number>();
+    const listeners = new Listeners<number>(unexpected);
     const callback = vi.fn();
     const remove = listeners.add(callback);
     listeners.add(callback);
@@ -23,7 +28,7 @@ describe('Listeners', () => {
   });
 
   it('lets a callback remove itself and others while being called', () => {
-    const listeners = new Listeners<number>();
+    const listeners = new Listeners<number>(unexpected);
     const second = vi.fn();
     const removeFirst = listeners.add(() => {
       removeFirst();
@@ -35,16 +40,21 @@ describe('Listeners', () => {
     expect(second).toHaveBeenCalledOnce();
   });
 
-  it('calls the others when one throws, and lets the exception surface', async () => {
-    const surfaced = new Promise((resolve) => process.once('unhandledRejection', resolve));
-    const listeners = new Listeners<number>();
-    const second = vi.fn();
+  it('calls the others when one throws or rejects, and reports the errors', async () => {
+    const onError = vi.fn();
+    const listeners = new Listeners<number>(onError);
+    const last = vi.fn();
     listeners.add(() => {
-      throw new Error('a fault of the program');
+      throw new Error('thrown');
     });
-    listeners.add(second);
+    listeners.add((): unknown => Promise.reject(new Error('rejected')));
+    listeners.add(last);
     listeners.emit(1);
-    expect(second).toHaveBeenCalledOnce();
-    expect(await surfaced).toMatchObject({ message: 'a fault of the program' });
+    expect(last).toHaveBeenCalledOnce();
+    await settle();
+    expect(onError.mock.calls).toEqual([
+      [new Error('thrown'), 'listener'],
+      [new Error('rejected'), 'listener'],
+    ]);
   });
 });

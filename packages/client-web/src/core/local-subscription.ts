@@ -2,6 +2,7 @@ import type { DataFormat, TopicRecord } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
 import { ConnectionError } from './connection-error.ts';
 import { Deferred } from './deferred.ts';
+import type { ErrorHandler } from './ports/error-handler.ts';
 import { Listeners } from './listeners.ts';
 import { RateLimit } from './rate-limit.ts';
 import type { ReceivedRecord } from './received-record.ts';
@@ -24,7 +25,7 @@ export class LocalSubscription implements Subscription, Receiver {
   readonly #close: (subscription: LocalSubscription) => Promise<void>;
   readonly #rateLimit: RateLimit<TopicRecord> | undefined;
   readonly #ready = new Deferred<void>();
-  readonly #listeners = new Listeners<TopicRecord>();
+  readonly #listeners: Listeners<TopicRecord>;
   readonly #iterators = new Set<RecordBuffer<TopicRecord>>();
   /** Holds records until there is a consumer. */
   #early: RecordBuffer<TopicRecord> | undefined;
@@ -39,7 +40,7 @@ export class LocalSubscription implements Subscription, Receiver {
     pattern: TopicPattern,
     serverPattern: ServerPattern,
     options: SubscribeOptions,
-    clock: Clock,
+    { clock, onError }: { readonly clock: Clock; readonly onError: ErrorHandler },
     close: (subscription: LocalSubscription) => Promise<void>,
   ) {
     this.pattern = pattern;
@@ -50,6 +51,7 @@ export class LocalSubscription implements Subscription, Receiver {
     if (!(this.#bufferSize >= 1)) {
       throw new RangeError(`Expected a buffer size of 1 or more, received ${this.#bufferSize}`);
     }
+    this.#listeners = new Listeners(onError);
     this.#close = close;
     this.#rateLimit =
       options.maxRateHz === undefined

@@ -38,7 +38,7 @@ export interface Membership {
 /** Who we are at the master: registers, comes back as the same client, deregisters. */
 export class Registration {
   readonly #calls: ServiceCalls;
-  readonly #storage: IdentityStorage;
+  readonly #storage: Required<IdentityStorage>;
   #profile: ClientProfile;
   #identity: Identity | undefined;
   #membership: Membership | undefined;
@@ -52,9 +52,10 @@ export class Registration {
   #serial = 0;
   readonly #admission: Admission;
 
+  /** @param storage does not throw, nor does what it returns reject */
   constructor(
     calls: ServiceCalls,
-    storage: IdentityStorage,
+    storage: Required<IdentityStorage>,
     profile: ClientProfile,
     joinToken?: string,
   ) {
@@ -63,7 +64,7 @@ export class Registration {
     this.#profile = profile;
     this.#admission = new Admission(
       {
-        credential: () => this.credential ?? this.#loadSharedCredential(),
+        credential: () => this.credential ?? storage.loadCredential(),
         isMember: () => this.#membership !== undefined,
         dropCredential: (credential) => this.#dropCredential(credential),
       },
@@ -117,7 +118,7 @@ export class Registration {
    */
   async load(): Promise<void> {
     if (this.#hasLoaded) return;
-    this.#identity ??= await this.#loadStored();
+    this.#identity ??= await this.#storage.load();
     this.#hasLoaded = true;
     if (this.#identity === undefined) return;
     this.#clientId = this.#identity.clientId;
@@ -198,7 +199,7 @@ export class Registration {
   forget(): void {
     this.invalidate();
     this.#identity = undefined;
-    this.#save(undefined);
+    this.#storage.save(undefined);
   }
 
   /** Changes the profile. The master learns it with `update`, or when the client registers again. */
@@ -277,7 +278,7 @@ export class Registration {
     };
     this.#membership = membership;
     this.#isProfileNew = this.#profile !== profile;
-    this.#save(this.#identity);
+    this.#storage.save(this.#identity);
     return membership;
   }
 
@@ -285,35 +286,8 @@ export class Registration {
     if (this.#identity?.credential === credential) {
       const { clientId, resumeToken } = this.#identity;
       this.#identity = { clientId, resumeToken };
-      this.#save(this.#identity);
+      this.#storage.save(this.#identity);
     }
-    this.#storage.forgetCredential?.(credential);
-  }
-
-  #loadSharedCredential(): string | undefined {
-    try {
-      return this.#storage.loadCredential?.();
-    } catch (error) {
-      void Promise.reject(error);
-      return undefined;
-    }
-  }
-
-  /** A storage that fails costs the identity of the next run, not the connection of this one. */
-  async #loadStored(): Promise<Identity | undefined> {
-    try {
-      return await this.#storage.load();
-    } catch (error) {
-      void Promise.reject(error);
-      return undefined;
-    }
-  }
-
-  #save(identity: Identity | undefined): void {
-    try {
-      this.#storage.save(identity);
-    } catch (error) {
-      void Promise.reject(error);
-    }
+    this.#storage.forgetCredential(credential);
   }
 }

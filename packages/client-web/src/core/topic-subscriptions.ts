@@ -6,6 +6,7 @@ import type { ComponentProfile } from './component-profile.ts';
 import { ComponentTopics } from './component-topics.ts';
 import type { EncodedListener } from './encoded-record.ts';
 import { EncodedSubscription } from './encoded-subscription.ts';
+import type { ErrorHandler } from './ports/error-handler.ts';
 import { LocalSubscription } from './local-subscription.ts';
 import { ReceivedRecord } from './received-record.ts';
 import type { Receiver } from './receiver.ts';
@@ -26,6 +27,8 @@ export interface TopicSubscriptionsOptions {
   /** The master refused a subscription, which has ended with this error, or does not list components. */
   readonly handleProblem: (error: ServiceError) => void;
   readonly handleUnknownClient: (error: ServiceError) => void;
+  /** A callback of the program failed. */
+  readonly onError: ErrorHandler;
 }
 
 /** Where the records of one topic go. */
@@ -97,7 +100,7 @@ export class TopicSubscriptions {
       pattern,
       toServerPattern(pattern, this.#options.patterns),
       options,
-      this.#options.clock,
+      this.#options,
       () => this.#remove(subscription),
     );
     this.#add(subscription);
@@ -114,6 +117,7 @@ export class TopicSubscriptions {
     const subscription = new EncodedSubscription(
       toServerPattern(pattern, this.#options.patterns),
       listener,
+      this.#options.onError,
     );
     this.#encodedCount += 1;
     this.#add(subscription);

@@ -15,6 +15,7 @@ import type { ConnectionState } from './connection-state.ts';
 import type { ComponentInit, DeviceInit, RegisteredDevice } from './devices.ts';
 import type { EncodedListener } from './encoded-record.ts';
 import type { ClientRole } from './join.ts';
+import type { ErrorHandler } from './ports/error-handler.ts';
 import type { PublishOptions } from './publish-buffer.ts';
 import type { ClientProfile } from './registration.ts';
 import type { RoundTrip } from './round-trip.ts';
@@ -95,8 +96,10 @@ export interface UbiiClient {
   onRoundTrip(fn: (roundTrip: RoundTrip) => void): Unsubscribe;
   /** The master's clock, as far as it is known here. */
   readonly masterTime: MasterTime;
-  /** Calls `fn` for what no promise reports. */
+  /** Calls `fn` for problems of the connection and its data that no promise reports. */
   onError(fn: (problem: ClientProblem) => void): Unsubscribe;
+  /** Reports an error to `onError` of the options: for libraries that call callbacks of a program. */
+  readonly reportError: ErrorHandler;
   readonly counters: ClientCounters;
   /**
    * Bytes that were published and have not left yet: those that wait here, and those in the socket that the system has

@@ -40,8 +40,8 @@ class Node implements ProcessingNode {
   readonly #devices: DeviceTopics;
   readonly #reports: ModuleReports;
   readonly #keepers = new Map<string, InstanceKeeper>();
-  readonly #changeListeners = new Listeners<readonly NodeInstance[]>();
-  readonly #eventListeners = new Listeners<ModuleEvent>();
+  readonly #changeListeners: Listeners<readonly NodeInstance[]>;
+  readonly #eventListeners: Listeners<ModuleEvent>;
   #catalog: ModuleCatalog;
   #acceptsWork: boolean;
   /** From the first module on, and as long as the client has the same id. */
@@ -58,6 +58,8 @@ class Node implements ProcessingNode {
   constructor(client: UbiiClient, options: ProcessingNodeOptions) {
     this.#client = client;
     this.#options = options;
+    this.#changeListeners = new Listeners(client.reportError);
+    this.#eventListeners = new Listeners(client.reportError);
     const clock = options.clock ?? (options.kind === 'browser' ? createPageClock() : systemClock);
     // What modules publish is stamped alike, on whatever node they run. [TS-9]
     this.#clock = inMasterTime(clock, client.masterTime);

@@ -58,7 +58,11 @@ export class ClockWorld {
       every: (intervalMs, fn) => this.#every(intervalMs, fn),
       atEndOfTurn: (fn) => void this.#at(this.#trueMs, true, fn),
     };
-    this.masterClock = new MasterClock(this.#clock, () => this.#link?.measureTime());
+    this.masterClock = new MasterClock(
+      this.#clock,
+      () => this.#link?.measureTime(),
+      (error) => void Promise.reject(error),
+    );
   }
 
   /** What the master's clock says at this moment. */

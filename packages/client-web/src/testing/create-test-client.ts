@@ -33,6 +33,8 @@ export function createTestClient(
       random: options.random ?? (() => 0),
       patterns: options.patterns ?? readyPatterns(new Re2Patterns()),
       uuid: systemUuid,
+      // Fails the test run, unless the test expects the error.
+      reportError: (error) => void Promise.reject(error),
       services: createMemoryServices(master),
       topicData: createMemoryTopicData(master),
     },

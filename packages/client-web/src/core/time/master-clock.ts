@@ -1,4 +1,5 @@
 import type { Clock } from '@ubii/timing';
+import type { ErrorHandler } from '../ports/error-handler.ts';
 import { Listeners } from '../listeners.ts';
 import type { Unsubscribe } from '../unsubscribe.ts';
 import { ClockGrain } from './clock-grain.ts';
@@ -23,7 +24,7 @@ export class MasterClock implements MasterTime {
   readonly #estimator = new TimeEstimator();
   readonly #grain = new ClockGrain();
   readonly #masterGrain = new ClockGrain();
-  readonly #listeners = new Listeners<MasterTimeEstimate | undefined>();
+  readonly #listeners: Listeners<MasterTimeEstimate | undefined>;
   #last: ClockReading | undefined;
   /** What to go by until the next measurement: what to add to one of the two clocks, milliseconds. */
   #makeshift: { readonly clock: keyof ClockReading; readonly offsetMs: number } = {
@@ -33,9 +34,10 @@ export class MasterClock implements MasterTime {
   #isNewLink = false;
 
   /** @param measureAgain asks for measurements; called when what was measured holds no longer */
-  constructor(clock: Clock, measureAgain: () => void) {
+  constructor(clock: Clock, measureAgain: () => void, onError: ErrorHandler) {
     this.#clock = clock;
     this.#measureAgain = measureAgain;
+    this.#listeners = new Listeners(onError);
   }
 
   nowMs(): number {
