@@ -43,7 +43,7 @@ export { PUBLISH_LIMITS } from './core/publish-buffer.ts';
 export type { PublishOptions } from './core/publish-buffer.ts';
 export { DEFAULT_RECONNECT_POLICY } from './core/reconnect-policy.ts';
 export type { ReconnectPolicy } from './core/reconnect-policy.ts';
-export type { ClientProfile } from './core/registration.ts';
+export type { ClientProfile } from './core/membership.ts';
 export type { RoundTrip } from './core/round-trip.ts';
 export type { SubscribeOptions, Subscription } from './core/subscription.ts';
 export type { MasterTime, MasterTimeEstimate } from './core/time/master-time.ts';

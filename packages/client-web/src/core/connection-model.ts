@@ -2,7 +2,7 @@ import type { ConnectionError } from './connection-error.ts';
 import type { ConnectionState, ConnectionStatus } from './connection-state.ts';
 import type { LinkFailure } from './link-failure.ts';
 import type { ReconnectPolicy } from './reconnect-policy.ts';
-import type { Membership } from './registration.ts';
+import type { Membership } from './membership.ts';
 
 type Announced<S extends ConnectionStatus> = Extract<ConnectionState, { status: S }>;
 

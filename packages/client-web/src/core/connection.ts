@@ -20,7 +20,8 @@ import { Listeners } from './listeners.ts';
 import type { RandomSource } from './ports/random.ts';
 import type { TopicDataTransport } from './ports/topic-data-transport.ts';
 import type { ReconnectPolicy } from './reconnect-policy.ts';
-import type { Membership, Registration } from './registration.ts';
+import type { Membership } from './membership.ts';
+import type { Registration } from './registration.ts';
 import { SleepWatch } from './sleep-watch.ts';
 
 /** What a connection is made of. */

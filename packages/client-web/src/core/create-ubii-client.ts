@@ -33,7 +33,7 @@ import { PublishBuffer } from './publish-buffer.ts';
 import type { PublishOptions } from './publish-buffer.ts';
 import { DEFAULT_RECONNECT_POLICY } from './reconnect-policy.ts';
 import { Registration } from './registration.ts';
-import type { ClientProfile } from './registration.ts';
+import type { ClientProfile } from './membership.ts';
 import { reportingStorage } from './reporting-storage.ts';
 import { RoundTripWindow } from './round-trip.ts';
 import type { RoundTrip } from './round-trip.ts';

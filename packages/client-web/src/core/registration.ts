@@ -1,43 +1,33 @@
 import { ClientState, ServiceError } from '@ubii/proto';
-import type { Init, NodeExtension, ProcessingModule, ServiceRequestOf } from '@ubii/proto';
+import type { Init, ServiceName, ServiceReplyOf, ServiceRequestOf } from '@ubii/proto';
 import { Admission } from './admission.ts';
 import { ConnectionError } from './connection-error.ts';
 import type { Identity } from './identity.ts';
 import { clientRole } from './join.ts';
-import type { ClientRole } from './join.ts';
 import { LIBRARY_NAME } from './library-name.ts';
+import type { ClientProfile, Membership } from './membership.ts';
 import type { IdentityStorage } from './ports/identity-storage.ts';
-import type { ServiceCalls } from './service-calls.ts';
 
-/** What the master is told about the client. */
-export interface ClientProfile {
-  readonly name: string;
-  readonly description: string;
-  readonly tags: readonly string[];
-  /** `undefined` when it runs no modules. [PM-60] */
-  readonly node: Init<NodeExtension> | undefined;
-  readonly processingModules: readonly Init<ProcessingModule>[];
-  readonly isDedicatedNode: boolean;
-}
-
-/** What the master made of it. */
-export interface Membership {
-  readonly identity: Identity;
-  /** Whether the master is one of ours and speaks the extension. [EX-1] */
-  readonly isExtended: boolean;
-  /** Whether it tells its time. [TS-1] */
-  readonly tellsTime: boolean;
-  /** Semantic version; `undefined` for an original master. */
-  readonly masterVersion: string | undefined;
-  /** What it may do; `undefined` with masters that know no roles. [AC-20] */
-  readonly role: ClientRole | undefined;
-  /** Another number after each registration with which the master may have lost what it knew of us. */
-  readonly serial: number;
+/** Calls of services, as far as a registration needs them. */
+export interface RegistrationCalls {
+  /**
+   * Calls a service.
+   * @param bearer what shows who calls; empty for none
+   * @throws {ServiceError | ConnectionError} if the master refuses, or could not be asked
+   */
+  call<S extends ServiceName>(
+    service: S,
+    request: Init<ServiceRequestOf<S>> | undefined,
+    timeoutMs?: number,
+    bearer?: string,
+  ): Promise<ServiceReplyOf<S>>;
+  /** Rejects every open call. */
+  rejectAll(error: ConnectionError): void;
 }
 
 /** Who we are at the master: registers, comes back as the same client, deregisters. */
 export class Registration {
-  readonly #calls: ServiceCalls;
+  readonly #calls: RegistrationCalls;
   readonly #storage: Required<IdentityStorage>;
   #profile: ClientProfile;
   #identity: Identity | undefined;
@@ -54,7 +44,7 @@ export class Registration {
 
   /** @param storage does not throw, nor does what it returns reject */
   constructor(
-    calls: ServiceCalls,
+    calls: RegistrationCalls,
     storage: Required<IdentityStorage>,
     profile: ClientProfile,
     joinToken?: string,

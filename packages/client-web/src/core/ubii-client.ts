@@ -17,7 +17,7 @@ import type { EncodedListener } from './encoded-record.ts';
 import type { ClientRole } from './join.ts';
 import type { ErrorHandler } from './ports/error-handler.ts';
 import type { PublishOptions } from './publish-buffer.ts';
-import type { ClientProfile } from './registration.ts';
+import type { ClientProfile } from './membership.ts';
 import type { RoundTrip } from './round-trip.ts';
 import type { SubscribeOptions, Subscription } from './subscription.ts';
 import type { MasterTime } from './time/master-time.ts';

@@ -10,7 +10,7 @@ import { ConnectionError } from '../core/connection-error.ts';
 import { BROKEN } from '../core/link-failure.ts';
 import type { LinkFailure } from '../core/link-failure.ts';
 import { DEFAULT_RECONNECT_POLICY } from '../core/reconnect-policy.ts';
-import type { Membership } from '../core/registration.ts';
+import type { Membership } from '../core/membership.ts';
 
 type Unnumbered<E> = E extends { attempt: number } ? Omit<E, 'attempt'> & { attempt?: number } : E;
 

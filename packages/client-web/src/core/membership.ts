@@ -1,0 +1,29 @@
+import type { Init, NodeExtension, ProcessingModule } from '@ubii/proto';
+import type { Identity } from './identity.ts';
+import type { ClientRole } from './join.ts';
+
+/** What the master is told about the client. */
+export interface ClientProfile {
+  readonly name: string;
+  readonly description: string;
+  readonly tags: readonly string[];
+  /** `undefined` when it runs no modules. [PM-60] */
+  readonly node: Init<NodeExtension> | undefined;
+  readonly processingModules: readonly Init<ProcessingModule>[];
+  readonly isDedicatedNode: boolean;
+}
+
+/** What the master made of a registration. */
+export interface Membership {
+  readonly identity: Identity;
+  /** Whether the master is one of ours and speaks the extension. [EX-1] */
+  readonly isExtended: boolean;
+  /** Whether it tells its time. [TS-1] */
+  readonly tellsTime: boolean;
+  /** Semantic version; `undefined` for an original master. */
+  readonly masterVersion: string | undefined;
+  /** What it may do; `undefined` with masters that know no roles. [AC-20] */
+  readonly role: ClientRole | undefined;
+  /** Another number after each registration with which the master may have lost what it knew of us. */
+  readonly serial: number;
+}
