@@ -63,6 +63,17 @@ describe('a client of ours that has to join', () => {
     expect((await call).elements).toHaveLength(1);
   });
 
+  it('is deregistered when it closes [CL-16]', async () => {
+    const { world, token } = await setup();
+    const { client } = await world.connect('ada', { joinToken: token });
+    await Promise.all([client.close(), world.pass(5_000)]);
+    world.standing = 'trusted';
+    const admin = await world.connect('admin');
+    const called = admin.client.call('clientGetList', {});
+    await world.pass(0);
+    expect((await called).elements.map(({ name }) => name)).toEqual(['admin']);
+  });
+
   it('joins when it gets a code later, and again with another role [AC-11]', async () => {
     const { world, code } = await setup(ACCESS_ROLE_PLAYER);
     world.standing = 'trusted';

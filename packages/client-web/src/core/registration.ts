@@ -215,8 +215,10 @@ export class Registration {
   async deregister(timeoutMs: number): Promise<void> {
     const membership = this.#membership ?? this.#doubted;
     if (membership === undefined) return;
+    const { credential } = this;
+    const { clientId } = membership.identity;
     this.forget();
-    await this.#calls.call('clientDeregistration', { id: membership.identity.clientId }, timeoutMs);
+    await this.#calls.call('clientDeregistration', { id: clientId }, timeoutMs, credential);
   }
 
   async #registerUntilCurrent(): Promise<void> {
