@@ -18,27 +18,39 @@ const FRONTEND = [
   ['examples', 'party'],
   ['home', 'markers', 'shell'],
 ];
-const inFrontend = (folders) => `^apps/frontend/src/(${folders.join('|')})/`;
-const frontendOrder = FRONTEND.flatMap((line, index) =>
-  line.map((folder) => ({
-    name: `order-of-the-frontend: ${folder}`,
-    comment: 'Move what both need up in the list of this file, to a line that both may import.',
-    severity: 'error',
-    from: { path: inFrontend([folder]) },
-    to: {
-      path: '^apps/frontend/src/',
-      pathNot: inFrontend([folder, ...FRONTEND.slice(0, index).flat()]),
-    },
-  })),
-);
 
-frontendOrder.push({
-  name: 'order-of-the-frontend: a folder that is not in the list',
-  comment: 'Add it to its line of the list in this file.',
-  severity: 'error',
-  from: { path: '^apps/frontend/src/[^/]+/', pathNot: inFrontend(FRONTEND.flat()) },
-  to: { path: '^apps/frontend/src/' },
-});
+/** Folders of the core of the client, likewise. */
+const CLIENT = [
+  ['ports'],
+  ['callbacks'],
+  ['time'],
+  ['connection'],
+  ['services', 'subscriptions', 'publishing'],
+  ['devices'],
+  ['client'],
+];
+
+/** Rules for folders below `root`: each imports those of the lines above its own. */
+function inOrder(name, root, lines) {
+  const inFolders = (folders) => `^${root}/(${folders.join('|')})/`;
+  const rules = lines.flatMap((line, index) =>
+    line.map((folder) => ({
+      name: `${name}: ${folder}`,
+      comment: 'Move what both need up in the list of this file, to a line that both may import.',
+      severity: 'error',
+      from: { path: inFolders([folder]) },
+      to: { path: `^${root}/`, pathNot: inFolders([folder, ...lines.slice(0, index).flat()]) },
+    })),
+  );
+  rules.push({
+    name: `${name}: a folder that is not in the list`,
+    comment: 'Add it to its line of the list in this file.',
+    severity: 'error',
+    from: { path: `^${root}/[^/]+/`, pathNot: inFolders(lines.flat()) },
+    to: { path: `^${root}/` },
+  });
+  return rules;
+}
 
 export default {
   forbidden: [
@@ -51,7 +63,8 @@ export default {
       from: {},
       to: { circular: true },
     },
-    ...frontendOrder,
+    ...inOrder('order-of-the-frontend', 'apps/frontend/src', FRONTEND),
+    ...inOrder('order-of-the-client', 'packages/client-web/src/core', CLIENT),
   ],
   options: {
     doNotFollow: { path: 'node_modules' },

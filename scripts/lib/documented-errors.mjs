@@ -15,7 +15,7 @@ const sources = [
     row: /^\| `([a-z_]+)`/gm,
   },
   {
-    code: 'packages/client-web/src/core/join.ts',
+    code: 'packages/client-web/src/core/connection/join.ts',
     /** The union `JoinProblem`. */
     block: /type JoinProblem =(.*?);/s,
     entry: /'([a-z_]+)'/g,

@@ -1,8 +1,8 @@
 import { readyPatterns } from '@ubii/patterns';
 import { Re2Patterns } from '@ubii/patterns/re2';
 import { expect, it } from 'vitest';
-import type { ClientOptions } from './core/client-options.ts';
-import type { UbiiClient } from './core/ubii-client.ts';
+import type { ClientOptions } from './core/client/client-options.ts';
+import type { UbiiClient } from './core/client/ubii-client.ts';
 import { createClientOver } from './create-client.ts';
 import { FakeMaster } from './testing/fake-master.ts';
 import { createMemoryServices, createMemoryTopicData } from './transports/memory.ts';

@@ -1,9 +1,9 @@
 import type { PatternSource } from '@ubii/patterns';
 import { systemClock } from '@ubii/timing/system';
 import { createConsoleErrors } from './console-errors.ts';
-import type { ClientOptions } from './core/client-options.ts';
-import { createUbiiClient } from './core/create-ubii-client.ts';
-import type { UbiiClient } from './core/ubii-client.ts';
+import type { ClientOptions } from './core/client/client-options.ts';
+import { createUbiiClient } from './core/client/create-ubii-client.ts';
+import type { UbiiClient } from './core/client/ubii-client.ts';
 import { resolveEndpoints } from './endpoints.ts';
 import { systemUuid } from './system-uuid.ts';
 import { createHttpServices } from './transports/http.ts';

@@ -1,4 +1,4 @@
-import type { ClientOptions } from './core/client-options.ts';
+import type { ClientOptions } from './core/client/client-options.ts';
 
 /** Where a master is reached. */
 export interface Endpoints {

@@ -10,23 +10,23 @@ export type {
   ServiceRequestOf,
   TopicRecord,
 } from '@ubii/proto';
-export type { ClientCounters } from './core/client-counters.ts';
-export type { ClientOptions } from './core/client-options.ts';
-export type { ComponentProfile } from './core/component-profile.ts';
-export { ConnectionError } from './core/connection-error.ts';
-export type { ConnectionErrorReason } from './core/connection-error.ts';
-export type { ConnectionState, ConnectionStatus } from './core/connection-state.ts';
+export type { ClientCounters } from './core/client/client-counters.ts';
+export type { ClientOptions } from './core/client/client-options.ts';
+export type { ComponentProfile } from './core/subscriptions/component-profile.ts';
+export { ConnectionError } from './core/connection/connection-error.ts';
+export type { ConnectionErrorReason } from './core/connection/connection-error.ts';
+export type { ConnectionState, ConnectionStatus } from './core/connection/connection-state.ts';
 export type {
   ComponentInit,
   DeviceInit,
   RegisteredComponent,
   RegisteredDevice,
-} from './core/devices.ts';
-export type { EncodedListener, EncodedRecord } from './core/encoded-record.ts';
-export { createMemoryIdentity } from './core/identity.ts';
-export type { Identity } from './core/identity.ts';
-export { clientRole, joinProblem } from './core/join.ts';
-export type { ClientRole, JoinProblem } from './core/join.ts';
+} from './core/devices/devices.ts';
+export type { EncodedListener, EncodedRecord } from './core/subscriptions/encoded-record.ts';
+export { createMemoryIdentity } from './core/connection/identity.ts';
+export type { Identity } from './core/connection/identity.ts';
+export { clientRole, joinProblem } from './core/connection/join.ts';
+export type { ClientRole, JoinProblem } from './core/connection/join.ts';
 export type { Cancel, Clock } from '@ubii/timing';
 export { systemClock } from '@ubii/timing/system';
 export type { ErrorHandler, ErrorSource } from './core/ports/error-handler.ts';
@@ -39,19 +39,19 @@ export type {
   TopicDataSocket,
   TopicDataTransport,
 } from './core/ports/topic-data-transport.ts';
-export { PUBLISH_LIMITS } from './core/publish-buffer.ts';
-export type { PublishOptions } from './core/publish-buffer.ts';
-export { DEFAULT_RECONNECT_POLICY } from './core/reconnect-policy.ts';
-export type { ReconnectPolicy } from './core/reconnect-policy.ts';
-export type { ClientProfile } from './core/membership.ts';
-export type { RoundTrip } from './core/round-trip.ts';
-export type { SubscribeOptions, Subscription } from './core/subscription.ts';
+export { PUBLISH_LIMITS } from './core/publishing/publish-buffer.ts';
+export type { PublishOptions } from './core/publishing/publish-buffer.ts';
+export { DEFAULT_RECONNECT_POLICY } from './core/connection/reconnect-policy.ts';
+export type { ReconnectPolicy } from './core/connection/reconnect-policy.ts';
+export type { ClientProfile } from './core/connection/membership.ts';
+export type { RoundTrip } from './core/connection/round-trip.ts';
+export type { SubscribeOptions, Subscription } from './core/subscriptions/subscription.ts';
 export type { MasterTime, MasterTimeEstimate } from './core/time/master-time.ts';
-export type { TopicPattern } from './core/topic-pattern.ts';
+export type { TopicPattern } from './core/subscriptions/topic-pattern.ts';
 export type {
   ClientProblem,
   IdentityChange,
   ServiceCallArguments,
   UbiiClient,
   Unsubscribe,
-} from './core/ubii-client.ts';
+} from './core/client/ubii-client.ts';

@@ -1,7 +1,7 @@
 import { lazyPatterns } from '@ubii/patterns';
 import { followPageEvents } from './browser/page-events.ts';
-import type { ClientOptions } from './core/client-options.ts';
-import type { UbiiClient } from './core/ubii-client.ts';
+import type { ClientOptions } from './core/client/client-options.ts';
+import type { UbiiClient } from './core/client/ubii-client.ts';
 import { createClientOver } from './create-client.ts';
 
 export { createTabIdentity } from './browser/tab-identity.ts';

@@ -1,8 +1,8 @@
 import { readyPatterns } from '@ubii/patterns';
 import { Re2Patterns } from '@ubii/patterns/re2';
 import { WebSocket } from 'ws';
-import type { ClientOptions } from './core/client-options.ts';
-import type { UbiiClient } from './core/ubii-client.ts';
+import type { ClientOptions } from './core/client/client-options.ts';
+import type { UbiiClient } from './core/client/ubii-client.ts';
 import { createClientOver } from './create-client.ts';
 
 export * from './exports.ts';

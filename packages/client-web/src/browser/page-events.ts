@@ -1,4 +1,4 @@
-import type { UbiiClient } from '../core/ubii-client.ts';
+import type { UbiiClient } from '../core/client/ubii-client.ts';
 
 /** The network of a device, where the browser tells of it: another Wi-Fi ends no socket, it only falls silent. */
 interface NetworkConnection {

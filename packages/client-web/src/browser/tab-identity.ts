@@ -1,4 +1,4 @@
-import type { Identity } from '../core/identity.ts';
+import type { Identity } from '../core/connection/identity.ts';
 import type { IdentityStorage } from '../core/ports/identity-storage.ts';
 import { claimIdentity } from './identity-claim.ts';
 import type { Release } from './identity-claim.ts';

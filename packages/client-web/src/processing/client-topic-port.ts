@@ -1,9 +1,9 @@
 import { DATA_FORMATS, dataFormatOfField, isMasterTopic } from '@ubii/proto';
 import { encodeNodeMessageFrame } from '@ubii/proto/wire';
 import type { TopicListener, TopicPort, TopicSelector } from '@ubii/pm-sandbox';
-import type { EncodedListener, EncodedRecord } from '../core/encoded-record.ts';
-import type { TopicPattern } from '../core/topic-pattern.ts';
-import type { UbiiClient } from '../core/ubii-client.ts';
+import type { EncodedListener, EncodedRecord } from '../core/subscriptions/encoded-record.ts';
+import type { TopicPattern } from '../core/subscriptions/topic-pattern.ts';
+import type { UbiiClient } from '../core/client/ubii-client.ts';
 import type { DeviceTopics } from './device-topics.ts';
 
 /** What the port needs of a client. */

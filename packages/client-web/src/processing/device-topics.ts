@@ -1,7 +1,7 @@
 import { INFO_TOPICS } from '@ubii/proto';
 import type { Component } from '@ubii/proto';
-import type { Subscription } from '../core/subscription.ts';
-import type { UbiiClient } from '../core/ubii-client.ts';
+import type { Subscription } from '../core/subscriptions/subscription.ts';
+import type { UbiiClient } from '../core/client/ubii-client.ts';
 
 /** What the watch needs of a client. */
 export type DeviceClient = Pick<UbiiClient, 'subscribe' | 'call' | 'onState' | 'state'>;

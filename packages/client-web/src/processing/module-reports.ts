@@ -1,7 +1,7 @@
 import { ProcessingModuleStatus, ServiceError } from '@ubii/proto';
 import type { Init, ModuleEvent, ModuleStatistics, ProcessingModule } from '@ubii/proto';
 import { encodeNodeMessageFrame } from '@ubii/proto/wire';
-import type { UbiiClient } from '../core/ubii-client.ts';
+import type { UbiiClient } from '../core/client/ubii-client.ts';
 import type { AssignedModule } from './session-modules.ts';
 
 /** What the reports need of a client. */

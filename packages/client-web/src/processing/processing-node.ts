@@ -8,7 +8,7 @@ import type {
   SandboxFactory,
 } from '@ubii/pm-sandbox';
 import type { Clock } from '@ubii/timing';
-import type { Unsubscribe } from '../core/ubii-client.ts';
+import type { Unsubscribe } from '../core/client/ubii-client.ts';
 import type { NodeInstance } from './node-instance.ts';
 
 /** How a node is set up. */

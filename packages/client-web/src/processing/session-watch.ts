@@ -1,7 +1,7 @@
 import { INFO_TOPICS } from '@ubii/proto';
 import type { Session } from '@ubii/proto';
-import type { Subscription } from '../core/subscription.ts';
-import type { UbiiClient } from '../core/ubii-client.ts';
+import type { Subscription } from '../core/subscriptions/subscription.ts';
+import type { UbiiClient } from '../core/client/ubii-client.ts';
 import { activityOf } from './session-modules.ts';
 import type { SessionActivity } from './session-modules.ts';
 

@@ -1,5 +1,5 @@
 import type { Cancel, Clock } from '@ubii/timing';
-import { Link } from '../core/link.ts';
+import { Link } from '../core/connection/link.ts';
 import type { TopicDataHandler, TopicDataTransport } from '../core/ports/topic-data-transport.ts';
 import { MasterClock } from '../core/time/master-clock.ts';
 

@@ -1,10 +1,10 @@
 import { readyPatterns, type PatternSource } from '@ubii/patterns';
 import { Re2Patterns } from '@ubii/patterns/re2';
 import { FakeClock } from '@ubii/timing/testing';
-import type { ClientOptions } from '../core/client-options.ts';
-import type { ConnectionState } from '../core/connection-state.ts';
-import { createUbiiClient } from '../core/create-ubii-client.ts';
-import type { ClientProblem, UbiiClient } from '../core/ubii-client.ts';
+import type { ClientOptions } from '../core/client/client-options.ts';
+import type { ConnectionState } from '../core/connection/connection-state.ts';
+import { createUbiiClient } from '../core/client/create-ubii-client.ts';
+import type { ClientProblem, UbiiClient } from '../core/client/ubii-client.ts';
 import { systemUuid } from '../system-uuid.ts';
 import { createMemoryServices, createMemoryTopicData } from '../transports/memory.ts';
 import type { MemoryMaster } from '../transports/memory.ts';

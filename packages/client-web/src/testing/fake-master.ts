@@ -21,7 +21,7 @@ import type {
   TopicSubscription,
 } from '@ubii/proto';
 import { encodeRecordListFrame } from '@ubii/proto/wire';
-import { matchesProfile } from '../core/component-profile.ts';
+import { matchesProfile } from '../core/subscriptions/component-profile.ts';
 import type { TopicDataQuery } from '../core/ports/topic-data-transport.ts';
 import type { MemoryConnection, MemoryMaster, MemoryPeer } from '../transports/memory.ts';
 

@@ -1,16 +1,16 @@
-import { transition } from '../core/connection-machine.ts';
-import { IDLE } from '../core/connection-model.ts';
+import { transition } from '../core/connection/connection-machine.ts';
+import { IDLE } from '../core/connection/connection-model.ts';
 import type {
   MachineContext,
   MachineEffect,
   MachineEvent,
   MachineState,
-} from '../core/connection-model.ts';
-import { ConnectionError } from '../core/connection-error.ts';
-import { BROKEN } from '../core/link-failure.ts';
-import type { LinkFailure } from '../core/link-failure.ts';
-import { DEFAULT_RECONNECT_POLICY } from '../core/reconnect-policy.ts';
-import type { Membership } from '../core/membership.ts';
+} from '../core/connection/connection-model.ts';
+import { ConnectionError } from '../core/connection/connection-error.ts';
+import { BROKEN } from '../core/connection/link-failure.ts';
+import type { LinkFailure } from '../core/connection/link-failure.ts';
+import { DEFAULT_RECONNECT_POLICY } from '../core/connection/reconnect-policy.ts';
+import type { Membership } from '../core/connection/membership.ts';
 
 type Unnumbered<E> = E extends { attempt: number } ? Omit<E, 'attempt'> & { attempt?: number } : E;
 

@@ -1,6 +1,6 @@
 import { decode, encode } from '@ubii/proto';
 import type { Init, ServiceReply, ServiceRequest } from '@ubii/proto';
-import { ConnectionError } from '../core/connection-error.ts';
+import { ConnectionError } from '../core/connection/connection-error.ts';
 import type { ServiceTransport } from '../core/ports/service-transport.ts';
 import type {
   TopicDataHandler,

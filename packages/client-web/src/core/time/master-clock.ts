@@ -1,7 +1,7 @@
 import type { Clock } from '@ubii/timing';
 import type { ErrorHandler } from '../ports/error-handler.ts';
-import { Listeners } from '../listeners.ts';
-import type { Unsubscribe } from '../unsubscribe.ts';
+import { Listeners } from '../callbacks/listeners.ts';
+import type { Unsubscribe } from '../callbacks/unsubscribe.ts';
 import { ClockGrain } from './clock-grain.ts';
 import { readClocks, wallAheadMs } from './clock-reading.ts';
 import type { ClockReading } from './clock-reading.ts';

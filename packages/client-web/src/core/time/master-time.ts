@@ -1,4 +1,4 @@
-import type { Unsubscribe } from '../unsubscribe.ts';
+import type { Unsubscribe } from '../callbacks/unsubscribe.ts';
 
 /** What a client knows of the master's clock. [TS-4] */
 export interface MasterTimeEstimate {

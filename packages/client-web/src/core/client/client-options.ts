@@ -1,0 +1,58 @@
+import type { Init, NodeExtension, ProcessingModule } from '@ubii/proto';
+import type { Clock } from '@ubii/timing';
+import type { ErrorHandler } from '../ports/error-handler.ts';
+import type { IdentityStorage } from '../ports/identity-storage.ts';
+import type { RandomSource } from '../ports/random.ts';
+import type { ServiceTransport } from '../ports/service-transport.ts';
+import type { TopicDataTransport } from '../ports/topic-data-transport.ts';
+import type { ReconnectPolicy } from '../connection/reconnect-policy.ts';
+
+/** How a client is set up. */
+export interface ClientOptions {
+  /** Origin of a master, such as `http://localhost:8080`. @default the page's origin; required in Node */
+  readonly url?: string;
+  /** Where services are, when not under `url`; JSON when the path ends with `/json` or `/services`, else binary. */
+  readonly servicesUrl?: string;
+  /** Where the topic-data WebSocket is, when not under `url`. */
+  readonly topicDataUrl?: string;
+  /** Name for people; need not be unique. */
+  readonly name: string;
+  readonly description?: string;
+  readonly tags?: readonly string[];
+  /** What the client is as a node; a client that runs no modules leaves it out. [PM-60] */
+  readonly node?: Init<NodeExtension>;
+  /** The modules it has code for; their code need not be told. [PM-60] */
+  readonly processingModules?: readonly Init<ProcessingModule>[];
+  /** True when it exists to run modules for others. @default false */
+  readonly isDedicatedNode?: boolean;
+  /**
+   * Token or code to join with, if the master requires one. Used for the first registration;
+   * then the credential shows who it is, which is kept with the identity. [AC-13]
+   */
+  readonly joinToken?: string;
+  /** Where the identity is kept between runs. @default in memory */
+  readonly identity?: IdentityStorage;
+  /** Records are collected this long and sent as one frame, milliseconds; 0: until the end of the turn. @default 15 */
+  readonly publishIntervalMs?: number;
+  /** Use the master's time instead of this machine's for records without a timestamp. [TS-9] @default false */
+  readonly stampInMasterTime?: boolean;
+  /** A service call, and each step of connecting, may take this long, milliseconds. @default 10000 */
+  readonly serviceTimeoutMs?: number;
+  /** When to try again after the link failed. @default see DEFAULT_RECONNECT_POLICY */
+  readonly reconnect?: Partial<ReconnectPolicy>;
+  /**
+   * Called with errors of the program's own code: of its callbacks, asynchronous ones included, and of the
+   * storage of the identity. None of them ends the connection or the process. Problems of the connection and
+   * its data go to `client.onError`. @default writes each error to the console, equal ones once
+   */
+  readonly onError?: ErrorHandler;
+  /** @default the system's clock */
+  readonly clock?: Clock;
+  /** @default Math.random */
+  readonly random?: RandomSource;
+  /** Ways to the master, each in place of the usual one: HTTP for services, WebSocket for topic data. */
+  readonly transports?: {
+    readonly services?: ServiceTransport;
+    readonly topicData?: TopicDataTransport;
+  };
+}

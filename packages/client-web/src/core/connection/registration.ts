@@ -1,0 +1,285 @@
+import { ClientState, ServiceError } from '@ubii/proto';
+import type { Init, ServiceName, ServiceReplyOf, ServiceRequestOf } from '@ubii/proto';
+import { Admission } from './admission.ts';
+import { ConnectionError } from './connection-error.ts';
+import type { Identity } from './identity.ts';
+import { clientRole } from './join.ts';
+import { LIBRARY_NAME } from './library-name.ts';
+import type { ClientProfile, Membership } from './membership.ts';
+import type { IdentityStorage } from '../ports/identity-storage.ts';
+
+/** Calls of services, as far as a registration needs them. */
+export interface RegistrationCalls {
+  /**
+   * Calls a service.
+   * @param bearer what shows who calls; empty for none
+   * @throws {ServiceError | ConnectionError} if the master refuses, or could not be asked
+   */
+  call<S extends ServiceName>(
+    service: S,
+    request: Init<ServiceRequestOf<S>> | undefined,
+    timeoutMs?: number,
+    bearer?: string,
+  ): Promise<ServiceReplyOf<S>>;
+  /** Rejects every open call. */
+  rejectAll(error: ConnectionError): void;
+}
+
+/** Who we are at the master: registers, comes back as the same client, deregisters. */
+export class Registration {
+  readonly #calls: RegistrationCalls;
+  readonly #storage: Required<IdentityStorage>;
+  #profile: ClientProfile;
+  #identity: Identity | undefined;
+  #membership: Membership | undefined;
+  /** What may hold still, until the master could be asked. */
+  #doubted: Membership | undefined;
+  #hasLoaded = false;
+  #clientId = '';
+  /** The master has an older profile. */
+  #isProfileNew = false;
+  #updating: Promise<void> | undefined;
+  #serial = 0;
+  readonly #admission: Admission;
+
+  /** @param storage does not throw, nor does what it returns reject */
+  constructor(
+    calls: RegistrationCalls,
+    storage: Required<IdentityStorage>,
+    profile: ClientProfile,
+    joinToken?: string,
+  ) {
+    this.#calls = calls;
+    this.#storage = storage;
+    this.#profile = profile;
+    this.#admission = new Admission(
+      {
+        credential: () => this.credential ?? storage.loadCredential(),
+        isMember: () => this.#membership !== undefined,
+        dropCredential: (credential) => this.#dropCredential(credential),
+      },
+      joinToken,
+    );
+  }
+
+  /** What shows later requests to come from this client. [AC-13] */
+  get credential(): string | undefined {
+    return this.#identity?.credential;
+  }
+
+  /** Joins with this the next time it registers; the master learns it with `update`, too. */
+  joinWith(token: string): void {
+    this.#admission.joinWith(token);
+    this.#isProfileNew = true;
+  }
+
+  /** Whether the token of `joinWith` was shown to the master: an attempt under way may not have known it. */
+  get hasTriedToken(): boolean {
+    return this.#admission.hasTriedToken;
+  }
+
+  /** Asks for a new credential with the next `update`: the one it has will end. [AC-13] */
+  renewCredential(): void {
+    if (this.credential !== undefined) this.#isProfileNew = true;
+  }
+
+  /** The id of this client, or the last one it had; empty before the first. */
+  get clientId(): string {
+    return this.#clientId;
+  }
+
+  /** Whether registering again, even twice at once, makes no second client. [CL-3] */
+  get isResumable(): boolean {
+    return this.#hasLoaded && this.#identity?.resumeToken !== undefined;
+  }
+
+  get profile(): ClientProfile {
+    return this.#profile;
+  }
+
+  /** What holds as far as we know; `undefined` when the client has to register. */
+  get membership(): Membership | undefined {
+    return this.#membership;
+  }
+
+  /**
+   * Takes up the identity of an earlier run, if one was kept. Does nothing after the first time.
+   * @throws {ConnectionError} if the master could not be reached
+   */
+  async load(): Promise<void> {
+    if (this.#hasLoaded) return;
+    this.#identity ??= await this.#storage.load();
+    this.#hasLoaded = true;
+    if (this.#identity === undefined) return;
+    this.#clientId = this.#identity.clientId;
+    // An earlier run of this program left its devices and subscriptions behind. Nothing here knows
+    // them, so the master would send their records forever: the earlier run is ended first. [EX-7]
+    try {
+      await this.#calls.call('clientDeregistration', { id: this.#identity.clientId });
+    } catch (error) {
+      // The usual case is not_found: the master forgot it long ago.
+      if (!(error instanceof ServiceError)) {
+        this.#hasLoaded = false;
+        throw error;
+      }
+    }
+  }
+
+  /**
+   * Makes sure that the master knows this client. Does nothing when it probably still does: a dropped
+   * socket alone is no reason to register again. [EX-5]
+   * @throws {ServiceError | ConnectionError} if it could not be done
+   */
+  async ensure(): Promise<Membership> {
+    const mustTell = this.#isProfileNew && this.#membership?.isExtended === true;
+    if (this.#membership !== undefined && !mustTell) return this.#membership;
+    this.#serial += 1;
+    const doubted = this.#doubted;
+    this.#doubted = undefined;
+    try {
+      return await this.#register();
+    } catch (error) {
+      // The master did not answer. A socket may work where services do not: it is a connection of its
+      // own, and theirs are kept by browsers over the end of a network.
+      if (error instanceof ConnectionError) this.#membership ??= doubted;
+      throw error;
+    }
+  }
+
+  /** Gives up what is being asked. */
+  cancel(error: ConnectionError): void {
+    this.#calls.rejectAll(error);
+  }
+
+  /**
+   * Asks the master whether it still knows this client. One of ours says so by itself, with a close
+   * code or an error code; an original one takes any socket, drops what comes over it, and gives the
+   * same answer to every error.
+   * @throws {ServiceError | ConnectionError} if it could not be asked
+   */
+  async isKnown(): Promise<boolean> {
+    if (this.#membership === undefined) return false;
+    const { clientId } = this.#membership.identity;
+    const list = await this.#calls.call('clientGetList', { elements: [{ id: clientId }] });
+    // UNAVAILABLE is final there: the topics are deleted and no PING comes any more.
+    return list.elements.some(
+      ({ id, state }) => id === clientId && state !== ClientState.UNAVAILABLE,
+    );
+  }
+
+  /** The master does not know us any more: register again, as the same client where possible. [EX-5] */
+  invalidate(): void {
+    this.#membership = undefined;
+    this.#doubted = undefined;
+  }
+
+  /** The master may not know us any more: ask it by registering again, if it can be asked. */
+  doubt(): void {
+    this.#doubted = this.#membership ?? this.#doubted;
+    this.#membership = undefined;
+  }
+
+  /** Something tells that the way is free again: what was doubted may have been the way. */
+  trust(): void {
+    this.#membership ??= this.#doubted;
+    this.#doubted = undefined;
+  }
+
+  /** The identity is not valid any more: register as a new client. [EX-5] */
+  forget(): void {
+    this.invalidate();
+    this.#identity = undefined;
+    this.#storage.save(undefined);
+  }
+
+  /** Changes the profile. The master learns it with `update`, or when the client registers again. */
+  describe(change: Partial<ClientProfile>): void {
+    this.#profile = { ...this.#profile, ...change };
+    this.#isProfileNew = true;
+  }
+
+  /**
+   * Tells a master of ours the profile, if it has an older one; an original master keeps what it has.
+   * Registering with id and token makes no new client, and is the only way to tell. [CL-3]
+   * @throws {ServiceError | ConnectionError} if it could not be done
+   */
+  async update(): Promise<void> {
+    // One at a time, so that no older name overtakes a newer one.
+    this.#updating ??= this.#registerUntilCurrent().finally(() => {
+      this.#updating = undefined;
+    });
+    await this.#updating;
+  }
+
+  /** Leaves the master, and forgets who we were. [CL-16] */
+  async deregister(timeoutMs: number): Promise<void> {
+    const membership = this.#membership ?? this.#doubted;
+    if (membership === undefined) return;
+    const { credential } = this;
+    const { clientId } = membership.identity;
+    this.forget();
+    await this.#calls.call('clientDeregistration', { id: clientId }, timeoutMs, credential);
+  }
+
+  async #registerUntilCurrent(): Promise<void> {
+    while (this.#isProfileNew && this.#membership?.isExtended === true) await this.#register();
+  }
+
+  async #register(): Promise<Membership> {
+    const profile = this.#profile;
+    const { name, description, tags, node, processingModules, isDedicatedNode } = profile;
+    const resumeToken = this.#identity?.resumeToken;
+    const message: Init<ServiceRequestOf<'clientRegistration'>> = {
+      name,
+      ...(description === '' ? {} : { description }),
+      ...(tags.length === 0 ? {} : { tags: [...tags] }),
+      ...(processingModules.length === 0 ? {} : { processingModules: [...processingModules] }),
+      ...(isDedicatedNode ? { isDedicatedProcessingNode: true } : {}),
+      // An id without a token proves nothing, and an original master refuses the id of a client it still has.
+      ...(resumeToken === undefined ? {} : { id: this.#identity!.clientId }),
+      extension: {
+        recordLists: true, // [EX-2]
+        library: LIBRARY_NAME, // [EX-25]
+        ...(resumeToken === undefined ? {} : { resumeToken }), // [EX-3]
+        ...(node === undefined ? {} : { node }), // [PM-60]
+      },
+    };
+    const client = await this.#admission.admit((bearer) =>
+      this.#calls.call('clientRegistration', message, undefined, bearer),
+    );
+    if (client.id === '') {
+      throw new ConnectionError(
+        'protocol',
+        'Expected a client id in the reply to the registration',
+      );
+    }
+    const { extension } = client;
+    this.#clientId = client.id;
+    this.#identity = {
+      clientId: client.id,
+      resumeToken: extension?.resumeToken || undefined,
+      ...(extension?.credential ? { credential: extension.credential } : {}), // [AC-13]
+    };
+    const membership: Membership = {
+      identity: this.#identity,
+      isExtended: extension !== undefined, // [EX-1]
+      tellsTime: extension?.tellsTime ?? false,
+      masterVersion: extension?.masterVersion || undefined,
+      role: clientRole(extension?.role ?? 0),
+      serial: this.#serial,
+    };
+    this.#membership = membership;
+    this.#isProfileNew = this.#profile !== profile;
+    this.#storage.save(this.#identity);
+    return membership;
+  }
+
+  #dropCredential(credential: string): void {
+    if (this.#identity?.credential === credential) {
+      const { clientId, resumeToken } = this.#identity;
+      this.#identity = { clientId, resumeToken };
+      this.#storage.save(this.#identity);
+    }
+    this.#storage.forgetCredential(credential);
+  }
+}
