@@ -144,7 +144,7 @@ test('who leaves is told from who is lost, and two tabs of a phone are one devic
 
   await test.step('its page and its battery are seen [EX-56]', async () => {
     await clients.row('Mara').click();
-    const link = clients.detail('Mara').getByRole('region', { name: 'Link' });
+    const link = clients.detail('Mara').getByRole('region', { name: 'Connection' });
     await expect(link).toContainText('in front');
     await expect(link).toContainText('100 %');
     await expect(link).toContainText('charging');
@@ -171,7 +171,7 @@ test('who leaves is told from who is lost, and two tabs of a phone are one devic
     await show(mara, true);
   });
 
-  const gone = desk.page.getByRole('list', { name: 'Recently disconnected' });
+  const gone = desk.page.getByRole('list', { name: 'Clients that left recently' });
   await test.step('a button: it has left, at once, and can come back', async () => {
     await mara.page.getByRole('button', { name: 'Change your name' }).tap();
     await mara.page.getByRole('button', { name: 'Disconnect', exact: true }).tap();

@@ -43,14 +43,17 @@ export function useProblemActions(): (action: ProblemAction) => Promise<void> {
         await reports.refresh();
         const rate = halfRate(reports.byId.value?.get(clientId)?.recordsInPerSecond ?? 0);
         await throttle(clientId, rate);
-        return toasts.show(`Throttled ${nameOf(clientId)} to ${formatNumber(rate)} records/s`, {
-          text: 'Undo',
-          run: () => void attempt(() => throttle(clientId, 0)),
-        });
+        return toasts.show(
+          `Throttled ${nameOf(clientId)} to ${formatNumber(rate)} records per second.`,
+          {
+            text: 'Undo',
+            run: () => void attempt(() => throttle(clientId, 0)),
+          },
+        );
       }
       case 'unthrottle':
         await throttle(action.clientId, 0);
-        return toasts.show(`Throttle removed from ${nameOf(action.clientId)}`);
+        return toasts.show(`Throttle removed from ${nameOf(action.clientId)}.`);
       case 'stop-session': {
         const id = action.sessionId;
         await client.call('sessionRuntimeStop', { id });

@@ -89,7 +89,7 @@ function ownWords(activity: ClientActivity, isHeavy: boolean): { cause: string; 
       remedy: isHeavy ? 'Publish fewer or smaller records, or throttle the client.' : '',
     };
   }
-  const why = activity.watchesEverything ? '. A device of it subscribes to every topic' : '';
+  const why = activity.watchesEverything ? '. One of its devices subscribes to every topic' : '';
   return {
     cause: `Receives ${flow(recordsOutPerSecond, bytesOutPerSecond)}${why}.`,
     remedy: isHeavy ? 'Subscribe to fewer topics, or at a lower rate.' : '',

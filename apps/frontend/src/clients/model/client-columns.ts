@@ -58,7 +58,7 @@ const NOTHING = 0.05;
 
 const ADDRESSES: Record<ClientActivity['addressKind'], string> = {
   [ClientActivityAddressKind.UNKNOWN]: '',
-  [ClientActivityAddressKind.LOOPBACK]: 'this machine',
+  [ClientActivityAddressKind.LOOPBACK]: 'this computer',
   [ClientActivityAddressKind.PRIVATE]: 'local network',
   [ClientActivityAddressKind.PUBLIC]: 'beyond',
 };
@@ -226,7 +226,7 @@ export const CLIENT_COLUMNS: readonly ClientColumn[] = [
       {
         key: 'refused',
         head: 'Refused',
-        title: 'Published records that the master rejected',
+        title: 'Published records that the master refused',
         width: 64,
         priority: 7,
       },
