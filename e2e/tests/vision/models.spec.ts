@@ -9,7 +9,7 @@ import type { Person } from '../../fixtures/person.ts';
 import { expect, test as base } from '../../fixtures/test.ts';
 
 const PAGE = '/examples/object-detection';
-const GET = 'Get the model (18.6 MB)';
+const GET = 'Download the model (18.6 MB)';
 
 interface Fixtures {
   readonly mirror: FakeMirror;
@@ -93,7 +93,7 @@ test('an admin gets the model of a detector, cancels, and sees why it cannot be 
   });
 });
 
-test('a participant sees who can get the model [EX-58]', async ({ browser }) => {
+test('a participant sees who can download the model [EX-58]', async ({ browser }) => {
   const master = await MasterProcess.start({ trustsLoopback: false });
   const page = await browser.newPage({ baseURL: master.url });
   try {
@@ -101,7 +101,7 @@ test('a participant sees who can get the model [EX-58]', async ({ browser }) => 
     await page.getByRole('combobox', { name: 'Detector' }).click();
     await page.getByRole('option', { name: 'COCO-SSD' }).click();
     await expect(page.getByRole('main')).toContainText(
-      'An admin of this master can get the model (18.6 MB).',
+      'An admin of this master can download the model (18.6 MB).',
     );
     await expect(page.getByRole('button', { name: GET })).toHaveCount(0);
   } finally {
@@ -116,7 +116,7 @@ test('the detector is changed while it runs, with a model that was put there by 
 }) => {
   const anna = await room.atDesk('Anna');
   const { page } = anna;
-  const seen = page.getByRole('region', { name: /^Seen now/ });
+  const seen = page.getByRole('region', { name: /^Detected now/ });
   const photo = join(master.dataDir, 'red.png');
   // A person for the tiny model, and nothing for CenterNet.
   writeFileSync(photo, pngOf(squares({ x: 160, y: 120, rgb: [255, 0, 0] })));
@@ -144,7 +144,7 @@ test('the detector is changed while it runs, with a model that was put there by 
 
   await test.step('on the master as well', async () => {
     await page
-      .getByRole('radiogroup', { name: 'Where it runs' })
+      .getByRole('radiogroup', { name: 'Node that runs the modules' })
       .getByRole('radio', { name: /^Master/ })
       .click();
     await expect(seen).toContainText('Nothing above the threshold');

@@ -35,11 +35,11 @@ export function assetSetLook({ state, bundled }: Pick<AssetSet, 'state' | 'bundl
   }
 }
 
-/** What an admin can do where the master cannot download a set. */
+/** Tells an admin how to install a set that the master cannot download. */
 export function wayOut({
   name,
   publisherAddress,
   folder,
 }: Pick<AssetSet, 'name' | 'publisherAddress' | 'folder'>): string {
-  return `On a machine with internet, run "npm run models -- get ${name}" or download the files of ${publisherAddress}, and put them into ${folder} on the machine of the master. Or start the master with --model-mirror <url>.`;
+  return `On a computer with internet access, run "npm run models -- get ${name}" or download the files from ${publisherAddress}. Then put them into ${folder} on the computer of the master. Or start the master with --model-mirror <url>.`;
 }

@@ -113,7 +113,7 @@ describe('CenterNet', () => {
     );
     const cut = { ...files, 'centernet.bin': files['centernet.bin']!.slice(0, 1000) };
     await expect(createCenterNet(tensorflow, cut)).rejects.toThrow(
-      'The weights of "centernet.json" have 1000 bytes instead of 4030290. Get the model again.',
+      'The weights of "centernet.json" have 1000 bytes instead of 4030290. Download the model again.',
     );
   });
 });

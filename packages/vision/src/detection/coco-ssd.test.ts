@@ -99,7 +99,7 @@ describe('createCocoSsd', () => {
     await expect(createCocoSsd(tensorflow, {})).rejects.toThrow('The file "model.json"');
     const cut = { ...files, 'group1-shard1of1': files['group1-shard1of1']!.slice(1) };
     await expect(createCocoSsd(tensorflow, cut)).rejects.toThrow(
-      /^The weights of "model.json" have \d+ bytes instead of \d+. Get the model again.$/,
+      /^The weights of "model.json" have \d+ bytes instead of \d+. Download the model again.$/,
     );
   });
 });

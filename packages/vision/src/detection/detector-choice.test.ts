@@ -109,7 +109,7 @@ describe('a choice of detectors', () => {
     // The backend is used anyway.
     expect([detector, backend]).toEqual(['centernet', 'cpu']);
     expect(problem).toMatch(
-      /^COCO-SSD cannot be used: The weights of "model.json" have \d+ bytes instead of \d+. Get the model again. CenterNet detects instead.$/,
+      /^COCO-SSD cannot be used: The weights of "model.json" have \d+ bytes instead of \d+. Download the model again. CenterNet detects instead.$/,
     );
     nowMs = 3_600_000;
     await choose('coco-ssd', 'cpu');

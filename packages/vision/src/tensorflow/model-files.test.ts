@@ -40,12 +40,12 @@ describe('readModelFiles', () => {
     [
       'cut weights',
       { 'm.json': json(model), 'a.bin': new Uint8Array(6), 'b.bin': new Uint8Array(5) },
-      'The weights of "m.json" have 11 bytes instead of 12. Get the model again.',
+      'The weights of "m.json" have 11 bytes instead of 12. Download the model again.',
     ],
     [
       'a cut model',
       { 'm.json': json(model).slice(0, 20) },
-      '"m.json" is not valid JSON. Get the model again.',
+      '"m.json" is not valid JSON. Download the model again.',
     ],
     ['something else', { 'm.json': json([1]) }, '"m.json" is not a graph model of TensorFlow.js.'],
     ['null', { 'm.json': json(null) }, '"m.json" is not a graph model of TensorFlow.js.'],

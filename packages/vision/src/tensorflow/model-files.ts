@@ -40,7 +40,7 @@ export function readModelFiles(files: Files, modelName: string): io.ModelArtifac
   const expected = weightSpecs.reduce((sum, spec) => sum + bytesOf(spec, modelName), 0);
   if (found !== expected) {
     throw new Error(
-      `The weights of "${modelName}" have ${found} bytes instead of ${expected}. Get the model again.`,
+      `The weights of "${modelName}" have ${found} bytes instead of ${expected}. Download the model again.`,
     );
   }
   const weightData = new Uint8Array(found);
@@ -71,7 +71,7 @@ function parseModel(bytes: Uint8Array, modelName: string): GraphModelFile {
   try {
     model = JSON.parse(new TextDecoder().decode(bytes)) as Partial<GraphModelFile> | null;
   } catch {
-    throw new Error(`"${modelName}" is not valid JSON. Get the model again.`);
+    throw new Error(`"${modelName}" is not valid JSON. Download the model again.`);
   }
   if (
     typeof model?.modelTopology !== 'object' ||
