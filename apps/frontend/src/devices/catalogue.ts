@@ -29,16 +29,16 @@ export const DEVICE_PAGES: readonly DevicePage[] = [
     icon: Joystick,
     summary: 'Stick, buttons and tilt for games',
     description:
-      'Publishes a stick, the buttons A, B and Start, orientation and acceleration. Shows colours and pictures and vibrates. A session can turn it into a camera or a gamepad and back.',
+      'Publishes a stick, the buttons A, B and Start, orientation and acceleration. Shows colours and pictures and vibrates. A session can switch it between gamepad and camera.',
     page: () => import('./controller/ControllerPage.vue'),
   },
   {
     path: '/devices/camera',
     title: 'Camera',
     icon: Camera,
-    summary: 'Pictures for sessions to look at',
+    summary: 'Camera pictures for sessions',
     description:
-      'Publishes camera pictures of the size and rate you choose, and draws over them what sessions find.',
+      'Publishes camera pictures in the size and rate that you choose, and draws the objects that sessions detect in them.',
     page: () => import('./camera/CameraPage.vue'),
   },
   {

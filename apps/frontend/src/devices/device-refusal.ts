@@ -12,7 +12,7 @@ export function refusalOf(device: string, error: unknown): OwnTrouble | undefine
   return {
     key: `device_refused ${device}`,
     code: 'device_refused',
-    text: `The master rejected this device; nothing is published: ${error.message}`,
+    text: `The master refused this device, so nothing is published: ${error.message}`,
     remedy:
       error.code === 'permission_denied'
         ? 'Ask the host for a code with another role, such as player.'

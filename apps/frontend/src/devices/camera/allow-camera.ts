@@ -1,9 +1,6 @@
 /** How a page is allowed to use the camera, by browser; the first that fits counts. */
 const WAYS: readonly (readonly [agent: RegExp, way: string])[] = [
-  [
-    /\b(iPhone|iPad)\b.*\bCriOS\//,
-    'Open Settings of the system, choose Chrome, and turn Camera on.',
-  ],
+  [/\b(iPhone|iPad)\b.*\bCriOS\//, 'Open the system settings, choose Chrome, and turn Camera on.'],
   [
     /\b(iPhone|iPad)\b/,
     'Tap the page icon left of the address, choose Website Settings, and set Camera to Allow.',

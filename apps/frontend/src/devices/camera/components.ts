@@ -24,6 +24,6 @@ export const CAMERA_COMPONENTS = [
     format: 'string',
     tags: ['camera'],
     description:
-      'What the camera is like, as JSON for marker-tracking; empty until it is calibrated.',
+      'Calibration of the camera, as JSON for marker-tracking; empty until it is calibrated.',
   },
 ] as const satisfies readonly ComponentInit[];

@@ -11,7 +11,8 @@ export class JpegEncoder {
   constructor() {
     this.#worker = new Worker(new URL('./jpeg-worker.ts', import.meta.url), { type: 'module' });
     this.#failed = new Promise((_, reject) => {
-      this.#worker.onerror = () => reject(new Error('The worker of pictures could not start.'));
+      this.#worker.onerror = () =>
+        reject(new Error('The picture encoder could not start. Reload the page.'));
     });
     this.#failed.catch(() => undefined); // told with the next picture
   }
@@ -31,7 +32,8 @@ export class JpegEncoder {
     let timer: ReturnType<typeof setTimeout> | undefined;
     const made = new Promise<JpegReply>((resolve, reject) => {
       this.#worker.onmessage = ({ data }: MessageEvent<JpegReply>) => resolve(data);
-      const isGone = (): void => reject(new Error('The worker of pictures does not answer.'));
+      const isGone = (): void =>
+        reject(new Error('The picture encoder does not answer. Reload the page.'));
       timer = setTimeout(isGone, TIMEOUT_MS);
       const task: JpegTask = { picture, ...options };
       this.#worker.postMessage(task, [picture]);

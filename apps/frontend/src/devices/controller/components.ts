@@ -21,7 +21,7 @@ export const CONTROLLER_GAMEPAD_COMPONENTS = [
     name: 'orientation',
     format: 'vector3',
     tags: ['imu', 'orientation'],
-    description: 'Degrees about z, x and y (alpha, beta, gamma), less the calibration.',
+    description: 'Degrees about z, x and y (alpha, beta, gamma), relative to the calibration.',
   },
   {
     name: 'linear_acceleration',
@@ -33,7 +33,7 @@ export const CONTROLLER_GAMEPAD_COMPONENTS = [
     name: 'analog_stick_left',
     format: 'vector2',
     tags: ['stick'],
-    description: 'x to the right, y upwards, −1 to 1, at most 1 from the middle.',
+    description: 'x to the right, y upwards, −1 to 1; the length is at most 1.',
   },
   { name: 'button_a', format: 'keyEvent', tags: ['button'], description: 'Key "1".' },
   { name: 'button_b', format: 'keyEvent', tags: ['button'], description: 'Key "2".' },
@@ -57,7 +57,7 @@ export const CONTROLLER_GAMEPAD_COMPONENTS = [
     format: 'bool',
     ioType: 'subscriber',
     tags: ['image'],
-    description: 'Removes the picture, whatever the value.',
+    description: 'Any value removes the picture.',
   },
   {
     name: 'vibration_pattern',

@@ -24,7 +24,12 @@ export const PAD_BUTTONS = [
 export type PadButton = (typeof PAD_BUTTONS)[number]['name'];
 
 const button = <N extends PadButton>(name: N) =>
-  ({ name, format: 'keyEvent', tags: ['button'], description: 'Pressed and released.' }) as const;
+  ({
+    name,
+    format: 'keyEvent',
+    tags: ['button'],
+    description: 'Button events: pressed and released.',
+  }) as const;
 
 /** The same names as the phone controller has, so that either stands in for the other. */
 export const GAMEPAD_COMPONENTS = [
@@ -32,13 +37,13 @@ export const GAMEPAD_COMPONENTS = [
     name: 'analog_stick_left',
     format: 'vector2',
     tags: ['stick'],
-    description: 'x to the right, y upwards, −1 to 1, at most 1 from the middle.',
+    description: 'x to the right, y upwards, −1 to 1; the length is at most 1.',
   },
   {
     name: 'analog_stick_right',
     format: 'vector2',
     tags: ['stick'],
-    description: 'x to the right, y upwards, −1 to 1, at most 1 from the middle.',
+    description: 'x to the right, y upwards, −1 to 1; the length is at most 1.',
   },
   { name: 'trigger_left', format: 'double', tags: ['trigger'], description: '0 to 1.' },
   { name: 'trigger_right', format: 'double', tags: ['trigger'], description: '0 to 1.' },

@@ -25,7 +25,7 @@ export const SMART_DEVICE_COMPONENTS = [
     format: 'vector3',
     topic: (clientId: string) => `${clientId}/orientation`,
     tags: ['imu', 'orientation'],
-    description: 'Degrees about z, x and y (alpha, beta, gamma), less the calibration.',
+    description: 'Degrees about z, x and y (alpha, beta, gamma), relative to the calibration.',
   },
   {
     name: 'web-component-touch',
@@ -125,7 +125,7 @@ export const SMART_DEVICE_COMPONENTS = [
     format: 'bool',
     topic: own('visible'),
     tags: ['status'],
-    description: 'Whether the page is in front.',
+    description: 'Whether the page is visible.',
   },
   {
     name: 'is_near',

@@ -32,7 +32,7 @@ export function motionWords(access: MotionAccess, isSilent: boolean): string {
     case 'refused':
       return 'Denied. Restart the browser to be asked again';
     case 'granted':
-      return isSilent ? 'This device provides no values' : 'Waiting for the first value';
+      return isSilent ? 'This device sends no motion data' : 'Waiting for the first value';
   }
 }
 
@@ -45,11 +45,11 @@ export function microphoneWords(state: MicrophoneState): string {
     case 'refused':
       return 'Denied. Allow it in the browser’s settings for this page';
     case 'asking':
-      return 'Say Allow in the question of the browser';
+      return 'Tap Allow in the browser’s prompt';
     case 'on':
       return 'Listening';
     case 'off':
-      return 'Off until you allow it. No sound leaves the phone';
+      return 'Off until you allow it. Only the level leaves this device';
   }
 }
 

@@ -235,13 +235,13 @@ describe('what is said of it', () => {
   it('tells modules from this device', () => {
     const module = { ...FIRST_STATE, moduleHz: 4.4, resultHz: 4, deviceHz: 100, encodeMs: 6 };
     expect(adaptationWords(module, WANTED)).toBe(
-      '30 → 4 Hz, because modules take 4 pictures a second.',
+      '30 → 4 Hz, because modules process 4 pictures per second.',
     );
     expect(adaptationWords({ ...FIRST_STATE, deviceHz: 10, encodeMs: 60 }, WANTED)).toBe(
       '30 → 10 Hz, because this device encodes slowly.',
     );
     expect(adaptationWords({ ...module, linkBytesPerSecond: 5e5, level: 3 }, WANTED)).toBe(
-      '640 → 480 px, quality 80 → 50 %, because 500 kB/s reach the master; 30 → 4 Hz, because modules take 4 pictures a second.',
+      '640 → 480 px, quality 80 → 50 %, because 500 kB/s reach the master; 30 → 4 Hz, because modules process 4 pictures per second.',
     );
   });
 

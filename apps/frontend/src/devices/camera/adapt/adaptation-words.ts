@@ -57,7 +57,7 @@ function linkReason({ linkBytesPerSecond }: AdaptState, sent: SentSummary | unde
 
 function rateReason({ moduleHz = Infinity, deviceHz = Infinity, ...state }: AdaptState): string {
   if (moduleHz <= deviceHz)
-    return `modules take ${rate(state.resultHz ?? moduleHz)} pictures a second`;
+    return `modules process ${rate(state.resultHz ?? moduleHz)} pictures per second`;
   return 'this device encodes slowly';
 }
 

@@ -14,7 +14,7 @@ export interface WatcherNames {
 /** Names in the sentence; the others are a number there. */
 const MAX_NAMES = 2;
 
-/** Who receives the pictures besides this page, in one sentence. */
+/** Receivers of the pictures besides this page, in one sentence. */
 export function watcherSentence(subscribers: TopicSubscribers, names: WatcherNames): string {
   const { clientIds, count } = subscribers;
   // Players get a number alone. [EX-96]
@@ -25,7 +25,7 @@ export function watcherSentence(subscribers: TopicSubscribers, names: WatcherNam
   return sentenceOf(named, left);
 }
 
-/** Who receives the pictures, except this page, by name; the other tabs of this browser are one. */
+/** Receivers of the pictures, except this page, by name; the other tabs of this browser are one. */
 export function watcherNames({ clientIds }: TopicSubscribers, names: WatcherNames): string[] {
   const others = clientIds.filter((id) => id !== names.selfId);
   const isOwn = (id: string): boolean => names.tabIds?.includes(id) ?? false;
