@@ -63,6 +63,6 @@ test('keys go to the session that takes them, and to no shortcut of the page', a
 
   await test.step('with Ctrl, keys are still those of the page', async () => {
     await page.keyboard.press('Control+k');
-    await expect(page.getByRole('combobox', { name: 'Find or do anything' })).toBeVisible();
+    await expect(page.getByRole('combobox', { name: 'Search or run a command' })).toBeVisible();
   });
 });

@@ -79,5 +79,5 @@ test('without WebGL words and numbers take the place of the picture', async ({ r
     HTMLCanvasElement.prototype.getContext = () => null;
   });
   await page.goto('/examples/model-viewer');
-  await expect(page.getByText('This browser has no WebGL')).toBeVisible();
+  await expect(page.getByText('This browser does not support WebGL')).toBeVisible();
 });

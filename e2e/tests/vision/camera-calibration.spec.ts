@@ -64,7 +64,7 @@ test('a camera is calibrated by the printed board, and sessions get its calibrat
     const [fx] = /\d+/.exec(focal!)!;
     expect(Math.abs(Number(fx) / CAMERA.fx - 1)).toBeLessThan(0.03);
     await result.getByRole('button', { name: 'Save for this camera' }).click();
-    await expect(result).toContainText('Kept in this browser');
+    await expect(result).toContainText('Stored in this browser');
     await page.getByRole('button', { name: 'Start over' }).click();
     await expect(page.getByText(/0 of 12 views/)).toBeVisible();
     await expect(page.getByRole('region', { name: 'Saved for this camera' })).toContainText(

@@ -89,7 +89,7 @@ test('objects in pictures are found on the master and, moved while it runs, in a
 
     await test.step('as boxes over the picture', async () => {
       await anna.page.goto(`/topics/${encodeURIComponent('/kitchen/image')}`);
-      await anna.page.getByRole('button', { name: /^Draw boxes from/ }).click();
+      await anna.page.getByRole('button', { name: /^Add overlay/ }).click();
       await anna.page.getByRole('checkbox', { name: /objects/ }).check();
       await anna.page.keyboard.press('Escape');
       await expect(anna.page.getByRole('main')).toContainText('person');

@@ -16,7 +16,7 @@ async function startCamera({ page }: Person): Promise<void> {
 }
 
 const watchers = ({ page }: Person) =>
-  page.getByRole('status', { name: 'Who receives the pictures' });
+  page.getByRole('status', { name: 'Receivers of the pictures' });
 
 /** Topics with a picture on the master, with its age in milliseconds. */
 async function picturesOnMaster(program: UbiiClient): Promise<Map<string, number>> {
@@ -65,7 +65,7 @@ test('a camera on a slow link sends smaller and fewer pictures, says why, and th
     )
     .toBeLessThan(1000);
 
-  await page.getByRole('switch', { name: 'Adapt to link and module' }).tap();
+  await page.getByRole('switch', { name: 'Adapt to connection and modules' }).tap();
   await expect(page.getByText(/because/)).toBeHidden();
   await expect(page.getByRole('radio', { name: '320' })).toBeChecked();
 });

@@ -63,7 +63,7 @@ test('markers that the page prints are found in a tab and on the master, with th
     await expect(markers).toHaveText(printed);
 
     await page
-      .getByRole('radiogroup', { name: 'Where it runs' })
+      .getByRole('radiogroup', { name: 'Node that runs the modules' })
       .getByRole('radio', { name: /^Master/ })
       .click();
     const { id: masterId } = await robot.call('serverConfiguration');

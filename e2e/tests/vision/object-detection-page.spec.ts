@@ -10,7 +10,7 @@ test.use({ launchOptions: LAUNCH_WITH_CAMERA });
 const PHOTOS = join(import.meta.dirname, '../../../packages/vision/photos');
 const PATH = '/examples/object-detection';
 
-const seen = ({ page }: Person): Locator => page.getByRole('region', { name: /^Seen now/ });
+const seen = ({ page }: Person): Locator => page.getByRole('region', { name: /^Detected now/ });
 const start = ({ page }: Person): Locator =>
   page.getByRole('button', { name: 'Start', exact: true });
 const choosePhoto = async ({ page }: Person, file: string): Promise<void> =>
@@ -29,7 +29,9 @@ test('the example finds objects in its clip at once, in a tab and on the master,
   });
   await page.goto(PATH);
   const place = (name: RegExp): Locator =>
-    page.getByRole('radiogroup', { name: 'Where it runs' }).getByRole('radio', { name });
+    page
+      .getByRole('radiogroup', { name: 'Node that runs the modules' })
+      .getByRole('radio', { name });
   const nodeOf = async (): Promise<string | undefined> =>
     (await robot.call('sessionRuntimeGetList')).elements[0]?.processingModules[0]?.nodeId;
 
@@ -40,8 +42,8 @@ test('the example finds objects in its clip at once, in a tab and on the master,
     await expect(seen(anna)).toContainText('cup');
     await expect(place(/^This tab/)).toContainText(/\d ms/);
     await expect(page.locator('[data-label="cup"]')).toBeAttached();
-    await expect(page.getByRole('term').filter({ hasText: 'Looked at' })).toBeVisible();
-    await expect(page.getByRole('region', { name: 'From light to screen' })).toContainText(
+    await expect(page.getByRole('term').filter({ hasText: 'Processed' })).toBeVisible();
+    await expect(page.getByRole('region', { name: 'Latency from camera to screen' })).toContainText(
       'Detect',
     );
   });
@@ -59,7 +61,7 @@ test('the example finds objects in its clip at once, in a tab and on the master,
   await test.step('in an image file, with the keypoints of the body', async () => {
     await page.getByRole('radio', { name: 'File' }).click();
     await choosePhoto(anna, 'README.md');
-    await expect(page.getByRole('alert')).toContainText('README.md is no image');
+    await expect(page.getByRole('alert')).toContainText('README.md is not an image');
     await choosePhoto(anna, 'astronaut.jpg');
     await expect(seen(anna)).toContainText('person');
     await page.getByRole('switch', { name: /^Body/ }).click();

@@ -18,7 +18,7 @@ export const EXAMPLES: readonly Example[] = [
   {
     id: 'party',
     title: 'Ubi-Party',
-    sentence: 'A big screen, and games with everybody’s phones',
+    sentence: 'Party games on a big screen, with phones as controllers',
     path: '/party',
     thumbnail: () => import('./party/PartyThumbnail.vue'),
   },

@@ -11,7 +11,7 @@ const MOVING = [
  * publishes a result for each of them.
  */
 export const manyPointersSession = {
-  name: 'Many pointers, one middle',
+  name: 'Mean of many pointers',
   description:
     'Computes the mean of all pointers, and publishes the offset of each on its own topic.',
   tags: ['example'],

@@ -3,7 +3,7 @@ import type { Init, Session } from '@ubii/proto';
 /** Images are records as all values: one module generates images, another one detects their edges. */
 export const pictureEdgesSession = {
   name: 'Edges of a picture',
-  description: 'Generates an image, converts it to greyscale, and detects its edges.',
+  description: 'Generates a picture, converts it to greyscale, and detects its edges.',
   tags: ['example'],
   processingModules: [{ name: 'test-picture' }, { name: 'picture-edges' }],
   ioMappings: [

@@ -164,7 +164,7 @@ export const GALLERY: readonly GalleryEntry[] = [
   ),
   entry(
     'many-pointers',
-    'Many pointers, one middle',
+    'Mean of many pointers',
     'Computes the mean of the pointers of all pages and phones, and of two animated pointers.',
     ['Muxer', 'Demuxer'],
     {
@@ -203,8 +203,8 @@ export const GALLERY: readonly GalleryEntry[] = [
   entry(
     'picture-edges',
     'Edges of a picture',
-    'Generates an image, converts it to greyscale, and detects its edges.',
-    ['Images', 'Two modules in a row'],
+    'Generates a picture, converts it to greyscale, and detects its edges.',
+    ['Pictures', 'Chain of two modules'],
     { kind: 'pictures', topics: ['picture', 'edges'] },
   ),
   entry(

@@ -48,7 +48,8 @@ export function processingSession(spec: ProcessingSpec): Init<Session> {
   const picture = pictureInput(module)?.internalName ?? '';
   return {
     name: `Image processing of ${owner}`,
-    description: 'Processes the pictures of the example Image processing. It ends with the page.',
+    description:
+      'Processes the pictures of the Image processing example. Ends when the page is closed.',
     tags: ['example', 'camera'],
     processingModules: [{ name: module.name }],
     ioMappings: [

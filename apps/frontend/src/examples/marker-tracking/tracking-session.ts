@@ -31,21 +31,21 @@ export const TRACKING_COMPONENTS = [
     format: 'double',
     ioType: 'subscriber',
     tags: ['detection'],
-    description: 'Time of decoding alone, milliseconds.',
+    description: 'Decoding time, milliseconds.',
   },
   {
     name: 'duration',
     format: 'double',
     ioType: 'subscriber',
     tags: ['detection'],
-    description: 'Time of decoding and detection, milliseconds.',
+    description: 'Decoding and detection time, milliseconds.',
   },
   {
     name: 'error',
     format: 'string',
     ioType: 'subscriber',
     tags: ['detection'],
-    description: 'What is wrong with the picture or a setting.',
+    description: 'Problem with the picture or a setting; empty when there is none.',
   },
 ] as const satisfies readonly ComponentInit[];
 
@@ -78,7 +78,8 @@ export function trackingSession(spec: TrackingSpec): Init<Session> {
   };
   return {
     name: `Marker tracking of ${spec.owner}`,
-    description: 'Finds markers in the pictures of the example. It ends with the page.',
+    description:
+      'Finds markers in the pictures of the Marker tracking example. Ends when the page is closed.',
     tags: ['example', 'camera'],
     processingModules: [{ name: TRACKING_MODULE }],
     ioMappings: [

@@ -32,7 +32,7 @@ export function mirrorSession({
   const topic = (component: string): string => exampleTopic(clientId, component);
   return {
     name: `Mouse pointer of ${clientName}`,
-    description: 'Mirrors the pointer of the mouse-pointer example. Ends when the page is left.',
+    description: 'Mirrors the pointer of the Mouse pointer example. Ends when the page is closed.',
     tags: ['example', TAG, clientId],
     authors: [clientName],
     processingModules: [{ ...module, nodeId }],

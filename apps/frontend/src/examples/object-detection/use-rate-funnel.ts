@@ -68,7 +68,7 @@ export function useRateFunnel(
         history: line(0),
       },
       { ...plain, name: 'Sent to the module', hz: sentHz, kind: 'picture', history: line(1) },
-      { ...plain, name: 'Looked at', hz: seenHz, kind: 'result', history: line(2) },
+      { ...plain, name: 'Processed', hz: seenHz, kind: 'result', history: line(2) },
       {
         name: 'Replaced by a newer one',
         hz: replacedHz,

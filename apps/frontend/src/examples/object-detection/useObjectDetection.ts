@@ -156,7 +156,7 @@ export function useObjectDetection(sources: PictureSources) {
         session: seeingSession({
           name: `Object detection of ${name.value}`,
           description:
-            'Looks at the pictures of the example Object detection. It ends with the page.',
+            'Detects objects in the pictures of the Object detection example. Ends when the page is closed.',
           tags: ['example', 'camera'],
           image: image.value,
           found: {

@@ -25,7 +25,10 @@ export function useExampleStatus(example: {
   const { isConnected } = useConnection();
   return computed(() => {
     if (!example.isOn()) {
-      return { state: 'stopped', word: example.wasEnded() ? 'Ended by the reload' : 'Not started' };
+      return {
+        state: 'stopped',
+        word: example.wasEnded() ? 'Stopped by the reload' : 'Not started',
+      };
     }
     if (!isConnected.value) return { state: 'away', word: OUT_OF_CONTACT.word };
     if (example.hasProblem()) return { state: 'error', word: 'Error' };

@@ -16,7 +16,7 @@ export function useIsOn(sources: Pick<PictureSources, 'kind'>): {
   const key = `ubii.example-ran.${useRoute().path}`;
   if (sessionStorage.getItem(key) !== null) {
     const run = (): void => void (isOn.value = true);
-    toasts.show('The example ran until the page was reloaded.', { text: 'Start again', run }, key);
+    toasts.show('The reload of this page stopped the example.', { text: 'Start again', run }, key);
     sessionStorage.removeItem(key);
     wasEnded.value = true;
   }

@@ -136,7 +136,7 @@ export function usePictureSource(
       fileName.value = file.name;
       kind.value = 'photo';
     } catch {
-      fileProblem.value = `${file.name} is no image that this browser can read. Choose a JPEG, PNG or WebP file.`;
+      fileProblem.value = `${file.name} is not an image that this browser can read. Choose a JPEG, PNG or WebP file.`;
     }
   }
 

@@ -37,6 +37,6 @@ export function usePlaceRows(
       })),
     ];
     if (rows.some(({ id }) => id === chosen())) return rows;
-    return [...rows, { id: chosen(), name: name(chosen()), hint: 'not there' }];
+    return [...rows, { id: chosen(), name: name(chosen()), hint: 'not connected' }];
   });
 }

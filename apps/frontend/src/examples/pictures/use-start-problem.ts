@@ -12,7 +12,7 @@ export function useStartProblem(sources: PictureSources): ComputedRef<string | u
     if (role.value === 'player' || role.value === 'viewer') {
       return `A ${role.value} cannot start sessions.`;
     }
-    if (!isConnected.value) return 'The page has lost its connection to the master.';
+    if (!isConnected.value) return 'This page is not connected to the master.';
     if (kind.value === 'topic' && topic.value === '') return 'Choose a topic first.';
     if (kind.value === 'photo' && !element.value) return 'Choose an image first.';
     return undefined;

@@ -15,7 +15,7 @@ export const CALIBRATION_COMPONENTS = [
     name: 'start_over',
     format: 'bool',
     tags: ['camera'],
-    description: 'True forgets all views.',
+    description: 'True discards all views.',
   },
   {
     name: 'calibration',
@@ -29,14 +29,14 @@ export const CALIBRATION_COMPONENTS = [
     format: 'double',
     ioType: 'subscriber',
     tags: ['camera'],
-    description: 'Views of the board so far; 12 are enough.',
+    description: 'Number of views of the board; 12 are enough.',
   },
   {
     name: 'hint',
     format: 'string',
     ioType: 'subscriber',
     tags: ['camera'],
-    description: 'What to do next.',
+    description: 'Next step for the user.',
   },
   {
     name: 'corners',
@@ -50,7 +50,7 @@ export const CALIBRATION_COMPONENTS = [
     format: 'string',
     ioType: 'subscriber',
     tags: ['camera'],
-    description: 'What is wrong with the picture or the board.',
+    description: 'Problem with the picture or the board; empty when there is none.',
   },
 ] as const satisfies readonly ComponentInit[];
 
@@ -81,7 +81,7 @@ export function calibrationSession(
   };
   return {
     name: `Camera calibration of ${owner}`,
-    description: 'Calibrates a camera by a printed board. It ends with the page.',
+    description: 'Calibrates a camera with a printed board. Ends when the page is closed.',
     tags: ['camera'],
     processingModules: [{ name: module }],
     ioMappings: [

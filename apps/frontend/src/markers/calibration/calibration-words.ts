@@ -11,10 +11,16 @@ export function calibrationWords(calibration: CameraCalibration) {
     `${((Math.atan(side / 2 / focal) * 360) / Math.PI).toFixed(1)}°`;
   const [quality, advice] =
     errorPx <= GOOD_PX
-      ? (['Good', 'The views fit together well.'] as const)
+      ? (['Good', 'The views are consistent.'] as const)
       : errorPx <= FAIR_PX
-        ? (['Fair', 'Usable. More light and a board that is held still make it better.'] as const)
-        : (['Poor', 'Start over with a flat board, in bright light, and check its size.'] as const);
+        ? ([
+            'Fair',
+            'Usable. For a better result, use more light and hold the board still.',
+          ] as const)
+        : ([
+            'Poor',
+            'Not usable. Check the size of the squares and start over with a flat board in bright light.',
+          ] as const);
   return {
     quality,
     advice,

@@ -21,7 +21,7 @@ export function boardProblem(board: CharucoBoard, paper: PaperName): string | un
   const { width, height } = usableArea(paper);
   const most = Math.min(width / board.columns, (height - LABEL) / board.rows);
   if (board.squareMetres * 1000 > most + 1e-6) {
-    return `On ${paper} the squares of this board have at most ${Math.floor(most)} mm.`;
+    return `On ${paper} the maximum size of a square of this board is ${Math.floor(most)} mm.`;
   }
   return undefined;
 }

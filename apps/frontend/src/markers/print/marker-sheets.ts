@@ -25,10 +25,10 @@ export function markerPrintProblem(print: MarkerPrint): string | undefined {
   const last = dictionary.count - 1;
   const isId = (id: number): boolean => Number.isInteger(id) && id >= 0 && id <= last;
   if (!isId(from) || !isId(to) || from > to) {
-    return `Ids go from 0 to ${last} in this dictionary, the smaller one first.`;
+    return `Enter ids from 0 to ${last}, the lower one first.`;
   }
   if (to - from + 1 > MAX_PRINTED) return `At most ${MAX_PRINTED} markers can be printed at once.`;
-  if (!(sizeMm >= 5)) return 'A marker has at least 5 mm.';
+  if (!(sizeMm >= 5)) return 'The minimum size of a marker is 5 mm.';
   const cell = sizeMm / (dictionary.cells + 2);
   if (!(borderMm >= cell)) {
     return `The white border has at least the width of a cell, ${cell.toFixed(1)} mm, or cameras miss the marker.`;
@@ -36,7 +36,7 @@ export function markerPrintProblem(print: MarkerPrint): string | undefined {
   const { width, height } = usableArea(paper);
   const most = Math.min(width, height - (hasLabels ? LABEL : 0)) - 2 * borderMm;
   if (sizeMm > most) {
-    return `On ${paper} a marker with this border has at most ${Math.floor(most)} mm.`;
+    return `On ${paper} the maximum size of a marker with this border is ${Math.floor(most)} mm.`;
   }
   return undefined;
 }

@@ -53,10 +53,10 @@ describe('sheets of markers', () => {
   it.each([
     ['ids beyond the dictionary', { to: 50 }, '0 to 49'],
     ['ids that are not numbers', { from: NaN }, '0 to 49'],
-    ['ids in the wrong order', { from: 5, to: 2 }, 'smaller one first'],
+    ['ids in the wrong order', { from: 5, to: 2 }, 'lower one first'],
     ['a border that is too narrow', { borderMm: 9 }, '10.0 mm'],
-    ['a marker that is too large', { sizeMm: 180, borderMm: 30 }, 'at most'],
-    ['a marker without a size', { sizeMm: NaN }, 'at least 5 mm'],
+    ['a marker that is too large', { sizeMm: 180, borderMm: 30 }, 'maximum size'],
+    ['a marker without a size', { sizeMm: NaN }, 'is 5 mm'],
   ])('are refused for %s', (_what, change, message) => {
     expect(markerPrintProblem({ ...PRINT, ...change })).toContain(message);
   });
