@@ -42,8 +42,8 @@ test('somebody drags a topic onto an input, is told what does not fit, starts it
       graph.socket('Topic /wave/name', 'Output /wave/name'),
       graph.socket('Module low-pass', 'Input cutoffHz'),
     );
-    await expect(graph.refusal).toContainText('gives string');
-    await expect(graph.refusal).toContainText('takes double');
+    await expect(graph.refusal).toContainText('outputs string');
+    await expect(graph.refusal).toContainText('expects double');
     await graph.refusal.getByRole('button', { name: 'Cancel' }).click();
     await expect(graph.refusal).toBeHidden();
     await expect(graph.socket('Module low-pass', 'Input cutoffHz')).toHaveAccessibleName(

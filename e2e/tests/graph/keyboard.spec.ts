@@ -98,7 +98,7 @@ test('a session is built, wired, started and saved with the keyboard alone', asy
     await expect(graph.node('Module low-pass')).toBeHidden();
     await keyboard.press('Control+z');
     await expect(graph.node('Module low-pass')).toBeVisible();
-    await expect(status).toHaveText(/^Undone: Remove low-pass/);
+    await expect(status).toHaveText(/^Undone: Delete low-pass/);
   });
 
   await test.step('it is started and saved, and its values are seen', async () => {

@@ -20,7 +20,7 @@ test('a topic of a client that has left is replaced by that of another client wi
   await problems.click();
   const list = page.getByRole('dialog', { name: '1 problem' });
   await expect(list).toContainText(
-    'Topic "arm/angle" of Client b0c47f3b, which has left, has no value. Robot publishes the same topic.',
+    'Topic "arm/angle" has no value: its client Client b0c47f3b has left. Robot publishes the same topic.',
   );
   await list.getByRole('button', { name: 'Use angle of Robot' }).click();
   await expect(problems).toBeHidden();

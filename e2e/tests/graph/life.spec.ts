@@ -79,7 +79,7 @@ test('files that are none are named with the place, and nothing is lost', async 
   const flow = JSON.stringify([{ id: 'a', type: 'inject', z: 'b', wires: [[]] }]);
   const cases = [
     ['broken.session', '{\n"processingModules": [\n{,}]}', 'broken.session, line 3:'],
-    ['flows.json', flow, 'flows.json is a Node-RED flow, and no session.'],
+    ['flows.json', flow, 'flows.json is a Node-RED flow, not a session.'],
     ['huge.session', ' '.repeat(50 * 1024 * 1024), 'huge.session has 50 MB.'],
     ['large.session', `{"processingModules":[${' '.repeat(2_000_000)}`, 'large.session, line 1'],
   ] as const;
@@ -193,7 +193,7 @@ test('two people see each other, what they are at, and when one leaves [EX-49]',
     await ben.describe('Of Ben');
     await ben.page.keyboard.press('Control+s');
     const conflicts = anna.page.getByRole('list', { name: 'Conflicts' });
-    await expect(anna.page.getByRole('alert')).toContainText('Ben saved this session');
+    await expect(anna.page.getByRole('alert')).toContainText('Ben saved');
     await conflicts.getByRole('button', { name: /Of Ben/ }).click();
     await expect(anna.inspector.getByLabel('Description')).toHaveValue('Of Ben');
   });
@@ -243,7 +243,7 @@ test('an example runs with the finger of a phone, one click after it was chosen'
   const begin = anna.page.getByRole('region', { name: 'Getting started' });
   await expect(async () => {
     await pad.tap({ position: { x: 40, y: 60 } });
-    await expect(begin).toContainText('Takes the pointer of Ines.', { timeout: 1000 });
+    await expect(begin).toContainText('Uses the pointer of Ines.', { timeout: 1000 });
   }).toPass();
   await begin.getByRole('button', { name: /^Smooth a pointer/ }).click();
   await expect(anna.title).toHaveText('Smooth a pointer');

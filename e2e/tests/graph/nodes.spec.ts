@@ -51,7 +51,7 @@ test('a value in the row of a node changes what runs, and what is typed wrong sa
   await test.step('what is no number is told beside the field', async () => {
     await limit.click();
     await limit.fill('high');
-    await expect(graph.node('Module threshold').getByRole('alert')).toContainText('Type a number');
+    await expect(graph.node('Module threshold').getByRole('alert')).toContainText('Enter a number');
     await limit.press('Escape');
     await expect(graph.node('Module threshold').getByRole('alert')).toBeHidden();
   });
@@ -191,7 +191,7 @@ test('a module that nobody has any more is a placeholder that says what to do', 
   });
   await expect(pose).toContainText('No node has this module', LISTS);
   await pose.click({ position: { x: 60, y: 12 } });
-  await expect(graph.inspector).toContainText('There is no module "gaze-at-home"');
+  await expect(graph.inspector).toContainText('The module "gaze-at-home" is unknown');
   await expect(graph.inspector.getByRole('link', { name: 'Import this module' })).toBeVisible();
 });
 
@@ -252,8 +252,8 @@ test('problems stand where they are: at nodes, at topics and on wires', async ({
   });
   const graph = new GraphPage(await room.atDesk('Anna'));
   await graph.open(id);
-  await expect(graph.problems('Module low-pass')).toHaveAccessibleName(/feed each other/);
-  await expect(graph.problems('Module map-range')).toHaveAccessibleName(/feed each other/);
+  await expect(graph.problems('Module low-pass')).toHaveAccessibleName(/are connected in a loop/);
+  await expect(graph.problems('Module map-range')).toHaveAccessibleName(/are connected in a loop/);
   await expect(graph.problems('Topic /loop/b')).toHaveAccessibleName(/the last record wins/);
   await graph.problems('Topic /loop/b').click();
   await expect(graph.page.getByRole('dialog', { name: /1 problem/ })).toContainText(

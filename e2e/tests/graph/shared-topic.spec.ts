@@ -67,13 +67,15 @@ test('two sessions that write one topic name each other, where it is and in the 
     const row = page.getByRole('listitem').filter({ hasText: 'Writes /both/sine' });
     await expect(row).toHaveCount(2);
     await row.getByRole('link', { name: 'Second' }).last().click();
-    await expect(page.getByRole('list', { name: 'Topics of several sessions' })).toContainText(
-      'The session "First" runs and writes /both/sine, too',
-    );
+    await expect(
+      page.getByRole('list', { name: 'Topics written by several sessions' }),
+    ).toContainText('The session "First" runs and writes /both/sine, too');
     await callService(master.addresses, {
       topic: SERVICES.sessionRuntimeStop.topic,
       session: { id: first },
     });
-    await expect(page.getByRole('list', { name: 'Topics of several sessions' })).toBeHidden();
+    await expect(
+      page.getByRole('list', { name: 'Topics written by several sessions' }),
+    ).toBeHidden();
   });
 });

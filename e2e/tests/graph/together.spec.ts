@@ -27,7 +27,7 @@ test('two people change one session, and nothing is lost', async ({ room, master
 
   await expect(anna.node('Module statistics')).toBeVisible();
   await expect(anna.node('Module threshold')).toBeVisible();
-  await expect(anna.page.getByRole('alert')).toContainText('Ben saved this session');
+  await expect(anna.page.getByRole('alert')).toContainText('Ben saved');
   await anna.life.getByRole('button', { name: 'Save 1 change' }).click();
   await expect(ben.node('Module threshold')).toBeVisible();
 });

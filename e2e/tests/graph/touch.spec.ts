@@ -176,7 +176,7 @@ test('on a phone, modules are added, bound and started in the list', async ({ ro
     await input.tap();
     await page.getByRole('option', { name: /^place \/wave / }).tap();
     const refusal = page.getByRole('dialog').getByRole('alert');
-    await expect(refusal).toContainText('gives vector2');
+    await expect(refusal).toContainText('outputs vector2');
     await expect(refusal.getByRole('button', { name: 'Take x', exact: true })).toBeVisible();
     await refusal.getByRole('button', { name: 'Cancel' }).tap();
   });

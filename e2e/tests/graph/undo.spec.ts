@@ -86,10 +86,10 @@ const NODES: readonly Deed[] = [
       await search.press('Enter');
     },
   },
-  { does: 'deletes a node', undo: /^Remove middle$/, act: press(MIDDLE, 'Delete') },
+  { does: 'deletes a node', undo: /^Delete middle$/, act: press(MIDDLE, 'Delete') },
   {
     does: 'deletes a node and closes the gap',
-    undo: /^Remove middle/,
+    undo: /^Delete middle/,
     act: press(MIDDLE, 'Shift+Delete'),
   },
   {
@@ -138,7 +138,7 @@ const NODES: readonly Deed[] = [
     undo: /^Paste a node$/,
     act: press(LOOSE, 'Control+c', 'Control+v'),
   },
-  { does: 'cuts a node', undo: /^Remove loose$/, act: press(LOOSE, 'Control+x') },
+  { does: 'cuts a node', undo: /^Delete loose$/, act: press(LOOSE, 'Control+x') },
 ];
 
 const WIRES: readonly Deed[] = [

@@ -43,7 +43,7 @@ describe('pulling a wire', () => {
     const { editor, gesture } = setUp();
     const before = editor.graph.value;
     expect(gesture.connect(NUMBER, POSITION, AT)).toBe(false);
-    expect(gesture.refusal.value?.fit.reason).toMatch(/gives double.*takes vector2/);
+    expect(gesture.refusal.value?.fit.reason).toMatch(/outputs double.*expects vector2/);
     expect(editor.graph.value).toBe(before);
     gesture.cancel();
     expect(gesture.refusal.value).toBeUndefined();

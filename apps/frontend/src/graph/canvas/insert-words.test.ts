@@ -13,7 +13,7 @@ describe('insert words', () => {
   it('names the formats that do not fit', () => {
     const node = moduleNode(aModule('turn', { v: 'vector2' }, { o: 'double' }));
     expect(misfitOnWire(graph, wire!, node)).toBe(
-      'turn is not compatible with this wire: source · o gives double, but turn · v takes vector2.',
+      'turn is not compatible with this wire: source · o outputs double, but turn · v expects vector2.',
     );
   });
 

@@ -23,7 +23,7 @@ export function misfitOnWire(graph: Graph, wire: Wire, node: GraphNode): string 
     if (found.length === 0) return `${name} has no ${side} for this wire.`;
     if (!found.includes('')) return `${name} is not compatible with this wire: ${found[0]}`;
   }
-  return `All compatible inputs of ${name} are connected already.`;
+  return `All compatible inputs of ${name} are already connected.`;
 }
 
 /** What became of a node that was inserted, and what has to be done for it to run. */

@@ -118,7 +118,7 @@ describe('the graph editor', () => {
     editor.hold(editor.toSession())();
     editor.handleSession(withRevision(4, 'Renamed'));
     expect(editor.news.value?.changes.map(({ words }) => words)).toEqual([
-      'called the session Renamed',
+      'renamed the session to Renamed',
     ]);
     expect(editor.changes.value).toBe(1);
   });

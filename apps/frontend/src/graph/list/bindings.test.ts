@@ -54,7 +54,7 @@ describe('what an input can read', () => {
   it('says what does not fit, and makes it fit', () => {
     const point = found('sink.in', '/live/point');
     expect(point).toMatchObject({ group: 'misfits', command: undefined });
-    expect(point.reason).toMatch(/gives vector2.*takes double/);
+    expect(point.reason).toMatch(/outputs vector2.*expects double/);
     const [offer] = point.offers;
     expect(offer).toMatchObject({ kind: 'field' });
     const adapted = applyCommand(graph, point.adapt(offer!)).graph;

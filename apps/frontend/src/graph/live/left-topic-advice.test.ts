@@ -26,11 +26,11 @@ function around(changes: Partial<OtherTopics> = {}): OtherTopics {
 it('names the client of a topic that has left, and what to do', () => {
   expect(leftTopicAdvice(topicOf(GONE), around())).toEqual({
     message:
-      'Topic "web-example/duration" of Copper Lynx, which has left, has no value. Connect a topic of another client.',
+      'Topic "web-example/duration" has no value: its client Copper Lynx has left. Connect a topic of another client.',
   });
   const isPresent = () => true;
   expect(leftTopicAdvice(topicOf(GONE), around({ isPresent }))?.message).toContain(
-    'of Copper Lynx, which is not connected, has no value.',
+    'has no value: its client Copper Lynx is not connected.',
   );
 });
 
@@ -40,7 +40,7 @@ it('offers the topic of the same device and component of another client', () => 
   const advice = leftTopicAdvice(topicOf(GONE), around({ topics, use }));
   expect(advice).toMatchObject({
     message:
-      'Topic "web-example/duration" of Copper Lynx, which has left, has no value. Amber Newt publishes the same topic.',
+      'Topic "web-example/duration" has no value: its client Copper Lynx has left. Amber Newt publishes the same topic.',
     text: 'Use duration of Amber Newt',
   });
   advice?.run?.();

@@ -28,7 +28,7 @@ export function leftTopicAdvice(topic: string, around: OtherTopics): TopicAdvice
   if (owner?.isAway !== true) return undefined;
   const rest = topicWithoutRoot(topic);
   const state = around.isPresent(root) ? 'is not connected' : 'has left';
-  const fact = `Topic "${rest}" of ${owner.name}, which ${state}, has no value.`;
+  const fact = `Topic "${rest}" has no value: its client ${owner.name} ${state}.`;
   const other = sameTopic(topic, rest, around);
   if (other === undefined) return { message: `${fact} Connect a topic of another client.` };
   const name = rest.slice(rest.lastIndexOf('/') + 1);

@@ -4,7 +4,7 @@ import { ownTopicRemedy } from './own-topic-remedy.ts';
 it('says what to do for a topic of this browser that nothing is sent to', () => {
   expect(ownTopicRemedy('/me/web-interface-smart-device/touch_position', 'me')).toEqual({
     message:
-      'Nothing is sent to touch_position. Open Smart device and touch the pad: it sends while its page is open.',
+      'Nothing is sent to touch_position. Open Smart device and touch the pad: it publishes while its page is open.',
     text: 'Open Smart device',
     to: '/devices/smart-device',
   });

@@ -23,7 +23,7 @@ export function ownTopicRemedy(
     };
   }
   return {
-    message: `Nothing is sent to ${name}. Open Smart device and ${deed(tags)}: it sends while its page is open.`,
+    message: `Nothing is sent to ${name}. Open Smart device and ${deed(tags)}: it publishes while its page is open.`,
     text: 'Open Smart device',
     to: SMART_DEVICE_PATH,
   };

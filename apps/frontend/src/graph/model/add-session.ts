@@ -32,7 +32,7 @@ export function addSession(
   const added = placeNew(graphOf(withIds(session, uuid)), sizeOf);
   const pasted = paste(graph, copyText(added, added.nodes.keys()), { uuid, position, label });
   if (pasted.kind === 'foreign') {
-    return { kind: 'broken', reason: 'It is too large to be added to a graph.' };
+    return { kind: 'broken', reason: 'The session is too large to be added to a graph.' };
   }
   if (pasted.kind === 'broken') return pasted;
   const commands: GraphCommand[] = [pasted.command];

@@ -23,17 +23,17 @@ export function typedConstant(format: DataFormat, text: string): TypedConstant {
   if (NUMBERS.has(format)) {
     const value = Number(trimmed.replace('−', '-').replace(',', '.'));
     if (trimmed === '' || !Number.isFinite(value))
-      return { problem: `Type a number, such as 0.5.` };
+      return { problem: `Enter a number, such as 0.5.` };
     return constantOf(format, value);
   }
   if (format === 'bool') {
-    if (trimmed !== 'true' && trimmed !== 'false') return { problem: 'Type true or false.' };
+    if (trimmed !== 'true' && trimmed !== 'false') return { problem: 'Enter true or false.' };
     return constantOf(format, trimmed === 'true');
   }
   try {
     return constantOf(format, JSON.parse(trimmed));
   } catch {
-    return { problem: `Type the ${format} as JSON, such as ${exampleText(format)}.` };
+    return { problem: `Enter the ${format} as JSON, such as ${exampleText(format)}.` };
   }
 }
 

@@ -43,9 +43,7 @@ export function hoverWords(graph: Graph, target: HoverTarget): HoverWords | unde
     const ends = `${endWords(graph, wire.from)} → ${endWords(graph, wire.to)}`;
     const source = graph.nodes.get(wire.from.node);
     const note =
-      source?.kind === 'constant'
-        ? `Constant ${source.json}`
-        : 'The values of many topics as a list';
+      source?.kind === 'constant' ? `Constant ${source.json}` : 'Values of many topics as a list';
     const topic = topicOfWire(graph, wire);
     return { title: ends, topic, format, note: topic === undefined ? note : undefined };
   }
@@ -58,11 +56,7 @@ export function hoverWords(graph: Graph, target: HoverTarget): HoverWords | unde
   const side = port.direction === 'in' ? 'Input' : 'Output';
   const constant = node.kind === 'module' ? node.constants.get(port.name) : undefined;
   const note =
-    topic !== undefined
-      ? undefined
-      : wire
-        ? 'The values of many topics as a list'
-        : noteOf(constant);
+    topic !== undefined ? undefined : wire ? 'Values of many topics as a list' : noteOf(constant);
   const title = `${side} ${port.name || nodeTitle(node)}`;
   return { title, topic, format, about: port.description, note };
 }

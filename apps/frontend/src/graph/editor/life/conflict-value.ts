@@ -11,7 +11,7 @@ export function conflictValue(value: unknown): string {
 }
 
 function plain(value: unknown): string {
-  if (value === undefined) return 'removed';
+  if (value === undefined) return 'deleted';
   if (value === '') return 'empty';
   if (typeof value !== 'object' || value === null) return String(value);
   const keys = Object.keys(value);

@@ -17,9 +17,9 @@ const newsOf = (command: GraphCommand): string[] =>
 describe('changes of a user', () => {
   it('is said in words', () => {
     expect(newsOf({ kind: 'add', nodes: [topicNode('/b')] })).toEqual(['added /b']);
-    expect(newsOf({ kind: 'remove', nodes: ['module:module'] })).toEqual(['removed mirror']);
+    expect(newsOf({ kind: 'remove', nodes: ['module:module'] })).toEqual(['deleted mirror']);
     expect(newsOf({ kind: 'setDetails', changes: { name: 'Other' } })).toEqual([
-      'called the session Other',
+      'renamed the session to Other',
     ]);
     const mode = { processingMode: { frequency: { hertz: 5 } } };
     expect(newsOf({ kind: 'setModule', node: 'module:module', changes: mode })).toEqual([
@@ -41,7 +41,7 @@ describe('changes of a user', () => {
 });
 
 it('shows a side of a conflict on a button', () => {
-  expect(conflictValue(undefined)).toBe('removed');
+  expect(conflictValue(undefined)).toBe('deleted');
   expect(conflictValue('')).toBe('empty');
   expect(conflictValue({ frequency: { hertz: 5 } })).toBe('5 Hz');
   expect(conflictValue('x'.repeat(100))).toHaveLength(60);

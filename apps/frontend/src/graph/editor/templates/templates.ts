@@ -37,11 +37,11 @@ export const TEMPLATES: readonly Template[] = [
   template('smooth-pointer', 'A 1€ filter removes the jitter of a pointer.', {
     pointerTopic: '/examples/smooth-pointer/pointer',
   }),
-  template('mirror-pointer', 'Mirrors a pointer in x or y, as two switches select.', {
+  template('mirror-pointer', 'Mirrors a pointer in x or y. Two switches select the axes.', {
     pointerTopic: '/examples/mirror-pointer/pointer',
   }),
   template('gather-pointers', 'A muxer collects the pointers of all clients.', {
     needsPointer: true,
   }),
-  template('smoothing-chain', 'Four modules in a row, without inputs.'),
+  template('smoothing-chain', 'A chain of four modules without inputs.'),
 ];

@@ -63,7 +63,7 @@ function* moduleChanges(old: MappedModule, next: MappedModule): Iterable<Session
   }
   for (const input of new Set([...old.inputs.keys(), ...next.inputs.keys()])) {
     const [was, is] = [inputWords(old.inputs.get(input)), inputWords(next.inputs.get(input))];
-    if (was !== is) yield about(module, 'live', `${name} · ${input} takes ${is}.`);
+    if (was !== is) yield about(module, 'live', `${name} · ${input} is connected to ${is}.`);
   }
   for (const output of new Set([...old.outputs.keys(), ...next.outputs.keys()])) {
     const [was, is] = [outputWords(old.outputs.get(output)), outputWords(next.outputs.get(output))];

@@ -52,9 +52,9 @@ describe('changes of a running session [SE-15]', () => {
   it('of mappings, values and modes apply at once', () => {
     expect(words(hertz(60), constant('{"double":1}'))).toEqual([
       'live: b runs 60 Hz.',
-      'live: b · j takes the constant {"double":1}.',
+      'live: b · j is connected to the constant {"double":1}.',
     ]);
-    expect(words(remove('topic:/in'))).toEqual(['live: a · i takes nothing.']);
+    expect(words(remove('topic:/in'))).toEqual(['live: a · i is connected to nothing.']);
     const positions = new Map([['module:a', { x: 1, y: 2 }]]);
     expect(words({ kind: 'move', positions })).toEqual(['none: Layout changed.']);
   });
@@ -157,7 +157,7 @@ describe('a change of another user', () => {
     );
     expect(merged.nodes.has('module:b')).toBe(true);
     expect(conflicts.map(({ what }) => what)).toEqual([
-      'b, which you removed and another client changed',
+      'b, which you deleted and another client changed',
     ]);
     expect(after(merged, conflicts[0]!.takeTheirs)).toBe(merged);
     expect(after(merged, conflicts[0]!.takeMine!).nodes.has('module:b')).toBe(false);
@@ -169,7 +169,7 @@ describe('a change of another user', () => {
     for (const mine of [after(graph, hertz(60)), wired]) {
       const { graph: merged, conflicts } = mergeGraphs(graph, mine, theirs);
       expect(merged.nodes.has('module:b')).toBe(true);
-      expect(conflicts.map(({ what }) => what)).toEqual(['b, which another client removed']);
+      expect(conflicts.map(({ what }) => what)).toEqual(['b, which another client deleted']);
       expect(after(merged, conflicts[0]!.takeTheirs).nodes.has('module:b')).toBe(false);
     }
   });
@@ -181,7 +181,7 @@ describe('a change of another user', () => {
     const theirs = after(start, { kind: 'connect', from: ref(start, 'b.o'), to });
     const { graph: merged, conflicts } = mergeGraphs(start, mine, theirs);
     expect(wiresIn(merged)).toEqual(['a.o > b.i (/Test/a/o)']);
-    expect(conflicts).toMatchObject([{ what: 'What b · i takes', mine: 'a · o', theirs: 'b · o' }]);
+    expect(conflicts).toMatchObject([{ what: 'Source of b · i', mine: 'a · o', theirs: 'b · o' }]);
     expect(wiresIn(after(merged, conflicts[0]!.takeTheirs))).toEqual(['b.o > b.i (/Test/b/o)']);
   });
 

@@ -17,9 +17,9 @@ export interface GraphNews {
 export function graphNews(before: Graph, after: Graph): GraphNews[] {
   const news = [...nodeNews(before, after), ...wireNews(before, after)];
   if (before.details.name !== after.details.name) {
-    news.push({ words: `called the session ${after.details.name}`, node: undefined });
+    news.push({ words: `renamed the session to ${after.details.name}`, node: undefined });
   } else if (!sameValue(before.details, after.details)) {
-    news.push({ words: 'changed what is said about the session', node: undefined });
+    news.push({ words: 'changed the details of the session', node: undefined });
   }
   if (news.length > 0) return news;
   const moved = [...after.nodes.values()].filter((node) => {
@@ -38,7 +38,7 @@ export function graphNews(before: Graph, after: Graph): GraphNews[] {
     ({ id, points, via }) =>
       !sameValue(before.wires.get(id)?.points, points) || before.wires.get(id)?.via !== via,
   );
-  return led === undefined ? [] : [{ words: 'led wires elsewhere', node: led.to.node }];
+  return led === undefined ? [] : [{ words: 'rerouted wires', node: led.to.node }];
 }
 
 const look = ({ position, size, isCollapsed, frame }: GraphNode): unknown => ({
@@ -57,7 +57,7 @@ function* nodeNews(before: Graph, after: Graph): Iterable<GraphNews> {
     }
   }
   for (const [id, node] of before.nodes) {
-    if (!after.nodes.has(id)) yield { words: `removed ${nodeName(node)}`, node: undefined };
+    if (!after.nodes.has(id)) yield { words: `deleted ${nodeName(node)}`, node: undefined };
   }
 }
 

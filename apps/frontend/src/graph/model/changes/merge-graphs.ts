@@ -90,7 +90,7 @@ function sameNode(a: GraphNode, b: GraphNode): boolean {
 const removedByThem = (node: GraphNode): Conflict => ({
   node: node.id,
   wire: undefined,
-  what: `${nodeName(node)}, which another client removed`,
+  what: `${nodeName(node)}, which another client deleted`,
   theirs: undefined,
   mine: node,
   takeTheirs: { kind: 'remove', nodes: [node.id] },
@@ -101,7 +101,7 @@ const removedByThem = (node: GraphNode): Conflict => ({
 const removedByMe = (node: GraphNode): Conflict => ({
   node: node.id,
   wire: undefined,
-  what: `${nodeName(node)}, which you removed and another client changed`,
+  what: `${nodeName(node)}, which you deleted and another client changed`,
   theirs: node,
   mine: undefined,
   takeTheirs: { kind: 'all', commands: [], label: `Keep ${nodeName(node)}` },
@@ -216,7 +216,7 @@ function settleInput(
   conflicts.push({
     node: to.node,
     wire: own.id,
-    what: `What ${portName(graph, to)} takes`,
+    what: `Source of ${portName(graph, to)}`,
     theirs: portName(graph, from),
     mine: portName(graph, own.from),
     takeTheirs,

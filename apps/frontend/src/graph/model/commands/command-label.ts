@@ -62,7 +62,7 @@ export function commandLabel(graph: Graph, command: GraphCommand): string {
 export function nodeName(node: GraphNode | undefined): string {
   switch (node?.kind) {
     case undefined:
-      return 'a removed node';
+      return 'a deleted node';
     case 'topic':
       return node.topic;
     case 'module':
@@ -94,7 +94,7 @@ function several<T>(things: readonly T[], nameOf: (thing: T) => string): string 
 }
 
 function removal(graph: Graph, nodes: readonly string[], wires: readonly string[]): string {
-  if (nodes.length > 0) return `Remove ${several(nodes, (id) => nodeName(graph.nodes.get(id)))}`;
+  if (nodes.length > 0) return `Delete ${several(nodes, (id) => nodeName(graph.nodes.get(id)))}`;
   const wire = wires.length === 1 ? graph.wires.get(wires[0] ?? '') : undefined;
   if (wire === undefined) return `Disconnect ${wires.length} wires`;
   return `Disconnect ${portName(graph, wire.from)} from ${portName(graph, wire.to)}`;

@@ -20,7 +20,7 @@ export function fitOf(
 ): Fit {
   const from = endOf(graph, fromRef);
   const to = endOf(graph, toRef);
-  if (from === undefined || to === undefined) return misfit('One end of the wire was removed.');
+  if (from === undefined || to === undefined) return misfit('One end of the wire was deleted.');
   return fitEnds(graph, from, to, library);
 }
 
@@ -76,7 +76,7 @@ function listFault(graph: Graph, from: WireEnd, to: WireEnd): Fit | undefined {
     if (!from.port.isList || from.node.kind !== 'module' || to.node.kind !== 'module') {
       return undefined;
     }
-    const reason = `${portName(graph, from.ref)} gives a list, which takes one topic for each element on its way to ${portName(graph, to.ref)}.`;
+    const reason = `${portName(graph, from.ref)} outputs a list. Connect it to ${portName(graph, to.ref)} through one topic for each element.`;
     return misfit(reason, listOffers(graph, from, to));
   }
   // What says that it is a list surely is one; the other end may only have said nothing.
@@ -84,9 +84,9 @@ function listFault(graph: Graph, from: WireEnd, to: WireEnd): Fit | undefined {
   const goesOverATopic = from.node.kind !== 'muxer' && to.node.kind !== 'demuxer';
   if (!goesOverATopic && !saysWhatIsAList(doubtful)) return undefined;
   const [given, taken] = from.port.isList
-    ? ['a list of records', 'single ones']
+    ? ['a list of records', 'single records']
     : ['single records', 'a list'];
-  const reason = `${portName(graph, from.ref)} gives ${given}, but ${portName(graph, to.ref)} takes ${taken}.`;
+  const reason = `${portName(graph, from.ref)} outputs ${given}, but ${portName(graph, to.ref)} expects ${taken}.`;
   return misfit(reason, listOffers(graph, from, to));
 }
 
@@ -98,6 +98,6 @@ function formatFault(
 ): Fit | undefined {
   if (formatsFit(from.format, to.format)) return undefined;
   const { format: given = 'something else' } = from;
-  const reason = `${portName(graph, from.ref)} gives ${given}, but ${portName(graph, to.ref)} takes ${to.format ?? 'another format'}.`;
+  const reason = `${portName(graph, from.ref)} outputs ${given}, but ${portName(graph, to.ref)} expects ${to.format ?? 'another format'}.`;
   return misfit(reason, formatOffers(from, to, library));
 }

@@ -32,13 +32,13 @@ describe('a wire', () => {
 
   it('between formats that differ is offered a part of the value, or a module', () => {
     expect(words(fit('pose.pose', 'mirror.size')).slice(0, 3)).toEqual([
-      'pose · pose gives pose3D, but mirror · size takes int32.',
+      'pose · pose outputs pose3D, but mirror · size expects int32.',
       'field: position.x',
       'field: position.y',
     ]);
     expect(words(fit('mirror.x', 'mirror.pointer'))).toContain('module: merge-vector2 · vector');
     expect(words(fit('pose.pose', 'mirror.pointer'))).toEqual([
-      'pose · pose gives pose3D, but mirror · pointer takes vector2.',
+      'pose · pose outputs pose3D, but mirror · pointer expects vector2.',
     ]);
   });
 
@@ -49,7 +49,7 @@ describe('a wire', () => {
     const from = { node: topic.id, port: 'out' };
     const to = ref(graph, 'all.points');
     expect(words(fitOf({ ...graph, nodes }, from, to, library))).toEqual([
-      `/${uuid}/phone/touch gives single records, but all · points takes a list.`,
+      `/${uuid}/phone/touch outputs single records, but all · points expects a list.`,
       'muxer: Muxer of /*/phone/touch',
       `muxer: Muxer of /${uuid}/phone/touch`,
     ]);
@@ -58,14 +58,14 @@ describe('a wire', () => {
   it('from a list to one topic is offered a demuxer [PM-45]', () => {
     const one = fitOf(graph, ref(graph, 'pose.points'), { node: 'topic:/u', port: 'in' }, library);
     expect(words(one)).toEqual([
-      'pose · points gives a list of records, but /u takes single ones.',
+      'pose · points outputs a list of records, but /u expects single records.',
       'demuxer: Demuxer to /u/…',
     ]);
   });
 
   it('from list to list needs a topic for each element', () => {
     expect(words(fit('pose.points', 'all.points'))).toEqual([
-      'pose · points gives a list, which takes one topic for each element on its way to all · points.',
+      'pose · points outputs a list. Connect it to all · points through one topic for each element.',
       'spread: One topic for each element',
     ]);
   });
@@ -86,7 +86,7 @@ describe('a wire', () => {
       'Topics get values from modules. Add a module between the two topics.',
     ]);
     expect(words(fitOf(graph, from, { node: 'gone', port: 'in' }))).toEqual([
-      'One end of the wire was removed.',
+      'One end of the wire was deleted.',
     ]);
     expect(words(fit('mirror.x', 'mirror.mirrored'))[0]).toContain('Both ends are outputs');
   });

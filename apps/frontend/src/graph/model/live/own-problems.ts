@@ -54,20 +54,20 @@ function* moduleProblems(graph: Graph, around: Surroundings): Iterable<GraphProb
     if (node.kind !== 'module') continue;
     const { module, id, ports } = node;
     if (isMissing(node, around)) {
-      const message = `There is no module ${quoted(module.name)}: it has no code, and neither the library nor any node has one of that name. Import it in the module library, or start a node that has it.`;
+      const message = `The module ${quoted(module.name)} is unknown: neither the session, the library nor a connected node has its code. Import it into the module library, or start a node that has it.`;
       yield { ...error('module_unknown', message), node: id };
       continue;
     }
     const isPlaced = module.nodeId !== '' && module.extension?.replaceable !== true;
     if (isPlaced && around.nodes !== undefined && !around.nodes.has(module.nodeId)) {
-      const message = `The node that ${quoted(module.name)} runs on is not connected. Start this node, or choose another one.`;
+      const message = `The node of module ${quoted(module.name)} is not connected. Start this node, or choose another one.`;
       yield { ...warning('node_unavailable', message), node: id };
     }
     for (const { name, direction, isDeclared, id: port } of ports) {
       if (isDeclared) continue;
       const others = ports.filter((one) => one.isDeclared && one.direction === direction);
       const known = others.map((one) => one.name).join(', ') || 'none';
-      const message = `The module ${quoted(module.name)} has no ${direction}put ${quoted(name)}; it has ${known}.`;
+      const message = `The module ${quoted(module.name)} has no ${direction}put ${quoted(name)}. Its ${direction}puts: ${known}.`;
       const code = direction === 'in' ? 'unknown_input' : 'unknown_output';
       yield { ...error(code, message), node: id, port };
     }
@@ -94,10 +94,10 @@ function* cycles(graph: Graph): Iterable<GraphProblem> {
     const names = nodes.map((id) => quoted(nameOf(graph, id)));
     const who = plural(
       names.length,
-      `The module ${names[0]} feeds itself`,
-      `The modules ${names.join(', ')} feed each other`,
+      `The module ${names[0]} is connected to itself`,
+      `The modules ${names.join(', ')} are connected in a loop`,
     );
-    const message = `${who}; see to it that the values do not grow without end.`;
+    const message = `${who}. Make sure that the values do not grow without limit.`;
     for (const [index, node] of nodes.entries())
       yield { ...warning('cycle', message), node, wires, isEcho: index > 0 };
   }

@@ -65,7 +65,7 @@ export function nodeFromJson(
   uuid: () => string,
   ids: Map<string, string>,
 ): GraphNode {
-  if (!isObject(json)) throw new TypeError('a node is no object');
+  if (!isObject(json)) throw new TypeError('a node is not an object');
   const { x, y, width, height } = json;
   const look = {
     position: typeof x === 'number' && typeof y === 'number' ? { x, y } : undefined,
@@ -125,7 +125,7 @@ function newNode(
         color: typeof json.color === 'string' ? json.color : '',
       });
     default:
-      throw new TypeError(`there is no kind of node called ${JSON.stringify(kind)}`);
+      throw new TypeError(`the node kind ${JSON.stringify(kind)} is unknown`);
   }
 }
 
@@ -140,7 +140,7 @@ const texts = (value: unknown): string[] =>
 
 function textOf(json: Record<string, JsonValue>, name: string): string {
   const value = json[name];
-  if (typeof value !== 'string') throw new TypeError(`${name} is no text`);
+  if (typeof value !== 'string') throw new TypeError(`${name} is not a text`);
   return value;
 }
 

@@ -16,7 +16,7 @@ export function removeAndReconnect(graph: Graph, ids: readonly string[]): GraphC
   const gone = new Set(ids.filter((id) => graph.nodes.has(id)));
   return {
     kind: 'all',
-    label: `Remove ${words(graph, [...gone])} and reconnect`,
+    label: `Delete ${words(graph, [...gone])} and reconnect`,
     commands: [{ kind: 'remove', nodes: [...gone] }, ...connects(reconnections(graph, gone))],
   };
 }

@@ -30,8 +30,8 @@ function describe(cycle: readonly Node[], isEndless: boolean): SessionProblem {
   const { draft } = cycle[0]!;
   const who = plural(
     names.length,
-    `The module ${names[0]} feeds itself`,
-    `The modules ${names.join(', ')} feed each other`,
+    `The module ${names[0]} is connected to itself`,
+    `The modules ${names.join(', ')} are connected in a loop`,
   );
   return isEndless
     ? errorProblem({
