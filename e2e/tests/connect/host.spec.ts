@@ -87,8 +87,8 @@ test('what guests made is told, ended or handed over with their code, and who di
   await test.step('or handed over', async () => {
     const grant = grantOf('Lab');
     await grant.getByRole('button', { name: 'Revoke' }).click();
-    await grant.getByRole('radio', { name: 'Hand over to you' }).click();
-    await expect(grant).toContainText('keep running and belong to you');
+    await grant.getByRole('radio', { name: 'Transfer to you' }).click();
+    await expect(grant).toContainText('keep running. They and their code belong to you');
     await grant.getByRole('button', { name: 'Revoke invitation' }).click();
     await expect(grant).toHaveCount(0);
   });

@@ -120,7 +120,7 @@ test('plain HTTP is explained, with the way to the secure page', async ({ master
   await expect(phone.page.locator('[data-fingerprint]')).toHaveText(
     /^([0-9A-F]{2}:){31}[0-9A-F]{2}$/,
   );
-  await expect(phone.page.getByRole('link', { name: 'Load the certificate' })).toHaveAttribute(
+  await expect(phone.page.getByRole('link', { name: 'Download the certificate' })).toHaveAttribute(
     'href',
     '/ca.crt',
   );
@@ -142,7 +142,7 @@ test('a blocked live channel is told from a master that is away', async ({ maste
   await master.stop();
   await phone.page.getByRole('button', { name: 'Use another code' }).click();
   await expect(join.heading).toContainText(/does not answer/);
-  await phone.page.getByRole('button', { name: 'Retry' }).click();
+  await phone.page.getByRole('button', { name: 'Try again' }).click();
   await expect(join.fact('master')).toContainText('Master not reached');
   await expect(join.fact('master')).toContainText('client isolation');
   await master.startAgain();
@@ -164,5 +164,5 @@ test('iOS is told that it wants the certificate installed', async ({ master, roo
   const help = join.fact('channel').getByRole('link', { name: 'Install the certificate' });
   await help.click();
   await expect(phone.page.getByText('Certificate Trust Settings')).toBeVisible();
-  await expect(phone.page.getByRole('link', { name: 'Load the profile' })).toBeVisible();
+  await expect(phone.page.getByRole('link', { name: 'Download the profile' })).toBeVisible();
 });

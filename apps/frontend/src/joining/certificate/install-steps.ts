@@ -15,9 +15,9 @@ export const INSTALL_GUIDES: readonly InstallGuide[] = [
   {
     platform: 'ios',
     name: 'iPhone, iPad',
-    file: { href: '/ca.mobileconfig', text: 'Load the profile' },
+    file: { href: '/ca.mobileconfig', text: 'Download the profile' },
     steps: [
-      'Open this page in Safari, load the profile and tap Allow.',
+      'Open this page in Safari, download the profile and tap Allow.',
       'Open Settings. Tap “Profile Downloaded” at the top, then Install, and compare the fingerprint under “More Details”.',
       'Go to Settings, General, About, Certificate Trust Settings. Turn on full trust for this certificate. Without this step, iOS still rejects it.',
       'Return to this page and open the secure page.',
@@ -27,11 +27,11 @@ export const INSTALL_GUIDES: readonly InstallGuide[] = [
   {
     platform: 'android',
     name: 'Android',
-    file: { href: '/ca.crt', text: 'Load the certificate' },
+    file: { href: '/ca.crt', text: 'Download the certificate' },
     steps: [
-      'Load the certificate. If the browser asks, keep the file.',
+      'Download the certificate. If the browser asks, keep the file.',
       'Open Settings and search for “CA certificate” (Security, More security settings, Install from storage).',
-      'Choose “Install anyway”, confirm with the lock of the phone and pick ubi-interact.crt.',
+      'Choose “Install anyway”, confirm with the screen lock of the phone and select ubi-interact.crt.',
       'Return to this page and open the secure page. Firefox on Android also needs Settings, Secret settings, “Use third party CA certificates”.',
     ],
     removal:
@@ -40,37 +40,37 @@ export const INSTALL_GUIDES: readonly InstallGuide[] = [
   {
     platform: 'windows',
     name: 'Windows',
-    file: { href: '/ca.crt', text: 'Load the certificate' },
+    file: { href: '/ca.crt', text: 'Download the certificate' },
     steps: [
-      'Load the certificate and open the file. Choose Install Certificate, Current User.',
+      'Download the certificate and open the file. Choose Install Certificate, Current User.',
       'Choose “Place all certificates in the following store”, Browse, “Trusted Root Certification Authorities”.',
       'Compare the fingerprint and confirm. Restart the browser.',
     ],
     removal:
-      'Run certmgr.msc, Trusted Root Certification Authorities, Certificates: delete the one of Ubi-Interact.',
+      'Run certmgr.msc, Trusted Root Certification Authorities, Certificates: delete the certificate of Ubi-Interact.',
   },
   {
     platform: 'macos',
     name: 'macOS',
-    file: { href: '/ca.pem', text: 'Load the certificate' },
+    file: { href: '/ca.pem', text: 'Download the certificate' },
     steps: [
-      'Load the certificate and open the file: Keychain Access takes it into the login keychain.',
-      'Open it there by a double-click and compare the fingerprint.',
+      'Download the certificate and open the file. Keychain Access adds it to the login keychain.',
+      'Double-click it there and compare the fingerprint.',
       'Under Trust, choose “Always Trust” for “When using this certificate”, close and confirm. Restart the browser.',
     ],
-    removal: 'Keychain Access, login, Certificates: delete the one of Ubi-Interact.',
+    removal: 'Keychain Access, login, Certificates: delete the certificate of Ubi-Interact.',
   },
   {
     platform: 'linux',
     name: 'Linux, Firefox',
-    file: { href: '/ca.pem', text: 'Load the certificate' },
+    file: { href: '/ca.pem', text: 'Download the certificate' },
     steps: [
       'Firefox, on every system: Settings, Privacy & Security, View Certificates, Authorities, Import. Choose the file and tick “Trust this CA to identify websites”.',
       'Chrome and Chromium: Settings, Privacy and security, Security, Manage certificates, Authorities or Custom, Import.',
       'Programs of the system: copy the file to /usr/local/share/ca-certificates/ubi-interact.crt and run update-ca-certificates.',
     ],
     removal:
-      'The same place: choose it and delete. On the system, delete the file and run update-ca-certificates --fresh.',
+      'In the browser, delete it in the same place. On the system, delete the file and run update-ca-certificates --fresh.',
   },
 ];
 

@@ -42,7 +42,7 @@ export function networkWord({ kind, interfaceName, url }: MasterAddress): string
     case MasterAddressKind.ETHERNET:
       return 'Ethernet';
     case MasterAddressKind.LOOPBACK:
-      return 'This machine only';
+      return 'This computer only';
     default:
       return VIRTUAL_KINDS.find(([pattern]) => pattern.test(interfaceName))?.[1] ?? 'Virtual';
   }

@@ -42,7 +42,7 @@ export const LIFETIMES = [
 export type LifetimeChoice = (typeof LIFETIMES)[number]['value'];
 
 export const STAYS = [
-  { value: 'same', text: 'Until it ends', stayMs: 0 },
+  { value: 'same', text: 'Until it expires', stayMs: 0 },
   { value: 'day', text: '12 hours', stayMs: 12 * HOUR_MS },
   { value: 'month', text: '30 days', stayMs: LONGEST_MS },
 ] as const;
