@@ -28,7 +28,7 @@ export class SessionPage {
   }
 
   async choose(action: string): Promise<void> {
-    await this.page.getByRole('button', { name: 'More for this session' }).click();
+    await this.page.getByRole('button', { name: 'More actions' }).click();
     await this.page.getByRole('menuitem', { name: action }).click();
   }
 

@@ -227,7 +227,7 @@ for (const screen of SCREENS) {
     const { page } = await enter(room, screen);
     const performance = new PerformancePage({ page });
     await performance.open();
-    await performance.fill({ Rate: '20', 'Length of each': '1' });
+    await performance.fill({ Rate: '20', 'Duration of each': '1' });
     await performance.measure();
     await expect(page.locator('canvas').first()).toBeVisible();
     await expectAccessible(page);
@@ -289,7 +289,7 @@ for (const screen of SCREENS) {
       await expect(page.getByRole('dialog')).toBeHidden();
     });
     await test.step('command palette', async () => {
-      await shell.button('Find or do anything').click();
+      await shell.button('Search or run a command').click();
       await expect(shell.palette).toBeVisible();
       await expectAccessible(page);
       await page.keyboard.press('Escape');

@@ -136,7 +136,7 @@ test('a module is written, tried, saved, used by a session, changed under it and
     await expect(editor.problems).toContainText("Cannot find name 'missing'");
     await editor.save.click();
     const question = anna.page.getByRole('dialog', { name: 'Save code with errors' });
-    await expect(question).toContainText('The code has 1 error. Numbers would run it at once.');
+    await expect(question).toContainText('The code has 1 error. Numbers would run it immediately.');
     await question.getByRole('button', { name: 'Cancel' }).click();
     await expectAnswer(program, 4, 12);
     await editor.typeAfter('missing();', '');

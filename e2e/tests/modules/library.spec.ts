@@ -28,7 +28,7 @@ test('the library is searched by words and data formats, and a module tells all 
   await expect(modules.detail).toContainText('built in');
   await expect(modules.detail.getByRole('region', { name: 'Inputs' })).toContainText('pointer');
   await expect(modules.detail).toContainText('True swaps left and right.');
-  await expect(modules.detail.getByRole('region', { name: 'Where it can run' })).toContainText(
+  await expect(modules.detail.getByRole('region', { name: 'Compatible nodes' })).toContainText(
     'Master',
   );
   await expect(
@@ -77,7 +77,7 @@ test('a module is imported, used, duplicated, exported, deleted and brought back
     await session.write(JSON.stringify(text), 'Create');
     await expect(session.module('doubler')).toContainText('twice');
     await anna.page.goto('/modules/doubler');
-    const users = modules.detail.getByRole('region', { name: 'Sessions that use it' });
+    const users = modules.detail.getByRole('region', { name: 'Sessions that use this module' });
     await expect(users).toContainText('Doubles');
   });
 

@@ -34,7 +34,9 @@ test('the master is restarted: everybody comes back as who they were, without a 
     await expect(shell.disconnectedStrip).toBeVisible();
     await expect(shell.disconnectedStrip).toContainText(/master/i);
   }
-  await expect(people[0]!.page.getByText('Master not connected', { exact: true })).toBeVisible();
+  await expect(
+    people[0]!.page.getByText('Not connected to the master', { exact: true }),
+  ).toBeVisible();
 
   await master.startAgain();
   for (const shell of shells) await expect(shell.disconnectedStrip).toBeHidden({ timeout: 60_000 });

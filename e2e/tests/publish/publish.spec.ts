@@ -182,7 +182,9 @@ test('a published value stays when its tab is reloaded and when it is closed', a
   await expect(publish.sent).toContainText('1');
   await publish.page.reload();
   await new Shell(publish.page).expectConnected();
-  await expect(publish.page.getByText('Values stay for up to 60 min')).toBeVisible();
+  await expect(
+    publish.page.getByText('The master keeps the values for up to 60 min'),
+  ).toBeVisible();
   await publish.page.close();
   const robot = await room.program('Robot');
   const got: unknown[] = [];
@@ -220,7 +222,7 @@ test('the page is found from the palette and from a topic, and fits a phone', as
   const shell = new Shell(page);
   expect(await shell.overflowPx()).toBe(0);
   await page.goto('/');
-  await shell.button('Find or do anything').click();
+  await shell.button('Search or run a command').click();
   await shell.palette.getByRole('combobox').fill('publish a record');
   await page.keyboard.press('Enter');
   await expect(page).toHaveURL(/\/publish$/);

@@ -18,7 +18,7 @@ describe('matchShortcut', () => {
   });
 
   it('lets a key that completes no pair begin again', () => {
-    expect(matchShortcut('G', '/').shortcut?.text).toBe('Find or do anything');
+    expect(matchShortcut('G', '/').shortcut?.text).toBe('Search or run a command');
     expect(matchShortcut('G', 'g')).toEqual({ pending: 'G' });
     expect(matchShortcut('G', 'Escape')).toEqual({});
   });

@@ -12,7 +12,7 @@ export interface Shortcut {
 }
 
 export const SHORTCUTS: readonly Shortcut[] = [
-  { keys: '/', text: 'Find or do anything', does: { kind: 'open', dialog: 'palette' } },
+  { keys: '/', text: 'Search or run a command', does: { kind: 'open', dialog: 'palette' } },
   { keys: '?', text: 'Show the keyboard shortcuts', does: { kind: 'open', dialog: 'shortcuts' } },
   { keys: 'C', text: 'Connect a phone', does: { kind: 'open', dialog: 'connect-phone' } },
   ...[...PAGES, SETTINGS_PAGE].map(({ shortcut, title, to }): Shortcut => ({

@@ -16,12 +16,12 @@ describe('UiIconButton', () => {
   });
 
   it('says why it is disabled, and does nothing', async () => {
-    const button = show('The master is not connected.');
+    const button = show('This page is not connected to the master.');
     await button.trigger('click');
     expect(button.emitted('click')).toBeUndefined();
     expect(button.attributes()).toMatchObject({
       'aria-disabled': 'true',
-      'aria-description': 'The master is not connected.',
+      'aria-description': 'This page is not connected to the master.',
     });
   });
 });

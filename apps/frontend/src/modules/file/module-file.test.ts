@@ -32,7 +32,7 @@ describe('a module as a file', () => {
 
   it.each([
     ['{ "name": ', 'x.pm, line 1: Expected a value, found the end of the text.'],
-    ['{}', 'x.pm holds no module: it has no name.'],
+    ['{}', 'x.pm contains a module without a name. Add a name.'],
     ['{ "name": [] }', 'x.pm: name must be'],
   ])('says why %j is none', (text, message) => {
     const read = importModules({ name: 'x.pm', text });

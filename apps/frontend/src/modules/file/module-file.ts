@@ -48,7 +48,7 @@ export function importModules({ name, text }: TextFile): ReadModules {
     try {
       const module = fromJson(MODULE, one);
       if (module.name === '') {
-        return { kind: 'broken', message: `${name} holds no module: it has no name.` };
+        return { kind: 'broken', message: `${name} contains a module without a name. Add a name.` };
       }
       modules.push({ ...module, id: '', nodeId: '', sessionId: '', status: 0 });
     } catch (cause) {

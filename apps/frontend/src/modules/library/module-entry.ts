@@ -13,7 +13,7 @@ export interface ModuleEntry {
 
 /** Where a module is from, for people. */
 export const ORIGIN_WORDS: Readonly<Record<ModuleOrigin, string>> = {
-  [ModuleOrigin.MODULE_ORIGIN_UNKNOWN]: 'at the master',
+  [ModuleOrigin.MODULE_ORIGIN_UNKNOWN]: 'on the master',
   [ModuleOrigin.MODULE_ORIGIN_BUILT_IN]: 'built in',
   [ModuleOrigin.MODULE_ORIGIN_FOLDER]: 'operator’s folder',
   [ModuleOrigin.MODULE_ORIGIN_STORED]: 'stored',

@@ -58,7 +58,7 @@ const KNOWN: readonly {
     test: ({ format }) => format === 'ubi-interact.nodes',
   },
   {
-    what: 'the file of a module',
+    what: 'a module file',
     advice: 'Import it on the Modules page.',
     test: (value) =>
       has(value, 'onProcessingStringified') ||

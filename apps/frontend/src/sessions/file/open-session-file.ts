@@ -24,7 +24,7 @@ function readInWorker(file: File): Promise<ReadFile> {
   });
   return new Promise<ReadFile>((resolve, reject) => {
     worker.onmessage = ({ data }: MessageEvent<ReadFile>) => resolve(data);
-    worker.onerror = () => reject(new Error('it is too much for this browser.'));
+    worker.onerror = () => reject(new Error('it is too large for this browser.'));
     worker.postMessage(file);
   }).finally(() => worker.terminate());
 }

@@ -28,9 +28,9 @@ describe('a file that was exported', () => {
 describe('a file that is no session', () => {
   it.each([
     ['', 'a.json is empty.'],
-    ['PNG\0\0', 'a.json is no text'],
-    ['[]', 'holds no session'],
-    ['7', 'holds no session'],
+    ['PNG\0\0', 'a.json is not a text file'],
+    ['[]', 'contains no session'],
+    ['7', 'contains no session'],
     ['{"name":"x"}', 'it has neither modules nor mappings'],
     ['{\n"processingModules": [\n{,}]}', 'a.json, line 3: '],
     ['{"processingModules":7}', 'a.json, line 1: '],
@@ -43,12 +43,12 @@ describe('a file that is no session', () => {
     [{ nodes: [], links: [], version: 0.4 }, 'a ComfyUI workflow'],
     [{ 3: { class_type: 'KSampler', inputs: {} } }, 'a ComfyUI workflow'],
     [{ ops: [{ objName: 'Ops.Gl.MainLoop' }] }, 'a cables.gl patch'],
-    [{ name: 'm', onProcessingStringified: '() => {}' }, 'the file of a module'],
+    [{ name: 'm', onProcessingStringified: '() => {}' }, 'a module file'],
     [{ format: 'ubi-interact.nodes', version: 1, nodes: [] }, 'nodes copied from a graph'],
     [[{ name: 's', processingModules: [] }], 'a list of sessions'],
   ])('is recognised: %j', (value, what) => {
     const text = JSON.stringify(value);
-    expect(refusal(text)).toContain(`a.json is ${what}, and no session.`);
+    expect(refusal(text)).toContain(`a.json is ${what}, not a session.`);
   });
 
   it('can be put right by hand when it was meant as one', () => {

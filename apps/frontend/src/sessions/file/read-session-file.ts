@@ -32,13 +32,12 @@ export function readSessionFile({ name, text }: TextFile): ReadFile {
     text: canEdit && text.length <= FILE_LIMITS.textToEdit ? text : undefined,
   });
   if (text.trim() === '') return broken(`${name} is empty.`);
-  if (text.includes('\0')) return broken(`${name} is no text, so it holds no session.`);
+  if (text.includes('\0')) return broken(`${name} is not a text file, so it contains no session.`);
   const value = parsed(text);
   const foreign = recogniseForeign(value);
-  if (foreign)
-    return broken(`${name} is ${foreign.what}, and no session. ${foreign.advice}`.trim());
+  if (foreign) return broken(`${name} is ${foreign.what}, not a session. ${foreign.advice}`.trim());
   if (value !== undefined && !isObject(value)) {
-    return broken(`${name} holds no session: a session is an object, { … }.`);
+    return broken(`${name} contains no session: a session is a JSON object, { … }.`);
   }
   const read = readSessionText(text);
   if (read.kind === 'broken') {
@@ -48,7 +47,7 @@ export function readSessionFile({ name, text }: TextFile): ReadFile {
     return broken(`${name}${place}: ${reason}`, true);
   }
   if (value === undefined || !isSessionLike(value)) {
-    return broken(`${name} holds no session: it has neither modules nor mappings.`, true);
+    return broken(`${name} contains no session: it has neither modules nor mappings.`, true);
   }
   const tooMany = overLimit(read.session);
   if (tooMany) return broken(`${name} has ${tooMany}.`);
@@ -63,7 +62,7 @@ export function readSessionFile({ name, text }: TextFile): ReadFile {
 export function refuseSize(name: string, bytes: number): ReadFile | undefined {
   if (bytes <= FILE_LIMITS.bytes) return undefined;
   const size = (of: number): string => `${Math.round(of / 1024 / 1024)} MB`;
-  const message = `${name} has ${size(bytes)}. Sessions of more than ${size(FILE_LIMITS.bytes)} are not read: the master takes none that large.`;
+  const message = `${name} has ${size(bytes)}. The maximum size of a session is ${size(FILE_LIMITS.bytes)}.`;
   return { kind: 'broken', name, message, text: undefined };
 }
 

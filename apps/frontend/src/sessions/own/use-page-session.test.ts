@@ -159,7 +159,7 @@ describe('usePageSession', () => {
     refuse(new ServiceError('not_found', 'No node has the id "lab".'));
     await restartMaster();
     expect(page.trouble.value).toBe(
-      'The master was restarted, which ended the session. It could not start again: No node has the id "lab".',
+      'The restart of the master ended the session. It could not start again: No node has the id "lab".',
     );
     expect(onFailure).toHaveBeenCalled();
     expect(page.session.value).toBeUndefined();
@@ -171,7 +171,7 @@ describe('usePageSession', () => {
     removeByOther();
     await flushPromises();
     expect(done).toEqual(['start master']);
-    expect(page.trouble.value).toBe('Another client removed the session of this page.');
+    expect(page.trouble.value).toBe('Another client deleted the session of this page.');
     expect(onFailure).toHaveBeenCalledOnce();
     expect(toasts.list.value).toEqual([]);
   });

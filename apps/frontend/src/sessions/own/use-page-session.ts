@@ -88,7 +88,7 @@ export function usePageSession(
   /** Starts a session that ended with the run of the master that had it. */
   async function startAgain(next: Init<Session>): Promise<Session> {
     const { id: newest } = await client.call('serverConfiguration');
-    if (newest === runId) throw new Error('Another client removed the session of this page.');
+    if (newest === runId) throw new Error('Another client deleted the session of this page.');
     runId = newest;
     try {
       const started = await client.call('sessionRuntimeStart', next);
@@ -99,7 +99,7 @@ export function usePageSession(
     } catch (cause) {
       if (!(cause instanceof ServiceError)) throw cause;
       throw new Error(
-        `The master was restarted, which ended the session. It could not start again: ${cause.message}`,
+        `The restart of the master ended the session. It could not start again: ${cause.message}`,
         { cause },
       );
     }

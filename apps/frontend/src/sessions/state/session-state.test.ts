@@ -18,5 +18,8 @@ it('a session that the master does not have any more does not run, and has no pr
 it('nothing is shown as running while the master cannot be asked', () => {
   const running = fromJson('ubii.sessions.Session', { name: 'Mirror', status: 'RUNNING' });
   expect(lookNow(running, true)).toMatchObject({ mark: 'live', word: 'Running' });
-  expect(lookNow(running, false)).toMatchObject({ mark: 'away', word: 'Master not connected' });
+  expect(lookNow(running, false)).toMatchObject({
+    mark: 'away',
+    word: 'Not connected to the master',
+  });
 });

@@ -46,7 +46,7 @@ export function stateLook(state: SessionState): StateLook {
 /** What runs is not known while the master cannot be asked: nothing is shown as running then. */
 export const OUT_OF_CONTACT: StateLook = {
   mark: 'away',
-  word: 'Master not connected',
+  word: 'Not connected to the master',
   actions: [],
 };
 

@@ -33,7 +33,7 @@ it('who did it has a name, the beginning of an id, or a way in [EX-91]', () => {
   expect(whoOf(entry())).toBe('Ben');
   expect(whoOf(entry({ clientName: '', clientId: '9b2f9c1e-3f0a' }))).toBe('Client 9b2f9c1e');
   const unnamed = { clientName: '', clientId: '', way: AuditEntryWay.LOCAL };
-  expect(whoOf(entry(unnamed))).toContain('master’s machine');
+  expect(whoOf(entry(unnamed))).toContain('on the computer of the master');
 });
 
 it('who did it has its display name while its own name is the same [EX-91]', () => {

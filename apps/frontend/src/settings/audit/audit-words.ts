@@ -3,16 +3,16 @@ import { unnamedClient } from '../../connection/display-names.ts';
 
 /** What was done, by the end of the topic of the service: as it was done, and as it was tried. */
 const DEEDS: Readonly<Record<string, readonly [done: string, tried: string]>> = {
-  'session/runtime/add': ['made the session', 'make the session'],
+  'session/runtime/add': ['created the session', 'create the session'],
   'session/runtime/start': ['started the session', 'start the session'],
   'session/runtime/stop': ['stopped the session', 'stop the session'],
   'session/runtime/update': ['changed the session', 'change the session'],
-  'session/runtime/remove': ['removed the session', 'remove the session'],
-  'session/database/save': ['stored the session', 'store the session'],
+  'session/runtime/remove': ['deleted the session', 'delete the session'],
+  'session/database/save': ['saved the session', 'save the session'],
   'session/database/delete': ['deleted the stored session', 'delete the stored session'],
   'ubii/session_pause': ['paused the session', 'pause the session'],
   'ubii/session_resume': ['resumed the session', 'resume the session'],
-  'processing_module/database/save': ['stored the module', 'store the module'],
+  'processing_module/database/save': ['saved the module', 'save the module'],
   'processing_module/database/delete': ['deleted the module', 'delete the module'],
   'ubii/client_rename': ['renamed', 'rename'],
   'ubii/client_disconnect': ['disconnected', 'disconnect'],
@@ -23,7 +23,7 @@ const DEEDS: Readonly<Record<string, readonly [done: string, tried: string]>> = 
     'cancel the download of the model',
   ],
   'ubii/lan_open': ['turned on the local network', 'turn on the local network'],
-  'ubii/access_grant_create': ['made the invitation', 'make the invitation'],
+  'ubii/access_grant_create': ['created the invitation', 'create the invitation'],
   'ubii/access_grant_revoke': ['revoked the invitation', 'revoke the invitation'],
 };
 
@@ -56,8 +56,8 @@ export function whoOf(
   if (client?.displayName !== undefined && client.ownName === clientName) return client.displayName;
   if (clientName !== '') return clientName;
   if (clientId !== '') return unnamedClient(clientId);
-  if (way === AuditEntryWay.LOCAL) return 'A program of the master’s machine';
-  return way === AuditEntryWay.NETWORK ? 'A program of a network that is admitted' : 'A client';
+  if (way === AuditEntryWay.LOCAL) return 'A program on the computer of the master';
+  return way === AuditEntryWay.NETWORK ? 'A program in an admitted network' : 'A client';
 }
 
 /** `started the session Lights`, or `tried to start` it; of services without words, their name. */

@@ -123,7 +123,7 @@ export function moduleDeclarations({
     'interface Inputs {',
     ...named(inputs).map((io) => member(io, false, inputType(io))),
     '}',
-    '/** What may be put out. */',
+    '/** Values that the callbacks can output. */',
     'interface Outputs {',
     ...named(outputs).map((io) => `  readonly${member(io, true, outputType(io)).slice(1)}`),
     '}',

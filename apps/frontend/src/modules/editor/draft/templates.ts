@@ -38,7 +38,7 @@ function draft(name: string, rest: Partial<ModuleDraft>): ModuleDraft {
 export const TEMPLATES: readonly ModuleTemplate[] = [
   {
     title: 'Blank',
-    about: 'One number in, one number out.',
+    about: 'One input and one output, both numbers.',
     draft: draft('new-module', {
       inputs: [io('value', 'double')],
       outputs: [io('result', 'double')],
@@ -53,7 +53,7 @@ export const TEMPLATES: readonly ModuleTemplate[] = [
   },
   {
     title: 'Change each value',
-    about: 'Runs when a point arrives, and puts out another one.',
+    about: 'Runs when a point arrives, and outputs a changed point.',
     draft: draft('change-point', {
       inputs: [io('point', 'vector2')],
       outputs: [io('changed', 'vector2')],
@@ -67,7 +67,7 @@ export const TEMPLATES: readonly ModuleTemplate[] = [
   },
   {
     title: 'Remember',
-    about: 'Keeps state between its runs: a smoothed number.',
+    about: 'Keeps state between runs, here a smoothed number.',
     draft: draft('smooth-number', {
       inputs: [io('value', 'double')],
       outputs: [io('smooth', 'double')],
@@ -85,7 +85,7 @@ onProcessing = (deltaTimeMs, inputs, state) => {
   },
   {
     title: 'Generate',
-    about: 'Takes nothing, and puts out a wave 30 times a second.',
+    about: 'Has no inputs, and outputs a wave at 30 Hz.',
     draft: draft('wave', {
       outputs: [io('wave', 'double')],
       mode: mode('frequency'),
@@ -102,7 +102,7 @@ onProcessing = (deltaTimeMs, inputs, state) => {
   },
   {
     title: 'Many devices',
-    about: 'Takes a point of each device, and gives each one its answer.',
+    about: 'Takes one point from each device, and returns one result to each.',
     draft: draft('answer-each', {
       inputs: [io('points', 'vector2', true)],
       outputs: [io('distances', 'double', true)],

@@ -15,26 +15,30 @@ export type VersionList =
 export const VERSION_ORIGINS: Readonly<Record<ModuleVersionOrigin, string>> = {
   [ModuleVersionOrigin.SAVED]: 'saved',
   [ModuleVersionOrigin.FILE]: 'file changed on disk',
-  [ModuleVersionOrigin.FOUND]: 'there from the start',
+  [ModuleVersionOrigin.FOUND]: 'initial version',
 };
 
 /** Newest first. */
 export async function listVersions(client: UbiiClient, name: string): Promise<VersionList> {
   try {
     const { elements } = await client.call('moduleVersionList', { name });
-    if (elements.length === 0) return { kind: 'none', sentence: 'No version is kept yet.' };
+    if (elements.length === 0)
+      return { kind: 'none', sentence: 'No versions yet. The next save creates one.' };
     return { kind: 'list', versions: [...elements].sort((a, b) => b.number - a.number) };
   } catch (cause) {
     if (cause instanceof ConnectionError) {
-      return { kind: 'none', sentence: 'The master cannot be reached; versions are kept there.' };
+      return {
+        kind: 'none',
+        sentence: 'The master, which stores the versions, cannot be reached.',
+      };
     }
     if (!(cause instanceof ServiceError)) throw cause;
     const isOld = cause.code === 'unimplemented';
     const sentence =
       cause.code === 'not_found'
-        ? 'No version is kept yet.'
+        ? 'No versions yet. The next save creates one.'
         : isOld
-          ? 'This master keeps no versions.'
+          ? 'This master does not store versions.'
           : cause.message;
     return { kind: 'none', sentence };
   }
