@@ -20,7 +20,7 @@ export class TopicsPage {
 
   /** Unfolds every branch. */
   async expandAll(): Promise<void> {
-    await this.page.getByRole('button', { name: 'Order and folding' }).click();
+    await this.page.getByRole('button', { name: 'Order and actions' }).click();
     await this.page.getByRole('menuitem', { name: 'Expand all' }).click();
   }
 

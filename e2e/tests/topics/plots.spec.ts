@@ -56,7 +56,7 @@ test('a line is hidden, shown as its change per second, and joined by another to
 
   await plot.chooseFor('pose x', 'Change per second');
   await expect(plot.legend.getByText('′')).toBeVisible();
-  await plot.choose('Lines as at first');
+  await plot.choose('Reset lines');
   await expect(plot.legend.getByRole('listitem')).toHaveCount(2);
 });
 
@@ -88,7 +88,7 @@ test('what is shown is saved as a table and as a picture', async ({ room }) => {
     robot.publish('/lab/level', 'double', value, { immediate: true, timestampMs: takenMs + i });
   }
   await expect(plot.line('value')).toContainText('−2.000');
-  const table = await plot.save('Save what is shown as CSV');
+  const table = await plot.save('Save the shown values as CSV');
   expect(table.suggestedFilename()).toBe('lab-level.csv');
   const rows = (await readFile(await table.path(), 'utf8')).trimEnd().split('\r\n');
   expect(rows[0]).toBe('time,time_ms,value');
@@ -113,8 +113,8 @@ test('a record is found from the plot, with the times of both clocks', async ({ 
   await plot.plot.focus();
   await plot.page.keyboard.press('Enter');
   const record = plot.page.getByRole('region', { name: 'Record 1' });
-  await expect(record).toContainText("Client's time");
-  await expect(record).toContainText('Arrived here');
+  await expect(record).toContainText('Timestamp');
+  await expect(record).toContainText('Arrival time');
   await expect(record).toContainText('4.5');
   await record.getByRole('button', { name: 'Close the record' }).click();
   await expect(record).toBeHidden();

@@ -155,7 +155,7 @@ test('what is kept of a topic is told, and saved as a table', async ({ room }) =
   await topics.page.goto('/topics/%2Flab%2Fpoint');
   await expect(topics.detail.getByRole('button', { name: /^1 record kept/ })).toBeVisible();
   const download = topics.page.waitForEvent('download');
-  await topics.detail.getByRole('button', { name: 'Save what is kept as CSV' }).click();
+  await topics.detail.getByRole('button', { name: 'Save the history as CSV' }).click();
   const file = await download;
   expect(file.suggestedFilename()).toBe('lab-point.csv');
   expect(await readFile(await file.path(), 'utf8')).toMatch(/^time,time_ms,x,y\r\n.*,0\.5,1\r\n$/);

@@ -60,7 +60,7 @@ test('the view is turned, moved and zoomed by keys, mouse and wheel, and comes b
   await view.page.keyboard.press('0');
   await view.page.keyboard.press('Shift+ArrowRight');
   await expect.poll(async () => (await view.placeOf('x')).right).toBeLessThan(start.right - 5);
-  await view.page.getByRole('button', { name: /^See everything/ }).click();
+  await view.page.getByRole('button', { name: /^Reset view/ }).click();
   await expect.poll(moved).toBeLessThan(2);
   const box = (await view.frame.boundingBox())!;
   await view.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
@@ -142,7 +142,7 @@ test('things have their names, and their numbers beside the picture', async ({ r
   await expect(view.word('lamp')).toBeVisible();
   const [cup, lamp] = [await view.placeOf('cup'), await view.placeOf('lamp')];
   expect(lamp.right).toBeGreaterThan(cup.right);
-  await view.page.getByRole('button', { name: 'Numbers beside the picture' }).click();
+  await view.page.getByRole('button', { name: 'Show numbers' }).click();
   const table = view.page.getByRole('group', { name: 'Numbers' });
   await expect(table.getByRole('row')).toHaveCount(3);
   await expect(table.getByRole('row').last()).toContainText('lamp');
@@ -160,7 +160,7 @@ test('without WebGL the numbers are there, and why', async ({ room }) => {
     } as typeof open;
   });
   await page.goto('/topics/%2Flab%2Fturn');
-  await expect(page.getByText('This browser has no WebGL')).toBeVisible();
+  await expect(page.getByText('This browser does not support WebGL')).toBeVisible();
   await expect(page.getByRole('group', { name: 'Numbers' })).toContainText('90.0°');
 });
 
@@ -173,7 +173,9 @@ test('a picture that the graphics card takes away is drawn again', async ({ room
   await view.frame.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
     canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!.loseContext();
   });
-  await expect(view.page.getByText('The graphics card took the picture away')).toBeVisible();
+  await expect(
+    view.page.getByText('The browser lost the connection to the graphics card'),
+  ).toBeVisible();
   await expect(view.page.getByRole('group', { name: 'Numbers' })).toContainText('90.0°');
   await view.page.getByRole('button', { name: 'Try again' }).click();
   await expect(view.word('x')).toBeVisible();

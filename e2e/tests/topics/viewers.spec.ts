@@ -35,7 +35,7 @@ test('boxes of another topic are drawn over a picture, where they are', async ({
   const { page } = await room.atDesk();
   await page.goto(path('/cam/image'));
   await expect(page.getByText('40 × 20 RGB8 2.4 kB')).toBeVisible();
-  await page.getByRole('button', { name: 'Draw boxes from' }).click();
+  await page.getByRole('button', { name: 'Add overlay' }).click();
   const choices = page.getByRole('checkbox');
   await expect(choices).toHaveCount(2);
   await choices.first().check();
@@ -72,7 +72,7 @@ test('a picture that is none says what it claims and what it has', async ({ mast
   const { page } = await room.atDesk();
   await page.goto(path('/guest/image'));
   await expect(page.getByRole('alert')).toContainText('64 × 48 RGB8 needs 9 216 bytes');
-  await expect(page.getByRole('alert')).toContainText('They would fit GRAY8.');
+  await expect(page.getByRole('alert')).toContainText('The data matches the format GRAY8.');
   guest.leave();
 });
 

@@ -2,8 +2,8 @@ import { expect, it } from 'vitest';
 import { effectScope, nextTick, ref } from 'vue';
 import { useEndedSentence } from './use-ended-sentence.ts';
 
-const RESTARTED = /^The master was restarted, and the topic has no value since\./;
-const ENDED = /^The topic has no value any more\./;
+const RESTARTED = /^The master was restarted\. The topic has had no value since\./;
+const ENDED = /^The topic no longer has a value\./;
 
 it('tells a restart of the master from the end of a value', async () => {
   const topic = ref('/a');

@@ -24,8 +24,8 @@ export function useEndedSentence(
   return computed(() => {
     const isOther = sentByMs.value !== undefined && masterMs() !== sentByMs.value;
     const why = isOther
-      ? 'The master was restarted, and the topic has no value since.'
-      : 'The topic has no value any more.';
+      ? 'The master was restarted. The topic has had no value since.'
+      : 'The topic no longer has a value.';
     return `${why} Its last value is shown until you leave this page.`;
   });
 }

@@ -22,8 +22,8 @@ const PAN_STEP = 0.1;
 const ZOOM_STEP = 1.4;
 
 export const PLOT_KEYS_HELP =
-  'Arrow keys move the reading line, with Shift the time. Plus and minus zoom, Home follows the newest. ' +
-  'A and B put the cursors where the reading line is, Enter finds the record there.';
+  'Arrow keys move the reading line; with Shift they move the time. Plus and minus zoom, Home follows the newest value. ' +
+  'A and B set the cursors at the reading line, Enter opens the record there.';
 
 export function effectOfKey(
   { key, shiftKey }: Pick<KeyboardEvent, 'key' | 'shiftKey'>,

@@ -14,6 +14,6 @@ export interface EncodedRecord {
 /** Takes the records of an encoded subscription. */
 export interface EncodedListener {
   onRecord(record: EncodedRecord): void;
-  /** The topic has no value any more. [TD-42] */
+  /** The topic no longer has a value. [TD-42] */
   onGone(topic: string): void;
 }

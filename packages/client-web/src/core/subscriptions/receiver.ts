@@ -10,7 +10,7 @@ export interface Receiver {
   readonly takesBuffers: boolean;
   /** @param isSole true: the buffer of the record is the receiver's, if it is transferable */
   handleRecord(record: ReceivedRecord, isSole: boolean): void;
-  /** The topic has no value any more. */
+  /** The topic no longer has a value. */
   handleGone(topic: string): void;
   /** The master has accepted it. */
   handleAccepted(): void;

@@ -80,7 +80,7 @@ export function readLayout(json: unknown): Layout {
     );
   }
   if (new Set(panels.map(({ id }) => id)).size < panels.length) {
-    throw new LayoutError('Two panels of this layout bear the same number.');
+    throw new LayoutError('Two panels of this layout have the same id.');
   }
   return { name: typeof name === 'string' ? name.slice(0, MAX_NAME) : '', root: node };
 }
@@ -103,7 +103,7 @@ function readNode(json: JsonValue, depth: number): LayoutNode {
 
 function readPanel({ panel, topic, viewer = '', settings = {} }: JsonObject): Panel {
   const isId = typeof panel === 'string' && /^[\w-]{1,40}$/.test(panel);
-  if (!isId) throw new LayoutError(damaged('the number of a panel'));
+  if (!isId) throw new LayoutError(damaged('the id of a panel'));
   if (typeof topic !== 'string' || topic.length > MAX_TOPIC) {
     throw new LayoutError(damaged(`the topic of panel ${panel}`));
   }
@@ -111,12 +111,12 @@ function readPanel({ panel, topic, viewer = '', settings = {} }: JsonObject): Pa
     throw new LayoutError(damaged(`the view of panel ${panel}`));
   }
   if (!isObject(settings) || JSON.stringify(settings).length > MAX_SETTINGS) {
-    throw new LayoutError(damaged(`what is set in panel ${panel}`));
+    throw new LayoutError(damaged(`the settings of panel ${panel}`));
   }
   return { id: panel, topic, viewer, settings };
 }
 
-const damaged = (what: string): string => `This layout is damaged: ${what} makes no sense.`;
+const damaged = (what: string): string => `This layout is damaged: ${what} is not valid.`;
 
 function isObject(json: unknown): json is JsonObject {
   return typeof json === 'object' && json !== null && !Array.isArray(json);

@@ -22,16 +22,16 @@ export function pictureProblem(image: Image2D): string | undefined {
   if (isCompressedImage(data)) return undefined;
   const channels = CHANNELS[dataFormat];
   if (channels === undefined) {
-    return `The pixel layout ${dataFormat} is none of GRAY8, RGB8 and RGBA8, and the data is no JPEG, PNG or WebP file.`;
+    return `The pixel layout ${dataFormat} is not GRAY8, RGB8 or RGBA8, and the data is not a JPEG, PNG or WebP file.`;
   }
   if (width <= 0 || height <= 0) {
-    return `The record says ${width} × ${height} pixels, and the data is no JPEG, PNG or WebP file.`;
+    return `The record says ${width} × ${height} pixels, and the data is not a JPEG, PNG or WebP file.`;
   }
   const needed = width * height * channels;
   if (data.length >= needed) return undefined;
   return (
-    `The data is too short for the size it claims: ${width} × ${height} ${encodingOf(image)} needs ` +
-    `${formatNumber(needed)} bytes, there are ${formatNumber(data.length)}.${guess(image)}`
+    `The data is too short for the size of the picture: ${width} × ${height} ${encodingOf(image)} needs ` +
+    `${formatNumber(needed)} bytes, and the record has ${formatNumber(data.length)}.${guess(image)}`
   );
 }
 
@@ -42,7 +42,7 @@ function guess({ width, height, data }: Image2D): string {
   );
   if (!fits) return '';
   const name = Object.entries(Image2DDataFormat).find(([, number]) => String(number) === fits[0]);
-  return ` They would fit ${name?.[0] ?? fits[0]}.`;
+  return ` The data matches the format ${name?.[0] ?? fits[0]}.`;
 }
 
 /** What is odd about a picture that can be drawn. */
@@ -54,9 +54,9 @@ export function pictureNote(
   if (isCompressedImage(data)) {
     if (width === 0 && height === 0) return undefined;
     if (width === drawn.width && height === drawn.height) return undefined;
-    return `The record says ${width} × ${height}, the ${encodingOf(image)} in it is ${drawn.width} × ${drawn.height}.`;
+    return `The record says ${width} × ${height}, but its ${encodingOf(image)} is ${drawn.width} × ${drawn.height}.`;
   }
   const left = data.length - width * height * (CHANNELS[dataFormat] ?? 0);
   if (left <= 0) return undefined;
-  return `${formatNumber(left)} bytes more than ${width} × ${height} ${encodingOf(image)} needs are left out.`;
+  return `The data has ${formatNumber(left)} bytes more than ${width} × ${height} ${encodingOf(image)} needs. They are ignored.`;
 }

@@ -19,9 +19,9 @@ const { GRAY8, RGB8 } = Image2DDataFormat;
 it('says what the size needs, what there is, and what it would fit', () => {
   expect(pictureProblem(image(2, 2, RGB8, 12))).toBeUndefined();
   expect(pictureProblem(image(2, 2, RGB8, 4))).toBe(
-    'The data is too short for the size it claims: 2 × 2 RGB8 needs 12 bytes, there are 4. They would fit GRAY8.',
+    'The data is too short for the size of the picture: 2 × 2 RGB8 needs 12 bytes, and the record has 4. The data matches the format GRAY8.',
   );
-  expect(pictureProblem(image(2, 2, 9, 4))).toMatch(/layout 9 is none of/);
+  expect(pictureProblem(image(2, 2, 9, 4))).toMatch(/layout 9 is not GRAY8/);
   expect(pictureProblem(image(0, 2, GRAY8, 4))).toMatch(/0 × 2 pixels/);
   expect(pictureProblem(image(2, 2, GRAY8, 0))).toMatch(/empty/);
 });
@@ -30,7 +30,7 @@ it('knows files by their first bytes, and says when the record says another size
   const jpeg = image(640, 480, RGB8, [0xff, 0xd8, 0xff, 0xe0]);
   expect(encodingOf(jpeg)).toBe('JPEG');
   expect(pictureNote(jpeg, { width: 640, height: 480 })).toBeUndefined();
-  expect(pictureNote(jpeg, { width: 320, height: 240 })).toMatch(/JPEG in it is 320 × 240/);
+  expect(pictureNote(jpeg, { width: 320, height: 240 })).toMatch(/but its JPEG is 320 × 240/);
   expect(pictureNote(image(2, 2, GRAY8, 7), { width: 2, height: 2 })).toMatch(/^3 bytes more/);
 });
 

@@ -30,7 +30,7 @@ export function describeThing({ name, at, axes, mark }: SpaceThing): string {
 
 /** What the picture shows, for those who do not see it. */
 export function describeView({ things, count }: SpaceView): string {
-  if (count === 0) return 'Nothing to be drawn.';
+  if (count === 0) return 'Nothing to draw.';
   if (count === 1) return describeThing(things[0]!);
   const left = count > things.length ? `, the first ${things.length} are drawn` : '';
   return `${formatNumber(count)} things${left}`;

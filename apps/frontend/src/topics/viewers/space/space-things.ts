@@ -72,7 +72,7 @@ const rotation = (value: Quaternion): SpaceView =>
   one(
     { at: ORIGIN, axes: axesOf(value), mark: 'axes', isToScale: true },
     value.x === 0 && value.y === 0 && value.z === 0 && value.w === 0
-      ? 'All four numbers are 0, which is no rotation; it is drawn unturned.'
+      ? 'All four numbers are 0, which is not a valid rotation. It is drawn without rotation.'
       : undefined,
   );
 
@@ -142,8 +142,8 @@ function matrix(m: Matrix4x4): SpaceView {
       ];
   const at: Point = isRows ? [m.m30, m.m31, m.m32] : [m.m03, m.m13, m.m23];
   const note = isRows
-    ? 'Rows are read as the images of the axes: the translation stands in the last row.'
-    : 'Columns are read as the images of the axes, the last one as the translation.';
+    ? 'Rows are read as the images of the axes: the last row is the translation.'
+    : 'Columns are read as the images of the axes, the last column as the translation.';
   return one({ at, axes, mark: 'axes', isToScale: true }, note);
 }
 
@@ -159,7 +159,7 @@ const plane = (m: Matrix3x2): SpaceView =>
       mark: 'axes',
       isToScale: true,
     },
-    'A transform of the plane: x and y of it, and its translation.',
+    'A transform of the plane, with the axes x and y and the translation.',
   );
 
 const READERS: { readonly [F in DataFormat]?: Reader<F> } = {
