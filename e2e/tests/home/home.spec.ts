@@ -8,7 +8,7 @@ test('home says in one sentence who is here and what flows', async ({ room }) =>
 
   const robot = await room.program('Robot');
   await expect(sentence).toContainText('Two clients are connected');
-  await expect(sentence).toContainText('none is publishing');
+  await expect(sentence).toContainText('none publishes data');
 
   let value = 0;
   const beat = setInterval(() => robot.publish('/lab/beat', 'double', value++), 20);

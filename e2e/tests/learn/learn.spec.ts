@@ -161,7 +161,7 @@ test('a program of the client library is run, answers, and leaves', async ({ roo
   await page.goto('/learn/own-program');
   await page.getByText('In this page', { exact: true }).click();
   await page.getByRole('button', { name: 'Run in this page' }).click();
-  await expect(page.getByRole('list', { name: 'What the program wrote' })).toContainText(
+  await expect(page.getByRole('list', { name: 'Output of the program' })).toContainText(
     'connected as first program',
   );
   await waitAndGoOn(page);

@@ -23,10 +23,10 @@ async function leftOn(addresses: MasterAddresses): Promise<string[]> {
 
 /** A run so long that it is certainly still under way. */
 const LONG: readonly (readonly [place: string, fields: Readonly<Record<string, string>>])[] = [
-  ['round-trip', { 'Length of each': '300' }],
-  ['load', { 'Lowest rate': '20', 'Highest rate': '40', 'Length of a step': '60', Clients: '2' }],
-  ['session-speed', { Length: '300', Modules: '2' }],
-  ['screen', { Length: '300' }],
+  ['round-trip', { 'Duration of each': '300' }],
+  ['load', { 'Lowest rate': '20', 'Highest rate': '40', 'Duration of a step': '60', Clients: '2' }],
+  ['session-speed', { Duration: '300', Modules: '2' }],
+  ['screen', { Duration: '300' }],
 ];
 
 for (const [place, fields] of LONG) {
@@ -45,7 +45,7 @@ for (const [place, fields] of LONG) {
 test('what was measured until a run was stopped is kept, and says so', async ({ room }) => {
   const page = new PerformancePage(await room.atDesk('Anna'));
   await page.open();
-  await page.fill({ Rate: '50', 'Length of each': '300' });
+  await page.fill({ Rate: '50', 'Duration of each': '300' });
   await page.begin();
   await expect.poll(() => page.figure('immediate.returned').isVisible()).toBe(true);
   await page.stop.click();
@@ -61,7 +61,7 @@ test('a session of a test ends with its page, however the page is left', async (
   const anna = await room.atDesk('Anna');
   const page = new PerformancePage(anna);
   const running = async (): Promise<void> => {
-    await page.fill({ Length: '300', Modules: '2' });
+    await page.fill({ Duration: '300', Modules: '2' });
     await page.begin();
     await expect.poll(() => leftOn(master.addresses)).toContain('Session speed test');
   };
@@ -91,7 +91,7 @@ test('a run goes on while other tests are looked at, and no second one starts', 
 }) => {
   const page = new PerformancePage(await room.atDesk('Anna'));
   await page.open();
-  await page.fill({ Rate: '20', 'Length of each': '300' });
+  await page.fill({ Rate: '20', 'Duration of each': '300' });
   await page.begin();
   await page.places.getByRole('link', { name: 'Topic to screen' }).click();
   await expect(page.start).toHaveAttribute('aria-disabled', 'true');
@@ -104,7 +104,7 @@ test('a run ends when the master goes, and what it measured is kept', async ({ m
   const anna = await room.atDesk('Anna');
   const page = new PerformancePage(anna);
   await page.open();
-  await page.fill({ Rate: '50', 'Length of each': '300' });
+  await page.fill({ Rate: '50', 'Duration of each': '300' });
   await page.begin();
   await expect.poll(() => page.figure('immediate.returned').isVisible()).toBe(true);
   anna.watch.expect(/net::ERR_/, /WebSocket connection to .* failed/, /Failed to load resource/);

@@ -3,7 +3,7 @@ import type { Page } from '@playwright/test';
 import { expect, test } from '../../fixtures/test.ts';
 import { PerformancePage } from '../../pages/performance-page.ts';
 
-const SHORT = { Rate: '30', 'Length of each': '1' };
+const SHORT = { Rate: '30', 'Duration of each': '1' };
 
 async function exported(page: Page, format: RegExp): Promise<{ path: string; text: string }> {
   await page.getByRole('button', { name: 'Export' }).click();

@@ -5,7 +5,7 @@ test('the round trip is measured, immediate and aggregated', async ({ room }) =>
   const page = new PerformancePage(await room.atDesk('Anna'));
   await page.open();
   await expect(page.page.getByText('No results yet.')).toBeVisible();
-  await page.fill({ Rate: '40', 'Length of each': '2' });
+  await page.fill({ Rate: '40', 'Duration of each': '2' });
   await page.measure();
   for (const way of ['immediate', 'aggregated']) {
     expect(await page.figureValue(`${way}.sent`)).toBeGreaterThan(0);
@@ -36,7 +36,7 @@ test('the load is raised, and the page says who was the limit', async ({ room })
     'Lowest rate': '50',
     'Highest rate': '200',
     'Factor per step': '2',
-    'Length of a step': '1',
+    'Duration of a step': '1',
   });
   await page.measure();
   expect(await page.figureValue('peak')).toBeGreaterThan(0);
@@ -50,7 +50,7 @@ for (const mode of ['Frequency', 'Trigger on input', 'Lockstep', 'Free']) {
     const page = new PerformancePage(await room.atDesk('Anna'));
     await page.open('session-speed');
     await page.page.getByRole('radio', { name: mode, exact: true }).click();
-    await page.fill({ Modules: '2', 'Additions per run': '1000', Length: '2' });
+    await page.fill({ Modules: '2', 'Additions per run': '1000', Duration: '2' });
     await page.measure();
     expect(await page.figureValue('runs')).toBeGreaterThan(0);
     expect(await page.figureValue('errors')).toBe(0);
@@ -63,7 +63,7 @@ test('modules run in this tab and on a node', async ({ room }) => {
   await room.node('Lab');
   const page = new PerformancePage(await room.atDesk('Anna'));
   await page.open('session-speed');
-  await page.fill({ Modules: '2', 'Additions per run': '1000', Length: '2' });
+  await page.fill({ Modules: '2', 'Additions per run': '1000', Duration: '2' });
   for (const place of ['This tab', 'Lab']) {
     await test.step(place, async () => {
       await page.page.getByRole('combobox', { name: 'Runs on' }).click();
@@ -80,7 +80,7 @@ test('modules run in this tab and on a node', async ({ room }) => {
 test('values are timed until they are drawn', async ({ room }) => {
   const page = new PerformancePage(await room.atDesk('Anna'));
   await page.open('screen');
-  await page.fill({ Length: '2' });
+  await page.fill({ Duration: '2' });
   await page.measure();
   expect(await page.figureValue('drawn')).toBeGreaterThan(0);
   expect(await page.figureValue('lost')).toBe(0);

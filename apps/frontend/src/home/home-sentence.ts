@@ -50,7 +50,7 @@ function whatIs({ active, running, recordsPerSecond }: HomeFacts): string {
   const here = `${capitalised(inWords(active))} clients are connected`;
   if (recordsPerSecond === undefined) return `${here}.`;
   return recordsPerSecond < 0.5
-    ? `${here}, and none is publishing.`
+    ? `${here}, and none publishes data.`
     : `${here} and data is flowing.`;
 }
 

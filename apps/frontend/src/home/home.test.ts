@@ -15,7 +15,7 @@ describe('homeSentence', () => {
 
   it.each([
     [calm, 'Five clients are connected and data is flowing.'],
-    [{ ...calm, recordsPerSecond: 0 }, 'Five clients are connected, and none is publishing.'],
+    [{ ...calm, recordsPerSecond: 0 }, 'Five clients are connected, and none publishes data.'],
     [{ ...calm, recordsPerSecond: undefined }, 'Five clients are connected.'],
     [{ ...calm, active: 1 }, 'Only this browser is connected. Connect a phone or open an example.'],
     [

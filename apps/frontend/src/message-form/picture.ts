@@ -21,7 +21,7 @@ export async function pictureOf(
   const blob = await new Promise<Blob | null>((resolve) =>
     canvas.toBlob(resolve, 'image/jpeg', QUALITY),
   );
-  if (!blob) throw new Error('The browser made no picture.');
+  if (!blob) throw new Error('The browser could not encode the picture. Choose another one.');
   return members(canvas.width, canvas.height, blob);
 }
 

@@ -62,7 +62,7 @@ function asOwnRemedy(remedy: string, code: string): string {
 
 const OWN_REMEDIES: Readonly<Record<string, string>> = {
   publisher_noisy:
-    'Publish fewer or smaller records. Check repeated publishing, cameras and fast modules in this tab.',
+    'Publish fewer or smaller records: check repeated publishing, cameras and fast modules in this tab.',
   client_throttled: 'Publish fewer records, or ask an admin to remove the throttle.',
   client_slow: 'Close views of fast topics or images, or use a faster network.',
 };

@@ -68,7 +68,7 @@ export function usePublisher(): Publisher {
   }
   function sendRecord(record: JsonObject): boolean {
     if (!isConnected.value) {
-      error.value = 'Not published: This page is not connected to the master.';
+      error.value = 'Not published: this page is not connected to the master.';
       return false;
     }
     const [problem] = checkRecord(record, source);

@@ -18,7 +18,7 @@ export const HOW_TOS: readonly HowTo[] = [
   {
     id: 'publish-from-python',
     title: 'Publish from Python',
-    intro: 'The Python node of Ubi-Interact on PyPI works with this master as it is.',
+    intro: 'The Python node of Ubi-Interact on PyPI works with this master without changes.',
     blocks: [
       {
         kind: 'code',
@@ -44,11 +44,11 @@ asyncio.run(main())`,
       },
       {
         kind: 'text',
-        text: 'Run it with `venv/bin/python publish.py` and open the topic `/python/wave`. The address is the one of the services with JSON.',
+        text: 'Run it with `venv/bin/python publish.py` and open the topic `/python/wave`. Use the address of the services with JSON.',
       },
       {
         kind: 'text',
-        text: 'The node opens its WebSocket without TLS (`ws://`), so use an address with `http://`. It cannot present an invitation: run it on the machine of the master.',
+        text: 'The node opens its WebSocket without TLS (`ws://`), so use an address with `http://`. It cannot present an invitation: run it on the computer of the master.',
       },
       { kind: 'link', text: 'Topics', to: '/topics' },
     ],
@@ -69,7 +69,7 @@ asyncio.run(main())`,
       },
       {
         kind: 'text',
-        text: 'The node collects records for about 25 ms and sends the newest record of each topic as one list. It answers the `PING` of the master by itself.',
+        text: 'The node collects records for about 25 ms and sends the newest record of each topic as one list. It answers the `PING` of the master automatically.',
       },
       {
         kind: 'text',
@@ -82,34 +82,34 @@ asyncio.run(main())`,
     id: 'trust-the-certificate',
     title: 'Trust the certificate',
     intro:
-      'Phones give motion sensors and the camera only to secure pages. Install the certificate authority of this master once, and the browser opens its pages without a warning.',
+      'Phones allow motion sensors and the camera on secure pages only. Install the certificate authority of this master once, and the browser opens its pages without a warning.',
     blocks: [
       {
         kind: 'steps',
         steps: [
           'Open the page below on the device itself. It shows the steps for the system of the device.',
-          'Load the certificate, compare its fingerprint with the one on the page, and install it.',
+          'Download the certificate, compare its fingerprint with the one on the page, and install it.',
           'Open the secure address of the master (`https://`).',
         ],
       },
       {
         kind: 'text',
-        text: 'The private key of the authority stays in the data directory of the master. Remove the certificate when you do not use the master any more.',
+        text: 'The private key of the authority stays in the data directory of the master. Remove the certificate when you no longer use the master.',
       },
       { kind: 'link', text: 'Install the certificate', to: '/connect/certificate' },
     ],
   },
   {
     id: 'run-on-another-machine',
-    title: 'Run on another machine',
+    title: 'Run modules on another computer',
     intro:
-      'A node is a program that runs modules for the master: on a machine with more cores, or where a failure must not affect the master.',
+      'A node is a program that runs modules for the master, for example on a computer with more cores, or where a failure must not affect the master.',
     blocks: [
       {
         kind: 'steps',
         steps: [
-          'Get the project on the other machine.',
-          'On this machine choose Connect a phone, and make an invitation with the role participant.',
+          'Get the project on the other computer.',
+          'On this computer, choose Connect a phone and create an invitation with the role participant.',
           'Start the node with the address of this master and the code of the invitation.',
         ],
       },

@@ -12,7 +12,7 @@ export const callAService: Lesson = {
   title: 'Call a service',
   heading: 'Call a service',
   intro:
-    'Topics carry streams. A service is one request and one reply: it registers devices, starts sessions, and tells what the master knows.',
+    'Topics carry streams. A service is one request and one reply: it registers devices, starts sessions, or returns the state of the master.',
   minutes: 3,
   workspace: {
     kind: 'service',
@@ -21,7 +21,7 @@ export const callAService: Lesson = {
   steps: [
     {
       title: 'Ask the master for its name',
-      text: 'Select `server_configuration`. It takes no request. Press Call: the reply stands below, with the time from the request to the reply.',
+      text: 'Select `server_configuration`. It takes no request. Press Call. The reply appears below, with the time from the request to the reply.',
       checks: [
         serviceReplied('serverConfiguration', ({ reply }) => (reply as Replies).name || undefined, {
           id: 'reply',
@@ -33,7 +33,7 @@ export const callAService: Lesson = {
     },
     {
       title: 'List the topics',
-      text: 'Select `topic_list` and call it. The reply is of another format, a `stringList`: each service has one format for its request and one for its reply.',
+      text: 'Select `topic_list` and call it. The reply has another format, a `stringList`: each service has one format for its request and one for its reply.',
       checks: [
         serviceReplied(
           'topicList',
@@ -45,7 +45,7 @@ export const callAService: Lesson = {
     },
     {
       title: 'Send a request',
-      text: 'Select `client/get_list` and switch on With a request. Add one element and write your client id into its field `id`, or use JSON. The request is a profile: the reply holds only clients that match it.',
+      text: 'Select `client/get_list` and turn on With a request. Add one element and write your client id into its field `id`, or use JSON. The request is a profile: the reply holds only clients that match it.',
       checks: [
         serviceReplied(
           'clientGetList',
@@ -61,11 +61,11 @@ export const callAService: Lesson = {
     },
     {
       title: 'Read an error',
-      text: 'Select `session/runtime/stop` and write an `id` that does not exist, such as `nothing`. The master answers every call: it refuses with a code of a closed list and one sentence.',
+      text: 'Select `session/runtime/stop` and write an `id` that does not exist, such as `nothing`. The master answers every call: an error has a code from a fixed list and one sentence.',
       checks: [
         serviceRefused('sessionRuntimeStop', 'not_found', {
           id: 'error',
-          text: 'The master refuses with `not_found`',
+          text: 'The master replies with `not_found`',
           todo: 'call session/runtime/stop',
         }),
       ],

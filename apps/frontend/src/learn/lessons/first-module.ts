@@ -18,7 +18,7 @@ export const firstModule: Lesson = {
   title: 'First module',
   heading: 'Your first module, in five minutes',
   intro:
-    'A module takes values in, computes, and gives values out. You will turn the pointer of this page into a speed.',
+    'A module reads inputs, computes, and writes outputs. You will turn the pointer of this page into a speed.',
   minutes: 5,
   workspace: { kind: 'module', codes: [first, first, first, remembers, smooths] },
   steps: [
@@ -51,7 +51,7 @@ const speed = way / (deltaTimeMs / 1000 || 1);`,
       checks: [
         outputWithin(0.2, 1000, {
           id: 'moves',
-          text: 'speed comes out while the pointer moves',
+          text: '`speed` is above 0 while the pointer moves',
           todo: 'move the pointer',
         }),
         outputWithin(-0.001, 0.001, {
@@ -64,13 +64,13 @@ const speed = way / (deltaTimeMs / 1000 || 1);`,
     },
     {
       title: 'Smooth it with one number',
-      text: 'The speed jumps. Keep 80 % of the value before and take 20 % of the new one. Put out `state.smooth` in place of `speed`, press Run, move, and stop: the value now dies away.',
+      text: 'The speed jumps. Keep 80 % of the value before and take 20 % of the new one. Put out `state.smooth` in place of `speed`, press Run, move, and stop: the value now decays.',
       code: `state.smooth = 0.8 * (state.smooth ?? 0) + 0.2 * speed;
 return { outputs: { speed: { double: state.smooth } } };`,
       checks: [
         outputDecays(8, {
           id: 'decays',
-          text: 'speed dies away over 8 runs or more',
+          text: 'speed decays over 8 runs or more',
           todo: 'move, then stop',
         }),
       ],
@@ -78,12 +78,12 @@ return { outputs: { speed: { double: state.smooth } } };`,
     },
     {
       title: 'Put it into a session',
-      text: 'Until now only this tab ran the module. Press Run in a session: the master runs it, takes the pointer from its topic and publishes the speed on another one. Every client can subscribe to it.',
+      text: 'So far, only this tab ran the module. Press Run in a session: the master runs it, takes the pointer from its topic and publishes the speed on another one. Every client can subscribe to it.',
       checks: [
         sessionRuns({ id: 'running', text: 'A session runs', todo: 'press Run in a session' }),
         moduleRuns('pointer-speed', 5, {
           id: 'module',
-          text: 'The module runs at the master',
+          text: 'The module runs on the master',
           todo: 'wait for its report',
         }),
         topicArrives(outputOf('speed'), 5, {

@@ -19,7 +19,7 @@ export const manyPhones: Lesson = {
   steps: [
     {
       title: 'Connect two phones',
-      text: 'Connect two phones, or open them in this page: each is a client of its own with topics of its own. They stand beside the graph, one at a time.',
+      text: 'Connect two phones, or open them in this page: each is a client of its own with topics of its own. The page shows them beside the graph, one at a time.',
       checks: [
         phonesConnected(2, { id: 'phones', text: 'Two phones are connected', todo: 'open phones' }),
       ],

@@ -59,7 +59,7 @@ export const ownProgram: Lesson = {
     },
     {
       title: 'Stop it',
-      text: 'Stop the program with Ctrl+C in the terminal, or with the button. It deregisters: its client and the values of its devices are gone, and other clients receive the news.',
+      text: 'Stop the program with Ctrl+C in the terminal, or with the button. It deregisters: the master deletes its client and the values of its devices, and notifies other clients.',
       checks: [
         clientIs(PROGRAM_NAME, false, {
           id: 'gone',

@@ -9,7 +9,7 @@ export const wireTwoTopics: Lesson = {
   title: 'Wire two topics',
   heading: 'Wire two topics',
   intro:
-    'A session takes values from topics, lets modules work on them, and puts the results on other topics. You will mirror the pointer of this browser.',
+    'A session takes values from topics, processes them with modules, and publishes the results on other topics. You will mirror the pointer of this browser.',
   minutes: 3,
   workspace: { kind: 'graph', graph: 'mirror', phones: false },
   steps: [
@@ -40,7 +40,7 @@ export const wireTwoTopics: Lesson = {
     },
     {
       title: 'Wire the result to a topic',
-      text: 'Drag from the output `mirrored` to the topic at the right. Then press Apply: the session takes the change while it runs, and nothing restarts.',
+      text: 'Drag from the output `mirrored` to the topic at the right. Then press Apply. The change applies while the session runs, and nothing restarts.',
       checks: [
         topicArrives(mirrored, 1, {
           id: 'arrives',

@@ -102,7 +102,7 @@ function formats(): ReferencePage {
     id: 'data-formats',
     title: 'Data formats',
     intro:
-      'The format of a record decides what its value holds. Formats of one family share a colour and a socket.',
+      'The format of a record determines its value. Formats of one family share a colour and a socket.',
     sections: sections(entries),
   };
 }

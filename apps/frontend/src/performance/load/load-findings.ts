@@ -62,14 +62,14 @@ function kneeFigures(
   const top = steps.reduce((a, b) => (b.deliveredHz > a.deliveredHz ? b : a));
   const peak: Figure = {
     key: 'peak',
-    label: 'Most delivered',
+    label: 'Maximum delivery rate',
     value: Math.round(top.deliveredHz),
     unit: '/s',
     better: 'more',
   };
   const lost: Figure = {
     key: 'lost',
-    label: 'Most lost in a step',
+    label: 'Maximum loss in a step',
     value: Math.max(...steps.map(({ lostShare }) => lostShare)) * 100,
     unit: '%',
     decimals: 2,
@@ -128,11 +128,11 @@ function kneeNote({ firstBad, lastGood, trouble, isBrowser }: Knee, steps: reado
   const what = {
     latency: 'latency rose',
     losses: 'records were lost',
-    browser: 'this browser could not publish as fast as asked for',
+    browser: 'this browser could not publish at this rate',
   }[trouble ?? 'latency'];
-  const where = `At ${bad.wantedHz} records per second ${what}${lastGood === -1 ? ', in the first step already' : ''}.`;
+  const where = `At ${bad.wantedHz} records per second ${what}${lastGood === -1 ? ', already in the first step' : ''}.`;
   if (isBrowser) {
-    return `${where} The limit was this browser, not the system: its load generator was ${bad.lagP95Ms.toFixed(0)} ms late. The master may handle more; test from several browsers, or on a faster computer.`;
+    return `${where} This browser was the limit: its load generator was ${bad.lagP95Ms.toFixed(0)} ms late. The master may handle more. Test from several browsers, or on a faster computer.`;
   }
   if ((bad.masterCpuPercent ?? 0) >= MASTER_BUSY_PERCENT) {
     return `${where} The master was the limit: it used ${bad.masterCpuPercent!.toFixed(0)} % of a core.`;

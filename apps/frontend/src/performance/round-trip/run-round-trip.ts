@@ -11,7 +11,7 @@ export async function runRoundTrip(
   leavings: Leavings,
   run: TestRun,
 ): Promise<Findings> {
-  const { client, close } = await openTestClient('Round trip test', leavings, {
+  const { client, close } = await openTestClient('Round-trip test', leavings, {
     publishIntervalMs,
   });
   try {

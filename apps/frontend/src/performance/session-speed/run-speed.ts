@@ -126,5 +126,5 @@ async function whenRunning(client: UbiiClient, id: string, run: TestRun): Promis
 
 function troubleOf({ extension }: Session): string {
   const sentence = extension?.problems[0]?.message;
-  return `The session does not run. ${sentence ?? 'The master gives no reason.'}`;
+  return `The session does not run. ${sentence ?? 'The master reports no reason.'}`;
 }

@@ -28,12 +28,12 @@ export function speedFindings(parameters: SpeedParameters, record: SpeedRecord):
     figures: [
       ...runFigures(parameters, reports),
       ...durationFigures('work', 'Work', durations.summary()).slice(0, 2),
-      ...durationFigures('echo', 'In to out', echoes.summary()).slice(0, 3),
+      ...durationFigures('echo', 'Input to output', echoes.summary()).slice(0, 3),
       durationFigure('start', 'Start', startMs),
     ],
     histograms: [
       ...histogram('echo', 'From input to output', echoes),
-      ...histogram('work', 'Work of one run', durations),
+      ...histogram('work', 'Computing time of one run', durations),
     ],
     curves: curvesOf(reports),
     notes: notesOf(parameters, reports),

@@ -45,7 +45,7 @@ export function verdictOf(kind: TestKind, { figures }: Findings): Verdict | unde
 }
 
 function byLatency(p95: number, goodMs: number, where: string): Verdict {
-  const fact = `95 of 100 values are ${where} within ${round(p95)} ms`;
+  const fact = `95 of 100 values arrive ${where} within ${round(p95)} ms`;
   if (p95 <= goodMs) return { tone: 'good', text: `${fact}: not noticeable.` };
   if (p95 <= DIRECT_MS) {
     return {
