@@ -51,7 +51,7 @@ async function chooseHunt({ page }: Person): Promise<void> {
   for (const game of ['Marble Dash', 'King of the Hill'])
     await games.getByRole('button', { name: game }).click();
   await page.getByRole('button', { name: 'Host' }).click();
-  const things = page.getByRole('group', { name: 'Things that can be found here' });
+  const things = page.getByRole('group', { name: 'Things in this room' });
   for (const box of await things.getByRole('checkbox').all()) await box.uncheck();
   await things.getByRole('checkbox', { name: THING, exact: true }).check();
   await page.getByRole('button', { name: 'Close' }).click();
@@ -77,7 +77,7 @@ test('two phones hunt a cup: one shows the photo until the host takes it down, o
     await host.page.getByRole('button', { name: 'Start', exact: true }).click();
     await mara.page.getByRole('switch', { name: /^Show my photos/ }).tap();
     for (const { page } of [mara, theo]) {
-      await expect(page.getByText('This phone can look at photos')).toBeVisible();
+      await expect(page.getByText('The detector is ready')).toBeVisible();
       await page.getByRole('button', { name: 'Ready', exact: true }).tap();
     }
     await expect(host.page.getByRole('heading', { name: `Find ${THING}` })).toBeVisible();
@@ -104,7 +104,7 @@ test('two phones hunt a cup: one shows the photo until the host takes it down, o
     const file = theo.page.locator('input[type=file]');
     await file.setInputFiles(join(PHOTOS, 'chelsea.jpg'));
     await expect(card('Theo')).toContainText(`not ${THING}`);
-    await expect(theo.page.getByText('The phone saw: cat').first()).toBeVisible();
+    await expect(theo.page.getByText('The phone recognized: cat').first()).toBeVisible();
     await expect(shutter(theo)).toBeEnabled();
     await shutter(theo).tap();
     await expect(theo.page.getByText(/^Found as 2nd: \+\d/).first()).toBeVisible();

@@ -27,7 +27,7 @@ test('somebody watches without a seat, cheers on the big screen, and takes a sea
   // The spectator is not waited for
   for (const phone of players) await phone.ready();
   await screen.expectPhase('play');
-  const round = wim.getByRole('list', { name: 'The round as it stands' });
+  const round = wim.getByRole('list', { name: 'Current standings' });
   await expect(round).toContainText('Mara');
   await wim.getByRole('button', { name: 'Great' }).tap();
   const cheers = screen.page.getByRole('list', { name: 'Cheers' });

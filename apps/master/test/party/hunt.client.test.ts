@@ -84,7 +84,7 @@ describe('a photo hunt', () => {
     const { label } = hunt().hunt!;
     await shoot(mara, 'person');
     expect(mara.phone.facts.feedback).toMatchObject({ isReady: false });
-    expect(mara.phone.facts.feedback?.sentence).toContain('The phone saw: person');
+    expect(mara.phone.facts.feedback?.sentence).toContain('The phone recognized: person');
     await party.pass(2000);
     await shoot(mara, label);
     expect(mara.phone.facts.feedback?.sentence).toContain('Found as 1st');

@@ -111,7 +111,7 @@ test('a detector that did not load can be loaded again during the hunt', async (
   expect(page.get('.plate').text()).toContain('The detector did not load');
   expect(page.text).not.toContain('onCreated');
   expect(page.button('Take the photo').attributes('disabled')).toBeDefined();
-  await page.button('Load it again').trigger('click');
+  await page.button('Load the detector again').trigger('click');
   await flushPromises();
   expect(page.get('.plate').text()).not.toContain('The detector did not load');
   expect(page.button('Take the photo').attributes('disabled')).toBeUndefined();
@@ -160,15 +160,17 @@ test('without a camera the page says what to do, and pictures can be handed in',
 });
 
 test('nothing is handed in while a wrong photo costs time', async () => {
-  const link = await open(hunting({ isReady: false, sentence: 'The phone saw: bowl, not a cup.' }));
+  const link = await open(
+    hunting({ isReady: false, sentence: 'The phone recognized: bowl, not a cup.' }),
+  );
   expect(page.button('Take the photo').attributes('disabled')).toBeDefined();
-  expect(page.text).toContain('The phone saw: bowl');
+  expect(page.text).toContain('The phone recognized: bowl');
   expect(link.answers).toEqual([]);
 });
 
 test('the explanation asks for the camera and whether photos are shown', async () => {
   await open({ ...inRound('hunt', 'explanation') });
-  expect(page.text).toContain('This phone can look at photos');
+  expect(page.text).toContain('The detector is ready');
   expect(page.button('Turn on the camera').exists()).toBe(true);
   await page.button('Turn on the camera').trigger('click');
   await flushPromises();

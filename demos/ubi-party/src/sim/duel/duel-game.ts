@@ -33,7 +33,7 @@ export const duelGame: Game<DuelState, DuelSettings> = {
   title: 'Quick Draw',
   explanation: [
     'Wait until the flag falls, then press. Five times.',
-    'Who presses too early is out until the next time.',
+    'If you press too early, you are out until the next flag.',
     'Slow Wi-Fi does not matter: the time of your press counts.',
   ],
   controller: { steering: 'none', button: 'Draw', isHeld: false },

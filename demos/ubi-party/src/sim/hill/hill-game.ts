@@ -16,7 +16,7 @@ export const hillGame: Game<HillState, HillSettings> = {
   explanation: [
     'Stand in the yellow middle to get the crown. Your time with it is your score.',
     'Hold the button to charge, let it go to dash. Push the others off.',
-    'The rings fall, from the outside in. The last one who stands gets 20 seconds.',
+    'The rings fall from the outside in. The last player standing gets 20 seconds.',
   ],
   controller: { steering: 'stick', button: 'Dash', isHeld: true },
   settings: { friction: 1, speed: 1, push: 1 },

@@ -59,7 +59,7 @@ function questionOf(hunt: Hunt, photo: HuntPhoto | undefined): Question {
 function sentenceFor(state: HuntState, seat: Seat, photo: HuntPhoto | undefined): string {
   const { hunt, decided } = state;
   if (!hunt) return 'Get your camera ready.';
-  if (!hunt.hunters.includes(seat)) return 'Those who share the first place hunt one more thing.';
+  if (!hunt.hunters.includes(seat)) return 'Players who share the first place hunt one more thing.';
   const { name } = thingOf(hunt.label);
   const gain = (decided?.gains ?? gainsOf(hunt))[seat];
   if (gain) {
@@ -67,13 +67,13 @@ function sentenceFor(state: HuntState, seat: Seat, photo: HuntPhoto | undefined)
     return `Found as ${ordinal(gain.place)}: +${decided ? gain.points : pointsOfPlace(gain.place)}${best}.`;
   }
   if (decided) return `You did not find ${name}. Next thing in a moment.`;
-  if (photo?.verdict === 'looking') return 'Your phone looks at the photo.';
+  if (photo?.verdict === 'looking') return 'Your phone checks the photo.';
   if (photo?.verdict === 'wrong') return `${whatIsSeen(photo)}, not ${name}. Try again.`;
   return `Take a photo of ${name}.`;
 }
 
 /** Detectors name classes without an article. */
 function whatIsSeen({ text }: HuntPhoto): string {
-  if (text === 'nothing') return 'The phone saw nothing that it knows';
-  return `The phone saw: ${text}`;
+  if (text === 'nothing') return 'The phone recognized nothing';
+  return `The phone recognized: ${text}`;
 }

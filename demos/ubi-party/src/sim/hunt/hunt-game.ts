@@ -13,9 +13,9 @@ export const huntGame: Game<HuntState, HuntSettings> = {
   id: 'hunt',
   title: 'Photo Hunt',
   explanation: [
-    'Find the thing that is named, and take a photo of it. Five things.',
+    'Find the thing on the screen and take a photo of it. Five things.',
     'The first gets 3 points, the second 2, others 1, and the best photo 1 more.',
-    'Your phone looks at the photo. Nobody sees it unless you show it.',
+    'Your phone checks the photo. Nobody sees it unless you show it.',
   ],
   controller: { steering: 'camera', button: 'Take a photo', isHeld: false },
   settings: FIRST_SETTINGS,

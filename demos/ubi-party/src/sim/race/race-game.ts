@@ -10,9 +10,9 @@ export const raceGame: Game<RaceState, RaceSettings> = {
   id: 'race',
   title: 'Marble Dash',
   explanation: [
-    'Steer by tilting the phone, or with your thumb. The cart drives by itself.',
+    'Steer by tilting the phone, or with your thumb. The cart drives automatically.',
     'Chevrons boost you. Press when the pad is full for a boost of your own.',
-    'Who leaves the track is put back. When the first has finished, the others have a time limit.',
+    'If you leave the track, you are put back. When the first player finishes, the others have a time limit.',
   ],
   controller: { steering: 'wheel', button: 'Boost', isHeld: false },
   settings: { speed: 1, grip: 1, gravity: 1 },

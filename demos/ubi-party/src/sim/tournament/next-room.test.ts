@@ -141,7 +141,9 @@ describe('a tournament', () => {
     expect(() => after(playing, { type: 'set-teams', by: 'host', teams: 2 })).toThrow(
       'in the lobby only',
     );
-    expect(() => after(pair, { type: 'set-teams', by: 'host', teams: 1 })).toThrow('0 or 2 to 4');
+    expect(() => after(pair, { type: 'set-teams', by: 'host', teams: 1 })).toThrow(
+      'no teams, or 2 to 4',
+    );
     const teams = after(pair, { type: 'set-teams', by: 'host', teams: 2 });
     expect([0, 1, 2].map((seat) => teamOf(teams, seat))).toEqual([0, 1, 0]);
     expect(teamOf(pair, 0)).toBeUndefined();

@@ -67,11 +67,11 @@ function lead(room: Room, event: Extract<RoomEvent, { by: Asker }>, nowMs: numbe
         event.teams > MAX_TEAMS ||
         event.teams === 1
       )
-        throw new RoomRefusal(`Teams: 0 or 2 to ${MAX_TEAMS}.`);
+        throw new RoomRefusal(`Choose no teams, or 2 to ${MAX_TEAMS}.`);
       return { ...room, teams: event.teams };
     case 'set-games':
       checkInLobby(room, 'Games');
-      if (event.games.length === 0) throw new RoomRefusal('Choose one game or more.');
+      if (event.games.length === 0) throw new RoomRefusal('Choose at least one game.');
       return { ...room, games: event.games };
     case 'set-pace':
       return setPace(room, event.pace);

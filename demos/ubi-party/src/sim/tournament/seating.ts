@@ -65,7 +65,7 @@ export function handOver(room: Room, key: string, to: string): Room {
   if (!room.players.some((player) => player.key === key))
     throw new RoomRefusal('Another phone has this seat.');
   if (room.players.some((player) => player.key === to))
-    throw new RoomRefusal('This phone has a seat already. Leave it first.');
+    throw new RoomRefusal('This phone already has a seat. Leave it first.');
   const others = withoutSpectators(room, (one) => one.key === to);
   return setAway(changed(others, key, { key: to }), to, undefined);
 }

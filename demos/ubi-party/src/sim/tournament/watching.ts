@@ -24,10 +24,10 @@ export interface Cheer {
 /** Watches without a seat, also when the game is locked or full. */
 export function watch(room: Room, key: string, name: string): Room {
   if (room.players.some((player) => player.key === key))
-    throw new RoomRefusal('This phone has a seat already. Leave it first.');
+    throw new RoomRefusal('This phone already has a seat. Leave it first.');
   const others = room.spectators.filter((one) => one.key !== key);
   if (others.length >= MAX_SPECTATORS)
-    throw new RoomRefusal(`${MAX_SPECTATORS} people watch already.`);
+    throw new RoomRefusal(`The limit of ${MAX_SPECTATORS} spectators is reached.`);
   const taken = [...room.players, ...others].map((one) => one.name);
   const spectator = { key, name: distinctName(taken, toName(name) || NAMELESS) };
   return { ...room, spectators: [...others, spectator] };
