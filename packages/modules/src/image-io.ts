@@ -10,7 +10,7 @@ export const IMAGE_INPUT = {
 export const BACKEND_INPUT = {
   format: 'string',
   default: 'auto',
-  description: 'What computes; auto chooses the fastest.',
+  description: 'Backend; auto chooses the fastest.',
   choices: BACKEND_CHOICES,
 } as const;
 
@@ -22,8 +22,8 @@ export const MAX_RATE_INPUT = {
 
 /** The times of one image. */
 export const TIME_OUTPUTS = {
-  decodeMs: { format: 'double', description: 'Time of decoding the image, ms.' },
-  durationMs: { format: 'double', description: 'Time of decoding and computing together, ms.' },
+  decodeMs: { format: 'double', description: 'Decoding time of the image, ms.' },
+  durationMs: { format: 'double', description: 'Decoding and computing time, ms.' },
 } as const;
 
 /** What computes, and what does not. */
@@ -34,6 +34,6 @@ export const BACKEND_OUTPUTS = {
   },
   backendFault: {
     format: 'string',
-    description: 'Which backends failed, why, and what replaces them; empty when none failed.',
+    description: 'Failed backends, reasons and replacements; empty when none failed.',
   },
 } as const;

@@ -39,7 +39,7 @@ export const bodyPose = defineProcessingModule({
     smoothingMs: {
       format: 'double',
       default: 80,
-      description: 'Smoothing time constant, 0 to 10 000 ms; 0 smooths nothing.',
+      description: 'Smoothing time constant, 0 to 10 000 ms; 0 turns smoothing off.',
     },
     maxRate: { ...MAX_RATE_INPUT, default: 15 },
     backend: BACKEND_INPUT,
@@ -51,13 +51,13 @@ export const bodyPose = defineProcessingModule({
     },
     score: {
       format: 'double',
-      description: 'Mean score of all keypoints, 0 to 1; below 0.2 there is hardly a body.',
+      description: 'Mean score of all keypoints, 0 to 1; below 0.2, a body is unlikely.',
     },
     ...TIME_OUTPUTS,
     ...BACKEND_OUTPUTS,
     error: {
       format: 'string',
-      description: 'What is wrong with the image or the backend; empty when nothing is.',
+      description: 'Problem with the image or the backend; empty when there is none.',
     },
   },
   mode: { triggerOnInput: {} },

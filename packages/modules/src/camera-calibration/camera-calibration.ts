@@ -20,7 +20,7 @@ interface CalibrationState {
 /** Collects views of a printed ChArUco board and computes the calibration of a camera, by OpenCV. */
 export const cameraCalibration = defineProcessingModule({
   name: 'camera-calibration',
-  description: 'Calibrates a camera by a printed board.',
+  description: 'Calibrates a camera with a printed board.',
   tags: ['image', 'vision', 'camera'],
   authors: ['Ubi-Interact'],
   version: '1.0.0',
@@ -58,14 +58,14 @@ export const cameraCalibration = defineProcessingModule({
       description: 'Calibration as JSON, once all views are taken; input of marker-tracking.',
     },
     views: { format: 'double', description: 'Views taken so far, 0 to 12.' },
-    hint: { format: 'string', description: 'What to do next, in one sentence.' },
+    hint: { format: 'string', description: 'Next step for the user, one sentence.' },
     corners: {
       format: 'object2DList',
       description: 'Corners between the squares that are seen, 0 to 1 of width and height.',
     },
     error: {
       format: 'string',
-      description: 'What is wrong with the image or the board; empty when nothing is.',
+      description: 'Problem with the image or the board; empty when there is none.',
     },
   },
   mode: { triggerOnInput: {} },

@@ -58,7 +58,7 @@ export const handPose = defineProcessingModule({
     ...BACKEND_OUTPUTS,
     error: {
       format: 'string',
-      description: 'What is wrong with the image or the backend; empty when nothing is.',
+      description: 'Problem with the image or the backend; empty when there is none.',
     },
   },
   mode: { triggerOnInput: {} },

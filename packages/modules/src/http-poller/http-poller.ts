@@ -58,7 +58,7 @@ export const httpPoller = defineProcessingModule({
     status: { format: 'int32', description: 'HTTP status of the response.' },
     error: {
       format: 'string',
-      description: 'Why there is no value; empty after the next success.',
+      description: 'Reason for a missing value; empty after the next success.',
     },
   },
   mode: { frequency: { hertz: 10 } },

@@ -67,7 +67,7 @@ export const imageTools = defineProcessingModule({
     ...TIME_OUTPUTS,
     error: {
       format: 'string',
-      description: 'What is wrong with the image or a parameter; empty when nothing is.',
+      description: 'Problem with the image or a parameter; empty when there is none.',
     },
   },
   mode: { triggerOnInput: {} },

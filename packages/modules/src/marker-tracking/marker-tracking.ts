@@ -43,7 +43,7 @@ export const markerTracking = defineProcessingModule({
     },
     calibration: {
       format: 'string',
-      description: 'Calibration of the camera as JSON, as camera-calibration puts it out.',
+      description: 'Calibration of the camera as JSON, as output by camera-calibration.',
     },
     fieldOfView: {
       format: 'double',
@@ -54,7 +54,7 @@ export const markerTracking = defineProcessingModule({
     smoothingMs: {
       format: 'double',
       default: 0,
-      description: 'Smoothing time constant, 0 to 10 000 ms; 0 smooths nothing.',
+      description: 'Smoothing time constant, 0 to 10 000 ms; 0 turns smoothing off.',
     },
     maxRate: { ...MAX_RATE_INPUT, default: 30 },
   },
@@ -73,7 +73,7 @@ export const markerTracking = defineProcessingModule({
     error: {
       format: 'string',
       description:
-        'What is wrong with the image, the calibration or a parameter; empty when nothing is.',
+        'Problem with the image, the calibration or a parameter; empty when there is none.',
     },
   },
   mode: { triggerOnInput: {} },

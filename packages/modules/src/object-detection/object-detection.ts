@@ -74,7 +74,7 @@ export const objectDetection = defineProcessingModule({
     ...BACKEND_OUTPUTS,
     error: {
       format: 'string',
-      description: 'What is wrong with image, classes, detector or backend; empty when nothing is.',
+      description: 'Problem with image, classes, detector or backend; empty when there is none.',
     },
   },
   mode: { triggerOnInput: {} },

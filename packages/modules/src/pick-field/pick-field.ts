@@ -35,7 +35,7 @@ export const pickField = defineProcessingModule({
       description: 'The field as a rotation, if it has x, y, z and w.',
     },
     color: { format: 'color', description: 'The field, if it has r, g, b and a.' },
-    error: { format: 'string', description: 'What is wrong with the path; empty when nothing is.' },
+    error: { format: 'string', description: 'Problem with the path; empty when there is none.' },
   },
   mode: { triggerOnInput: {} },
   createState: () => ({ error: '' }),

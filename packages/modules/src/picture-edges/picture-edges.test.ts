@@ -46,7 +46,7 @@ describe.each(WAYS)('picture-edges %s', (_way, drive) => {
     const module = await drive(pictureEdges);
     const wrong = { ...grey(STEP), width: 5 };
     expect(await module.run(0, { picture: wrong })).toEqual({
-      error: 'The picture has 12 bytes instead of 15. Send raw pixels: GRAY8, RGB8 or RGBA8.',
+      error: 'The image has 12 bytes instead of 15. Send raw pixels: GRAY8, RGB8 or RGBA8.',
     });
     expect(await module.run(0)).toEqual({});
     expect(await module.run(0, { picture: grey(STEP) })).toMatchObject({ error: '' });

@@ -30,7 +30,7 @@ export const pictureEdges = defineProcessingModule({
     edges: { format: 'image2D', description: 'Strength of the edges, GRAY8.' },
     error: {
       format: 'string',
-      description: 'What is wrong with the image; empty when nothing is.',
+      description: 'Problem with the image; empty when there is none.',
     },
   },
   mode: { triggerOnInput: {} },
@@ -54,9 +54,9 @@ export const pictureEdges = defineProcessingModule({
     const size = width * height;
     let error = '';
     if (!(width > 0 && height > 0 && data?.length === size * channels)) {
-      error = `The picture has ${data?.length ?? 0} bytes instead of ${size * channels}. Send raw pixels: GRAY8, RGB8 or RGBA8.`;
+      error = `The image has ${data?.length ?? 0} bytes instead of ${size * channels}. Send raw pixels: GRAY8, RGB8 or RGBA8.`;
     } else if (size > 640 * 480) {
-      error = `The picture has ${width} × ${height} pixels. Send at most 640 × 480.`;
+      error = `The image has ${width} × ${height} pixels. Send at most 640 × 480.`;
     }
     const isNew = error !== state.error;
     state.error = error;

@@ -24,7 +24,7 @@ export const speedVector2 = defineProcessingModule({
     smoothingMs: {
       format: 'double',
       default: 60,
-      description: 'Smoothing time constant, 0 to 60 000 ms; 0 smooths nothing.',
+      description: 'Smoothing time constant, 0 to 60 000 ms; 0 turns smoothing off.',
     },
   },
   outputs: {

@@ -55,7 +55,7 @@ export const touchProximity = defineProcessingModule({
     vibrationMs: {
       format: 'double',
       default: 100,
-      description: 'Duration of the vibration, 0 to 10 000 ms; 0 vibrates nothing.',
+      description: 'Duration of the vibration, 0 to 10 000 ms; 0 turns vibration off.',
     },
     maxAgeMs: {
       format: 'double',
