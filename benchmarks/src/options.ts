@@ -34,7 +34,7 @@ const QUICK = { rounds: 3, measureMs: 500, warmUpMs: 200 };
 
 const OPTIONS = {
   quick: switchOption(
-    `${QUICK.rounds} rounds of ${QUICK.measureMs / 1000} s: to see that it works, not to judge by.`,
+    `${QUICK.rounds} rounds of ${QUICK.measureMs / 1000} s: to check that it works; the figures do not count.`,
   ),
   rounds: option<number | undefined>({
     placeholder: '<number>',
@@ -49,16 +49,16 @@ const OPTIONS = {
     placeholder: '<number>',
     fallback: undefined,
     fallbackText: String(DEFAULTS.measureMs / 1000),
-    description: 'Length of one measurement.',
+    description: 'Duration of one measurement.',
     parse: parseNumber(0.1, 60),
   }),
   wait: option({
     placeholder: '<seconds>',
     fallback: 0,
-    description: 'Wait for other processes before a measurement, at most so long in all.',
+    description: 'Maximum total time to wait for other processes before measurements.',
     parse: parseNumber(0, 3600),
   }),
-  out: pathOption('<file>', 'benchmarks/results/<time>.json', 'Where the JSON goes.'),
+  out: pathOption('<file>', 'benchmarks/results/<time>.json', 'File for the results, as JSON.'),
   master: pathOption(
     '<file>',
     'the one that is built here',

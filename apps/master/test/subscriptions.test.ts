@@ -37,7 +37,7 @@ describe('subscriptions', () => {
     async (source) => {
       const { ben, ada } = await createPair({ patterns: new Re2Patterns() });
       await expect(ben.subscribe({ subscribeTopicRegexp: [source] })).rejects.toThrow(
-        /^invalid_argument: ".*" is no regular expression with RE2 syntax: .+/,
+        /^invalid_argument: ".*" is not a regular expression in RE2 syntax: .+/,
       );
       ada.publish('/a', 'double', 1);
       expect(ben.takeSent()).toEqual([]);

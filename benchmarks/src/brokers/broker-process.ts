@@ -59,7 +59,7 @@ function firstLine(
       reject(new Error(`The broker ${name} ${reason}.\n${log()}`.trimEnd()));
     };
     const timer = setTimeout(
-      () => fail(`said no address within ${START_TIMEOUT_MS / 1000} s`),
+      () => fail(`did not report its address within ${START_TIMEOUT_MS / 1000} s`),
       START_TIMEOUT_MS,
     );
     child.once('error', (error) => fail(`could not be started: ${error.message}`));

@@ -43,7 +43,7 @@ export function moduleCallee(sandbox: Sandbox, payload: Payload): Callee<Uint8Ar
       const { outputs, faults } = await sandbox.run({ deltaTimeMs: 1, inputs });
       const [output] = outputs;
       if (output === undefined || !('value' in output)) {
-        throw new Error(`The module put nothing out: ${JSON.stringify(faults)}`);
+        throw new Error(`The module published nothing: ${JSON.stringify(faults)}`);
       }
       return output.value.bytes;
     },

@@ -73,7 +73,7 @@ test('an admin gets the model of a detector, cancels, and sees why it cannot be 
     mirror.answer = (response) => void response.writeHead(200).end(Buffer.alloc(527_315));
     await button(anna, GET).click();
     const alert = page.getByRole('alert').filter({ hasText: 'its SHA-256 differs' });
-    await expect(alert).toContainText(`${mirror.url.slice(0, -1)} sent another file`);
+    await expect(alert).toContainText(`${mirror.url.slice(0, -1)} sent a file that differs`);
     await expect(alert).toContainText('download the files of https://storage.googleapis.com/');
     await expect(alert).toContainText(join(models, 'coco-ssd'));
     expect(existsSync(join(models, 'coco-ssd'))).toBe(false);

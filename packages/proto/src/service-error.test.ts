@@ -74,7 +74,7 @@ describe('ServiceError', () => {
       message: 'SubscriptionService',
     });
     expect(ServiceError.fromWire({ title: '', message: '', stack: '', code: '' }).message).toBe(
-      'The master gave no reason.',
+      'The master reported no reason.',
     );
   });
 });

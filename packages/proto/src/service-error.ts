@@ -73,7 +73,7 @@ export class ServiceError extends Error {
     }
     return new ServiceError(
       'internal',
-      'The request failed for a reason that lies with the master; its log says more.',
+      'The request failed because of an internal error of the master. See the log of the master.',
       { cause: thrown },
     );
   }
@@ -98,7 +98,7 @@ export class ServiceError extends Error {
     error: Omit<ErrorMessage, 'problems' | 'join'> & Partial<ErrorMessage>,
   ): ServiceError {
     const code = isServiceErrorCode(error.code) ? error.code : 'internal';
-    const message = error.message.trim() || error.title.trim() || 'The master gave no reason.';
+    const message = error.message.trim() || error.title.trim() || 'The master reported no reason.';
     return new ServiceError(code, message, {
       ...(error.title === '' ? {} : { title: error.title }),
       details: {

@@ -64,6 +64,6 @@ function parse(text: string): StoredDocument {
   try {
     return { json: JSON.parse(text) };
   } catch (error) {
-    return { fault: `it is no JSON: ${String(error)}` };
+    return { fault: `it is not valid JSON: ${String(error)}` };
   }
 }

@@ -149,7 +149,7 @@ describe('a caller that has joined', () => {
     expect(values.reply.error?.message).toMatch(/at most 8192 values .*at byte \d+/);
     const deep = await post(master, `{"u":${'['.repeat(100)}`);
     expect(deep.reply.error).toMatchObject({ code: 'resource_exhausted' });
-    expect(deep.reply.error?.message).toMatch(/requestDepth\), which is passed at byte 68;/);
+    expect(deep.reply.error?.message).toMatch(/requestDepth\), which is exceeded at byte 68\./);
     const request = {
       topic: '/services/topic_list',
       session: { processingModules: Array(9_000).fill({}) },

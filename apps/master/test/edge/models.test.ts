@@ -127,7 +127,7 @@ describe('models of a master [EX-57] [EX-58]', () => {
     writeFileSync(join(folder, 'manifest.json'), '{');
     const damaged = await tiny();
     expect(state(damaged)).toBe(AssetSetState.ASSET_SET_STATE_DAMAGED);
-    expect(damaged.problem).toContain('is no JSON');
+    expect(damaged.problem).toContain('is not valid JSON');
     await call('asset_set_download', 'tiny');
     expect(state(await settled())).toBe(AssetSetState.ASSET_SET_STATE_PRESENT);
   });

@@ -94,7 +94,7 @@ function parsed(name: string, bytes: Uint8Array): unknown {
   try {
     return JSON.parse(new TextDecoder().decode(bytes));
   } catch {
-    throw new AssetError('damaged', `The manifest of the asset set ${name} is no JSON.`);
+    throw new AssetError('damaged', `The manifest of the asset set ${name} is not valid JSON.`);
   }
 }
 

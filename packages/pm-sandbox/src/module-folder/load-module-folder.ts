@@ -37,7 +37,7 @@ export async function loadModuleFolder(folder: string): Promise<LoadedFolder> {
         const other = modules.get(module.name)?.file;
         if (other === undefined) modules.set(module.name, { file, module });
         else {
-          const message = `The module "${module.name}" is in ${other} already, and this one is left out`;
+          const message = `The module "${module.name}" is already defined in ${other}, so this one is ignored`;
           problems.push({ file, message });
         }
       }

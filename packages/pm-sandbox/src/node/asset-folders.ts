@@ -211,7 +211,7 @@ function parsed(name: string, text: string): unknown {
   try {
     return JSON.parse(text);
   } catch {
-    throw new AssetError('damaged', `The manifest of the asset set ${name} is no JSON.`);
+    throw new AssetError('damaged', `The manifest of the asset set ${name} is not valid JSON.`);
   }
 }
 

@@ -100,7 +100,7 @@ function startWorker(
   });
   worker.on('exit', (code) => {
     listener.onGone();
-    over('exit', `The worker ended by itself, with code ${code}.`);
+    over('exit', `The worker exited unexpectedly with code ${code}.`);
   });
   worker.unref();
   return {

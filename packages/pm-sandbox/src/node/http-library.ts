@@ -33,7 +33,7 @@ async function follow(start: string, allowed: ReadonlySet<string>): Promise<Resp
     await response.body?.cancel();
     url = checked(new URL(location, url).href, allowed);
   }
-  throw new Error(`${start} sends on more than ${MAX_REDIRECTS} times`);
+  throw new Error(`${start} redirects more than ${MAX_REDIRECTS} times`);
 }
 
 async function fetchOnce(url: URL, signal: AbortSignal): Promise<Response> {

@@ -34,8 +34,7 @@ interface PendingCall extends WatchedCall {
 
 /** What a check may take before its worker is ended; it has limits of its own inside. */
 const CHECK_TIMEOUT_MS = 500;
-const DEAF =
-  'The worker does not answer: a timer or another background job of a module holds it up.';
+const DEAF = 'The worker does not answer: a timer or another background job of a module blocks it.';
 
 /** One worker: sends calls in batches, takes answers, and watches that they come. */
 export class WorkerHost {

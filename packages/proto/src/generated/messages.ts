@@ -1497,7 +1497,7 @@ export interface ClientExtension {
 }
 
 /**
- * Gives a client another name. Rule EX-29.
+ * Renames a client. Rule EX-29.
  *
  * `ubii.extension.ClientRenameRequest`
  */
@@ -1784,7 +1784,7 @@ export interface MasterStatus {
   nowMs: number;
   /** Records received from clients. */
   recordsIn: number;
-  /** Records handed to subscribers. */
+  /** Records delivered to subscribers. */
   recordsOut: number;
   /** Bytes of the frames received from clients. */
   bytesIn: number;

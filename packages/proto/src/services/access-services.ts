@@ -6,7 +6,7 @@ export const ACCESS_SERVICES = {
     '/services/ubii/join_check',
     'joinCheckRequest',
     'joinCheck',
-    'Says what a join token or code is good for, or what the caller may do.',
+    'Returns the role and page of a join token or code, or the rights of the caller.',
   ),
   accessGrantCreate: withPayload(
     '/services/ubii/access_grant_create',
@@ -29,6 +29,6 @@ export const ACCESS_SERVICES = {
     '/services/ubii/audit_log',
     'auditLogRequest',
     'auditLog',
-    'Returns what admins and participants did, the newest first.',
+    'Returns the audit log: actions of admins and participants, newest first.',
   ),
 } as const;

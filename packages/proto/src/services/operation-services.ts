@@ -6,35 +6,35 @@ export const OPERATION_SERVICES = {
     '/services/ubii/client_report',
     'clientReportRequest',
     'clientReport',
-    'Returns what clients do: rates, queues, drops, subscriptions and their share of the work.',
+    'Returns the activity of clients: rates, queues, drops, subscriptions and their share of the work.',
   ),
   clientRename: withPayload(
     '/services/ubii/client_rename',
     'clientRenameRequest',
     'client',
-    'Gives a client another name.',
+    'Renames a client.',
   ),
   clientDisconnect: withPayload(
     '/services/ubii/client_disconnect',
     'clientDisconnectRequest',
     'success',
-    'Removes a client, which stops and tells its user why.',
+    'Disconnects a client, which stops and shows its user the reason.',
   ),
   clientThrottle: withPayload(
     '/services/ubii/client_throttle',
     'clientThrottleRequest',
     'success',
-    'Limits the records a client publishes per second, or lifts that limit.',
+    'Limits the records that a client publishes per second, or removes this limit.',
   ),
   limitList: withoutPayload(
     '/services/ubii/limit_list',
     'limitList',
-    'Lists the limits in force, with their reasons and their present use.',
+    'Lists the limits with their reasons and current use.',
   ),
   settingList: withoutPayload(
     '/services/ubii/setting_list',
     'settingList',
-    'Lists the options the master was started with, without secrets.',
+    'Lists the start options of the master, without secrets.',
   ),
   logTail: withPayload(
     '/services/ubii/log_tail',
@@ -45,7 +45,7 @@ export const OPERATION_SERVICES = {
   lanOpen: withoutPayload(
     '/services/ubii/lan_open',
     'success',
-    'Lets other machines of the local network reach the master, until it ends.',
+    'Opens the master to the local network until it exits.',
   ),
   assetSetList: withoutPayload(
     '/services/ubii/asset_set_list',
@@ -68,6 +68,6 @@ export const OPERATION_SERVICES = {
     '/services/ubii/module_version_list',
     'moduleVersionRequest',
     'moduleVersionList',
-    'Lists the versions of a module that are kept, or returns one of them.',
+    'Lists the stored versions of a module, or returns one of them.',
   ),
 } as const;

@@ -41,7 +41,7 @@ export const PROCESSING_MODULE_SERVICES = {
     '/services/processing_module/database/local/get_list',
     'processingModuleList',
     'processingModuleList',
-    'Lists the processing modules stored at the master.',
+    'Lists the processing modules stored on the master.',
     { constant: 'PM_DATABASE_LOCAL_GET_LIST' },
   ),
   processingModuleRuntimeAdd: withPayload(

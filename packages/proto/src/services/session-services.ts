@@ -38,7 +38,7 @@ export const SESSION_SERVICES = {
   sessionDatabaseLocalGetList: withoutPayload(
     '/services/session/database/local/get_list',
     'sessionList',
-    'Lists the sessions stored at the master.',
+    'Lists the sessions stored on the master.',
     { constant: 'SESSION_DATABASE_LOCAL_GET_LIST' },
   ),
   sessionRuntimeAdd: withPayload(
@@ -52,7 +52,7 @@ export const SESSION_SERVICES = {
     '/services/session/runtime/remove',
     'session',
     'success',
-    'Removes a session; it is stopped first.',
+    'Stops and deletes a session.',
     { constant: 'SESSION_RUNTIME_REMOVE' },
   ),
   sessionRuntimeGet: withPayload(
@@ -72,7 +72,7 @@ export const SESSION_SERVICES = {
     '/services/session/runtime/start',
     'session',
     'session',
-    'Starts a session: a known one by id or name, or the one given.',
+    'Starts a session: an existing one by id or name, or the given one.',
     { constant: 'SESSION_RUNTIME_START' },
   ),
   sessionRuntimeStop: withPayload(

@@ -113,7 +113,7 @@ async function readRequest(
   if (encoding !== undefined && encoding.toLowerCase() !== 'identity') {
     throw new ServiceError(
       'invalid_argument', // [SV-48]
-      'The body of the request is compressed; send it without the header Content-Encoding.',
+      'The body of the request is compressed. Send it uncompressed, without the header Content-Encoding.',
     );
   }
   const scan =

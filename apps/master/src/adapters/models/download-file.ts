@@ -78,7 +78,7 @@ async function receive(
   }
   const wrong = (why: string): DownloadError =>
     new DownloadError(
-      `${url.origin} sent another file than the known ${file.path}: ${why}. It was not kept.`,
+      `${url.origin} sent a file that differs from the expected ${file.path}: ${why}. The file was discarded.`,
     );
   const hash = createHash('sha256');
   let received = 0;

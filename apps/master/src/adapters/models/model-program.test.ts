@@ -118,12 +118,15 @@ describe('npm run models [EX-59]', () => {
     const abort = new AbortController();
     bucket.onRequest = () => abort.abort();
     const { code, output } = await run(['get', 'tiny'], { signal: abort.signal });
-    expect([code, output.split('\n').at(-2)]).toEqual([130, 'Cancelled. Nothing was kept.']);
+    expect([code, output.split('\n').at(-2)]).toEqual([
+      130,
+      'Cancelled. The downloaded files were deleted.',
+    ]);
     expect(left()).toEqual([]);
   });
 
   it.each([
-    [['get', 'other'], 'There is no model "other" to download. There are: tiny.'],
+    [['get', 'other'], 'No model is named "other". Available models: tiny.'],
     [['get'], 'Unexpected arguments: get.'],
     [['get', 'tiny', 'more'], 'Unexpected arguments: get tiny more.'],
     [['remove', 'tiny'], 'npm run models -- get <name>'],

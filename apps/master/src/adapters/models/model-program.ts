@@ -110,7 +110,7 @@ async function get(
   const model = models.find((one) => one.name === name);
   if (model === undefined) {
     const names = models.map((one) => one.name).join(', ');
-    writeError(`There is no model "${name}" to download. There are: ${names}.\n`);
+    writeError(`No model is named "${name}". Available models: ${names}.\n`);
     return 1;
   }
   prepareDataDir(dataDir);
@@ -129,7 +129,7 @@ async function get(
   } catch (error) {
     progress.end();
     if (signal.aborted) {
-      writeError('Cancelled. Nothing was kept.\n');
+      writeError('Cancelled. The downloaded files were deleted.\n');
       return 130;
     }
     if (!(error instanceof DownloadError)) throw error;

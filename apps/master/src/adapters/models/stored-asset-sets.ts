@@ -52,13 +52,13 @@ export class StoredAssetSets implements AssetSets {
     if (model === undefined) {
       throw new ServiceError(
         'not_found',
-        `The master knows no model "${name}" to download. Put its files into the folder models/${name} of the data directory.`,
+        `The master cannot download a model named "${name}". Put its files into the folder models/${name} of the data directory.`,
       );
     }
     if (this.#isRunning(name)) return;
     const { state } = await this.#describe(name);
     if (state === AssetSetState.ASSET_SET_STATE_PRESENT) {
-      throw new ServiceError('already_exists', `The asset set ${name} is there already.`);
+      throw new ServiceError('already_exists', `The asset set ${name} is already installed.`);
     }
     if (!this.#isRunning(name)) this.#start(model);
   }

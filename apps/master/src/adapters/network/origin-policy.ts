@@ -26,7 +26,7 @@ export type OriginVerdict =
 export type PageKind = 'own' | 'named' | 'foreign';
 
 const NAMELESS =
-  'A page that was opened from a file, or is shut off in a frame, may use this master only with a token of its own. Create an invitation for it, and send its token as Authorization: Bearer.';
+  'A page that was opened from a file or runs in an isolated frame may use this master only with its own token. Create an invitation for it, and send its token as Authorization: Bearer.';
 
 /**
  * Decides which web pages may talk to this master. [SV-8]
@@ -56,7 +56,7 @@ export class OriginPolicy {
     if (host !== undefined && !this.#isOurHost(host)) {
       return {
         kind: 'refused',
-        reason: `This master does not go by the name "${host.slice(0, 200)}": open it by its address, or start it with --allowed-origins http://${host.slice(0, 200)}.`,
+        reason: `The hostname "${host.slice(0, 200)}" is not allowed. Open the master by its address, or start it with --allowed-origins http://${host.slice(0, 200)}.`,
       };
     }
     const origin = headers.origin?.toLowerCase();

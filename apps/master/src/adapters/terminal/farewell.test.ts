@@ -44,7 +44,7 @@ describe('formatRestored()', () => {
   it('bounds how many it explains', () => {
     const others = many.map((name) => ({ name, reason: 'Gone.' }));
     expect(formatRestored({ running: [], others })).toContain(
-      '2 more do not run as before. The page Sessions lists them.',
+      '2 more do not run as before. The Sessions page lists them.',
     );
   });
 });

@@ -16,7 +16,7 @@ export function formatRestored({ running, others }: RestoreReport): string {
           `${listNames([name])} does not run as before: ${printable(reason, MAX_REASON_CHARACTERS)}`,
       ),
     ...(others.length > MAX_NAMES
-      ? [`${others.length - MAX_NAMES} more do not run as before. The page Sessions lists them.`]
+      ? [`${others.length - MAX_NAMES} more do not run as before. The Sessions page lists them.`]
       : []),
   ];
   return lines.map((line) => `  ${line}\n`).join('');

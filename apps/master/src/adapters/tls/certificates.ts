@@ -42,7 +42,7 @@ export class Certificates {
       const given = readCertificate(options.own);
       if (given === undefined) {
         throw new ConfigError(
-          `There is no certificate at ${options.own.certificate} (--tls-certificate), or no key at ${options.own.key} (--tls-key).`,
+          `No certificate found at ${options.own.certificate} (--tls-certificate), or no key at ${options.own.key} (--tls-key).`,
         );
       }
       checkPair(given, 'Use a certificate and the key it was made for, both as PEM.');

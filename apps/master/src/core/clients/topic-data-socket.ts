@@ -160,7 +160,7 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
   nodeMessage(start: number, end: number): void {
     const { frame } = this.#publication;
     if (this.client.node === undefined) {
-      this.handleProtocolError('A node message was received from a client that is no node.'); // [EX-20]
+      this.handleProtocolError('A node message was received from a client that is not a node.'); // [EX-20]
       return;
     }
     this.#context.onNodeMessage(this.client, frame.subarray(start, end));

@@ -164,7 +164,7 @@ export class BodyCharge {
       const { limit, maxBytes, whose } = full;
       throw this.#refuse(
         limit,
-        `Requests of ${whose} that are not answered yet would have more than ${maxBytes} bytes (limit ${limit}); wait for their answers, then send this request again.`,
+        `Requests of ${whose} that are not answered yet would have more than ${maxBytes} bytes (limit ${limit}). Wait for their replies, then send this request again.`,
       );
     }
     this.#bytes = bytes;

@@ -96,7 +96,7 @@ export class DeviceRegistry {
     if (before !== undefined && before.client !== client) {
       throw new ServiceError(
         'already_exists', // [DV-2]
-        `The device id ${quote(message.id)} belongs to a device of another client; leave the id out to be given one.`,
+        `The device id ${quote(message.id)} belongs to a device of another client. Omit the id to get a new one.`,
       );
     }
     requireDeviceRights(client, message);
@@ -127,7 +127,7 @@ export class DeviceRegistry {
     if (registered.client !== client) {
       throw new ServiceError(
         'permission_denied',
-        `The device ${quote(id)} belongs to another client, which alone may deregister it.`,
+        `The device ${quote(id)} belongs to another client. Only that client may deregister it.`,
       );
     }
     this.#remove(registered);

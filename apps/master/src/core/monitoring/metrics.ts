@@ -9,7 +9,7 @@ export function readMetrics(core: Core): MasterMetrics {
   const waiting = [...clients.values()].map((client) => client.subscriber.outbox.waitingCount);
   return [
     counter('ubii_records_received_total', 'Records published by clients.', counters.recordsIn),
-    counter('ubii_records_sent_total', 'Records handed to subscribers.', counters.recordsOut),
+    counter('ubii_records_sent_total', 'Records delivered to subscribers.', counters.recordsOut),
     counter(
       'ubii_received_bytes_total',
       'Encoded bytes of records published by clients.',
@@ -17,7 +17,7 @@ export function readMetrics(core: Core): MasterMetrics {
     ),
     counter(
       'ubii_sent_bytes_total',
-      'Encoded bytes of records handed to subscribers.',
+      'Encoded bytes of records delivered to subscribers.',
       counters.bytesOut,
     ),
     counter(
@@ -39,7 +39,7 @@ export function readMetrics(core: Core): MasterMetrics {
     ),
     family(
       'ubii_limit_hits_total',
-      'How often a limit was reached.',
+      'Number of times that a limit was reached.',
       'counter',
       'limit',
       Object.keys(limits).map((limit) => [limit, hits.get(limit as keyof typeof limits) ?? 0]),
@@ -115,7 +115,11 @@ function moduleTotals({ processing }: Core): MetricFamily[] {
     gauge('ubii_module_errors', 'Failed runs of the modules that exist now.', sum('errors')),
     gauge('ubii_module_overruns', 'Overruns of the modules that exist now.', sum('overruns')),
     gauge('ubii_module_restarts', 'Restarts of the modules that exist now.', sum('restarts')),
-    gauge('ubii_module_outputs', 'Records put out by the modules that exist now.', sum('outputs')),
+    gauge(
+      'ubii_module_outputs',
+      'Records published by the modules that exist now.',
+      sum('outputs'),
+    ),
     gauge(
       'ubii_module_outputs_refused',
       'Refused outputs of the modules that exist now.',

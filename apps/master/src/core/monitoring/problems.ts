@@ -103,7 +103,7 @@ function* clientProblems({ clock }: Core, client: Client): Iterable<Problem> {
       ...warning,
       code: 'client_silent',
       text: `${label} has sent nothing for ${silentSeconds} s. ${values}`,
-      remedy: 'Check whether the device sleeps or lost its network. It reconnects by itself.',
+      remedy: 'Check whether the device sleeps or lost its network. It reconnects automatically.',
       sinceMs: epochMs(clock, client.statusSinceMs),
     };
   }
@@ -122,7 +122,7 @@ function* clientProblems({ clock }: Core, client: Client): Iterable<Problem> {
       code: 'client_throttled', // [EX-33]
       text: `${label} is ${describeThrottle(throttle)}; ${throttle.dropped} of its records were dropped so far.`,
       remedy: throttle.byPolicy
-        ? 'Publish less or at a lower rate. The throttle then ends by itself.'
+        ? 'Publish less or at a lower rate. The throttle then ends automatically.'
         : 'Publish less, or remove the throttle.',
       sinceMs: throttle.sinceMs,
     };

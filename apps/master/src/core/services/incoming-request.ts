@@ -66,7 +66,7 @@ export class IncomingRequest {
   tooManyBytes({ bytes, bytesLimit }: BodyLimits, given: string): ServiceError {
     return this.#refusal(
       bytesLimit,
-      `A request has at most ${bytes} bytes here (limit ${bytesLimit}), but this one has ${given}; send less at once.`,
+      `A request has at most ${bytes} bytes here (limit ${bytesLimit}), but this one has ${given}. Send less in one request.`,
     );
   }
 
@@ -74,7 +74,7 @@ export class IncomingRequest {
   tooManyValues({ values, valuesLimit }: BodyLimits, atByte: number): ServiceError {
     return this.#refusal(
       valuesLimit,
-      `A request has at most ${values} values here (limit ${valuesLimit}), which is passed at byte ${atByte}; send less at once.`,
+      `A request has at most ${values} values here (limit ${valuesLimit}), which is exceeded at byte ${atByte}. Send less in one request.`,
     );
   }
 
@@ -83,7 +83,7 @@ export class IncomingRequest {
     const { requestDepth } = this.#context.limits;
     return this.#refusal(
       'requestDepth',
-      `A request has at most ${requestDepth} objects and lists within each other (limit requestDepth), which is passed at byte ${atByte}; send it flatter.`,
+      `A request has at most ${requestDepth} objects and lists within each other (limit requestDepth), which is exceeded at byte ${atByte}. Reduce the nesting.`,
     );
   }
 
@@ -93,7 +93,7 @@ export class IncomingRequest {
     this.#count('bodyBytesPerSecond');
     return new ServiceError(
       'deadline_exceeded',
-      `Only ${bytes} bytes of the request came in ${seconds} s, but a request comes with at least ${bodyBytesPerSecond} bytes a second (limit bodyBytesPerSecond); send it again over a faster connection.`,
+      `Only ${bytes} bytes of the request arrived in ${seconds} s; the minimum is ${bodyBytesPerSecond} bytes per second (limit bodyBytesPerSecond). Send the request again over a faster connection.`,
     );
   }
 

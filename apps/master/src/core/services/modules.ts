@@ -139,7 +139,7 @@ function report(
     const ids = unknown.slice(0, 10).map(quote).join(', ');
     throw new ServiceError(
       'not_found',
-      `No session has these modules on this node: ${ids}${unknown.length > 10 ? ', …' : ''}. The reports of the others were received.`,
+      `No session has these modules on this node: ${ids}${unknown.length > 10 ? ', …' : ''}. The reports of the other modules were received.`,
       { details: { unknown } },
     );
   }

@@ -130,7 +130,7 @@ function withBoundTexts(
       const { unit } = LIMITS[limit];
       return new ServiceError(
         'resource_exhausted',
-        `The member ${member} has ${length} ${unit}, and at most ${max} are taken (limit ${limit}); send less there.`,
+        `The member ${member} has ${length} ${unit}; the maximum is ${max} (limit ${limit}). Send fewer.`,
         { details: { limit, max, member, length } },
       );
     },
@@ -146,7 +146,7 @@ function unknownService(topic: string): ServiceError {
   }
   return new ServiceError(
     'unimplemented', // [SV-6]
-    `This master has no service ${quote(topic)}; /services/service_list lists those it has.`,
+    `This master has no service ${quote(topic)}. Call /services/service_list to list its services.`,
   );
 }
 

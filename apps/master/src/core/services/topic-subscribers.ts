@@ -46,7 +46,7 @@ export const topicSubscribers = definer<keyof Parts>()('topicSubscribers', {
 function requireOwn(caller: ServiceCall['caller'], topic: string): void {
   if (caller.kind === 'client' && topic.startsWith(`/${caller.clientId}/`)) return;
   throw roleRefusal(
-    `A player may ask who receives its own topics, and not ${quote(topic)}, which is none of them.`,
+    `A player may list the receivers of its own topics only, and ${quote(topic)} is not one of them.`,
   );
 }
 

@@ -159,7 +159,7 @@ function strayMapping(mapping: IOMapping, path: string): SessionProblem {
   const wanted = moduleName === '' ? `the id ${quote(moduleId)}` : `the name ${quote(moduleName)}`;
   return errorProblem({
     code: 'mapping_without_module',
-    message: `The mapping is for a module with ${wanted}, but the session has none that is without a mapping; add the module, or remove the mapping.`,
+    message: `The mapping is for a module with ${wanted}, but no such module of the session is without a mapping. Add the module, or remove the mapping.`,
     path,
     moduleId,
     moduleName,

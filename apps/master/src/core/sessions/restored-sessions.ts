@@ -13,7 +13,7 @@ export interface RestoreReport {
   readonly others: readonly { readonly name: string; readonly reason: string }[];
 }
 
-const NO_REASON = 'One of its modules does not run. Open the session to see which.';
+const NO_REASON = 'One of its modules does not run. Open the session to see which one.';
 
 /** Follows the sessions that the master starts at startup until each runs or is known not to. */
 export class RestoredSessions {

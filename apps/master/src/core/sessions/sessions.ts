@@ -258,7 +258,7 @@ export class Sessions {
           session,
           mayRun
             ? 'It has no modules.'
-            : 'The invitation ended with which a client made or changed it. Start it to run it again.',
+            : 'The invitation of the client that created or changed it has ended. Start it to run it again.',
         );
         life.onModules(session);
       }

@@ -92,7 +92,7 @@ export class SubscriptionTable {
       const reason = cause instanceof Error ? cause.message : String(cause);
       throw new ServiceError(
         'invalid_argument',
-        `${quote(source)} is no regular expression with RE2 syntax: ${reason}.`, // [TD-21]
+        `${quote(source)} is not a regular expression in RE2 syntax: ${reason}.`, // [TD-21]
         { cause },
       );
     }

@@ -163,7 +163,7 @@ function retryNow(before: MachineState, context: MachineContext): Step {
   if (!mayAbandon(state, context)) return stay(state);
   const ageMs = context.monotonicMs - state.startedMs;
   if (ageMs < FRESH_ATTEMPT_MS) return stay(state);
-  const message = `The attempt was given up after ${Math.round(ageMs)} ms for a new one`;
+  const message = `The connection attempt was replaced by a new one after ${Math.round(ageMs)} ms`;
   return abandon(state, message, context, true);
 }
 

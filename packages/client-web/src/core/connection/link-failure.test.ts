@@ -50,9 +50,11 @@ describe('remedyFor() [EX-5]', () => {
 describe('failureOfClose()', () => {
   it('repeats the reason of the master', () => {
     expect(failureOfClose(4013, 'too many', false).error.message).toBe(
-      'The master closed the link with code 4013: too many',
+      'The master closed the connection with code 4013: too many',
     );
-    expect(failureOfClose(1006, '', true).error.message).toBe('The link to the master broke');
+    expect(failureOfClose(1006, '', true).error.message).toBe(
+      'The connection to the master was lost',
+    );
   });
 
   it('calls 4010 disconnected, and says who did it and why [EX-30]', () => {

@@ -101,8 +101,8 @@ export function failureOfClose(code: number, reason: string, wasUp: boolean): Li
         : code === EXPIRED
           ? 'The invitation expired'
           : code === BROKEN
-            ? `The link to the master broke${why}`
-            : `The master closed the link with code ${code}${why}`;
+            ? `The connection to the master was lost${why}`
+            : `The master closed the connection with code ${code}${why}`;
   const error = new ConnectionError(REASONS.get(code) ?? 'closed', message, {
     ...(code === REVOKED && { joinProblem: 'revoked' as const }),
     ...(code === EXPIRED && { joinProblem: 'expired' as const }),

@@ -153,7 +153,7 @@ export class Link {
   close(code = 1000, reason = ''): void {
     if (this.#failure !== undefined) return;
     this.#finish({
-      error: new ConnectionError('closed', 'The link was closed'),
+      error: new ConnectionError('closed', 'The connection was closed'),
       code: BROKEN, // a code in a failure is the master's word
       wasUp: this.#isUp,
     });

@@ -100,7 +100,7 @@ function sourceOf(regex: string | RegExp): string {
     return regex.source.replaceAll('\\/', '/');
   }
   throw new TypeError(
-    `Expected a regular expression without flags, because the master knows none, received "${String(regex)}"`,
+    `Expected a regular expression without flags, because the master supports none, received "${String(regex)}"`,
   );
 }
 

@@ -34,7 +34,7 @@ export function constantRecord(json: string, declared: DataFormat | undefined): 
       return { problem: 'the constant has no member of a data format, such as {"double":1}' };
     }
     if (!formatsFit(format, declared)) {
-      return { problem: `the constant is ${format}, but the input takes ${declared}` };
+      return { problem: `the constant is ${format}, but the input expects ${declared}` };
     }
     const bytes = encode(RECORD_TYPE, { [format]: message[format] });
     return { bytes, valueField: DATA_FORMATS[format].fieldNumber };

@@ -63,7 +63,8 @@ describe('an input mapped to a topic', () => {
     expect(world.events).toMatchObject([
       {
         kind: ModuleEventKind.ERROR,
-        message: 'Input "x": a record on /x was left out: it has string, the input takes vector2.',
+        message:
+          'Input "x": a record on /x was left out: it has string, but the input expects vector2.',
       },
     ]);
   });
@@ -118,7 +119,7 @@ describe('an input mapped to a constant', () => {
 
   it.each([
     [{ vector2: { x: 'far' } }, /cannot be read/],
-    [{ vector3: { x: 1 } }, /is vector3, but the input takes vector2/],
+    [{ vector3: { x: 1 } }, /is vector3, but the input expects vector2/],
     [{ nonsense: 1 }, /no member of a data format/],
     [5, /must be an object/],
   ])(

@@ -115,7 +115,7 @@ export class TopicSlot implements InputSlot, TopicListener {
     const came = describeField(record.valueField);
     this.#context.onProblem(
       this.name,
-      `a record on ${this.#topic} was left out: it has ${came}, the input takes ${this.#spec.format}`,
+      `a record on ${this.#topic} was left out: it has ${came}, but the input expects ${this.#spec.format}`,
     );
   }
 }

@@ -196,6 +196,6 @@ export class BodyDecoder {
 function failure(reason: string): ServiceError {
   return new ServiceError(
     'unavailable',
-    `The request could not be decoded: ${reason}; send it again, or in smaller parts.`,
+    `The request could not be decoded: ${reason}. Send it again, or in smaller parts.`,
   );
 }

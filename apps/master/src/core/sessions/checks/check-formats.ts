@@ -27,7 +27,7 @@ function* checkTopic(
 ): Iterable<SessionProblem> {
   const declared = parseDataFormat(ioOf(draft.spec.inputs, inputName)?.messageFormat ?? '');
   const found = { ...about(draft), path };
-  const input = `the input ${quote(inputName)} of ${quote(draft.spec.name)} takes ${declared}`;
+  const input = `the input ${quote(inputName)} of ${quote(draft.spec.name)} expects ${declared}`;
   const writers = writersOf(topic, modules);
   for (const { writer, outputName } of writers) {
     const format = parseDataFormat(ioOf(writer.spec.outputs, outputName)?.messageFormat ?? '');
@@ -35,7 +35,7 @@ function* checkTopic(
     yield errorProblem({
       ...found,
       code: 'format_mismatch',
-      message: `The output ${quote(outputName)} of ${quote(writer.spec.name)} gives ${format} on ${quote(topic)}, but ${input}.`,
+      message: `The output ${quote(outputName)} of ${quote(writer.spec.name)} outputs ${format} on ${quote(topic)}, but ${input}.`,
     });
   }
   const components = context.publishers(topic);
@@ -45,7 +45,7 @@ function* checkTopic(
     yield errorProblem({
       ...found,
       code: 'format_mismatch',
-      message: `The component ${quote(name)} gives ${format} on ${quote(topic)}, but ${input}.`,
+      message: `The component ${quote(name)} publishes ${format} on ${quote(topic)}, but ${input}.`,
     });
   }
   if (!context.hasRecord(topic)) {

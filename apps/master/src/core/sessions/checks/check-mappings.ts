@@ -58,7 +58,7 @@ function* checkSource(
       yield errorProblem({
         ...about(draft),
         code: 'list_unexpected',
-        message: `The input ${quote(inputName)} of ${quote(draft.spec.name)} takes single records, but is mapped to a muxer, which gives lists; map it to a topic.`,
+        message: `The input ${quote(inputName)} of ${quote(draft.spec.name)} expects single records, but is mapped to a muxer, which outputs lists. Map it to a topic.`,
         path: `${path}.topicMux`,
       });
     }
@@ -68,7 +68,7 @@ function* checkSource(
       yield errorProblem({
         ...about(draft),
         code: 'list_expected',
-        message: `The input ${quote(inputName)} of ${quote(draft.spec.name)} takes lists of records, but is mapped to one topic; map it to a muxer.`,
+        message: `The input ${quote(inputName)} of ${quote(draft.spec.name)} expects lists of records, but is mapped to one topic. Map it to a muxer.`,
         path: `${path}.topic`,
       });
     }
@@ -78,7 +78,7 @@ function* checkSource(
       yield errorProblem({
         ...about(draft),
         code: 'bad_constant',
-        message: `The input ${quote(inputName)} of ${quote(draft.spec.name)} cannot be that constant: ${fault.replace(/\.$/, '')}.`,
+        message: `The input ${quote(inputName)} of ${quote(draft.spec.name)} cannot have this constant: ${fault.replace(/\.$/, '')}.`,
         path: `${path}.constantJson`,
       });
     }
@@ -103,7 +103,7 @@ function* checkMux(
     yield errorProblem({
       ...about(draft),
       code: 'bad_expression',
-      message: `${quote(source)} is no regular expression with RE2 syntax: ${fault}.`,
+      message: `${quote(source)} is not a regular expression in RE2 syntax: ${fault}.`,
       path: `${path}.${member}`,
     });
   }
@@ -111,7 +111,7 @@ function* checkMux(
     yield errorProblem({
       ...about(draft),
       code: 'bad_expression',
-      message: `The muxer ${quote(mux.name)} selects no topics; give it a regular expression, a glob or a component profile.`,
+      message: `The muxer ${quote(mux.name)} selects no topics. Give it a regular expression, a glob or a component profile.`,
       path: `${path}.topicSelector`,
     });
   }
@@ -121,7 +121,7 @@ function* checkMux(
     yield errorProblem({
       ...about(draft),
       code: 'format_mismatch',
-      message: `The muxer lets through ${format}, but the input ${quote(input?.internalName ?? '')} of ${quote(draft.spec.name)} takes ${declared}.`,
+      message: `The muxer outputs ${format}, but the input ${quote(input?.internalName ?? '')} of ${quote(draft.spec.name)} expects ${declared}.`,
       path: `${path}.dataType`,
     });
   }
@@ -149,7 +149,7 @@ function* checkDestination(
       yield errorProblem({
         ...about(draft),
         code: 'list_expected',
-        message: `The output ${quote(outputName)} of ${quote(draft.spec.name)} gives single records, but is mapped to a demuxer, which takes lists; map it to a topic.`,
+        message: `The output ${quote(outputName)} of ${quote(draft.spec.name)} outputs single records, but is mapped to a demuxer, which expects lists. Map it to a topic.`,
         path: `${path}.topicDemux`,
       });
     }
@@ -160,7 +160,7 @@ function* checkDestination(
       yield errorProblem({
         ...about(draft),
         code: 'list_unexpected',
-        message: `The output ${quote(outputName)} of ${quote(draft.spec.name)} gives lists of records, but is mapped to one topic; map it to a demuxer.`,
+        message: `The output ${quote(outputName)} of ${quote(draft.spec.name)} outputs lists of records, but is mapped to one topic. Map it to a demuxer.`,
         path: `${path}.topic`,
       });
     }
@@ -192,7 +192,7 @@ function* checkDemux(
     yield errorProblem({
       ...about(draft),
       code: 'format_mismatch',
-      message: `The output ${quote(output?.internalName ?? '')} of ${quote(draft.spec.name)} gives ${declared}, but the demuxer takes ${format}.`,
+      message: `The output ${quote(output?.internalName ?? '')} of ${quote(draft.spec.name)} outputs ${declared}, but the demuxer expects ${format}.`,
       path: `${path}.dataType`,
     });
   }
@@ -202,7 +202,7 @@ function forbidden(draft: DraftModule, topic: string, path: string): SessionProb
   return errorProblem({
     ...about(draft),
     code: 'forbidden_topic',
-    message: `Only the master publishes on ${quote(topic)}; choose a topic that does not begin with /info/ or /ubii/.`,
+    message: `Only the master publishes on ${quote(topic)}. Choose a topic that does not begin with /info/ or /ubii/.`,
     path,
   });
 }
@@ -239,7 +239,7 @@ function* checkIoName(
   yield problem({
     ...about(draft),
     code: kind === 'input' ? 'unknown_input' : 'unknown_output',
-    message: `The module ${quote(spec.name)} has no ${kind} named ${quote(name)}; it has ${names || 'none'}.`,
+    message: `The module ${quote(spec.name)} has no ${kind} named ${quote(name)}. Its ${kind}s: ${names || 'none'}.`,
     path,
   });
 }
