@@ -1,4 +1,4 @@
-// What both entry points offer beside `createClient`.
+// Exports of both entry points besides `createClient`.
 
 export { DecodeError, ServiceError } from '@ubii/proto';
 export type {

@@ -26,7 +26,7 @@ export const TIME_OUTPUTS = {
   durationMs: { format: 'double', description: 'Decoding and computing time, ms.' },
 } as const;
 
-/** What computes, and what does not. */
+/** The backend in use, and the failed ones. */
 export const BACKEND_OUTPUTS = {
   backend: {
     format: 'string',

@@ -1,4 +1,4 @@
-/** What a regular expression may cost. */
+/** Cost limits of a regular expression. */
 export interface PatternLimits {
   /** UTF-16 code units of a source. */
   readonly length: number;

@@ -2,7 +2,7 @@ import { compileGlob } from './glob.ts';
 import type { CompiledPattern, PatternCompiler } from './pattern-compiler.ts';
 import { remembered, type MatchBudget, type RememberOptions } from './remembered.ts';
 
-/** What metered patterns work with. */
+/** Dependencies of metered patterns. */
 export interface MeterOptions {
   /** Of all patterns together. */
   readonly budget: MatchBudget;

@@ -12,11 +12,11 @@ export interface MatchBudget {
 export interface RememberOptions {
   /** Texts whose answer is remembered, the newest ones. @default 8192 */
   readonly maxTexts?: number;
-  /** What finding answers may take. @default any time */
+  /** Time budget of matching. @default any time */
   readonly meter?: {
     readonly budget: MatchBudget;
     readonly monotonicMs: () => number;
-    /** What takes the time, for the error. */
+    /** Subject of the error when the budget is exceeded. */
     readonly source: string;
   };
 }
@@ -25,8 +25,7 @@ export interface RememberOptions {
 const DEFAULT_MAX_TEXTS = 8_192;
 
 /**
- * What one answer is charged at most, milliseconds: what the worst pattern within the limits takes for a
- * topic. When the clock says more, the machine was busy with something else.
+ * Maximum charge of one match, milliseconds: the time of the worst pattern within the limits for one topic. A longer measured time means that the machine was busy.
  */
 const LONGEST_MS = 30;
 

@@ -31,7 +31,7 @@ export interface RuntimeLimits {
   readonly maxEventsPerSecond: number;
   /** Restarts of a killed instance within `restartWindowMs`. [PM-54] */
   readonly maxRestarts: number;
-  /** What `maxRestarts` counts. */
+  /** Time window of `maxRestarts`. */
   readonly restartWindowMs: number;
   /** Delay of the first restart; each further one in the window waits twice as long. [PM-54] */
   readonly restartDelayMs: number;
@@ -45,7 +45,7 @@ export interface RuntimeLimits {
   readonly outputBytes: number;
 }
 
-/** What a node takes unless told otherwise. */
+/** Default limits of a node. */
 export const DEFAULT_RUNTIME_LIMITS: RuntimeLimits = {
   // Timers of browsers and Node have a resolution of 1 ms, and a run crosses two threads: beyond this
   // the intervals are noise.

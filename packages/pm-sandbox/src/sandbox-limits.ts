@@ -31,7 +31,7 @@ export const ASSET_CALL_TIMEOUT_MS = 5_000;
 export const AWAIT_TIMEOUT_MS = 10_000;
 
 /**
- * What a worker may be silent beyond the time of its call, milliseconds. QuickJS ends the call itself
+ * Maximum silence of a worker beyond the time of its call, milliseconds. QuickJS ends the call itself
  * and knows the line; only when it does not, the worker is ended.
  */
 export const WATCHDOG_GRACE_MS = 250;

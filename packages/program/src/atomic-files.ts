@@ -69,7 +69,7 @@ function draftOf(file: string): string {
   return `${file}.${process.pid}.${randomBytes(4).toString('hex')}.tmp`;
 }
 
-/** Who can read a file can enter its folder. */
+/** Users that can read a file can enter its folder. */
 function folderMode(fileMode: number): number {
   return fileMode | ((fileMode & 0o444) >> 2);
 }

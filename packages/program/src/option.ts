@@ -1,7 +1,7 @@
 /** One option of a program. */
 export interface Option<T> {
   /**
-   * What follows the flag in the help. `undefined`: a switch without a value. In brackets, as `[on|off]`: a switch
+   * Placeholder after the flag in the help. `undefined`: a switch without a value. In brackets, as `[on|off]`: a switch
    * whose value may be left out.
    */
   readonly placeholder: string | undefined;
@@ -9,9 +9,9 @@ export interface Option<T> {
   readonly fallback: T;
   /** Shown in the help instead of the fallback. */
   readonly fallbackText?: string;
-  /** What the option does, with its unit. */
+  /** Effect of the option, with its unit. */
   readonly description: string;
-  /** What to do about an invalid value, without a full stop. Default: `Use <flag> <placeholder>`. */
+  /** Advice for an invalid value, without a full stop. Default: `Use <flag> <placeholder>`. */
   readonly hint?: string;
   /** Errors and descriptions do not show the value. Default: false */
   readonly isSecret?: boolean;

@@ -14,7 +14,7 @@ export interface Given {
 /** Options that are set, by name. */
 export type GivenOptions = ReadonlyMap<string, Given>;
 
-/** What may follow a switch, which means "on" without it. */
+/** Values that may follow a switch, which is "on" without one. */
 const SWITCH = /^(on|off|true|false|yes|no|1|0)$/i;
 const SEE_HELP = 'Use --help to list all flags.';
 

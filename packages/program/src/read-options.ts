@@ -8,7 +8,7 @@ import { readFlags, refuseWords } from './read-flags.ts';
 /** Environment variables, such as `process.env`. */
 export type Environment = Readonly<Record<string, string | undefined>>;
 
-/** What a program was started with. */
+/** Values of the options of a program. */
 export interface ReadOptions<O extends OptionTable> {
   readonly values: OptionValues<O>;
   /** Options that are set in any place. */

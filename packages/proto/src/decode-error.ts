@@ -1,7 +1,7 @@
 /** Thrown when bytes or JSON are not what they claim to be. */
 export class DecodeError extends Error {
   override readonly name = 'DecodeError';
-  /** What was expected: full name of a message. */
+  /** Expected message, by its full name. */
   readonly messageType: string;
   /** Size of the input in bytes; 0 for JSON. */
   readonly byteLength: number;

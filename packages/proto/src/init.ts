@@ -1,5 +1,5 @@
 /**
- * What `encode` accepts for a message: every member may be left out, at every depth. A member that
+ * Argument of `encode` for a message: every member may be left out, at every depth. A member that
  * is given is written, also when it is 0, false or empty text; null and undefined are not. Lists of
  * numbers may be typed arrays.
  */

@@ -38,7 +38,7 @@ export type TopicRecord<F extends DataFormat = DataFormat> = F extends DataForma
       value: DataFormatValues[F];
       /** When the value was taken, by the publisher's clock: milliseconds since the Unix epoch. */
       timestampMs: number | undefined;
-      /** Who published it, as far as the publisher said; empty when it did not. */
+      /** Client id of the publisher, as stated by the publisher; empty when it stated none. */
       clientId: string;
     }
   : never;
@@ -52,7 +52,7 @@ export interface EmptyRecord {
   clientId: string;
 }
 
-/** What `encodeRecord` takes: members of the value may be left out, as in `encode`. */
+/** Argument of `encodeRecord`: members of the value may be left out, as in `encode`. */
 export type RecordInit<F extends DataFormat = DataFormat> =
   | (F extends DataFormat
       ? {
@@ -77,12 +77,12 @@ export type RecordInit<F extends DataFormat = DataFormat> =
       readonly expiryMs?: number | undefined;
     };
 
-/** What a frame of the topic-data channel held. */
+/** Content of a frame of the topic-data channel. */
 export interface DecodedTopicData {
   records: (TopicRecord | EmptyRecord)[];
   /** Present when the master refused something. */
   error: ErrorMessage | undefined;
-  /** What the master and a node tell each other; empty for everybody else. [EX-20] */
+  /** Messages between the master and a node; empty for other clients. [EX-20] */
   nodeMessages: NodeMessage[];
   /** One for each record or node message that fails, and one when the frame itself is broken. */
   failed: DecodeError[];

@@ -35,7 +35,7 @@ const TITLES: { readonly [C in ServiceErrorCode]: string } = {
   deadline_exceeded: 'Took too long',
 };
 
-/** What a `ServiceError` may carry beside its code and message. */
+/** Optional members of a `ServiceError` besides its code and message. */
 export interface ServiceErrorOptions {
   /** A few words; default: the title of the code. */
   readonly title?: string;

@@ -13,7 +13,7 @@ export interface TurnTask {
 export class EndOfTurn {
   readonly #clock: Pick<Clock, 'atEndOfTurn'>;
   readonly #onEnd: (() => void) | undefined;
-  /** Whose input was read last. */
+  /** Source of the input that was read last. */
   #reader: object | undefined = undefined;
   /** Input is being read of the one reader that alone has some. */
   #isReadingAlone = false;
@@ -33,7 +33,7 @@ export class EndOfTurn {
 
   /** Input of `reader` is handled from now on, until `endRead`. */
   beginRead(reader: object): void {
-    // What others have left in this turn leaves with it.
+    // Data that others queued in this turn leaves with it.
     this.#isReadingAlone = reader === this.#reader && this.#tasks.length === 0;
     this.#reader = reader;
   }

@@ -6,7 +6,7 @@ import {
 } from './tensorflow/create-tensorflow.ts';
 import type { Files } from './tensorflow/memory-platform.ts';
 
-/** What is used in place of a backend that fails while it computes. */
+/** Replacements of a backend that fails while it computes. */
 const NEXT_BACKEND: Readonly<Record<BackendName, BackendName | undefined>> = {
   webgpu: 'wasm',
   webgl: 'wasm',
@@ -24,7 +24,7 @@ export interface ModelSource<Model extends { dispose(): void }> {
   create(tensorflow: Tensorflow, files: Files): Promise<Model>;
 }
 
-/** What a choice of models needs. */
+/** Dependencies of a choice of models. */
 export interface ModelSources<Name extends string, Model extends { dispose(): void }> {
   /** For `createTensorflow`. */
   readonly tensorflow: Files;
@@ -59,7 +59,7 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
   readonly #sources: ModelSources<Name, Model>;
   readonly #names: readonly Name[];
   #inUse: Loaded<Name, Model>;
-  /** What the caller asked for last. */
+  /** The latest request of the caller. */
   #asked: string;
   #wish: Wish<Name>;
   #problem = '';

@@ -6,7 +6,7 @@ import type { TopicPattern } from '../core/subscriptions/topic-pattern.ts';
 import type { UbiiClient } from '../core/client/ubii-client.ts';
 import type { DeviceTopics } from './device-topics.ts';
 
-/** What the port needs of a client. */
+/** Dependencies of the port on a client. */
 export type TopicClient = Pick<
   UbiiClient,
   'subscribeEncoded' | 'publishEncoded' | 'sendNodeMessage'
@@ -92,7 +92,7 @@ class WithDevices implements EncodedListener {
     this.#inOrder({ topic, isEvent: true, tell: () => this.#listener.onGone(topic) });
   }
 
-  /** What waits is not told any more. */
+  /** Discard the waiting calls. */
   close(): void {
     this.#isClosed = true;
   }

@@ -61,7 +61,7 @@ class Node implements ProcessingNode {
     this.#changeListeners = new Listeners(client.reportError);
     this.#eventListeners = new Listeners(client.reportError);
     const clock = options.clock ?? (options.kind === 'browser' ? createPageClock() : systemClock);
-    // What modules publish is stamped alike, on whatever node they run. [TS-9]
+    // All nodes stamp the records of modules with the same clock. [TS-9]
     this.#clock = inMasterTime(clock, client.masterTime);
     this.#patterns = options.patterns ?? lazyPatterns();
     this.#catalog = new ModuleCatalog(options.modules ?? []);

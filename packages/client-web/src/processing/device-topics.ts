@@ -3,7 +3,7 @@ import type { Component } from '@ubii/proto';
 import type { Subscription } from '../core/subscriptions/subscription.ts';
 import type { UbiiClient } from '../core/client/ubii-client.ts';
 
-/** What the watch needs of a client. */
+/** Dependencies of the watch on a client. */
 export type DeviceClient = Pick<UbiiClient, 'subscribe' | 'call' | 'onState' | 'state'>;
 
 /** The device of a component's topic, kept up to date while there are listeners. [PM-43] */

@@ -7,7 +7,7 @@ import type { ModuleCatalog } from './module-catalog.ts';
 import type { NodeInstance } from './node-instance.ts';
 import type { AssignedModule } from './session-modules.ts';
 
-/** What a keeper works with, and whom it tells. */
+/** Dependencies and callbacks of a keeper. */
 export interface InstanceKeeperOptions {
   readonly runtime: ModuleRuntime;
   /** Loaded before an instance whose muxers need it. */
@@ -18,7 +18,7 @@ export interface InstanceKeeperOptions {
   /** It has ended, or could never be made. */
   readonly handleEnded: (assigned: AssignedModule) => void;
   readonly handleFailed: (assigned: AssignedModule, fault: ModuleFault) => void;
-  /** What people see of it changed. */
+  /** Called when the visible state of the instance changed. */
   readonly handleChange: () => void;
 }
 
@@ -33,7 +33,7 @@ interface Wanted {
   readonly fault: ModuleFault | undefined;
 }
 
-/** What there is: an instance, or the memory of one that could not be made. */
+/** The instance, or the failure of one that could not be created. */
 interface Present {
   readonly as: Wanted;
   readonly isMade: boolean;
@@ -68,7 +68,7 @@ export class InstanceKeeper {
     };
   }
 
-  /** What people see of it. */
+  /** Visible state of the instance. */
   get shown(): NodeInstance {
     return { id: this.id, ...this.#shown };
   }
@@ -82,7 +82,7 @@ export class InstanceKeeper {
     return this.#wanted === undefined && this.#present === undefined && this.#running === undefined;
   }
 
-  /** What was reported of it as started and still holds. */
+  /** The last report as started that is still valid. */
   get reported(): AssignedModule | undefined {
     return this.#isReported && !this.#mustEnd ? this.#wanted?.assigned : undefined;
   }
@@ -238,7 +238,7 @@ function wantedOf(assigned: AssignedModule, catalog: ModuleCatalog): Wanted {
   };
 }
 
-/** What of a module cannot change while its instance lives. */
+/** Returns the parts of a module that cannot change during the life of its instance. */
 function codeKeyOf(
   module: ProcessingModule,
   isTrusted: boolean,

@@ -19,7 +19,7 @@ export class ModuleCatalog {
     }
   }
 
-  /** What the master is told of them: everything but the code. [PM-60] */
+  /** Descriptions of the modules for the master: everything except their code. [PM-60] */
   offers(): Init<ProcessingModule>[] {
     return [...this.#byName.values()].map(
       ({ name, authors, tags, description, processingMode, inputs, outputs, extension }) => ({
@@ -53,7 +53,7 @@ export class ModuleCatalog {
 
 const MODULE = 'ubii.processing.ProcessingModule';
 
-/** What the session leaves open is as the module's author wrote it. */
+/** Fields that the session leaves out keep the values of the module's author. */
 function withOwnCode(asked: ProcessingModule, own: ProcessingModule): ProcessingModule {
   return {
     ...asked,

@@ -4,7 +4,7 @@ import { encodeNodeMessageFrame } from '@ubii/proto/wire';
 import type { UbiiClient } from '../core/client/ubii-client.ts';
 import type { AssignedModule } from './session-modules.ts';
 
-/** What the reports need of a client. */
+/** Dependencies of the reports on a client. */
 export type ReportClient = Pick<UbiiClient, 'call' | 'sendNodeMessage' | 'state'>;
 
 /** Whom the reports tell. */
@@ -81,7 +81,7 @@ export class ModuleReports {
   async #tellAll(): Promise<void> {
     await Promise.resolve(); // everything of one turn is one request
     while (this.#client.state.status === 'connected') {
-      // What ended comes first: it may have been started again since.
+      // Report ended modules first: they may have started again since.
       const isEnd = this.#ended.size > 0;
       const waiting = isEnd ? this.#ended : this.#started;
       if (waiting.size === 0) return;

@@ -8,7 +8,7 @@ export interface TimerThread {
   onDue(fn: (id: number) => void): void;
 }
 
-/** What the clock of a page needs of it. */
+/** Dependencies of the clock of a page. */
 export interface PageTimers {
   readonly isHidden: () => boolean;
   /** Called when a timer is set while the page is hidden, the first time. @throws when there can be none */

@@ -15,7 +15,7 @@ import type { NodeInstance } from './node-instance.ts';
 export interface ProcessingNodeOptions {
   /** Where the code runs. The node does not close it. */
   readonly sandboxes: SandboxFactory;
-  /** What kind of program it is in. */
+  /** Kind of the program. */
   readonly kind: 'browser' | 'node';
   /** Modules with code of this program, which is trusted. [PM-51] @default none */
   readonly modules?: readonly Init<ProcessingModule>[];

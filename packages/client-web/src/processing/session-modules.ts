@@ -12,7 +12,7 @@ export interface AssignedModule {
   readonly isPaused: boolean;
 }
 
-/** What a session wants of its modules. */
+/** State that a session wants for its modules. */
 export type SessionActivity = 'active' | 'paused' | 'over';
 
 const ACTIVITIES: { readonly [S in SessionState]: SessionActivity } = {
@@ -26,7 +26,7 @@ const ACTIVITIES: { readonly [S in SessionState]: SessionActivity } = {
 };
 
 /**
- * What a session says of itself; `undefined` when it does not say: CREATED of an original master is
+ * State in the message of a session; `undefined` when it is ambiguous: CREATED of an original master is
  * a session that starts as well as one that does not. [SE-10]
  */
 export function activityOf({ extension, status }: Session): SessionActivity | undefined {

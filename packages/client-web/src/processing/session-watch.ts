@@ -5,7 +5,7 @@ import type { UbiiClient } from '../core/client/ubii-client.ts';
 import { activityOf } from './session-modules.ts';
 import type { SessionActivity } from './session-modules.ts';
 
-/** What the watch needs of a client. */
+/** Dependencies of the watch on a client. */
 export type SessionClient = Pick<UbiiClient, 'subscribe' | 'call' | 'onState' | 'state'>;
 
 /** Whom the watch tells. */
@@ -41,7 +41,7 @@ export class SessionWatch {
     const on = (topic: string, handle: (session: Session) => void) =>
       client.subscribe(topic, { format: 'session' }).onRecord(({ value }) => {
         if (this.#isReading) this.#isStale = true;
-        // What comes while the connection is being made is followed by the list.
+        // The list follows and replaces messages that arrive while the client connects.
         else if (!this.#isClosed && client.state.status === 'connected') handle(value);
       });
     const { handleSession, handleStart } = options;

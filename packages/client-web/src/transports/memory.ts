@@ -131,7 +131,7 @@ export function createMemoryTopicData(master: MemoryMaster): TopicDataTransport 
   };
 }
 
-/** What is on its way to the client, in order, up to the close. */
+/** Frames and the close on their way to the client, in order. */
 class Inbox {
   readonly #handler: TopicDataHandler;
   readonly #deliveries: (() => void)[] = [];

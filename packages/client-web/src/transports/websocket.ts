@@ -1,6 +1,6 @@
 import type { TopicDataSocket, TopicDataTransport } from '../core/ports/topic-data-transport.ts';
 
-/** What is used of a WHATWG WebSocket: the browser's, and that of the ws package. */
+/** The used members of a WHATWG WebSocket, as in browsers and in the ws package. */
 export interface WebSocketLike {
   binaryType: string;
   readonly readyState: number;

@@ -9,10 +9,10 @@ import {
 } from '../image-io.ts';
 import type { NumberRecord } from '../number-record.ts';
 
-/** What an instance keeps. */
+/** State of an instance. */
 interface PoseState {
   choice: Vision.ModelChoice<'movenet', Vision.BodyPoseDetector> | undefined;
-  /** What was put out last. */
+  /** The last outputs. */
   backendFault: string | undefined;
   smoother: Vision.PoseSmoother | undefined;
   smoothingMs: number;
@@ -122,7 +122,7 @@ export const bodyPose = defineProcessingModule({
       pose = state.smoother.smooth(found, sinceMs);
       error = choice.problem;
     } catch (thrown) {
-      // What the sender of the image has to change.
+      // Advice for the sender of the image.
       if (!(thrown instanceof RangeError)) throw thrown;
       error = thrown.message;
     }

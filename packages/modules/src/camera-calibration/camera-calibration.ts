@@ -4,7 +4,7 @@ import { DICTIONARY_NAMES } from '@ubii/vision/choices';
 import { IMAGE_INPUT } from '../image-io.ts';
 import type { NumberRecord } from '../number-record.ts';
 
-/** What an instance keeps. */
+/** State of an instance. */
 interface CalibrationState {
   calibrator: Vision.CameraCalibrator | undefined;
   /** The board that the calibrator looks for, as JSON. */

@@ -9,10 +9,10 @@ import {
 } from '../image-io.ts';
 import type { NumberRecord } from '../number-record.ts';
 
-/** What an instance keeps. */
+/** State of an instance. */
 interface HandState {
   choice: Vision.ModelChoice<'hands', Vision.HandPoseDetector> | undefined;
-  /** What was put out last. */
+  /** The last outputs. */
   backendFault: string | undefined;
   /** Milliseconds from the start of the last detection to now. */
   sinceMs: number;
@@ -116,7 +116,7 @@ export const handPose = defineProcessingModule({
       hands = await choice.use((model) => model.detect(picture, { threshold, maxHands }));
       error = choice.problem;
     } catch (thrown) {
-      // What the sender of the image has to change.
+      // Advice for the sender of the image.
       if (!(thrown instanceof RangeError)) throw thrown;
       error = thrown.message;
     }

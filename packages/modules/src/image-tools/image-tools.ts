@@ -4,7 +4,7 @@ import { PIXEL_FORMATS } from '@ubii/vision/choices';
 import { IMAGE_INPUT, TIME_OUTPUTS } from '../image-io.ts';
 import type { NumberRecord } from '../number-record.ts';
 
-/** What an instance keeps. */
+/** State of an instance. */
 interface ToolState {
   /** The last image as it was put out, for motion. */
   before: Vision.Picture | undefined;

@@ -4,7 +4,7 @@ import { DICTIONARY_NAMES } from '@ubii/vision/choices';
 import { IMAGE_INPUT, MAX_RATE_INPUT, TIME_OUTPUTS } from '../image-io.ts';
 import type { NumberRecord } from '../number-record.ts';
 
-/** What an instance keeps. */
+/** State of an instance. */
 interface MarkerState {
   tracker: Vision.MarkerTracker | undefined;
   /** The text that `calibration` was read from. */

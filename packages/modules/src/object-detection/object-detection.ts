@@ -10,10 +10,10 @@ import {
 } from '../image-io.ts';
 import type { NumberRecord } from '../number-record.ts';
 
-/** What an instance keeps. */
+/** State of an instance. */
 interface DetectionState {
   choice: Vision.DetectorChoice | undefined;
-  /** What was put out last. */
+  /** The last outputs. */
   backendFault: string | undefined;
   /** Milliseconds from the start of the last detection to now. */
   sinceMs: number;

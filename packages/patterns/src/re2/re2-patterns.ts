@@ -43,7 +43,7 @@ export class Re2Patterns implements PatternCompiler {
   }
 }
 
-/** What JavaScript has and RE2 has not, in words; RE2's own errors do not say what it would have been. */
+/** Explains features of JavaScript that RE2 does not support; the errors of RE2 do not name them. */
 function unsupportedSyntax(source: string): string | undefined {
   // Classes hold `(?=` as characters, escapes take the character after them.
   const outside = source.replace(/\\(?![1-9k])[^]|\[(?:\\[^]|[^\]\\])*\]/g, '');

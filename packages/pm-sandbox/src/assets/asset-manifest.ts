@@ -9,7 +9,7 @@ export interface AssetFile {
   readonly sha256: string;
 }
 
-/** What an asset set consists of. [PM-90] */
+/** Content of an asset set. [PM-90] */
 export interface AssetManifest {
   readonly name: string;
   /** Empty when not given, as the next two. */

@@ -117,7 +117,7 @@ class KeepingStore implements AssetStore {
     return loading;
   }
 
-  /** Who comes next begins again. */
+  /** The next caller starts again. */
   #end(name: string, abort: AbortController): void {
     if (this.#loading.get(name)?.abort === abort) this.#loading.delete(name);
   }
@@ -186,7 +186,7 @@ function keyOf({ name, library = '', files }: AssetManifest): string {
   return bytesToHex(sha256(new TextEncoder().encode(text)));
 }
 
-/** What is wrong with the bytes of a file; undefined when they are what the manifest says. */
+/** Returns the difference of the bytes of a file from the manifest; undefined without one. */
 function damageOf({ bytes, sha256: expected }: AssetFile, content: Uint8Array): string | undefined {
   if (content.length !== bytes) return `it has ${content.length} bytes instead of ${bytes}`;
   const isEqual = bytesToHex(sha256(content)) === expected;

@@ -4,7 +4,7 @@ import type { HostBatch, Progress, WorkerStart } from '../worker/protocol.ts';
 import { WorkerLoop, type WorkerPlatform } from '../worker/worker-loop.ts';
 import { stripGlobals } from './strip-globals.ts';
 
-/** What a dedicated worker has and a page has not. */
+/** Globals of a dedicated worker that a page does not have. */
 interface WorkerScope {
   postMessage(message: unknown, transfer: Transferable[]): void;
   addEventListener(type: string, listener: (event: never) => void): void;

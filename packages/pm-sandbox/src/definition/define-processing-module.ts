@@ -16,7 +16,7 @@ export type ModeInit =
   /** Again and again. [PM-28] */
   | { readonly free: Readonly<Record<string, never>> };
 
-/** What the node puts into the state of an instance. [PM-12] */
+/** Members that the node adds to the state of an instance. [PM-12] */
 export interface NodeState {
   /** The external libraries and those of the asset sets that the module asked for, by name. */
   readonly modules: Readonly<Record<string, unknown>>;
@@ -37,7 +37,7 @@ export interface NodeState {
 /** State of an instance: its own members and those of the node. */
 export type ModuleState<S> = S & NodeState;
 
-/** What `onProcessing` may return. [PM-11] */
+/** Return value of `onProcessing`. [PM-11] */
 export interface ProcessingResult<O extends IoInits, S> {
   readonly outputs?: ModuleOutputs<O> | undefined;
   /** Replaces the state. */
@@ -61,7 +61,7 @@ export interface ModuleDefinition<
   readonly authors?: readonly string[];
   /** Semantic versioning. */
   readonly version?: string;
-  /** What it needs in `state.modules`; a node that lacks one cannot run it. [PM-4] */
+  /** Libraries that the module needs in `state.modules`; a node without one of them cannot run it. [PM-4] */
   readonly libraries?: readonly string[];
   /** Names of the asset sets it needs in `state.assets`; only trusted modules get them. [PM-90] */
   readonly assets?: readonly string[];

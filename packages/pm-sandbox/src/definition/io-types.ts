@@ -9,7 +9,7 @@ export type IoInit =
       readonly list?: boolean;
       /** Of an input: the value the callbacks use while nothing is connected, for people. [PM-5] */
       readonly default?: unknown;
-      /** What the values mean, with unit and range, for people: one sentence. [PM-6] */
+      /** Meaning of the values with unit and range, for people: one sentence. [PM-6] */
       readonly description?: string;
       /** Of an input for a string: the texts it understands; default: any. [PM-7] */
       readonly choices?: readonly string[];
@@ -45,7 +45,7 @@ export type ModuleElement<F extends DataFormat = DataFormat> = ModuleRecord<F> &
   receivedAtMs?: number;
 };
 
-/** What an input holds. */
+/** Value of an input. */
 export type ModuleInput<I extends IoInit> = I extends { readonly list: true }
   ? { elements: ModuleElement<FormatOf<I>>[] }
   : ModuleRecord<FormatOf<I>> | undefined;
@@ -63,7 +63,7 @@ export type ModuleElementValue<F extends DataFormat> = ModuleValue<F> & {
   readonly identity?: string | undefined;
 };
 
-/** What an output takes; undefined publishes nothing. */
+/** Value of an output; undefined publishes nothing. */
 export type ModuleOutput<O extends IoInit> = O extends { readonly list: true }
   ? { readonly elements: readonly ModuleElementValue<FormatOf<O>>[] } | undefined
   : ModuleValue<FormatOf<O>> | undefined;

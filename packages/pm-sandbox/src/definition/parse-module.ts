@@ -16,7 +16,7 @@ export interface ParsedIo {
   readonly name: string;
   /** Undefined: unknown, so an input takes any record. [PM-3] */
   readonly format: DataFormat | undefined;
-  /** What the module said. */
+  /** Data format as the module wrote it. */
   readonly formatText: string;
   readonly isList: boolean;
 }

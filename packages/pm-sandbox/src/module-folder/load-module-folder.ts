@@ -12,7 +12,7 @@ export interface FolderProblem {
   readonly message: string;
 }
 
-/** What a folder holds. */
+/** Content of a folder. */
 export interface LoadedFolder {
   /** Complete, by filename from a to z. */
   readonly modules: readonly ProcessingModule[];
@@ -60,7 +60,7 @@ async function loadJson(path: string): Promise<ProcessingModule[]> {
 }
 
 async function loadScript(path: string): Promise<ProcessingModule[]> {
-  // What was imported once is never read again under the same address.
+  // Node never imports the same address twice, so each version gets its own.
   const { mtimeMs, size } = await stat(path);
   const address = `${pathToFileURL(path).href}?changed=${mtimeMs}-${size}`;
   const { default: exported } = (await import(/* @vite-ignore */ address)) as {

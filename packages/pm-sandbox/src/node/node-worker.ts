@@ -9,7 +9,7 @@ import { WorkerLoop } from '../worker/worker-loop.ts';
 import { locateSyntaxError } from './locate-syntax-error.ts';
 import { createProgressWriter } from './shared-progress.ts';
 
-/** What `createNodeSandboxes` hands over. */
+/** Data from `createNodeSandboxes`. */
 export interface NodeWorkerData {
   readonly start: WorkerStart;
   readonly progress: SharedArrayBuffer;
@@ -56,7 +56,7 @@ process.on('uncaughtException', (thrown) => loop.handleStray(thrown));
 process.on('unhandledRejection', (thrown) => loop.handleStray(thrown));
 port.on('message', (batch: HostBatch) => loop.handleBatch(batch));
 
-/** What trusted instances share: the heap of this thread, and buffers beside it. */
+/** Memory that trusted instances share: the heap of this thread, and external buffers. */
 function heapBytes(): number {
   const { used_heap_size, external_memory } = getHeapStatistics();
   return used_heap_size + external_memory;

@@ -19,7 +19,7 @@ export type ModuleFaultKind =
   | 'crashed'
   | 'record';
 
-/** What went wrong in a module, and where. */
+/** A failure of a module and its place. */
 export interface ModuleFault {
   readonly kind: ModuleFaultKind;
   readonly phase: ModulePhase;

@@ -10,7 +10,7 @@ export interface ModuleSource {
   readonly onDestroyed?: string | undefined;
 }
 
-/** What one instance may use. */
+/** Limits of one instance. */
 export interface SandboxLimits {
   /** A call that takes longer ends the instance, milliseconds. [PM-53] */
   readonly callTimeoutMs: number;
@@ -20,7 +20,7 @@ export interface SandboxLimits {
   readonly outputBytes: number;
 }
 
-/** Who is to be run, and how. */
+/** Description of the instance to run. */
 export interface SandboxRequest {
   readonly instanceId: string;
   readonly moduleName: string;
@@ -36,11 +36,11 @@ export interface SandboxRequest {
   /** Its outputs; a format that is not known takes the one member the module set. */
   readonly outputs: readonly { readonly name: string; readonly format: DataFormat | undefined }[];
   readonly limits: SandboxLimits;
-  /** Whose memory its own counts as: the session's. [PM-58] */
+  /** Owner that is charged for its memory: the session. [PM-58] */
   readonly owner: string;
 }
 
-/** What a sandbox tells and asks by itself. */
+/** Events and requests from a sandbox. */
 export interface SandboxEvents {
   /** The module wrote to its console. [PM-14] */
   onLog(line: { readonly level: string; readonly text: string }): void;
@@ -101,7 +101,7 @@ export type SandboxOutput =
       }[];
     };
 
-/** What one run gave. */
+/** Result of one run. */
 export interface SandboxResult {
   readonly outputs: readonly SandboxOutput[];
   /** Outputs that were refused. [PM-33] [PM-56] */
@@ -125,13 +125,13 @@ export interface Sandbox {
 
 /** The memory of all instances together, bytes. [PM-58] */
 export interface SandboxMemory {
-  /** What they may have. */
+  /** Limit of all instances. */
   readonly limitBytes: number;
-  /** What those of one owner may have. */
+  /** Limit of the instances of one owner. */
   readonly ownerLimitBytes: number;
-  /** What a sandboxed instance takes at least. */
+  /** Minimum memory of a sandboxed instance. */
   readonly leastBytes: number;
-  /** What all have, or those of an owner. */
+  /** Memory of all instances, or of those of one owner. */
   usedBytes(owner?: string): number;
 }
 

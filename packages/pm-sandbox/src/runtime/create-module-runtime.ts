@@ -12,7 +12,7 @@ import { ModuleInstance } from './module-instance.ts';
 import type { InstanceSpec, ModuleRuntime, PassReply, PassRequest } from './module-runtime.ts';
 import type { RuntimeContext } from './runtime-context.ts';
 
-/** What a runtime is made of. */
+/** Dependencies of a runtime. */
 export interface ModuleRuntimeOptions {
   /** Id of the client or master it is: the client id of all that its modules put out. */
   readonly nodeId: string;

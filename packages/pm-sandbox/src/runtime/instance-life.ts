@@ -12,7 +12,7 @@ import { sandboxRequest } from './sandbox-request.ts';
 import { isDeadly, toFault } from './to-fault.ts';
 import { loadAssets, loadOptionalAssets } from './load-assets.ts';
 
-/** What happens in an instance's life. */
+/** Callbacks of the life of an instance. */
 export interface LifeEvents {
   /** Runs may start. */
   onStart(): void;

@@ -8,7 +8,7 @@ import { MadeTopics } from './made-topics.ts';
 import type { InstanceReports } from './reports/instance-reports.ts';
 import type { RuntimeContext } from './runtime-context.ts';
 
-/** What an instance puts out: completed, limited and counted. [PM-32] to [PM-35], [PM-55] */
+/** Outputs of an instance: completed, limited and counted. [PM-32] to [PM-35], [PM-55] */
 export class InstanceOutputs {
   readonly #context: RuntimeContext;
   readonly #reports: InstanceReports;

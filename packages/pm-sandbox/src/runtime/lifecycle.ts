@@ -15,7 +15,7 @@ export type InstanceStatus =
   | 'destroying'
   | 'destroyed';
 
-/** What moves an instance on. */
+/** Events that change the status of an instance. */
 export type InstanceMove =
   'created' | 'start' | 'halt' | 'halted' | 'kill' | 'recreate' | 'fail' | 'destroy' | 'destroyed';
 

@@ -9,7 +9,7 @@ import type { InstanceReports } from './reports/instance-reports.ts';
 const TELL_MS = 1000;
 const MEGABYTE = 1e6;
 
-/** What a runtime has for it. */
+/** Access of a runtime to asset sets. */
 export interface AssetContext {
   readonly assets: AssetStore | undefined;
   readonly clock: Pick<Clock, 'monotonicMs'>;

@@ -18,9 +18,9 @@ export interface PassRequest {
   readonly records: readonly EncodedRecord[];
 }
 
-/** What came out of it. */
+/** Outputs of a pass. */
 export interface PassReply {
-  /** Who ran. */
+  /** The instances that ran. */
   readonly instanceIds: readonly string[];
   /** Complete encoded records, in the order of the instances; not published. */
   readonly records: readonly Uint8Array[];

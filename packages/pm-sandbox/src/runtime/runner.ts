@@ -11,7 +11,7 @@ export interface RunCall {
   readonly deltaTimeMs?: number | undefined;
 }
 
-/** What a run comes to. */
+/** Callbacks for the outcome of a run. */
 export interface RunOutcome {
   onResult(result: SandboxResult): void;
   onFault(fault: ModuleFault): void;

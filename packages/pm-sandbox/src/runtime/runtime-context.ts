@@ -8,7 +8,7 @@ import type { TopicPort } from '../ports/topic-port.ts';
 import type { RecordCompletion } from './binding/record-completion.ts';
 import type { SessionPatterns } from './binding/session-patterns.ts';
 
-/** What the instances of a runtime have in common. */
+/** Dependencies that the instances of a runtime share. */
 export interface RuntimeContext {
   readonly nodeId: string;
   readonly clock: Clock;

@@ -1,6 +1,6 @@
 import type { ModuleFault, ModulePhase } from '../ports/module-fault.ts';
 
-/** What a sandbox rejected with. All but a fault is a mistake of the sandbox, and ends the instance. */
+/** Converts the rejection of a sandbox. Anything but a fault is a bug of the sandbox, and ends the instance. */
 export function toFault(reason: unknown, phase: ModulePhase): ModuleFault {
   if (isFault(reason)) return reason;
   const message = reason instanceof Error ? reason.message : String(reason);

@@ -9,7 +9,7 @@ import {
 } from '../worker/memory-account.ts';
 import { LEAST_MODULE_BYTES } from '../worker/quickjs/engine-pages.ts';
 
-/** What one instance has. */
+/** Memory of one instance. */
 export interface MemoryUse {
   /** Number of its owner, for workers. */
   readonly number: number;

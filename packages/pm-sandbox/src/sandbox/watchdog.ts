@@ -10,7 +10,7 @@ export interface WatchedCall {
   looks: number;
 }
 
-/** What is watched. */
+/** The watched call. */
 export interface Watched<C extends WatchedCall> {
   isReady(): boolean;
   progress(): Progress;
@@ -24,7 +24,7 @@ export interface Watched<C extends WatchedCall> {
   onRest(): void;
 }
 
-/** What the watchdog finds. */
+/** Findings of the watchdog. */
 export type Verdict<C> =
   /** The worker never began to run. */
   | { readonly kind: 'start' }

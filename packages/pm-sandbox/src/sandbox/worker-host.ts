@@ -32,7 +32,7 @@ interface PendingCall extends WatchedCall {
   reject(fault: ModuleFault): void;
 }
 
-/** What a check may take before its worker is ended; it has limits of its own inside. */
+/** Time limit of a check, after which its worker is ended; the check has its own limits inside. */
 const CHECK_TIMEOUT_MS = 500;
 const DEAF = 'The worker does not answer: a timer or another background job of a module blocks it.';
 
@@ -55,7 +55,7 @@ export class WorkerHost {
   #transfers: ArrayBuffer[] = [];
   /** Asset sets of each instance, by their keys. */
   readonly #assetsOf = new Map<number, Map<string, LoadedAssets>>();
-  /** Who has their memory, and how much. */
+  /** Memory by owner. */
   readonly #owners = new Map<number, MemoryUse>();
   #lastInstance = 0;
   #lastCall = 0;

@@ -22,7 +22,7 @@ export interface WorkerListener {
   onExit(reason: { readonly kind: 'memory' | 'exit'; readonly message: string }): void;
 }
 
-/** What a platform gives the pool of workers. */
+/** Functions of a platform for the pool of workers. */
 export interface PoolPlatform {
   startWorker(start: WorkerStart, listener: WorkerListener): WorkerLink;
   every(intervalMs: number, fn: () => void): Cancel;
@@ -33,7 +33,7 @@ export interface PoolPlatform {
 /** A library of the host: methods that take and give what can be JSON, and reject with a sentence. */
 export type HostLibrary = Readonly<Record<string, (...args: unknown[]) => Promise<unknown>>>;
 
-/** What a pool is made for. */
+/** Options of a pool of workers. */
 export interface PoolOptions {
   /** Module specifiers of libraries that trusted code gets, by name. */
   readonly libraries: Readonly<Record<string, string>>;

@@ -46,7 +46,7 @@ export function createPooledSandboxes(
 }
 
 /**
- * Who shares workers. Modules with asset sets compute for tens of milliseconds at a time, in which every other module of
+ * Decides which modules share workers. Modules with asset sets compute for tens of milliseconds at a time, in which every other module of
  * their worker waits: they share theirs among themselves.
  */
 type Lane = WorkerKind | 'assets';

@@ -4,7 +4,7 @@ import type { Engine } from './engine.ts';
 import { faultOf, moduleFault } from './module-error.ts';
 import { MAX_SOURCE_BYTES } from '../sandbox-limits.ts';
 
-/** What reading a source may take; it defines functions and nothing else. */
+/** Limits of reading a source, which only defines functions. */
 const CHECK_LIMITS: SandboxLimits = {
   callTimeoutMs: 400,
   memoryBytes: 64 * 1024 * 1024,

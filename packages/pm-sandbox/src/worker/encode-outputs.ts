@@ -14,7 +14,7 @@ import type { SandboxOutput, SandboxRequest, SandboxValue } from '../ports/sandb
 import { describeThrown, moduleFault } from './module-error.ts';
 import { AWAIT_ADVICE, exampleOf, kindOf, shownMembers, unsendableKind } from './value-words.ts';
 
-/** What a module gave for one of its outputs; undefined when nothing. */
+/** Value of one output; undefined without one. */
 export type RawOutput =
   | { readonly name: string; readonly value: unknown }
   /** It could not be taken out: a sentence why. [PM-56] */
@@ -220,7 +220,7 @@ function adviceFor(format: DataFormat | undefined): string {
   return `write the value under the name of its data format, such as ${exampleOf('double')}`;
 }
 
-/** What was written in place of a value, without what may stand beside one. */
+/** Describes what was written in place of a value, without the members that may stand beside one. */
 function writtenKind(source: unknown): string {
   if (typeof source !== 'object' || source === null || Array.isArray(source)) return kindOf(source);
   const names = Object.keys(source).filter((name) => !SIDE_MEMBERS.has(name));

@@ -7,7 +7,7 @@ import type { InputValues } from './module-records.ts';
 /** A value that may come later. Engines answer at once where they can: a promise costs a turn. */
 export type MaybePromise<T> = T | Promise<T>;
 
-/** What an engine tells and asks while code runs. */
+/** Callbacks of an engine while code runs. */
 export interface EngineHooks {
   onLog(level: string, text: string): void;
   /** Calls a method of a library that the host runs; rejects with a sentence. */
@@ -20,7 +20,7 @@ export interface EngineHooks {
   onFailure(thrown: unknown): void;
 }
 
-/** What an engine is to load. */
+/** The module that an engine loads. */
 export interface EngineRequest {
   readonly source: ModuleSource;
   readonly limits: SandboxLimits;
@@ -30,16 +30,16 @@ export interface EngineRequest {
   readonly modules: Readonly<Record<string, unknown>>;
   /** Files by set and path. [PM-90] */
   readonly assets: Readonly<Record<string, LoadedAssets['files']>>;
-  /** Whose memory its own counts as; undefined: it is not counted. [PM-58] */
+  /** Owner that is charged for its memory; undefined: its memory is not counted. [PM-58] */
   readonly owner?: number | undefined;
   /** Methods of the libraries that the host runs. */
   readonly hostLibraries: Readonly<Record<string, readonly string[]>>;
 }
 
-/** What `onProcessing` gave. */
+/** Result of `onProcessing`. */
 export interface RawResult {
   readonly outputs: readonly RawOutput[];
-  /** What was wrong with the result as a whole: a sentence. */
+  /** Problem with the result as a whole, one sentence. */
   readonly problem: string | undefined;
   /** Outputs that it has and the module does not declare; only some of many. */
   readonly undeclared?: readonly string[] | undefined;

@@ -12,7 +12,7 @@ export const CONSOLE_LEVELS = {
   table: 'log',
 } as const;
 
-/** What consoles have and modules of others may call; they write nothing. */
+/** Other console methods that modules may call; they write nothing. */
 export const SILENT_CONSOLE_METHODS = [
   'assert',
   'clear',

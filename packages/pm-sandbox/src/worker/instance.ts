@@ -9,20 +9,20 @@ import { cutText, faultOf, ModuleError, moduleFault } from './module-error.ts';
 import { decodeInputs } from './module-records.ts';
 import { undeclaredName } from './nearest-name.ts';
 
-/** What an instance finds in its state, besides what it puts there. */
+/** Members that the node adds to the state of an instance. */
 export type GivenParts = Pick<EngineRequest, 'modules' | 'hostLibraries' | 'assets'>;
 
-/** What surrounds an instance: its worker, or the thread of a test. */
+/** Environment of an instance: its worker, or the thread of a test. */
 export interface InstanceHost {
   readonly engine: Engine;
-  /** Whose memory that of this one counts as. */
+  /** Owner that is charged for the memory of this instance. */
   readonly owner?: number | undefined;
   /** The libraries and the asset sets it asked for. Rejects with a `ModuleError` of kind `library`. */
   loadLibraries(names: readonly string[]): MaybePromise<GivenParts>;
   nowMs(): number;
 }
 
-/** What an instance tells its surroundings. */
+/** Events from an instance to its environment. */
 export interface InstanceHooks extends Omit<EngineHooks, 'onFailure'> {
   /** Its code failed permanently outside of a call. */
   onFailed(fault: ModuleFault): void;

@@ -1,4 +1,4 @@
-/** Whose memory is used up: that of the owner of an instance, or that of all instances. */
+/** The exhausted memory: that of the owner of an instance, or that of all instances. */
 export type MemoryShortage = 'owner' | 'all';
 
 /** Of WebAssembly, bytes. */
@@ -8,13 +8,12 @@ export const PAGE_BYTES = 65_536;
 export const MAX_OWNERS = 4_096;
 
 /**
- * What instances have, in pages, as workers see it: shared by all of them where a platform can, else
- * the part of one worker.
+ * Memory of instances in pages, as workers see it: shared by all workers where the platform supports it, else that of one worker.
  */
 export interface MemoryCells {
   /** Limits, what all instances have, and what those of each owner have. */
   readonly counts: Int32Array;
-  /** What the instances of this worker have, by owner: given back when it ends. */
+  /** Memory of the instances of this worker by owner, freed when the worker ends. */
   readonly own: Int32Array;
 }
 

@@ -34,7 +34,7 @@ export function faultOf(thrown: unknown, phase: ModulePhase): ModuleFault {
   return moduleFault('crashed', phase, `The sandbox failed: ${describeThrown(thrown)}`);
 }
 
-/** What was thrown, in one sentence; it may be anything, even something that throws when looked at. */
+/** Describes a thrown value in one sentence; it may be anything, even an object that throws when read. */
 export function describeThrown(thrown: unknown): string {
   try {
     if (typeof thrown === 'object' && thrown !== null && 'message' in thrown) {

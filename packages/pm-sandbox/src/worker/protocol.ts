@@ -24,7 +24,7 @@ export type HostMessage =
       readonly request: Omit<SandboxRequest, 'assets'>;
       /** Keys of its asset sets, which the worker has by then. */
       readonly assets: readonly string[];
-      /** Whose memory its own counts as. */
+      /** Owner that is charged for its memory. */
       readonly owner: number;
     }
   /** Files for all instances that name the set. */
@@ -112,7 +112,7 @@ export interface Progress {
   readonly sequence: number;
 }
 
-/** What a worker is told when it starts. */
+/** First message to a worker. */
 export interface WorkerStart {
   readonly kind: WorkerKind;
   /** Where sandboxed instances take their memory from. */

@@ -3,7 +3,7 @@ import { DATA_FORMATS, isMessageType, messageDescriptor, type DataFormat } from 
 /** Members named in a sentence; the others are left out. */
 const MAX_MEMBERS = 4;
 
-/** What cannot leave a module, as QuickJS marks it and as V8 has it. */
+/** Values that cannot leave a module, as marked by QuickJS and as they are in V8. */
 export type Unsendable = 'a function' | 'a symbol' | 'a bigint' | 'a promise';
 
 /** Says that a promise was written where its value belongs. */

@@ -17,7 +17,7 @@ import type {
 import { readRun, wireResult } from './run-wire.ts';
 import { WorkerAssets } from './worker-assets.ts';
 
-/** What a worker has around it. */
+/** Environment of a worker. */
 export interface WorkerPlatform {
   readonly engine: Engine;
   readonly hostLibraries: HostLibraryNames;
@@ -59,9 +59,9 @@ export class WorkerLoop {
   #heldSinceMs = 0;
   #isBusy = false;
   #lastRequest = 0;
-  /** What was told of the memory of each. */
+  /** Last reported memory of each instance. */
   readonly #toldBytes = new Map<number, number>();
-  /** Whose code ran since that was told. */
+  /** Instances whose code ran since that report. */
   readonly #touched = new Set<number>();
   #lookedMs = -Infinity;
 
@@ -142,7 +142,7 @@ export class WorkerLoop {
       case 'libraryAnswer':
         this.#answers.get(message.request)?.(message);
         this.#answers.delete(message.request);
-        // What waits for it goes on in a moment.
+        // Waiting calls continue in a moment.
         return true;
     }
   }

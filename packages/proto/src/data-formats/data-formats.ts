@@ -7,7 +7,7 @@ import { validateValue } from './validate-value.ts';
 export type DataFormatFamily =
   'number' | 'vector' | 'rotation' | 'event' | 'text' | 'image' | 'objects' | 'pose' | 'system';
 
-/** What is known about one data format. */
+/** Facts about one data format. */
 export interface DataFormatInfo<F extends DataFormat = DataFormat> {
   readonly format: F;
   /** Number of the member in `TopicDataRecord`. */

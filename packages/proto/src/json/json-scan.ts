@@ -12,7 +12,7 @@ const MAX_TEXT_BYTES = 8 * 1024;
 /** The longest way to write a key of so few letters: each escaped, with quotes. */
 const BYTES_PER_KEY_CHAR = 6;
 
-/** What a scan may find at most. */
+/** Limits of a scan. */
 export interface JsonScanLimits {
   /** Objects and lists within each other. */
   readonly depth: number;
@@ -20,7 +20,7 @@ export interface JsonScanLimits {
   readonly values: number;
 }
 
-/** What a scan ran into. `pos` says where. */
+/** Limit that a scan exceeded, at the position `pos`. */
 export type JsonScanExcess = 'depth' | 'values';
 
 /**

@@ -27,7 +27,7 @@ export interface ServiceInfo<
   readonly requestFormat: string;
   /** Full message name of the result. */
   readonly replyFormat: string;
-  /** What it does, one sentence. */
+  /** Purpose of the service, one sentence. */
   readonly description: string;
   /** Key in the constants every master sends with its configuration; undefined when it has none. */
   readonly constant: string | undefined;

@@ -169,7 +169,7 @@ export type ServiceRequestOf<S extends ServiceName> = Table[S]['request'] extend
     : undefined
   : never;
 
-/** What a service returns on success. */
+/** Reply of a service on success. */
 export type ServiceReplyOf<S extends ServiceName> = NonNullable<ServiceReply[Table[S]['reply']]>;
 
 const NAME_BY_TOPIC: ReadonlyMap<string, ServiceName> = new Map(

@@ -10,7 +10,7 @@ export const BYTES = 3;
 export const MESSAGE = 4;
 export const FIXED32 = 5;
 
-/** What the structure check knows about a field. */
+/** A field in the structure check. */
 export interface FieldCheck {
   readonly number: number;
   readonly check: Check;
@@ -24,7 +24,7 @@ export interface FieldCheck {
   readonly isOneofMember: boolean;
 }
 
-/** What the structure check knows about a message. */
+/** A message in the structure check. */
 export interface MessageCheck {
   readonly name: string;
   /** By field number, up to LOW_FIELDS. An array, because this is looked up once per field received. */

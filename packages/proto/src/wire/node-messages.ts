@@ -27,7 +27,7 @@ export interface LockstepMessage<M> {
   readonly records: readonly Uint8Array[];
 }
 
-/** What a `NodeMessage` says; records are left encoded. */
+/** Content of a `NodeMessage`; records stay encoded. */
 export interface EncodedNodeMessage {
   readonly lockstepRequest?: LockstepMessage<LockstepProcessingRequest>;
   readonly lockstepReply?: LockstepMessage<LockstepProcessingReply>;

@@ -12,13 +12,13 @@ import {
   TOPIC_TAG,
 } from './tags.ts';
 
-/** What an encoded record says beside its value. */
+/** Members of an encoded record besides its value. */
 export interface RecordHead {
   /** Empty when it has none. */
   readonly topic: string;
   /** Number of the value member, 0 when there is none. */
   readonly valueField: number;
-  /** Who published it, as far as the publisher said; empty when it did not. */
+  /** Client id of the publisher, as stated by the publisher; empty when it stated none. */
   readonly clientId: string;
   /** How long the value outlives its publisher, seconds. [TD-43] */
   readonly keepSeconds: number;

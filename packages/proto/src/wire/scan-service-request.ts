@@ -12,7 +12,7 @@ import {
   type MessageCheck,
 } from './check-table.ts';
 
-/** What a scan of an encoded `ServiceRequest` finds. */
+/** Result of a scan of an encoded `ServiceRequest`. */
 export interface RequestScan {
   /** Of several the last; empty when there is none. */
   readonly topic: string;

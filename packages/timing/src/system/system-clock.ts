@@ -1,6 +1,6 @@
 import type { Cancel, Clock } from '../clock.ts';
 
-/** What differs between programs. */
+/** Settings that differ between programs. */
 export interface SystemClockOptions {
   /**
    * Calls a function at the end of this turn of the event loop. Default: as a microtask, for a frame, a

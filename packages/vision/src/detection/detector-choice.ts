@@ -7,7 +7,7 @@ import { createCocoSsd } from './coco-ssd.ts';
 import type { DetectorName } from './detector-names.ts';
 import type { Detection, DetectionOptions, Detector } from './detector.ts';
 
-/** What a choice of detectors needs. */
+/** Dependencies of a choice of detectors. */
 export interface DetectorSources extends Omit<ModelSources<DetectorName, Detector>, 'models'> {
   readonly centerNet: Files;
   /** Loads the files of COCO-SSD. Rejects with an error whose `code` is `missing` when they are not installed. */

@@ -50,7 +50,7 @@ export function isNewView(
   });
 }
 
-/** What to do next, one sentence: what the views do not have yet. Sides are those of the picture. */
+/** Next step for the user, one sentence: the kind of view that is missing. Sides are those of the picture. */
 export function nextHint(views: readonly CalibrationView[], { width, height }: Size): string {
   const hasTilt = (test: (normal: Vector3Value) => boolean): boolean =>
     views.some(({ normal }) => test(normal));

@@ -16,7 +16,7 @@ import { greyForDetection } from './grey-for-detection.ts';
 import { cameraMats, orientationOf, type PixelPoint } from './marker-pose.ts';
 import { quaternionOfAxisAngle, rotate, type Vector3Value } from './rotations.ts';
 
-/** What became of one picture. */
+/** Result of one picture. */
 export interface CalibrationLook {
   /** Corners of the board, 0 to 1 of width and height. */
   readonly corners: readonly (PixelPoint & { readonly id: number })[];
@@ -24,7 +24,7 @@ export interface CalibrationLook {
   readonly isTaken: boolean;
   /** Views so far; `WANTED_VIEWS` are enough. */
   readonly views: number;
-  /** What to do next, one sentence. */
+  /** Next step for the user, one sentence. */
   readonly hint: string;
   /** When there are enough views. */
   readonly calibration?: CameraCalibration;

@@ -1,4 +1,4 @@
-// What pages need of markers and cameras, without OpenCV and TensorFlow.js.
+// Exports for pages with markers and cameras, without OpenCV and TensorFlow.js.
 export * from './camera-calibration.ts';
 export { WANTED_VIEWS } from './calibration-views.ts';
 export * from './charuco-board.ts';

@@ -2,7 +2,7 @@ import type { MarkerDictionary } from './dictionaries.ts';
 import { MARKER_DRAWINGS } from './generated/marker-drawings.ts';
 
 /**
- * What a marker looks like: rows from the top, true for a black cell. The black border of one cell is
+ * Cells of a marker: rows from the top, true for a black cell. The black border of one cell is
  * part of it, so that there are `cells + 2` in a row.
  *
  * @throws RangeError when the dictionary has no such marker

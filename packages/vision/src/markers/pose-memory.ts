@@ -5,7 +5,7 @@ import { angleBetween, blend } from './rotations.ts';
 const NEAR_ERROR_RATIO = 2;
 const NEAR_ERROR_PX = 0.25;
 
-/** What is not seen for this long is forgotten, milliseconds. */
+/** Markers that are not seen for this time are forgotten, milliseconds. */
 const FORGET_MS = 500;
 
 interface Seen {

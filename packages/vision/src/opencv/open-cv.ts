@@ -129,7 +129,7 @@ export interface OpenCv {
     perViewErrors: CvMat,
     flags: number,
   ): number;
-  /** What a thrown number is. */
+  /** Converts a thrown number to an error. */
   exceptionFromPtr(pointer: number): { readonly msg: string };
 }
 

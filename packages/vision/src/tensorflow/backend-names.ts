@@ -3,5 +3,5 @@ export const BACKEND_NAMES = ['webgpu', 'webgl', 'wasm', 'cpu'] as const;
 
 export type BackendName = (typeof BACKEND_NAMES)[number];
 
-/** What callers may ask for: the fastest backend, or one by name. */
+/** Choices of callers: the fastest backend, or one by name. */
 export const BACKEND_CHOICES = ['auto', ...BACKEND_NAMES] as const;

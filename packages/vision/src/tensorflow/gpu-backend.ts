@@ -10,7 +10,7 @@ export class BackendLostError extends Error {
 
 type Factory = NonNullable<ReturnType<typeof tf.findBackendFactory>>;
 
-/** What TensorFlow.js registered, before it was wrapped. */
+/** Backend as registered by TensorFlow.js, before it was wrapped. */
 const factories = new Map<BackendName, Factory>();
 const startErrors = new Map<BackendName, unknown>();
 

@@ -1,4 +1,4 @@
-/** What a worker has of an interface to the graphics card. */
+/** Interfaces of a worker to the graphics card. */
 export interface GpuSupport {
   /** Why there is none, one sentence; undefined when there is one. */
   readonly absence?: string;

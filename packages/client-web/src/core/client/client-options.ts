@@ -19,7 +19,7 @@ export interface ClientOptions {
   readonly name: string;
   readonly description?: string;
   readonly tags?: readonly string[];
-  /** What the client is as a node; a client that runs no modules leaves it out. [PM-60] */
+  /** Capabilities of the client as a node; undefined for a client that runs no modules. [PM-60] */
   readonly node?: Init<NodeExtension>;
   /** The modules it has code for; their code need not be told. [PM-60] */
   readonly processingModules?: readonly Init<ProcessingModule>[];

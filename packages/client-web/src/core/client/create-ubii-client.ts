@@ -442,7 +442,7 @@ class Client implements UbiiClient {
         return;
       case 'closed':
         this.#pause();
-        // What a page asks for at its end is on its way, and is not to be cancelled.
+        // Do not cancel the requests that a page sends while it closes.
         if (this.#isLeaving) return;
         this.#open.rejectAll(state.error ?? new ConnectionError('closed', 'The client was closed'));
         if (state.error !== undefined) this.#subscriptions.failIterators(state.error);

@@ -67,7 +67,7 @@ export interface UbiiClient {
    * the same error, unless it was connected: then it stays what it was.
    */
   join(token: string): Promise<void>;
-  /** What the client may do; `undefined` before the first connection, and with masters that know no roles. */
+  /** Rights of the client; `undefined` before the first connection, and with masters that do not support roles. */
   readonly role: ClientRole | undefined;
 
   /** The client's id; empty before the first connection. */

@@ -8,7 +8,7 @@ import { AccessRole, JoinProblem as WireProblem, ServiceError } from '@ubii/prot
 export type JoinProblem =
   'missing' | 'wrong' | 'expired' | 'revoked' | 'used' | 'guessing' | 'role';
 
-/** What a client may do at its master. [AC-20] */
+/** Rights of a client at its master. [AC-20] */
 export type ClientRole = 'admin' | 'participant' | 'player' | 'viewer';
 
 const PROBLEMS: ReadonlyMap<unknown, JoinProblem> = new Map<unknown, JoinProblem>([

@@ -1,2 +1,2 @@
-/** What the client says of its library at registration: name and version, as in a User-Agent. [EX-25] */
+/** Name and version of the library, sent at registration in the form of a User-Agent. [EX-25] */
 export const LIBRARY_NAME = 'client-web/0.1.0';

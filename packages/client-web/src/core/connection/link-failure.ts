@@ -11,16 +11,16 @@ export interface LinkFailure {
   readonly wasUp: boolean;
 }
 
-/** What the client does about a failure. */
+/** Reaction of the client to a failure. */
 export type Remedy = 'stop' | 'register-as-new' | 'register-again' | 'retry';
 
 /** No close code of the master: the link broke. */
 export const BROKEN = 1006;
 
-/** What a client closes with that leaves permanently. [EX-55] */
+/** Close code of a client that leaves permanently. [EX-55] */
 export const LEFT = { code: 4000, reason: 'left' } as const;
 
-/** What the master says with a close code. [EX-5] Every other code: try again, with back-off. */
+/** Reactions to the close codes of the master [EX-5]; after other codes, the client reconnects with back-off. */
 const REMEDIES: ReadonlyMap<number, Remedy> = new Map([
   [4001, 'stop'], // superseded: trying again would take the identity back, and so on forever
   [4003, 'register-as-new'], // not this client
@@ -56,7 +56,7 @@ const FINAL_CODES: ReadonlySet<string> = new Set([
   'unimplemented',
 ]);
 
-/** What to do about a failure. */
+/** Reaction to a failure. */
 export function remedyFor({ code, error, wasUp }: LinkFailure): Remedy {
   const told = REMEDIES.get(code);
   if (told !== undefined) return told;
@@ -80,7 +80,7 @@ export function isAnswered({ code, error, wasUp }: LinkFailure): boolean {
   return wasUp || code !== BROKEN || error.cause instanceof ServiceError;
 }
 
-/** What the master answers to a client it does not know. */
+/** Returns the error of the master for an unknown client. */
 export function unknownClient(cause?: unknown): ServiceError {
   return new ServiceError('not_found', 'The master does not know this client', { cause });
 }

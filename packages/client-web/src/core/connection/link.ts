@@ -27,7 +27,7 @@ const BURST_INTERVAL_MS = 50;
 /** A PONG that tells the master's time. [TS-2] */
 const TIMED_PONG = /^PONG (\d{1,10}) (\d{1,15}(?:\.\d{1,6})?) (\d{1,15}(?:\.\d{1,6})?)$/;
 
-/** What a link is made of. */
+/** Dependencies of a link. */
 export interface LinkOptions {
   readonly transport: TopicDataTransport;
   readonly query: TopicDataQuery;
@@ -47,10 +47,10 @@ export interface LinkOptions {
   readonly handleEnd: (failure: LinkFailure) => void;
 }
 
-/** What a link has to do with clocks. [TS-2] */
+/** Clock exchange of a link. [TS-2] */
 export interface LinkTime {
   handleExchange(exchange: TimeExchange): void;
-  /** What the master is told of this client's clock with the next PING; empty when there is nothing to tell. [TS-10] */
+  /** Returns the clock sample that the next PING sends to the master; empty without one. [TS-10] */
   describeClock(): string;
 }
 
@@ -60,7 +60,7 @@ interface SentPing {
   readonly sent: ClockReading;
   /** Sent for the clock alone: neither activity nor a round trip is expected of it. */
   readonly isExtra: boolean;
-  /** Who waits for it. */
+  /** Settled by the PONG; undefined when no caller waits for it. */
   readonly answered: Deferred<void> | undefined;
 }
 

@@ -5,12 +5,12 @@ import { Deferred } from '../callbacks/deferred.ts';
 const TRIPS = 4;
 const SHORTEST_MS = 1_000;
 const LONGEST_MS = 2_000;
-/** What comes this soon after the question may have been on its way before the link broke, milliseconds. */
+/** A frame that arrives within this time after the probe may have been sent before the link broke, milliseconds. */
 const EARLIER_FRAMES_MS = 250;
 /** A deadline that comes so much too late was slept through, milliseconds. */
 const SLEPT_MS = 500;
 
-/** What a probe works on. */
+/** Dependencies of a probe. */
 export interface ProbeOptions {
   readonly clock: Clock;
   /** Asks the master; resolves `answered` with its answer to this question. */

@@ -25,14 +25,14 @@ export interface RegistrationCalls {
   rejectAll(error: ConnectionError): void;
 }
 
-/** Who we are at the master: registers, comes back as the same client, deregisters. */
+/** Keeps the identity at the master: registers, resumes as the same client, deregisters. */
 export class Registration {
   readonly #calls: RegistrationCalls;
   readonly #storage: Required<IdentityStorage>;
   #profile: ClientProfile;
   #identity: Identity | undefined;
   #membership: Membership | undefined;
-  /** What may hold still, until the master could be asked. */
+  /** An earlier identity that the master has not confirmed yet. */
   #doubted: Membership | undefined;
   #hasLoaded = false;
   #clientId = '';
@@ -62,7 +62,7 @@ export class Registration {
     );
   }
 
-  /** What shows later requests to come from this client. [AC-13] */
+  /** Credential of later requests of this client. [AC-13] */
   get credential(): string | undefined {
     return this.#identity?.credential;
   }
@@ -97,7 +97,7 @@ export class Registration {
     return this.#profile;
   }
 
-  /** What holds as far as we know; `undefined` when the client has to register. */
+  /** The current registration, as far as known; `undefined` when the client has to register. */
   get membership(): Membership | undefined {
     return this.#membership;
   }

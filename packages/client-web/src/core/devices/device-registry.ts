@@ -15,7 +15,7 @@ import type { IdSource } from '../ports/id-source.ts';
 import type { PublishOptions } from '../publishing/publish-buffer.ts';
 import type { SubscribeOptions, Subscription } from '../subscriptions/subscription.ts';
 
-/** What devices need from the client they belong to. */
+/** Dependencies of devices on their client. */
 export interface DeviceRegistryOptions {
   readonly clock: Clock;
   readonly uuid: IdSource;
@@ -51,7 +51,7 @@ interface Entry {
   wasAsked: boolean;
   /** The registration of the client it was registered under; after another one the master may have lost it. */
   serial: number | undefined;
-  /** What the master answered last. */
+  /** The latest reply of the master. */
   registered: Device | undefined;
   /** Settles when the device is registered for the first time. */
   readonly first: Deferred<void>;

@@ -6,7 +6,7 @@ import type { RandomSource } from './random.ts';
 import type { ServiceTransport } from './service-transport.ts';
 import type { TopicDataTransport } from './topic-data-transport.ts';
 
-/** What a client stands on. */
+/** Ports of a client. */
 export interface ClientPorts {
   readonly clock: Clock;
   readonly random: RandomSource;

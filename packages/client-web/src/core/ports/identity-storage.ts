@@ -1,4 +1,4 @@
-/** What a client needs to come back as itself. */
+/** Data that a client needs to resume as the same client. */
 export interface Identity {
   /** The id the master gave. */
   readonly clientId: string;

@@ -1,4 +1,4 @@
-/** What the core does with what happens on a socket. Calls come in this order: open, frames, close. */
+/** Handlers of the core for the events of a socket, called in this order: open, frames, close. */
 export interface TopicDataHandler {
   /** The socket can send. Not called for a socket that could not be opened. */
   handleOpen(): void;
@@ -25,7 +25,7 @@ export interface TopicDataSocket {
   close(code?: number, reason?: string): void;
 }
 
-/** Who a socket belongs to. */
+/** Client of a socket, for the query of its URL. */
 export interface TopicDataQuery {
   readonly clientId: string;
   /** The resume token, on masters of ours. [EX-4] */

@@ -2,7 +2,7 @@ import { DATA_FORMATS, dataFormatOfField, encodeRecord } from '@ubii/proto';
 import type { DataFormat, RecordInit } from '@ubii/proto';
 import type { WaitingRecord } from './publish-buffer.ts';
 
-/** What a program publishes. */
+/** A record as a program publishes it. */
 export interface Publication {
   readonly topic: string;
   readonly format: DataFormat;

@@ -7,7 +7,7 @@ export interface PublishOptions {
   readonly immediate?: boolean;
   /** Timestamp of the record: milliseconds since the Unix epoch. @default now */
   readonly timestampMs?: number;
-  /** What "now" means: the master's time, or this machine's. [TS-9] @default as `ClientOptions` say */
+  /** Whether timestamps are in the time of the master, or in that of this machine. [TS-9] @default as `ClientOptions` say */
   readonly stampInMasterTime?: boolean;
   /**
    * How long the master keeps the value after this client left or was lost, whole seconds; an hour at most, and

@@ -19,7 +19,7 @@ const SERVICES_WITH_CLIENT_ID: ReadonlySet<ServiceName> = new Set([
   'accessGrantRevoke',
 ]);
 
-/** What the calls of a client go by. */
+/** Dependencies of the service calls of a client. */
 export interface ClientCallsOptions {
   readonly calls: ServiceCalls;
   readonly clock: Clock;

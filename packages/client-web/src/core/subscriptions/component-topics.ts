@@ -9,7 +9,7 @@ const MAX_HELD_RECORDS = 256;
 /** Topics known to belong to no profile; beyond that they are asked for again. */
 const MAX_FOREIGN_TOPICS = 10_000;
 
-/** What the component topics need, and whom they tell. */
+/** Dependencies and callbacks of the component topics. */
 export interface ComponentTopicsOptions {
   /** Components that match any of the profiles. */
   readonly listComponents: (profiles: readonly ComponentProfile[]) => Promise<readonly Component[]>;

@@ -6,7 +6,7 @@ import { ReceivedRecord } from './received-record.ts';
 /** From this size a buffer is worth transferring instead of copying, bytes. */
 export const TRANSFERABLE_BYTES = 16 * 1024;
 
-/** What a frame held, its records not decoded. */
+/** Content of a frame, with encoded records. */
 export interface ScannedFrame {
   readonly records: readonly ReceivedRecord[];
   readonly errors: readonly ServiceError[];

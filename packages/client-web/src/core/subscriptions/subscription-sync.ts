@@ -11,7 +11,7 @@ const PATTERNS_PER_REQUEST = 1_000;
 /** How long to wait after a request that did not get through though the link is up, milliseconds. */
 const RETRY_MS = 1_000;
 
-/** What the sync needs, and whom it tells. */
+/** Dependencies and callbacks of the synchronization. */
 export interface SubscriptionSyncOptions {
   readonly clock: Clock;
   /** Calls the topic-subscription service. */
@@ -49,9 +49,9 @@ interface Step {
 export class SubscriptionSync {
   readonly #options: SubscriptionSyncOptions;
   readonly #wanted = new Map<string, Wanted>();
-  /** What the master has, or may have. */
+  /** Subscriptions that the master has, or may have. */
   readonly #held = new Map<string, Held>();
-  /** Whose subscriptions those are. */
+  /** Client id of these subscriptions. */
   #clientId = '';
   /** Replaced when the link comes or goes; an answer to a request of an earlier one decides nothing. */
   #online: { readonly takesComponents: boolean; isRunning: boolean } | undefined;
@@ -163,7 +163,7 @@ export class SubscriptionSync {
     this.#becomeIdle();
   }
 
-  /** What it takes to get from what is held to what is wanted. */
+  /** Returns the requests that turn the held subscriptions into the wanted ones. */
   #plan(): Step[] {
     const stale = [...this.#held.values()].filter(({ certainty }) => certainty === 'stale');
     if (stale.length > 0) return chunks(stale).map(toUnsubscribe);

@@ -21,7 +21,7 @@ export interface SubscribeOptions<F extends DataFormat = DataFormat> {
 export interface Subscription<F extends DataFormat = DataFormat> extends AsyncIterable<
   TopicRecord<F>
 > {
-  /** What was subscribed to. */
+  /** The subscribed topic or pattern. */
   readonly pattern: TopicPattern;
   /** Calls `fn` for every record from now on. Each call adds a callback. */
   onRecord(fn: (record: TopicRecord<F>) => void): this;

@@ -7,7 +7,7 @@ import type { ComponentProfile } from './component-profile.ts';
 export const MAX_REMEMBERED_TOPICS = 10_000;
 
 /**
- * What a subscription selects: one topic · a glob, where `*` stands for any characters within one
+ * Selector of a subscription: one topic · a glob, where `*` stands for any characters within one
  * segment, `**` for any characters and `?` for one · an unanchored regular expression, as source or
  * as a RegExp without flags, with the syntax and meaning of RE2 · the topics of all components that
  * match a profile, of devices that come later as well.

@@ -15,7 +15,7 @@ import type { SubscribeOptions, Subscription } from './subscription.ts';
 import { MAX_REMEMBERED_TOPICS, toServerPattern } from './topic-pattern.ts';
 import type { ServerPattern, TopicMatch, TopicPattern } from './topic-pattern.ts';
 
-/** What the subscriptions need, and whom they tell. */
+/** Dependencies and callbacks of the subscriptions. */
 export interface TopicSubscriptionsOptions {
   readonly clock: Clock;
   /** Matches regular expressions. */

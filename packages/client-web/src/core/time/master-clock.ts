@@ -26,7 +26,7 @@ export class MasterClock implements MasterTime {
   readonly #masterGrain = new ClockGrain();
   readonly #listeners: Listeners<MasterTimeEstimate | undefined>;
   #last: ClockReading | undefined;
-  /** What to go by until the next measurement: what to add to one of the two clocks, milliseconds. */
+  /** Offset until the next measurement: added to one of the two clocks, milliseconds. */
   #makeshift: { readonly clock: keyof ClockReading; readonly offsetMs: number } = {
     clock: 'wallMs',
     offsetMs: 0,

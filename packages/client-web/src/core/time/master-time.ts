@@ -1,10 +1,10 @@
 import type { Unsubscribe } from '../callbacks/unsubscribe.ts';
 
-/** What a client knows of the master's clock. [TS-4] */
+/** Estimate of the master's clock. [TS-4] */
 export interface MasterTimeEstimate {
   /** Master's clock minus this machine's, milliseconds: above 0 the master is ahead. */
   readonly offsetMs: number;
-  /** What the master's clock gains on this machine's timer, parts per million. */
+  /** Drift of the master's clock against the timer of this machine, parts per million. */
   readonly driftPpm: number;
   /** How far `nowMs()` may be from the master's clock, milliseconds; grows with age until the next measurement. */
   readonly errorMs: number;

@@ -2,7 +2,7 @@ import { MAX_DRIFT, UNKNOWN_DRIFT, driftOf } from './drift.ts';
 import type { Drift } from './drift.ts';
 import type { TimeSample } from './time-sample.ts';
 
-/** What is known of the master's clock at one moment. */
+/** Estimate of the master's clock at one moment. */
 export interface TimeGuess {
   /** Master's clock minus the monotonic clock, milliseconds. */
   readonly offsetMs: number;

@@ -10,7 +10,7 @@ export interface TimeExchange {
   readonly masterSentMs: number;
 }
 
-/** What one exchange says. */
+/** Result of one exchange. */
 export interface TimeSample {
   /** The middle of the exchange: monotonic milliseconds. */
   readonly atMs: number;

@@ -29,7 +29,7 @@ export function fieldFits(declared: DataFormat | undefined): (valueField: number
   return (valueField) => fields.includes(valueField);
 }
 
-/** What a record holds, for people. */
+/** Describes the value of a record, for people. */
 export function describeField(valueField: number): string {
   return valueField === 0 ? 'no value' : (dataFormatOfField(valueField) ?? `member ${valueField}`);
 }

@@ -18,9 +18,9 @@ export interface InputSlot {
   markValue(): void;
   /** A run starts with the oldest update that no run had, and without an update with the newest value. */
   takeMark(): void;
-  /** What a run that starts now gets: the same object until something changes. */
+  /** Input of a run that starts now: the same object until it changes. */
   read(): SandboxInput;
-  /** What a run of a pass gets. [PM-27] */
+  /** Input of a run in a pass. [PM-27] */
   readFrom(snapshot: Snapshot): SandboxInput;
   /** The newest records of its topics. [SE-40] */
   records(): Iterable<EncodedRecord>;
@@ -33,7 +33,7 @@ export interface InputSlot {
   close(): void;
 }
 
-/** What slots need and tell. */
+/** Dependencies and callbacks of slots. */
 export interface SlotContext {
   readonly topics: TopicPort;
   readonly patterns: MeteredPatterns;
@@ -48,7 +48,7 @@ export interface SlotContext {
   onProblem(inputName: string, problem: string): void;
 }
 
-/** What a slot is made of. */
+/** Dependencies of one slot. */
 export interface SlotSpec {
   readonly name: string;
   /** Undefined: any record. */

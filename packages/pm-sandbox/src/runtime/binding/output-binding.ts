@@ -12,7 +12,7 @@ export interface OutputRecord {
   readonly valueField: number;
 }
 
-/** What becomes of the outputs of a run. */
+/** Receiver of the outputs of a run. */
 export interface OutputSink {
   /** Takes a record's share of what is allowed. Returns what is used up, if it is. [PM-55] */
   overLimit(sizeBytes: number): string | undefined;

@@ -43,7 +43,7 @@ export class SessionPatterns {
   }
 }
 
-/** What matching may take. */
+/** Time limits of matching. */
 export type PatternTimes = Pick<RuntimeLimits, 'patternMatchMs' | 'patternMatchMsPerSecond'>;
 
 /** Whether a muxer matches regular expressions, so that there has to be a compiler of them. */

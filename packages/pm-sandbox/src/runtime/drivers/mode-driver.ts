@@ -13,7 +13,7 @@ export interface ModeDriver {
   readonly waiting: number;
 }
 
-/** What a driver knows of its instance, and can do. */
+/** The instance, as seen by its driver. */
 export interface RunHost {
   /** A run is under way. */
   readonly isBusy: boolean;

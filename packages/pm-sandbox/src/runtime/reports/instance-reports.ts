@@ -12,7 +12,7 @@ import { EventThrottle } from './event-throttle.ts';
 import { RunDurations } from './run-durations.ts';
 import { RunRate } from './run-rate.ts';
 
-/** Who is reported on. */
+/** The instance that the reports describe. */
 export interface ReportSubject {
   readonly sessionId: string;
   readonly moduleId: string;
@@ -23,7 +23,7 @@ export interface ReportSubject {
 /** Characters of one event's text; the rest is cut. A stack of calls or a small object fits. */
 const MAX_MESSAGE_LENGTH = 4096;
 
-/** What one instance did: counts and events. [PM-80] [PM-81] */
+/** Counters and events of one instance. [PM-80] [PM-81] */
 export class InstanceReports {
   readonly #subject: ReportSubject;
   readonly #clock: Clock;

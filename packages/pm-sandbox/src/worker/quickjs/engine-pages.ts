@@ -1,7 +1,7 @@
 import { PAGE_BYTES } from '../memory-account.ts';
 
 /**
- * What a copy begins with: 90 KiB of constants, a stack of 5 MiB, and a quarter of a megabyte for a runtime
+ * Initial memory of a copy: 90 KiB of constants, a stack of 5 MiB, and a quarter of a megabyte for a runtime
  * with its first objects.
  */
 export const INITIAL_PAGES = 86;
@@ -11,5 +11,5 @@ export const INITIAL_PAGES = 86;
  */
 export const UNTOUCHED_PAGES = 72;
 
-/** What a sandboxed module takes at least, bytes: its copy of the engine. [PM-58] */
+/** Minimum memory of a sandboxed module, bytes: its copy of the engine. [PM-58] */
 export const LEAST_MODULE_BYTES = (INITIAL_PAGES - UNTOUCHED_PAGES) * PAGE_BYTES;

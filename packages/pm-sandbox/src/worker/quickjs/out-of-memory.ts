@@ -3,7 +3,7 @@ import type { SandboxLimits } from '../../ports/sandbox.ts';
 import type { MemoryAccount, MemoryShortage } from '../memory-account.ts';
 import { moduleFault } from '../module-error.ts';
 
-/** What an instance is ended with that did not get memory. [PM-52] [PM-58] */
+/** Error that ends an instance which did not get memory. [PM-52] [PM-58] */
 export function outOfMemory(
   phase: ModulePhase,
   shortage: 'own' | MemoryShortage,

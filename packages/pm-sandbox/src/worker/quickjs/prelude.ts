@@ -1,4 +1,4 @@
-/** What the engine calls inside; results are JSON text, or undefined while a promise is awaited. */
+/** Functions that the engine calls inside; results are JSON text, or undefined while a promise is awaited. */
 export interface PreludeApi {
   /** Keeps a callback. */
   load(phase: string, callback: (...args: unknown[]) => unknown): void;
@@ -19,7 +19,7 @@ export interface PreludeApi {
   settle(id: number, isGood: boolean, json: string): void;
   /** Bytes of the result by their number in it. */
   blob(index: number): ArrayBuffer;
-  /** What was thrown, as JSON: name, message, stack. */
+  /** The thrown error as JSON: name, message, stack. */
   describe(thrown: unknown): string;
 }
 

@@ -26,7 +26,7 @@ import { writeJson } from './write-json.ts';
 
 type Phase = Exclude<ModulePhase, ''>;
 
-/** What differs between the platforms. */
+/** Functions that differ between the platforms. */
 export interface QuickJsOptions {
   /** Of the engine, bytes; the stack of the thread must bear it several times over. */
   readonly stackBytes: number;
@@ -329,7 +329,7 @@ export class QuickJsInstance implements EngineInstance {
     throw this.#errorOf(thrown, thrown.name === 'SyntaxError' ? kind : 'threw');
   }
 
-  /** What the engine itself throws means that it is no more to be trusted with anything. */
+  /** After an exception of the engine itself, its state cannot be trusted. */
   #safely<T>(compute: () => T): T {
     try {
       return compute();

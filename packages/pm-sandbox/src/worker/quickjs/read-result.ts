@@ -2,7 +2,7 @@ import { parseJson } from './parse-json.ts';
 import type { RawOutput } from '../encode-outputs.ts';
 import { describeThrown } from '../module-error.ts';
 
-/** What a call inside the engine gave. */
+/** Result of a call inside the engine. */
 export type CallResult =
   | {
       readonly kind: 'done';
@@ -49,7 +49,7 @@ export function readResult(
   };
 }
 
-/** What the prelude's `describe` wrote. */
+/** Reads the output of the prelude's `describe`. */
 export function readThrown(described: unknown): ThrownText {
   const [name, message, stack] = (Array.isArray(described) ? described : []).map((part) =>
     typeof part === 'string' ? part : '',

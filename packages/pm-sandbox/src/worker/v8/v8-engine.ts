@@ -26,7 +26,7 @@ export interface SourcePosition {
   readonly column: number;
 }
 
-/** What a platform adds to the engine. */
+/** Functions that a platform adds to the engine. */
 export interface V8EngineOptions {
   /** Where a text does not parse; engines do not say it by themselves. */
   readonly locateSyntaxError?: (text: string) => SourcePosition | undefined;
