@@ -13,7 +13,7 @@ import { readJoinCode } from './join-code.ts';
 import { joinRefusal, roleRefusal } from './join-refusals.ts';
 import { mayCall, type ServiceRight } from './rights-table.ts';
 
-/** What access is decided by. */
+/** Dependencies of access decisions. */
 export interface AccessContext {
   readonly clock: Clock;
   readonly secrets: AccessSecrets;
@@ -24,7 +24,7 @@ export interface AccessContext {
   readonly accessOf: (clientId: string) => ClientAccess | undefined;
 }
 
-/** What a token, code or credential is good for. */
+/** Meaning of a token, code or credential. */
 type Found =
   | { readonly problem: JoinProblem; readonly grant?: undefined }
   | { readonly problem?: undefined; readonly grant: Grant };
@@ -113,7 +113,7 @@ export class Access {
     return isOver ? joinRefusal(JOIN_PROBLEM_EXPIRED) : undefined;
   }
 
-  /** What a token or code is good for, for whom it may concern [AC-16]. */
+  /** Describes a token or code for any caller [AC-16]. */
   check(secret: string, source: GuessSource & Pick<CallerFacts, 'isHere'>): Found {
     const { isHere } = source;
     const code = readJoinCode(secret);

@@ -30,7 +30,7 @@ export type Caller =
 export interface ClientAccess {
   readonly kind: 'local' | 'network' | 'grant';
   readonly role: Role;
-  /** What it joined with; undefined for all but `grant`. */
+  /** Its invitation; undefined for all but `grant`. */
   readonly grant: Grant | undefined;
   /** End of its newest credential, epoch milliseconds. */
   readonly expiresMs: number;
@@ -42,7 +42,7 @@ const LOCAL_ACCESS = withoutGrant('local', 'participant');
 const NETWORK_ACCESS = withoutGrant('network', 'participant');
 
 /**
- * What a client that this caller registers may do.
+ * Returns the rights of a client that this caller registers.
  * @param expiresMs end of the credential it is given, epoch milliseconds
  * @throws ServiceError when it is a stranger
  */

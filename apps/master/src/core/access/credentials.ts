@@ -3,7 +3,7 @@ import type { AccessSecrets } from '../ports/access-secrets.ts';
 /** How long a credential lives, milliseconds [AC-13]. */
 export const CREDENTIAL_LIFETIME_MS = 7 * 24 * 3_600_000;
 
-/** What a credential says [AC-13]. */
+/** Content of a credential [AC-13]. */
 export interface Credential {
   readonly clientId: string;
   readonly grantId: string;
@@ -28,7 +28,7 @@ export function looksLikeCredential(bearer: string): boolean {
   return bearer.startsWith(PREFIX);
 }
 
-/** What a credential says; undefined when it was not written here. Its end is not looked at. */
+/** Reads a credential; undefined when this master did not write it. Does not check its expiry. */
 export function readCredential(secrets: AccessSecrets, text: string): Credential | undefined {
   if (text.length > MAX_LENGTH) return undefined;
   const end = text.lastIndexOf('.');

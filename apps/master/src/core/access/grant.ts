@@ -1,7 +1,7 @@
 import type { AccessGrant, Init, JsonObject } from '@ubii/proto';
 import { isGivenRole, wireRole, type GivenRole } from './roles.ts';
 
-/** What makes a grant, once. Times are epoch milliseconds. */
+/** Fixed properties of a grant. Times are epoch milliseconds. */
 export interface GrantSpec {
   readonly label: string;
   readonly role: GivenRole;
@@ -38,13 +38,13 @@ export interface Grant extends GrantSpec {
   credentialsEndMs: number;
   /** End of joining with the grant: its expiry, or the end of the master's run that it was for. */
   closedMs: number;
-  /** Who has joined with it may stay until then [AC-91]. */
+  /** End of the stay of clients that joined with it [AC-91]. */
   staysUntilMs: number;
   /** Its time was over, and those who had joined were ended [AC-91]. */
   isOver: boolean;
 }
 
-/** What was made or changed with a grant [AC-90]. */
+/** Sessions and modules that were created or changed with a grant [AC-90]. */
 export interface GrantWork {
   readonly sessionIds: readonly string[];
   readonly runningSessionIds: readonly string[];
@@ -95,7 +95,7 @@ export function grantToJson(grant: Grant): JsonObject {
   return { ...rest, readTopics: [...readTopics], writeTopics: [...writeTopics] };
 }
 
-/** What grants of earlier versions lack. */
+/** Members that grants of earlier versions do not have. */
 type LaterMember = 'hereOnly' | 'madeWith' | 'staysUntilMs' | 'isOver';
 
 /** A grant as it was kept; undefined when this is none. */

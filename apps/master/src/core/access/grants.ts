@@ -11,7 +11,7 @@ import { createJoinCode, readJoinCode } from './join-code.ts';
 /** The end of credentials is kept in steps of this size, so that not every registration writes a file. */
 const KEPT_STEP_MS = 24 * 3_600_000;
 
-/** What grants work with. */
+/** Dependencies of grants. */
 export interface GrantsContext {
   readonly clock: Clock;
   readonly ids: IdSource;

@@ -115,7 +115,7 @@ export class GuessLimit {
   }
 }
 
-/** What may still be spent, at a pace that may change. */
+/** Remaining budget, refilled at a rate that may change. */
 class Allowance {
   #left: number;
   #filledMs: number;

@@ -3,7 +3,7 @@ import type { Access } from './access.ts';
 import type { TerminalAccess, TerminalJoin } from './terminal-access.ts';
 import type { GrantSpec } from './grant.ts';
 
-/** What invitations of a terminal are made with. */
+/** Dependencies of the invitations of a terminal. */
 interface TerminalContext {
   readonly access: Access;
   readonly clock: Clock;

@@ -9,7 +9,7 @@ export const ROLES_BY_RIGHTS: readonly Role[] = [
   'admin',
 ];
 
-/** Who may call a service. `anyone` includes strangers. Each service is defined with its rights in `core/services`. */
+/** Roles that may call a service. `anyone` includes strangers. Each service is defined with its rights in `core/services`. */
 export interface ServiceRight {
   readonly roles: readonly GivenRole[] | 'anyone';
   /** Its request names the client that asks, which has to be the caller [AC-22]. */
@@ -18,7 +18,7 @@ export interface ServiceRight {
   readonly audited: boolean;
 }
 
-/** Who may publish and who may receive one kind of topic. */
+/** Roles that may publish, and roles that may receive, one kind of topic. */
 export interface TopicRight {
   /** The topics, as `docs/security.md` shows them. */
   readonly topics: string;
@@ -67,11 +67,11 @@ export const TOPIC_RIGHTS = {
 /** A kind of topic, as seen by one client. */
 export type TopicKind = keyof typeof TOPIC_RIGHTS;
 
-/** Who gets what is at a path. */
+/** Roles that may read a path. */
 export interface PathRight {
   readonly method: 'GET' | 'POST';
   readonly path: string;
-  /** What is there, as `docs/security.md` shows it. */
+  /** Content of the path, as in `docs/security.md`. */
   readonly content: string;
   readonly roles: readonly Role[];
 }
@@ -92,10 +92,10 @@ export const PATH_RIGHTS: readonly PathRight[] = [
   path('POST', '/services/binary', 'the same, as protobuf'),
 ];
 
-/** Who may open a WebSocket. */
+/** Roles that may open a WebSocket. */
 export interface SocketRight {
   readonly path: string;
-  /** What it carries, as `docs/security.md` shows it. */
+  /** Content of the WebSocket, as in `docs/security.md`. */
   readonly content: string;
   readonly roles: readonly Role[];
 }

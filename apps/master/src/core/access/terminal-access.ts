@@ -6,7 +6,7 @@ export interface TerminalJoin {
   readonly expiresMs: number;
 }
 
-/** What the terminal of a run shows. */
+/** Tokens and codes that the terminal of a run shows. */
 export interface TerminalAccess {
   /** For the operator, on this machine [AC-42]. */
   readonly admin: TerminalJoin;

@@ -11,7 +11,7 @@ import { TOPIC_RIGHTS, type TopicKind, type TopicRight } from './rights-table.ts
 import type { PublishRights, ReadRights } from '../topics/rights.ts';
 import type { Role } from './roles.ts';
 
-/** What the rights of participants are found by. */
+/** Dependencies of the rights of participants. */
 export interface Namespaces {
   /** Whether this is the id of a registered client. */
   isClient(id: string): boolean;
@@ -72,7 +72,7 @@ function hasAll(kinds: ReadonlySet<TopicKind>, except: readonly TopicKind[]): bo
   );
 }
 
-/** What the table allows one client in one direction. */
+/** Rights of one client in one direction, from the table. */
 class Rights implements PublishRights, ReadRights {
   readonly maySayFarewell: boolean;
   readonly #kinds: ReadonlySet<TopicKind>;
@@ -100,7 +100,7 @@ class Rights implements PublishRights, ReadRights {
     this.#state = clientTopic(clientId);
     const ofOthers = new Set(KINDS_OF_OTHERS.map((kind) => kinds.has(kind)));
     this.#tellsOthersApart = ofOthers.size > 1;
-    // Who may publish everywhere needs no leave for it.
+    // Clients that may publish everywhere need no permission for this topic.
     this.maySayFarewell = kinds.has('farewell') && !kinds.has('elsewhere');
   }
 

@@ -16,7 +16,7 @@ const MOST_COUNT = 500;
 /** An entry without the members that the log adds. */
 export type AuditNote = Omit<AuditEntry, 'number' | 'timeMs' | 'leftOut'>;
 
-/** What an audit log works with. */
+/** Dependencies of an audit log. */
 export interface AuditContext {
   readonly clock: Clock;
   readonly limits: Limits;
@@ -28,7 +28,7 @@ interface CallerRate {
   leftOut: number;
 }
 
-/** What admins and participants did, over restarts of the master [EX-90] [EX-92]. */
+/** Actions of admins and participants, kept over restarts of the master [EX-90] [EX-92]. */
 export class AuditLog {
   readonly #context: AuditContext;
   /** Oldest first. */

@@ -10,7 +10,7 @@ const FULL_PERCENT = 95;
 /** Share of the work from which one client is named as the cause [EX-46]. */
 const CAUSE_SHARE = 1 / 3;
 
-/** What the machine is looked at with. */
+/** Dependencies of the check of the machine. */
 export interface MachineState {
   readonly usage: UsageMeasurement;
   readonly processors: number;

@@ -11,7 +11,7 @@ const FULL_CORE = 0.9;
  */
 const OWN_LATENESS = 0.2;
 
-/** What one running module takes. */
+/** Resources that one running module uses. */
 export interface ModuleLoad {
   readonly moduleId: string;
   readonly name: string;
@@ -25,7 +25,7 @@ export interface ModuleLoad {
   readonly statistics: ModuleStatistics;
 }
 
-/** What the modules of sessions that live take, as their nodes report it. */
+/** Resources that the modules of all active sessions use, as reported by their nodes. */
 export function loadsOf(sessions: readonly Session[]): ModuleLoad[] {
   return sessions
     .filter(({ isLive }) => isLive)

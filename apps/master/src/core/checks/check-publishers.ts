@@ -24,7 +24,7 @@ export function* checkPublishers(
   for (const client of clients) {
     const { recordsInPerSecond, throttledPerSecond } = client.traffic.rates;
     const percent = threadPercentOf(client, workPercent);
-    // Who only listens is no publisher, however much it costs.
+    // A client that only subscribes is not a publisher, whatever its cost.
     if (percent <= publisherPercent || recordsInPerSecond + throttledPerSecond === 0) continue;
     yield [
       noisyKey(client.id),

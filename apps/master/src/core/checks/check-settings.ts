@@ -1,4 +1,4 @@
-/** What the master looks for in itself, and what follows [EX-48]. */
+/** Thresholds of the checks of the master, and their consequence [EX-48]. */
 export interface CheckSettings {
   /** `off`: nothing is looked for. `warn`: problems and events. `throttle`: noisy publishers are throttled as well. */
   readonly checks: 'off' | 'warn' | 'throttle';

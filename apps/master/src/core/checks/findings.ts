@@ -8,7 +8,7 @@ const LOOKS_BEFORE = 3;
 /** How long a problem stands after the last look that found it [EX-18], milliseconds. */
 const STANDS_MS = 30_000;
 
-/** What one look found. */
+/** Findings of one check. */
 export type FoundProblem = Omit<Problem, 'sinceMs'>;
 
 interface Finding {

@@ -15,7 +15,7 @@ const MIN_RECORDS_PER_SECOND = 10;
 /** Looks in a row in which all of a throttled client has fitted before it is let go [EX-48]. */
 const LOOKS_TO_LIFT = 10;
 
-/** What the checks look at. */
+/** Dependencies of the checks. */
 export interface OverloadContext extends ThrottlingContext {
   readonly settings: CheckSettings;
   readonly load: () => Load;

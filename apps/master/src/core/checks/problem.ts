@@ -1,6 +1,6 @@
 import type { StatusProblem } from '@ubii/proto';
 
-/** What can be wrong with a master; docs/errors.md explains each. */
+/** Problems of a master; docs/errors.md explains each. */
 export type MasterProblemCode =
   | 'client_silent'
   | 'client_slow'

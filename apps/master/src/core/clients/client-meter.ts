@@ -1,7 +1,7 @@
 import type { Client } from './client.ts';
 import type { Traffic } from './traffic.ts';
 
-/** What records cost, compared with receiving one [EX-27]. */
+/** Costs of records, relative to receiving one [EX-27]. */
 const WORK = { record: 1, delivery: 0.25, kib: 0.1 };
 /** The cost of delivery is split between publisher and subscriber. */
 const HALF = 0.5;

@@ -25,7 +25,7 @@ import { CLOSE } from './close-codes.ts';
 import type { Dismissals } from './dismissals.ts';
 import { nextStatus, type ClientEvent, type ClientStatus } from './client-states.ts';
 
-/** What a client registry works on. */
+/** Dependencies of a client registry. */
 export interface ClientContext {
   readonly clock: Clock;
   readonly ids: IdSource;
@@ -43,7 +43,7 @@ export interface ClientContext {
     isExtension: boolean,
     account: Account,
   ) => ClientSubscriber;
-  /** What a client that came in like this may do on topics [AC-24] [AC-25]. */
+  /** Returns the topic rights of a client with this access [AC-24] [AC-25]. */
   readonly topicRightsOf: (clientId: string, access: ClientAccess) => TopicRights;
   readonly dismissals: Dismissals;
   /** The client can be reached now, or no longer: as a node it matters [SE-31]. */
@@ -159,7 +159,7 @@ export class ClientRegistry {
   }
 
   /**
-   * Gives a client another name, which all others hear of [EX-29] [CL-31].
+   * Renames a client, and announces the new name to all others [EX-29] [CL-31].
    * @throws ServiceError when there is no room for it
    */
   rename(client: Client, name: string): void {
@@ -247,7 +247,7 @@ export class ClientRegistry {
     client.publishRights = publish;
     const hadAll = subscriber.readRights === undefined;
     subscriber.readRights = read;
-    // Who is new has no subscriptions, and the topics need not be gone through.
+    // A new client has no subscriptions, so the topics need no update.
     if ((hadAll && read === undefined) || !this.#clients.has(client.id)) return;
     this.#context.subscriptions.handleRightsChanged(subscriber);
   }

@@ -3,7 +3,7 @@ import { ClientState } from '@ubii/proto';
 /** Where a client stands [CL-10]. */
 export type ClientStatus = 'active' | 'inactive' | 'unavailable' | 'removed';
 
-/** What can happen to a client. */
+/** Events of a client. */
 export type ClientEvent =
   /** It was active [CL-11]. */
   | 'sign'

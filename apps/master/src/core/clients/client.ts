@@ -14,10 +14,10 @@ import type { Throttle } from '../counters/throttle.ts';
 import type { ToldClock } from './timed-ping.ts';
 import { Traffic } from './traffic.ts';
 
-/** What a client said of itself: everything but its id, state and devices, and without secrets. */
+/** Registration of a client without its id, state, devices and secrets. */
 export type ClientSpec = Omit<ClientMessage, 'id' | 'devices' | 'state' | 'latency' | 'extension'>;
 
-/** What makes a client, once. */
+/** Fixed properties of a client. */
 export interface ClientParts {
   readonly id: string;
   readonly spec: ClientSpec;
@@ -31,7 +31,7 @@ export interface ClientParts {
   readonly epochMs: number;
 }
 
-/** Who is at the other end of a socket, as far as the transport can tell [EX-25]. */
+/** The peer of a socket, as far as the transport knows it [EX-25]. */
 export interface Peer {
   /** Empty when it sent none. */
   readonly userAgent: string;
@@ -43,7 +43,7 @@ export class Client implements PublishingClient {
   readonly id: string;
   /** It sent `Client.extension` at registration [EX-1]. */
   readonly isExtension: boolean;
-  /** What it uses of what is scarce [AC-80]. */
+  /** Its use of limited resources [AC-80]. */
   readonly account: Account;
   readonly subscriber: ClientSubscriber;
   recordBudget: TokenBucket;
@@ -69,7 +69,7 @@ export class Client implements PublishingClient {
   /** How it came in, and what it may do [AC-20]. */
   access: ClientAccess = TRUSTED_ACCESS;
   publishRights: PublishRights | undefined = undefined;
-  /** What it said of itself as a node; undefined when it is none [PM-60]. */
+  /** Its capabilities as a node; undefined when it is not a node [PM-60]. */
   node: NodeExtension | undefined = undefined;
   /** Takes lists of records [EX-2]. */
   takesRecordLists = false;
@@ -83,7 +83,7 @@ export class Client implements PublishingClient {
   pingSentMs: number | undefined = undefined;
   readonly protocolErrors = new Streak();
   latencyMs = 0;
-  /** What it last said of its clock, and when; undefined when it said nothing [TS-10]. */
+  /** Last report of its clock, with the time; undefined without one [TS-10]. */
   clock: (ToldClock & { readonly toldMs: number }) | undefined = undefined;
   latencyMeasuredMs: number;
 

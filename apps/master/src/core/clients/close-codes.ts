@@ -1,6 +1,6 @@
 /** WebSocket close codes of the topic-data channel, as docs/spec/extensions.md lists them. */
 export const CLOSE = {
-  /** What a client says that leaves permanently [EX-55]. */
+  /** Close code of a client that leaves permanently [EX-55]. */
   left: { code: 4000, reason: 'left' },
   goingAway: { code: 1001, reason: 'master is closing' },
   superseded: { code: 4001, reason: 'superseded' },

@@ -1,6 +1,6 @@
 import { isLongerThan } from '../texts/text-length.ts';
 
-/** What the reason of a close frame may take beside its code (RFC 6455, section 5.5.1). */
+/** Maximum size of the reason of a close frame besides its code (RFC 6455, section 5.5.1). */
 const MAX_REASON_BYTES = 123;
 
 /** A text as it fits into a close frame, cut between characters. */

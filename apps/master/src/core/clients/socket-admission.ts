@@ -12,7 +12,7 @@ import { CLOSE } from './close-codes.ts';
 import type { Dismissals } from './dismissals.ts';
 import { TopicDataSocket, type SocketContext } from './topic-data-socket.ts';
 
-/** What lets sockets in. */
+/** Dependencies of the admission of sockets. */
 export interface AdmissionContext extends SocketContext {
   readonly clients: ClientRegistry;
   readonly access: Access;

@@ -5,7 +5,7 @@ import type { EventLog } from '../counters/event-log.ts';
 import type { Client } from './client.ts';
 import { describeThrottle, type Throttle } from '../counters/throttle.ts';
 
-/** What throttling works on. */
+/** Dependencies of throttling. */
 export interface ThrottlingContext {
   readonly clock: Clock;
   readonly limits: Limits;

@@ -1,4 +1,4 @@
-/** What a client says of its clock [TS-10]. */
+/** Report of a client about its clock [TS-10]. */
 export interface ToldClock {
   /** Master's clock minus the client's, milliseconds. */
   readonly offsetMs: number;

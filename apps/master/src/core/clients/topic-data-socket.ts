@@ -14,7 +14,7 @@ import type { Client } from './client.ts';
 import { CLOSE } from './close-codes.ts';
 import { formatTimedPong, parseTimedPing } from './timed-ping.ts';
 
-/** What a socket works on. */
+/** Dependencies of a socket. */
 export interface SocketContext extends PublishContext {
   readonly clock: PreciseClock;
   readonly log: Log;
@@ -233,7 +233,7 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
     if (timed?.clock !== undefined) {
       this.client.clock = { ...timed.clock, toldMs: clock.monotonicMs() }; // [TS-10]
     }
-    // Who asks without reading the answers gets no more of them.
+    // A client that sends PINGs without reading the replies gets no further replies.
     if (this.#connection.queuedBytes > limits.connectionQueuedBytes) return;
     if (timed === undefined) this.#connection.sendPong();
     else this.#connection.sendPong(formatTimedPong(timed.number, receivedMs, clock.preciseMs()));

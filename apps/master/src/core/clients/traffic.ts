@@ -1,4 +1,4 @@
-/** What a client does a second, over the last measurement. */
+/** Rates of a client per second, over the last measurement. */
 export interface TrafficRates {
   readonly recordsInPerSecond: number;
   readonly bytesInPerSecond: number;
@@ -16,7 +16,7 @@ const NO_RATES: TrafficRates = {
   throttledPerSecond: 0,
 };
 
-/** What one client has done since it registered. Plain numbers, because the record path adds to them [EX-26]. */
+/** Counters of one client since its registration. Plain numbers, because the record path adds to them [EX-26]. */
 export class Traffic {
   recordsIn = 0;
   bytesIn = 0;

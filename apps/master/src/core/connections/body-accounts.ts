@@ -16,7 +16,7 @@ interface Account {
   readonly maxBytes: number;
   /** One request that is alone in it always fits: it has limits of its own. */
   readonly fitsOne: boolean;
-  /** Whose bytes they are, for people. */
+  /** Owner of the bytes, for people. */
   readonly whose: string;
 }
 
@@ -136,7 +136,7 @@ export class BodyAccounts {
   }
 }
 
-/** What one request is charged. */
+/** Charge of one request. */
 export class BodyCharge {
   readonly account: string;
   readonly #charge: (from: number, to: number) => Account | undefined;

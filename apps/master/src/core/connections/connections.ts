@@ -25,7 +25,7 @@ interface Level {
   readonly limit: LimitName;
   readonly used: number;
   readonly max: number;
-  /** Who goes when it is full; undefined: the new one. */
+  /** Connection to close when the limit is reached; undefined: the new one. */
   readonly findVictim: () => OpenConnection | undefined;
 }
 

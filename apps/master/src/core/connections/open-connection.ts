@@ -16,7 +16,7 @@ export interface TransportPeer {
  */
 export type ConnectionKind = 'local' | 'stranger' | 'known' | 'member' | 'socket';
 
-/** What a connection tells of itself. */
+/** Receives the events of a connection. */
 interface ConnectionKeeper {
   handleRequest(connection: OpenConnection): void;
   handleCaller(connection: OpenConnection, caller: Caller['kind']): void;

@@ -15,7 +15,7 @@ const NOT_LOGGED: ReadonlySet<StatusEventKind> = new Set([
   StatusEventKind.FILE_BROKEN,
 ]);
 
-/** What happened lately, for people [EX-16]. */
+/** Recent events, for people [EX-16]. */
 export class EventLog {
   readonly #clock: Clock;
   readonly #log: Log;

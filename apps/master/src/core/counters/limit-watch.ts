@@ -5,11 +5,11 @@ import type { Log } from '../ports/log.ts';
 import type { EventLog } from './event-log.ts';
 import { Streak } from './streak.ts';
 
-/** How often a limit was reached. */
+/** Number of times that a limit was reached. */
 export interface LimitHits {
   readonly limit: LimitName;
   readonly streak: Streak;
-  /** Who met it last; empty when it was no registered client. */
+  /** Client that reached it last; empty when that was not a registered client. */
   clientId: string;
 }
 

@@ -6,7 +6,7 @@ export const LOOK_INTERVAL_MS = 1_000;
 
 const NOTHING: UsageMeasurement = { cpuPercent: 0, busyPercent: 0, delayMs: 0 };
 
-/** What the master takes of the machine, measured again every second. */
+/** Resources that the master uses, measured every second. */
 export class Load {
   readonly #usage: ResourceUsage;
   readonly #clock: Clock;

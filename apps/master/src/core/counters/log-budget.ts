@@ -9,7 +9,7 @@ export type LevelName = 'error' | 'warn' | 'info' | 'debug';
 
 /** Fields of one line [EX-37]. */
 const MAX_FIELDS = 20;
-/** What may come at once: as much as in so many seconds. */
+/** Burst size, as seconds of the average rate. */
 const BURST_SECONDS = 30;
 
 /** A line of the log as it may be written. */
@@ -72,7 +72,7 @@ export class LogBudget {
   }
 }
 
-/** What a line takes when it is written: three bytes for each unit of its texts at most. */
+/** Size of a written line: three bytes for each unit of its texts at most. */
 function bytesOf({ message, fields }: BoundedLine): number {
   let length = message.length;
   for (const [name, value] of Object.entries(fields)) length += name.length + String(value).length;

@@ -33,7 +33,7 @@ interface KeptLine {
   readonly length: number;
 }
 
-/** What all children of one log share. */
+/** State that all children of one log share. */
 interface Ring {
   readonly lines: KeptLine[];
   /** Characters of all of them. */

@@ -1,4 +1,4 @@
-/** What keeps a client from publishing as much as it wants to [EX-31]. */
+/** Limit on the records that a client publishes [EX-31]. */
 export interface Throttle {
   readonly recordsPerSecond: number;
   /** Made, and to be lifted, by the policy of the master [EX-48]. */

@@ -19,7 +19,7 @@ import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import type { DeviceOwner } from './device-owner.ts';
 
-/** What a device registry works on. */
+/** Dependencies of a device registry. */
 export interface DeviceContext {
   readonly ids: IdSource;
   readonly limits: LimitWatch;

@@ -4,7 +4,7 @@ import type { Log } from '../ports/log.ts';
 import type { EventLog } from '../counters/event-log.ts';
 import type { BrokenDocument, StoredMessages } from './stored-messages.ts';
 
-/** What is told of stored documents. */
+/** Dependencies of the notifications about stored documents. */
 export interface FileNewsContext {
   readonly log: Log;
   readonly events: EventLog;
@@ -28,7 +28,7 @@ export class FileNews {
     this.#cancels = stores.map(({ store }) => store.onChange(() => this.#look()));
   }
 
-  /** What cannot be read now. */
+  /** Documents that cannot be read. */
   broken(): BrokenDocument[] {
     return this.#stores.flatMap((store) => store.broken());
   }

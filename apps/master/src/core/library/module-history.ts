@@ -11,7 +11,7 @@ import type { Clock } from '@ubii/timing';
 import type { DocumentStore } from '../ports/document-store.ts';
 import type { Log } from '../ports/log.ts';
 
-/** What is kept of a history, and of all of them [EX-43]. */
+/** Limits of one history, and of all histories [EX-43]. */
 const BOUNDS = { versions: 50, bytes: 2 * 1024 * 1024, histories: 512, allBytes: 64 * 1024 * 1024 };
 /** Versions of a module that are kept, however large they are. */
 const ALWAYS_KEPT = 2;
@@ -29,7 +29,7 @@ interface KeptVersion {
   readonly module: JsonObject;
 }
 
-/** What the history of modules works on. */
+/** Dependencies of the history of modules. */
 export interface HistoryContext {
   readonly store: DocumentStore;
   readonly clock: Clock;
@@ -187,7 +187,7 @@ export function isSame(a: ProcessingModule, b: ProcessingModule): boolean {
   return text(a) === text(b);
 }
 
-/** What is kept of a module: nothing of where it is and what it does there. */
+/** Returns the stored part of a module, without its place and state. */
 function contentOf(module: ProcessingModule): ProcessingModule {
   const { version = '', libraries = [], assets = [], optionalAssets = [] } = module.extension ?? {};
   const isBare = version === '' && libraries.length + assets.length + optionalAssets.length === 0;

@@ -134,7 +134,7 @@ export function unknownModule(name: string): ServiceError {
   );
 }
 
-/** What is kept of a module: nothing of an instance. */
+/** Returns the stored part of a module, without that of an instance. */
 function storable(module: ProcessingModule): ProcessingModule {
   return {
     ...module,

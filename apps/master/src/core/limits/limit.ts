@@ -8,7 +8,7 @@ export interface LimitInfo {
   readonly unit: string;
   /** Group in lists of limits. */
   readonly group: LimitGroup;
-  /** What is limited, and the reason for the value. */
+  /** Subject of the limit, and the reason for its value. */
   readonly reason: string;
 }
 

@@ -35,7 +35,7 @@ import { Sessions } from '../sessions/sessions.ts';
 import { Supervision } from '../sessions/supervision.ts';
 import { TopicTroubles } from '../sessions/topic-troubles.ts';
 
-/** What sessions and modules are built on. */
+/** Dependencies of sessions and modules. */
 export interface ProcessingParts {
   readonly ports: MasterPorts;
   readonly settings: MasterSettings;

@@ -55,7 +55,7 @@ export interface Master {
     peer?: ConnectionPeer,
   ): ConnectionHandle | undefined;
   readonly metrics: () => MasterMetrics;
-  /** What this caller may do: for what the edge shows by itself. */
+  /** Returns the rights of a caller, for adapters that check access themselves. */
   roleOf(caller: CallerFacts): Role;
   /** Whether this caller shows a token, code or credential that is good for something. */
   recognizes(caller: CallerFacts): boolean;
@@ -67,9 +67,9 @@ export interface Master {
    * @throws Error when it cannot be kept
    */
   openTerminal(isReachable: boolean): Promise<TerminalAccess>;
-  /** What becomes of the sessions that run when the master ends now [SE-24]. */
+  /** Returns which running sessions would restart and which would end if the master stopped now [SE-24]. */
   sessionsAtStop(): SessionsAtStop;
-  /** What became of the sessions that this master was to start again; settles when each is decided [SE-24]. */
+  /** Resolves to the results of the sessions that this master had to restart [SE-24]. */
   sessionsRestored(): Promise<RestoreReport>;
   /** Ends every timer, closes every connection with code 1001, and ends modules and workers. */
   close(): Promise<void>;

@@ -25,7 +25,7 @@ const ADDRESS_KINDS: Readonly<Record<AddressKind, ClientActivity['addressKind']>
   public: ClientActivityAddressKind.PUBLIC,
 };
 
-/** What clients do, and what they take of the master [EX-25]. */
+/** Reports the activity of clients and their share of the work of the master [EX-25]. */
 export function readClientReport(core: Core, request: ClientReportRequest): Init<ClientReport> {
   const { clients, clock, clientMeter } = core;
   const wanted = new Set(request.clientIds);

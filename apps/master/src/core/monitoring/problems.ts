@@ -27,7 +27,7 @@ const COMMON_LIMITS: ReadonlySet<LimitName> = new Set<LimitName>([
   'profiles',
 ]);
 
-/** What is wrong now, most severe first [EX-18]. */
+/** Lists the current problems, most severe first [EX-18]. */
 export function listProblems(core: Core): Problem[] {
   const problems = [...limitProblems(core)];
   problems.push(...fileProblems(core), ...sessionProblems(core), ...core.checks.problems());

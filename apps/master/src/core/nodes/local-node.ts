@@ -10,7 +10,7 @@ import {
 } from '@ubii/proto';
 import { hasCodeOf } from '../library/module-offer.ts';
 
-/** What the node tells of its modules. */
+/** Callbacks of the node for reports on its modules. */
 export interface LocalReports {
   onStarted(moduleId: string): void;
   onStopped(moduleId: string): void;
@@ -19,7 +19,7 @@ export interface LocalReports {
   onEvent(event: ModuleEvent): void;
 }
 
-/** What a runtime tells the node it belongs to. */
+/** Callbacks of a runtime for its node. */
 export interface RuntimeHooks {
   onEvent(event: ModuleEvent): void;
   onStatus(instanceId: string, status: ProcessingModuleStatus, fault?: ModuleFault): void;
@@ -33,11 +33,11 @@ interface Want {
 interface Instance {
   readonly id: string;
   sessionId: string;
-  /** What it is to be; undefined: nothing. */
+  /** Wanted module; undefined: none. */
   want: Want | undefined;
-  /** What it is. */
+  /** Current module. */
   have: Want | undefined;
-  /** What it could not become. */
+  /** Module that could not be created. */
   failed: Want | undefined;
   isBusy: boolean;
   /** Its runtime has given it up. */

@@ -13,7 +13,7 @@ import type { TopicEntry } from '../topics/topic-entry.ts';
 
 const NO_BYTES = new Uint8Array(0);
 
-/** What the topics of the master's own modules work on. */
+/** Dependencies of the topics of the master's own modules. */
 export interface LocalTopicsContext extends PublishContext {
   readonly clock: Clock;
   /** Id of the master as a node: who publishes. */
@@ -42,7 +42,7 @@ interface SessionTopics {
  */
 export class LocalTopics implements TopicPort {
   readonly #context: LocalTopicsContext;
-  /** What all sessions publish with; the topics of each are its own. */
+  /** Publisher of all sessions; the topics of each session are its own. */
   readonly #publisher: Omit<PublishingClient, 'ownedTopics' | 'account'>;
   readonly #sessions = new Map<string, SessionTopics>();
   readonly #publication = new Publication();

@@ -8,7 +8,7 @@ import type { Client } from '../clients/client.ts';
 import type { ClientRegistry } from '../clients/client-registry.ts';
 import { offerOf, type Node } from './node.ts';
 
-/** What the table knows of the master as a node. */
+/** The master as a node, for the table. */
 export interface MasterNode {
   readonly id: string;
   readonly name: string;
@@ -93,7 +93,7 @@ export class NodeTable {
   }
 }
 
-/** What the master says of itself as a node. */
+/** Returns the description of the master as a node. */
 export function masterExtension(
   libraries: readonly string[],
   capacity: number,

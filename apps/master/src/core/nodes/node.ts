@@ -10,7 +10,7 @@ export interface Node {
   readonly id: string;
   /** Name and id as they stand in messages for people. */
   readonly label: string;
-  /** What it said of itself; undefined for clients that know nothing of it [PM-60]. */
+  /** Its capabilities; undefined for clients that do not report them [PM-60]. */
   readonly extension: NodeExtension | undefined;
   /** It exists to run modules for others. */
   readonly isDedicated: boolean;

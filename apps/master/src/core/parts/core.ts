@@ -48,7 +48,7 @@ export interface Core extends Omit<MasterPorts, 'audit'> {
   readonly counters: Counters;
   readonly limitWatch: LimitWatch;
   readonly events: EventLog;
-  /** What admins and participants did [EX-90]. */
+  /** Actions of admins and participants [EX-90]. */
   readonly audit: AuditLog;
   readonly samples: Samples;
   readonly load: Load;

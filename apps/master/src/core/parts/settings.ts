@@ -15,7 +15,7 @@ import type { CheckSettings } from '../checks/check-settings.ts';
 import type { Limits } from '../limits/index.ts';
 import type { LogTail } from '../counters/log-tail.ts';
 
-/** What the core needs from outside. */
+/** Ports and settings that the core needs. */
 export interface MasterPorts {
   readonly clock: PreciseClock;
   readonly ids: IdSource;
@@ -69,9 +69,9 @@ export interface MasterSettings {
   readonly libraries?: readonly string[];
   /** How many modules this master likes to run at once. Default: 100. */
   readonly capacity?: number;
-  /** What the master looks for in itself, where it differs from `DEFAULT_CHECKS` [EX-48]. */
+  /** Check settings that differ from `DEFAULT_CHECKS` [EX-48]. */
   readonly checks?: Partial<CheckSettings>;
-  /** What the program was started with, for people, without secrets [EX-50]. Default: nothing. */
+  /** Start options of the program, for people, without secrets [EX-50]. Default: none. */
   readonly startedWith?: Init<SettingList>;
   /** Limits that differ from `DEFAULT_LIMITS`. */
   readonly limits?: Partial<Limits>;

@@ -1,11 +1,11 @@
 /**
- * Who calls, as far as the transport can tell: `trusted`, this machine itself where the operator trusts
+ * Kind of the caller, as far as the transport knows it: `trusted`, this machine itself where the operator trusts
  * all of it; `local`, this machine; `network`, one of the networks that are admitted without a token;
  * `other`, everybody else [AC-1] [AC-4] [AC-5] [AC-40].
  */
 export type CallerStanding = 'trusted' | 'local' | 'network' | 'other';
 
-/** What a transport knows of the one who calls or connects. */
+/** Facts that a transport knows about a caller or a connecting client. */
 export interface CallerFacts {
   readonly standing: CallerStanding;
   /**
@@ -17,7 +17,7 @@ export interface CallerFacts {
   readonly place: string;
   /** The address itself, where `place` is a network. @default `place` */
   readonly address?: string | undefined;
-  /** What follows `Bearer` in its header `Authorization`; undefined when it sent none [AC-3]. */
+  /** Token of the header `Authorization: Bearer`; undefined without one [AC-3]. */
   readonly bearer: string | undefined;
 }
 

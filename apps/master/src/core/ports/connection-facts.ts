@@ -1,12 +1,12 @@
 import type { AddressKind } from './address-kind.ts';
 
-/** What a client put into the URL of its socket. */
+/** Parameters in the URL of a socket. */
 export interface ConnectionQuery {
   readonly clientId: string | undefined;
   readonly token: string | undefined;
 }
 
-/** Who opens a socket, as the transport sees it; what it cannot tell is left out [EX-25]. */
+/** The client that opens a socket, as the transport sees it; unknown facts are left out [EX-25]. */
 export interface ConnectionPeer {
   /** The header `User-Agent`, of any length. */
   readonly userAgent?: string | undefined;

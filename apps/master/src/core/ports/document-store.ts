@@ -25,7 +25,7 @@ export interface DocumentStore {
   close(): void;
 }
 
-/** What a master keeps of sessions and modules [SE-20]. */
+/** The stored sessions and modules of a master [SE-20]. */
 export interface SessionStorage {
   /** Stored sessions, by name. */
   readonly sessions: DocumentStore;

@@ -1,4 +1,4 @@
-/** Who can reach the ports of the master. */
+/** The networks that can reach the ports of the master. */
 export interface Lan {
   /** Other machines can reach the master. */
   readonly isOpen: boolean;

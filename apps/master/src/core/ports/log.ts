@@ -1,4 +1,4 @@
-/** What a log line carries besides its message: plain values, written as they are. */
+/** Fields of a log line besides its message: plain values, written unchanged. */
 export type LogFields = Readonly<Record<string, string | number | boolean | undefined>>;
 
 /** Structured log. Nothing is logged per record. */

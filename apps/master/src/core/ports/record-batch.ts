@@ -14,6 +14,6 @@ export interface RecordBatch {
   readonly count: number;
   /** Sum of the records' lengths, bytes. */
   readonly byteLength: number;
-  /** What this encoder makes of the batch: made the first time, kept for all other connections. */
+  /** Returns the encoded batch. The first call encodes it; all other connections share the result. */
   memo<T>(encoder: BatchEncoder<T>): T;
 }

@@ -1,4 +1,4 @@
-/** What the process took of the machine over some time. */
+/** Resources that the process used during an interval. */
 export interface UsageMeasurement {
   /** Share of one core used by all threads, percent: 100 is one core. */
   readonly cpuPercent: number;
@@ -8,9 +8,9 @@ export interface UsageMeasurement {
   readonly delayMs: number;
 }
 
-/** What the process takes from the machine. */
+/** Measures the resources that the process uses. */
 export interface ResourceUsage {
-  /** What was taken since the call before; zeros at the first call. For one caller. */
+  /** Returns the usage since the previous call; zeros at the first call. For one caller. */
   measure(): UsageMeasurement;
   /** Resident memory, bytes. */
   memoryBytes(): number;

@@ -6,7 +6,7 @@ import type { Core } from '../parts/core.ts';
 import { quote } from '../texts/quote.ts';
 import type { Grant, GrantWork } from '../access/grant.ts';
 
-/** What ending a grant concerns. */
+/** Dependencies of ending a grant. */
 export type GrantParts = Pick<
   Core,
   'processing' | 'clients' | 'access' | 'kept' | 'events' | 'clock' | 'log'
@@ -15,7 +15,7 @@ export type GrantParts = Pick<
 /** How often the time of grants is looked at, milliseconds. */
 const LOOK_INTERVAL_MS = 1_000;
 
-/** What was made or changed with a grant [AC-90]. */
+/** Sessions and modules that were created or changed with a grant [AC-90]. */
 export function workOf({ processing }: GrantParts, { id }: Grant): GrantWork {
   const { sessions, sessionLibrary, modules } = processing;
   const made = sessions.madeWith(id);

@@ -90,7 +90,7 @@ function removedMeanwhile(): ServiceError {
   );
 }
 
-/** What a client is told about itself; those who did not ask for it see nothing of ours [EX-1]. */
+/** Facts about itself for a client; legacy clients do not receive extension fields [EX-1]. */
 function replyOf(
   { tokens, settings, access }: Parts,
   client: Client,

@@ -3,7 +3,7 @@ import type { Core } from '../parts/core.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { ServiceCall } from './service-call.ts';
 
-/** What sends retained records. */
+/** Sender of retained records. */
 export type ReplayParts = Pick<Core, 'topics' | 'subscriptions' | 'clock' | 'limits'>;
 
 /**

@@ -1,8 +1,8 @@
 import type { Caller } from '../access/caller.ts';
 
-/** What belongs to one call, beside its request. */
+/** Context of one call, besides its request. */
 export interface ServiceCall {
-  /** Who calls. The router has checked that it may. */
+  /** The caller. The router has checked its rights. */
   readonly caller: Caller;
   /** Where wrong codes of this caller are counted [AC-17]. */
   readonly place: string;

@@ -16,7 +16,7 @@ export interface DraftModule {
   isLibraryCode: boolean;
 }
 
-/** What a session consists of, before or while it lives. */
+/** Content of a session, before and during its life. */
 export interface SessionDraft {
   readonly name: string;
   readonly tags: readonly string[];
@@ -29,7 +29,7 @@ export interface SessionDraft {
   readonly modules: readonly DraftModule[];
 }
 
-/** What a request says of the session as a whole. */
+/** Settings of the session as a whole in a request. */
 export function describeSession(message: Session): Omit<SessionDraft, 'modules'> {
   const { name, tags, description, authors, editable, extension } = message;
   return {

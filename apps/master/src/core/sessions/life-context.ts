@@ -8,7 +8,7 @@ import type { NodeTable } from '../nodes/node-table.ts';
 import type { Session } from './session.ts';
 import type { SessionNews } from './session-news.ts';
 
-/** What the life of sessions works on. */
+/** Dependencies of the life of sessions. */
 export interface LifeContext {
   readonly clock: Clock;
   readonly limits: Limits;

@@ -1,6 +1,6 @@
 import type { SessionProblem } from '@ubii/proto';
 
-/** What can be wrong with a session: a closed list [SE-4] [SE-5] [SE-12]. */
+/** Problems of a session, a closed list [SE-4] [SE-5] [SE-12]. */
 export type ProblemCode =
   // Errors of a specification.
   | 'module_without_name'

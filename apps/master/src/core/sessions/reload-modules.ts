@@ -9,7 +9,7 @@ import type { Session } from './session.ts';
 import type { SessionModule } from './session-module.ts';
 import type { Sessions } from './sessions.ts';
 
-/** What reloading needs. */
+/** Dependencies of reloading. */
 export interface ReloadContext {
   readonly library: ModuleLibrary;
   readonly sessions: Sessions;

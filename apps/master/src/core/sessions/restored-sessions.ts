@@ -6,7 +6,7 @@ export interface SessionsAtStop {
   readonly end: readonly string[];
 }
 
-/** What became of the sessions that this master was to start again [SE-24]. */
+/** Results of the sessions that this master had to restart [SE-24]. */
 export interface RestoreReport {
   /** Names of those whose modules all run. */
   readonly running: readonly string[];

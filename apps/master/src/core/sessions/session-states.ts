@@ -4,7 +4,7 @@ import { SessionState, SessionStatus } from '@ubii/proto';
 export type SessionLife =
   'created' | 'starting' | 'running' | 'degraded' | 'paused' | 'stopping' | 'stopped';
 
-/** What can happen to a session. */
+/** Events of a session. */
 export type SessionEvent =
   /** A client starts it. */
   | 'start'

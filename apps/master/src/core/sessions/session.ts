@@ -4,7 +4,7 @@ import { sortProblems } from './problems.ts';
 import { SessionModule } from './session-module.ts';
 import { isLive, wireState, wireStatus, type SessionLife } from './session-states.ts';
 
-/** What a session is called and how it is to run: everything but its modules. */
+/** Name and settings of a session: everything except its modules. */
 export type SessionDescription = Omit<SessionDraft, 'modules'>;
 
 /** Modules that are started and stopped together. */
@@ -23,9 +23,9 @@ export class Session {
   readonly grantIds: Set<string>;
   /** A stored session has its name [SE-21]. */
   isStored: boolean;
-  /** What is doubtful about its specification, as it was found last [SE-5]. */
+  /** Warnings about its specification from the last check [SE-5]. */
   warnings: readonly SessionProblem[] = [];
-  /** What went wrong in its life beside its modules, by a key of its own [SE-12]. */
+  /** Problems of its life besides those of modules, by their own keys [SE-12]. */
   readonly troubles = new Map<string, SessionProblem>();
   /** All its modules ran at once since it was started: `/info/session/running` was published. */
   wasRunning = false;
@@ -82,7 +82,7 @@ export class Session {
     );
   }
 
-  /** What is wrong now, errors first. */
+  /** Lists the current problems, errors first. */
   problems(): SessionProblem[] {
     const ofModules = this.modules.flatMap(({ problem }) => problem ?? []);
     return sortProblems([...ofModules, ...this.troubles.values(), ...this.warnings]);

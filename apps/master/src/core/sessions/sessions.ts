@@ -29,7 +29,7 @@ import type { SessionTable } from './session-table.ts';
 import { StartPace } from './start-pace.ts';
 import { updateSession } from './update-session.ts';
 
-/** What sessions are made with. */
+/** Dependencies of sessions. */
 export interface SessionsContext {
   readonly ids: IdSource;
   readonly limits: LimitWatch;
@@ -104,7 +104,7 @@ export class Sessions {
       .flatMap((session) => session.toMessage().processingModules);
   }
 
-  /** What becomes of those that run when the master ends now [SE-24]. */
+  /** Returns which running sessions would restart and which would end if the master stopped now [SE-24]. */
   atStop(): SessionsAtStop {
     const live = this.list().filter(({ isLive }) => isLive);
     const labels = (startsAgain: boolean): string[] =>

@@ -12,7 +12,7 @@ export const STATISTICS_INTERVAL_MS = 250;
 /** Every so many looks, what is doubtful about a specification is looked for again. */
 const LOOKS_PER_CHECK = 4;
 
-/** What the supervision asks of others. */
+/** Dependencies of the supervision. */
 export interface SupervisionParts {
   /** Passes of a session since the call before. */
   readonly passes: (

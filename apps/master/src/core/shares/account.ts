@@ -1,14 +1,14 @@
 import { RESOURCES, type Resource } from './resources.ts';
 
-/** What an account is of. `all` is the whole master. */
+/** Kind of an account. `all` is the whole master. */
 export type AccountKind = 'all' | 'class' | 'invitation' | 'client' | 'session' | 'master';
 
-/** What makes an account, once. */
+/** Fixed properties of an account. */
 export interface AccountParts {
   readonly kind: AccountKind;
   /** Id of the client, session or invitation; name of the class. */
   readonly id: string;
-  /** What people call it. Default: its id. */
+  /** Name for people. Default: its id. */
   readonly label?: string;
   /** The account that everything counts for as well; undefined for that of the whole master. */
   readonly parent?: Account | undefined;

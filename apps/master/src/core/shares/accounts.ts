@@ -17,7 +17,7 @@ export interface Share {
   readonly invitation: { readonly id: string; readonly label: string } | undefined;
 }
 
-/** What accounts are made with. */
+/** Dependencies of accounts. */
 export interface AccountsContext {
   readonly clock: Clock;
   readonly limits: LimitWatch;
@@ -29,7 +29,7 @@ export interface AccountsContext {
 export class Accounts {
   /** Everything together. */
   readonly all: Account;
-  /** What the master uses itself, without limit of its own. */
+  /** Use by the master itself, without a limit. */
   readonly master: Account;
   readonly #context: AccountsContext;
   readonly #classes = new Map<ShareClass, Account>();

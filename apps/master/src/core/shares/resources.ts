@@ -1,6 +1,6 @@
 import type { LimitName } from '../limits/index.ts';
 
-/** What is scarce and shared by all clients [AC-80]. The numbers are places in the tables of an account. */
+/** Limited resources that all clients share [AC-80]. The numbers are places in the tables of an account. */
 export const RESOURCE = {
   topics: 0,
   retainedBytes: 1,

@@ -3,11 +3,11 @@ export type ShareClass = 'master' | 'admin' | 'session' | 'participant' | 'playe
 
 /** Parts of a limit of the whole master, from 0 to 1. */
 export interface ClassShare {
-  /** What all owners of the class may use together. */
+  /** Limit of all owners of the class together. */
   readonly ofAll: number;
   /** How full the whole may be for an owner of the class to get more: the rest is a reserve for others. */
   readonly untilFilled: number;
-  /** What all clients of one invitation of the class may use together. */
+  /** Limit of all clients of one invitation of the class together. */
   readonly perInvitation: number;
 }
 

@@ -7,7 +7,7 @@ import type { TopicTable } from './topic-table.ts';
 /** How often topics are looked through for expired values [TD-47], milliseconds. */
 export const EXPIRY_SWEEP_MS = 250;
 
-/** What expiring values are found with. */
+/** Dependencies of expiring values. */
 export interface ExpiringValuesContext {
   readonly clock: Clock;
   readonly topics: TopicTable;

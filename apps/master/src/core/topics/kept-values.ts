@@ -6,7 +6,7 @@ import { fillMaxOf, type Shortage } from '../shares/shortage.ts';
 import type { TopicEntry, TopicOwner } from './topic-entry.ts';
 import type { TopicTable } from './topic-table.ts';
 
-/** What kept values work on. */
+/** Dependencies of kept values. */
 export interface KeptValuesContext {
   readonly clock: Clock;
   readonly limits: Limits;

@@ -12,7 +12,7 @@ import { WaitingRecords } from './waiting-records.ts';
 /** Records of this size are large [TD-35], bytes. */
 const LARGE_RECORD_BYTES = 16 * 1024;
 
-/** What an outbox needs to know of the master around it. */
+/** Dependencies of an outbox. */
 export interface OutboxContext {
   readonly clock: Clock;
   readonly endOfTurn: EndOfTurn;

@@ -14,7 +14,7 @@ const CHARGED_MS = 1;
  */
 const LONGEST_MS = 30;
 
-/** What a pattern table works with. */
+/** Dependencies of a pattern table. */
 export interface PatternContext {
   readonly compiler: PatternCompiler;
   readonly clock: Clock;

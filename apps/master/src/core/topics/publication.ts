@@ -4,7 +4,7 @@ import type { Throttle } from '../counters/throttle.ts';
 import type { Shortage } from '../shares/shortage.ts';
 import type { TopicEntry, TopicOwner } from './topic-entry.ts';
 
-/** What is counted of a client that publishes [EX-26]. */
+/** Counters of a client that publishes [EX-26]. */
 export interface PublishedCounts {
   recordsIn: number;
   bytesIn: number;

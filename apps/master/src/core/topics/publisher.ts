@@ -12,7 +12,7 @@ import { isEventField } from './topic-entry.ts';
 import { topicFault } from './topic-names.ts';
 import type { TopicTable } from './topic-table.ts';
 
-/** What publishing works on. */
+/** Dependencies of publishing. */
 export interface PublishContext {
   readonly topics: TopicTable;
   readonly subscriptions: SubscriptionTable;
@@ -40,7 +40,7 @@ export function publish(context: PublishContext, publication: Publication): Refu
   return undefined;
 }
 
-/** What may stand against a record of a client, in this order. */
+/** Returns the first reason to refuse a record of a client, in this order. */
 function checkClients(context: PublishContext, publication: Publication): Refusal | undefined {
   return (
     checkRate(publication) ??

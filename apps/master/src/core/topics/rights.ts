@@ -5,7 +5,7 @@ export interface PublishRights {
   readonly maySayFarewell: boolean;
 }
 
-/** What a client may receive. In its place, undefined: everything [AC-25]. */
+/** Topics that a client may receive; undefined instead of it: all topics [AC-25]. */
 export interface ReadRights {
   mayRead(topic: string): boolean;
 }

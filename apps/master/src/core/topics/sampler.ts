@@ -26,7 +26,7 @@ export class SampledTopic implements Sample {
   }
 }
 
-/** What a sampler needs of the master around it. */
+/** Dependencies of a sampler. */
 export interface SamplerContext {
   readonly clock: Clock;
   /** Brings the targets of a topic up to date, which may cancel samples. */

@@ -13,7 +13,7 @@ import { quote } from '../texts/quote.ts';
 import { topicFault } from './topic-names.ts';
 import type { TopicTable } from './topic-table.ts';
 
-/** What a subscription table works on. */
+/** Dependencies of a subscription table. */
 export interface SubscriptionContext {
   readonly topics: TopicTable;
   readonly patterns: PatternTable;
@@ -24,7 +24,7 @@ export interface SubscriptionContext {
   readonly components: () => Iterable<Component>;
 }
 
-/** Who is subscribed to what [TD-20]. Subscribing returns the topics whose retained record is to be sent [TD-24]. */
+/** All subscriptions by client and topic [TD-20]. Subscribing returns the topics whose retained record is to be sent [TD-24]. */
 export class SubscriptionTable {
   readonly #context: SubscriptionContext;
   readonly #watchers = new Set<Subscriber>();
@@ -33,7 +33,7 @@ export class SubscriptionTable {
     this.#context = context;
   }
 
-  /** Who gets the records of this topic; computed when subscriptions or topics changed, else at hand. */
+  /** Subscribers that receive the records of this topic; computed when subscriptions or topics changed, else at hand. */
   targetsOf(entry: TopicEntry): Targets {
     if (entry.areTargetsStale) {
       entry.areTargetsStale = false;

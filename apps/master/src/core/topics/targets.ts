@@ -8,7 +8,7 @@ import type {
   TopicSampler,
 } from './topic-entry.ts';
 
-/** Who gets the records of this topic by the subscriptions that match it, with their rates in Hz (0: every record). */
+/** Subscribers that receive the records of this topic by the matching subscriptions, with their rates in Hz (0: every record). */
 export function ratesBySubscriber(
   entry: TopicEntry,
   watchers: Iterable<Subscriber>,

@@ -60,7 +60,7 @@ export class TopicEntry {
   patterns: SharedPattern[] = [];
   /** Component profiles that select this topic [TD-27]. */
   selections: SharedSelection[] = [];
-  /** Who gets a record; computed again when `areTargetsStale`. */
+  /** Subscribers that receive a record; computed again when `areTargetsStale`. */
   targets: Targets | undefined = undefined;
   areTargetsStale = true;
 
@@ -124,7 +124,7 @@ export interface Receiver {
   cancelReplay(entry: TopicEntry): void;
 }
 
-/** Who gets a record of a topic, each client once [TD-14]. */
+/** Subscribers that receive a record of a topic, each client once [TD-14]. */
 export interface Targets {
   /** Get every record. */
   readonly direct: readonly Receiver[];

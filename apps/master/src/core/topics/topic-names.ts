@@ -3,7 +3,7 @@ import { isLongerThan } from '../texts/text-length.ts';
 // eslint-disable-next-line no-control-regex -- control characters are what it looks for
 const CONTROL_CHARACTER = /[\u0000-\u001f\u007f-\u009f]/;
 
-/** What can be wrong with the text of a topic. */
+/** Reasons why a text is not a valid topic. */
 export type TopicFault = 'is empty' | 'is too long' | 'contains a control character';
 
 /** Why this text cannot be a topic; undefined when it can [TD-13]. */

@@ -8,7 +8,7 @@ import type { NodeTable } from '../../nodes/node-table.ts';
 import type { PublishingClient } from '../../topics/publication.ts';
 import type { SessionNews } from '../session-news.ts';
 
-/** What lockstep passes work on. */
+/** Dependencies of lockstep passes. */
 export interface LockstepContext {
   readonly clock: Clock;
   readonly limits: Limits;
