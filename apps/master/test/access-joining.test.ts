@@ -49,7 +49,7 @@ describe('an invitation', () => {
     });
   });
 
-  it('does not admit who registers without our extension [AC-13]', async () => {
+  it('does not admit clients that register without the extension [AC-13]', async () => {
     const master = new TestMaster();
     const { token } = await createGrant(master, ACCESS_ROLE_PARTICIPANT);
     expect(await problemOf(master, stranger(token), { name: 'old' })).toBe('failed_precondition');
@@ -328,7 +328,7 @@ describe('revoking [AC-15]', () => {
 });
 
 describe('sockets from other machines [AC-27]', () => {
-  it('are opened for who proves to have joined', async () => {
+  it('are opened for clients with a credential', async () => {
     const master = new TestMaster();
     const ada = await master.extension('ada');
     const old = await master.legacy('old');
@@ -372,7 +372,7 @@ describe('the leave of the terminal [AC-19]', () => {
   });
 });
 
-describe('many who join', () => {
+describe('many joining clients', () => {
   it('do not delay creating and revoking invitations [AC-15] [AC-19]', async () => {
     const master = new TestMaster();
     const { grants } = master;

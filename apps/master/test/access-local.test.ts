@@ -74,7 +74,7 @@ describe('the leave of the operator [AC-42] [AC-43]', () => {
     }
   });
 
-  it('has a new token and code at each start, and keeps who has joined', async () => {
+  it('has a new token and code at each start, and keeps joined clients', async () => {
     const before = new TestMaster();
     const first = await before.master.openTerminal(true);
     const operator = await joinHere(before, first.admin.token);

@@ -30,7 +30,7 @@ async function createRoom(options: ConstructorParameters<typeof TestMaster>[0] =
 }
 
 describe('the audit log', () => {
-  it('says who did what, when, from which invitation, and how it ended [EX-90] [EX-91]', async () => {
+  it('records actor, action, time, invitation and result [EX-90] [EX-91]', async () => {
     const { master, grant, ben } = await createRoom();
     const { session: added } = await addSession(ben);
     await ben.call({ topic: '/services/session/runtime/remove', session: { id: added!.id } });
@@ -155,7 +155,7 @@ describe('the audit log', () => {
     expect((await read(master)).kept).toBe(150);
   });
 
-  it('is not pushed out by one who joins again and again [EX-94]', async () => {
+  it('keeps its entries when one client joins repeatedly [EX-94]', async () => {
     const { master } = await createRoom({
       limits: { auditEntries: 1_000, auditEntriesPerSecond: 1 },
     });

@@ -76,7 +76,7 @@ describe('the limits of a body', () => {
   });
 });
 
-describe('who calls', () => {
+describe('the caller', () => {
   it('[SV-40] is found once: a wrong code counts once for a request', async () => {
     const master = new TestMaster({ limits: { wrongCodesPerAddress: 1 } });
     const right = await codeFor(master);

@@ -22,7 +22,7 @@ describe('renaming a client', () => {
       clientRenameRequest: { clientId: by?.id ?? '', targetId: target.id, name },
     });
 
-  it('is heard by all, and says who did it [EX-29] [CL-31]', async () => {
+  it('is announced to all clients, with the actor [EX-29] [CL-31]', async () => {
     const { master, mara, ben } = await createRoom();
     await mara.subscribe({ subscribeTopics: [`/ubii/client/${ben.id}`] });
     mara.takeSent();
@@ -72,7 +72,7 @@ describe('disconnecting a client', () => {
       clientDisconnectRequest: { clientId, targetId, reason },
     });
 
-  it('removes it, and says who did it and why [EX-30]', async () => {
+  it('removes the client, and reports actor and reason [EX-30]', async () => {
     const { master, mara, ben } = await createRoom();
     ben.publish('/a', 'double', 1);
     expect(await disconnect(master, ben.id, 'too loud', mara.id)).toHaveProperty('success');
@@ -173,7 +173,7 @@ describe('throttling a client', () => {
     expect(mara.takeValues()).toHaveLength(20);
   });
 
-  it('tells the client who did it and why, and the others [EX-33]', async () => {
+  it('reports actor and reason to the client and to the others [EX-33]', async () => {
     const { master, mara, ben } = await createRoom();
     await throttle(master, ben, 1, { clientId: mara.id, reason: 'too\nloud' });
     const text = 'throttled to 1 records per second by Mara: too loud';

@@ -19,7 +19,7 @@ async function createRoom() {
 }
 
 describe('the client report', () => {
-  it('tells of all clients, or of those asked for, and leaves out whom there is not [EX-25]', async () => {
+  it('reports all clients, or those asked for, and leaves out unknown ids [EX-25]', async () => {
     const { ada, ben, report } = await createRoom();
     const ids = async (asked: string[]) =>
       (await report(asked)).clients.map(({ clientId }) => clientId);
@@ -134,7 +134,7 @@ describe('the client report', () => {
     expect(eves.addressKind).toBe(ClientActivityAddressKind.PRIVATE);
   });
 
-  it('shares the work between who publishes and who subscribes [EX-27]', async () => {
+  it('splits the work between publisher and subscriber [EX-27]', async () => {
     const { master, ada, ben, of } = await createRoom();
     await ben.subscribe({ subscribeTopics: ['/a'] });
     for (let i = 0; i < 100; i++) ada.publish('/a', 'bool', true);

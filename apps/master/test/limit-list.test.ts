@@ -25,7 +25,7 @@ describe('the list of limits', () => {
     expect(changes[0]).toBe('messages');
   });
 
-  it('counts who met one [EX-35]', async () => {
+  it('counts the clients that reached a limit [EX-35]', async () => {
     const master = new TestMaster({ limits: { topicBytes: 3 } });
     const ada = await master.extension('ada');
     ada.publish('/abc', 'double', 1);
@@ -33,7 +33,7 @@ describe('the list of limits', () => {
     expect(limits.find(({ name }) => name === 'topicBytes')?.hits).toBe(1);
   });
 
-  it('says how much is used, and who uses most [EX-36]', async () => {
+  it('reports the use, and the client with the highest use [EX-36]', async () => {
     const master = new TestMaster();
     const ada = await master.extension('ada');
     const ben = await master.extension('ben');

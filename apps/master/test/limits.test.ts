@@ -62,7 +62,7 @@ const WAYS: {
 
 describe('the limits', () => {
   it.each(Object.entries(WAYS))(
-    'answer, count and show who meets %s',
+    'answer, count and show the client that reaches %s',
     async (limit, [max, meet]) => {
       const master = new TestMaster({ limits: { [limit]: max } });
       const ada = await master.legacy('ada');

@@ -64,7 +64,7 @@ describe('liveness', () => {
     expect(await state()).toBe(UNAVAILABLE);
   });
 
-  it('pings who said nothing for a second, every half second [CL-12]', async () => {
+  it('pings clients that are silent for a second, every half second [CL-12]', async () => {
     const { clock, ada } = await createAda();
     const pings = () => ada.takeSent().filter(({ kind }) => kind === 'PING').length;
     clock.advanceSync(999);
@@ -78,7 +78,7 @@ describe('liveness', () => {
     expect(pings()).toBe(0);
   });
 
-  it('pings who talks all the time, too, to know the latency [CL-12]', async () => {
+  it('pings active clients, too, to measure the latency [CL-12]', async () => {
     const { clock, ada } = await createAda();
     let pings = 0;
     for (let i = 0; i < 110; i++) {

@@ -85,7 +85,7 @@ describe('the log tail', () => {
     expect([debugLines(false), debugLines(true)]).toEqual([0, 1]);
   });
 
-  it('tells who came and went', async () => {
+  it('logs clients that join and leave', async () => {
     const master = new TestMaster();
     await master.extension('Ada');
     expect(messages(await read(master)).slice(-1)).toEqual(['Ada joined']);

@@ -125,7 +125,7 @@ describe('what was made with an invitation [AC-90]', () => {
     expect((await listed(master, guest.grantId)).sessionIds).toEqual([own!.id, using!.id]);
   });
 
-  it('cannot be claimed or denied by who asks', async () => {
+  it('cannot be claimed or denied by the request', async () => {
     const master = new TestMaster();
     const guest = await Guest.join(master);
     const session = await guest.ask(TOPICS.start, {
@@ -190,7 +190,7 @@ describe('revoking [AC-92]', () => {
 });
 
 describe('the time of an invitation [AC-91]', () => {
-  it('is that of who joined, too: sockets end with a code of their own, sessions stop', async () => {
+  it('ends joined clients, too: their sockets close with a code of their own, their sessions stop', async () => {
     const master = new TestMaster();
     const guest = await Guest.join(master, { lifetimeMs: 2_000 });
     const session = await guest.ask(TOPICS.start, lasting('/a', '/b'));
@@ -210,7 +210,7 @@ describe('the time of an invitation [AC-91]', () => {
     expect(await stateOf(master, session)).toBe(SESSION_RUNNING);
   });
 
-  it('may be longer for who joined than for who comes', async () => {
+  it('may be longer for joined clients than for joining ones', async () => {
     const master = new TestMaster();
     const guest = await Guest.join(master, { lifetimeMs: 2_000, stayMs: HOUR_MS });
     const session = await guest.ask(TOPICS.start, lasting('/a', '/b'));

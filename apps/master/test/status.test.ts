@@ -89,7 +89,7 @@ describe('the status of the master', () => {
     expect(events.at(-1)).toMatchObject({ text: 'client 249 joined' });
   });
 
-  it('tells who left from who was lost [EX-55]', async () => {
+  it('distinguishes clients that left from lost ones [EX-55]', async () => {
     const { master, clock, ada, status } = await createAda();
     const ben = await master.extension('ben');
     const eva = await master.legacy('eva');

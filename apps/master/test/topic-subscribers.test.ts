@@ -43,7 +43,7 @@ describe('subscribers of a topic', () => {
     expect(await who()).toMatchObject({ count: 1, clientIds: [cleo.id] });
   });
 
-  it('are those with a socket: who lost it receives nothing until it is back [EX-95]', async () => {
+  it('are clients with a socket; a client without one receives nothing until it reconnects [EX-95]', async () => {
     const { ben, topic, ada, who } = await createWorld();
     await ben.subscribe({ subscribeTopics: [topic] });
     ada.publish(topic, 'double', 1);

@@ -116,17 +116,19 @@ describe('one session over a master and two nodes', () => {
   it.each<[string, Init<ProcessingMode>]>([
     ['the master', { frequency: { hertz: 30 } }],
     ['a node', { triggerOnInput: {} }],
-  ])('gathers and answers who comes and goes, on %s [PM-40 to PM-46]', async (place, mode) => {
-    const { join, west } = await startRoom();
-    const host = await join('host');
-    const session: Init<Session> = {
-      name: 'a crowd',
-      processingModules: [
-        {
-          ...moduleOf('crowd', place === 'a node' ? west : 'master', mode, ''),
-          inputs: [{ internalName: 'touches', messageFormat: 'vector2', isRecordList: true }],
-          outputs: [{ internalName: 'answers', messageFormat: 'vector2', isRecordList: true }],
-          onProcessingStringified: `(deltaTime, { touches }) => ({
+  ])(
+    'gathers and answers clients that join and leave, on %s [PM-40 to PM-46]',
+    async (place, mode) => {
+      const { join, west } = await startRoom();
+      const host = await join('host');
+      const session: Init<Session> = {
+        name: 'a crowd',
+        processingModules: [
+          {
+            ...moduleOf('crowd', place === 'a node' ? west : 'master', mode, ''),
+            inputs: [{ internalName: 'touches', messageFormat: 'vector2', isRecordList: true }],
+            outputs: [{ internalName: 'answers', messageFormat: 'vector2', isRecordList: true }],
+            onProcessingStringified: `(deltaTime, { touches }) => ({
             outputs: {
               answers: {
                 elements: touches.elements.map(({ vector2, identity }) => ({
@@ -136,56 +138,57 @@ describe('one session over a master and two nodes', () => {
               },
             },
           })`,
-        },
-      ],
-      ioMappings: [
-        {
-          processingModuleName: 'crowd',
-          inputMappings: [
-            {
-              inputName: 'touches',
-              topicMux: {
-                topicGlob: '/phones/*/touch',
-                identitySource: MuxIdentity.MUX_IDENTITY_PATTERN,
-                identityMatchPattern: '^/phones/([^/]+)/touch$',
-                identityGroup: 1,
+          },
+        ],
+        ioMappings: [
+          {
+            processingModuleName: 'crowd',
+            inputMappings: [
+              {
+                inputName: 'touches',
+                topicMux: {
+                  topicGlob: '/phones/*/touch',
+                  identitySource: MuxIdentity.MUX_IDENTITY_PATTERN,
+                  identityMatchPattern: '^/phones/([^/]+)/touch$',
+                  identityGroup: 1,
+                },
               },
-            },
-          ],
-          outputMappings: [
-            {
-              outputName: 'answers',
-              topicDemux: { outputTopicFormat: '/phones/{{#0}}/answer' },
-            },
-          ],
-        },
-      ],
-    };
-    const comeIn = async (name: string, x: number) => {
-      const phone = await join(name);
-      const answers = await listen(phone, `/phones/${name}/answer`);
-      const touch = (): void => phone.publish(`/phones/${name}/touch`, 'vector2', { x, y: 0 });
-      touch();
-      return { phone, answers, touch, x };
-    };
-    const ann = await comeIn('ann', 0.25);
-    await host.call('sessionRuntimeStart', session);
-    const hears = async (who: typeof ann, others: number): Promise<void> => {
-      await expect
-        .poll(() => {
-          who.touch();
-          return who.answers.at(-1);
-        }, POLL)
-        .toEqual({ x: who.x, y: others });
-    };
-    await hears(ann, 1); // Published before the session started.
-    const bob = await comeIn('bob', 0.5);
-    await hears(bob, 2);
-    await hears(ann, 2);
-    await bob.phone.close();
-    await hears(ann, 1);
-    const cleo = await comeIn('cleo', 0.75);
-    await hears(cleo, 2);
-    await hears(ann, 2);
-  });
+            ],
+            outputMappings: [
+              {
+                outputName: 'answers',
+                topicDemux: { outputTopicFormat: '/phones/{{#0}}/answer' },
+              },
+            ],
+          },
+        ],
+      };
+      const comeIn = async (name: string, x: number) => {
+        const phone = await join(name);
+        const answers = await listen(phone, `/phones/${name}/answer`);
+        const touch = (): void => phone.publish(`/phones/${name}/touch`, 'vector2', { x, y: 0 });
+        touch();
+        return { phone, answers, touch, x };
+      };
+      const ann = await comeIn('ann', 0.25);
+      await host.call('sessionRuntimeStart', session);
+      const hears = async (who: typeof ann, others: number): Promise<void> => {
+        await expect
+          .poll(() => {
+            who.touch();
+            return who.answers.at(-1);
+          }, POLL)
+          .toEqual({ x: who.x, y: others });
+      };
+      await hears(ann, 1); // Published before the session started.
+      const bob = await comeIn('bob', 0.5);
+      await hears(bob, 2);
+      await hears(ann, 2);
+      await bob.phone.close();
+      await hears(ann, 1);
+      const cleo = await comeIn('cleo', 0.75);
+      await hears(cleo, 2);
+      await hears(ann, 2);
+    },
+  );
 });

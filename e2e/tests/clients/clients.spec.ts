@@ -165,7 +165,9 @@ test('a client gets another name, and calls itself by it', async ({ room }) => {
   await expect(ben.page.getByRole('textbox', { name: 'Name' })).toHaveValue('Stage left');
 });
 
-test('who takes most is ranked with the cause, and throttled with a reason', async ({ room }) => {
+test('the heaviest client is ranked with the cause, and throttled with a reason', async ({
+  room,
+}) => {
   const anna = await room.atDesk('Anna');
   const drum = await room.program('Drum');
   await room.program('Lamp');

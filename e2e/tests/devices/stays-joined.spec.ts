@@ -131,7 +131,7 @@ test('a phone is the same client with its device, subscriptions and role, whatev
   });
 });
 
-test('who leaves is told from who is lost, and two tabs of a phone are one device [EX-55] [CL-45]', async ({
+test('clients that leave and lost clients are distinguished, and two tabs of a phone are one device [EX-55] [CL-45]', async ({
   room,
 }) => {
   const program = await room.program('stage');

@@ -60,7 +60,7 @@ test('four phones come and go while it runs, and exactly those who touch near fe
     await other.page.close();
   });
 
-  await test.step('who leaves is gone from the pad, and the other one is near nobody', async () => {
+  await test.step('a phone that leaves disappears from the pad, and the other one is near none', async () => {
     await ben.page.close();
     await stage.expectPhones('Anna', 'Cleo', 'Dora');
     await expect(stage.pairs).toHaveCount(0);

@@ -114,7 +114,7 @@ test('a session is renamed, copied, saved as another one, opened, deleted and br
     await expect(anna.life).not.toContainText('Save');
   });
 
-  await test.step('who clicks elsewhere has renamed, and goes on there', async () => {
+  await test.step('a click elsewhere saves the name, and works there', async () => {
     await anna.title.click();
     await anna.page.getByRole('textbox', { name: 'Name of the session' }).fill('Third');
     const filter = anna.palette.getByRole('searchbox');

@@ -1,6 +1,6 @@
 import { expect, test } from '../../fixtures/test.ts';
 
-test('home says in one sentence who is here and what flows', async ({ room }) => {
+test('home describes clients and data flow in one sentence', async ({ room }) => {
   const { page } = await room.atDesk('Anna');
   await page.goto('/');
   const sentence = page.getByRole('heading', { level: 1 });
@@ -16,7 +16,7 @@ test('home says in one sentence who is here and what flows', async ({ room }) =>
   clearInterval(beat);
 });
 
-test('home lists who is here by name, as they come and go', async ({ room }) => {
+test('home lists connected clients by name, as they join and leave', async ({ room }) => {
   const { page } = await room.atDesk('Anna');
   await page.goto('/');
   const here = page.getByRole('table', { name: 'Clients' });

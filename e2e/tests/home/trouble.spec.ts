@@ -14,7 +14,7 @@ function makeNoise(robot: UbiiClient): () => void {
   return () => clearInterval(noise);
 }
 
-test('home names who takes too much, with cause and remedy; one press throttles, another lifts it [EX-31, EX-47]', async ({
+test('home names the client with too high a load, with cause and remedy; one press throttles, another lifts it [EX-31, EX-47]', async ({
   room,
 }) => {
   const robot = await room.program('Robot');
@@ -64,7 +64,7 @@ test('home stops a session whose module takes too much, and starts it again [EX-
   await expect(sessions).toContainText(/Running|Degraded/);
 });
 
-test('who is throttled is told so once, by whom and what to do, wherever they are [EX-33]', async ({
+test('a throttled page shows actor, reason and remedy once, on every page [EX-33]', async ({
   room,
 }) => {
   const { page } = await room.withPhone('Anna');

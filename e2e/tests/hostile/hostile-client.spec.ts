@@ -43,7 +43,7 @@ test.describe('while somebody hostile is in the room, others do not notice', () 
     if (resident !== undefined) expect(resident).toBeLessThan(MAX_RESIDENT_BYTES);
   }
 
-  test('who sends frames that are none', async ({ master, hostile }) => {
+  test('invalid frames', async ({ master, hostile }) => {
     const attack = (name: string, body: () => Promise<void>) =>
       test.step(name, async () => {
         await body();
@@ -100,7 +100,7 @@ test.describe('while somebody hostile is in the room, others do not notice', () 
     });
   });
 
-  test('who asks too much', async ({ master, hostile }) => {
+  test('too many requests', async ({ master, hostile }) => {
     const subscribe = (...subscribeTopicRegexp: string[]) =>
       hostile.call({
         topic: '/services/topic_subscription',
@@ -183,7 +183,7 @@ test.describe('while somebody hostile is in the room, others do not notice', () 
     });
   });
 
-  test('who sends requests that are none', async ({ master, hostile }) => {
+  test('invalid requests', async ({ master, hostile }) => {
     await test.step('bodies that are no requests are answered in words [SV-7]', async () => {
       const bad: [BodyInit, string | undefined][] = [
         ['{"topic": ', 'application/json'],

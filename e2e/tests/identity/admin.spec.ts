@@ -95,7 +95,7 @@ test('the bare address is for participants, who enter the code where an admin is
   await expectRole(desk, 'admin');
 });
 
-test('who does not want to become admin goes on as before', async ({ room }) => {
+test('a user who does not want to become admin continues as before', async ({ room }) => {
   const desk = await room.atDesk('Cleo');
   await desk.page.goto('/settings/log');
   await desk.page

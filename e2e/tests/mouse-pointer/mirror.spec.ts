@@ -91,16 +91,16 @@ test('everybody has a session of their own, which ends with their page', async (
   await expect(sessions.link('Mouse pointer of Anna')).toBeVisible();
   await expect(sessions.link('Mouse pointer of Ben')).toBeVisible();
 
-  await test.step('who goes to another page of the program', async () => {
+  await test.step('a visit of another page of the program', async () => {
     await new Shell(one.page).go('Home');
     await expect(sessions.link('Mouse pointer of Anna')).toHaveCount(0);
   });
-  await test.step('who reloads has one, not two', async () => {
+  await test.step('a reload has one session, not two', async () => {
     await two.page.reload();
     await ben.expectMirrorState('Running');
     await expect(sessions.link('Mouse pointer of Ben')).toHaveCount(1);
   });
-  await test.step('who closes the page', async () => {
+  await test.step('a closed page', async () => {
     await two.page.close({ runBeforeUnload: false });
     await expect(sessions.link('Mouse pointer of Ben')).toHaveCount(0);
   });

@@ -27,7 +27,7 @@ test('two people at desks and one with a phone see each other’s pointers, by n
     }
   }
 
-  await test.step('who goes to another page takes the pointer along', async () => {
+  await test.step('the pointer disappears when its user opens another page', async () => {
     await anna.page.getByRole('link', { name: 'Topics', exact: true }).click();
     for (const page of [ben, carla]) {
       await expect(page.pointerOf('Anna')).toHaveCount(0);
@@ -35,7 +35,7 @@ test('two people at desks and one with a phone see each other’s pointers, by n
     }
   });
 
-  await test.step('who closes the page takes the pointer along [EX-55]', async () => {
+  await test.step('the pointer disappears when its user closes the page [EX-55]', async () => {
     await ben.page.close();
     await expect(carla.otherPointers).toHaveCount(0);
   });

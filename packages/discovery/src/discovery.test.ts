@@ -132,7 +132,7 @@ describe.skipIf(!canMulticast)('discovery', { timeout: TIMEOUT_MS }, () => {
     expect(await find(port, 2)).toHaveLength(2);
   });
 
-  it('settles who has the name when two begin at once [DI-3]', async () => {
+  it('resolves a name conflict of two masters that start at once [DI-3]', async () => {
     const port = await freePort();
     const one = announce(port, { ...workshop, id: 'bbbb' });
     const other = announce(port, workshop);

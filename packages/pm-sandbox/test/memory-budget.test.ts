@@ -51,7 +51,7 @@ describe('memory of all instances of a node [PM-58]', () => {
     expect(memory.usedBytes()).toBeGreaterThan(10 * MIB);
   });
 
-  it('is bounded: who grows when there is none left is ended with the reason, the others go on', async () => {
+  it('is bounded: an instance that grows beyond it is ended with the reason, the others continue', async () => {
     const { create, memory } = budget(64 * MIB);
     const all = await Promise.all(
       Array.from({ length: 12 }, () => create({ onProcessing: KEEPS(20) })),

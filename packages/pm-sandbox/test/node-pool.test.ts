@@ -33,7 +33,7 @@ const COUNTER = `(dt, inputs, state) => ({ outputs: { out: { string: String(stat
 const LOOP_AT_1 = '(dt) => { while (dt === 1); return { outputs: { out: { string: "x" } } } }';
 
 describe('workers of trusted code in Node', () => {
-  it('blame who loops, and tell the others that their state is lost [PM-53]', async () => {
+  it('blame the looping instance, and tell the others that their state is lost [PM-53]', async () => {
     const create = trusted();
     const neighbour = await create({ onProcessing: COUNTER });
     const culprit = await create({ onProcessing: LOOP_AT_1, instanceId: 'culprit' });
@@ -81,7 +81,7 @@ describe('workers of trusted code in Node', () => {
     expect(valuesOf((await run()).outputs)).toEqual({ out: '' });
   });
 
-  it('give libraries of the node to who asks for them [PM-4]', async () => {
+  it('give libraries of the node to modules that need them [PM-4]', async () => {
     const library = 'data:text/javascript,export default { twice: (x) => 2 * x }';
     const create = trusted({
       libraries: { maths: library, broken: 'data:text/javascript,throw 1' },

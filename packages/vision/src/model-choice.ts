@@ -244,7 +244,7 @@ export class ModelChoice<Name extends string, Model extends { dispose(): void }>
       return title === substitute ? problem : `${problem} ${substitute} detects instead.`;
     }
     this.#retryAtMs = this.#now() + RETRY_MS;
-    return `The model of ${title} is not installed. Get it on the page of this module, or with "npm run models -- get ${name}" on the machine of the master. Until then, ${substitute} detects.`;
+    return `The model of ${title} is not installed. Download it on the page of this module, or with "npm run models -- get ${name}" on the computer of the master. Until then, ${substitute} detects.`;
   }
 
   /** Names that are unknown are a problem, and leave things as they are. */

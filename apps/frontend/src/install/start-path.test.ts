@@ -18,7 +18,7 @@ it('a phone starts as a smart device, later as what it was used for', () => {
   expect(startPath()).toBe('/devices/controller');
 });
 
-it('who may not be a device, and who sits at a desk, starts at home', () => {
+it('viewers and desktop browsers start at Home', () => {
   isHandheld = true;
   rememberStart('/devices/controller');
   expect(startPath(false)).toBe('/');

@@ -48,7 +48,7 @@ describe('connectionNotice', () => {
     });
   });
 
-  it('says who disconnected this page, and offers to come back', () => {
+  it('names the client that disconnected this page, and offers to reconnect', () => {
     const error = new ConnectionError(
       'disconnected',
       'This client was disconnected by Mara: too loud',

@@ -31,7 +31,7 @@ describe('ownTroubles', () => {
     expect(ownTroubles([problem({ clientId: '' })], { id: '', name: 'x' }, undefined)).toEqual([]);
   });
 
-  it('tells of slow modules to who runs them, and to who has their session open', () => {
+  it('warns clients that run slow modules, and clients that have their session open', () => {
     const slow = problem({ code: 'module_slow', clientId: 'node', sessionId: 's', moduleId: 'm' });
     expect(mine([slow])).toEqual([]);
     expect(mine([slow], 's')).toMatchObject([{ sessionId: 's', remedy: slow.remedy }]);

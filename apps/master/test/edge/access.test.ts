@@ -126,7 +126,7 @@ const DEFAULT = ['--trust-loopback', 'off'];
 
 const GUESSING = 'JOIN_PROBLEM_GUESSING';
 
-describe('who is of this machine [AC-1] [AC-2]', () => {
+describe('local callers [AC-1] [AC-2]', () => {
   it.each([
     ['admin', ['--trust-loopback']],
     ['participant', DEFAULT],

@@ -83,7 +83,7 @@ describe.skipIf(reason !== undefined)('a master of which strangers take all conn
     return JSON.parse(text);
   }
 
-  it('admits this machine, who has joined, and other strangers [AC-60] [AC-61] [AC-62]', async () => {
+  it('admits local callers, joined clients and other strangers [AC-60] [AC-61] [AC-62]', async () => {
     const phone = { where: 'phone', host: MASTER, from: PHONE } as const;
     const joined = (await call(
       '/services/client/registration',

@@ -151,7 +151,7 @@ describe.skipIf(reason !== undefined)('a master in a network of its own', () => 
     expect((await send({ upgrade: true }, upgrade)).status).toBe(403);
   });
 
-  it('makes an admin of who shows its token or code, on its own machine alone [AC-42] [AC-43]', async () => {
+  it('makes an admin of a local caller with the token or code [AC-42] [AC-43]', async () => {
     const grants = (where: Call) => call('/services/ubii/access_grant_list', {}, where);
     for (const secret of [endpoints.adminToken, endpoints.adminCode]) {
       expect(await register(secret)).toMatchObject({

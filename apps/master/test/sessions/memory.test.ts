@@ -71,7 +71,7 @@ describe('memory of modules', () => {
     });
   });
 
-  it('does not suffice on the master: the start is refused, says who has it, and succeeds later', async () => {
+  it('does not suffice on the master: the start is refused, names its users, and succeeds later', async () => {
     const world = await SessionWorld.create({
       sandboxes: sandboxesThatHave(() => 20 * MIB),
       limits: { moduleBytes: 64 * MIB, moduleBytesPerSession: 64 * MIB },

@@ -194,7 +194,7 @@ describe('the id of a stored session [SE-27]', () => {
     expect(await storedNames(world)).toEqual([]);
   });
 
-  it('may be chosen by who saves a new session: a UUID that no session has', async () => {
+  it('may be chosen by the client that saves a new session: a UUID that no session has', async () => {
     const world = await SessionWorld.create();
     const id = '99999999-0000-4000-8000-000000000000';
     expect((await save(world, { ...doubling('/in', '/out'), id })).id).toBe(id);

@@ -73,7 +73,7 @@ export function describeTopicDataTransport(
       return { ...all, serverSocket: serverSocket! };
     }
 
-    it('says who the socket belongs to [EX-4]', async () => {
+    it('sends the client id of the socket [EX-4]', async () => {
       const { serverSocket } = await openBoth();
       expect(serverSocket.query).toEqual(ADA);
     });

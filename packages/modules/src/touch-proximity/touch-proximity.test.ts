@@ -30,7 +30,7 @@ describe.each(WAYS)('touch-proximity %s', (_way, drive) => {
     expect(await module.run(0)).toEqual({ vibration: [], isNear: [], nearCount: 0 });
   });
 
-  it('lets two who are near one another vibrate, and no third one', async () => {
+  it('lets two near phones vibrate, and no third one', async () => {
     const module = await drive(touchProximity);
     const touches = [touch('ann', 0.5, 0.5), touch('bob', 0.9, 0.5), touch('cem', 0.55, 0.55)];
     expect(await module.run(0, { touches })).toEqual({
@@ -86,7 +86,7 @@ describe.each(WAYS)('touch-proximity %s', (_way, drive) => {
     expect(await module.run(50, { touches: still })).toMatchObject({ isNear: [], nearCount: 0 });
   });
 
-  it('tells who stays when the other one leaves the list [PM-44]', async () => {
+  it('reports the remaining phone when the other one leaves the list [PM-44]', async () => {
     const module = await drive(touchProximity);
     await module.run(0, { touches: [touch('ann', 0, 0), touch('bob', 0, 0)] });
     expect(await module.run(50, { touches: [touch('ann', 0, 0)] })).toEqual({
@@ -116,7 +116,7 @@ describe.each(WAYS)('touch-proximity %s', (_way, drive) => {
     });
   });
 
-  it('leaves out who has no identity or no place', async () => {
+  it('leaves out elements without identity or position', async () => {
     const module = await drive(touchProximity);
     const touches = [
       touch(undefined, 0, 0),

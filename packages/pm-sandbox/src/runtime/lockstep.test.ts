@@ -55,7 +55,7 @@ describe('[PM-27] modules in lockstep', () => {
     expect(runtime.statistics()).toMatchObject([{ outputs: 1 }, { outputs: 1 }]);
   });
 
-  it('leave out who fails, is killed, is halted, is not in lockstep, is busy or is not there', async () => {
+  it('leave out instances that fail, are killed, halted, not in lockstep, busy or missing', async () => {
     const { clock, sandboxes, runtime, begin } = createModuleWorld();
     for (const id of ['ok', 'fails', 'killed', 'halted', 'busy']) await begin(sketch(id, '/x'));
     await begin({ ...sketch('free', '/x'), mode: { free: {} } });

@@ -104,7 +104,7 @@ describe('WorkerHost', () => {
     expect(batches.map(kindsOf)).toEqual([['run', 'run']]);
   });
 
-  it('ends a worker that is silent for the limit and the grace, and blames who ran [PM-53]', async () => {
+  it('ends a worker that is silent for the limit and the grace, and blames the running instance [PM-53]', async () => {
     const worker = fakeWorker();
     const [a, b] = [worker.add(), worker.add()];
     worker.tell({ kind: 'ready' });
@@ -177,7 +177,7 @@ describe('WorkerHost', () => {
     expect(worker.ended).toEqual([undefined]);
   });
 
-  it('blames who ran when the worker has no memory left [PM-53]', async () => {
+  it('blames the running instance when the worker has no memory left [PM-53]', async () => {
     const worker = fakeWorker();
     const [a, b] = [worker.add(), worker.add()];
     const runs = [worker.host.run(a, CALL), worker.host.run(b, CALL)].map(faultFrom);

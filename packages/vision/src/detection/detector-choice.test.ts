@@ -89,7 +89,7 @@ describe('a choice of detectors', () => {
     const [detector, , problem] = await choose('coco-ssd');
     expect(detector).toBe('centernet');
     expect(problem).toBe(
-      'The model of COCO-SSD is not installed. Get it on the page of this module, or with "npm run models -- get coco-ssd" on the machine of the master. Until then, CenterNet detects.',
+      'The model of COCO-SSD is not installed. Download it on the page of this module, or with "npm run models -- get coco-ssd" on the computer of the master. Until then, CenterNet detects.',
     );
     await choose('coco-ssd');
     expect(load).toHaveBeenCalledTimes(1);

@@ -12,7 +12,7 @@ const record = (value: string, timestampMs?: number) => ({
 });
 
 describe('readCall', () => {
-  it('says who asks, in one line that is not too long', () => {
+  it('names the asking client in one short line', () => {
     expect(readCall(record(' Mara\n’s  desk ', 1), memory())).toEqual({ byName: 'Mara ’s desk' });
     expect(readCall(record('x'.repeat(100)), memory())?.byName).toHaveLength(61);
   });

@@ -17,7 +17,7 @@ const names = (...args: Parameters<typeof rankLoads>) =>
   rankLoads(...args).map(({ view }) => view.label);
 
 describe('rankLoads', () => {
-  it('ranks by work, bandwidth and queue, and leaves out who takes nothing', () => {
+  it('ranks by work, bandwidth and queue, and leaves out clients without load', () => {
     expect(names(all, 'work', 10)).toEqual(['Drum', 'Tablet', 'Log']);
     expect(names(all, 'bandwidth', 10)).toEqual(['Tablet', 'Drum', 'Log']);
     expect(names(all, 'queue', 10)[0]).toBe('Tablet');

@@ -7,14 +7,14 @@ const anna = aClient('a', { name: 'Anna' });
 const robot = aClient('r', { name: 'Robot' });
 
 describe('Comings', () => {
-  it('tells who left, and who is back as the same client', () => {
+  it('reports clients that left, and clients that resumed', () => {
     const comings = new Comings();
     expect(comings.next([anna, robot])).toEqual([]);
     expect(comings.next([anna])).toEqual([{ kind: 'left', clientId: 'r', name: 'Robot' }]);
     expect(comings.next([anna, robot])).toEqual([{ kind: 'back', clientId: 'r', name: 'Robot' }]);
   });
 
-  it('tells who was lost from who left [EX-55]', () => {
+  it('distinguishes lost clients from those that left [EX-55]', () => {
     const comings = new Comings();
     comings.next([anna, robot]);
     const lost = { ...robot, state: ClientState.UNAVAILABLE };
@@ -24,7 +24,7 @@ describe('Comings', () => {
     expect(comings.next([anna])).toEqual([]); // given up, which is no news
   });
 
-  it('tells who comes back that was lost before one looked', () => {
+  it('reports the return of a client that was lost before the first list', () => {
     const comings = new Comings();
     comings.next([anna, { ...robot, state: ClientState.UNAVAILABLE }]);
     expect(comings.next([anna, robot])).toEqual([{ kind: 'back', clientId: 'r', name: 'Robot' }]);

@@ -10,7 +10,7 @@ function event(clientId: string, kind: StatusEvent['kind'], timeMs: number): Sta
 }
 
 describe('goneLately [EX-55]', () => {
-  it('tells who left from who was lost or removed, the latest first', () => {
+  it('distinguishes clients that left, were lost or were removed, latest first', () => {
     const events = [
       event('', MASTER_STARTED, 0),
       event('ada', CLIENT_JOINED, 1),
@@ -26,7 +26,7 @@ describe('goneLately [EX-55]', () => {
     ]);
   });
 
-  it('leaves out who came back, and who is listed still', () => {
+  it('leaves out clients that came back or are still listed', () => {
     const events = [
       event('ada', CLIENT_LEFT, 1),
       event('ben', CLIENT_LOST, 2),

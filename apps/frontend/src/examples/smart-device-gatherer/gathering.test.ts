@@ -12,7 +12,7 @@ const touch = (id: string, x: number, y: number, type: TouchEventType = 0) => ({
   elements: [{ type, id, position: { x, y }, force: 0 }],
 });
 
-describe('who gathers', () => {
+describe('the gathering client', () => {
   it('has every finger of every phone, until it is lifted', () => {
     const gathering = new Gathering();
     gathering.setClients([phone('b'), phone('a'), phone('desk', 'mouse')]);

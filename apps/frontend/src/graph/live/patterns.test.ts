@@ -34,7 +34,7 @@ describe('the samples of a demuxer', () => {
   });
   const none = (): MuxPreview => matches();
 
-  it('are for whom the muxer before it gathers', () => {
+  it('are those of the clients of the muxer before it', () => {
     const first = graphOf(session);
     const { graph } = applyCommand(first, { kind: 'add', nodes: [demuxer, muxer] });
     const module = { node: 'module:a', port: 'in:i' };

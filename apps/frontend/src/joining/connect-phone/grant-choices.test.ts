@@ -58,7 +58,7 @@ it('what is left is told in minutes, hours or days', () => {
   expect(leftWord(30 * 24 * 60 * MINUTE)).toBe('30 d');
 });
 
-it('says who uses it, else whether it was used', () => {
+it('shows the number of connected clients, else whether it was used', () => {
   expect(usedWords(grant())).toBe('not used yet');
   expect(usedWords(grant({ joins: 1, clientIds: ['a', 'b'] }))).toBe('2 connected');
   expect(usedWords(grant({ joins: 1 }))).toBe('used once');

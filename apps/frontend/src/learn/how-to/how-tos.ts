@@ -64,7 +64,7 @@ asyncio.run(main())`,
         steps: [
           'Set the connection of the services to HTTP and its address to `{host}/services/binary`. Requests and replies are protobuf.',
           'Set the connection of the topic data to HTTP, which is a WebSocket, and its address to `{host}`. The node appends its client id to it.',
-          'Press Play. The client appears on the page Clients with the name of the node.',
+          'Press Play. The client appears on the Clients page with the name of the node.',
         ],
       },
       {

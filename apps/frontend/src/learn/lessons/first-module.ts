@@ -64,7 +64,7 @@ const speed = way / (deltaTimeMs / 1000 || 1);`,
     },
     {
       title: 'Smooth it with one number',
-      text: 'The speed jumps. Keep 80 % of the value before and take 20 % of the new one. Put out `state.smooth` in place of `speed`, press Run, move, and stop: the value now decays.',
+      text: 'The speed jumps. Keep 80 % of the value before and take 20 % of the new one. Output `state.smooth` in place of `speed`, press Run, move, and stop: the value now decays.',
       code: `state.smooth = 0.8 * (state.smooth ?? 0) + 0.2 * speed;
 return { outputs: { speed: { double: state.smooth } } };`,
       checks: [

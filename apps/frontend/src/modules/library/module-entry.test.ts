@@ -27,7 +27,7 @@ const node: NodeInfo = fromJson('ubii.extension.NodeInfo', {
 describe('the library', () => {
   const entries = moduleEntries([mirror, clock], [node], [aSession()]);
 
-  it('says who has a module and who uses it', () => {
+  it('lists the nodes that offer a module and the sessions that use it', () => {
     expect(entries.map((one) => one.module.name)).toEqual(['clock', 'mirror']);
     expect(entries[0]?.offeredBy).toEqual([node]);
     expect(entries[1]?.usedBy.map(({ name }) => name)).toEqual(['Two hands']);

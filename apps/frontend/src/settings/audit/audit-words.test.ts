@@ -29,14 +29,14 @@ it('an entry is told in words [EX-91]', () => {
   expect(standingOf(entry({ grantId: '', role: AccessRole.ACCESS_ROLE_ADMIN }))).toBe('admin');
 });
 
-it('who did it has a name, the beginning of an id, or a way in [EX-91]', () => {
+it('the actor has a name, the beginning of an id, or a kind of access [EX-91]', () => {
   expect(whoOf(entry())).toBe('Ben');
   expect(whoOf(entry({ clientName: '', clientId: '9b2f9c1e-3f0a' }))).toBe('Client 9b2f9c1e');
   const unnamed = { clientName: '', clientId: '', way: AuditEntryWay.LOCAL };
   expect(whoOf(entry(unnamed))).toContain('on the computer of the master');
 });
 
-it('who did it has its display name while its own name is the same [EX-91]', () => {
+it('the actor has its display name while its own name is the same [EX-91]', () => {
   expect(whoOf(entry(), { ownName: 'Ben', displayName: 'Ben 2' })).toBe('Ben 2');
   expect(whoOf(entry(), { ownName: 'Ada', displayName: 'Ada' })).toBe('Ben');
   expect(whoOf(entry(), { ownName: undefined, displayName: undefined })).toBe('Ben');

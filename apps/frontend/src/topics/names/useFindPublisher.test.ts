@@ -48,7 +48,7 @@ describe('useFindPublisher', () => {
     expect(wrapper.text()).toBe('Master, here');
   });
 
-  it('says who is away, and still knows who left', async () => {
+  it('marks clients that are away, and still names clients that left', async () => {
     const { wrapper, announce } = setUp();
     await announce([clientOf('id', ClientState.INACTIVE)]);
     expect(wrapper.text()).toBe('Name of id, away');

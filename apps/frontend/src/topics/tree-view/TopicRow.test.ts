@@ -46,7 +46,7 @@ function rowOf(topics: readonly TopicRate[], key: string, isAway = false) {
 describe('TopicRow', () => {
   const topics = [rateOf('/id-1/a'), rateOf('/id-1/b', 'double')];
 
-  it('says to those who listen where it stands and what it is', () => {
+  it('has a level and a description for screen readers', () => {
     const row = rowOf(topics, '/id-1/b').get('[role="row"]');
     expect(row.attributes()).toMatchObject({
       'aria-level': '2',

@@ -141,7 +141,7 @@ describe('TopicsModel', () => {
     expect(keys(model)).toEqual(['/id-1', '/studio']); // as it was before the search
   });
 
-  it('finds topics by the name and the id of who publishes them', () => {
+  it('finds topics by name and id of their publisher', () => {
     const { model } = modelOf([rateOf('/studio/radius', { publisherId: 'id-3' }), '/studio/x']);
     for (const search of ['theo', 'client:theo', 'client:id-3']) {
       model.setFilter(parseTopicFilter(search));

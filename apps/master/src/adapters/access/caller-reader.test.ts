@@ -112,7 +112,7 @@ describe('a caller', () => {
     }
   });
 
-  it('is whom a trusted proxy names, and never of this machine [AC-41]', () => {
+  it('is the client that a trusted proxy names, and never local [AC-41]', () => {
     const behind = (remoteAddress: string, list: string) => {
       const { standing, place, isHere } = read(remoteAddress, { 'x-forwarded-for': list });
       return [standing, place, isHere];

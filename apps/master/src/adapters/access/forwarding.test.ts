@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { callerBehind, isPassedOn } from './forwarding.ts';
 
-describe('headers of those who pass requests on', () => {
+describe('headers of proxies', () => {
   it.each([
     'forwarded',
     'x-forwarded-for',
@@ -60,7 +60,7 @@ describe('headers of those who pass requests on', () => {
   });
 });
 
-describe('whom a trusted proxy speaks for', () => {
+describe('the client that a trusted proxy names', () => {
   const isTrusted = (address: string) => address.startsWith('10.0.0.');
 
   it.each([

@@ -79,7 +79,7 @@ describe('the pace of wrong codes [AC-17]', () => {
     expect(refused).toBeLessThanOrEqual(10);
   });
 
-  it('admits who was wrong a few times, within seconds, while 250 addresses try', () => {
+  it('admits a caller with a few wrong codes within seconds, while 250 addresses try', () => {
     const { guesses, tryWrong, during, clock } = world();
     during(10, 1_000, (n) => tryWrong(`10.0.0.${n % 250}`));
     const mistaken = { place: '10.1.0.1' };

@@ -56,7 +56,7 @@ describe('TopicTable', () => {
     expect(entry.owner).toBeUndefined();
   });
 
-  it('counts a topic for its owner, then for who subscribed to it longest ago [AC-80]', () => {
+  it('counts a topic for its owner, then for its oldest subscriber [AC-80]', () => {
     const { table, master, publish } = createTable();
     const [ada, ben, cleo] = [testAccount(), testAccount(), testAccount()] as const;
     const [bens, cleos] = [{ account: ben } as never, { account: cleo } as never] as const;
@@ -119,7 +119,7 @@ describe('TopicTable', () => {
     },
   );
 
-  it('gives everything to who asks too seldom to be told the removals [EX-12]', () => {
+  it('returns the full list to clients that ask too rarely to get the deletions [EX-12]', () => {
     const { table, publish, changesSince } = createTable(3);
     const { next: early } = changesSince(0);
     for (let i = 0; i < 6; i++) table.deleteValue(publish(`/gone/${i}`));

@@ -73,7 +73,7 @@ describe('King of the Hill', () => {
     expect(state.pieces[0]!.charge).toBe(0);
   });
 
-  it('counts a push for who pushed, when the other falls', () => {
+  it('counts a push for the pusher when the other player falls', () => {
     const state = pair();
     place(state, 0, 4, 0);
     place(state, 1, 8, 0);
@@ -105,7 +105,7 @@ describe('King of the Hill', () => {
     expect(hillGame.places(state)).toEqual([[0], [1]]);
   });
 
-  it('puts who stood longer first where nobody had the crown for longer', () => {
+  it('ranks players with equal crown time by the time that they stood', () => {
     const state = startHill({ seats: [0, 1, 2, 3], seed: 1 });
     place(state, 2, PLATFORM_RADIUS + 1, 0);
     run(state, 1, () => AT_REST);
@@ -127,7 +127,7 @@ describe('King of the Hill', () => {
     expect(nextRing(70 * STEPS_PER_SECOND)).toBeUndefined();
   });
 
-  it('lets who fell vote for the next power, which the first who is there gets', () => {
+  it('lets fallen players vote for the next power, which the first player there gets', () => {
     const state = startHill({ seats: [0, 1, 2], seed: 1 });
     place(state, 2, PLATFORM_RADIUS + 1, 0);
     run(state, 8 * STEPS_PER_SECOND, (seat) => (seat === 2 ? stick(0, 1) : AT_REST));

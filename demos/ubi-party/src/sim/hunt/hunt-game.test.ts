@@ -100,7 +100,7 @@ describe('Photo Hunt', () => {
     expect(play.hunt.photos[1]).toBeUndefined();
   });
 
-  it('takes 2 s from who hands in a wrong photo, and nothing else', () => {
+  it('costs a player 2 s for a wrong photo, and nothing else', () => {
     const play = new HuntPlay([0, 1]);
     play.photo(0, 2, 'bowl');
     expect(play.hunt.photos[0]).toMatchObject({ verdict: 'wrong', text: 'bowl' });

@@ -4,7 +4,7 @@ import { templateGame } from './template-game.ts';
 
 const start = () => templateGame.start({ seats: [3, 5], seed: 2 });
 
-test('who touches the apple has found it, and the next one is hidden elsewhere', () => {
+test('a player that touches the apple has found it, and the next one is hidden elsewhere', () => {
   const state = start();
   Object.assign(state.runners[1]!.position, state.apple);
   const before = { ...state.apple };

@@ -16,7 +16,7 @@ const pair = after(EMPTY_ROOM, join('ada'), join('bob'));
 const playing = after(pair, proceed, proceed, proceed);
 
 describe('seats', () => {
-  it('go to who joins, in order; the first one leads', () => {
+  it('go to joining players in order; the first one leads', () => {
     expect(pair.players.map(({ seat, name }) => [seat, name])).toEqual([
       [0, 'ada'],
       [1, 'bob'],
@@ -24,7 +24,7 @@ describe('seats', () => {
     expect(pair.leader).toBe(0);
   });
 
-  it('are kept by who comes back, with points and place', () => {
+  it('are kept by returning players, with points and place', () => {
     const scored = after(playing, { type: 'round-over', places: [[1], [0]] });
     const back = after(scored, { type: 'away', key: 'bob' }, join('bob'));
     expect(back.players[1]).toMatchObject({ seat: 1, points: 10 });
@@ -75,7 +75,7 @@ describe('seats', () => {
   });
 });
 
-describe('who leads', () => {
+describe('the leader', () => {
   it('is the leader or the big screen alone', () => {
     expect(() => after(pair, { type: 'proceed', by: { key: 'bob' } })).toThrow(
       'ada leads the game.',
@@ -129,7 +129,7 @@ describe('a tournament', () => {
     expect(after(explained, { type: 'ready', key: 'ada', isReady: true }).phase).toBe('countdown');
   });
 
-  it('lets who comes late wait for the next round', () => {
+  it('lets late players wait for the next round', () => {
     const late = after(playing, join('cleo'));
     expect(late.players[2]!.isWaiting).toBe(true);
     const next = after(late, { type: 'round-over', places: [[0], [1]] }, proceed);

@@ -49,7 +49,7 @@ test('spectators watch a game that is locked or full, and get a seat when there 
   expect(() => after(locked, join('wim'))).toThrow('locked');
 });
 
-test('who has a seat does not watch, and who takes a seat over watches no longer', () => {
+test('players with a seat do not watch, and a spectator that takes over a seat stops watching', () => {
   expect(() => after(pair, watch('bob'))).toThrow('Leave it first.');
   const moved = after(watched, { type: 'hand-over', key: 'bob', to: 'wim' });
   expect(moved.players[1]!.key).toBe('wim');
@@ -63,7 +63,7 @@ test('spectators are bounded', () => {
   expect(after(crowd, watch('w3', 'again')).spectators).toHaveLength(MAX_SPECTATORS);
 });
 
-test('spectators leave, are removed by who leads, and go when they were away for long', () => {
+test('spectators leave, are removed by the leader, or time out', () => {
   expect(after(watched, { type: 'leave', key: 'wim' })).toEqual(pair);
   const dismiss = (key: string): RoomEvent => ({ type: 'dismiss', by: { key }, key: 'wim' });
   expect(() => after(watched, dismiss('bob'))).toThrow('ada leads');

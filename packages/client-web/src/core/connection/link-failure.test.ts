@@ -57,7 +57,7 @@ describe('failureOfClose()', () => {
     );
   });
 
-  it('calls 4010 disconnected, and says who did it and why [EX-30]', () => {
+  it('calls 4010 disconnected, with actor and reason [EX-30]', () => {
     const { error } = failureOfClose(4010, 'by Mara: too loud', true);
     expect(error.reason).toBe('disconnected');
     expect(error.message).toBe('This client was disconnected by Mara: too loud');

@@ -11,7 +11,7 @@ async function setup(publishIntervalMs = 15) {
 }
 
 describe('client.publish()', () => {
-  it('says what, when and who', async () => {
+  it('sends value, timestamp and client id', async () => {
     const { master, client, clock } = await setup();
     client.publish('/a', 'vector2', { x: 1, y: 0 });
     client.publish('/b', 'double', 0, { timestampMs: 1_600_000_000_123 });

@@ -33,7 +33,7 @@ function setup({ isExtended = true, isKnown = true, isConnected = true } = {}) {
 }
 
 describe('ClientCalls', () => {
-  it('says who asks where a request has room for it, and leaves alone what the caller said', async () => {
+  it('adds its client id to requests with such a field, and keeps the id of the caller', async () => {
     const { master, calls, asked } = setup();
     master.services.set(SERVICES.clientRename.topic, () => ({ client: { id: 'ben' } }));
     await calls.callNow('clientRename', { targetId: 'ben', name: 'Ben' });

@@ -139,7 +139,7 @@ describe('client.subscribe()', () => {
     expect(second).toHaveLength(1);
   });
 
-  it('gives the retained record to who subscribes in the turn in which the last one leaves', async () => {
+  it('gives the retained record to a subscriber in the turn in which the last one leaves', async () => {
     const { master, client } = await setup();
     master.publish({ topic: '/a', format: 'double', value: 1 });
     const first = client.subscribe('/a');

@@ -23,7 +23,7 @@ it.each([
   [['a', 'master'], 'Anna and the master receive these pictures.'],
   [['a', 'b', 'c'], 'Anna, Ben and Cleo receive these pictures.'],
   [['a', 'b', 'c', 'd'], 'Anna, Ben and 2 other clients receive these pictures.'],
-])('names who receives pictures: %j', (ids, expected) => {
+])('names the receivers of pictures: %j', (ids, expected) => {
   expect(sentence(ids)).toBe(expected);
 });
 

@@ -41,8 +41,8 @@ describe('the record of an editor [EX-49]', () => {
   });
 });
 
-describe('who else has a session open [EX-49]', () => {
-  it('hears who comes, and who closes it', () => {
+describe('other clients with the session open [EX-49]', () => {
+  it('reports clients that open and close it', () => {
     const board = boardOf();
     const topic = presenceTopic('anna');
     expect(board.hear(topic, presenceText(record()), 0).arrived).toEqual(['anna']);
@@ -60,7 +60,7 @@ describe('who else has a session open [EX-49]', () => {
     expect(ids(board)).toEqual([]);
   });
 
-  it('forgets who is not heard of any more, but not who is hidden', () => {
+  it('forgets silent clients, but keeps hidden ones', () => {
     const board = boardOf();
     board.hear(presenceTopic('anna'), presenceText(record()), 0);
     board.hear(presenceTopic('ben'), presenceText(record({ isHidden: true })), 0);

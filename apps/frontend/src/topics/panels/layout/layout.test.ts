@@ -127,7 +127,10 @@ describe('a layout as a file and as a link', () => {
     ['{"type":"ubi-interact-layout","version":1,"root":7}', /damaged/],
     ['{"type":"ubi-interact-layout","version":1,"root":{"split":"x"}}', /damaged: a split/],
     ['{"type":"ubi-interact-layout","version":1,"root":{"panel":"1"}}', /topic of panel 1/],
-    ['{"type":"ubi-interact-layout","version":1,"root":{"panel":"<b>","topic":"/a"}}', /number/],
+    [
+      '{"type":"ubi-interact-layout","version":1,"root":{"panel":"<b>","topic":"/a"}}',
+      /the id of a panel/,
+    ],
     ['x'.repeat(MAX_FILE + 1), /too large/],
   ])('damaged, says what is wrong: %.60s', (text, reason) => {
     expect(() => readLayoutFile(text)).toThrow(LayoutError);
@@ -152,6 +155,6 @@ describe('a layout as a file and as a link', () => {
       first: panel('1'),
       second: panel('1'),
     };
-    expect(() => readLayout(layoutJson({ name: '', root: twice }))).toThrow(/same number/);
+    expect(() => readLayout(layoutJson({ name: '', root: twice }))).toThrow(/same id/);
   });
 });

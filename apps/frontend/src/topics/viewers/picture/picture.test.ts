@@ -31,7 +31,9 @@ it('knows files by their first bytes, and says when the record says another size
   expect(encodingOf(jpeg)).toBe('JPEG');
   expect(pictureNote(jpeg, { width: 640, height: 480 })).toBeUndefined();
   expect(pictureNote(jpeg, { width: 320, height: 240 })).toMatch(/but its JPEG is 320 × 240/);
-  expect(pictureNote(image(2, 2, GRAY8, 7), { width: 2, height: 2 })).toMatch(/^3 bytes more/);
+  expect(pictureNote(image(2, 2, GRAY8, 7), { width: 2, height: 2 })).toMatch(
+    /^The data has 3 bytes more/,
+  );
 });
 
 it('suggests things and poses near the picture first', () => {

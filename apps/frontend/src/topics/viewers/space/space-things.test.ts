@@ -28,7 +28,9 @@ describe('spaceView', () => {
         [0, 0, 1],
       ]);
     }
-    expect(spaceView('quaternion', { x: 0, y: 0, z: 0, w: 0 }).note).toMatch(/no rotation/);
+    expect(spaceView('quaternion', { x: 0, y: 0, z: 0, w: 0 }).note).toMatch(
+      /not a valid rotation/,
+    );
   });
 
   it('finds the translation of a matrix in its last column, else in its last row', () => {

@@ -38,7 +38,7 @@ function chosenProblem(nodes: NodeTable, draft: DraftModule): SessionProblem | u
   if (!hasCode(draft)) return undefined;
   const reasons = nodes
     .list()
-    .map((node) => cannotRun(node, spec) ?? 'accepts no modules by itself')
+    .map((node) => cannotRun(node, spec) ?? 'accepts only modules that a session assigns to it')
     .slice(0, 1);
   return errorProblem({
     ...about(draft),

@@ -33,7 +33,7 @@ describe('race events', () => {
     expect(jumps.filter(({ seat }) => seat === 0).length).toBeGreaterThanOrEqual(2);
   });
 
-  it('the leader is who finished first, then who is furthest', () => {
+  it('the leader is the first finisher, then the furthest cart', () => {
     const state = start();
     state.carts[1]!.distance = 50;
     expect(leaderOf(state)).toBe(1);
