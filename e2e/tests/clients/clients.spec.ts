@@ -74,7 +74,7 @@ test('one looks for clients, and the address says what is looked for', async ({ 
   await expect(anna.page).toHaveURL(/kind=phone/);
 
   await clients.search.fill('nobody');
-  await expect(anna.page.getByText('No matches.')).toBeVisible();
+  await expect(anna.page.getByText('No client matches')).toBeVisible();
   await anna.page.getByRole('button', { name: /^Show all/ }).click();
   await expect(clients.row('Robot')).toBeVisible();
 

@@ -145,7 +145,7 @@ test('clients that leave and lost clients are distinguished, and two tabs of a p
   await test.step('its page and its battery are seen [EX-56]', async () => {
     await clients.row('Mara').click();
     const link = clients.detail('Mara').getByRole('region', { name: 'Connection' });
-    await expect(link).toContainText('in front');
+    await expect(link).toContainText('visible');
     await expect(link).toContainText('100 %');
     await expect(link).toContainText('charging');
     await show(mara, false);

@@ -82,7 +82,7 @@ test('results are kept over a reload, named, compared, exported and imported', a
   await test.step('removed, and brought back', async () => {
     await page.open('results');
     await page.page.getByRole('checkbox', { name: 'Select At home' }).check();
-    await page.page.getByRole('button', { name: 'Remove' }).click();
+    await page.page.getByRole('button', { name: 'Delete' }).click();
     await expect(page.kept).toHaveCount(1);
     await page.page.getByRole('button', { name: 'Undo' }).click();
     await expect(page.kept).toHaveCount(2);

@@ -58,7 +58,7 @@ test('a gesture is played once, to its end, from where it is trimmed', async ({ 
   await drag(publish);
   await gesture.getByRole('button', { name: 'Stop recording' }).click();
   await gesture.getByRole('radio', { name: 'Once' }).click();
-  await gesture.getByRole('slider', { name: /^Begin/ }).press('End');
+  await gesture.getByRole('slider', { name: /^Start of/ }).press('End');
   await gesture.getByRole('button', { name: 'Play', exact: true }).click();
   await expect(gesture.getByRole('button', { name: 'Play', exact: true })).toBeVisible();
   // The last record may arrive after the page says that it has ended

@@ -90,7 +90,7 @@ describe('a folder of modules', () => {
       folderWith({ 'a.mjs': definition, 'b.mjs': definition }),
     );
     expect(modules).toHaveLength(1);
-    expect(problems).toMatchObject([{ file: 'b.mjs', message: /in a.mjs already/ }]);
+    expect(problems).toMatchObject([{ file: 'b.mjs', message: /already defined in a.mjs/ }]);
   });
 
   it('that is not there is an error', async () => {

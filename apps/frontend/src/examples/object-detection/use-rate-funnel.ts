@@ -21,7 +21,12 @@ const SAMPLE_MS = 500;
 const SAMPLES = 40;
 /** Share of the pictures that may be replaced by newer ones without a warning. */
 const MANY_REPLACED = 0.15;
-const GIVERS = { clip: 'Clip gives', camera: 'Camera gives', photo: 'File', topic: 'Topic gives' };
+const GIVERS = {
+  clip: 'From the clip',
+  camera: 'From the camera',
+  photo: 'File',
+  topic: 'From the topic',
+};
 
 /** Pictures from their source to their results as rates: given, sent, looked at, replaced. */
 export function useRateFunnel(

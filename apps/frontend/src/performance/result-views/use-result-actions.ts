@@ -38,7 +38,7 @@ export function useResultActions(): {
         `“${results[0]?.name ?? ''}”`,
         `${results.length} results`,
       );
-      toasts.show(`Removed ${what}`, { text: 'Undo', run: () => void kept.put(...results) });
+      toasts.show(`Deleted ${what}`, { text: 'Undo', run: () => void kept.put(...results) });
     },
     async importFiles(files) {
       importFault.value = undefined;

@@ -59,7 +59,7 @@ test('players with a seat do not watch, and a spectator that takes over a seat s
 test('spectators are bounded', () => {
   const many = Array.from({ length: MAX_SPECTATORS }, (_, index) => watch(`w${index}`));
   const crowd = after(pair, ...many);
-  expect(() => after(crowd, watch('one more'))).toThrow(`${MAX_SPECTATORS} people watch`);
+  expect(() => after(crowd, watch('one more'))).toThrow(`limit of ${MAX_SPECTATORS} spectators`);
   expect(after(crowd, watch('w3', 'again')).spectators).toHaveLength(MAX_SPECTATORS);
 });
 
