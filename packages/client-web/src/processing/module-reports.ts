@@ -7,7 +7,7 @@ import type { AssignedModule } from './session-modules.ts';
 /** Dependencies of the reports on a client. */
 export type ReportClient = Pick<UbiiClient, 'call' | 'sendNodeMessage' | 'state'>;
 
-/** Whom the reports tell. */
+/** Callbacks of the reports. */
 export interface ModuleReportsOptions {
   /** The master knows nothing of a module that was reported. */
   readonly handleUnknown: () => void;

@@ -8,7 +8,7 @@ import type { SessionActivity } from './session-modules.ts';
 /** Dependencies of the watch on a client. */
 export type SessionClient = Pick<UbiiClient, 'subscribe' | 'call' | 'onState' | 'state'>;
 
-/** Whom the watch tells. */
+/** Callbacks of the watch. */
 export interface SessionWatchOptions {
   /** A session is, or wants to be, as said here. */
   readonly handleSession: (session: Session, activity: SessionActivity) => void;

@@ -18,7 +18,7 @@ export function readThrottleRate(
   return { rate };
 }
 
-/** A rate worth trying first: half of what it publishes now, in a round number. */
+/** Default rate: half of the current rate, rounded. */
 export function suggestThrottleRate(recordsPerSecond: number): number {
   const half = recordsPerSecond / 2;
   if (half < 1) return 1;

@@ -24,7 +24,7 @@ export interface ClientLoad {
   readonly isThrottleUseful: boolean;
 }
 
-/** A client with this share of the work, at least, is worth a thought. */
+/** From this share of the work on, a client is marked as heavy. */
 const MUCH_WORK = 0.5;
 /** A thread that is less busy than this has room for everybody, percent. */
 const BUSY_PERCENT = 50;

@@ -73,7 +73,7 @@ export class CanvasStage {
   #isHeld = false;
   readonly #toMeasure = new Set<string>();
   #movingTimer: ReturnType<typeof setTimeout> | undefined;
-  /** Nodes that a hand holds: they stay where it puts them. */
+  /** Nodes that the user drags: they stay at the pointer. */
   #held: ReadonlySet<string> = new Set();
   /** One change of the stage after the other. */
   #queue: Promise<void> = Promise.resolve();
@@ -319,7 +319,7 @@ export class CanvasStage {
     this.detail.value = detailAt(view.k);
   }
 
-  /** A hand pans, until it lets go. */
+  /** Starts panning, until the pointer is released. */
   #hold(): boolean {
     const release = (): void => {
       this.#isHeld = false;

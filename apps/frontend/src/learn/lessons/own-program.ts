@@ -29,7 +29,7 @@ export const ownProgram: Lesson = {
       answer: { kind: 'program', action: 'run' },
     },
     {
-      title: 'Receive what it publishes',
+      title: 'Receive its records',
       text: 'The program publishes a wave 20 times a second on `/first-program/wave`. The data format is part of each call: a value of another format does not compile.',
       checks: [
         topicArrives(({ topics }) => topics.get(WAVE_TOPIC), 5, {

@@ -2,7 +2,7 @@
 const DURATION_MS = 1_600;
 const POSITIONS = 60;
 
-/** Moves the pointer of this page in a circle, as a hand would. */
+/** Moves the pointer of this page in a circle, as a user would. */
 export async function movePointer(): Promise<void> {
   for (let step = 0; step <= POSITIONS; step += 1) {
     const angle = (2 * Math.PI * step) / POSITIONS;

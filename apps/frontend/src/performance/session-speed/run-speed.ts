@@ -24,7 +24,7 @@ const RUN_OUT_MS = 300;
 /** As many durations as a histogram needs: a free module has thousands a second. */
 const DURATION_RATE_HZ = 200;
 
-/** Where it runs, and for whom. */
+/** Node that runs the test, and client that starts it. */
 export interface SpeedPlace {
   readonly nodeId: string;
   /** The page's own client: the session is marked as its. */

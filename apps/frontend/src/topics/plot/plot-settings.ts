@@ -37,7 +37,7 @@ export const aSeries = (topic: string, path: string): PlotSeries => ({
 export const seriesKey = ({ topic, path, isDerivative }: PlotSeries): string =>
   `${topic}\n${path}${isDerivative ? '\n′' : ''}`;
 
-/** Reads settings as from a stranger: what makes no sense is left out. */
+/** Reads untrusted settings; invalid members are left out. */
 export function readPlotSettings(settings: Readonly<JsonObject>): PlotSettings {
   const { series, span, numbers } = settings;
   const isSpan = typeof span === 'number' && span > 0 && span <= 600_000;

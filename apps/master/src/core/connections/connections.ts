@@ -60,7 +60,7 @@ export class Connections {
     return this.#open.size;
   }
 
-  /** Those of whom nothing is known. */
+  /** Number of connections of strangers. */
   get strangers(): number {
     return this.#strangers;
   }

@@ -18,7 +18,7 @@ interface Failing {
   failedMs: number;
 }
 
-/** Whom such troubles are told to. */
+/** Dependencies of the reports on such troubles. */
 export interface RunTroublesContext {
   readonly monotonicMs: () => number;
   /** The problems of the session changed. */

@@ -14,7 +14,7 @@ interface Look {
   readonly streak: Streak;
 }
 
-/** Whom such troubles are told to. */
+/** Dependencies of the reports on such troubles. */
 export interface TopicTroublesContext {
   readonly monotonicMs: () => number;
   /** A row of refused elements begins. @param text a sentence without its end */

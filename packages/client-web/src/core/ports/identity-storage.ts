@@ -8,7 +8,7 @@ export interface Identity {
   readonly credential?: string | undefined;
 }
 
-/** Keeps one identity, so that a program or a page comes back as the same client. */
+/** Stores one identity, so that a program or a page resumes as the same client. */
 export interface IdentityStorage {
   /** Returns the stored identity, unless another client uses it. Called once, at the first connect. */
   load(): Identity | undefined | Promise<Identity | undefined>;

@@ -5,7 +5,7 @@ import { ReceivedRecord } from './received-record.ts';
 import { scanFrame } from './scan-frame.ts';
 import type { ScannedFrame } from './scan-frame.ts';
 
-/** Whom the inbox tells. */
+/** Callbacks of the inbox. */
 export interface TopicDataInboxOptions {
   readonly handleRecord: (record: ReceivedRecord) => void;
   readonly handleNodeMessage: (message: EncodedNodeMessage) => void;

@@ -5,7 +5,7 @@ import type { Box, View } from '../stage-view.ts';
 const NARROW_PX = 760;
 /** Rows and values can be read well from this zoom on. */
 const READABLE_ZOOM = 0.7;
-/** Smaller than this, seeing all of a graph is worth less than reading its beginning. */
+/** Below this zoom, the beginning of a graph is shown readable instead of all of it. */
 const WHOLE_ZOOM = 0.4;
 const MARGIN = 24;
 /** What lies over the top of the canvas, pixels. */

@@ -30,7 +30,7 @@ const PUBLISH_MS = 200;
 const REPEAT_MS = 15_000;
 const EXPIRE_MS = 5_000;
 
-/** Tells others that this session is open here, and hears of them. [EX-49] */
+/** Announces that this session is open here, and receives the announcements of others. [EX-49] */
 export function usePresence(editor: GraphEditor, saving: Saving): Presence {
   const { client, clients, isConnected } = useConnection();
   const toasts = useToastsOf('presence');

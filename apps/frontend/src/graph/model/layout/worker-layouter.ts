@@ -24,7 +24,7 @@ export function threadLayouter(startThread: () => Promise<LayoutThread>): Layout
   return async (graph) => {
     const [Elk, thread] = await Promise.all([loadElk(), startThread()]);
     try {
-      // The library never hears of a thread that cannot start, and would wait for it forever.
+      // The library gets no event for a worker that cannot start, and would wait forever.
       const failed = new Promise<never>((_resolve, reject) => {
         thread.onerror = () => reject(new Error('The layout could not be computed in a worker.'));
       });

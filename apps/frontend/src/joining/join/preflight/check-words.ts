@@ -4,7 +4,7 @@ import { CERTIFICATE_PATH } from '../../../locations/certificate-location.ts';
 import type { Check } from './check.ts';
 import type { ChannelProbe } from './probe-channel.ts';
 
-/** A clock that is off by more is worth a word, milliseconds. */
+/** From this offset on, a wrong clock is reported, milliseconds. */
 const CLOCK_OFF_MS = 2000;
 
 /** Milliseconds as people read them: `0.8 ms`, `12 ms`. */

@@ -9,8 +9,7 @@ import type { CodeMark } from './code-mark.ts';
 const DELAY_MS = 250;
 
 /**
- * What the text lacks, and what the sandbox says to it: the same engine that runs modules of strangers
- * on every node.
+ * Problems of the text, and errors from the sandbox: the engine that runs untrusted modules on every node.
  */
 export function useSourceCheck(
   draft: () => ModuleDraft | undefined,

@@ -61,7 +61,7 @@ export function readLayoutFile(text: string): Layout {
   return readLayout(json);
 }
 
-/** Reads a layout as from a stranger. @throws LayoutError */
+/** Reads an untrusted layout. @throws LayoutError */
 export function readLayout(json: unknown): Layout {
   if (!isObject(json) || json['type'] !== TYPE) {
     throw new LayoutError('This is JSON, but not a layout of panels.');
