@@ -4,7 +4,7 @@ export { fitConnections } from './core/connections/fit-connections.ts';
 export { DEFAULT_LIMITS } from './core/limits/index.ts';
 export { LogTail } from './core/counters/log-tail.ts';
 export type { LimitName, Limits } from './core/limits/index.ts';
-export type { MasterEndpoints, MasterPorts, MasterSettings } from './core/parts/settings.ts';
+export type { MasterEndpoints, MasterPorts, MasterSettings } from './core/areas/settings.ts';
 export type {
   ConnectionQuery,
   Master,

@@ -15,7 +15,7 @@ import type { Limits } from '../core/limits/index.ts';
 import type { Master } from '../core/master/master.ts';
 import { TRUSTED_CALLER, type CallerFacts } from '../core/ports/caller-facts.ts';
 import { LogTail } from '../core/counters/log-tail.ts';
-import type { MasterEndpoints, MasterSettings } from '../core/parts/settings.ts';
+import type { MasterEndpoints, MasterSettings } from '../core/areas/settings.ts';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import type { AssetStore, SandboxFactory } from '@ubii/pm-sandbox';
 import { FakeClock } from '@ubii/timing/testing';

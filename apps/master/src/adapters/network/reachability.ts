@@ -1,7 +1,7 @@
 import { MasterAddressKind } from '@ubii/proto';
 import type { MasterAddress } from '@ubii/proto';
 
-import type { MasterEndpoints } from '../../core/parts/settings.ts';
+import type { MasterEndpoints } from '../../core/areas/settings.ts';
 import { isLoopbackHost } from '../addresses/address-kinds.ts';
 import type { NetworkKind } from '../addresses/classify-interface.ts';
 import type { ListeningPorts } from './listeners.ts';

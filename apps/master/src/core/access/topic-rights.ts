@@ -13,10 +13,10 @@ import type { Role } from './roles.ts';
 
 /** Dependencies of the rights of participants. */
 export interface Namespaces {
-  /** Whether this is the id of a registered client. */
-  isClient(id: string): boolean;
+  /** Ids of registered clients. */
+  readonly clients: { has(id: string): boolean };
   /** Whether a component of this client subscribes to the topic. */
-  isInputOf(clientId: string, topic: string): boolean;
+  readonly devices: { isInputOf(clientId: string, topic: string): boolean };
 }
 
 /** Topics of which an answer is remembered, for each player. */
@@ -126,9 +126,10 @@ class Rights implements PublishRights, ReadRights {
     const end = topic.indexOf('/', 1);
     if (end < 0) return 'elsewhere';
     const owner = topic.slice(topic.startsWith('/') ? 1 : 0, end);
-    if (!this.#namespaces.isClient(owner)) return 'elsewhere';
+    const { clients, devices } = this.#namespaces;
+    if (!clients.has(owner)) return 'elsewhere';
     if (topic === identifyTopic(owner)) return 'identify';
-    return this.#namespaces.isInputOf(owner, topic) ? 'inputOfOther' : 'other';
+    return devices.isInputOf(owner, topic) ? 'inputOfOther' : 'other';
   }
 }
 

@@ -18,7 +18,6 @@ const LOOKS_TO_LIFT = 10;
 /** Dependencies of the checks. */
 export interface OverloadContext extends ThrottlingContext {
   readonly settings: CheckSettings;
-  readonly load: () => Load;
   readonly clients: { values(): Iterable<Client>; get(id: string): Client | undefined };
   readonly nodes: NodeTable;
   readonly sessions: () => readonly Session[];
@@ -43,10 +42,9 @@ export class OverloadChecks {
   }
 
   /** To be called after each measurement of load and clients. */
-  look(): void {
-    const { settings, load, clients, nodes, sessions } = this.#context;
+  look({ latest: usage, processors }: Load): void {
+    const { settings, clients, nodes, sessions } = this.#context;
     if (settings.checks === 'off') return;
-    const { latest: usage, processors } = load();
     // A master that waits for a processor used by other programs is busy, but no client causes the load.
     const workPercent = Math.min(usage.busyPercent, usage.cpuPercent);
     const modules = loadsOf(sessions());

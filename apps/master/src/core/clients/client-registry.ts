@@ -1,28 +1,30 @@
 import { encode, ServiceError, StatusEventKind, type Client as ClientMessage } from '@ubii/proto';
+import type { PatternCompiler } from '@ubii/patterns';
 import { TokenBucket, type Clock } from '@ubii/timing';
 import type { ClientAccess } from '../access/caller.ts';
 import { shareOf } from '../access/share-of.ts';
-import type { TopicRights } from '../access/topic-rights.ts';
+import { topicRightsOf } from '../access/topic-rights.ts';
 import { areEqual } from '../topics/equal-bytes.ts';
 import type { DeviceRegistry } from '../devices/device-registry.ts';
+import { Hook } from '../hooks/hook.ts';
 import type { InfoTopics } from '../info/info-topics.ts';
 import type { IdSource } from '../ports/id-source.ts';
 import type { ResumeTokens } from '../ports/resume-tokens.ts';
-import type { Account } from '../shares/account.ts';
 import type { Accounts } from '../shares/accounts.ts';
 import { RESOURCE } from '../shares/resources.ts';
-import { fillMaxOf, type Shortage } from '../shares/shortage.ts';
+import type { Shortage } from '../shares/shortage.ts';
 import type { EventLog } from '../counters/event-log.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import type { KeptValues } from '../topics/kept-values.ts';
 import type { SubscriptionTable } from '../topics/subscription-table.ts';
-import type { ClientSubscriber } from '../topics/subscriber.ts';
+import type { SubscriberFactory } from '../topics/subscriber-factory.ts';
 import { quote } from '../texts/quote.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
 import { Client, specOf, type ClientSpec } from './client.ts';
 import { closeReason } from './close-reason.ts';
 import { CLOSE } from './close-codes.ts';
 import type { Dismissals } from './dismissals.ts';
+import { leastMissed } from './least-missed.ts';
 import { nextStatus, type ClientEvent, type ClientStatus } from './client-states.ts';
 
 /** Dependencies of a client registry. */
@@ -38,20 +40,15 @@ export interface ClientContext {
   readonly devices: DeviceRegistry;
   readonly info: InfoTopics;
   readonly accounts: Accounts;
-  readonly createSubscriber: (
-    clientId: string,
-    isExtension: boolean,
-    account: Account,
-  ) => ClientSubscriber;
-  /** Returns the topic rights of a client with this access [AC-24] [AC-25]. */
-  readonly topicRightsOf: (clientId: string, access: ClientAccess) => TopicRights;
+  readonly createSubscriber: SubscriberFactory;
+  readonly patterns: PatternCompiler;
   readonly dismissals: Dismissals;
-  /** The client can be reached now, or no longer: as a node it matters [SE-31]. */
-  readonly onPresence: (client: Client) => void;
 }
 
 /** Every registered client, and what becomes of it. */
 export class ClientRegistry {
+  /** Called when a client can be reached, or no longer: it may be a node [SE-31]. */
+  readonly onPresence = new Hook<[client: Client]>();
   readonly #context: ClientContext;
   readonly #clients = new Map<string, Client>();
 
@@ -121,7 +118,7 @@ export class ClientRegistry {
         client.id,
       );
     }
-    this.#context.onPresence(client);
+    this.onPresence.emit(client);
     return { client, isResumed: earlierId !== undefined, isKnown: known !== undefined };
   }
 
@@ -155,7 +152,7 @@ export class ClientRegistry {
       events.add(StatusEventKind.CLIENT_RETURNED, `${client.label} is back`, client.id);
     }
     info.announceClient(client); // [CL-31]
-    if (status === 'unavailable' || status === 'active') this.#context.onPresence(client);
+    if (status === 'unavailable' || status === 'active') this.onPresence.emit(client);
   }
 
   /**
@@ -177,23 +174,10 @@ export class ClientRegistry {
     this.handleEvent(client, 'deregistered');
   }
 
-  /**
-   * Deletes kept values [TD-44], then removes clients that are away, until there is room [AC-84]: those first
-   * that never had a socket, then the one that is away longest. Never those of a class that may use more than
-   * the one that asks.
-   */
-  makeRoom({ account, resource, level }: Shortage, hasRoom: () => boolean): void {
-    this.#context.kept.makeRoom({ account, resource, level }, hasRoom);
+  /** Removes clients that are away, until there is room [AC-84]. */
+  makeRoom(shortage: Shortage, hasRoom: () => boolean): void {
     if (hasRoom()) return;
-    const fillMax = fillMaxOf(account, resource);
-    const away = [...this.#clients.values()].filter(
-      (client) =>
-        client.status === 'unavailable' &&
-        client.account.used(resource) > 0 &&
-        client.account.isWithin(level) &&
-        fillMaxOf(client.account, resource) <= fillMax,
-    );
-    for (const client of away.sort(compareMissed)) {
+    for (const client of leastMissed(this.#clients.values(), shortage)) {
       this.handleEvent(client, 'expired');
       if (hasRoom()) return;
     }
@@ -243,7 +227,14 @@ export class ClientRegistry {
     client.access = access;
     this.#context.accounts.move(client.account, shareOf(access));
     if (before.role === access.role && before.grant === access.grant) return;
-    const { publish, read } = this.#context.topicRightsOf(client.id, access);
+    const { devices, patterns } = this.#context;
+    const { publish, read } = topicRightsOf(
+      client.id,
+      access.role,
+      access.grant,
+      { clients: this.#clients, devices },
+      patterns,
+    );
     client.publishRights = publish;
     const hadAll = subscriber.readRights === undefined;
     subscriber.readRights = read;
@@ -278,7 +269,7 @@ export class ClientRegistry {
       events.add(StatusEventKind.CLIENT_LEFT, `${client.label} left`, client.id);
     }
     info.announceClientGone(client); // [CL-31]
-    this.#context.onPresence(client);
+    this.onPresence.emit(client);
   }
 
   #endTopics(client: Client): void {
@@ -290,13 +281,6 @@ export class ClientRegistry {
     for (const entry of [...client.ownedTopics]) topics.deleteValue(entry);
     kept.deleteOf(client.id); // [TD-46]
   }
-}
-
-/** Those that are missed least come first. */
-function compareMissed(a: Client, b: Client): number {
-  const hadSocket = Number(a.heardSequence !== undefined);
-  const hadOtherSocket = Number(b.heardSequence !== undefined);
-  return hadSocket - hadOtherSocket || a.statusSinceMs - b.statusSinceMs;
 }
 
 function sizeOf(spec: ClientSpec): number {

@@ -6,6 +6,7 @@ import { limitOf } from '../shares/shortage.ts';
 import { oneLine } from '../texts/one-line.ts';
 import type { ClientConnection } from '../ports/client-connection.ts';
 import type { ResumeTokens } from '../ports/resume-tokens.ts';
+import type { SubscriptionTable } from '../topics/subscription-table.ts';
 import type { Client } from './client.ts';
 import type { ClientRegistry } from './client-registry.ts';
 import { CLOSE } from './close-codes.ts';
@@ -13,8 +14,9 @@ import type { Dismissals } from './dismissals.ts';
 import { TopicDataSocket, type SocketContext } from './topic-data-socket.ts';
 
 /** Dependencies of the admission of sockets. */
-export interface AdmissionContext extends SocketContext {
+export interface AdmissionContext extends Omit<SocketContext, 'onClosed'> {
   readonly clients: ClientRegistry;
+  readonly subscriptions: SubscriptionTable;
   readonly access: Access;
   readonly tokens: ResumeTokens;
   readonly dismissals: Dismissals;
@@ -29,10 +31,15 @@ interface CloseReason {
 /** Decides which socket is whose, and keeps count of them. */
 export class SocketAdmission {
   readonly #context: AdmissionContext;
+  readonly #socketContext: SocketContext;
   #open = 0;
 
   constructor(context: AdmissionContext) {
     this.#context = context;
+    this.#socketContext = {
+      ...context,
+      onClosed: (socket, hasLeft) => this.#handleClosed(socket, hasLeft),
+    };
   }
 
   /** Open topic-data sockets. */
@@ -68,7 +75,7 @@ export class SocketAdmission {
       client.account.add(RESOURCE.sockets, 1);
     } else before.supersede(); // [TD-7]
     counters.connectionsOpened++;
-    const socket = new TopicDataSocket(this.#context, client, connection);
+    const socket = new TopicDataSocket(this.#socketContext, client, connection);
     client.socket = socket;
     client.socketOpenedMs = this.#context.clock.nowMs();
     const { userAgentCharacters } = this.#context.limits;
@@ -89,7 +96,7 @@ export class SocketAdmission {
   }
 
   /** A socket of ours is closed. */
-  handleClosed(socket: TopicDataSocket, hasLeft: boolean): void {
+  #handleClosed(socket: TopicDataSocket, hasLeft: boolean): void {
     const { client } = socket;
     this.#open--;
     client.account.add(RESOURCE.sockets, -1);

@@ -9,6 +9,7 @@ import type { Counters } from '../counters/counters.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { Publication } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
+import type { ClientRegistry } from './client-registry.ts';
 import type { ClientSocket } from './client-socket.ts';
 import type { Client } from './client.ts';
 import { CLOSE } from './close-codes.ts';
@@ -23,8 +24,7 @@ export interface SocketContext extends PublishContext {
   readonly topicTexts: TextCache;
   readonly limitWatch: LimitWatch;
   readonly counters: Counters;
-  /** The client was active. */
-  readonly onSign: (client: Client) => void;
+  readonly clients: Pick<ClientRegistry, 'handleSign'>;
   /** A node says something. @throws DecodeError when it cannot be read */
   readonly onNodeMessage: (client: Client, bytes: Uint8Array) => void;
   /** The socket is closed, from whichever side. Not called for one that was superseded. @param hasLeft the client closed it permanently [EX-55] */
@@ -221,7 +221,7 @@ export class TopicDataSocket implements ClientSocket, ConnectionHandle, TopicDat
 
   #handleSign(): void {
     this.client.heardSequence = this.#context.topics.sequence;
-    this.#context.onSign(this.client);
+    this.#context.clients.handleSign(this.client);
   }
 
   /** [TD-2] [EX-6] */

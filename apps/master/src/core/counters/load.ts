@@ -10,13 +10,13 @@ const NOTHING: UsageMeasurement = { cpuPercent: 0, busyPercent: 0, delayMs: 0 };
 export class Load {
   readonly #usage: ResourceUsage;
   readonly #clock: Clock;
-  readonly #onLook: (seconds: number) => void;
+  readonly #onLook: (load: Load, seconds: number) => void;
   readonly #cancel: Cancel;
   #latest = NOTHING;
   #measuredMs: number;
 
   /** @param onLook Called after each measurement, with the seconds since the one before. */
-  constructor(clock: Clock, usage: ResourceUsage, onLook: (seconds: number) => void) {
+  constructor(clock: Clock, usage: ResourceUsage, onLook: (load: Load, seconds: number) => void) {
     this.#clock = clock;
     this.#usage = usage;
     this.#onLook = onLook;
@@ -48,6 +48,6 @@ export class Load {
     if (seconds <= 0) return;
     this.#measuredMs = nowMs;
     this.#latest = this.#usage.measure();
-    this.#onLook(seconds);
+    this.#onLook(this, seconds);
   }
 }

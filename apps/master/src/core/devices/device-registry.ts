@@ -66,11 +66,6 @@ export class DeviceRegistry {
       .map(({ device }) => device);
   }
 
-  /** Every component that is registered, of clients that are away as well. */
-  *components(): Iterable<Component> {
-    for (const { device } of this.#devices.values()) yield* device.components;
-  }
-
   /** Registered components that publish on this topic. */
   publishersOf(topic: string): readonly Component[] {
     return this.#publishers().get(topic) ?? NO_COMPONENTS;
@@ -144,7 +139,9 @@ export class DeviceRegistry {
   #publishers(): Map<string, Component[]> {
     if (this.#byTopic !== undefined) return this.#byTopic;
     const byTopic = new Map<string, Component[]>();
-    for (const component of this.components()) {
+    for (const component of [...this.#devices.values()].flatMap(
+      ({ device }) => device.components,
+    )) {
       if (component.ioType === ComponentIOType.SUBSCRIBER || component.topic === '') continue;
       const others = byTopic.get(component.topic);
       if (others === undefined) byTopic.set(component.topic, [component]);

@@ -10,11 +10,14 @@ import {
   type ClientReport,
 } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import type { AddressKind } from '../ports/address-kind.ts';
 import type { ClientSubscriber } from '../topics/subscriber.ts';
 import type { Client } from '../clients/client.ts';
 import type { Throttle } from '../counters/throttle.ts';
+
+/** Dependencies of client reports. */
+export type ClientReportParts = Pick<Core, 'clients' | 'clock' | 'clientMeter'>;
 
 /** Subscriptions listed of one client [EX-25]. */
 const MAX_SUBSCRIPTIONS = 1_000;
@@ -26,8 +29,10 @@ const ADDRESS_KINDS: Readonly<Record<AddressKind, ClientActivity['addressKind']>
 };
 
 /** Reports the activity of clients and their share of the work of the master [EX-25]. */
-export function readClientReport(core: Core, request: ClientReportRequest): Init<ClientReport> {
-  const { clients, clock, clientMeter } = core;
+export function readClientReport(
+  { clients, clock, clientMeter }: ClientReportParts,
+  request: ClientReportRequest,
+): Init<ClientReport> {
   const wanted = new Set(request.clientIds);
   const reported = [...clients.values()].filter(({ id }) => wanted.size === 0 || wanted.has(id));
   return {

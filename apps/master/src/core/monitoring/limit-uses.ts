@@ -1,12 +1,17 @@
 import type { Init, LimitUse } from '@ubii/proto';
 import type { Client } from '../clients/client.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import type { LimitName } from '../limits/index.ts';
 import { RESOURCE, type Resource } from '../shares/resources.ts';
 import type { Session } from '../sessions/session.ts';
 
+/** Dependencies of the present uses. */
+export type LimitUseParts = Pick<Core, 'topics' | 'patternTable' | 'selectionTable'> &
+  Pick<Core, 'accounts' | 'clients' | 'devices' | 'sockets' | 'connections' | 'bodies'> &
+  Pick<Core, 'access' | 'nodes' | 'sessions' | 'modules' | 'sessionLibrary'>;
+
 /** How much of each limit is used, where that is known [EX-36]. */
-type LimitUses = { readonly [L in LimitName]?: (core: Core) => Init<LimitUse> };
+type LimitUses = { readonly [L in LimitName]?: (core: LimitUseParts) => Init<LimitUse> };
 
 /** The present use of limits. Limits of one message, and times, have none. */
 export const LIMIT_USES: LimitUses = {
@@ -56,7 +61,7 @@ export const LIMIT_USES: LimitUses = {
   bodyBytesPerClient: ({ bodies }) => ({ value: bodies.mostOf('bodyBytesPerClient') }),
   bodyBytesPerConnection: ({ bodies }) => ({ value: bodies.mostOf('bodyBytesPerConnection') }),
 
-  sessions: ({ processing }) => ({ value: processing.sessions.list().length }),
+  sessions: ({ sessions }) => ({ value: sessions.list().length }),
   modulesPerSession: ofSessions(({ modules }) => modules.length),
   mappingsPerSession: ofSessions(({ modules }) =>
     modules.reduce(
@@ -67,32 +72,32 @@ export const LIMIT_USES: LimitUses = {
   moduleSourceBytes: ofSessions(({ modules }) =>
     modules.reduce((most, { spec }) => Math.max(most, spec.onProcessingStringified.length), 0),
   ),
-  moduleBytes: ({ processing: { nodes, sessions } }) => ({
+  moduleBytes: ({ nodes, sessions }) => ({
     value: sessions.memoryOn(nodes.masterId),
   }),
-  moduleBytesPerSession: ({ processing: { nodes, sessions } }) => {
+  moduleBytesPerSession: ({ nodes, sessions }) => {
     const [which, value] = most(sessions.list(), (session) => session.memoryOn(nodes.masterId));
     return { value, sessionId: which?.id ?? '' };
   },
   sessionBytes: ofSessions(({ byteLength }) => byteLength),
-  sessionsBytes: ({ processing }) => ({
-    value: processing.sessions.list().reduce((sum, { byteLength }) => sum + byteLength, 0),
+  sessionsBytes: ({ sessions }) => ({
+    value: sessions.list().reduce((sum, { byteLength }) => sum + byteLength, 0),
   }),
-  storedDocuments: ({ processing: { modules, sessionLibrary } }) => ({
+  storedDocuments: ({ modules, sessionLibrary }) => ({
     value: Math.max(modules.stored.list().size, sessionLibrary.stored.list().size),
   }),
-  storedBytes: ({ processing: { modules, sessionLibrary } }) => ({
+  storedBytes: ({ modules, sessionLibrary }) => ({
     value: Math.max(modules.stored.byteLength, sessionLibrary.stored.byteLength),
   }),
 };
 
 /** The client that uses most of a scarce resource. */
-function ofAccounts(resource: Resource): (core: Core) => Init<LimitUse> {
+function ofAccounts(resource: Resource): (core: LimitUseParts) => Init<LimitUse> {
   return ofClients(({ account }) => account.used(resource));
 }
 
 /** The client that uses most of what each may have. */
-function ofClients(use: (client: Client) => number): (core: Core) => Init<LimitUse> {
+function ofClients(use: (client: Client) => number): (core: LimitUseParts) => Init<LimitUse> {
   return ({ clients }) => {
     const [who, value] = most(clients.values(), use);
     return { value, clientId: who?.id ?? '' };
@@ -100,9 +105,9 @@ function ofClients(use: (client: Client) => number): (core: Core) => Init<LimitU
 }
 
 /** The session that uses most of what each may have. */
-function ofSessions(use: (session: Session) => number): (core: Core) => Init<LimitUse> {
-  return ({ processing }) => {
-    const [which, value] = most(processing.sessions.list(), use);
+function ofSessions(use: (session: Session) => number): (core: LimitUseParts) => Init<LimitUse> {
+  return ({ sessions }) => {
+    const [which, value] = most(sessions.list(), use);
     return { value, sessionId: which?.id ?? '' };
   };
 }

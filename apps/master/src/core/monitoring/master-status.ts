@@ -1,13 +1,17 @@
 import type { Init, MasterStatus } from '@ubii/proto';
-import type { Core } from '../parts/core.ts';
-import { nameOf } from '../parts/settings.ts';
-import { listProblems } from './problems.ts';
+import type { Core } from '../areas/core.ts';
+import { nameOf } from '../areas/settings.ts';
+import { listProblems, type ProblemParts } from './problems.ts';
+
+/** Dependencies of the status. */
+export type StatusParts = ProblemParts &
+  Pick<Core, 'id' | 'settings' | 'counters' | 'load' | 'topics' | 'samples' | 'events'>;
 
 /**
  * How the master is [EX-16].
  * @param sinceMs Samples and events after this moment are wanted; 0 for all that are kept.
  */
-export function readMasterStatus(core: Core, sinceMs: number): Init<MasterStatus> {
+export function readMasterStatus(core: StatusParts, sinceMs: number): Init<MasterStatus> {
   const { counters, clients, settings, load } = core;
   const { cpuPercent, busyPercent, delayMs } = load.latest;
   const states = clients.countByStatus();

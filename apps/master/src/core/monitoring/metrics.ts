@@ -1,9 +1,13 @@
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import type { MasterMetrics, MetricFamily } from './metric-family.ts';
 import { SESSION_LIVES } from '../sessions/session-states.ts';
 
+/** Dependencies of metrics. */
+type MetricParts = Pick<Core, 'counters' | 'limits' | 'limitWatch' | 'topics' | 'clients'> &
+  Pick<Core, 'devices' | 'sockets' | 'connections' | 'bodies' | 'sessions' | 'localNode'>;
+
 /** Every metric. Labels come from closed lists: limits, codes, states, services; never ids or topics. */
-export function readMetrics(core: Core): MasterMetrics {
+export function readMetrics(core: MetricParts): MasterMetrics {
   const { counters, clients, devices, topics, sockets, limitWatch, limits } = core;
   const hits = new Map([...limitWatch.hits()].map((hit) => [hit.limit, hit.streak.count]));
   const waiting = [...clients.values()].map((client) => client.subscriber.outbox.waitingCount);
@@ -81,7 +85,7 @@ export function readMetrics(core: Core): MasterMetrics {
     gauge(
       'ubii_module_instances',
       'Processing modules that run on the master.',
-      core.processing.localNode.instanceCount,
+      core.localNode.instanceCount,
     ),
     ...moduleTotals(core),
     gauge('ubii_devices', 'Registered devices.', devices.size),
@@ -96,15 +100,15 @@ export function readMetrics(core: Core): MasterMetrics {
 }
 
 /** Every state, those without a session too. */
-function countSessions({ processing }: Core): [string, number][] {
+function countSessions({ sessions }: MetricParts): [string, number][] {
   const counts = new Map<string, number>(SESSION_LIVES.map((life) => [life, 0]));
-  for (const { life } of processing.sessions.list()) counts.set(life, counts.get(life)! + 1);
+  for (const { life } of sessions.list()) counts.set(life, counts.get(life)! + 1);
   return [...counts];
 }
 
 /** What the modules of all sessions that live did since they were made, wherever they run. */
-function moduleTotals({ processing }: Core): MetricFamily[] {
-  const statistics = processing.sessions
+function moduleTotals({ sessions }: MetricParts): MetricFamily[] {
+  const statistics = sessions
     .list()
     .filter(({ isLive }) => isLive)
     .flatMap(({ modules }) => modules.flatMap((module) => module.statistics ?? []));

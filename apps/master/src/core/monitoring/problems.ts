@@ -3,11 +3,15 @@ import type { Clock } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
 import { LOST_AFTER_MS } from '../clients/liveness.ts';
 import { describeThrottle } from '../counters/throttle.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import type { LimitName } from '../limits/index.ts';
 import { oneLine } from '../texts/one-line.ts';
 import { quote } from '../texts/quote.ts';
 import type { Problem } from '../checks/problem.ts';
+
+/** Dependencies of the search for problems. */
+export type ProblemParts = Pick<Core, 'clock' | 'limits' | 'limitWatch' | 'startedMs' | 'files'> &
+  Pick<Core, 'sessions' | 'clients' | 'checks'>;
 
 /** Problems told at most: what a page can show. */
 const MOST_PROBLEMS = 100;
@@ -28,7 +32,7 @@ const COMMON_LIMITS: ReadonlySet<LimitName> = new Set<LimitName>([
 ]);
 
 /** Lists the current problems, most severe first [EX-18]. */
-export function listProblems(core: Core): Problem[] {
+export function listProblems(core: ProblemParts): Problem[] {
   const problems = [...limitProblems(core)];
   problems.push(...fileProblems(core), ...sessionProblems(core), ...core.checks.problems());
   for (const client of core.clients.values()) problems.push(...clientProblems(core, client));
@@ -39,7 +43,7 @@ export function listProblems(core: Core): Problem[] {
     .map((problem) => ({ ...problem, text: oneLine(problem.text, eventCharacters) })); // [EX-72]
 }
 
-function* limitProblems({ limitWatch, clock, limits }: Core): Iterable<Problem> {
+function* limitProblems({ limitWatch, clock, limits }: ProblemParts): Iterable<Problem> {
   for (const { limit, streak, clientId } of limitWatch.hits()) {
     if (!streak.isOn(clock.monotonicMs())) continue;
     const isCommon = COMMON_LIMITS.has(limit);
@@ -57,8 +61,8 @@ function* limitProblems({ limitWatch, clock, limits }: Core): Iterable<Problem> 
 }
 
 /** [SE-23] */
-function* fileProblems({ processing, startedMs }: Core): Iterable<Problem> {
-  for (const { where, reason } of processing.files.broken()) {
+function* fileProblems({ files, startedMs }: ProblemParts): Iterable<Problem> {
+  for (const { where, reason } of files.broken()) {
     yield {
       code: 'file_broken',
       severity: StatusProblemSeverity.WARNING,
@@ -70,8 +74,8 @@ function* fileProblems({ processing, startedMs }: Core): Iterable<Problem> {
 }
 
 /** [SE-12] */
-function* sessionProblems({ processing, clock }: Core): Iterable<Problem> {
-  for (const session of processing.sessions.list()) {
+function* sessionProblems({ sessions, clock }: ProblemParts): Iterable<Problem> {
+  for (const session of sessions.list()) {
     if (session.life !== 'degraded') continue;
     const first = session.problems().find(({ isError }) => isError);
     yield {
@@ -86,7 +90,7 @@ function* sessionProblems({ processing, clock }: Core): Iterable<Problem> {
   }
 }
 
-function* clientProblems({ clock }: Core, client: Client): Iterable<Problem> {
+function* clientProblems({ clock }: ProblemParts, client: Client): Iterable<Problem> {
   const nowMs = clock.monotonicMs();
   const { socket, label, protocolErrors, throttle, id: clientId } = client;
   const { outbox } = client.subscriber;

@@ -59,13 +59,10 @@ function setup() {
   let runtime: FakeRuntime | undefined;
   const node = new LocalNode(
     (hooks) => (runtime = new FakeRuntime(hooks)) as unknown as ModuleRuntime,
-    {
-      onStarted: (id) => reports.push(`started ${id}`),
-      onStopped: (id) => reports.push(`stopped ${id}`),
-      onFailed: (id, reason) => reports.push(`failed ${id}: ${reason}`),
-      onEvent: () => undefined,
-    },
   );
+  node.onStarted.add((id) => reports.push(`started ${id}`));
+  node.onStopped.add((id) => reports.push(`stopped ${id}`));
+  node.onFailed.add((id, reason) => reports.push(`failed ${id}: ${reason}`));
   return {
     node,
     reports,

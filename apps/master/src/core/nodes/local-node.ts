@@ -8,16 +8,8 @@ import {
   type ProcessingMode,
   type ProcessingModule,
 } from '@ubii/proto';
+import { Hook } from '../hooks/hook.ts';
 import { hasCodeOf } from '../library/module-offer.ts';
-
-/** Callbacks of the node for reports on its modules. */
-export interface LocalReports {
-  onStarted(moduleId: string): void;
-  onStopped(moduleId: string): void;
-  /** It could not be started, was killed, or was given up. */
-  onFailed(moduleId: string, reason: string, fault: ModuleFault | undefined): void;
-  onEvent(event: ModuleEvent): void;
-}
 
 /** Callbacks of a runtime for its node. */
 export interface RuntimeHooks {
@@ -51,15 +43,20 @@ interface Instance {
  * each, and tells how it went. The runtime is made when the first module comes.
  */
 export class LocalNode {
+  readonly onStarted = new Hook<[moduleId: string]>();
+  readonly onStopped = new Hook<[moduleId: string]>();
+  /** Called when a module could not be started, was killed, or was given up. */
+  readonly onFailed = new Hook<
+    [moduleId: string, reason: string, fault: ModuleFault | undefined]
+  >();
+  readonly onEvent = new Hook<[event: ModuleEvent]>();
   readonly #createRuntime: (hooks: RuntimeHooks) => ModuleRuntime;
-  readonly #reports: LocalReports;
   readonly #instances = new Map<string, Instance>();
   #runtime: ModuleRuntime | undefined = undefined;
   #isClosed = false;
 
-  constructor(createRuntime: (hooks: RuntimeHooks) => ModuleRuntime, reports: LocalReports) {
+  constructor(createRuntime: (hooks: RuntimeHooks) => ModuleRuntime) {
     this.#createRuntime = createRuntime;
-    this.#reports = reports;
   }
 
   /** Undefined as long as no module ran here. */
@@ -153,7 +150,7 @@ export class LocalNode {
 
   async #create(instance: Instance, want: Want): Promise<void> {
     const runtime = (this.#runtime ??= this.#createRuntime({
-      onEvent: (event) => this.#reports.onEvent(event),
+      onEvent: (event) => this.onEvent.emit(event),
       onStatus: (id, status, fault) => this.#handleStatus(id, status, fault),
     }));
     instance.failed = undefined;
@@ -164,14 +161,14 @@ export class LocalNode {
     } catch (thrown) {
       instance.failed = want;
       const fault = isFault(thrown) ? thrown : undefined;
-      this.#reports.onFailed(instance.id, fault?.message ?? String(thrown), fault);
+      this.onFailed.emit(instance.id, fault?.message ?? String(thrown), fault);
       return;
     }
     instance.have = want;
     // The instance is not wanted any more: the next step ends it.
     if (instance.want === undefined) return;
     if (!want.isPaused) runtime.start(instance.id);
-    this.#reports.onStarted(instance.id);
+    this.onStarted.emit(instance.id);
   }
 
   async #destroy(instance: Instance): Promise<void> {
@@ -179,7 +176,7 @@ export class LocalNode {
     instance.have = undefined;
     instance.isStale = false;
     instance.isGivenUp = false;
-    if (instance.want === undefined) this.#reports.onStopped(instance.id);
+    if (instance.want === undefined) this.onStopped.emit(instance.id);
   }
 
   async #change(instance: Instance, have: Want, want: Want): Promise<void> {
@@ -200,8 +197,8 @@ export class LocalNode {
     // What is under way tells by itself how it went.
     if (instance?.have === undefined || instance.want === undefined) return;
     if (status === ProcessingModuleStatus.DESTROYED) instance.isGivenUp = true;
-    if (fault !== undefined) this.#reports.onFailed(id, fault.message, fault);
-    else if (status === ProcessingModuleStatus.PROCESSING) this.#reports.onStarted(id);
+    if (fault !== undefined) this.onFailed.emit(id, fault.message, fault);
+    else if (status === ProcessingModuleStatus.PROCESSING) this.onStarted.emit(id);
   }
 }
 

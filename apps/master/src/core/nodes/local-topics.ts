@@ -8,13 +8,14 @@ import type { Account } from '../shares/account.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import { Publication, type PublishingClient } from '../topics/publication.ts';
 import { publish, type PublishContext } from '../topics/publisher.ts';
-import type { Receiver, Subscriber } from '../topics/topic-entry.ts';
-import type { TopicEntry } from '../topics/topic-entry.ts';
+import type { SubscriptionTable } from '../topics/subscription-table.ts';
+import type { Receiver, Subscriber, TopicEntry } from '../topics/topic-entry.ts';
 
 const NO_BYTES = new Uint8Array(0);
 
 /** Dependencies of the topics of the master's own modules. */
 export interface LocalTopicsContext extends PublishContext {
+  readonly subscriptions: SubscriptionTable;
   readonly clock: Clock;
   /** Id of the master as a node: who publishes. */
   readonly nodeId: string;
@@ -194,11 +195,6 @@ export class LocalTopics implements TopicPort {
         return subscriptions.subscribeComponents(subscriber, selector.profile, 0);
     }
   }
-}
-
-/** The value of a topic was deleted: modules that use it are told, here and on nodes [TD-42]. */
-export function tellOfGone({ subscriptions }: PublishContext, entry: TopicEntry): void {
-  for (const receiver of subscriptions.targetsOf(entry).direct) receiver.handleGone(entry);
 }
 
 /** Hands records to a listener at once. */

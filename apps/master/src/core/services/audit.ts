@@ -2,7 +2,7 @@ import { AuditEntryWay, type ServiceRequest } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
 import { wireRole } from '../access/roles.ts';
 import { wireAddressKind } from '../monitoring/client-report.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import { oneLine } from '../texts/one-line.ts';
 import type { Service } from './define-service.ts';
 

@@ -1,4 +1,4 @@
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 
 type Parts = Pick<Core, 'clients'>;
 

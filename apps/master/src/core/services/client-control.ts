@@ -3,7 +3,7 @@ import { roleRefusal } from '../access/join-refusals.ts';
 import { ADMINS, PARTICIPANTS } from '../access/roles.ts';
 import type { Client } from '../clients/client.ts';
 import { throttleClient, unthrottleClient } from '../clients/throttling.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import { oneLine } from '../texts/one-line.ts';
 import { byCaller, nameOfCaller } from './by-caller.ts';
 import { definer, success } from './define-service.ts';

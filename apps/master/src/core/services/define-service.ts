@@ -11,7 +11,7 @@ import {
   type Success,
 } from '@ubii/proto';
 import type { ServiceRight } from '../access/rights-table.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import type { ServiceCall } from './service-call.ts';
 
 type Row<S extends ServiceName> = (typeof SERVICES)[S];

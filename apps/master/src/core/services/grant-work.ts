@@ -2,22 +2,22 @@ import { StatusEventKind } from '@ubii/proto';
 import type { Cancel } from '@ubii/timing';
 import { CLOSE } from '../clients/close-codes.ts';
 import type { Dismissal } from '../clients/dismissals.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import { quote } from '../texts/quote.ts';
 import type { Grant, GrantWork } from '../access/grant.ts';
 
 /** Dependencies of ending a grant. */
-export type GrantParts = Pick<
-  Core,
-  'processing' | 'clients' | 'access' | 'kept' | 'events' | 'clock' | 'log'
->;
+export type GrantParts = Pick<Core, 'sessions' | 'sessionLibrary' | 'modules' | 'clients'> &
+  Pick<Core, 'access' | 'kept' | 'events' | 'clock' | 'log'>;
 
 /** How often the time of grants is looked at, milliseconds. */
 const LOOK_INTERVAL_MS = 1_000;
 
 /** Sessions and modules that were created or changed with a grant [AC-90]. */
-export function workOf({ processing }: GrantParts, { id }: Grant): GrantWork {
-  const { sessions, sessionLibrary, modules } = processing;
+export function workOf(
+  { sessions, sessionLibrary, modules }: GrantParts,
+  { id }: Grant,
+): GrantWork {
   const made = sessions.madeWith(id);
   return {
     sessionIds: made.map((session) => session.id),
@@ -55,7 +55,7 @@ export async function endGrant(
   { code, reason }: Dismissal,
   isHandedOver: boolean,
 ): Promise<void> {
-  const { sessions, sessionLibrary, modules } = core.processing;
+  const { sessions, sessionLibrary, modules } = core;
   for (const id of clientIdsOf(core, grant)) {
     core.clients.dismiss(core.clients.get(id)!, reason, code);
   }

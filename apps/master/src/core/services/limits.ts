@@ -2,12 +2,11 @@ import type { Init, Limit } from '@ubii/proto';
 import { READERS } from '../access/roles.ts';
 import { LIMITS, type LimitName } from '../limits/index.ts';
 import { LIMIT_GROUPS } from '../limits/limit.ts';
-import { LIMIT_USES } from '../monitoring/limit-uses.ts';
-import type { Core } from '../parts/core.ts';
+import { LIMIT_USES, type LimitUseParts } from '../monitoring/limit-uses.ts';
 import { definer } from './define-service.ts';
 
 /** Lists the limits in force. [EX-35] */
-export const limitList = definer<keyof Core>()('limitList', {
+export const limitList = definer<keyof LimitUseParts | 'limits' | 'limitWatch'>()('limitList', {
   roles: READERS,
   handle(core) {
     const { limits, limitWatch } = core;

@@ -1,31 +1,34 @@
 import { ServiceError, type ModuleVersion, type ProcessingModule } from '@ubii/proto';
 import { READERS } from '../access/roles.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import { isSame, type HistoryKey } from '../library/module-history.ts';
 import { quote } from '../texts/quote.ts';
 import { definer } from './define-service.ts';
 
+type Parts = Pick<Core, 'history' | 'modules' | 'sessions'>;
+
 /** Lists or returns kept versions of a module. [EX-40] */
-export const moduleVersionList = definer<'processing'>()('moduleVersionList', {
+export const moduleVersionList = definer<keyof Parts>()('moduleVersionList', {
   roles: READERS,
-  handle({ processing }, { name, moduleId, number }) {
+  handle(parts, { name, moduleId, number }) {
     if ((name === '') === (moduleId === '')) {
       throw new ServiceError(
         'invalid_argument',
         'The request has to give either the name of a stored module or the id of a module of a session.',
       );
     }
+    const { history } = parts;
     const key: HistoryKey = name === '' ? `instance ${moduleId}` : `module ${name}`;
     const what = name === '' ? `with the id ${quote(moduleId)}` : `named ${quote(name)}`;
-    const versions = processing.history.list(key);
+    const versions = history.list(key);
     if (versions === undefined) {
       throw new ServiceError(
         'not_found',
         `The master keeps no versions of a module ${what}: it was not changed, or does not exist.`,
       );
     }
-    const current = presentModule(processing, name, moduleId);
-    const isCurrent = newestIsCurrent(processing, key, versions, current);
+    const current = presentModule(parts, name, moduleId);
+    const isCurrent = newestIsCurrent(history, key, versions, current);
     if (number === 0) {
       const elements = versions.map((version, index) => ({
         ...version,
@@ -33,7 +36,7 @@ export const moduleVersionList = definer<'processing'>()('moduleVersionList', {
       }));
       return { elements };
     }
-    const found = processing.history.get(key, number);
+    const found = history.get(key, number);
     if (found === undefined) {
       throw new ServiceError(
         'not_found',
@@ -46,7 +49,7 @@ export const moduleVersionList = definer<'processing'>()('moduleVersionList', {
 });
 
 function presentModule(
-  { modules, sessions }: Core['processing'],
+  { modules, sessions }: Parts,
   name: string,
   moduleId: string,
 ): ProcessingModule | undefined {
@@ -54,7 +57,7 @@ function presentModule(
 }
 
 function newestIsCurrent(
-  { history }: Core['processing'],
+  history: Core['history'],
   key: HistoryKey,
   versions: readonly ModuleVersion[],
   current: ProcessingModule | undefined,

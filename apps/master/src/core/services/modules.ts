@@ -9,7 +9,7 @@ import {
 } from '@ubii/proto';
 import { makerOf } from '../access/caller.ts';
 import { PARTICIPANTS, READERS } from '../access/roles.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import { requireRoom } from '../library/require-room.ts';
 import { matchesModule } from '../library/module-profiles.ts';
 import { unknownModule, withOrigin } from '../library/module-library.ts';
@@ -20,7 +20,8 @@ import { requireElements, requireProfiles } from './list-limits.ts';
 import { moduleVersionList } from './module-versions.ts';
 import type { ServiceCall } from './service-call.ts';
 
-type Parts = Pick<Core, 'processing' | 'clients' | 'limitWatch'>;
+type Parts = Pick<Core, 'modules' | 'history' | 'reload' | 'nodes' | 'sessions' | 'reports'> &
+  Pick<Core, 'clients' | 'limitWatch'>;
 const define = definer<keyof Parts>();
 
 /** Services on processing modules: stored, running, and the nodes that can run them. */
@@ -30,7 +31,7 @@ export const MODULE_SERVICES = [
     roles: PARTICIPANTS,
     auditObject: nameOf,
     async handle(core, module, { caller }) {
-      const { modules, reload, history } = core.processing;
+      const { modules, reload, history } = core;
       const [problem] = moduleProblems(module);
       if (problem !== undefined) {
         throw new ServiceError(
@@ -50,15 +51,15 @@ export const MODULE_SERVICES = [
   define('processingModuleDatabaseDelete', {
     roles: PARTICIPANTS,
     auditObject: nameOf,
-    async handle({ processing }, module) {
-      await processing.modules.delete(requireName(module));
+    async handle({ modules }, module) {
+      await modules.delete(requireName(module));
       return success('The module is deleted.');
     },
   }),
   // [SE-22]
   define('processingModuleDatabaseGet', {
     roles: READERS,
-    handle({ processing: { modules, nodes } }, profile) {
+    handle({ modules, nodes }, profile) {
       const name = requireName(profile);
       const module = modules.list().find((one) => one.name === name) ?? nodes.offered(name, '');
       if (module === undefined) throw unknownModule(name);
@@ -70,7 +71,7 @@ export const MODULE_SERVICES = [
     roles: READERS,
     handle(core, list) {
       const known = new Map<string, ProcessingModule>();
-      for (const module of [...core.processing.modules.list(), ...offeredModules(core)]) {
+      for (const module of [...core.modules.list(), ...offeredModules(core)]) {
         const key = JSON.stringify([module.name, module.authors]);
         if (!known.has(key)) known.set(key, module);
       }
@@ -80,7 +81,7 @@ export const MODULE_SERVICES = [
   // [SE-22]
   define('processingModuleDatabaseLocalGetList', {
     roles: READERS,
-    handle: (core, list) => selected(core, core.processing.modules.list(), list),
+    handle: (core, list) => selected(core, core.modules.list(), list),
   }),
   // [SE-25]
   define('processingModuleDatabaseOnlineGetList', {
@@ -99,8 +100,8 @@ export const MODULE_SERVICES = [
   }),
   define('processingModuleRuntimeGet', {
     roles: READERS,
-    handle({ processing }, { id }) {
-      const found = processing.sessions.findModule(id);
+    handle({ sessions }, { id }) {
+      const found = sessions.findModule(id);
       if (found === undefined) {
         throw new ServiceError('not_found', `No session has a module with the id ${quote(id)}.`);
       }
@@ -110,30 +111,30 @@ export const MODULE_SERVICES = [
   }),
   define('processingModuleRuntimeGetList', {
     roles: READERS,
-    handle: (core, list) => selected(core, core.processing.sessions.runningModules(), list),
+    handle: (core, list) => selected(core, core.sessions.runningModules(), list),
   }),
   moduleVersionList,
   // [PM-61]
   define('nodeList', {
     roles: READERS,
-    handle: ({ processing }) => ({ elements: processing.sessions.nodes() }),
+    handle: ({ sessions }) => ({ elements: sessions.nodes() }),
   }),
 ];
 
 function report(
-  { processing, limitWatch }: Parts,
+  { sessions, reports, limitWatch }: Parts,
   { elements }: ProcessingModuleList,
   { caller }: ServiceCall,
   isRunning: boolean,
 ): Init<Success> {
   const unknown: string[] = [];
   for (const { id, nodeId } of requireElements({ limitWatch }, elements)) {
-    const found = processing.sessions.findModule(id);
+    const found = sessions.findModule(id);
     // Without an id, the caller means itself.
     const named = nodeId || (found?.module.nodeId ?? '');
     // A joined client can only report for itself. [AC-22]
     const reporter = caller.kind === 'client' ? caller.clientId : named;
-    if (!processing.handleReport(reporter, id, isRunning)) unknown.push(id);
+    if (!reports.handleRuntime(reporter, id, isRunning)) unknown.push(id);
   }
   if (unknown.length > 0) {
     const ids = unknown.slice(0, 10).map(quote).join(', ');

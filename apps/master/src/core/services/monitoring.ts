@@ -1,14 +1,12 @@
 import { ServiceError } from '@ubii/proto';
 import { ADMINS, READERS } from '../access/roles.ts';
-import { readClientReport } from '../monitoring/client-report.ts';
-import { readMasterStatus } from '../monitoring/master-status.ts';
-import type { Core } from '../parts/core.ts';
+import { readClientReport, type ClientReportParts } from '../monitoring/client-report.ts';
+import { readMasterStatus, type StatusParts } from '../monitoring/master-status.ts';
 import { definer } from './define-service.ts';
 import { limitList } from './limits.ts';
 import { requireElements } from './list-limits.ts';
 
-// The state of a master is read from all of its parts.
-const define = definer<keyof Core>();
+const define = definer<keyof StatusParts | keyof ClientReportParts | 'logTail' | 'audit'>();
 
 /** Services that say how the master is, and what was done to it. */
 export const MONITORING_SERVICES = [

@@ -5,7 +5,7 @@ import { requireNodeRights } from '../access/device-rights.ts';
 import type { Grant } from '../access/grant.ts';
 import { wireRole } from '../access/roles.ts';
 import type { Client } from '../clients/client.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import { definer } from './define-service.ts';
 import { replayAfterReply, type ReplayParts } from './replay-after-reply.ts';

@@ -1,5 +1,5 @@
 import type { Client } from '../clients/client.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import type { ServiceCall } from './service-call.ts';
 

@@ -1,6 +1,6 @@
 import { ServiceError, type ServiceInfo, type ServiceRequest } from '@ubii/proto';
 import type { Caller } from '../access/caller.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import { LIMITS } from '../limits/index.ts';
 import type { ServiceAnswer } from './service-answer.ts';
 import type { CallerFacts } from '../ports/caller-facts.ts';

@@ -1,6 +1,6 @@
 import { LEGACY_CONSTANTS } from '@ubii/proto';
 import { ADMINS } from '../access/roles.ts';
-import { nameOf } from '../parts/settings.ts';
+import { nameOf } from '../areas/settings.ts';
 import { definer } from './define-service.ts';
 import { lanOpen } from './lan.ts';
 

@@ -1,7 +1,7 @@
 import { ServiceError, type Session as SessionMessage } from '@ubii/proto';
 import { makerOf } from '../access/caller.ts';
 import { PARTICIPANTS, READERS } from '../access/roles.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import { requireRoom } from '../library/require-room.ts';
 import type { Session } from '../sessions/session.ts';
 import { quote } from '../texts/quote.ts';
@@ -9,11 +9,11 @@ import { definer, success } from './define-service.ts';
 import { requireElements } from './list-limits.ts';
 import { nameOfSession } from './sessions.ts';
 
-type Parts = Pick<Core, 'processing' | 'limitWatch'>;
+type Parts = Pick<Core, 'sessions' | 'sessionLibrary' | 'limitWatch'>;
 const define = definer<keyof Parts>();
 
-const listStoredSessions = ({ processing }: Pick<Core, 'processing'>) => ({
-  elements: processing.sessionLibrary.list(),
+const listStoredSessions = ({ sessionLibrary }: Parts) => ({
+  elements: sessionLibrary.list(),
 });
 
 /** Services on stored sessions. [SE-21] */
@@ -37,8 +37,7 @@ export const STORED_SESSION_SERVICES = [
   define('sessionDatabaseDelete', {
     roles: PARTICIPANTS,
     auditObject: nameOfSession,
-    async handle({ processing }, { id, name }) {
-      const { sessions, sessionLibrary } = processing;
+    async handle({ sessions, sessionLibrary }, { id, name }) {
       // The id may be that of the session that was made of the stored one.
       const known = sessions.list().find((session) => session.id === id && session.isStored);
       const stored = sessionLibrary.require(id, known?.description.name ?? name);
@@ -59,7 +58,7 @@ export const STORED_SESSION_SERVICES = [
   }),
   define('sessionDatabaseGet', {
     roles: READERS,
-    handle: ({ processing }, { id, name }) => processing.sessionLibrary.require(id, name),
+    handle: ({ sessionLibrary }, { id, name }) => sessionLibrary.require(id, name),
   }),
   define('sessionDatabaseGetList', { roles: READERS, handle: listStoredSessions }),
   define('sessionDatabaseLocalGetList', { roles: READERS, handle: listStoredSessions }),
@@ -74,7 +73,7 @@ function namesOf(sessions: readonly SessionMessage[]): string {
 
 /** Makes a session known, and stores it under its name. */
 async function saveSession(core: Parts, message: SessionMessage, maker: string): Promise<Session> {
-  const { sessions, sessionLibrary } = core.processing;
+  const { sessions, sessionLibrary } = core;
   if (message.name === '') {
     throw new ServiceError(
       'invalid_argument',

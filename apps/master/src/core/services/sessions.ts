@@ -1,10 +1,10 @@
 import type { Session as SessionMessage } from '@ubii/proto';
 import { makerOf } from '../access/caller.ts';
 import { PARTICIPANTS, READERS } from '../access/roles.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import { definer, success } from './define-service.ts';
 
-type Parts = Pick<Core, 'processing'>;
+type Parts = Pick<Core, 'sessions' | 'sessionLibrary'>;
 const define = definer<keyof Parts>();
 
 /** Of every service that changes sessions. */
@@ -15,13 +15,12 @@ export const SESSION_SERVICES = [
   // [SE-1]
   define('sessionRuntimeAdd', {
     ...CHANGE,
-    handle: async ({ processing }, message, { caller }) =>
-      (await processing.sessions.add(message, makerOf(caller))).toMessage(),
+    handle: async ({ sessions }, message, { caller }) =>
+      (await sessions.add(message, makerOf(caller))).toMessage(),
   }),
   define('sessionRuntimeGet', {
     roles: READERS,
-    handle({ processing }, { id }) {
-      const { sessions, sessionLibrary } = processing;
+    handle({ sessions, sessionLibrary }, { id }) {
       // Reading changes nothing: what is only stored is answered as it is stored [SE-27].
       const stored = sessions.isOpen(id) ? undefined : sessionLibrary.toOpen(id);
       if (stored !== undefined) return stored;
@@ -32,15 +31,15 @@ export const SESSION_SERVICES = [
   }),
   define('sessionRuntimeGetList', {
     roles: READERS,
-    handle: ({ processing }) => ({
-      elements: processing.sessions.list().map((session) => session.toMessage()),
+    handle: ({ sessions }) => ({
+      elements: sessions.list().map((session) => session.toMessage()),
     }),
   }),
   // [SE-11]
   define('sessionRuntimeStart', {
     ...CHANGE,
     async handle(parts, message, { caller }) {
-      const session = await parts.processing.sessions.start(message, makerOf(caller));
+      const session = await parts.sessions.start(message, makerOf(caller));
       return whenRemembered(parts, session.id, session.toMessage());
     },
   }),
@@ -48,7 +47,7 @@ export const SESSION_SERVICES = [
   define('sessionRuntimeStop', {
     ...CHANGE,
     async handle(parts, { id }) {
-      const { sessions } = parts.processing;
+      const { sessions } = parts;
       sessions.stop(await sessions.find(id));
       return whenRemembered(parts, id, success('The session is stopping.'));
     },
@@ -57,7 +56,7 @@ export const SESSION_SERVICES = [
   define('sessionRuntimeUpdate', {
     ...CHANGE,
     async handle(parts, message, { caller }) {
-      const { sessions } = parts.processing;
+      const { sessions } = parts;
       const session = await sessions.find(message.id);
       await sessions.update(session, message, makerOf(caller));
       return whenRemembered(parts, session.id, session.toMessage());
@@ -67,7 +66,7 @@ export const SESSION_SERVICES = [
   define('sessionRuntimeRemove', {
     ...CHANGE,
     handle(parts, { id }) {
-      const { sessions } = parts.processing;
+      const { sessions } = parts;
       sessions.remove(sessions.require(id));
       return whenRemembered(parts, id, success('The session is removed.'));
     },
@@ -75,7 +74,7 @@ export const SESSION_SERVICES = [
   // [SE-14]
   define('sessionPause', {
     ...CHANGE,
-    async handle({ processing: { sessions } }, { id }) {
+    async handle({ sessions }, { id }) {
       const session = await sessions.find(id);
       sessions.pause(session);
       return session.toMessage();
@@ -84,7 +83,7 @@ export const SESSION_SERVICES = [
   // [SE-14]
   define('sessionResume', {
     ...CHANGE,
-    async handle({ processing: { sessions } }, { id }) {
+    async handle({ sessions }, { id }) {
       const session = await sessions.find(id);
       sessions.resume(session);
       return session.toMessage();
@@ -94,15 +93,15 @@ export const SESSION_SERVICES = [
 
 /** The name of a session, or what is known in place of it. */
 export function nameOfSession(
-  { processing }: Parts,
+  { sessions }: Pick<Core, 'sessions'>,
   { id, name }: Pick<SessionMessage, 'id' | 'name'>,
 ): string {
-  const known = processing.sessions.list().find((session) => session.id === id);
+  const known = sessions.list().find((session) => session.id === id);
   return known?.description.name || name || id;
 }
 
 /** The reply, once it is on the disk what starts with the next master: what was answered, stands [SE-24]. */
-async function whenRemembered<R>({ processing }: Parts, id: string, reply: R): Promise<R> {
-  await processing.sessionLibrary.remembered(id);
+async function whenRemembered<R>({ sessionLibrary }: Parts, id: string, reply: R): Promise<R> {
+  await sessionLibrary.remembered(id);
   return reply;
 }

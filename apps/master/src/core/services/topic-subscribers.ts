@@ -8,7 +8,7 @@ import {
 } from '@ubii/proto';
 import { roleRefusal } from '../access/join-refusals.ts';
 import { JOINED } from '../access/roles.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import { quote } from '../texts/quote.ts';
 import type { TopicEntry } from '../topics/topic-entry.ts';
 import { definer } from './define-service.ts';
@@ -19,7 +19,7 @@ const MAX_TOPICS = 16;
 
 type Parts = Pick<
   Core,
-  'id' | 'topics' | 'clients' | 'subscriptions' | 'selectionTable' | 'patternTable' | 'processing'
+  'id' | 'topics' | 'clients' | 'selectionTable' | 'patternTable' | 'sessions'
 >;
 
 /** Says who receives topics. Players learn how many receive their own, and no names. [EX-95] [EX-96] */
@@ -56,13 +56,13 @@ function subscribersOf(core: Parts, topic: string): Init<TopicSubscribers> & { c
   // The master and its modules are no client.
   const isThere = (id: string): boolean =>
     core.clients.get(id)?.socket !== undefined || id === core.id;
-  const clientIds = [...core.subscriptions.subscriberIds(entry)].filter(isThere);
+  const clientIds = [...core.topics.subscriberIds(entry)].filter(isThere);
   return { topic, count: clientIds.length, clientIds, modules: [...modulesOf(core, entry)] };
 }
 
 /** The modules of live sessions that have the topic on an input, each once [EX-97]. */
 function* modulesOf(core: Parts, entry: TopicEntry): Iterable<Init<SubscribedModule>> {
-  for (const session of core.processing.sessions.list()) {
+  for (const session of core.sessions.list()) {
     for (const module of session.isLive ? session.modules : []) {
       const takes = module.mapping.inputMappings.some(({ topic, topicMux }) =>
         topicMux === undefined ? topic === entry.topic : selects(core, topicMux, entry),

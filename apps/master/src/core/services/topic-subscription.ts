@@ -1,6 +1,6 @@
 import { ServiceError, type TopicSubscription } from '@ubii/proto';
 import { JOINED } from '../access/roles.ts';
-import type { Core } from '../parts/core.ts';
+import type { Core } from '../areas/core.ts';
 import type { Subscriber, TopicEntry } from '../topics/topic-entry.ts';
 import { definer, success } from './define-service.ts';
 import { requireElements } from './list-limits.ts';

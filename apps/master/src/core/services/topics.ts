@@ -4,7 +4,7 @@ import { definer } from './define-service.ts';
 import { topicSubscribers } from './topic-subscribers.ts';
 import { topicSubscription } from './topic-subscription.ts';
 
-const define = definer<'topics' | 'subscriptions' | 'clock'>();
+const define = definer<'topics' | 'clock'>();
 
 /** Services on topics and subscriptions. */
 export const TOPIC_SERVICES = [
@@ -13,7 +13,6 @@ export const TOPIC_SERVICES = [
   // [EX-11]
   define('topicStatistics', {
     roles: READERS,
-    handle: ({ topics, subscriptions, clock }, { cursor }) =>
-      readTopicStatistics(topics, subscriptions, cursor, clock.nowMs()),
+    handle: ({ topics, clock }, { cursor }) => readTopicStatistics(topics, cursor, clock.nowMs()),
   }),
 ];

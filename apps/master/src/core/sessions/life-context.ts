@@ -1,5 +1,6 @@
 import type { Clock } from '@ubii/timing';
 import type { ClientRegistry } from '../clients/client-registry.ts';
+import type { Hook } from '../hooks/hook.ts';
 import type { Limits } from '../limits/index.ts';
 import type { Log } from '../ports/log.ts';
 import type { LocalNode } from '../nodes/local-node.ts';
@@ -21,8 +22,8 @@ export interface LifeContext {
   readonly sessions: () => Iterable<Session>;
   /** Modules of sessions a node runs now. */
   readonly loadOf: (node: Node) => number;
-  /** The session came to another state. */
-  readonly onLife: (session: Session) => void;
-  /** The session has other modules. */
-  readonly onModules: (session: Session) => void;
+  /** Called when a session came to another state. */
+  readonly onLife: Hook<[session: Session]>;
+  /** Called when a session came to another state, or has other modules. */
+  readonly onModules: Hook<[session: Session]>;
 }

@@ -1,36 +1,38 @@
+import type { ModuleFault } from '@ubii/pm-sandbox';
 import {
   ModuleEventKind,
+  StatusEventKind,
   type EndedTopics,
   type ModuleEvent,
   type ModuleReports,
 } from '@ubii/proto';
 import { readNodeMessage } from '@ubii/proto/wire';
-import type { Clock } from '@ubii/timing';
 import type { Client } from '../clients/client.ts';
-import type { Limits } from '../limits/index.ts';
+import type { EventLog } from '../counters/event-log.ts';
+import type { LimitWatch } from '../counters/limit-watch.ts';
 import { cutTexts } from '../texts/bound-texts.ts';
+import { quote } from '../texts/quote.ts';
 import type { TopicTable } from '../topics/topic-table.ts';
+import type { LifeContext } from './life-context.ts';
 import type { Lockstep } from './lockstep/lockstep.ts';
+import { handleFailed, handleStarted, handleStopped } from './module-reports.ts';
+import type { RunTroubles } from './run-troubles.ts';
 import type { Session } from './session.ts';
 import type { SessionModule } from './session-module.ts';
-import type { SessionNews } from './session-news.ts';
 import type { SessionTable } from './session-table.ts';
 
 /** What node messages are for. */
 export interface NodeReportsContext {
-  readonly limits: Limits;
+  readonly life: LifeContext;
+  readonly limitWatch: LimitWatch;
+  readonly events: EventLog;
   readonly table: SessionTable;
-  readonly news: SessionNews;
   readonly lockstep: Lockstep;
-  readonly clock: Clock;
   readonly topics: TopicTable;
-  /** A module has told something. */
-  readonly onEvent: (session: Session, module: SessionModule, event: ModuleEvent) => void;
-  /** A module could not be made, or was given up [SE-12]. */
-  readonly onFailed: (nodeId: string, event: ModuleEvent) => void;
+  readonly runTroubles: RunTroubles;
 }
 
-/** Takes what nodes say over their sockets: answers of passes, and how their modules do [EX-20]. */
+/** Takes what nodes say: answers of passes, and how their modules do [EX-20]. The master is one of the nodes. */
 export class NodeReports {
   readonly #context: NodeReportsContext;
 
@@ -51,27 +53,66 @@ export class NodeReports {
     if (endedTopics !== undefined) this.#endTopics(client, endedTopics);
   }
 
+  /** A module runs, or has ended. Returns false when no session has it on this node [SE-32]. */
+  handleRuntime(nodeId: string, moduleId: string, isRunning: boolean): boolean {
+    const { table, life } = this.#context;
+    const found = table.findModule(moduleId);
+    if (found?.module.nodeId !== nodeId) return false;
+    if (isRunning) handleStarted(life, found.session, found.module);
+    else handleStopped(life, found.session, found.module);
+    return true;
+  }
+
+  /** A module could not be created, or was given up [SE-12]. */
+  handleFailed(
+    nodeId: string,
+    moduleId: string,
+    reason: string,
+    fault: Pick<ModuleFault, 'line' | 'column' | 'shortage'> | undefined,
+  ): void {
+    const { table, life } = this.#context;
+    const found = table.findModule(moduleId);
+    if (found === undefined) return;
+    const { session, module } = found;
+    if (fault?.shortage !== undefined) this.#noteShortage(session, module, fault.shortage);
+    if (module.nodeId === nodeId) handleFailed(life, session, module, reason, fault);
+  }
+
   /** An event of a module, from whichever node [SE-51]. */
   handleEvent(nodeId: string, event: ModuleEvent): void {
-    const found = this.#context.table.findModule(event.moduleId);
+    const { table, life, runTroubles } = this.#context;
+    const found = table.findModule(event.moduleId);
     // Ignore reports about modules of other nodes.
     if (found === undefined || found.module.nodeId !== nodeId) return;
     const { session, module } = found;
     const told = {
-      ...cutTexts('ubii.extension.ModuleEvent', event, this.#context.limits),
+      ...cutTexts('ubii.extension.ModuleEvent', event, life.limits),
       sessionId: session.id,
       moduleName: module.name,
       nodeId,
     };
-    this.#context.news.publishEvent(told);
-    this.#context.onEvent(session, module, told);
+    life.news.publishEvent(told);
+    runTroubles.handleEvent(session, module, told);
+  }
+
+  /** A module on the master did not get memory [SE-65]. */
+  #noteShortage(session: Session, module: SessionModule, shortage: 'all' | 'owner'): void {
+    const { life, limitWatch, events } = this.#context;
+    const { masterId } = life.nodes;
+    limitWatch.count(shortage === 'all' ? 'moduleBytes' : 'moduleBytesPerSession', masterId);
+    const whose = shortage === 'all' ? 'all modules on the master' : 'the modules of its session';
+    events.add(
+      StatusEventKind.LIMIT_REACHED,
+      `The module ${quote(module.name)} of the session ${quote(session.label)} was ended: the memory for ${whose} is used up`,
+      masterId,
+    );
   }
 
   /** [SE-63] */
   #endTopics(client: Client, { topics }: EndedTopics): void {
-    const { topics: table, clock } = this.#context;
+    const { topics: table, life } = this.#context;
     for (const topic of topics) {
-      if (!client.recordBudget.take(1, clock.monotonicMs())) return;
+      if (!client.recordBudget.take(1, life.clock.monotonicMs())) return;
       const entry = table.get(topic);
       // A node cannot delete values of other publishers.
       if (entry?.owner === client) table.deleteValue(entry);
@@ -80,22 +121,26 @@ export class NodeReports {
 
   /** [PM-80] [PM-81] */
   #takeReports(client: Client, { statistics, events }: ModuleReports): void {
+    const { table, life } = this.#context;
+    const { limits, clock } = life;
     for (const one of statistics) {
-      const module = this.#context.table.findModule(one.moduleId)?.module;
+      const module = table.findModule(one.moduleId)?.module;
       if (module?.nodeId === client.id) {
-        const bounded = cutTexts('ubii.extension.ModuleStatistics', one, this.#context.limits);
+        const bounded = cutTexts('ubii.extension.ModuleStatistics', one, limits);
         module.noteStatistics(
           { ...bounded, nodeId: client.id, moduleName: module.name },
-          this.#context.clock.monotonicMs(),
+          clock.monotonicMs(),
         );
       }
     }
     for (const told of events) {
       // What a node has to say counts like what it publishes.
-      if (!client.recordBudget.take(1, this.#context.clock.monotonicMs())) return;
-      const event = cutTexts('ubii.extension.ModuleEvent', told, this.#context.limits);
+      if (!client.recordBudget.take(1, clock.monotonicMs())) return;
+      const event = cutTexts('ubii.extension.ModuleEvent', told, limits);
       this.handleEvent(client.id, event);
-      if (event.kind === ModuleEventKind.FAILED) this.#context.onFailed(client.id, event);
+      if (event.kind === ModuleEventKind.FAILED) {
+        this.handleFailed(client.id, event.moduleId, event.message, event);
+      }
     }
   }
 }

@@ -22,6 +22,7 @@ export class SessionLibrary {
   };
   /** The newest write of each session that is under way, by id. */
   readonly #remembering = new Map<string, Promise<void>>();
+  #isClosed = false;
 
   constructor(parts: {
     readonly stored: StoredMessages<'ubii.sessions.Session'>;
@@ -112,8 +113,14 @@ export class SessionLibrary {
     return this.#running.entries().map(({ key, message }) => ({ ...message, id: key }));
   }
 
+  /** The master ends, and its sessions with it: what is remembered stays. */
+  close(): void {
+    this.#isClosed = true;
+  }
+
   /** Remembers, or forgets, that a session is to be started with the next master [SE-24]. */
   remember(session: Session, isToStart: boolean): void {
+    if (this.#isClosed) return;
     const { store } = this.#running;
     const done = isToStart
       ? store.write(session.id, this.#toJson(session))

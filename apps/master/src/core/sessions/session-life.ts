@@ -176,6 +176,6 @@ function move({ onLife, clock }: LifeContext, session: Session, event: SessionEv
   if (life === session.life) return false;
   session.life = life;
   session.lifeSinceMs = clock.monotonicMs();
-  onLife(session);
+  onLife.emit(session);
   return true;
 }

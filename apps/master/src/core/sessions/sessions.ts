@@ -123,7 +123,7 @@ export class Sessions {
   handOver(session: Session, grantId: string): void {
     if (!session.grantIds.delete(grantId)) return;
     const { life } = this.#context;
-    life.onModules(session);
+    life.onModules.emit(session);
     life.news.announceChange(session);
   }
 
@@ -199,7 +199,7 @@ export class Sessions {
     session.warnings = this.#warningsOf(draft, warnings);
     this.#context.life.news.announceChange(session);
     this.#context.table.reindex(session);
-    this.#context.life.onModules(session);
+    this.#context.life.onModules.emit(session);
   }
 
   /** Whose code it has: that of who changes it, and of who stored the modules that it takes [AC-90]. */
@@ -227,7 +227,7 @@ export class Sessions {
     const { life, table } = this.#context;
     stopSession(life, session);
     table.delete(session);
-    life.onLife(session);
+    life.onLife.emit(session);
     this.#context.topics.endSession(session.id);
     life.news.announceGone(session);
   }
@@ -260,7 +260,7 @@ export class Sessions {
             ? 'It has no modules.'
             : 'The invitation of the client that created or changed it has ended. Start it to run it again.',
         );
-        life.onModules(session);
+        life.onModules.emit(session);
       }
     }
   }

@@ -1,5 +1,6 @@
 import { ServiceError } from '@ubii/proto';
 import type { Clock } from '@ubii/timing';
+import { Hook } from '../hooks/hook.ts';
 import type { LimitName } from '../limits/index.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { Account } from './account.ts';
@@ -21,12 +22,12 @@ export interface Share {
 export interface AccountsContext {
   readonly clock: Clock;
   readonly limits: LimitWatch;
-  /** Removes clients that are away, those first that are missed least, until there is room [AC-84]. */
-  readonly makeRoom: (shortage: Shortage, hasRoom: () => boolean) => void;
 }
 
 /** The accounts of the whole master, its classes, invitations, clients and sessions [AC-80]. */
 export class Accounts {
+  /** Called when there is no room: each listener frees resources until there is [TD-44] [AC-84]. */
+  readonly onShortage = new Hook<[shortage: Shortage, hasRoom: () => boolean]>();
   /** Everything together. */
   readonly all: Account;
   /** Use by the master itself, without a limit. */
@@ -131,7 +132,7 @@ export class Accounts {
     const { barrenUntilMs } = level.kind === 'invitation' ? level : classOf(account);
     if (nowMs < barrenUntilMs[resource]!) return shortage;
     const find = (): Account | undefined => account.shortage(resource, amount, from);
-    this.#context.makeRoom(shortage, () => find() !== level);
+    this.onShortage.emit(shortage, () => find() !== level);
     const after = find();
     if (after === undefined) return undefined;
     barrenUntilMs[resource] = nowMs + BARREN_MS;

@@ -1,6 +1,5 @@
 import { readRecordHead } from '@ubii/proto/wire';
 import type { Cancel, Clock } from '@ubii/timing';
-import type { SubscriptionTable } from './subscription-table.ts';
 import type { TopicEntry } from './topic-entry.ts';
 import type { TopicTable } from './topic-table.ts';
 
@@ -11,7 +10,6 @@ export const EXPIRY_SWEEP_MS = 250;
 export interface ExpiringValuesContext {
   readonly clock: Clock;
   readonly topics: TopicTable;
-  readonly subscriptions: SubscriptionTable;
 }
 
 /**
@@ -54,8 +52,8 @@ export class ExpiringValues {
   }
 
   #delete(entry: TopicEntry): void {
-    const { topics, subscriptions } = this.#context;
-    const { direct, sampled } = subscriptions.targetsOf(entry);
+    const { topics } = this.#context;
+    const { direct, sampled } = topics.targetsOf(entry);
     for (const receiver of direct) receiver.withdraw(entry);
     for (const sample of sampled) sample.sampler.withdraw(sample);
     topics.deleteValue(entry);

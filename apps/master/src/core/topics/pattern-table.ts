@@ -1,5 +1,6 @@
 import type { PatternCompiler } from '@ubii/patterns';
 import type { Clock } from '@ubii/timing';
+import { Hook } from '../hooks/hook.ts';
 import { Pattern } from './pattern.ts';
 import type { Subscriber, TopicEntry } from './topic-entry.ts';
 import type { TopicMatching } from './topic-table.ts';
@@ -18,12 +19,12 @@ const LONGEST_MS = 30;
 export interface PatternContext {
   readonly compiler: PatternCompiler;
   readonly clock: Clock;
-  /** Matching the patterns of this client took longer than it may [TD-29]. Ends its patterns. */
-  readonly onOverdrawn: (subscriber: Subscriber) => void;
 }
 
 /** All regular expressions with a subscription, each once, and the topics that they match [TD-22]. */
 export class PatternTable implements TopicMatching {
+  /** Called when matching the patterns of a client took longer than it may [TD-29]. */
+  readonly onOverdrawn = new Hook<[subscriber: Subscriber]>();
   readonly #context: PatternContext;
   readonly #patterns = new Map<string, Pattern>();
 
@@ -89,14 +90,16 @@ export class PatternTable implements TopicMatching {
 
   /** Tests a pattern at the expense of its subscribers, which may end it. */
   #test(pattern: Pattern, entry: TopicEntry): boolean {
-    const { clock, onOverdrawn } = this.#context;
+    const { clock } = this.#context;
     const startedMs = clock.monotonicMs();
     const matches = pattern.test(entry);
     const nowMs = clock.monotonicMs();
     pattern.unchargedMs += Math.min(nowMs - startedMs, LONGEST_MS);
     if (pattern.unchargedMs < CHARGED_MS) return matches;
     for (const subscriber of [...pattern.subscribers.keys()]) {
-      if (!subscriber.patternBudget.spend(pattern.unchargedMs, nowMs)) onOverdrawn(subscriber);
+      if (!subscriber.patternBudget.spend(pattern.unchargedMs, nowMs)) {
+        this.onOverdrawn.emit(subscriber);
+      }
     }
     pattern.unchargedMs = 0;
     return matches && pattern.subscribers.size > 0;

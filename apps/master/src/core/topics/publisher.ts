@@ -7,7 +7,6 @@ import { isOwnFarewell } from './farewell.ts';
 import type { KeptValues } from './kept-values.ts';
 import type { Publication, PublishingClient } from './publication.ts';
 import { REFUSALS, type Refusal } from './refusals.ts';
-import type { SubscriptionTable } from './subscription-table.ts';
 import { isEventField } from './topic-entry.ts';
 import { topicFault } from './topic-names.ts';
 import type { TopicTable } from './topic-table.ts';
@@ -15,7 +14,6 @@ import type { TopicTable } from './topic-table.ts';
 /** Dependencies of publishing. */
 export interface PublishContext {
   readonly topics: TopicTable;
-  readonly subscriptions: SubscriptionTable;
   readonly limits: Limits;
   readonly accounts: Accounts;
   readonly counters: Counters;
@@ -163,7 +161,7 @@ function storeAndDeliver(context: PublishContext, publication: Publication): voi
   const { valueField, monotonicMs } = publication;
   const entry = publication.entry!;
   // Before the value changes: what a change of subscriptions releases is the value before.
-  const { direct, sampled } = context.subscriptions.targetsOf(entry);
+  const { direct, sampled } = context.topics.targetsOf(entry);
   const record = publication.keepRecord(); // [TD-11]
   context.topics.store(entry, record, valueField, publication.nowMs);
   const { client } = publication;

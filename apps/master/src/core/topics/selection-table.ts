@@ -7,6 +7,8 @@ import type { TopicMatching } from './topic-table.ts';
 export class SelectionTable implements TopicMatching {
   readonly #selections = new Map<string, ComponentSelection>();
   readonly #byTopic = new Map<string, Set<ComponentSelection>>();
+  /** Every registered component that publishes. */
+  readonly #components = new Set<Component>();
 
   get size(): number {
     return this.#selections.size;
@@ -22,13 +24,12 @@ export class SelectionTable implements TopicMatching {
    */
   create(
     profile: Component,
-    components: Iterable<Component>,
     entryOf: (topic: string) => TopicEntry | undefined,
   ): ComponentSelection {
     const selection = new ComponentSelection(selectionKey(profile), profile);
     this.#selections.set(selection.key, selection);
-    for (const component of components) {
-      if (publishes(component)) this.#select(selection, component, entryOf(component.topic));
+    for (const component of this.#components) {
+      this.#select(selection, component, entryOf(component.topic));
     }
     return selection;
   }
@@ -43,6 +44,7 @@ export class SelectionTable implements TopicMatching {
   /** Links the selections that select this new component to its topic. Returns those that newly have the topic. */
   addComponent(component: Component, entry: TopicEntry | undefined): ComponentSelection[] {
     if (!publishes(component)) return [];
+    this.#components.add(component);
     return [...this.#selections.values()].filter((selection) =>
       this.#select(selection, component, entry),
     );
@@ -50,7 +52,7 @@ export class SelectionTable implements TopicMatching {
 
   /** The component is gone. Returns the selections that no longer have its topic. */
   removeComponent(component: Component, entry: TopicEntry | undefined): ComponentSelection[] {
-    if (!publishes(component)) return [];
+    if (!this.#components.delete(component)) return [];
     const lost: ComponentSelection[] = [];
     for (const selection of this.#byTopic.get(component.topic) ?? []) {
       if (!selection.selects(component)) continue;

@@ -5,7 +5,6 @@ import type { Counters } from '../counters/counters.ts';
 import { Outbox, type OutboxContext } from './outbox.ts';
 import { Sampler, type SamplerContext } from './sampler.ts';
 import type { ClientSubscriber } from './subscriber.ts';
-import type { SubscriptionTable } from './subscription-table.ts';
 import type { TopicTable } from './topic-table.ts';
 import type { TurnBatches } from './turn-batches.ts';
 
@@ -17,14 +16,18 @@ export interface SubscriberParts {
   readonly endOfTurn: EndOfTurn;
   readonly batches: TurnBatches;
   readonly topics: TopicTable;
-  readonly subscriptions: SubscriptionTable;
 }
 
-/** Makes the subscriber of each new client; all of them share the end of the turn. */
-export function subscriberFactory(
-  parts: SubscriberParts,
-): (clientId: string, isExtension: boolean, account: Account) => ClientSubscriber {
-  const { clock, limits, counters, endOfTurn, batches, topics, subscriptions } = parts;
+/** Makes the subscriber of a new client. */
+export type SubscriberFactory = (
+  clientId: string,
+  isExtension: boolean,
+  account: Account,
+) => ClientSubscriber;
+
+/** All subscribers share the end of the turn. */
+export function subscriberFactory(parts: SubscriberParts): SubscriberFactory {
+  const { clock, limits, counters, endOfTurn, batches, topics } = parts;
   const outboxContext: OutboxContext = {
     clock,
     limits,
@@ -41,7 +44,7 @@ export function subscriberFactory(
   };
   const samplerContext: SamplerContext = {
     clock,
-    refreshTargets: (entry) => void subscriptions.targetsOf(entry),
+    refreshTargets: (entry) => void topics.targetsOf(entry),
   };
   const { patternMatchMs, patternMatchMsPerSecond } = limits;
   return (clientId, isExtension, account) => {

@@ -7,8 +7,7 @@ import type { ComponentSelection } from './component-selection.ts';
 import type { Pattern } from './pattern.ts';
 import type { PatternTable } from './pattern-table.ts';
 import type { SelectionTable } from './selection-table.ts';
-import { computeTargets, ratesBySubscriber } from './targets.ts';
-import type { SharedSubscription, Subscriber, Targets, TopicEntry } from './topic-entry.ts';
+import type { SharedSubscription, Subscriber, TopicEntry } from './topic-entry.ts';
 import { quote } from '../texts/quote.ts';
 import { topicFault } from './topic-names.ts';
 import type { TopicTable } from './topic-table.ts';
@@ -20,33 +19,14 @@ export interface SubscriptionContext {
   readonly selections: SelectionTable;
   readonly limits: LimitWatch;
   readonly accounts: Accounts;
-  /** Every component that is registered. */
-  readonly components: () => Iterable<Component>;
 }
 
 /** All subscriptions by client and topic [TD-20]. Subscribing returns the topics whose retained record is to be sent [TD-24]. */
 export class SubscriptionTable {
   readonly #context: SubscriptionContext;
-  readonly #watchers = new Set<Subscriber>();
 
   constructor(context: SubscriptionContext) {
     this.#context = context;
-  }
-
-  /** Subscribers that receive the records of this topic; computed when subscriptions or topics changed, else at hand. */
-  targetsOf(entry: TopicEntry): Targets {
-    if (entry.areTargetsStale) {
-      entry.areTargetsStale = false;
-      entry.targets = computeTargets(entry, this.#watchers);
-    }
-    return entry.targets!;
-  }
-
-  /** Ids of those who get the records of this topic, each once. */
-  subscriberIds(entry: TopicEntry): Set<string> {
-    return new Set(
-      [...ratesBySubscriber(entry, this.#watchers).keys()].map(({ clientId }) => clientId),
-    );
   }
 
   /** @throws ServiceError when the topic is none, or there are too many. */
@@ -108,12 +88,12 @@ export class SubscriptionTable {
 
   /** @throws ServiceError when there are too many. */
   subscribeComponents(subscriber: Subscriber, profile: Component, rateHz: number): TopicEntry[] {
-    const { topics, selections, components, accounts } = this.#context;
+    const { topics, selections, accounts } = this.#context;
     let selection = selections.get(profile);
     const isNew = selection === undefined || !subscriber.selections.has(selection);
     if (isNew) this.#requireOwn(subscriber, RESOURCE.profiles, subscriber.selections.size);
     if (selection === undefined) accounts.require(subscriber.account, RESOURCE.profiles, 1);
-    selection ??= selections.create(profile, components(), (topic) => topics.get(topic));
+    selection ??= selections.create(profile, (topic) => topics.get(topic));
     const replays = this.#subscribe(subscriber, selection, subscriber.selections, rateHz, isNew);
     settle(selection, RESOURCE.profiles);
     return replays;
@@ -156,17 +136,14 @@ export class SubscriptionTable {
   /** A device of this client watches everything [DV-3]. */
   watch(subscriber: Subscriber, deviceId: string): TopicEntry[] {
     subscriber.watchers.add(deviceId);
-    if (this.#watchers.has(subscriber)) return [];
-    this.#watchers.add(subscriber);
-    this.#markAllChanged();
-    const entries = [...this.#context.topics.values()];
-    return entries.filter((entry) => this.#reaches(subscriber, entry));
+    const { topics } = this.#context;
+    if (!topics.addWatcher(subscriber)) return [];
+    return [...topics.values()].filter((entry) => this.#reaches(subscriber, entry));
   }
 
   unwatch(subscriber: Subscriber, deviceId: string): void {
     if (!subscriber.watchers.delete(deviceId) || subscriber.watchers.size > 0) return;
-    this.#watchers.delete(subscriber);
-    this.#markAllChanged();
+    this.#context.topics.removeWatcher(subscriber);
   }
 
   /** A component was registered: profiles may select its topic [TD-27]. */
@@ -227,7 +204,7 @@ export class SubscriptionTable {
     for (const entry of this.#context.topics.values()) {
       if (!this.#reaches(subscriber, entry)) subscriber.outbox.cancelReplay(entry);
     }
-    this.#markAllChanged();
+    this.#context.topics.markAllSubscribersChanged();
   }
 
   #subscribe<S extends SharedSubscription>(
@@ -280,12 +257,6 @@ export class SubscriptionTable {
   ): ServiceError {
     const { limits } = this.#context;
     return limits.refusal(limit, `more than ${limits.limits[limit]} ${what}`, clientId);
-  }
-
-  #markAllChanged(): void {
-    for (const entry of this.#context.topics.values()) {
-      this.#context.topics.markSubscribersChanged(entry);
-    }
   }
 }
 

@@ -1,12 +1,10 @@
 import type { TopicStatistic, TopicStatistics } from '@ubii/proto';
-import type { SubscriptionTable } from './subscription-table.ts';
 import { dataFormatOf, type TopicEntry } from './topic-entry.ts';
 import type { TopicTable } from './topic-table.ts';
 
 /** The counters of the topics that changed since a cursor [EX-11]. */
 export function readTopicStatistics(
   topics: TopicTable,
-  subscriptions: SubscriptionTable,
   cursor: number,
   nowMs: number,
 ): TopicStatistics {
@@ -14,14 +12,14 @@ export function readTopicStatistics(
   return {
     cursor: epoch,
     reset: isReset,
-    elements: entries.map((entry) => statisticOf(entry, subscriptions)),
+    elements: entries.map((entry) => statisticOf(entry, topics)),
     removed,
     masterTimeMs: nowMs,
   };
 }
 
-function statisticOf(entry: TopicEntry, subscriptions: SubscriptionTable): TopicStatistic {
-  const { direct, sampled } = subscriptions.targetsOf(entry);
+function statisticOf(entry: TopicEntry, topics: TopicTable): TopicStatistic {
+  const { direct, sampled } = topics.targetsOf(entry);
   return {
     topic: entry.topic,
     dataFormat: dataFormatOf(entry),

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { testAccount } from '../../testing/index.ts';
+import type { Account } from '../shares/account.ts';
 import { RESOURCE } from '../shares/resources.ts';
 import type { TopicEntry, TopicOwner } from './topic-entry.ts';
 import { TopicTable } from './topic-table.ts';
@@ -21,6 +22,9 @@ function createTable(keptRemovals = 10) {
   return { table, master, publish, changesSince };
 }
 
+const subscriberOf = (account: Account) =>
+  ({ account, outbox: { handleGone: () => undefined } }) as never;
+
 describe('TopicTable', () => {
   it('counts the bytes of what it retains', () => {
     const { table, publish } = createTable();
@@ -36,7 +40,7 @@ describe('TopicTable', () => {
   it('forgets a topic with its last reason to be [TD-41]', () => {
     const { table, publish } = createTable();
     const entry = publish('/a');
-    const subscriber = { account: testAccount() } as never;
+    const subscriber = subscriberOf(testAccount());
     entry.subscribers.set(subscriber, 0);
     table.deleteValue(entry);
     expect(table.get('/a')).toBe(entry);
@@ -59,7 +63,7 @@ describe('TopicTable', () => {
   it('counts a topic for its owner, then for its oldest subscriber [AC-80]', () => {
     const { table, master, publish } = createTable();
     const [ada, ben, cleo] = [testAccount(), testAccount(), testAccount()] as const;
-    const [bens, cleos] = [{ account: ben } as never, { account: cleo } as never] as const;
+    const [bens, cleos] = [subscriberOf(ben), subscriberOf(cleo)] as const;
     const entry = table.getOrCreate('/a');
     entry.subscribers.set(bens, 0);
     entry.subscribers.set(cleos, 0);

@@ -1,7 +1,8 @@
 import type { Account } from '../shares/account.ts';
 import { charge } from '../shares/charge.ts';
 import { RESOURCE } from '../shares/resources.ts';
-import { TopicEntry, type TopicOwner } from './topic-entry.ts';
+import { computeTargets, ratesBySubscriber } from './targets.ts';
+import { TopicEntry, type Subscriber, type Targets, type TopicOwner } from './topic-entry.ts';
 
 /** What has to be found for a topic when it appears, and undone when it is forgotten. */
 export interface TopicMatching {
@@ -9,13 +10,14 @@ export interface TopicMatching {
   detach(entry: TopicEntry): void;
 }
 
-/** All topics: their values, their owners, and what changed since when. */
+/** All topics: their values, their owners, who receives them, and what changed since when. */
 export class TopicTable {
   readonly #entries = new Map<string, TopicEntry>();
   readonly #matching: readonly TopicMatching[];
   readonly #keptRemovals: number;
   readonly #master: Account;
-  readonly #onGone: (entry: TopicEntry) => void;
+  /** Receive every topic. */
+  readonly #watchers = new Set<Subscriber>();
   #removals: { topic: string; epoch: number }[] = [];
   #retainedBytes = 0;
   #sequence = 0;
@@ -27,21 +29,18 @@ export class TopicTable {
    * @param firstEpoch Where the epochs of the statistics begin: beyond those of every earlier run.
    * @param keptRemovals Forgotten topics remembered for the statistics.
    * @param master Pays for topics that belong to no client.
-   * @param onGone The value of a topic was deleted.
    */
   constructor(
     matching: readonly TopicMatching[],
     firstEpoch: number,
     keptRemovals: number,
     master: Account,
-    onGone: (entry: TopicEntry) => void = () => undefined,
   ) {
     this.#matching = matching;
     this.#firstEpoch = firstEpoch;
     this.#epoch = firstEpoch;
     this.#keptRemovals = keptRemovals;
     this.#master = master;
-    this.#onGone = onGone;
   }
 
   get size(): number {
@@ -132,7 +131,8 @@ export class TopicTable {
     entry.owner = undefined;
     this.settlePayer(entry);
     entry.changedEpoch = this.#epoch;
-    this.#onGone(entry);
+    // Modules that use it are told, here and on nodes. [TD-42]
+    for (const receiver of this.targetsOf(entry).direct) receiver.handleGone(entry);
     this.forgetIfUnused(entry);
   }
 
@@ -151,10 +151,43 @@ export class TopicTable {
     }
   }
 
+  /** Subscribers that receive the records of this topic; computed when subscriptions or topics changed, else at hand. */
+  targetsOf(entry: TopicEntry): Targets {
+    if (entry.areTargetsStale) {
+      entry.areTargetsStale = false;
+      entry.targets = computeTargets(entry, this.#watchers);
+    }
+    return entry.targets!;
+  }
+
+  /** Ids of those who get the records of this topic, each once. */
+  subscriberIds(entry: TopicEntry): Set<string> {
+    return new Set(
+      [...ratesBySubscriber(entry, this.#watchers).keys()].map(({ clientId }) => clientId),
+    );
+  }
+
+  /** Makes the subscriber receive every topic. Returns false when it does already. */
+  addWatcher(subscriber: Subscriber): boolean {
+    if (this.#watchers.has(subscriber)) return false;
+    this.#watchers.add(subscriber);
+    this.markAllSubscribersChanged();
+    return true;
+  }
+
+  removeWatcher(subscriber: Subscriber): void {
+    this.#watchers.delete(subscriber);
+    this.markAllSubscribersChanged();
+  }
+
   /** Its subscribers changed: targets have to be computed again. */
   markSubscribersChanged(entry: TopicEntry): void {
     entry.areTargetsStale = true;
     entry.changedEpoch = this.#epoch;
+  }
+
+  markAllSubscribersChanged(): void {
+    for (const entry of this.#entries.values()) this.markSubscribersChanged(entry);
   }
 
   /** A subscriber did not get a record of this topic [TD-34]. */

@@ -1,0 +1,41 @@
+import { ClientRegistry } from '../clients/client-registry.ts';
+import { CLOSE } from '../clients/close-codes.ts';
+import { Dismissals } from '../clients/dismissals.ts';
+import { Liveness } from '../clients/liveness.ts';
+import { DeviceRegistry } from '../devices/device-registry.ts';
+import { InfoTopics } from '../info/info-topics.ts';
+import type { Foundation } from './foundation.ts';
+import type { MasterPorts } from './settings.ts';
+import type { TopicArea } from './topics.ts';
+
+/** Clients and their devices. */
+export type ClientArea = ReturnType<typeof createClients>;
+
+export type ClientDependencies = Pick<MasterPorts, 'clock' | 'ids' | 'tokens' | 'patterns'> &
+  Pick<Foundation, 'limits' | 'limitWatch' | 'events' | 'onClose'> &
+  Pick<TopicArea, 'accounts' | 'topics' | 'kept' | 'patternTable' | 'subscriptions'> &
+  Pick<TopicArea, 'createSubscriber' | 'publisher'>;
+
+export function createClients(dependencies: ClientDependencies) {
+  const { clock, limits, limitWatch, accounts, kept, patternTable } = dependencies;
+  const info = new InfoTopics(dependencies.publisher, clock, limits);
+  const shared = { ...dependencies, limits: limitWatch, info };
+  const devices = new DeviceRegistry(shared);
+  const dismissals = new Dismissals();
+  const clients = new ClientRegistry({ ...shared, devices, dismissals });
+  const liveness = new Liveness(clock, clients, limits, kept);
+
+  accounts.onShortage.add((shortage, hasRoom) => clients.makeRoom(shortage, hasRoom));
+  patternTable.onOverdrawn.add(({ clientId }) => {
+    const text = `Matching the regular expressions of this client took more than ${limits.patternMatchMs} ms (limit patternMatchMs), so they were ended. Subscribe with simpler expressions.`;
+    clients.get(clientId)?.socket?.sendError('resource_exhausted', text);
+  });
+  dependencies.onClose.add(() => {
+    liveness.close();
+    info.close();
+    for (const { socket } of clients.values()) {
+      socket?.close(CLOSE.goingAway.code, CLOSE.goingAway.reason);
+    }
+  });
+  return { info, devices, dismissals, clients };
+}

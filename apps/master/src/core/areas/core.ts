@@ -1,0 +1,40 @@
+import { createAccess, type AccessArea } from './access.ts';
+import { createClients, type ClientArea } from './clients.ts';
+import { createFoundation, type Foundation } from './foundation.ts';
+import { createLibrary, type LibraryArea } from './library.ts';
+import { createMonitoring, type MonitoringArea } from './monitoring.ts';
+import { createNodes, type NodeArea } from './nodes.ts';
+import { createSessions, type SessionArea } from './sessions.ts';
+import type { MasterPorts, MasterSettings } from './settings.ts';
+import { createTopics, type TopicArea } from './topics.ts';
+
+/** Ports that services use. */
+type ServicePorts = Pick<
+  MasterPorts,
+  'clock' | 'log' | 'logTail' | 'tokens' | 'patterns' | 'lan' | 'assetSets'
+>;
+
+/** Members of all areas. Services and status name those that they use. */
+export interface Core
+  extends
+    ServicePorts,
+    Foundation,
+    TopicArea,
+    ClientArea,
+    LibraryArea,
+    NodeArea,
+    SessionArea,
+    AccessArea,
+    MonitoringArea {}
+
+/** Creates the areas of a master in order. Each is given the parts of those before it. */
+export function createCore(ports: MasterPorts, settings: MasterSettings): Core {
+  const foundation = { ...ports, ...createFoundation(ports, settings) };
+  const topics = { ...foundation, ...createTopics(foundation) };
+  const clients = { ...topics, ...createClients(topics) };
+  const library = { ...clients, ...createLibrary(clients) };
+  const nodes = { ...library, ...createNodes(library) };
+  const sessions = { ...nodes, ...createSessions(nodes) };
+  const access = { ...sessions, ...createAccess(sessions) };
+  return { ...access, ...createMonitoring(access) };
+}

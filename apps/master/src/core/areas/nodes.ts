@@ -1,0 +1,69 @@
+import { createModuleRuntime } from '@ubii/pm-sandbox';
+import { LocalNode } from '../nodes/local-node.ts';
+import { LocalTopics } from '../nodes/local-topics.ts';
+import { masterExtension, NodeTable } from '../nodes/node-table.ts';
+import { SessionTable } from '../sessions/session-table.ts';
+import type { ClientArea } from './clients.ts';
+import type { Foundation } from './foundation.ts';
+import type { LibraryArea } from './library.ts';
+import { nameOf, type MasterPorts } from './settings.ts';
+import type { TopicArea } from './topics.ts';
+
+/** Nodes, which run modules: the master, and clients. */
+export type NodeArea = ReturnType<typeof createNodes>;
+
+export type NodeDependencies = Pick<MasterPorts, 'clock' | 'patterns' | 'sandboxes' | 'assets'> &
+  Pick<Foundation, 'id' | 'settings' | 'limits' | 'limitWatch' | 'counters'> &
+  Pick<TopicArea, 'accounts' | 'topics' | 'kept' | 'subscriptions'> &
+  Pick<ClientArea, 'clients' | 'devices'> &
+  Pick<LibraryArea, 'modules'>;
+
+/** How many modules a master likes to run: the load the design was measured with. */
+const DEFAULT_CAPACITY = 100;
+
+/** Nothing runs until a session starts. */
+export function createNodes(dependencies: NodeDependencies) {
+  const { id: nodeId, settings, limits, limitWatch, accounts, clients, devices } = dependencies;
+  const { assets, modules } = dependencies;
+  const { libraries = [], capacity = DEFAULT_CAPACITY } = settings;
+  const nodes = new NodeTable(
+    {
+      id: nodeId,
+      name: nameOf(settings),
+      extension: masterExtension(libraries, capacity, limits.moduleBytes, assets !== undefined),
+      modules: () => modules.list(),
+    },
+    clients,
+  );
+  const sessionTable = new SessionTable();
+  const localTopics = new LocalTopics({
+    ...dependencies,
+    nodeId,
+    account: accounts.createSession(nodeId),
+    deviceOf: (topic) => devices.deviceOfTopic(topic),
+    isSession: (id) => sessionTable.get(id) !== undefined,
+    onLimit: (limit) => limitWatch.count(limit, nodeId),
+  });
+  const { clock, patterns, sandboxes } = dependencies;
+  const localNode = new LocalNode((hooks) =>
+    createModuleRuntime({
+      nodeId,
+      clock,
+      topics: localTopics,
+      patterns,
+      sandboxes,
+      libraries,
+      assets,
+      limits: { maxTopics: limits.topicsPerModule },
+      ...hooks,
+    }),
+  );
+  return {
+    /** Open sessions, whose modules run on nodes. */
+    sessionTable,
+    nodes,
+    localNode,
+    /** The topics as modules on the master see them. */
+    localTopics,
+  };
+}
