@@ -1,13 +1,11 @@
-import { mkdtempSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { describe, expect, it, onTestFinished } from 'vitest';
+import { temporaryFolder } from '@ubii/program/testing';
+import { describe, expect, it } from 'vitest';
 import { createIdentityFile, defaultIdentityFile } from './identity-file.ts';
 
 function newFile(): string {
-  const folder = mkdtempSync(join(tmpdir(), 'ubii-identity-'));
-  onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
-  return join(folder, 'nodes', 'identity.json');
+  return join(temporaryFolder(), 'nodes', 'identity.json');
 }
 
 const ada = { clientId: 'ada', resumeToken: 'secret' };

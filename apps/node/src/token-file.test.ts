@@ -1,15 +1,13 @@
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { readOptions } from '@ubii/program';
-import { expect, it, onTestFinished } from 'vitest';
+import { temporaryFolder } from '@ubii/program/testing';
+import { expect, it } from 'vitest';
 import { NODE_PROGRAM } from './options.ts';
 import { readTokenFile } from './token-file.ts';
 
 function fileWith(text: string): string {
-  const folder = mkdtempSync(join(tmpdir(), 'ubii-token-'));
-  onTestFinished(() => rmSync(folder, { recursive: true }));
-  const file = join(folder, 'admin-token');
+  const file = join(temporaryFolder(), 'admin-token');
   writeFileSync(file, text);
   return file;
 }

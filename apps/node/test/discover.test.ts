@@ -1,10 +1,9 @@
 import { ConfigError } from '@ubii/program';
 import { execFileSync, spawn } from 'node:child_process';
 import { createSocket } from 'node:dgram';
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { announceMaster } from '@ubii/discovery';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, onTestFinished } from 'vitest';
 import { discoverMaster } from '../src/discover-master.ts';
 import { masterProgram, nodeProgram } from './build-programs.ts';
@@ -44,8 +43,7 @@ function freePort(): Promise<number> {
 
 describe.skipIf(!canIsolate)('--discover [DI-5]', { timeout: TIMEOUT_MS }, () => {
   it('finds the built master in a network, and the master exits with code 0 [DI-1] [DI-4]', async () => {
-    const folder = mkdtempSync(join(tmpdir(), 'ubii-discover-'));
-    onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
+    const folder = temporaryFolder();
     const script = [
       NETWORK,
       `"$0" ${masterProgram} --host 10.99.0.1 --port 8080 --legacy-ports off --data-dir ${folder} & m=$!`,

@@ -5,8 +5,9 @@ import { AccessRole, SessionState } from '@ubii/proto';
 import type { Init, ProcessingModule, Session } from '@ubii/proto';
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { newFolder, startMaster, startNode } from './programs.ts';
+import { startMaster, startNode } from './programs.ts';
 
 // Each test starts two programs, which takes long on a busy machine.
 vi.setConfig({ testTimeout: 60_000 });
@@ -75,7 +76,7 @@ async function expectOut(client: UbiiClient, value: number, output: number): Pro
 
 describe('the node as a process', () => {
   it('is a participant on the machine of the master, and an admin with the file of its token [AC-40] [AC-44]', async () => {
-    const master = await startMaster(0, newFolder(), []);
+    const master = await startMaster(0, temporaryFolder(), []);
     const identity = ['--identity', 'off', '--master', master.url];
     const tokenFile = ['--token-file', join(master.dataDir, 'admin-token')];
     const [plain, admin] = [
@@ -94,7 +95,7 @@ describe('the node as a process', () => {
 
   it('[PM-60] [SE-30] runs a module of its folder, which a session names', async () => {
     const master = await startMaster();
-    const folder = newFolder();
+    const folder = temporaryFolder();
     writeFileSync(join(folder, 'triple.js'), triple);
     const node = startNode([
       ...['--master', master.url, '--modules', folder, '--name', 'kitchen'],
@@ -118,7 +119,7 @@ describe('the node as a process', () => {
     const { url, dataDir } = await startMaster();
     mkdirSync(join(dataDir, 'models', 'factor'), { recursive: true });
     writeFileSync(join(dataDir, 'models', 'factor', 'factor.json'), '[5]');
-    const folder = newFolder();
+    const folder = temporaryFolder();
     writeFileSync(
       join(folder, 'by-factor.js'),
       triple
@@ -138,7 +139,7 @@ describe('the node as a process', () => {
 
   it('logs files that cannot be loaded, and applies changes at once', async () => {
     const master = await startMaster();
-    const folder = newFolder();
+    const folder = temporaryFolder();
     writeFileSync(join(folder, 'broken.pm'), '{');
     const node = startNode(['--master', master.url, '--modules', folder, ...printing]);
     const { id } = await node.ready<Printed>();
@@ -201,7 +202,7 @@ describe('the node as a process', () => {
 
   it('[PM-63] gets the modules that sessions assigned to it, in a new run', async () => {
     const master = await startMaster();
-    const identity = join(newFolder(), 'identity.json');
+    const identity = join(temporaryFolder(), 'identity.json');
     const flags = ['--master', master.url, '--identity', identity, ...printing];
     const first = startNode(flags);
     const { id } = await first.ready<Printed>();
@@ -233,7 +234,7 @@ describe('the node as a process', () => {
 
   it('does not use an identity that another process uses', async () => {
     const master = await startMaster();
-    const identity = join(newFolder(), 'identity.json');
+    const identity = join(temporaryFolder(), 'identity.json');
     const flags = ['--master', master.url, '--identity', identity, ...printing];
     const first = startNode(flags);
     const { id } = await first.ready<Printed>();

@@ -1,17 +1,8 @@
 import { spawn } from 'node:child_process';
 import type { ChildProcess } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { temporaryFolder } from '@ubii/program/testing';
 import { onTestFinished } from 'vitest';
 import { masterProgram, nodeProgram } from './build-programs.ts';
-
-/** Creates a temporary folder for the test. */
-export function newFolder(): string {
-  const folder = mkdtempSync(join(tmpdir(), 'ubii-node-test-'));
-  onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
-  return folder;
-}
 
 /** A running program and its output. */
 export class Program {
@@ -23,7 +14,7 @@ export class Program {
   constructor(file: string, flags: readonly string[], { withChannel = false } = {}) {
     this.child = spawn(process.execPath, [file, ...flags], {
       stdio: ['ignore', 'pipe', 'pipe', ...(withChannel ? (['ipc'] as const) : [])],
-      env: { PATH: process.env['PATH'], HOME: newFolder() },
+      env: { PATH: process.env['PATH'], HOME: temporaryFolder() },
     });
     this.child.stdout?.on('data', (text) => {
       this.stdout += text;
@@ -91,7 +82,7 @@ export class Program {
 /** Starts a master. @param port 0 for any free one */
 export async function startMaster(
   port = 0,
-  dataDir = newFolder(),
+  dataDir = temporaryFolder(),
   flags: readonly string[] = ['--trust-loopback'],
 ) {
   const program = new Program(masterProgram, [

@@ -49,6 +49,5 @@ documentStoreSuite('MemoryDocuments', () => {
       return Promise.resolve();
     },
     reopen: () => store,
-    dispose: () => undefined,
   };
 });

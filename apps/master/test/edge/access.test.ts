@@ -4,10 +4,11 @@ import { connect } from 'node:net';
 import { hostname } from 'node:os';
 import { join } from 'node:path';
 import { AccessRole } from '@ubii/proto';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, vi } from 'vitest';
 import { WebSocket } from 'ws';
 
-import { newFolder, send, startEdgeMaster } from './edge-master.ts';
+import { send, startEdgeMaster } from './edge-master.ts';
 
 // A whole master each: minutes on a busy machine are no fault of it.
 vi.setConfig({ testTimeout: 60_000 });
@@ -303,7 +304,7 @@ describe('the operator [AC-42]', () => {
   };
 
   it('is admin by the token, the code and the file, and stays it over restarts [AC-44]', async () => {
-    const dataDir = newFolder();
+    const dataDir = temporaryFolder();
     const file = join(dataDir, 'admin-token');
     const before = await startEdgeMaster({ dataDir, flags: DEFAULT });
     const { token, code } = before.terminal.admin;
@@ -345,7 +346,7 @@ describe('the operator [AC-42]', () => {
   });
 
   it('is replaced by the next start when it was taken back', async () => {
-    const dataDir = newFolder();
+    const dataDir = temporaryFolder();
     const before = await startEdgeMaster({ dataDir });
     const { client } = await registerHere(before.port, before.terminal.admin.token);
     const { reply } = await call(before.port, '/services/ubii/access_grant_list');
@@ -486,7 +487,7 @@ describe('joining over HTTP', () => {
   });
 
   it('keeps invitations for its owner only, without secrets, over a restart [AC-11] [AC-19]', async () => {
-    const dataDir = newFolder();
+    const dataDir = temporaryFolder();
     const before = await startEdgeMaster({ dataDir });
     const { token, code, grant } = await createGrant(before.port, AccessRole.ACCESS_ROLE_PLAYER, {
       maxJoins: 1,

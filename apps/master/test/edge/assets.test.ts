@@ -1,9 +1,10 @@
 import { createHash } from 'node:crypto';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, vi } from 'vitest';
 
-import { newFolder, send, startEdgeMaster } from './edge-master.ts';
+import { send, startEdgeMaster } from './edge-master.ts';
 
 // A whole master each: minutes on a busy machine are no fault of it.
 vi.setConfig({ testTimeout: 60_000 });
@@ -13,7 +14,7 @@ const HASH = createHash('sha256').update(HELLO).digest('hex');
 
 /** Data of a master with the set `greeting`. */
 function dataWithSet(): string {
-  const dataDir = newFolder();
+  const dataDir = temporaryFolder();
   const folder = join(dataDir, 'models', 'greeting', 'texts');
   mkdirSync(folder, { recursive: true });
   writeFileSync(join(folder, 'a.txt'), HELLO);

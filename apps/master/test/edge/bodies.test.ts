@@ -1,12 +1,11 @@
 import { once } from 'node:events';
-import { mkdtempSync } from 'node:fs';
 import { connect, type Socket } from 'node:net';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
+import { temporaryFolder } from '@ubii/program/testing';
 import { encode } from '@ubii/proto';
 import { build } from 'esbuild';
-import { beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
+import { afterAll, beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
 
 import { send, startEdgeMaster } from './edge-master.ts';
 import type { EdgeMaster } from './edge-master.ts';
@@ -17,10 +16,11 @@ const MIB = 1024 * 1024;
 /** Headers of a proxy: the master sees a caller that has not joined. */
 const STRANGER = { 'x-forwarded-for': '203.0.113.7' };
 
+const workerFolder = temporaryFolder(afterAll);
 let decodeWorkerFile: URL;
 
 beforeAll(async () => {
-  const file = join(mkdtempSync(join(tmpdir(), 'ubii-decode-')), 'decode-worker.mjs');
+  const file = join(workerFolder, 'decode-worker.mjs');
   await build({
     entryPoints: [
       fileURLToPath(new URL('../../src/adapters/http/bodies/decode-worker.ts', import.meta.url)),

@@ -1,8 +1,9 @@
 import { createClient, createMemoryIdentity } from '@ubii/client-web/node';
 import type { ClientOptions, ConnectionState, UbiiClient } from '@ubii/client-web/node';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { WebSocket } from 'ws';
-import { newFolder, startEdgeMaster } from './edge-master.ts';
+import { startEdgeMaster } from './edge-master.ts';
 
 // Real sockets and timers, on a machine that may be busy.
 vi.setConfig({ testTimeout: 30_000 });
@@ -82,7 +83,7 @@ describe.each(['binary', 'json'])('clients of ours with %s services', (encoding)
 
 describe('a client of ours', () => {
   it('is the same client after a restart of the master [EX-3]', async () => {
-    const dataDir = newFolder();
+    const dataDir = temporaryFolder();
     const first = await startEdgeMaster({ dataDir });
     const ada = create({ url: first.url, name: 'ada' });
     await ada.connect();

@@ -3,9 +3,10 @@ import { readdirSync, writeFileSync } from 'node:fs';
 import { connect, type Socket } from 'node:net';
 import { join } from 'node:path';
 import { connect as connectTls } from 'node:tls';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 
-import { newFolder, send, startEdgeMaster } from './edge-master.ts';
+import { send, startEdgeMaster } from './edge-master.ts';
 import type { EdgeMaster } from './edge-master.ts';
 
 vi.setConfig({ testTimeout: 60_000 });
@@ -143,7 +144,7 @@ describe('connections that stop [AC-63]', () => {
   });
 
   it('one that takes nothing of a large file is closed, and so is the file', async () => {
-    const frontendFolder = newFolder();
+    const frontendFolder = temporaryFolder();
     writeFileSync(join(frontendFolder, 'index.html'), '<p>');
     writeFileSync(join(frontendFolder, 'large.js'), Buffer.alloc(32 * 1024 * 1024, 'x'));
     const master = await startEdgeMaster({
@@ -161,7 +162,7 @@ describe('connections that stop [AC-63]', () => {
 
 describe('one connection', () => {
   it('has its requests answered one after another, in order [AC-64]', async () => {
-    const frontendFolder = newFolder();
+    const frontendFolder = temporaryFolder();
     writeFileSync(join(frontendFolder, 'index.html'), '<p>');
     for (let i = 0; i < 8; i++) writeFileSync(join(frontendFolder, `${i}.js`), `file ${i}`);
     const master = await startEdgeMaster({ frontendFolder });
@@ -176,7 +177,7 @@ describe('one connection', () => {
   });
 
   it('that asks for a thousand files at once has none open for long [AC-64]', async () => {
-    const frontendFolder = newFolder();
+    const frontendFolder = temporaryFolder();
     writeFileSync(join(frontendFolder, 'index.html'), '<p>');
     writeFileSync(join(frontendFolder, 'large.js'), Buffer.alloc(4 * 1024 * 1024, 'x'));
     const master = await startEdgeMaster({ frontendFolder });

@@ -1,9 +1,8 @@
-import { mkdtempSync } from 'node:fs';
 import { request } from 'node:http';
 import type { IncomingHttpHeaders } from 'node:http';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { readOptions } from '@ubii/program';
+import { temporaryFolder } from '@ubii/program/testing';
 import { onTestFinished } from 'vitest';
 
 import { createConfig, MASTER_PROGRAM } from '../../src/adapters/config/config.ts';
@@ -47,7 +46,7 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     nowMs: Date.now,
   });
   const log = new LogTail(written, Date.now, true);
-  const dataDir = options.dataDir ?? newFolder();
+  const dataDir = options.dataDir ?? temporaryFolder();
   const flags = [
     ...['--lan', 'off', '--port', '0', '--data-dir', dataDir],
     ...['--legacy-ports', 'off', '--mdns', 'off', '--trust-loopback'],
@@ -58,8 +57,8 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     ),
     log,
     version: '1.2.3',
-    frontendFolder: options.frontendFolder ?? join(newFolder(), 'not-there'),
-    assetsFolders: [options.assetsFolder ?? join(newFolder(), 'not-there')],
+    frontendFolder: options.frontendFolder ?? join(temporaryFolder(), 'not-there'),
+    assetsFolders: [options.assetsFolder ?? join(temporaryFolder(), 'not-there')],
     workerFile: options.workerFile ?? new URL('not-built.js', import.meta.url),
     ...(options.models && { models: options.models }),
     decodeWorkerFile: options.decodeWorkerFile,
@@ -73,10 +72,6 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
     ports: master.ports,
     close: () => master.close(),
   };
-}
-
-export function newFolder(): string {
-  return mkdtempSync(join(tmpdir(), 'ubii-edge-'));
 }
 
 export interface PlainResponse {

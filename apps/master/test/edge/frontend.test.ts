@@ -2,9 +2,10 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { SANDBOX_WORKER_FILES } from '@ubii/pm-sandbox';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, vi } from 'vitest';
 
-import { newFolder, send, startEdgeMaster } from './edge-master.ts';
+import { send, startEdgeMaster } from './edge-master.ts';
 
 // A whole master each: minutes on a busy machine are no fault of it.
 vi.setConfig({ testTimeout: 60_000 });
@@ -14,7 +15,7 @@ const SCRIPT = 'console.log(1)';
 const asPage = { accept: 'text/html,*/*' };
 
 function builtFrontend(): string {
-  const folder = newFolder();
+  const folder = temporaryFolder();
   mkdirSync(join(folder, 'assets'));
   writeFileSync(join(folder, 'index.html'), PAGE);
   writeFileSync(join(folder, 'assets', 'main-abc123.js'), SCRIPT);

@@ -2,10 +2,11 @@ import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { AssetSetState, type AssetSet, type JsonObject } from '@ubii/proto';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import type { KnownModel } from '../../src/adapters/models/catalogue.ts';
 import { FakeBucket } from '../../src/testing/fake-bucket.ts';
-import { newFolder, send, startEdgeMaster, type EdgeMasterOptions } from './edge-master.ts';
+import { send, startEdgeMaster, type EdgeMasterOptions } from './edge-master.ts';
 
 // A whole master each: minutes on a busy machine are no fault of it.
 vi.setConfig({ testTimeout: 60_000 });
@@ -27,7 +28,7 @@ async function setUp(options: EdgeMasterOptions = {}) {
       },
     ],
   };
-  const dataDir = newFolder();
+  const dataDir = temporaryFolder();
   const master = await startEdgeMaster({ dataDir, models: [model], ...options });
   const call = async (service: string, name?: string): Promise<JsonObject> => {
     const topic = `/services/ubii/${service}`;

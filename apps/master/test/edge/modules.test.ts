@@ -1,19 +1,20 @@
-import { mkdirSync, mkdtempSync, readdirSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { buildNodeWorker } from '@ubii/pm-sandbox/build';
+import { temporaryFolder } from '@ubii/program/testing';
 import { fromJson, type ServiceReply, type Session } from '@ubii/proto';
-import { beforeAll, describe, expect, it, vi } from 'vitest';
+import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest';
 
 import { startEdgeMaster, type EdgeMaster } from './edge-master.ts';
 
 const PATIENCE = { timeout: 20_000, interval: 50 };
 
+const workerFolder = temporaryFolder(afterAll);
 let workerFile: URL;
 
 beforeAll(async () => {
-  const file = join(mkdtempSync(join(tmpdir(), 'ubii-worker-')), 'pm-worker.js');
+  const file = join(workerFolder, 'pm-worker.js');
   await buildNodeWorker(file);
   workerFile = pathToFileURL(file);
 }, 60_000);
@@ -89,7 +90,7 @@ describe('a master with its real workers', () => {
   }, 60_000);
 
   it('keeps what runs for the next master, in files people can read [SE-20] [SE-24]', async () => {
-    const dataDir = mkdtempSync(join(tmpdir(), 'ubii-data-'));
+    const dataDir = temporaryFolder();
     const first = await startEdgeMaster({ workerFile, dataDir });
     const code = '() => ({ outputs: { out: { string: "a" } } })';
     const { session: started } = await call(
@@ -115,7 +116,7 @@ describe('a master with its real workers', () => {
   }, 60_000);
 
   it('takes modules of its operator, and what changes there [PM-51] [PM-64]', async () => {
-    const folder = mkdtempSync(join(tmpdir(), 'ubii-modules-'));
+    const folder = temporaryFolder();
     const write = (name: string, word: string): void =>
       writeFileSync(
         join(folder, `${name}.js`),
@@ -151,8 +152,8 @@ describe('a master with its real workers', () => {
   }, 60_000);
 
   it('gives trusted modules their asset sets, and says which is missing [PM-90] [PM-95]', async () => {
-    const folder = mkdtempSync(join(tmpdir(), 'ubii-modules-'));
-    const dataDir = mkdtempSync(join(tmpdir(), 'ubii-data-'));
+    const folder = temporaryFolder();
+    const dataDir = temporaryFolder();
     writeFileSync(
       join(folder, 'greeter.js'),
       `export default { name: 'greeter', assets: ['greeting'], inputs: {}, outputs: { out: 'string' },

@@ -5,10 +5,9 @@ import { createServer } from 'node:net';
 import type { AddressInfo } from 'node:net';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { temporaryFolder } from '@ubii/program/testing';
 import { beforeAll, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { WebSocket } from 'ws';
-
-import { newFolder } from './edge-master.ts';
 
 // A whole master each: minutes on a busy machine are no fault of it.
 vi.setConfig({ testTimeout: 60_000 });
@@ -29,7 +28,7 @@ class Program {
   constructor(flags: readonly string[], { withChannel = false } = {}) {
     this.child = spawn(process.execPath, [program, ...flags], {
       stdio: ['ignore', 'pipe', 'pipe', ...(withChannel ? (['ipc'] as const) : [])],
-      env: { PATH: process.env['PATH'], HOME: newFolder() },
+      env: { PATH: process.env['PATH'], HOME: temporaryFolder() },
     });
     this.child.stdout?.on('data', (text) => (this.stdout += text));
     this.child.stderr?.on('data', (text) => (this.stderr += text));
@@ -175,7 +174,7 @@ describe('a master that cannot start says why in one sentence', () => {
   });
 
   it('when the data directory cannot be written', async () => {
-    const file = join(newFolder(), 'file');
+    const file = join(temporaryFolder(), 'file');
     writeFileSync(file, '');
     expect(await refusal([...quiet, '--data-dir', file])).toContain('a file has that name');
   });

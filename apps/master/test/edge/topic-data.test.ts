@@ -1,10 +1,11 @@
 import { decodeTopicData, encodeRecord } from '@ubii/proto';
 import { encodeRecordListFrame, recordFrameHeader } from '@ubii/proto/wire';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, vi } from 'vitest';
 import { WebSocket } from 'ws';
 
 import { DEFAULT_LIMITS } from '../../src/index.ts';
-import { newFolder, send, startEdgeMaster } from './edge-master.ts';
+import { send, startEdgeMaster } from './edge-master.ts';
 import type { EdgeMaster } from './edge-master.ts';
 
 // A whole master each: minutes on a busy machine are no fault of it.
@@ -324,7 +325,7 @@ describe('a master that ends', () => {
   });
 
   it('[CL-3] knows its clients again when it returns', async () => {
-    const dataDir = newFolder();
+    const dataDir = temporaryFolder();
     const before = await startEdgeMaster({ dataDir });
     const { id, extension } = await register(before, {});
     await before.close();

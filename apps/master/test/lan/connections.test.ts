@@ -4,7 +4,6 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest';
 
-import { newFolder } from '../edge/edge-master.ts';
 import {
   MASTER,
   MASTER_V6,
@@ -42,9 +41,9 @@ describe.skipIf(reason !== undefined)('a master of which strangers take all conn
       [
         program,
         ...['--port', '0', '--legacy-ports', 'off', '--print-endpoints', 'json'],
-        ...['--data-dir', newFolder()],
+        ...['--data-dir', network.newFolder()],
       ],
-      { PATH: process.env['PATH'], HOME: newFolder() },
+      { PATH: process.env['PATH'], HOME: network.newFolder() },
       DESCRIPTORS,
     );
     const [line] = (await once(master.stdout!, 'data')) as [Buffer];

@@ -3,7 +3,6 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest';
 
-import { newFolder } from '../edge/edge-master.ts';
 import { MASTER, MASTER_V6, OLD_DEVICE, PHONE, PHONE_V6, TestNetwork } from './test-network.ts';
 
 // Processes and networks, on a machine that may be busy.
@@ -49,8 +48,8 @@ describe.skipIf(reason !== undefined)('a master in a network of its own', () => 
       'json',
     ];
     master = network.startOnMaster(
-      [program, ...flags, '--data-dir', newFolder(), '--allow-legacy', `${OLD_DEVICE}/32`],
-      { PATH: process.env['PATH'], HOME: newFolder() },
+      [program, ...flags, '--data-dir', network.newFolder(), '--allow-legacy', `${OLD_DEVICE}/32`],
+      { PATH: process.env['PATH'], HOME: network.newFolder() },
     );
     endpoints = await new Promise<Endpoints>((resolve, reject) => {
       let text = '';
@@ -212,8 +211,8 @@ describe.skipIf(reason !== undefined)('a master with --lan off in a network of i
     network.open();
     const flags = ['--lan', 'off', '--port', '0', '--legacy-ports', 'off', '--mdns', 'off'];
     master = network.startOnMaster(
-      [program, ...flags, '--print-endpoints', 'json', '--data-dir', newFolder()],
-      { PATH: process.env['PATH'], HOME: newFolder() },
+      [program, ...flags, '--print-endpoints', 'json', '--data-dir', network.newFolder()],
+      { PATH: process.env['PATH'], HOME: network.newFolder() },
     );
     endpoints = await new Promise<Endpoints>((resolve, reject) => {
       let text = '';

@@ -1,5 +1,6 @@
 import { execFile, execFileSync, spawn } from 'node:child_process';
 import type { ChildProcess } from 'node:child_process';
+import { temporaryFolder } from '@ubii/program/testing';
 
 /** Addresses that exist in the network of the test alone. */
 export const MASTER = '10.203.0.1';
@@ -14,6 +15,7 @@ export const NEIGHBOURS = Array.from({ length: 12 }, (_, i) => `10.203.0.${10 + 
 export class TestNetwork {
   readonly #master = `ubii-m-${process.pid}`;
   readonly #phone = `ubii-p-${process.pid}`;
+  readonly #removals: (() => void)[] = [];
 
   /** Why there can be none here; undefined: there can. */
   static reasonAgainst(): string | undefined {
@@ -53,7 +55,13 @@ export class TestNetwork {
     }
   }
 
+  /** A folder until the network closes. */
+  newFolder(): string {
+    return temporaryFolder((remove) => this.#removals.push(remove));
+  }
+
   close(): void {
+    for (const remove of this.#removals) remove();
     for (const name of [this.#master, this.#phone]) {
       try {
         ip('netns', 'del', name);

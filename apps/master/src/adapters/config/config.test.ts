@@ -1,7 +1,7 @@
-import { mkdtempSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { ConfigError, environmentName, flagName, formatHelp, readOptions } from '@ubii/program';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it } from 'vitest';
 
 import { createConfig, MASTER_PROGRAM, OPTIONS } from './config.ts';
@@ -24,7 +24,7 @@ function messageOf(args: readonly string[], env: Record<string, string> = {}): s
 }
 
 function configFile(content: unknown): string {
-  const file = join(mkdtempSync(join(tmpdir(), 'ubii-config-')), 'ubii.json');
+  const file = join(temporaryFolder(), 'ubii.json');
   writeFileSync(file, typeof content === 'string' ? content : JSON.stringify(content));
   return file;
 }

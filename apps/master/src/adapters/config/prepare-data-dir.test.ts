@@ -1,20 +1,20 @@
-import { mkdtempSync, statSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it } from 'vitest';
 
 import { prepareDataDir } from './prepare-data-dir.ts';
 
 describe('the data directory', () => {
   it('is made when it is missing, for its owner only', () => {
-    const folder = join(mkdtempSync(join(tmpdir(), 'ubii-data-')), 'a', 'b');
+    const folder = join(temporaryFolder(), 'a', 'b');
     prepareDataDir(folder);
     expect(statSync(folder).isDirectory()).toBe(true);
     if (process.platform !== 'win32') expect(statSync(folder).mode & 0o077).toBe(0);
   });
 
   it('is refused when a file is in its place', () => {
-    const file = join(mkdtempSync(join(tmpdir(), 'ubii-data-')), 'file');
+    const file = join(temporaryFolder(), 'file');
     writeFileSync(file, '');
     expect(() => prepareDataDir(file)).toThrow(
       /\(--data-dir\) must be a folder .* a file has that name: choose another/,

@@ -1,15 +1,7 @@
 import { createHash } from 'node:crypto';
-import {
-  existsSync,
-  mkdirSync,
-  mkdtempSync,
-  readdirSync,
-  readFileSync,
-  rmSync,
-  writeFileSync,
-} from 'node:fs';
-import { tmpdir } from 'node:os';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { temporaryFolder } from '@ubii/program/testing';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { AssetFolders } from '@ubii/pm-sandbox/node';
 import { FakeBucket, type BucketAnswer } from '../../testing/fake-bucket.ts';
@@ -30,13 +22,10 @@ const TOTAL_BYTES = 100_007;
 let bucket: FakeBucket;
 let folder: string;
 beforeEach(async () => {
-  folder = mkdtempSync(join(tmpdir(), 'ubii-models-'));
+  folder = temporaryFolder();
   bucket = await FakeBucket.open(FILES);
 });
-afterEach(async () => {
-  await bucket.close();
-  rmSync(folder, { recursive: true });
-});
+afterEach(() => bucket.close());
 
 const model = (): KnownModel => ({
   name: 'tiny',

@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { existsSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { temporaryFolder } from '@ubii/program/testing';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { FakeBucket } from '../../testing/fake-bucket.ts';
 import type { KnownModel } from './catalogue.ts';
@@ -12,13 +12,10 @@ const CONTENT = Buffer.alloc(2_000_000, 1);
 let bucket: FakeBucket;
 let dataDir: string;
 beforeEach(async () => {
-  dataDir = mkdtempSync(join(tmpdir(), 'ubii-models-'));
+  dataDir = temporaryFolder();
   bucket = await FakeBucket.open({ 'model.json': CONTENT, 'mirror/tiny/model.json': CONTENT });
 });
-afterEach(async () => {
-  await bucket.close();
-  rmSync(dataDir, { recursive: true });
-});
+afterEach(() => bucket.close());
 
 async function run(args: readonly string[], changes: Partial<ModelProgram> = {}) {
   const model: KnownModel = {

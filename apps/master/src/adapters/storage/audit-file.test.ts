@@ -1,23 +1,16 @@
-import {
-  appendFileSync,
-  mkdtempSync,
-  readdirSync,
-  readFileSync,
-  statSync,
-  writeFileSync,
-} from 'node:fs';
-import { tmpdir } from 'node:os';
+import { appendFileSync, readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { describe, expect, it } from 'vitest';
+import { temporaryFolder } from '@ubii/program/testing';
+import { afterAll, describe, expect, it } from 'vitest';
 import { auditStoreSuite } from '../../testing/acceptance/index.ts';
 import { RecordingLog } from '../../testing/index.ts';
 import { AuditFile } from './audit-file.ts';
 
-const newFolder = () => join(mkdtempSync(join(tmpdir(), 'ubii-audit-')), 'audit');
+const newFolder = () => join(temporaryFolder(), 'audit');
 const open = (folder: string, maxLines = 100, log = new RecordingLog()) =>
   new AuditFile({ folder, maxLines, log });
 
-const shared = newFolder();
+const shared = join(temporaryFolder(afterAll), 'audit');
 auditStoreSuite('AuditFile', () => open(shared));
 
 describe('an audit file', () => {

@@ -1,6 +1,6 @@
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, vi } from 'vitest';
 
 import { documentStoreSuite } from '../../testing/acceptance/index.ts';
@@ -8,7 +8,7 @@ import { FileDocuments } from './file-documents.ts';
 import { fileNameOf, keyOfFileName } from './file-names.ts';
 
 function newFolder(): string {
-  return join(mkdtempSync(join(tmpdir(), 'ubii-documents-')), 'sessions');
+  return join(temporaryFolder(), 'sessions');
 }
 
 /** Until the store has heard of what happened. */
@@ -31,7 +31,6 @@ documentStoreSuite('a folder', () => {
       await heard(() => store.documents().get(key) !== before);
     },
     reopen: () => new FileDocuments(folder, '.session'),
-    dispose: () => rmSync(folder, { recursive: true, force: true }),
   };
 });
 

@@ -1,11 +1,11 @@
 import { X509Certificate } from 'node:crypto';
-import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { beforeEach, describe, expect, it } from 'vitest';
 
 import { ConfigError } from '@ubii/program';
+import { temporaryFolder } from '@ubii/program/testing';
 import { Certificates } from './certificates.ts';
 import type { CertificatesOptions } from './certificates.ts';
 
@@ -15,10 +15,9 @@ const HOME = ['localhost', 'lab', 'lab.local', '127.0.0.1', '::1', '192.168.1.7'
 let dataDir: string;
 let warnings: string[];
 beforeEach(() => {
-  dataDir = mkdtempSync(join(tmpdir(), 'ubii-tls-'));
+  dataDir = temporaryFolder();
   warnings = [];
 });
-afterEach(() => rmSync(dataDir, { recursive: true, force: true }));
 
 function open(given: Partial<CertificatesOptions> = {}): Promise<Certificates> {
   const log = {

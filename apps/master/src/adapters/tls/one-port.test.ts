@@ -1,12 +1,10 @@
-import { mkdtempSync, rmSync } from 'node:fs';
 import { createServer, get as getPlain } from 'node:http';
 import type { IncomingMessage, Server } from 'node:http';
 import { get as getSecure } from 'node:https';
 import { connect } from 'node:net';
 import type { AddressInfo } from 'node:net';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 
+import { temporaryFolder } from '@ubii/program/testing';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { WebSocket, WebSocketServer } from 'ws';
 
@@ -23,7 +21,7 @@ let names: string[];
 let port: number;
 
 beforeEach(async () => {
-  dataDir = mkdtempSync(join(tmpdir(), 'ubii-port-'));
+  dataDir = temporaryFolder();
   names = ['localhost', '127.0.0.1'];
   certificates = await Certificates.open({
     dataDir,
@@ -54,7 +52,6 @@ afterEach(async () => {
   onePort.cut();
   server.closeAllConnections();
   await closed;
-  rmSync(dataDir, { recursive: true, force: true });
 });
 
 function textOf(

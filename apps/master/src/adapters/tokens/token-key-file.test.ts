@@ -1,27 +1,23 @@
-import { mkdtempSync, readdirSync, statSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readdirSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it } from 'vitest';
 
 import { readOrCreateTokenKey } from './token-key-file.ts';
 
-function folder(): string {
-  return mkdtempSync(join(tmpdir(), 'ubii-key-'));
-}
-
 describe('[EX-3] the key of the resume tokens', () => {
   it('is made once and stays', () => {
-    const dataDir = folder();
+    const dataDir = temporaryFolder();
     const key = readOrCreateTokenKey(dataDir);
     expect(key).toHaveLength(32);
     expect(readOrCreateTokenKey(dataDir)).toEqual(key);
-    expect(readOrCreateTokenKey(folder())).not.toEqual(key);
+    expect(readOrCreateTokenKey(temporaryFolder())).not.toEqual(key);
   });
 
   it.skipIf(process.platform === 'win32')(
     'is readable by its owner only, and leaves no draft',
     () => {
-      const dataDir = folder();
+      const dataDir = temporaryFolder();
       readOrCreateTokenKey(dataDir);
       expect(readdirSync(dataDir)).toEqual(['resume-token.key']);
       expect(statSync(join(dataDir, 'resume-token.key')).mode & 0o777).toBe(0o600);
@@ -29,7 +25,7 @@ describe('[EX-3] the key of the resume tokens', () => {
   );
 
   it('is never guessed from a damaged file', () => {
-    const dataDir = folder();
+    const dataDir = temporaryFolder();
     writeFileSync(join(dataDir, 'resume-token.key'), 'short');
     expect(() => readOrCreateTokenKey(dataDir)).toThrow(/must hold 32 bytes .* Delete it/);
   });

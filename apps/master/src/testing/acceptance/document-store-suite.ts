@@ -8,7 +8,6 @@ export interface StoreParts {
   readonly edit: (key: string, text: string | undefined) => Promise<void>;
   /** Another store over the same documents, as the next run of the master has. */
   readonly reopen: () => DocumentStore;
-  readonly dispose: () => void;
 }
 
 /** What every document store does [SE-20] [SE-23]. */
@@ -18,10 +17,7 @@ export function documentStoreSuite(name: string, open: () => StoreParts): void {
     beforeEach(() => {
       parts = open();
     });
-    afterEach(() => {
-      parts.store.close();
-      parts.dispose();
-    });
+    afterEach(() => parts.store.close());
 
     it('begins empty', () => {
       expect(parts.store.documents().size).toBe(0);
