@@ -13,8 +13,8 @@ import { formatRestored } from './adapters/terminal/restored.ts';
 import { formatQrCode } from './adapters/terminal/qr-code.ts';
 import type { Config } from './adapters/config/config.ts';
 import { DEFAULT_LIMITS, LogTail } from './index.ts';
+import type { RunningMaster } from './running-master.ts';
 import { startMaster } from './start-master.ts';
-import type { RunningMaster } from './start-master.ts';
 
 /** Everything is closed by then, or the process ends without it. */
 const SHUTDOWN_DEADLINE_MS = 1_500;

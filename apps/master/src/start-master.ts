@@ -14,7 +14,7 @@ import { PeerOwners } from './adapters/access/peer-owners.ts';
 import { limitsOfMachine, openSandboxes } from './adapters/processing/open-sandboxes.ts';
 import { TrustedLibrary } from './adapters/processing/trusted-library.ts';
 import { createMaster, DEFAULT_LIMITS, fitConnections } from './index.ts';
-import type { LogTail, Master, TerminalAccess } from './index.ts';
+import type { TerminalAccess } from './index.ts';
 import { PreciseSystemClock } from './adapters/clock/precise-system-clock.ts';
 import { describeConfig } from './adapters/config/describe-config.ts';
 import { prepareDataDir } from './adapters/config/prepare-data-dir.ts';
@@ -26,14 +26,13 @@ import { descriptorLimit } from './adapters/network/descriptor-limit.ts';
 import { Doorkeeper } from './adapters/network/doorkeeper.ts';
 import { LanSwitch } from './adapters/network/lan-switch.ts';
 import { Listeners } from './adapters/network/listeners.ts';
-import type { ListeningPorts } from './adapters/network/listeners.ts';
 import { OwnAddresses } from './adapters/addresses/own-addresses.ts';
 import { listNetworkAddresses } from './adapters/addresses/network-addresses.ts';
 import { OriginPolicy } from './adapters/network/origin-policy.ts';
 import { describeReachability } from './adapters/network/reachability.ts';
 import type { Reachability } from './adapters/network/reachability.ts';
 import { AuditFile } from './adapters/storage/audit-file.ts';
-import { KNOWN_MODELS, type KnownModel } from './adapters/models/catalogue.ts';
+import { KNOWN_MODELS } from './adapters/models/catalogue.ts';
 import { StoredAssetSets } from './adapters/models/stored-asset-sets.ts';
 import { openStorage } from './adapters/storage/open-storage.ts';
 import { HmacResumeTokens } from './adapters/tokens/hmac-resume-tokens.ts';
@@ -42,41 +41,10 @@ import { localName } from './adapters/tls/own-names.ts';
 import { ProcessUsage } from './adapters/usage/process-usage.ts';
 import { PreflightSockets } from './adapters/ws/preflight-sockets.ts';
 import { TopicDataSockets } from './adapters/ws/topic-data-sockets.ts';
-import type { Config } from './adapters/config/config.ts';
+import type { MasterParts, RunningMaster } from './running-master.ts';
 
 /** How long connections may take to end in good order before they are cut. */
 const CLOSE_GRACE_MS = 500;
-
-export interface MasterParts {
-  readonly config: Config;
-  readonly log: LogTail;
-  readonly version: string;
-  /** The built frontend. */
-  readonly frontendFolder: string;
-  /** Folders of asset sets that come with the program. */
-  readonly assetsFolders: readonly string[];
-  /** The built worker of processing modules. */
-  readonly workerFile: URL;
-  /** Models that admins can download. Default: those that modules of the library use. */
-  readonly models?: readonly KnownModel[];
-  /** The built thread that decodes large requests; undefined: the main thread does it. */
-  readonly decodeWorkerFile: URL | undefined;
-}
-
-/** A master that listens. */
-export interface RunningMaster {
-  readonly ports: ListeningPorts;
-  /** Asked again each time: networks come and go. */
-  reachability(): Reachability;
-  /** What the terminal shows; undefined when it could not be kept [AC-19] [AC-42]. */
-  readonly terminal: TerminalAccess | undefined;
-  /** What callers of this machine are, and whether the system tells them from others [AC-1] [AC-40]. */
-  readonly loopback: LoopbackFacts;
-  readonly sessionsAtStop: Master['sessionsAtStop'];
-  readonly sessionsRestored: Master['sessionsRestored'];
-  /** Closes everything, within a second. */
-  close(): Promise<void>;
-}
 
 /**
  * Puts core and adapters together and listens.
@@ -86,11 +54,13 @@ export interface RunningMaster {
 export async function startMaster({
   config,
   log,
+  clock = new PreciseSystemClock(log),
   version,
   frontendFolder,
   assetsFolders,
   workerFile,
   models = KNOWN_MODELS,
+  keepAliveMs,
   decodeWorkerFile,
 }: MasterParts): Promise<RunningMaster> {
   prepareDataDir(config.dataDir);
@@ -144,7 +114,6 @@ export async function startMaster({
       lan.https !== undefined,
     );
 
-  const clock = new PreciseSystemClock(log);
   const assetSets = new StoredAssetSets({
     assets,
     folder: modelsFolder,
@@ -238,7 +207,11 @@ export async function startMaster({
     log,
     onePort: lan.https?.onePort,
     doorkeeper,
-    timeouts: { headersMs: limits.headersTimeoutMs, stillMs: limits.slowSocketTimeoutMs },
+    timeouts: {
+      headersMs: limits.headersTimeoutMs,
+      stillMs: limits.slowSocketTimeoutMs,
+      keepAliveMs,
+    },
     handleRequest: (request, response) => app.routing(request, response),
     handleUpgrade: (request, socket, head) => sockets.handleUpgrade(request, socket, head),
   });

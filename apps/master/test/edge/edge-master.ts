@@ -9,6 +9,7 @@ import { createConfig, MASTER_PROGRAM } from '../../src/adapters/config/config.t
 import type { KnownModel } from '../../src/adapters/models/catalogue.ts';
 import { StreamLog } from '../../src/adapters/log/stream-log.ts';
 import { LogTail, type TerminalAccess } from '../../src/index.ts';
+import type { MasterParts } from '../../src/running-master.ts';
 import { startMaster } from '../../src/start-master.ts';
 
 /** A master with all its adapters on free ports of loopback, closed when the test ends. */
@@ -23,7 +24,7 @@ export interface EdgeMaster {
   close(): Promise<void>;
 }
 
-export interface EdgeMasterOptions {
+export interface EdgeMasterOptions extends Pick<MasterParts, 'clock' | 'keepAliveMs'> {
   /** More flags. Callers of this machine are admins, unless one of them says otherwise. */
   readonly flags?: readonly string[];
   readonly frontendFolder?: string;
@@ -56,6 +57,8 @@ export async function startEdgeMaster(options: EdgeMasterOptions = {}): Promise<
       readOptions(MASTER_PROGRAM, [...flags, ...(options.flags ?? [])], {}, '/'),
     ),
     log,
+    ...(options.clock && { clock: options.clock }),
+    ...(options.keepAliveMs && { keepAliveMs: options.keepAliveMs }),
     version: '1.2.3',
     frontendFolder: options.frontendFolder ?? join(temporaryFolder(), 'not-there'),
     assetsFolders: [options.assetsFolder ?? join(temporaryFolder(), 'not-there')],

@@ -30,6 +30,8 @@ export interface ConnectionTimeouts {
   readonly headersMs: number;
   /** During which nothing comes and nothing is taken, while a request is answered. */
   readonly stillMs: number;
+  /** With nothing to do, after an answer. Default: 5000. */
+  readonly keepAliveMs?: number | undefined;
 }
 
 /** How often Node looks for headers that take too long, milliseconds. */
@@ -178,9 +180,9 @@ export class Listeners {
     const { handleRequest, handleUpgrade, doorkeeper, timeouts } = this.#options;
     const { onePort } = this.#reach;
     const options = {
-      keepAliveTimeout: KEEP_ALIVE_MS,
       requestTimeout: REQUEST_TIMEOUT_MS,
       connectionsCheckingInterval: CHECK_INTERVAL_MS,
+      keepAliveTimeout: timeouts?.keepAliveMs ?? KEEP_ALIVE_MS,
       ...(timeouts && { headersTimeout: timeouts.headersMs }),
     };
     const server = createServer(

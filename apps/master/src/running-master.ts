@@ -1,0 +1,43 @@
+import type { PreciseClock } from '@ubii/timing';
+import type { LoopbackFacts } from './adapters/access/caller-reader.ts';
+import type { Config } from './adapters/config/config.ts';
+import type { KnownModel } from './adapters/models/catalogue.ts';
+import type { ListeningPorts } from './adapters/network/listeners.ts';
+import type { Reachability } from './adapters/network/reachability.ts';
+import type { LogTail, Master, TerminalAccess } from './index.ts';
+
+/** What a master that listens is made of. */
+export interface MasterParts {
+  readonly config: Config;
+  readonly log: LogTail;
+  /** Default: that of the system. */
+  readonly clock?: PreciseClock;
+  readonly version: string;
+  /** The built frontend. */
+  readonly frontendFolder: string;
+  /** Folders of asset sets that come with the program. */
+  readonly assetsFolders: readonly string[];
+  /** The built worker of processing modules. */
+  readonly workerFile: URL;
+  /** A connection without a request is closed after this time, milliseconds [AC-63]. Default: 5000. */
+  readonly keepAliveMs?: number;
+  /** Models that admins can download. Default: those that modules of the library use. */
+  readonly models?: readonly KnownModel[];
+  /** The built thread that decodes large requests; undefined: the main thread does it. */
+  readonly decodeWorkerFile: URL | undefined;
+}
+
+/** A master that listens. */
+export interface RunningMaster {
+  readonly ports: ListeningPorts;
+  /** Asked again each time: networks come and go. */
+  reachability(): Reachability;
+  /** What the terminal shows; undefined when it could not be kept [AC-19] [AC-42]. */
+  readonly terminal: TerminalAccess | undefined;
+  /** What callers of this machine are, and whether the system tells them from others [AC-1] [AC-40]. */
+  readonly loopback: LoopbackFacts;
+  readonly sessionsAtStop: Master['sessionsAtStop'];
+  readonly sessionsRestored: Master['sessionsRestored'];
+  /** Closes everything, within a second. */
+  close(): Promise<void>;
+}
