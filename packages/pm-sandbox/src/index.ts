@@ -84,6 +84,14 @@ export {
   SessionPatterns,
   type PatternTimes,
 } from './runtime/binding/session-patterns.ts';
+export { InstanceKeeper } from './reconciler/instance-keeper.ts';
+export {
+  hasSameCode,
+  identityChanges,
+  moduleIdentity,
+  type IdentityField,
+} from './reconciler/module-identity.ts';
+export type { WantedInstance } from './reconciler/reconcile.ts';
 export { eventKey } from './runtime/reports/event-key.ts';
 export { createModuleRuntime, type ModuleRuntimeOptions } from './runtime/create-module-runtime.ts';
 export type {
