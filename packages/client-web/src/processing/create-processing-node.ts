@@ -2,21 +2,22 @@ import { compilerOf, lazyPatterns, type PatternSource } from '@ubii/patterns';
 import { ModuleEventKind, NodeExtensionKind } from '@ubii/proto';
 import type { Init, ModuleEvent, ProcessingModule, Session } from '@ubii/proto';
 import { createModuleRuntime } from '@ubii/pm-sandbox';
-import type { ModuleFault, ModuleRuntime } from '@ubii/pm-sandbox';
+import type { ModuleFault, ModuleRuntime, WantedInstance } from '@ubii/pm-sandbox';
 import type { Clock } from '@ubii/timing';
 import { systemClock } from '@ubii/timing/system';
 import { Listeners } from '../core/callbacks/listeners.ts';
 import type { UbiiClient, Unsubscribe } from '../core/client/ubii-client.ts';
 import { ClientTopicPort } from './client-topic-port.ts';
 import { DeviceTopics } from './device-topics.ts';
-import { InstanceKeeper } from './instance-keeper.ts';
 import { runShare } from './lockstep-shares.ts';
 import { ModuleCatalog } from './module-catalog.ts';
 import { ModuleReports } from './module-reports.ts';
 import type { NodeInstance } from './node-instance.ts';
+import { NodeInstances } from './node-instances.ts';
+import type { RuntimeEvents } from './node-instances.ts';
 import type { ProcessingNode, ProcessingNodeOptions } from './processing-node.ts';
-import { activityOf, modulesFor } from './session-modules.ts';
-import type { AssignedModule, SessionActivity } from './session-modules.ts';
+import { activityOf, instancesFor } from './session-modules.ts';
+import type { SessionActivity } from './session-modules.ts';
 import { SessionWatch } from './session-watch.ts';
 import { createPageClock } from './page-clock.ts';
 import { inMasterTime } from './in-master-time.ts';
@@ -39,13 +40,12 @@ class Node implements ProcessingNode {
   readonly #patterns: PatternSource;
   readonly #devices: DeviceTopics;
   readonly #reports: ModuleReports;
-  readonly #keepers = new Map<string, InstanceKeeper>();
   readonly #changeListeners: Listeners<readonly NodeInstance[]>;
   readonly #eventListeners: Listeners<ModuleEvent>;
   #catalog: ModuleCatalog;
   #acceptsWork: boolean;
   /** From the first module on, and as long as the client has the same id. */
-  #runtime: ModuleRuntime | undefined;
+  #instances: NodeInstances | undefined;
   /** Ends everything that `start` began. */
   #started: { readonly watch: SessionWatch; end(): void } | undefined;
   /** Settles with the last of `start` and `stop`. */
@@ -77,7 +77,7 @@ class Node implements ProcessingNode {
   }
 
   get instances(): readonly NodeInstance[] {
-    return [...this.#keepers.values()].map(({ shown }) => shown);
+    return this.#instances?.shown ?? [];
   }
 
   onChange(fn: (instances: readonly NodeInstance[]) => void): Unsubscribe {
@@ -111,13 +111,13 @@ class Node implements ProcessingNode {
       handleSession: (session, activity) => this.#handleSession(session, activity),
       handleStart: (session) => {
         this.#handleSession(session, 'active');
-        this.#reportAgain(({ sessionId }) => sessionId === session.id);
+        this.#reportAgain(({ spec }) => spec.module.sessionId === session.id);
       },
       handleAll: (sessions) => this.#handleAll(sessions),
     });
     const stopMessages = this.#client.onNodeMessage(({ lockstepRequest }) => {
       if (lockstepRequest === undefined) return;
-      void runShare(lockstepRequest, this.#runtime).then((frame) =>
+      void runShare(lockstepRequest, this.#instances?.runtime).then((frame) =>
         this.#client.sendNodeMessage(frame),
       );
     });
@@ -180,19 +180,13 @@ class Node implements ProcessingNode {
   }
 
   #handleSession(session: Session, activity: SessionActivity): void {
-    const assigned = modulesFor(session, this.#client.id, activity);
-    const ids = new Set(assigned.map(({ module }) => module.id));
-    for (const keeper of this.#keepers.values()) {
-      if (keeper.sessionId === session.id && !ids.has(keeper.id)) keeper.unwant();
-    }
-    for (const module of assigned) this.#want(module);
+    const wanted = instancesFor(session, this.#client.id, activity, this.#catalog);
+    if (wanted.length > 0) this.#instances ??= this.#createInstances();
+    this.#instances?.sync(session, wanted);
   }
 
   #handleAll(sessions: readonly Session[]): void {
-    const known = new Set(sessions.map(({ id }) => id));
-    for (const keeper of this.#keepers.values()) {
-      if (!known.has(keeper.sessionId)) keeper.unwant();
-    }
+    this.#instances?.keepSessions(new Set(sessions.map(({ id }) => id)));
     for (const session of sessions) {
       const activity = activityOf(session);
       if (activity !== undefined) this.#handleSession(session, activity);
@@ -202,39 +196,31 @@ class Node implements ProcessingNode {
     this.#reportAgain(() => true);
   }
 
-  #reportAgain(isMeant: (keeper: InstanceKeeper) => boolean): void {
-    for (const keeper of this.#keepers.values()) {
-      if (keeper.reported !== undefined && isMeant(keeper)) this.#reports.started(keeper.reported);
+  #reportAgain(isMeant: (wanted: WantedInstance) => boolean): void {
+    for (const wanted of this.#instances?.started ?? []) {
+      if (isMeant(wanted)) this.#reports.started(wanted);
     }
   }
 
-  #want(assigned: AssignedModule): void {
-    const { id } = assigned.module;
-    let keeper = this.#keepers.get(id);
-    if (keeper === undefined) {
-      keeper = this.#createKeeper(id);
-      this.#keepers.set(id, keeper);
-    }
-    keeper.want(assigned);
-  }
-
-  #createKeeper(id: string): InstanceKeeper {
-    return new InstanceKeeper(id, {
-      runtime: this.#runtimeNow(),
+  #createInstances(): NodeInstances {
+    this.#cancelStatistics = this.#clock.every(STATISTICS_INTERVAL_MS, () =>
+      this.#reportStatistics(),
+    );
+    return new NodeInstances({
       patterns: this.#patterns,
-      catalog: () => this.#catalog,
-      handleStarted: (assigned) => this.#reports.started(assigned),
-      handleEnded: (assigned) => this.#reports.ended(assigned),
-      handleFailed: (assigned, fault) => this.#handleFailed(assigned, fault),
+      createRuntime: (events) => this.#createRuntime(events),
+      handleStarted: (wanted) => this.#reports.started(wanted),
+      handleEnded: (wanted) => this.#reports.ended(wanted),
+      handleFailed: (wanted, fault) => this.#handleFailed(wanted, fault),
+      handleEvent: (event) => this.#handleEvent(event),
       handleChange: () => this.#handleChange(),
     });
   }
 
-  #runtimeNow(): ModuleRuntime {
-    if (this.#runtime !== undefined) return this.#runtime;
+  #createRuntime(events: RuntimeEvents): ModuleRuntime {
     const { sandboxes, libraries, assets, limits } = this.#options;
     const { createRuntime = createModuleRuntime } = this.#options;
-    this.#runtime = createRuntime({
+    return createRuntime({
       nodeId: this.#client.id,
       clock: this.#clock,
       topics: new ClientTopicPort(this.#client, this.#devices),
@@ -244,21 +230,14 @@ class Node implements ProcessingNode {
       assets,
       limits,
       lockstepInputs: 'given', // the master sends the snapshots [SE-40]
-      onEvent: (event) => this.#handleEvent(event),
-      onStatus: (id, status, fault) => this.#keepers.get(id)?.handleStatus(status, fault),
+      ...events,
     });
-    this.#cancelStatistics = this.#clock.every(STATISTICS_INTERVAL_MS, () =>
-      this.#reportStatistics(),
-    );
-    return this.#runtime;
   }
 
   #reportStatistics(): void {
     this.#reports.resume(); // what did not get through, though the connection holds
-    const statistics = this.#runtime?.statistics() ?? [];
-    if (statistics.length === 0) return;
-    for (const entry of statistics) this.#keepers.get(entry.moduleId)?.handleStatistics(entry);
-    this.#reports.statistics(statistics);
+    const statistics = this.#instances?.takeStatistics() ?? [];
+    if (statistics.length > 0) this.#reports.statistics(statistics);
   }
 
   #handleEvent(event: ModuleEvent): void {
@@ -267,11 +246,12 @@ class Node implements ProcessingNode {
   }
 
   /** Reports an instance that could not be created: only this node can notify the session. [SE-12] */
-  #handleFailed({ module, sessionId }: AssignedModule, fault: ModuleFault): void {
+  #handleFailed({ spec }: WantedInstance, fault: ModuleFault): void {
+    const { sessionId, id: moduleId, name: moduleName } = spec.module;
     this.#handleEvent({
       sessionId,
-      moduleId: module.id,
-      moduleName: module.name,
+      moduleId,
+      moduleName,
       nodeId: this.#client.id,
       kind: ModuleEventKind.FAILED,
       timeMs: this.#clock.nowMs(),
@@ -286,16 +266,12 @@ class Node implements ProcessingNode {
 
   /** What runs under the client's id of now, or of before, ends; what comes later is made again. */
   async #endAll(): Promise<void> {
-    const keepers = [...this.#keepers.values()];
-    const runtime = this.#runtime;
-    this.#keepers.clear();
-    this.#runtime = undefined;
+    const instances = this.#instances;
+    this.#instances = undefined;
     this.#cancelStatistics?.();
     this.#cancelStatistics = undefined;
-    for (const keeper of keepers) keeper.unwant();
     this.#handleChange();
-    await Promise.all(keepers.map((keeper) => keeper.settled()));
-    await runtime?.close();
+    await instances?.end();
   }
 
   #handleChange(): void {
@@ -303,9 +279,6 @@ class Node implements ProcessingNode {
     this.#isChanging = true;
     void Promise.resolve().then(() => {
       this.#isChanging = false;
-      for (const keeper of [...this.#keepers.values()]) {
-        if (keeper.isGone) this.#keepers.delete(keeper.id);
-      }
       this.#changeListeners.emit(this.instances);
     });
   }

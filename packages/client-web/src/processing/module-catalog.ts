@@ -1,11 +1,14 @@
 import { ProcessingModuleLanguage, decode, encode } from '@ubii/proto';
 import type { Init, ProcessingModule } from '@ubii/proto';
+import { hasSameCode } from '@ubii/pm-sandbox';
 import type { ModuleFault } from '@ubii/pm-sandbox';
 
-/** A module that is ready to be made, or why it is not. */
-export type ResolvedModule =
-  | { readonly module: ProcessingModule; readonly isTrusted: boolean }
-  | { readonly fault: ModuleFault };
+/** A module that is ready to be made, or, with a fault, why it is not. */
+export interface ResolvedModule {
+  readonly module: ProcessingModule;
+  readonly isTrusted: boolean;
+  readonly fault?: ModuleFault;
+}
 
 /** The modules a node has code for. Its operator vouches for them. [PM-51] */
 export class ModuleCatalog {
@@ -41,11 +44,12 @@ export class ModuleCatalog {
     const own = this.#byName.get(asked.name);
     if (asked.onProcessingStringified !== '') {
       const fault = foreignLanguage(asked);
-      if (fault !== undefined) return { fault };
+      if (fault !== undefined) return { module: asked, isTrusted: false, fault };
       return { module: asked, isTrusted: own !== undefined && hasSameCode(asked, own) };
     }
     if (own === undefined) {
-      return missing(`Neither the session nor this node has code of the module "${asked.name}"`);
+      const message = `Neither the session nor this node has code of the module "${asked.name}"`;
+      return { module: asked, isTrusted: false, fault: missing(message) };
     }
     return { module: withOwnCode(asked, own), isTrusted: true };
   }
@@ -69,15 +73,6 @@ function withOwnCode(asked: ProcessingModule, own: ProcessingModule): Processing
   };
 }
 
-function hasSameCode(a: ProcessingModule, b: ProcessingModule): boolean {
-  return (
-    a.onCreatedStringified === b.onCreatedStringified &&
-    a.onProcessingStringified === b.onProcessingStringified &&
-    a.onHaltedStringified === b.onHaltedStringified &&
-    a.onDestroyedStringified === b.onDestroyedStringified
-  );
-}
-
 /** No language, which cannot be told from C++, means JavaScript. */
 function foreignLanguage({ language, name }: ProcessingModule): ModuleFault | undefined {
   if (language === ProcessingModuleLanguage.JS || language === ProcessingModuleLanguage.CPP) {
@@ -86,9 +81,9 @@ function foreignLanguage({ language, name }: ProcessingModule): ModuleFault | un
   const [known] = Object.entries(ProcessingModuleLanguage).find(([, n]) => n === language) ?? [];
   return missing(
     `The code of the module "${name}" is written in ${known ?? 'another language'}; this node runs JavaScript`,
-  ).fault;
+  );
 }
 
-function missing(message: string): { fault: ModuleFault } {
-  return { fault: { kind: 'missing', phase: '', message } };
+function missing(message: string): ModuleFault {
+  return { kind: 'missing', phase: '', message };
 }

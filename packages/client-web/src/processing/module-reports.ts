@@ -1,8 +1,8 @@
 import { ProcessingModuleStatus, ServiceError } from '@ubii/proto';
 import type { Init, ModuleEvent, ModuleStatistics, ProcessingModule } from '@ubii/proto';
 import { encodeNodeMessageFrame } from '@ubii/proto/wire';
+import type { WantedInstance } from '@ubii/pm-sandbox';
 import type { UbiiClient } from '../core/client/ubii-client.ts';
-import type { AssignedModule } from './session-modules.ts';
 
 /** Dependencies of the reports on a client. */
 export type ReportClient = Pick<UbiiClient, 'call' | 'sendNodeMessage' | 'state'>;
@@ -30,15 +30,15 @@ export class ModuleReports {
     this.#options = options;
   }
 
-  started({ module, sessionId, isPaused }: AssignedModule): void {
+  started({ spec, isPaused }: WantedInstance): void {
     const status = isPaused ? ProcessingModuleStatus.HALTED : ProcessingModuleStatus.PROCESSING;
-    const { id, name, nodeId } = module;
+    const { id, name, nodeId, sessionId } = spec.module;
     this.#started.set(id, { id, name, nodeId, sessionId, status });
     this.#tell();
   }
 
-  ended({ module, sessionId }: AssignedModule): void {
-    const { id, name, nodeId } = module;
+  ended({ spec }: WantedInstance): void {
+    const { id, name, nodeId, sessionId } = spec.module;
     // One that ended before the start was told needs both: the session waits for either.
     this.#ended.set(id, { id, name, nodeId, sessionId, status: ProcessingModuleStatus.DESTROYED });
     this.#started.delete(id);

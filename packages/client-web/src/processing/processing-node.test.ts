@@ -225,6 +225,30 @@ describe('a node and the sessions', () => {
     expect(world.sessions.told).toEqual(['add m1', 'remove m1', 'add m1']);
   });
 
+  it('[SE-13] reports the end of modules that were stopped before they could be made', async () => {
+    const world = await createNodeWorld();
+    world.sessions.start(sessionOf(timesTen(world.client.id)));
+    world.sessions.stop('s1');
+    await rest();
+    expect(world.sessions.told).toEqual(['remove m1']);
+    expect(world.node.instances).toEqual([]);
+  });
+
+  it('[SE-15] tries what failed again with the next revision of its session', async () => {
+    const world = await createNodeWorld();
+    const bad = { ...timesTen(world.client.id), onCreatedStringified: '() => { throw 1; }' };
+    const at = (revision: number) => ({ ...sessionOf(bad), extension: { revision } });
+    const failures = () => eventsOf(world).filter(({ kind }) => kind === ModuleEventKind.FAILED);
+    world.sessions.start(at(1));
+    await rest();
+    world.sessions.change(at(1), SessionState.SESSION_PAUSED);
+    await rest();
+    expect(failures()).toHaveLength(1);
+    world.sessions.change(at(2));
+    await rest();
+    expect(failures()).toHaveLength(2);
+  });
+
   it('[SE-33] ends what the master knows nothing of', async () => {
     const world = await setupRunning();
     const { sessions, node, module } = world;

@@ -1,16 +1,7 @@
 import { SessionState, SessionStatus } from '@ubii/proto';
+import type { WantedInstance } from '@ubii/pm-sandbox';
 import type { IOMapping, ProcessingModule, Session } from '@ubii/proto';
-
-/** A module that a session wants to have here. */
-export interface AssignedModule {
-  readonly sessionId: string;
-  readonly sessionName: string;
-  /** As the session says it: maybe without code. */
-  readonly module: ProcessingModule;
-  readonly mapping: IOMapping;
-  /** True: it is to be there, but not to process. [SE-14] */
-  readonly isPaused: boolean;
-}
+import type { ModuleCatalog } from './module-catalog.ts';
 
 /** State that a session wants for its modules. */
 export type SessionActivity = 'active' | 'paused' | 'over';
@@ -35,22 +26,25 @@ export function activityOf({ extension, status }: Session): SessionActivity | un
   return status === SessionStatus.RUNNING ? 'active' : 'over';
 }
 
-/** The modules of a session that belong on the node. [PM-62] */
-export function modulesFor(
+/** The modules of a session that belong on the node, with the code that it has for them. [PM-62] */
+export function instancesFor(
   session: Session,
   nodeId: string,
   activity: SessionActivity,
-): AssignedModule[] {
+  catalog: ModuleCatalog,
+): WantedInstance[] {
   if (activity === 'over') return [];
   return session.processingModules
     .filter((module) => module.nodeId === nodeId && module.id !== '')
-    .map((module) => ({
-      sessionId: session.id,
-      sessionName: session.name,
-      module: { ...module, sessionId: session.id },
-      mapping: mappingOf(session, module),
-      isPaused: activity === 'paused',
-    }));
+    .map((asked) => {
+      const { module, isTrusted, fault } = catalog.resolve({ ...asked, sessionId: session.id });
+      return {
+        spec: { module, mapping: mappingOf(session, asked), isTrusted },
+        isPaused: activity === 'paused',
+        revision: session.extension?.revision ?? 0,
+        fault,
+      };
+    });
 }
 
 function mappingOf({ ioMappings }: Session, { id, name }: ProcessingModule): IOMapping {

@@ -55,7 +55,10 @@ export class FakeSessions {
 
   /** Puts a session into the list silently. */
   put(init: Init<Session>, state: SessionState): Session {
-    const bytes = encode('ubii.sessions.Session', { ...init, extension: { state } });
+    const bytes = encode('ubii.sessions.Session', {
+      ...init,
+      extension: { ...init.extension, state },
+    });
     const session = decode('ubii.sessions.Session', bytes);
     this.#sessions.set(session.id, session);
     return session;
