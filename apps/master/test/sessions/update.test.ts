@@ -55,6 +55,17 @@ describe('an update of a running session', () => {
     expect((await world.get(session)).extension?.state).toBe(SessionState.SESSION_RUNNING);
   });
 
+  it('restarts a module that has another name [SE-15]', async () => {
+    const { world, session } = await setup();
+    session.processingModules[0]!.name = 'renamed';
+    await world.ask(TOPICS.update, session);
+    await world.master.pass(10);
+    // The record that is there when it starts makes it run once.
+    expect(await world.value('/out')).toBe(1);
+    await world.master.pass(11_000);
+    expect((await world.get(session)).extension?.state).toBe(SessionState.SESSION_RUNNING);
+  });
+
   it('stays running while a changed module restarts and an added one starts [SE-12] [SE-15]', async () => {
     const { world, session } = await setup();
     const states: (SessionState | undefined)[] = [];

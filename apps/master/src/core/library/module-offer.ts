@@ -9,13 +9,3 @@ export interface ModuleOffer {
 
 /** No language: written as "not given" [SE-2]. */
 export const NO_LANGUAGE = ProcessingModuleLanguage.CPP;
-
-/** Whether both have the same callbacks. */
-export function hasCodeOf(module: ProcessingModule, other: ProcessingModule): boolean {
-  return (
-    module.onProcessingStringified === other.onProcessingStringified &&
-    module.onCreatedStringified === other.onCreatedStringified &&
-    module.onHaltedStringified === other.onHaltedStringified &&
-    module.onDestroyedStringified === other.onDestroyedStringified
-  );
-}

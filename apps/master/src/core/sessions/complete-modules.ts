@@ -1,3 +1,4 @@
+import { hasSameCode } from '@ubii/pm-sandbox';
 import {
   isUuid,
   type IOMapping,
@@ -7,7 +8,7 @@ import {
   type SessionProblem,
 } from '@ubii/proto';
 import type { DraftModule } from './draft.ts';
-import { hasCodeOf, type ModuleOffer } from '../library/module-offer.ts';
+import type { ModuleOffer } from '../library/module-offer.ts';
 import { errorProblem } from './problems.ts';
 import { quote } from '../texts/quote.ts';
 
@@ -62,7 +63,8 @@ function completeModule(
   // Who runs it knows best; without a node, what is stored is what people see in the list.
   const base = wishedNodeId === '' ? (stored?.module ?? offered) : (offered ?? stored?.module);
   const spec = mergeModules(given, base);
-  const isLibraryCode = stored !== undefined && stored.isTrusted && hasCodeOf(spec, stored.module);
+  const isLibraryCode =
+    stored !== undefined && stored.isTrusted && hasSameCode(spec, stored.module);
   return {
     spec: { ...spec, nodeId: wishedNodeId },
     mapping: emptyMapping(),

@@ -1,8 +1,8 @@
+import { hasSameCode } from '@ubii/pm-sandbox';
 import { ServiceError, type ProcessingModule, type Session as SessionMessage } from '@ubii/proto';
 import type { Cancel } from '@ubii/timing';
 import type { ModuleLibrary } from '../library/module-library.ts';
 import { quote } from '../texts/quote.ts';
-import { hasCodeOf } from '../library/module-offer.ts';
 import { warningProblem } from './problems.ts';
 import type { SessionNews } from './session-news.ts';
 import type { Session } from './session.ts';
@@ -102,7 +102,7 @@ interface User {
 
 /** Whether it is the stored one, as it was. */
 function isUnchanged({ spec, isTrusted }: SessionModule, old: ProcessingModule): boolean {
-  return !isTrusted && spec.name === old.name && hasCodeOf(spec, old);
+  return !isTrusted && spec.name === old.name && hasSameCode(spec, old);
 }
 
 /** The module of a session with what has changed; a mode the session chose itself stays. */

@@ -26,7 +26,6 @@ export function startSession(context: LifeContext, session: Session): void {
   session.stoppingSinceMs = undefined;
   for (const module of session.modules) {
     module.statistics = undefined;
-    context.local.retry(module.id);
     placeModule(context, module);
   }
   move(context, session, 'start');
@@ -143,17 +142,14 @@ function isStartingInTime(
 
 /** The master's own modules of this session become what the session says. */
 export function syncLocal({ local, nodes }: LifeContext, session: Session): void {
-  const specs = session.isLive
-    ? session
-        .modulesOn(nodes.masterId)
-        .filter((module) => module.isPlaced)
-        .map((module) => ({
-          module: module.toMessage(session.id, session.isPaused),
-          mapping: module.mapping,
-          isTrusted: module.isTrusted,
-        }))
-    : [];
-  local.sync(session.id, specs, session.isPaused);
+  const { id, isPaused, revision } = session;
+  const modules = session.isLive ? session.modulesOn(nodes.masterId) : [];
+  local.sync(
+    id,
+    modules
+      .filter((module) => module.isPlaced)
+      .map((module) => ({ spec: module.toSpec(id, isPaused), isPaused, revision })),
+  );
 }
 
 function requireLife(session: Session, event: SessionEvent, rule: string): void {

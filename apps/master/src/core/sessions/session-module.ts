@@ -1,4 +1,4 @@
-import { LEAST_MODULE_BYTES } from '@ubii/pm-sandbox';
+import { LEAST_MODULE_BYTES, type InstanceSpec } from '@ubii/pm-sandbox';
 import {
   ProcessingModuleStatus,
   type IOMapping,
@@ -83,6 +83,12 @@ export class SessionModule {
   /** Memory it takes at least, bytes; trusted ones share the heap of their worker. */
   get leastMemoryBytes(): number {
     return this.isTrusted ? 0 : LEAST_MODULE_BYTES;
+  }
+
+  /** The module as an instance is made of it. */
+  toSpec(sessionId: string, isPaused: boolean): InstanceSpec {
+    const { mapping, isTrusted } = this;
+    return { module: this.toMessage(sessionId, isPaused), mapping, isTrusted };
   }
 
   /** The module as others see it. */

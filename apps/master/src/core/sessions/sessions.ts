@@ -1,3 +1,4 @@
+import { hasSameCode } from '@ubii/pm-sandbox';
 import {
   encode,
   isUuid,
@@ -15,7 +16,6 @@ import type { IdSource } from '../ports/id-source.ts';
 import type { LimitWatch } from '../counters/limit-watch.ts';
 import { quote } from '../texts/quote.ts';
 import { checkSession, checkSurroundings, SURROUNDINGS } from './checks/check-session.ts';
-import { hasCodeOf } from '../library/module-offer.ts';
 import { completeDraft, draftOf, makeDraft, type DraftContext } from './draft-maker.ts';
 import type { SessionDraft } from './draft.ts';
 import type { LifeContext } from './life-context.ts';
@@ -208,7 +208,7 @@ export class Sessions {
     const { stored } = this.#context.drafts.completion;
     for (const { spec } of modules) {
       const offer = stored(spec.name);
-      if (offer === undefined || offer.isTrusted || !hasCodeOf(spec, offer.module)) continue;
+      if (offer === undefined || offer.isTrusted || !hasSameCode(spec, offer.module)) continue;
       for (const grantId of offer.module.extension?.grantIds ?? []) session.grantIds.add(grantId);
     }
   }

@@ -1,6 +1,6 @@
+import { hasSameCode } from '@ubii/pm-sandbox';
 import { encode, ServiceError } from '@ubii/proto';
 import { quote } from '../texts/quote.ts';
-import { hasCodeOf } from '../library/module-offer.ts';
 import type { SessionDraft } from './draft.ts';
 import type { LifeContext } from './life-context.ts';
 import { tellNodes } from './node-changes.ts';
@@ -83,12 +83,11 @@ function takeOver(
     return;
   }
   const isSameCode =
-    hasCodeOf(module.spec, old.spec) &&
+    hasSameCode(module.spec, old.spec) &&
     JSON.stringify([module.spec.inputs, module.spec.outputs]) ===
       JSON.stringify([old.spec.inputs, old.spec.outputs]);
   if (isSameCode && module.phase !== 'failed') return;
   // Its node starts it again, and says when it runs.
-  context.local.retry(module.id);
   module.phase = 'waiting';
   module.problem = undefined;
   module.waitingSinceMs = context.clock.monotonicMs();
