@@ -2,12 +2,15 @@
  * Puts many calls together into one per animation frame. In a hidden page the call waits until it is
  * seen again.
  */
-export function perFrame(fn: () => void): () => void {
+export function perFrame(
+  fn: () => void,
+  atFrame: (fn: () => void) => void = (next) => void requestAnimationFrame(next),
+): () => void {
   let isScheduled = false;
   return () => {
     if (isScheduled) return;
     isScheduled = true;
-    requestAnimationFrame(() => {
+    atFrame(() => {
       isScheduled = false;
       fn();
     });

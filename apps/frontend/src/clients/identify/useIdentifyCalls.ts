@@ -1,6 +1,6 @@
-import type { Subscription } from '@ubii/client-web';
 import { identifyTopic } from '@ubii/proto';
-import { onScopeDispose, shallowRef, watch, type ShallowRef } from 'vue';
+import { computed, shallowRef, type ShallowRef } from 'vue';
+import { useTopic } from '../../connection/live/use-topic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { readCall, type IdentifyCall } from './identify-calls.ts';
 
@@ -33,25 +33,19 @@ export function useIdentifyCalls(): {
     if (navigator.userActivation?.hasBeenActive) navigator.vibrate?.(BUZZ_MS);
   }
 
-  let subscription: Subscription<'string'> | undefined;
-  let topic = '';
   // The id comes with the connection, and an original master may give another one.
-  watch(
-    isConnected,
-    (connected) => {
-      if (!connected || topic === identifyTopic(client.id)) return;
-      void subscription?.close();
-      topic = identifyTopic(client.id);
-      subscription = client.subscribe(topic, { format: 'string' }).onRecord((record) => {
-        const next = readCall(record, seen);
-        if (next) show(next);
-      });
-      // Refused by the master: other clients cannot identify this page; everything else works.
-      subscription.ready.catch(() => undefined);
-    },
-    { immediate: true },
+  const topic = computed<string | undefined>((before) =>
+    isConnected.value ? identifyTopic(client.id) : before,
   );
-  onScopeDispose(() => void subscription?.close());
+  useTopic(topic, {
+    format: 'string',
+    keep: 0,
+    whileHidden: true,
+    onRecord(record) {
+      const next = readCall(record, seen);
+      if (next) show(next);
+    },
+  });
 
   return { call, count };
 }

@@ -1,13 +1,13 @@
 import { parseDataFormat, type TopicRecord } from '@ubii/proto';
 import { useIntervalFn } from '@vueuse/core';
 import { computed, reactive, shallowRef, watch } from 'vue';
+import { useTopic, VISIBLE_HZ } from '../../connection/live/use-topic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import { useModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
-import { useOverlays } from '../../topics/viewers/picture/use-overlays.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
 import { useIsOn } from '../pictures/use-is-on.ts';
 import { useKeptChoice, useKeptPlace } from '../pictures/use-kept-choice.ts';
@@ -106,7 +106,7 @@ export function useImageProcessing(sources: PictureSources) {
       ? module.value.outputs.map(({ internalName }) => outputTopic(client.id, internalName))
       : [],
   );
-  const newest = useOverlays(() => topics.value);
+  const { byTopic: newest } = useTopic(topics, { maxRateHz: VISIBLE_HZ });
   // Modules have outputs of the same name: what one put out says nothing of the next.
   let chosenMs = -Infinity;
   const ofOthers = shallowRef<ReadonlySet<TopicRecord>>(new Set());

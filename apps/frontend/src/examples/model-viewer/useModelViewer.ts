@@ -1,5 +1,6 @@
 import { type Client, ClientState, type Quaternion } from '@ubii/proto';
 import { computed, onScopeDispose, shallowRef, watch } from 'vue';
+import { useTopic } from '../../connection/live/use-topic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { SMART_DEVICE } from '../../devices/smart-device/components.ts';
 import { useDevice } from '../../devices/use-device.ts';
@@ -79,17 +80,8 @@ export function useModelViewer() {
       zero.value = undefined;
     },
   );
-  watch(
-    topic,
-    (next, _before, onCleanup) => {
-      if (next === undefined) return;
-      const subscription = client
-        .subscribe(next, { format: 'quaternion' })
-        .onRecord(({ value }) => (told.value = unitTurn(value) ?? told.value));
-      onCleanup(() => void subscription.close());
-    },
-    { immediate: true },
-  );
+  const { newest } = useTopic(topic, { format: 'quaternion' });
+  watch(newest, (record) => (told.value = (record && unitTurn(record.value)) ?? told.value));
 
   const turn = computed(() => {
     if (isOwn.value) return made.value;

@@ -4,6 +4,7 @@ import { flushPromises, mount } from '@vue/test-utils';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { computed, defineComponent, h, ref, shallowRef } from 'vue';
 import { CONNECTION } from '../../connection/connection.ts';
+import { fakeTopics } from '../../connection/live/testing/fake-topics.ts';
 import { TAB_NODE } from '../../tab-node/tab-node.ts';
 import { mirrorSession } from './mirror-session.ts';
 import { useMirrorSession, type MirrorPlace, type MirrorSession } from './useMirrorSession.ts';
@@ -43,7 +44,7 @@ function setup(left: Session[] = []) {
     client: {
       id: 'ada',
       call,
-      subscribe: () => ({ onRecord: () => ({ close: async () => undefined }) }),
+      subscribe: fakeTopics().client.subscribe,
     },
     name: ref('Ada'),
     isConnected: computed(() => true),

@@ -7,6 +7,7 @@ import {
   type Session,
 } from '@ubii/proto';
 import { computed, onScopeDispose, shallowRef, watch, type ComputedRef, type Ref } from 'vue';
+import { useTopic } from '../../connection/live/use-topic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { eventPlace } from '../../sessions/live/event-log.ts';
 import { removeOnPageHide } from '../../sessions/own/remove-on-page-hide.ts';
@@ -22,7 +23,7 @@ export type MirrorPlace =
 export interface MirrorSession {
   /** The session on the master; `undefined` while there is none. */
   readonly session: ComputedRef<Session | undefined>;
-  readonly statistics: Ref<ModuleStatistics | undefined>;
+  readonly statistics: ComputedRef<ModuleStatistics | undefined>;
   /** The last error of the module or of a service request, one sentence. */
   readonly trouble: Ref<string | undefined>;
   /** True when the last service request failed, so that the session does not run on the chosen node. */
@@ -42,7 +43,6 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
   const tab = useTabNode();
   nodes.watch(NODES_INTERVAL_MS);
   const id = shallowRef<string>();
-  const statistics = shallowRef<ModuleStatistics>();
   const trouble = shallowRef<string>();
   const hasFailed = shallowRef(false);
   let releaseTab: (() => void) | undefined;
@@ -120,22 +120,16 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
   });
   watch(isConnected, (connected) => connected && void attempt(send), { immediate: true });
 
-  watch(id, (next, _before, onCleanup) => {
-    statistics.value = undefined;
-    if (next === undefined) return;
-    const reports = client
-      .subscribe(sessionStatisticsTopic(next), { format: 'sessionStatistics' })
-      .onRecord(({ value }) => (statistics.value = value.modules[0]));
-    const events = client
-      .subscribe(moduleEventTopic(next), { format: 'moduleEvent' })
-      .onRecord(({ value }) => {
-        const at = eventPlace(value);
-        trouble.value = at === '' ? value.message : `${value.message} (${at})`;
-      });
-    onCleanup(() => {
-      void reports.close();
-      void events.close();
-    });
+  const { newest: report } = useTopic(() => id.value && sessionStatisticsTopic(id.value), {
+    format: 'sessionStatistics',
+  });
+  useTopic(() => id.value && moduleEventTopic(id.value), {
+    format: 'moduleEvent',
+    keep: 0,
+    onRecord({ value }) {
+      const at = eventPlace(value);
+      trouble.value = at === '' ? value.message : `${value.message} (${at})`;
+    },
   });
 
   function end(): void {
@@ -154,7 +148,7 @@ export function useMirrorSession(place: Readonly<Ref<MirrorPlace>>): MirrorSessi
 
   return {
     session,
-    statistics,
+    statistics: computed(() => report.value?.value.modules[0]),
     trouble,
     hasFailed,
     restart: () =>

@@ -2,6 +2,7 @@ import type { RegisteredDevice } from '@ubii/client-web';
 import { type Client, ClientState } from '@ubii/proto';
 import { useIntervalFn, useLocalStorage } from '@vueuse/core';
 import { onScopeDispose, readonly, shallowRef, watch } from 'vue';
+import { useTopic } from '../../connection/live/use-topic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import {
   exampleTopic,
@@ -100,30 +101,29 @@ export function usePointerExample() {
 
   /** The newest position from the session. */
   let mirrored: { readonly x: number; readonly y: number } | undefined;
-  watch(
-    isConnected,
-    (connected, _before, onCleanup) => {
-      if (!connected) return;
-      const returned = client
-        .subscribe(exampleTopic(client.id, MIRRORED_COMPONENT), { format: 'vector2' })
-        .onRecord(({ value, timestampMs }) => {
-          mirrored = value;
-          through.returned({ timestampMs, x: 0, y: 0 }, performance.now());
-        });
-      onCleanup(() => void returned.close());
+  useTopic(() => (isConnected.value ? exampleTopic(client.id, MIRRORED_COMPONENT) : undefined), {
+    format: 'vector2',
+    keep: 0,
+    onRecord({ value, timestampMs }) {
+      mirrored = value;
+      through.returned({ timestampMs, x: 0, y: 0 }, performance.now());
     },
-    { immediate: true },
-  );
+  });
 
   let published = 0;
   let received = 0;
-  const subscription = client
-    .subscribe({ glob: POINTER_GLOB }, { format: 'vector2' })
-    .onRecord(({ topic, value, timestampMs }) => {
-      received++;
-      const clientId = pointers.move(topic, value);
-      if (clientId === client.id) latency.returned({ timestampMs, ...value }, performance.now());
-    });
+  useTopic(
+    { glob: POINTER_GLOB },
+    {
+      format: 'vector2',
+      keep: 0,
+      onRecord({ topic, value, timestampMs }) {
+        received++;
+        const clientId = pointers.move(topic, value);
+        if (clientId === client.id) latency.returned({ timestampMs, ...value }, performance.now());
+      },
+    },
+  );
 
   watch(
     clients.list,
@@ -162,7 +162,6 @@ export function usePointerExample() {
   onScopeDispose(() => {
     ended = true;
     client.setPublishIntervalMs(publishIntervalMs.value);
-    void subscription.close();
     void device?.close();
   });
 

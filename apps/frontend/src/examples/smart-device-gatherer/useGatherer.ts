@@ -1,6 +1,7 @@
 import { type Client, ClientState, type Session } from '@ubii/proto';
 import { useIntervalFn, useRafFn } from '@vueuse/core';
-import { onScopeDispose, shallowRef, watch } from 'vue';
+import { computed, shallowRef, watch } from 'vue';
+import { useTopic } from '../../connection/live/use-topic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useSharedSession } from '../use-shared-session.ts';
 import {
@@ -36,7 +37,8 @@ export function useGatherer() {
   const phones = shallowRef<readonly PhoneRow[]>([]);
   const touches = shallowRef<readonly GatheredTouch[]>([]);
   const pairs = shallowRef<readonly NearPair[]>([]);
-  const distance = shallowRef(DEFAULT_DISTANCE);
+  const { newest: toldDistance } = useTopic(DISTANCE_TOPIC, { format: 'double' });
+  const distance = computed(() => toldDistance.value?.value ?? DEFAULT_DISTANCE);
   const proximity = useSharedSession(
     ({ name }: Session) => name === PROXIMITY_SESSION,
     async () => (await import('@ubii/modules')).EXAMPLE_SESSIONS['touch-proximity'],
@@ -45,20 +47,25 @@ export function useGatherer() {
   /** True when the pad must be drawn. */
   let isNew = true;
 
-  const subscriptions = [
-    client
-      .subscribe({ glob: TOUCHES_GLOB }, { format: 'touchEventList' })
-      .onRecord(({ topic, value }) => {
+  useTopic(
+    { glob: TOUCHES_GLOB },
+    {
+      format: 'touchEventList',
+      keep: 0,
+      onRecord({ topic, value }) {
         gathering.touch(clientOfTopic(topic), value);
         isNew = true;
-      }),
-    client
-      .subscribe({ glob: MOTION_GLOB }, { format: 'vector3' })
-      .onRecord(({ topic, value }) => gathering.move(clientOfTopic(topic), value)),
-    client
-      .subscribe(DISTANCE_TOPIC, { format: 'double' })
-      .onRecord(({ value }) => (distance.value = value)),
-  ];
+      },
+    },
+  );
+  useTopic(
+    { glob: MOTION_GLOB },
+    {
+      format: 'vector3',
+      keep: 0,
+      onRecord: ({ topic, value }) => gathering.move(clientOfTopic(topic), value),
+    },
+  );
 
   const lines = new Map<string, number[]>();
   function list(): void {
@@ -93,28 +100,16 @@ export function useGatherer() {
   );
   // What a session said ends with it. The next one may speak before it is known to run: its topics keep
   // what it said.
-  watch(
-    isRunning,
-    (running, _before, onCleanup) => {
-      if (!running) return;
-      const news = client
-        .subscribe({ glob: NEAR_GLOB }, { format: 'bool' })
-        .onRecord(({ topic, value }) => {
-          gathering.setNear(clientOfTopic(topic), value);
-          isNew = true;
-        });
-      onCleanup(() => {
-        void news.close();
-        gathering.forgetNear();
-      });
+  watch(isRunning, (running) => !running && gathering.forgetNear());
+  useTopic(() => (isRunning.value ? { glob: NEAR_GLOB } : undefined), {
+    format: 'bool',
+    keep: 0,
+    onRecord({ topic, value }) {
+      gathering.setNear(clientOfTopic(topic), value);
+      isNew = true;
     },
-    { immediate: true },
-  );
-  watch([isRunning, distance], () => (isNew = true));
-
-  onScopeDispose(() => {
-    for (const subscription of subscriptions) void subscription.close();
   });
+  watch([isRunning, distance], () => (isNew = true));
 
   return {
     isConnected,

@@ -1,6 +1,7 @@
-import { useDocumentVisibility, useRafFn } from '@vueuse/core';
+import { useRafFn } from '@vueuse/core';
 import { onScopeDispose, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 import { parseDataFormat, DATA_FORMATS, type TopicRecord } from '@ubii/proto';
+import { useTopic } from '../../connection/live/use-topic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { LastValues, type PassedValue } from './last-values.ts';
 
@@ -26,8 +27,7 @@ const NOTHING: PassedView = { values: [], line: [], nowMs: 0, newest: undefined 
 export function useLastValues(
   topic: Readonly<Ref<string | undefined>>,
 ): Readonly<ShallowRef<PassedView>> {
-  const { client, topics } = useConnection();
-  const visibility = useDocumentVisibility();
+  const { topics } = useConnection();
   const view = shallowRef<PassedView>(NOTHING);
   let last = new LastValues();
   let newest: TopicRecord | undefined;
@@ -41,30 +41,23 @@ export function useLastValues(
     return publishedMs > 0 ? Math.min(nowMs, publishedMs - topics.clockOffsetMs.value) : nowMs;
   }
 
-  watch(
-    [topic, visibility],
-    ([name, seen], [before], onCleanup) => {
-      if (name !== before) {
-        last = new LastValues();
-        newest = undefined;
-        view.value = NOTHING;
-      }
-      if (name === undefined || seen === 'hidden') return;
-      const known = topics.rates.value?.get(name)?.statistic.dataFormat ?? '';
-      const format = parseDataFormat(known);
-      const isPicture = format !== undefined && DATA_FORMATS[format].family === 'image';
-      const subscription = client
-        .subscribe(name, { maxRateHz: isPicture ? PICTURE_HZ : RATE_HZ })
-        .onRecord((record) => {
-          newest = record;
-          last.add(record, arrivedMs(last.count === 0));
-        });
-      // Refused by the master: there is nothing to show then.
-      subscription.ready.catch(() => undefined);
-      onCleanup(() => void subscription.close());
+  watch(topic, () => {
+    last = new LastValues();
+    newest = undefined;
+    view.value = NOTHING;
+  });
+  useTopic(topic, {
+    keep: 0,
+    maxRateHz() {
+      const statistic = topics.rates.value?.get(topic.value ?? '')?.statistic;
+      const format = parseDataFormat(statistic?.dataFormat ?? '');
+      return format && DATA_FORMATS[format].family === 'image' ? PICTURE_HZ : RATE_HZ;
     },
-    { immediate: true },
-  );
+    onRecord(record) {
+      newest = record;
+      last.add(record, arrivedMs(last.count === 0));
+    },
+  });
   const { pause } = useRafFn(
     () => {
       const nowMs = Date.now();

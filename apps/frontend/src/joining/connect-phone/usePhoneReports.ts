@@ -1,22 +1,16 @@
-import { onScopeDispose, shallowRef } from 'vue';
-import { useConnection } from '../../connection/useConnection.ts';
+import { computed, type ComputedRef } from 'vue';
+import { useTopic } from '../../connection/live/use-topic.ts';
 import { PREFLIGHT_TOPICS, readReport, type PreflightReport } from '../join/preflight/report.ts';
 
-/** More phones than a master accepts: bounds the list against a hostile publisher. */
-const MAX_REPORTS = 2000;
-
 /** Returns the preflight reports of phones, by client id. [AC-30] */
-export function usePhoneReports() {
-  const { client } = useConnection();
-  const reports = shallowRef<ReadonlyMap<string, PreflightReport>>(new Map());
-  const subscription = client
-    .subscribe({ glob: PREFLIGHT_TOPICS }, { format: 'string' })
-    .onRecord(({ topic, value }) => {
-      const id = topic.split('/')[1] ?? '';
+export function usePhoneReports(): ComputedRef<ReadonlyMap<string, PreflightReport>> {
+  const { byTopic } = useTopic({ glob: PREFLIGHT_TOPICS }, { format: 'string' });
+  return computed(() => {
+    const reports = new Map<string, PreflightReport>();
+    for (const { topic, value } of byTopic.value.values()) {
       const report = readReport(value);
-      if (report === undefined || reports.value.size >= MAX_REPORTS) return;
-      reports.value = new Map(reports.value).set(id, report);
-    });
-  onScopeDispose(() => void subscription.close());
-  return reports;
+      if (report !== undefined) reports.set(topic.split('/')[1] ?? '', report);
+    }
+    return reports;
+  });
 }

@@ -1,5 +1,5 @@
 import type { TopicRecord } from '@ubii/proto';
-import { onScopeDispose } from 'vue';
+import { useTopic } from '../../connection/live/use-topic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { sparkNumbers } from '../../topics/values/value-series.ts';
 import { NO_VALUES, withValue, type TopicFact, type ValueRange } from '../model/facts.ts';
@@ -19,7 +19,7 @@ export interface TopicFacts {
  * @param globs of topics whose values are followed
  */
 export function useTopicFacts(globs: readonly string[]): TopicFacts {
-  const { client, topics } = useConnection();
+  const { topics } = useConnection();
   topics.watch(RATES_MS);
   const values = new Map<string, { format: string; range: ValueRange }>();
 
@@ -29,15 +29,10 @@ export function useTopicFacts(globs: readonly string[]): TopicFacts {
     const range = values.get(record.topic)?.range ?? NO_VALUES;
     values.set(record.topic, { format: record.format, range: withValue(range, numbers) });
   }
-  const subscriptions = globs.map((glob) => {
-    const subscription = client.subscribe({ glob }).onRecord(handle);
-    // Refused by the master: the check then has nothing to measure
-    subscription.ready.catch(() => undefined);
-    return subscription;
-  });
-  onScopeDispose(() => {
-    for (const subscription of subscriptions) void subscription.close();
-  });
+  useTopic(
+    globs.map((glob) => ({ glob })),
+    { keep: 0, onRecord: handle },
+  );
 
   return {
     read(named) {

@@ -1,39 +1,16 @@
 import { moduleEventTopic, type ModuleEvent } from '@ubii/proto';
-import { tryOnScopeDispose } from '@vueuse/core';
-import { shallowRef, toValue, watch, type MaybeRefOrGetter, type ShallowRef } from 'vue';
-import { perFrame } from '../../connection/per-frame.ts';
-import { useConnection } from '../../connection/useConnection.ts';
-import { MAX_EVENTS, withEvent } from './event-log.ts';
+import { computed, toValue, type ComputedRef, type MaybeRefOrGetter } from 'vue';
+import { useTopic } from '../../connection/live/use-topic.ts';
+import { MAX_EVENTS } from './event-log.ts';
 
 /** Events of the modules of a session, oldest first, while the calling scope lives. [SE-51] */
 export function useSessionEvents(
   sessionId: MaybeRefOrGetter<string>,
-): Readonly<ShallowRef<readonly ModuleEvent[]>> {
-  const { client } = useConnection();
-  const events = shallowRef<readonly ModuleEvent[]>([]);
-  let fresh: ModuleEvent[] = [];
-  const draw = perFrame(() => {
-    events.value = withEvent(events.value, fresh);
-    fresh = [];
+): ComputedRef<readonly ModuleEvent[]> {
+  const { records } = useTopic(() => moduleEventTopic(toValue(sessionId)), {
+    format: 'moduleEvent',
+    keep: MAX_EVENTS,
+    whileHidden: true,
   });
-  const subscribe = (id: string) =>
-    client.subscribe(moduleEventTopic(id), { format: 'moduleEvent' }).onRecord(({ value }) => {
-      fresh.push(value);
-      // A hidden page draws nothing, for as long as it is hidden.
-      if (fresh.length > 2 * MAX_EVENTS) fresh = fresh.slice(-MAX_EVENTS);
-      draw();
-    });
-  let subscription: ReturnType<typeof subscribe> | undefined;
-  watch(
-    () => toValue(sessionId),
-    (id) => {
-      void subscription?.close();
-      fresh = [];
-      events.value = [];
-      subscription = subscribe(id);
-    },
-    { immediate: true },
-  );
-  tryOnScopeDispose(() => void subscription?.close());
-  return events;
+  return computed(() => records.value.map(({ value }) => value));
 }

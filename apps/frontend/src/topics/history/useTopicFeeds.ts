@@ -1,5 +1,6 @@
 import { useLocalStorage } from '@vueuse/core';
 import { computed, inject, provide, type InjectionKey, type WritableComputedRef } from 'vue';
+import { subscribeRecords } from '../../connection/live/subscribe-records.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { DEFAULT_LIMITS, readLimits, storedLimits, type HistoryLimits } from './history-limits.ts';
 import { FeedScope, TopicFeeds, type FeedPorts, type FeedSource } from './topic-feeds.ts';
@@ -24,10 +25,7 @@ export function useFeedPorts(): FeedPorts {
       return limits.value;
     },
     subscribe(topic, onRecord) {
-      const subscription = client.subscribe(topic).onRecord(onRecord);
-      // Refused by the master: the client tells, and views show no value.
-      subscription.ready.catch(() => undefined);
-      return () => void subscription.close();
+      return subscribeRecords(client, topic, {}, onRecord).close;
     },
     publishedMs(topic) {
       const publishedMs = topics.rates.value?.get(topic)?.statistic.publishedMs ?? 0;

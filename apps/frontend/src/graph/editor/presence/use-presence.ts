@@ -1,6 +1,7 @@
 import { ClientState } from '@ubii/proto';
 import { useDocumentVisibility, useEventListener, useIntervalFn } from '@vueuse/core';
 import { computed, onScopeDispose, shallowRef, watch, type ComputedRef } from 'vue';
+import { useTopic } from '../../../connection/live/use-topic.ts';
 import { useConnection } from '../../../connection/useConnection.ts';
 import { playerIdentity, type PlayerIdentity } from '../../../players/player-identity.ts';
 import { PRESENCE_GLOB, presenceTopic } from '../../../topics/names/presence-topic.ts';
@@ -76,7 +77,7 @@ export function usePresence(editor: GraphEditor, saving: Saving): Presence {
 
   watch(
     [isConnected, isSeen],
-    ([connected, seen], _before, onCleanup) => {
+    ([connected]) => {
       if (!connected) {
         board.clear();
         present.value = [];
@@ -84,28 +85,33 @@ export function usePresence(editor: GraphEditor, saving: Saving): Presence {
       }
       // Seen: that it is here. Hidden: that it will be silent.
       publish();
-      if (!seen) return;
-      let isSaid = false;
-      const heard = client
-        .subscribe({ glob: PRESENCE_GLOB }, { format: 'string' })
-        .onRecord(({ topic, value, clientId }) => {
-          // Ignore records that name another client
-          if (clientId !== '' && !topic.startsWith(`/${clientId}/`)) return;
-          const change = board.hear(topic, value, performance.now());
-          for (const { clientId: id, savedRevision } of board.list) {
-            if (savedRevision < 0 || savers.value.has(savedRevision)) continue;
-            savers.value = new Map(savers.value).set(savedRevision, id);
-          }
-          show(change, isSaid);
-          // They know of this one from now on, what is selected included
-          if (change.arrived.length > 0) publishSoon();
-        });
-      // Those who were here before are no news
-      void heard.ready.then(() => setTimeout(() => (isSaid = true), PUBLISH_MS));
-      onCleanup(() => void heard.close());
     },
     { immediate: true },
   );
+  let isSaid = false;
+  const { status } = useTopic(() => (isConnected.value ? { glob: PRESENCE_GLOB } : undefined), {
+    format: 'string',
+    keep: 0,
+    onRecord({ topic, value, clientId }) {
+      // Ignore records that name another client
+      if (clientId !== '' && !topic.startsWith(`/${clientId}/`)) return;
+      const change = board.hear(topic, value, performance.now());
+      for (const { clientId: id, savedRevision } of board.list) {
+        if (savedRevision < 0 || savers.value.has(savedRevision)) continue;
+        savers.value = new Map(savers.value).set(savedRevision, id);
+      }
+      show(change, isSaid);
+      // They know of this one from now on, what is selected included
+      if (change.arrived.length > 0) publishSoon();
+    },
+  });
+  // Those who were here before are no news
+  watch(status, (now, _before, onCleanup) => {
+    isSaid = false;
+    if (now !== 'live') return;
+    const said = setTimeout(() => (isSaid = true), PUBLISH_MS);
+    onCleanup(() => clearTimeout(said));
+  });
   watch(own, () => {
     if (hasOthers.value && isSeen.value) publishSoon();
   });

@@ -1,13 +1,6 @@
 import { lazyPatterns } from '@ubii/patterns';
 import type { ModuleFault, SandboxFactory, SandboxResult } from '@ubii/pm-sandbox';
-import {
-  decodeRecord,
-  encodeRecord,
-  ModuleEventKind,
-  type ModuleEvent,
-  type RecordInit,
-  type TopicRecord,
-} from '@ubii/proto';
+import { decodeRecord, ModuleEventKind, type ModuleEvent, type TopicRecord } from '@ubii/proto';
 import { systemClock } from '@ubii/timing/system';
 import { watchDebounced } from '@vueuse/core';
 import {
@@ -20,6 +13,7 @@ import {
   type ShallowRef,
 } from 'vue';
 import { perFrame } from '../../../connection/per-frame.ts';
+import { useTopic } from '../../../connection/live/use-topic.ts';
 import { useConnection } from '../../../connection/useConnection.ts';
 import { withEvent } from '../../../sessions/live/event-log.ts';
 import { sparkNumbers } from '../../../topics/values/value-series.ts';
@@ -162,7 +156,7 @@ export function useTryRun(
     draft().inputs.flatMap((io) => {
       const input = inputOf(io.name);
       return input?.source === 'topic' && input.topic !== ''
-        ? [{ name: io.name, topic: input.topic, isList: io.isList }]
+        ? [io.isList ? { glob: input.topic } : input.topic]
         : [];
     }),
   );
@@ -185,24 +179,13 @@ export function useTryRun(
   );
 
   // Live topics: the newest values of the master, while the pane is visible
-  watch(
-    () => JSON.stringify(lives.value),
-    async (_now, _before, onCleanup) => {
-      const ends: (() => void)[] = [];
-      onCleanup(() => ends.forEach((end) => end()));
-      const list = lives.value;
-      if (list.length === 0) return;
-      const run = await open();
-      for (const { topic, isList } of list) {
-        const subscription = isList ? client.subscribe({ glob: topic }) : client.subscribe(topic);
-        subscription.onRecord((record) => {
-          run.topics.put(record.topic, encodeRecord(record as RecordInit), record.clientId);
-        });
-        ends.push(() => void subscription.close());
-      }
+  useTopic(lives, {
+    encoded: true,
+    keep: 0,
+    async onRecord({ topic, bytes, publisherId }) {
+      (await open()).topics.put(topic, bytes, publisherId);
     },
-    { immediate: true },
-  );
+  });
 
   async function restart(): Promise<void> {
     const run = await open();

@@ -1,0 +1,29 @@
+import type { EncodedRecord, SubscribeOptions, UbiiClient } from '@ubii/client-web';
+import type { DataFormat, TopicRecord } from '@ubii/proto';
+import type { LiveSubscription } from './live-topics.ts';
+import { patternRateHz, type LivePattern } from './topic-source.ts';
+
+/** Subscribes to decoded records. A refusal is told by the client: there is nothing to show then. */
+export function subscribeRecords<F extends DataFormat = DataFormat>(
+  client: Pick<UbiiClient, 'subscribe'>,
+  pattern: LivePattern,
+  options: SubscribeOptions<F>,
+  onRecord: (record: TopicRecord<F>) => void,
+): LiveSubscription {
+  const maxRateHz = patternRateHz(pattern) ?? options.maxRateHz;
+  const subscription = client
+    .subscribe(pattern, { ...options, ...(maxRateHz === undefined ? {} : { maxRateHz }) })
+    .onRecord(onRecord);
+  subscription.ready.catch(() => undefined);
+  return { ready: subscription.ready, close: () => void subscription.close() };
+}
+
+/** Subscribes to records as they travel. The client tells a refusal, and nothing here. */
+export function subscribeEncoded(
+  client: Pick<UbiiClient, 'subscribeEncoded'>,
+  pattern: LivePattern,
+  onRecord: (record: EncodedRecord) => void,
+): LiveSubscription {
+  const close = client.subscribeEncoded(pattern, { onRecord, onGone: () => undefined });
+  return { ready: Promise.resolve(), close };
+}
