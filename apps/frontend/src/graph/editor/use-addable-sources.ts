@@ -24,8 +24,9 @@ export function useAddableSources(library: ModuleLibrary): AddableSources {
       return (library.entries.value ?? []).map(({ module }) => module);
     },
     get topics() {
+      const announced = new Set(deviceTopics.value.map(({ topic }) => topic));
       const published = [...(topics.rates.value?.values() ?? [])]
-        .filter(({ statistic }) => !isInternalTopic(statistic.topic))
+        .filter(({ statistic: { topic } }) => !isInternalTopic(topic) && !announced.has(topic))
         .map(({ statistic }) => ({ topic: statistic.topic, format: statistic.dataFormat }));
       const there = [...published, ...deviceTopics.value];
       const known = new Set(there.filter(({ format }) => format !== '').map(({ topic }) => topic));

@@ -1,22 +1,14 @@
 import { muxNeedsPatterns } from '@ubii/pm-sandbox';
 import { type ModuleEvent, type ModuleStatistics, type Session, type TopicMux } from '@ubii/proto';
-import { useDocumentVisibility, useRafFn } from '@vueuse/core';
-import {
-  computed,
-  onScopeDispose,
-  shallowReactive,
-  shallowRef,
-  watch,
-  type Ref,
-  type ShallowRef,
-} from 'vue';
+import { useRafFn } from '@vueuse/core';
+import { computed, shallowReactive, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 import type { TopicRate } from '../../connection/topic-rates.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useSessionEvents } from '../../sessions/live/useSessionEvents.ts';
 import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.ts';
 import { isWatched } from '../../sessions/state/session-state.ts';
 import { usePatterns } from '../../patterns/usePatterns.ts';
-import { RowValues } from '../../topics/rows/row-values.ts';
+import { useRowValues } from '../../topics/rows/use-row-values.ts';
 import { isPublisherAway } from '../../topics/names/publisher.ts';
 import { useFindPublisher } from '../../topics/names/useFindPublisher.ts';
 import type { Graph } from '../model/graph.ts';
@@ -68,29 +60,23 @@ export function useLiveGraph(
   session: Readonly<Ref<Session>>,
   graph: Readonly<Ref<Graph>>,
 ): LiveGraph {
-  const { client, topics } = useConnection();
+  const { topics } = useConnection();
   const findPublisher = useFindPublisher();
   const patterns = usePatterns();
   topics.watch(STATISTICS_MS);
   const statistics = useSessionStatistics(session.value.id);
   const events = useSessionEvents(session.value.id);
   const shown = shallowReactive(new Map<string, LiveTopic>());
-  const values = new RowValues((topic, maxRateHz, onRecord) => {
-    const subscription = client.subscribe(topic, { maxRateHz }).onRecord(onRecord);
-    // Refused by the master: the wire then shows no value.
-    subscription.ready.catch(() => undefined);
-    return () => void subscription.close();
-  }, PICTURE_HZ);
+  const values = useRowValues(PICTURE_HZ);
   const wanted = computed(() => topicsOf(graph.value));
   const known = shallowRef<readonly KnownTopic[]>([]);
 
-  const visibility = useDocumentVisibility();
   watch(
-    [topics.rates, wanted, visibility],
-    ([rates, names, seen]) => {
-      if (rates === undefined) return;
-      values.show(seen === 'hidden' ? [] : [...names].flatMap((name) => rates.get(name) ?? []));
-      if (rates.size !== known.value.length) known.value = [...rates.values()].map(knownTopic);
+    [topics.rates, wanted],
+    ([rates, names]) => {
+      values.showNamed(names, (name) => rates?.get(name));
+      if (rates !== undefined && rates.size !== known.value.length)
+        known.value = [...rates.values()].map(knownTopic);
     },
     { immediate: true },
   );
@@ -126,16 +112,16 @@ export function useLiveGraph(
   });
   function drawTopic(topic: string): void {
     const rate = topics.rates.value?.get(topic);
-    if (rate === undefined) {
+    const value = values.get(topic);
+    if (rate === undefined && value?.record === undefined) {
       shown.delete(topic);
       return;
     }
-    const isAway = isPublisherAway(topic, rate.statistic.publisherId, findPublisher);
-    const next = liveTopic(rate, values.get(topic), isAway, topics.masterTimeMs.value);
+    const isAway = isPublisherAway(topic, rate?.statistic.publisherId ?? '', findPublisher);
+    const next = liveTopic(rate, value, isAway, topics.masterTimeMs.value);
     const old = shown.get(topic);
     if (old === undefined || hasChanged(old, next)) shown.set(topic, next);
   }
-  onScopeDispose(() => values.close());
 
   const modules = shallowReactive(new Map<string, ModuleStatistics>());
   const runTimes = shallowReactive(new Map<string, readonly RunTime[]>());

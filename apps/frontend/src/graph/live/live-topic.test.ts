@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { TopicRate } from '../../connection/topic-rates.ts';
+import { RowValue } from '../../topics/rows/row-value.ts';
 import { hasChanged, liveTopic } from './live-topic.ts';
 
 const NOW_MS = 1_000_000;
@@ -30,6 +31,29 @@ describe('hasChanged', () => {
     expect(hasChanged(after, liveTopic(rate(NOW_MS - 20), undefined, false, NOW_MS + 5))).toBe(
       false,
     );
+  });
+});
+
+describe('a value that the master has not counted yet', () => {
+  it('is shown with what its record says', () => {
+    const value = new RowValue(0);
+    value.handleRecord({
+      topic: '/a',
+      format: 'double',
+      value: 2,
+      timestampMs: undefined,
+      clientId: 'id',
+    });
+    for (const counted of [undefined, rate(0)]) {
+      expect(liveTopic(counted, value, false, NOW_MS)).toMatchObject({
+        text: '2.00',
+        format: 'double',
+        publisherId: 'id',
+        ageMs: 0,
+        hz: undefined,
+        isStale: false,
+      });
+    }
   });
 });
 

@@ -21,24 +21,29 @@ export interface LiveTopic {
   readonly publisherId: string;
 }
 
-/** @param nowMs of the master's clock, epoch milliseconds */
+/**
+ * What is known of a topic. Its first value comes before the master's counters have it.
+ * @param nowMs of the master's clock, epoch milliseconds
+ */
 export function liveTopic(
-  rate: TopicRate,
+  rate: TopicRate | undefined,
   value: RowValue | undefined,
   isPublisherAway: boolean,
   nowMs: number,
 ): LiveTopic {
-  const { publishedMs, dataFormat, publisherId } = rate.statistic;
+  const { publishedMs = 0, dataFormat = '', publisherId = '' } = rate?.statistic ?? {};
+  const record = value?.record;
+  const isCounted = rate !== undefined && publishedMs > 0;
   return {
-    hz: rate.hz,
+    hz: rate?.hz,
     text: value?.text,
-    record: value?.record,
+    record,
     spark: value?.spark ?? NO_SPARK,
-    ageMs: publishedMs === 0 ? undefined : Math.max(0, nowMs - publishedMs),
-    isStale: isStale(rate, isPublisherAway, nowMs),
-    droppedPerSecond: rate.droppedPerSecond ?? 0,
-    format: dataFormat,
-    publisherId,
+    ageMs: isCounted ? Math.max(0, nowMs - publishedMs) : record && 0,
+    isStale: isCounted && isStale(rate, isPublisherAway, nowMs),
+    droppedPerSecond: rate?.droppedPerSecond ?? 0,
+    format: dataFormat || (record?.format ?? ''),
+    publisherId: publisherId || (isCounted ? '' : (record?.clientId ?? '')),
   };
 }
 

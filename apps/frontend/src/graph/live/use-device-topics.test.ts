@@ -34,7 +34,10 @@ it('are those that a device will publish on, until they have a record', async ()
     { global: { provide: { [CONNECTION as symbol]: connection } } },
   );
   expect(wrapper.text()).toBe('touch · Ada vector2');
-  rates.value = new Map([['/a/touch', {}]]);
+  rates.value = new Map([['/a/touch', { statistic: { publishedMs: 0 } }]]);
+  await wrapper.vm.$nextTick();
+  expect(wrapper.text(), 'subscribed to, without a record').toBe('touch · Ada vector2');
+  rates.value = new Map([['/a/touch', { statistic: { publishedMs: 1 } }]]);
   await wrapper.vm.$nextTick();
   expect(wrapper.text()).toBe('');
 });

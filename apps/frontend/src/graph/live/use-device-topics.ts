@@ -21,7 +21,8 @@ export function useDeviceTopics(): ComputedRef<readonly DeviceTopic[]> {
     for (const { name: owner, devices } of clients.list.value ?? []) {
       for (const component of devices.flatMap((device) => device.components)) {
         const { ioType, topic, messageFormat: format } = component;
-        if (ioType !== ComponentIOType.PUBLISHER || topic === '' || rates?.has(topic)) continue;
+        const isCounted = (rates?.get(topic)?.statistic.publishedMs ?? 0) > 0;
+        if (ioType !== ComponentIOType.PUBLISHER || topic === '' || isCounted) continue;
         const name = component.name || topic.slice(topic.lastIndexOf('/') + 1);
         if (found.size < MAX_TOPICS)
           found.set(topic, { topic, format, name: `${name} · ${owner}` });

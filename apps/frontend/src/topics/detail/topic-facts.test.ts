@@ -51,9 +51,15 @@ describe('topicFacts', () => {
 
 describe('lifeOf', () => {
   it('tells a topic that ended from one that never had a value', () => {
-    expect(lifeOf(rateOf(), false)).toBe('live');
-    expect(lifeOf(rateOf({ dataFormat: '' }), true)).toBe('ended');
-    expect(lifeOf(undefined, true)).toBe('ended');
-    expect(lifeOf(undefined, false)).toBe('waiting');
+    expect(lifeOf(rateOf(), undefined, NOW)).toBe('live');
+    expect(lifeOf(rateOf({ dataFormat: '' }), NOW - 1, NOW)).toBe('ended');
+    expect(lifeOf(undefined, NOW - 1, NOW)).toBe('ended');
+    expect(lifeOf(undefined, undefined, NOW)).toBe('waiting');
+  });
+
+  it('calls a topic live whose first record came after the master had counted', () => {
+    expect(lifeOf(undefined, NOW, 0)).toBe('live');
+    expect(lifeOf(undefined, NOW, NOW - 1)).toBe('live');
+    expect(lifeOf(rateOf({ dataFormat: '' }), NOW, NOW - 1)).toBe('live');
   });
 });

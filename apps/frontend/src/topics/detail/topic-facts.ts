@@ -50,11 +50,18 @@ export function topicFacts(rate: TopicRate | undefined, nowMs: number): TopicFac
 export type TopicLife = 'waiting' | 'live' | 'ended';
 
 /**
- * @param rate what the master says now; `undefined` when it does not know the topic
- * @param hasRecord whether a record was seen here
+ * @param rate what the master counts; `undefined` when it does not know the topic
+ * @param heardMs when the newest record came here; `undefined` before the first
+ * @param countedMs when the master counted, by the same clock; 0 when it did not yet
  */
-export function lifeOf(rate: TopicRate | undefined, hasRecord: boolean): TopicLife {
+export function lifeOf(
+  rate: TopicRate | undefined,
+  heardMs: number | undefined,
+  countedMs: number,
+): TopicLife {
   const hasValue = rate !== undefined && rate.statistic.dataFormat !== '';
   if (hasValue) return 'live';
-  return hasRecord ? 'ended' : 'waiting';
+  if (heardMs === undefined) return 'waiting';
+  // What was counted before the record came says nothing of it.
+  return heardMs > countedMs ? 'live' : 'ended';
 }

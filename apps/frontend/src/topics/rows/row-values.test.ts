@@ -1,5 +1,6 @@
 import type { TopicRecord } from '@ubii/proto';
 import { describe, expect, it } from 'vitest';
+import { patternKey, patternRateHz } from '../../connection/live/topic-source.ts';
 import type { TopicRate } from '../../connection/topic-rates.ts';
 import { SPARK_SAMPLES } from './sparkline.ts';
 import { RowValues } from './row-values.ts';
@@ -30,59 +31,49 @@ const recordOf = (topic: string, value: number) =>
   ({ topic, format: 'double', value, timestampMs: undefined, clientId: '' }) as TopicRecord;
 
 function setUp() {
-  const subscriptions = new Map<
-    string,
-    { maxRateHz: number; emit: (record: TopicRecord) => void }
-  >();
-  const log: string[] = [];
-  const values = new RowValues((topic, maxRateHz, emit) => {
-    subscriptions.set(topic, { maxRateHz, emit });
-    log.push(`+${topic}`);
-    return () => {
-      subscriptions.delete(topic);
-      log.push(`-${topic}`);
-    };
+  let wanted = new Map<string, number>();
+  const values = new RowValues((topics) => {
+    wanted = new Map(topics.map((one) => [patternKey(one).slice(6), patternRateHz(one)!]));
   });
-  const publish = (topic: string, value: number) =>
-    subscriptions.get(topic)?.emit(recordOf(topic, value));
-  return { values, subscriptions, log, publish };
+  const publish = (topic: string, value: number) => values.handleRecord(recordOf(topic, value));
+  return {
+    values,
+    wanted: () => [...wanted.keys()],
+    rateHz: (topic: string) => wanted.get(topic),
+    publish,
+  };
 }
 
 describe('RowValues', () => {
-  it('subscribes to the rows on screen and to no others', () => {
-    const { values, log } = setUp();
+  it('wants the rows on screen and no others', () => {
+    const { values, wanted, publish } = setUp();
     const [a, b, c] = [rateOf('/a'), rateOf('/b'), rateOf('/c')];
     values.show([a, b]);
+    expect(wanted()).toEqual(['/a', '/b']);
     values.show([b, c]);
-    values.show([b, c]);
-    expect(log).toEqual(['+/a', '+/b', '-/a', '+/c']);
+    expect(wanted()).toEqual(['/b', '/c']);
+    publish('/a', 1);
+    expect(values.get('/a')?.text).toBeUndefined();
     values.close();
-    expect(log.slice(4)).toEqual(['-/b', '-/c']);
+    expect(wanted()).toEqual([]);
   });
 
   it('reads rows 8 times a second, large values once', () => {
-    const { values, subscriptions } = setUp();
+    const { values, rateHz } = setUp();
     values.show([rateOf('/a'), rateOf('/image', { valueBytes: 100_000 })]);
-    expect(subscriptions.get('/a')?.maxRateHz).toBe(8);
-    expect(subscriptions.get('/image')?.maxRateHz).toBe(1);
+    expect(rateHz('/a')).toBe(8);
+    expect(rateHz('/image')).toBe(1);
   });
 
   it('lets go of a topic whose value ended, so that it can be forgotten [TD-41]', () => {
-    const { values, subscriptions, publish } = setUp();
+    const { values, wanted, publish } = setUp();
     const rate = rateOf('/a');
     values.show([rate]);
     publish('/a', 5);
     rate.statistic = { ...rate.statistic, dataFormat: '' };
     values.show([rate]);
-    expect(subscriptions.size).toBe(0);
+    expect(wanted()).toEqual([]);
     expect(values.get('/a')?.text).toBeUndefined();
-  });
-
-  it('subscribes again when a topic was deleted and came back', () => {
-    const { values, log } = setUp();
-    values.show([rateOf('/a')]);
-    values.show([rateOf('/a')]);
-    expect(log).toEqual(['+/a', '-/a', '+/a']);
   });
 
   it('shows the newest value, also after scrolling away and back', () => {
@@ -129,6 +120,53 @@ describe('RowValues', () => {
   });
 });
 
+describe('named rows', () => {
+  const ended = rateOf('/a', { dataFormat: '' });
+
+  it('show the first value before the master counts the topic', () => {
+    const { values, wanted, publish } = setUp();
+    values.showNamed(['/a'], () => undefined);
+    expect(wanted()).toEqual(['/a']);
+    publish('/a', 4);
+    expect(values.get('/a')?.text).toBe('4.00');
+    // Counted before the record came
+    values.showNamed(['/a'], () => ended);
+    values.showNamed(['/a'], () => ended);
+    expect(values.get('/a')?.text).toBe('4.00');
+  });
+
+  it('take large values less often as soon as they are known to be large', () => {
+    const { values, rateHz } = setUp();
+    values.showNamed(['/image'], () => undefined);
+    expect(rateHz('/image')).toBe(8);
+    values.showNamed(['/image'], () => rateOf('/image', { valueBytes: 100_000 }));
+    expect(rateHz('/image')).toBe(1);
+  });
+
+  it('lose a value that ended, and wait for the next', () => {
+    const { values, wanted, publish } = setUp();
+    values.showNamed(['/a'], () => undefined);
+    publish('/a', 4);
+    values.showNamed(['/a'], () => rateOf('/a'));
+    values.showNamed(['/a'], () => ended);
+    expect(values.get('/a')?.text).toBeUndefined();
+    expect(wanted()).toEqual(['/a']);
+    publish('/a', 5);
+    values.showNamed(['/a'], () => ended);
+    expect(values.get('/a')?.text).toBe('5.00');
+  });
+
+  it('keep a value that came since the counters were looked at', () => {
+    const { values, publish } = setUp();
+    values.showNamed(['/a'], () => rateOf('/a'));
+    publish('/a', 6);
+    values.showNamed(['/a'], () => ended);
+    expect(values.get('/a')?.text).toBe('6.00');
+    values.showNamed(['/a'], () => ended);
+    expect(values.get('/a')?.text).toBeUndefined();
+  });
+});
+
 describe('the sparkline of a row', () => {
   it('holds the last 5 s and nothing for topics that rest', () => {
     const { values, publish } = setUp();
@@ -153,11 +191,9 @@ describe('the sparkline of a row', () => {
   });
 
   it('shows activity for what is not a number', () => {
-    const { values, subscriptions } = setUp();
+    const { values } = setUp();
     values.show([rateOf('/text', { hz: 3 })]);
-    subscriptions
-      .get('/text')
-      ?.emit({ ...recordOf('/text', 0), format: 'string', value: 'x' } as TopicRecord);
+    values.handleRecord({ ...recordOf('/text', 0), format: 'string', value: 'x' } as TopicRecord);
     values.sample(0);
     expect(values.get('/text')?.spark.values).toEqual([3]);
   });

@@ -1,13 +1,7 @@
 import type { TopicRecord } from '@ubii/proto';
+import type { LivePattern } from '../../connection/live/topic-source.ts';
 import type { TopicRate } from '../../connection/topic-rates.ts';
 import { RowValue } from './row-value.ts';
-
-/** Subscribes to one topic at a limited rate; returns how to end it. */
-export type SubscribeRow = (
-  topic: string,
-  maxRateHz: number,
-  onRecord: (record: TopicRecord) => void,
-) => () => void;
 
 /** How often a row can be read, Hz. */
 const ROW_RATE_HZ = 8;
@@ -18,16 +12,20 @@ const LARGE_RATE_HZ = 1;
 const MAX_KEPT = 256;
 
 interface Shown {
-  readonly rate: TopicRate;
-  readonly unsubscribe: () => void;
+  /** `undefined` while the master's counters do not have the topic. */
+  rate: TopicRate | undefined;
+  /** By the counters. */
+  hasValue: boolean;
+  /** A record came since the counters were looked at: they may be older. */
+  isFresh: boolean;
 }
 
-/**
- * The newest values of the rows on screen, and of no others: subscriptions come and go with the rows.
- * A topic without a value is not subscribed to, because the subscription alone would keep it alive.
- */
+const hasValue = (rate: TopicRate | undefined): boolean =>
+  rate !== undefined && rate.statistic.dataFormat !== '';
+
+/** The newest values of the rows on screen, and of no others: what is wanted comes and goes with the rows. */
 export class RowValues {
-  readonly #subscribe: SubscribeRow;
+  readonly #want: (topics: readonly LivePattern[]) => void;
   readonly #shown = new Map<string, Shown>();
   /** Least lately shown first. */
   readonly #values = new Map<string, RowValue>();
@@ -37,9 +35,12 @@ export class RowValues {
   readonly #waiting = new Map<string, TopicRecord>();
   readonly #largeRateHz: number;
 
-  /** @param largeRateHz how often large values come, for those who show more of them than their size */
-  constructor(subscribe: SubscribeRow, largeRateHz = LARGE_RATE_HZ) {
-    this.#subscribe = subscribe;
+  /**
+   * @param want called with what is to be subscribed to from now on
+   * @param largeRateHz how often large values come, for those who show more of them than their size
+   */
+  constructor(want: (topics: readonly LivePattern[]) => void, largeRateHz = LARGE_RATE_HZ) {
+    this.#want = want;
     this.#largeRateHz = largeRateHz;
   }
 
@@ -47,28 +48,38 @@ export class RowValues {
     return this.#values.get(topic);
   }
 
-  /** Makes these the rows on screen. */
+  /**
+   * Makes these the rows on screen. A topic without a value is not subscribed to, because the subscription alone
+   * would keep it alive. [TD-41]
+   */
   show(rates: Iterable<TopicRate>): void {
-    const wanted = new Map<string, TopicRate>();
-    for (const rate of rates) {
-      if (rate.statistic.dataFormat !== '') wanted.set(rate.statistic.topic, rate);
-    }
-    for (const [topic, { rate, unsubscribe }] of this.#shown) {
-      if (wanted.get(topic) === rate) continue;
-      unsubscribe();
-      this.#shown.delete(topic);
-      if (rate.statistic.dataFormat === '') this.#values.get(topic)?.clear();
-    }
-    for (const [topic, rate] of wanted) if (!this.#shown.has(topic)) this.#add(topic, rate);
-    this.#forget();
+    const rows = new Map<string, TopicRate>();
+    for (const rate of rates) if (hasValue(rate)) rows.set(rate.statistic.topic, rate);
+    this.#show(rows);
+  }
+
+  /** Makes these topics the rows on screen, with or without a value: the first one shows as soon as it comes. */
+  showNamed(topics: Iterable<string>, rateOf: (topic: string) => TopicRate | undefined): void {
+    this.#show(new Map(Array.from(topics, (topic) => [topic, rateOf(topic)])));
+  }
+
+  handleRecord(record: TopicRecord): void {
+    const shown = this.#shown.get(record.topic);
+    const value = this.#values.get(record.topic);
+    if (shown === undefined || value === undefined) return;
+    shown.isFresh = true;
+    const isFirst = value.record === undefined;
+    if (this.#isPaused && !isFirst) this.#waiting.set(record.topic, record);
+    else value.handleRecord(record);
+    this.#hasFirst ||= isFirst;
   }
 
   /** Takes a sample of every row on screen. */
   sample(nowMs: number): void {
     if (this.#isPaused) return;
     for (const [topic, { rate }] of this.#shown) {
-      const { statistic, hz } = rate;
-      this.#values.get(topic)?.sample({ records: statistic.records, hz }, nowMs);
+      if (rate === undefined) continue;
+      this.#values.get(topic)?.sample({ records: rate.statistic.records, hz: rate.hz }, nowMs);
     }
   }
 
@@ -88,24 +99,48 @@ export class RowValues {
   }
 
   close(): void {
-    for (const { unsubscribe } of this.#shown.values()) unsubscribe();
     this.#shown.clear();
     this.#values.clear();
     this.#waiting.clear();
+    this.#want([]);
   }
 
-  #add(topic: string, rate: TopicRate): void {
-    const value = this.#values.get(topic) ?? new RowValue(rate.statistic.records);
+  #show(rows: ReadonlyMap<string, TopicRate | undefined>): void {
+    for (const [topic, { rate }] of this.#shown) {
+      if (rows.has(topic)) continue;
+      this.#shown.delete(topic);
+      if (rate?.statistic.dataFormat === '') this.#values.get(topic)?.clear();
+    }
+    for (const [topic, rate] of rows) {
+      const shown = this.#shown.get(topic);
+      if (shown === undefined) this.#add(topic, rate);
+      else this.#renew(topic, shown, rate);
+    }
+    this.#want(Array.from(this.#shown, ([topic, { rate }]) => this.#wish(topic, rate)));
+    this.#forget();
+  }
+
+  #add(topic: string, rate: TopicRate | undefined): void {
+    const value = this.#values.get(topic) ?? new RowValue(rate?.statistic.records ?? 0);
     this.#values.delete(topic);
     this.#values.set(topic, value);
-    const maxRateHz = rate.statistic.valueBytes > LARGE_BYTES ? this.#largeRateHz : ROW_RATE_HZ;
-    const unsubscribe = this.#subscribe(topic, maxRateHz, (record) => {
-      const isFirst = value.record === undefined;
-      if (this.#isPaused && !isFirst) this.#waiting.set(topic, record);
-      else value.handleRecord(record);
-      this.#hasFirst ||= isFirst;
-    });
-    this.#shown.set(topic, { rate, unsubscribe });
+    this.#shown.set(topic, { rate, hasValue: hasValue(rate), isFresh: false });
+  }
+
+  /** A value is gone when the counters had it and do not any more. */
+  #renew(topic: string, shown: Shown, rate: TopicRate | undefined): void {
+    shown.rate = rate;
+    if (hasValue(rate)) shown.hasValue = true;
+    else if (shown.hasValue && !shown.isFresh) {
+      shown.hasValue = false;
+      this.#values.get(topic)?.clear();
+    }
+    shown.isFresh = false;
+  }
+
+  #wish(topic: string, rate: TopicRate | undefined): LivePattern {
+    const isLarge = rate !== undefined && rate.statistic.valueBytes > LARGE_BYTES;
+    return { topic, maxRateHz: isLarge ? this.#largeRateHz : ROW_RATE_HZ };
   }
 
   #forget(): void {

@@ -1,7 +1,7 @@
 import { useRafFn } from '@vueuse/core';
 import { effectScope, onScopeDispose, shallowRef, watch, type EffectScope } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
-import { RowValues } from './row-values.ts';
+import { useRowValues } from './use-row-values.ts';
 
 /** How often values are drawn, Hz. */
 const DRAW_HZ = 5;
@@ -21,13 +21,8 @@ export interface LiveTopic {
  * @param wanted the topics; read reactively
  */
 export function useLiveTopics(wanted: () => readonly string[]): (topic: string) => LiveTopic {
-  const { client, topics, isConnected } = useConnection();
-  const values = new RowValues((topic, maxRateHz, onRecord) => {
-    const subscription = client.subscribe(topic, { maxRateHz }).onRecord(onRecord);
-    // Refused by the master: the client tells, and the row shows no value.
-    subscription.ready.catch(() => undefined);
-    return () => void subscription.close();
-  });
+  const { topics, isConnected } = useConnection();
+  const values = useRowValues();
   const tick = shallowRef(0);
   const rateOf = (topic: string) => topics.rates.value?.get(topic);
 
@@ -43,11 +38,9 @@ export function useLiveTopics(wanted: () => readonly string[]): (topic: string) 
     },
     { immediate: true },
   );
-  watch(
-    [() => wanted().join('\n'), topics.rates],
-    () => values.show(wanted().flatMap((topic) => rateOf(topic) ?? [])),
-    { immediate: true },
-  );
+  watch([() => wanted().join('\n'), topics.rates], () => values.showNamed(wanted(), rateOf), {
+    immediate: true,
+  });
   useRafFn(
     () => {
       if (!isConnected.value || wanted().length === 0) return;
@@ -56,17 +49,10 @@ export function useLiveTopics(wanted: () => readonly string[]): (topic: string) 
     },
     { fpsLimit: DRAW_HZ },
   );
-  onScopeDispose(() => {
-    asking?.stop();
-    values.close();
-  });
+  onScopeDispose(() => asking?.stop());
 
   return (topic) => {
     void tick.value;
-    const rate = rateOf(topic);
-    return {
-      text: rate?.statistic.dataFormat ? values.get(topic)?.text : undefined,
-      hz: rate?.hz,
-    };
+    return { text: values.get(topic)?.text, hz: rateOf(topic)?.hz };
   };
 }

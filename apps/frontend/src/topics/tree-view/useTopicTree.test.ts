@@ -1,9 +1,9 @@
 // @vitest-environment happy-dom
-import type { TopicRecord } from '@ubii/proto';
 import { mount } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick, ref, shallowRef, triggerRef } from 'vue';
 import { CONNECTION, type Connection } from '../../connection/connection.ts';
+import { fakeTopics } from '../../connection/live/testing/fake-topics.ts';
 import type { TopicChanges, TopicRate } from '../../connection/topic-rates.ts';
 import type { TopicOrder } from '../tree/topic-order.ts';
 import { useTopicTree, type TopicTreeView } from './useTopicTree.ts';
@@ -32,18 +32,9 @@ function setUp(first: readonly TopicRate[] = []) {
   const isConnected = ref(true);
   const listeners = new Set<(changes: TopicChanges) => void>();
   const asked: number[] = [];
-  const emitters = new Map<string, (record: TopicRecord) => void>();
+  const live = fakeTopics();
   const connection = {
-    client: {
-      subscribe: (topic: string) => ({
-        ready: Promise.resolve(),
-        onRecord(fn: (record: TopicRecord) => void) {
-          emitters.set(topic, fn);
-          return this;
-        },
-        close: async () => void emitters.delete(topic),
-      }),
-    },
+    client: live.client,
     isConnected,
     clients: { list: shallowRef([]), find: () => undefined },
     masterId: shallowRef(''),
@@ -73,7 +64,7 @@ function setUp(first: readonly TopicRate[] = []) {
     for (const listener of listeners) listener({ added: [], removed: [], ...changes });
     triggerRef(rates);
   };
-  return { view, wrapper, reply, search, isPaused, isConnected, asked, emitters };
+  return { view, wrapper, reply, search, isPaused, isConnected, asked, ...live };
 }
 
 const keys = (view: TopicTreeView) => view.rows.value.map(({ key }) => key);
@@ -153,11 +144,12 @@ describe('useTopicTree', () => {
     expect(view.tick.value).toBe(tick);
   });
 
-  it('ends its subscriptions with the page', () => {
-    const { view, wrapper, emitters } = setUp([rateOf('/a')]);
+  it('ends its subscriptions with the page', async () => {
+    const { view, wrapper, subscriptions } = setUp([rateOf('/a')]);
     view.values.show([rateOf('/a')]);
-    expect([...emitters.keys()]).toEqual(['/a']);
+    await nextTick();
+    expect(subscriptions()).toMatchObject([{ pattern: { topic: '/a' } }]);
     wrapper.unmount();
-    expect(emitters.size).toBe(0);
+    expect(subscriptions()).toEqual([]);
   });
 });

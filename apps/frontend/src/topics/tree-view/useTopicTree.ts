@@ -12,7 +12,8 @@ import type { TopicChanges, TopicRate } from '../../connection/topic-rates.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { isInternalTopic } from '../names/internal-topics.ts';
 import { nameOf } from '../rows/row-view.ts';
-import { RowValues } from '../rows/row-values.ts';
+import type { RowValues } from '../rows/row-values.ts';
+import { useRowValues } from '../rows/use-row-values.ts';
 import type { FindPublisher } from '../names/publisher.ts';
 import { parseTopicFilter } from '../tree/topic-filter.ts';
 import type { TopicNode } from '../tree/topic-node.ts';
@@ -65,15 +66,10 @@ export function useTopicTree({
   isPaused,
   accepts = () => true,
 }: TopicTreeWishes): TopicTreeView {
-  const { client, clients, topics, isConnected } = useConnection();
+  const { clients, topics, isConnected } = useConnection();
   const findPublisher = useFindPublisher();
   const model = new TopicsModel(findPublisher);
-  const values = new RowValues((topic, maxRateHz, onRecord) => {
-    const subscription = client.subscribe(topic, { maxRateHz }).onRecord(onRecord);
-    // Refused by the master: the client tells, and the row shows no value.
-    subscription.ready.catch(() => undefined);
-    return () => void subscription.close();
-  });
+  const values = useRowValues();
   const rows = shallowRef<readonly TopicNode[]>([]);
   const tick = shallowRef(0);
   const nowMs = shallowRef(0);
@@ -169,10 +165,7 @@ export function useTopicTree({
     { immediate: true },
   );
 
-  onScopeDispose(() => {
-    asking?.stop();
-    values.close();
-  });
+  onScopeDispose(() => asking?.stop());
 
   function setExpanded(node: TopicNode, expanded: boolean): void {
     model.setExpanded(node, expanded);
