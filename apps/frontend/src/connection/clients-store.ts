@@ -6,10 +6,13 @@ import { displayNames } from './display-names.ts';
 import { createInterest } from './interest.ts';
 import { perFrame } from './per-frame.ts';
 import { usePoll } from './poll.ts';
+import { Recency } from './recency.ts';
 
 const ANNOUNCEMENTS = '/ubii/client/*';
 /** What was left out of announcements is asked for this long after the first one, for all of them. [EX-74] */
 const SETTLE_MS = 2_000;
+/** More clients than these are not asked for by their ids. */
+const MAX_SINGLE = 20;
 
 /**
  * Every client the master knows, as it announces them. [CL-31] Their names are display names: no two clients have the
@@ -30,9 +33,8 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
   const list = shallowRef<readonly Client[]>();
   /** Grows by the clients of this page's life; bounded by the master's own limit on clients. */
   const known = new Map<string, Client>();
-  let present = new Set<string>();
-  /** Announced while a list was on its way: newer than the list. */
-  const announced = new Set<string>();
+  const present = new Set<string>();
+  const recency = new Recency();
   const interest = createInterest();
 
   /** Names that this page shows, by id. */
@@ -63,20 +65,26 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
     return client && show(client);
   }
 
-  /** Answers may overtake each other; that of the last question counts. */
-  let questions = 0;
-  async function refresh(): Promise<void> {
-    const question = ++questions;
-    announced.clear();
+  function take(elements: readonly Client[], asked: Iterable<string>, turn: number): void {
+    const listed = new Set(elements.map(({ id }) => id));
+    for (const id of asked) {
+      if (!listed.has(id) && recency.accepts(id, turn)) present.delete(id);
+    }
+    for (const element of elements) {
+      if (!recency.accepts(element.id, turn)) continue;
+      known.set(element.id, element);
+      present.add(element.id);
+    }
+    draw();
+  }
+  /** @param ids of the clients to ask for; all without them */
+  async function refresh(ids?: readonly string[]): Promise<void> {
+    const turn = recency.now();
     try {
-      const { elements } = await client.call('clientGetList');
-      if (question !== questions) return;
-      const kept = [...announced].filter((id) => present.has(id));
-      present = new Set([...elements.map(({ id }) => id), ...kept]);
-      for (const element of elements) {
-        if (!announced.has(element.id)) known.set(element.id, element);
-      }
-      draw();
+      const { elements } = await (ids === undefined
+        ? client.call('clientGetList')
+        : client.call('clientGetList', { elements: ids.map((id) => ({ id })) }));
+      take(elements, ids ?? [...present], turn);
     } catch (cause) {
       // Both show elsewhere, and the next refresh makes up for it.
       if (!(cause instanceof ConnectionError || cause instanceof ServiceError)) throw cause;
@@ -85,9 +93,15 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
 
   /** Revision of the registration that was asked for last, of clients that are announced abridged. */
   const revisions = new Map<string, number>();
-  const { start: startTimer, isPending } = useTimeoutFn(() => void refresh(), SETTLE_MS, {
-    immediate: false,
-  });
+  /** Announced, but not with all there is to know. */
+  const unsure = new Set<string>();
+  function refreshUnsure(): void {
+    const ids = [...unsure];
+    unsure.clear();
+    if (ids.length > 0) void refresh(ids.length > MAX_SINGLE ? undefined : ids);
+  }
+  const later = useTimeoutFn(refreshUnsure, SETTLE_MS, { immediate: false });
+  const atOnce = useTimeoutFn(refreshUnsure, 0, { immediate: false });
 
   /** The client as it is known with what is new of it. */
   function completed(value: Client): Client {
@@ -95,7 +109,8 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
     if (extension?.abridged !== true) return value;
     if (revisions.get(id) !== extension.registrationRevision) {
       revisions.set(id, extension.registrationRevision);
-      if (!isPending.value) startTimer();
+      unsure.add(id);
+      if (!later.isPending.value) later.start();
     }
     const before = known.get(id);
     return before === undefined ? value : { ...before, name, state, latency };
@@ -103,13 +118,14 @@ export function createClientsStore(client: UbiiClient, isConnected: Ref<boolean>
 
   client.subscribe({ glob: ANNOUNCEMENTS }, { format: 'client' }).onRecord(({ value }) => {
     if (value.state === ClientState.UNAVAILABLE) {
-      // Lost or removed: both are announced alike, the list tells. Until then nothing is shown of it.
+      // Lost or removed: both are announced alike, its answer tells. Until then nothing is shown of it.
       if (!known.has(value.id)) known.set(value.id, value);
-      return void refresh();
+      unsure.add(value.id);
+      return atOnce.start();
     }
+    recency.accepts(value.id, recency.now());
     known.set(value.id, completed(value));
     present.add(value.id);
-    announced.add(value.id);
     draw();
   });
 

@@ -1,12 +1,13 @@
 import { ConnectionError, type UbiiClient } from '@ubii/client-web';
-import { INFO_TOPICS, ServiceError, type Session } from '@ubii/proto';
+import { ServiceError, type Session } from '@ubii/proto';
 import { useTimeoutFn } from '@vueuse/core';
 import { shallowRef, watch, type Ref, type ShallowRef } from 'vue';
+import { KnownSessions, type SessionQuestion } from './known-sessions.ts';
 import { perFrame } from './per-frame.ts';
 
 const ANNOUNCEMENTS = '/info/session/*';
-/** After an announcement the list is asked for again: what was retained of long ago may have come, too. */
-const SETTLE_MS = 300;
+/** What announcements leave open is asked this long after the first of them, for all of them, milliseconds. */
+const SETTLE_MS = 100;
 
 /** Every session the master knows, as it announces them. [SE-8] */
 export interface SessionsStore {
@@ -21,67 +22,74 @@ export interface SessionsStore {
   drop(id: string): void;
 }
 
-const revisionOf = (session: Session | undefined): number => session?.extension?.revision ?? 0;
-
 export function createSessionsStore(client: UbiiClient, isConnected: Ref<boolean>): SessionsStore {
   const list = shallowRef<readonly Session[]>();
   const error = shallowRef<ServiceError>();
-  const known = new Map<string, Session>();
-  /** Heard of while a list was on its way. `undefined` for one that is gone. */
-  const heard = new Map<string, Session | undefined>();
-  let hasList = false;
+  const sessions = new KnownSessions();
+  const draw = perFrame(() => (list.value = sessions.list));
 
-  const draw = perFrame(() => {
-    if (hasList) list.value = [...known.values()];
-  });
-
-  function apply(id: string, session: Session | undefined): void {
-    if (session === undefined) known.delete(id);
-    else known.set(id, session);
+  async function askForList(): Promise<void> {
+    const turn = sessions.now();
+    const { elements } = await client.call('sessionRuntimeGetList');
+    sessions.answerList(elements, turn);
+    error.value = undefined;
+    askSoon(); // what came before the list
   }
-  /** Retained announcements can be older than the list, which would make its sessions look changed twice. */
-  const isOld = (id: string, session: Session | undefined): boolean =>
-    session !== undefined && revisionOf(session) < revisionOf(known.get(id));
-
-  async function refresh(): Promise<void> {
-    heard.clear();
+  async function askForOne(id: string): Promise<void> {
+    const turn = sessions.now();
+    const session = await client.call('sessionRuntimeGet', { id }).catch((cause: unknown) => {
+      if (cause instanceof ServiceError && cause.code === 'not_found') return undefined;
+      throw cause;
+    });
+    sessions.answerOne(id, session, turn);
+  }
+  async function ask(question: SessionQuestion): Promise<void> {
     try {
-      const { elements } = await client.call('sessionRuntimeGetList');
-      known.clear();
-      for (const element of elements) known.set(element.id, element);
-      for (const [id, session] of heard) if (!isOld(id, session)) apply(id, session);
-      error.value = undefined;
-      hasList = true;
+      if (question === 'list') await askForList();
+      else await Promise.all(question.map(askForOne));
       draw();
     } catch (cause) {
       if (cause instanceof ConnectionError) return; // shown elsewhere, and asked again after it
       if (!(cause instanceof ServiceError)) throw cause;
+      if (question !== 'list') return ask('list');
       error.value = cause;
     }
   }
-  const { start: refreshSoon } = useTimeoutFn(() => void refresh(), SETTLE_MS, {
-    immediate: false,
-  });
-
-  function hear(id: string, session: Session | undefined): void {
-    if (id === '') return;
-    heard.set(id, session);
-    apply(id, session);
-    draw();
+  const { start, isPending } = useTimeoutFn(
+    () => {
+      const question = sessions.takeQuestion();
+      if (question !== undefined) void ask(question);
+    },
+    SETTLE_MS,
+    { immediate: false },
+  );
+  function askSoon(): void {
+    if (!isPending.value) start();
   }
 
   client.subscribe({ glob: ANNOUNCEMENTS }, { format: 'session' }).onRecord(({ topic, value }) => {
-    const session = topic === INFO_TOPICS.deleteSession ? undefined : value;
-    if (!isOld(value.id, session)) hear(value.id, session);
-    refreshSoon();
+    sessions.announce(topic, value);
+    draw();
+    askSoon();
   });
-  watch(isConnected, (connected) => connected && void refresh(), { immediate: true });
+  watch(
+    isConnected,
+    (connected) => {
+      if (connected) void ask('list');
+      else sessions.handleDisconnected();
+    },
+    { immediate: true },
+  );
 
+  function set(id: string, session: Session | undefined): void {
+    sessions.set(id, session);
+    draw();
+  }
   return {
     list,
     error,
-    find: (id) => known.get(id),
-    take: (session) => hear(session.id, session),
-    drop: (id) => hear(id, undefined),
+    find: (id) => sessions.find(id),
+    take: (session) => set(session.id, session),
+    drop: (id) => set(id, undefined),
   };
 }

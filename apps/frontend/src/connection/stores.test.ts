@@ -5,7 +5,6 @@ import { flushPromises } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { effectScope, nextTick, ref, watch, type EffectScope } from 'vue';
 import { createClientsStore } from './clients-store.ts';
-import { createSessionsStore } from './sessions-store.ts';
 import { createNodesStore } from './nodes-store.ts';
 import { createMasterStatusStore } from './master-status-store.ts';
 import { createTopicStatisticsStore } from './topic-statistics-store.ts';
@@ -91,6 +90,7 @@ describe('clients store', () => {
     expect(call).toHaveBeenCalledTimes(1);
     await vi.advanceTimersByTimeAsync(2_000);
     expect(call).toHaveBeenCalledTimes(2);
+    expect(call).toHaveBeenLastCalledWith('clientGetList', { elements: [{ id: 'a' }] });
     abridged('Ada', 4);
     await vi.advanceTimersByTimeAsync(5_000);
     expect(call).toHaveBeenCalledTimes(2);
@@ -110,19 +110,33 @@ describe('clients store', () => {
 
   it('asks whether a client that became unavailable is away or gone', async () => {
     const gone = ClientState.UNAVAILABLE;
-    const { names, announce, store } = setup(
+    const { names, announce, store, call } = setup(
       [person('a'), person('b')],
-      [person('a'), person('b', gone)],
-      [person('a')],
+      [person('b', gone)],
+      [],
     );
     await settle();
     announce(person('b', gone));
     await settle();
+    expect(call).toHaveBeenLastCalledWith('clientGetList', { elements: [{ id: 'b' }] });
     expect(names()).toEqual(['a 0', 'b 2']);
     announce(person('b', gone));
     await settle();
     expect(names()).toEqual(['a 0']);
     expect(store.find('b')?.name, 'its topics keep a name').toBe('b');
+  });
+
+  it('asks once for many clients that leave together, for all of them when they are too many', async () => {
+    const crowd = Array.from({ length: 21 }, (_, index) => person(`c${index}`));
+    const { announce, call } = setup(crowd);
+    await settle();
+    for (const { id } of crowd.slice(0, 20)) announce(person(id, ClientState.UNAVAILABLE));
+    await settle();
+    expect(call.mock.calls.at(-1)?.[1]).toMatchObject({ elements: { length: 20 } });
+    for (const { id } of crowd) announce(person(id, ClientState.UNAVAILABLE));
+    await settle();
+    expect(call.mock.calls.slice(1)).toHaveLength(2);
+    expect(call.mock.calls.at(-1)).toEqual(['clientGetList']);
   });
 
   it('an announcement that comes while a list is on its way is newer than the list', async () => {
@@ -246,91 +260,6 @@ describe('topic statistics store', () => {
     await nextTick();
     expect(seen).toHaveBeenLastCalledWith(undefined);
     expect(store.rates.value?.has('/a')).toBe(true);
-  });
-});
-
-describe('sessions store', () => {
-  const session = (id: string, name = id) => ({ id, name });
-
-  function setup(...lists: object[][]) {
-    const call = vi.fn<(service: string) => Promise<unknown>>();
-    for (const elements of lists) call.mockResolvedValueOnce({ elements });
-    call.mockResolvedValue({ elements: lists.at(-1) ?? [] });
-    let hear: (record: { topic: string; value: object }) => void = () => undefined;
-    const subscribe = () => ({
-      onRecord: (fn: typeof hear) => {
-        hear = fn;
-      },
-    });
-    const client = { call, subscribe } as unknown as UbiiClient;
-    const store = scope.run(() => createSessionsStore(client, ref(true)))!;
-    const names = () => store.list.value?.map(({ name }) => name);
-    return { call, store, names, hear: (topic: string, value: object) => hear({ topic, value }) };
-  }
-
-  it('starts with the list, and follows what is announced [SE-8]', async () => {
-    const { names, hear } = setup([session('a')], [session('a', 'A'), session('b')]);
-    await settle();
-    expect(names()).toEqual(['a']);
-    hear('/info/session/change', session('a', 'A'));
-    hear('/info/session/new', session('b'));
-    await settle();
-    expect(names()).toEqual(['A', 'b']);
-    hear('/info/session/delete', session('a'));
-    await settle();
-    expect(names()).toEqual(['b']);
-  });
-
-  it('asks again after announcements: what was retained may be of long ago', async () => {
-    const { names, hear, call } = setup([session('a')], [session('a')]);
-    await settle();
-    hear('/info/session/new', session('gone long ago'));
-    await vi.advanceTimersByTimeAsync(400);
-    expect(call).toHaveBeenCalledTimes(2);
-    expect(names()).toEqual(['a']);
-  });
-
-  it('a retained announcement of an older revision does not replace a session of the list', async () => {
-    const saved = (revision: number) => ({
-      ...session('a', `v${revision}`),
-      extension: { revision },
-    });
-    const { names, hear, store } = setup([saved(4)]);
-    // What is retained may arrive before the list does, or after it.
-    hear('/info/session/new', saved(1));
-    await settle();
-    expect(names()).toEqual(['v4']);
-    hear('/info/session/change', saved(3));
-    await settle();
-    expect(names()).toEqual(['v4']);
-    hear('/info/session/change', saved(5));
-    await settle();
-    expect(names()).toEqual(['v5']);
-    // The reply to a call counts in any case: a restarted master begins again.
-    store.take(saved(2) as never);
-    await settle();
-    expect(names()).toEqual(['v2']);
-  });
-
-  it('takes what a service answered at once', async () => {
-    const { store, names } = setup([]);
-    await settle();
-    store.take(session('made') as never);
-    await settle();
-    expect(names()).toEqual(['made']);
-    store.drop('made');
-    await settle();
-    expect(names()).toEqual([]);
-  });
-
-  it('says why there is no list', async () => {
-    const call = vi.fn().mockRejectedValue(new ServiceError('unimplemented', 'No such service.'));
-    const subscribe = () => ({ onRecord: () => undefined });
-    const client = { call, subscribe } as unknown as UbiiClient;
-    const store = scope.run(() => createSessionsStore(client, ref(true)))!;
-    await settle();
-    expect(store.list.value).toBeUndefined();
-    expect(store.error.value?.message).toBe('No such service.');
   });
 });
 
