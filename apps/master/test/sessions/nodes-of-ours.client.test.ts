@@ -3,6 +3,7 @@ import type { ProcessingNode } from '@ubii/client-web/processing';
 import type { UbiiClient } from '@ubii/client-web/node';
 import { createInlineSandboxes } from '@ubii/pm-sandbox/testing';
 import {
+  ModuleEventKind,
   SessionState,
   type Init,
   type ProcessingMode,
@@ -29,11 +30,15 @@ class NodeWorld {
     return created;
   }
 
-  async joinAsNode(name: string): Promise<{ client: UbiiClient; node: ProcessingNode }> {
+  async joinAsNode(
+    name: string,
+    libraries: Readonly<Record<string, unknown>> = {},
+  ): Promise<{ client: UbiiClient; node: ProcessingNode }> {
     const { client } = await this.world.connect(name);
     const node = createProcessingNode(client, {
       kind: 'node',
-      sandboxes: createInlineSandboxes(),
+      sandboxes: createInlineSandboxes({ libraries }),
+      libraries: Object.keys(libraries),
       clock: this.world.clock,
     });
     const started = node.start();
@@ -68,6 +73,14 @@ class NodeWorld {
     return got;
   }
 
+  async update(session: Init<Session>): Promise<Session> {
+    const updated = this.ada.call('sessionRuntimeUpdate', session);
+    await this.pass();
+    await updated;
+    await this.pass();
+    return this.get(session.id!);
+  }
+
   async stateOf({ id }: Session): Promise<SessionState | undefined> {
     return (await this.get(id)).extension?.state;
   }
@@ -97,6 +110,15 @@ function sessionOf(...modules: Init<ProcessingModule>[]): Init<Session> {
       inputMappings: [{ inputName: 'in', topic: '/in' }],
       outputMappings: [{ outputName: 'out', topic: `/out/${name}` }],
     })),
+  };
+}
+
+/** The session with all inputs mapped to another topic. */
+function withInput(session: Session, topic: string): Init<Session> {
+  const inputMappings = [{ inputName: 'in', topic }];
+  return {
+    ...session,
+    ioMappings: session.ioMappings.map((mapping) => ({ ...mapping, inputMappings })),
   };
 }
 
@@ -207,19 +229,48 @@ describe('a node of ours', () => {
     const session = await room.start(sessionOf(counter(client.id, 'm', TRIGGER)));
     await room.put('/in', 1);
     const [, { y: before }] = room.outputs.at(-1) as [string, { y: number }];
-    const updated = room.ada.call('sessionRuntimeUpdate', {
-      ...session,
-      ioMappings: session.ioMappings.map((mapping) => ({
-        ...mapping,
-        inputMappings: [{ inputName: 'in', topic: '/other' }],
-      })),
-    });
-    await room.pass();
-    await updated;
-    await room.pass();
+    await room.update(withInput(session, '/other'));
     await room.put('/other', 5);
     const [, { x, y }] = room.outputs.at(-1) as [string, { x: number; y: number }];
     expect([x, y > before]).toEqual([5, true]);
+  });
+
+  it('restarts a module that needs other libraries, which is no failure [SE-15] [PM-62]', async () => {
+    const room = await NodeWorld.create();
+    const { client } = await room.joinAsNode('node', { http: {} });
+    await room.put('/in', 1);
+    const session = await room.start(sessionOf(counter(client.id, 'm', TRIGGER)));
+    await room.put('/in', 2);
+    session.processingModules[0]!.extension!.libraries = ['http'];
+    const { extension } = await room.update(session);
+    expect(extension).toMatchObject({ state: SessionState.SESSION_RUNNING, problems: [] });
+    await room.put('/in', 3);
+    expect(room.outputs.slice(-2)).toEqual([
+      ['/out/m', { x: 2, y: 1 }],
+      ['/out/m', { x: 3, y: 2 }],
+    ]);
+  });
+
+  it('tries a module that failed again when the session is updated [SE-15]', async () => {
+    const room = await NodeWorld.create();
+    const { client, node } = await room.joinAsNode('node');
+    let failures = 0;
+    node.onEvent(({ kind }) => {
+      if (kind === ModuleEventKind.FAILED) failures += 1;
+    });
+    const bad = {
+      ...counter(client.id, 'bad', TRIGGER),
+      onCreatedStringified: '() => { throw new Error("no camera"); }',
+    };
+    const session = await room.start(sessionOf(bad, counter(client.id, 'good', TRIGGER)));
+    expect(failures).toBe(1);
+    await room.update(withInput(session, '/other'));
+    expect(failures).toBe(2);
+    await room.pass(11_000);
+    const { extension } = await room.get(session.id);
+    expect(extension?.problems.map(({ message }) => message)).toEqual([
+      expect.stringContaining('no camera'),
+    ]);
   });
 
   it('lets topics go whose value was deleted [PM-44] [TD-42]', async () => {

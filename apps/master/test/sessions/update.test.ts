@@ -66,6 +66,19 @@ describe('an update of a running session', () => {
     expect((await world.get(session)).extension?.state).toBe(SessionState.SESSION_RUNNING);
   });
 
+  it('keeps a module that the master may place again where it is [SE-15] [SE-30]', async () => {
+    const { world, session } = await setup();
+    session.processingModules[0]!.extension!.replaceable = false;
+    const pinned = await world.ask(TOPICS.update, session);
+    pinned.processingModules[0]!.nodeId = '';
+    await world.ask(TOPICS.update, pinned);
+    world.ada.publish('/in', 'double', 1);
+    await world.master.pass(10);
+    expect(await world.value('/out')).toBe(2);
+    await world.master.pass(11_000);
+    expect((await world.get(session)).extension?.state).toBe(SessionState.SESSION_RUNNING);
+  });
+
   it('stays running while a changed module restarts and an added one starts [SE-12] [SE-15]', async () => {
     const { world, session } = await setup();
     const states: (SessionState | undefined)[] = [];

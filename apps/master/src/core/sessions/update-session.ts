@@ -1,4 +1,4 @@
-import { hasSameCode } from '@ubii/pm-sandbox';
+import { identityChanges, moduleIdentity, type InstanceSpec } from '@ubii/pm-sandbox';
 import { encode, ServiceError } from '@ubii/proto';
 import { quote } from '../texts/quote.ts';
 import type { SessionDraft } from './draft.ts';
@@ -33,12 +33,16 @@ export function updateSession(context: LifeContext, session: Session, draft: Ses
       assignNode(context, module);
       // Who was told to end it is waited for still.
       if (old?.phase === 'ending') module.phase = 'ending';
-    } else if (old !== undefined && staysPut(module, old)) takeOver(context, module, old, unheard);
+    } else if (old !== undefined && staysPut(module, old))
+      takeOver(context, session, module, old, unheard);
     else {
       if (old !== undefined && old.isPlaced && isForeign(context, old.nodeId))
         unheard.add(old.nodeId);
       placeModule(context, module);
-      started.push(module);
+      // Who may place it again may well leave it where it is.
+      if (old?.isPlaced === true && old.nodeId === module.nodeId && !isForeign(context, old.nodeId))
+        takeOver(context, session, module, old, unheard);
+      else started.push(module);
     }
   }
   for (const old of before) {
@@ -67,6 +71,7 @@ function staysPut(module: SessionModule, old: SessionModule): boolean {
 /** The module goes on as it was, with what has changed. */
 function takeOver(
   context: LifeContext,
+  session: Session,
   module: SessionModule,
   old: SessionModule,
   unheard: Set<string>,
@@ -82,15 +87,23 @@ function takeOver(
     if (!isEqual(module, old)) unheard.add(nodeId);
     return;
   }
-  const isSameCode =
-    hasSameCode(module.spec, old.spec) &&
-    JSON.stringify([module.spec.inputs, module.spec.outputs]) ===
-      JSON.stringify([old.spec.inputs, old.spec.outputs]);
-  if (isSameCode && module.phase !== 'failed') return;
+  const isOnMaster = nodeId === context.nodes.masterId;
+  const identityOf = (one: SessionModule) =>
+    moduleIdentity(asItsNodeSeesIt(one.toSpec(session.id, session.isPaused), isOnMaster));
+  const isSame = identityChanges(identityOf(old), identityOf(module)).length === 0;
+  if (isSame && module.phase !== 'failed') return;
   // Its node starts it again, and says when it runs.
   module.phase = 'waiting';
   module.problem = undefined;
   module.waitingSinceMs = context.clock.monotonicMs();
+}
+
+/** A client knows itself what it trusts, and what a module of its own needs. */
+function asItsNodeSeesIt(spec: InstanceSpec, isOnMaster: boolean): InstanceSpec {
+  if (isOnMaster) return spec;
+  const isItsOwn = spec.module.onProcessingStringified === '';
+  const module = isItsOwn ? { ...spec.module, extension: undefined } : spec.module;
+  return { ...spec, module, isTrusted: false };
 }
 
 function isEqual(module: SessionModule, old: SessionModule): boolean {
