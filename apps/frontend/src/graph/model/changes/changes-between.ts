@@ -1,3 +1,4 @@
+import { identityChanges, moduleIdentity, type IdentityField } from '@ubii/pm-sandbox';
 import type { IOMapping, ProcessingModule, Session } from '@ubii/proto';
 import { modeWords } from '../../../sessions/words/mode-words.ts';
 import { graphOf } from '../graph-of.ts';
@@ -77,13 +78,19 @@ function* moduleChanges(old: MappedModule, next: MappedModule): Iterable<Session
   }
 }
 
+/** What makes it the same, but for its session and whether it is trusted: those the master knows. */
+const identityOf = (module: ProcessingModule): ReturnType<typeof moduleIdentity> =>
+  moduleIdentity({ module: { ...module, sessionId: '' }, isTrusted: false });
+
+function restartReason(field: IdentityField, old: ProcessingModule): string {
+  if (field === 'name') return `it was ${nameOf(old)}`;
+  return field === 'inputs' || field === 'outputs' ? `its ${field} changed` : 'its code changed';
+}
+
 /** Why a module cannot go on as it is. */
 function restartReasons(old: ProcessingModule, next: ProcessingModule): string[] {
-  const reasons: string[] = [];
-  if (old.name !== next.name) reasons.push(`it was ${nameOf(old)}`);
-  if (!sameValue(codeOf(old), codeOf(next))) reasons.push('its code changed');
-  if (!sameValue(old.inputs, next.inputs)) reasons.push('its inputs changed');
-  if (!sameValue(old.outputs, next.outputs)) reasons.push('its outputs changed');
+  const changed = identityChanges(identityOf(old), identityOf(next));
+  const reasons = [...new Set(changed.map((field) => restartReason(field, old)))];
   const [was, is] = [wishedNode(old), wishedNode(next)];
   // Who asks for the node it is on anyway moves nothing.
   if (was !== is && is !== old.nodeId) {
@@ -91,19 +98,6 @@ function restartReasons(old: ProcessingModule, next: ProcessingModule): string[]
   }
   return reasons;
 }
-
-/** Where people put it; empty: where the master did. [SE-30] */
-
-const codeOf = (module: ProcessingModule): unknown => [
-  module.language,
-  module.onProcessingStringified,
-  module.onCreatedStringified,
-  module.onHaltedStringified,
-  module.onDestroyedStringified,
-  module.extension?.libraries ?? [],
-  module.extension?.assets ?? [],
-  module.extension?.optionalAssets ?? [],
-];
 
 const notes = ({ description, tags, authors, extension }: ProcessingModule): unknown => [
   description,
