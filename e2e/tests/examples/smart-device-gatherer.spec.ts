@@ -91,8 +91,10 @@ test('four phones come and go while it runs, and exactly those who touch near fe
   });
 
   await test.step('the session and the code are shown', async () => {
-    await stage.page.getByRole('button', { name: 'Show the code' }).click();
-    await expect(stage.page.getByRole('region', { name: 'Page' })).toContainText('useGatherer');
+    await stage.page.getByRole('button', { name: 'Source code' }).click();
+    await expect(stage.page.getByRole('region', { name: 'useGatherer.ts' })).toContainText(
+      'useGatherer',
+    );
     await stage.page.getByRole('radio', { name: 'Session' }).click();
     await expect(stage.page.getByRole('dialog')).toContainText('topicMux');
     await stage.page.keyboard.press('Escape');

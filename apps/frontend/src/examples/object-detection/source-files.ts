@@ -1,12 +1,18 @@
 /** The source files that the example shows. */
 export const SOURCE_FILES = [
-  { name: 'Page', load: async () => (await import('./useObjectDetection.ts?raw')).default },
+  {
+    name: 'Page',
+    fileName: 'useObjectDetection.ts',
+    load: async () => (await import('./useObjectDetection.ts?raw')).default,
+  },
   {
     name: 'Session',
+    fileName: 'seeing-session.ts',
     load: async () => (await import('../../devices/camera/seeing-session.ts?raw')).default,
   },
   {
     name: 'Sources',
+    fileName: 'use-picture-source.ts',
     load: async () => (await import('../pictures/use-picture-source.ts?raw')).default,
   },
 ];
