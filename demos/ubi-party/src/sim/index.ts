@@ -20,7 +20,7 @@ export { TRACKS } from './race/tracks.ts';
 export { identityOf, MAX_SEATS, type Identity, type Shape } from './seats/identity.ts';
 export { stateHash } from './state-hash.ts';
 export * from './tournament/pace.ts';
-export { nextRoom } from './tournament/next-room.ts';
+export { MIN_PLAYERS, nextRoom } from './tournament/next-room.ts';
 export * from './tournament/room.ts';
 export {
   cheerOf,
