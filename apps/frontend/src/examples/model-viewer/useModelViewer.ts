@@ -5,9 +5,17 @@ import { useConnection } from '../../connection/useConnection.ts';
 import { SMART_DEVICE } from '../../devices/smart-device/components.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import { useSharedSession } from '../use-shared-session.ts';
+import { chooseSource, keyOf } from './choose-source.ts';
 import { isSmoothingOf, smoothingSession } from './smoothing-session.ts';
 import { modelTurn, STRAIGHT, turnAbout, turnBy, unitTurn } from './turns.ts';
-import { smoothedTopic, TURN_COMPONENT, turnTopic, VIEWER_DEVICE } from './viewer-topics.ts';
+import {
+  clientOfTopic,
+  PHONE_TURNS_GLOB,
+  smoothedTopic,
+  TURN_COMPONENT,
+  turnTopic,
+  VIEWER_DEVICE,
+} from './viewer-topics.ts';
 
 /** A source of the rotation: a phone, or a browser with a mouse. */
 export interface TurnSource {
@@ -27,14 +35,19 @@ export function useModelViewer() {
       .flatMap((one) => sourcesOf(one, client.id))
       .sort((a, b) => Number(b.isPhone) - Number(a.isPhone) || a.name.localeCompare(b.name)),
   );
+  /** Clients of phones that publish their orientation, the newest last. */
+  const moving = shallowRef<readonly string[]>([]);
+  const turns = client
+    .subscribe({ glob: PHONE_TURNS_GLOB }, { format: 'quaternion', maxRateHz: 2 })
+    .onRecord(({ topic }) => {
+      const id = clientOfTopic(topic);
+      if (!moving.value.includes(id)) moving.value = [...moving.value, id];
+    });
+  onScopeDispose(() => void turns.close());
+
   /** The source that the user chose, while its device exists. */
   const wanted = shallowRef<string>();
-  const source = computed(
-    () =>
-      sources.value.find((one) => keyOf(one) === wanted.value) ??
-      sources.value.find(({ isPhone }) => isPhone) ??
-      sources.value.find(({ isOwn }) => isOwn),
-  );
+  const source = computed(() => chooseSource(sources.value, wanted.value, moving.value));
   /** Rotation by hand is drawn at once, without a round trip to the master. */
   const isOwn = computed(() => source.value === undefined || isStandIn(source.value));
 
@@ -113,6 +126,12 @@ export function useModelViewer() {
     isConnected,
     sources,
     source,
+    /** Names of phones that publish no orientation. */
+    silent: computed(() =>
+      sources.value
+        .filter(({ isPhone, clientId }) => isPhone && !moving.value.includes(clientId))
+        .map(({ name }) => name),
+    ),
     isOwn,
     turn,
     /** True when there is an orientation. */
@@ -150,11 +169,6 @@ export function useModelViewer() {
 
 /** Initial rotation: seen from above and from the side. */
 const START = turnBy(turnAbout([1, 0, 0], -1.1), turnAbout([0, 0, 1], -0.6));
-
-/** Returns a key of a source. A client can be two sources: a phone, and a browser with this page. */
-export function keyOf({ clientId, isPhone }: TurnSource): string {
-  return `${isPhone ? 'phone' : 'browser'} ${clientId}`;
-}
 
 function sourcesOf({ id, name, devices }: Client, ownId: string): TurnSource[] {
   const has = (device: string): boolean => devices.some((one) => one.name === device);

@@ -15,3 +15,11 @@ export function smoothedTopic(clientId: string): string {
 export function turnTopic(clientId: string, isPhone: boolean): string {
   return componentTopic(clientId, isPhone ? SMART_DEVICE : VIEWER_DEVICE, TURN_COMPONENT);
 }
+
+/** The orientations of all phones. */
+export const PHONE_TURNS_GLOB = turnTopic('*', true);
+
+/** Returns the client of a topic of a device. */
+export function clientOfTopic(topic: string): string {
+  return topic.split('/')[1] ?? '';
+}
