@@ -31,8 +31,9 @@ export interface ModelInput {
   readonly colors: ModelColors;
 }
 
-/** Radius and position along the hull, from the tail to the nose. */
-const HULL = [
+/** Radius and position along the hull, from the tail to the nose; closed at both ends. */
+export const HULL = [
+  [0, -1],
   [0.02, -1],
   [0.1, -0.9],
   [0.17, -0.4],

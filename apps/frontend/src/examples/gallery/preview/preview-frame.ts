@@ -1,6 +1,7 @@
 import type { DataFormatFamily, Image2D } from '@ubii/proto';
 import { formatFixed } from '../../../topics/values/format-value.ts';
 import { linePath } from '../../../ui/charts/line-path.ts';
+import { formatNumber } from '../../../ui/readouts/format-number.ts';
 import type { PreviewView } from '../gallery.ts';
 import { WINDOW_MS, type PreviewMemory } from './preview-memory.ts';
 
@@ -125,7 +126,7 @@ function linesFrame(view: ViewOf<'lines'>, memory: PreviewMemory, nowMs: number)
     const decimals = high - low > 20 ? 0 : 2;
     return value === undefined
       ? []
-      : [{ y: yOf(value), letter, text: formatFixed(value, decimals) }];
+      : [{ y: yOf(value), letter, text: formatNumber(value, decimals) }];
   });
   const readout = view.readout && memory.number(view.readout.topic);
   return {
