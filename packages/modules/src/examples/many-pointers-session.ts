@@ -1,10 +1,14 @@
 import { UUID_PATTERN, type Init, type Session } from '@ubii/proto';
 
-/** Two pointers that the session moves, so that there are several pointers from the start. */
-const MOVING = [
-  { id: 'circle', hertz: 0.25, phase: 0, y: 'triangle' },
-  { id: 'wave', hertz: 0.4, phase: 0.25, y: 'sine' },
+/** Waves of two clocks. */
+const WAVES = [
+  { hertz: 0.25, phase: 0, outputs: { sine: 'loop/x', triangle: 'wave/y' } },
+  { hertz: 0.4, phase: 0.25, outputs: { sine: 'wave/x', triangle: 'loop/y' } },
 ] as const;
+/** Two pointers that the clocks move, so that there are several pointers from the start. */
+const MOVING = ['loop', 'wave'] as const;
+const TOPIC = '/examples/many-pointers';
+const MODE = { frequency: { hertz: 30 } };
 
 /**
  * A muxer collects the pointers of all pages and phones and two moving points in one module. A demuxer
@@ -16,43 +20,32 @@ export const manyPointersSession = {
     'Computes the mean of all pointers, and publishes the offset of each on its own topic.',
   tags: ['example'],
   processingModules: [
-    ...MOVING.flatMap(() => [
-      { name: 'clock', processingMode: { frequency: { hertz: 30 } } },
-      { name: 'clock', processingMode: { frequency: { hertz: 30 } } },
-      { name: 'merge-vector2', processingMode: { frequency: { hertz: 30 } } },
-    ]),
+    ...WAVES.map(() => ({ name: 'clock', processingMode: MODE })),
+    ...MOVING.map(() => ({ name: 'merge-vector2', processingMode: MODE })),
     { name: 'average-positions' },
   ],
   ioMappings: [
-    ...MOVING.flatMap(({ id, hertz, phase, y }) => {
-      const topic = `/examples/many-pointers/${id}`;
-      const wave = (phase: number, amplitude: number) => [
+    ...WAVES.map(({ hertz, phase, outputs }) => ({
+      processingModuleName: 'clock',
+      inputMappings: [
         { inputName: 'waveHz', constantJson: `{"double":${hertz}}` },
         { inputName: 'phase', constantJson: `{"double":${phase}}` },
-        { inputName: 'amplitude', constantJson: `{"double":${amplitude}}` },
+        { inputName: 'amplitude', constantJson: '{"double":0.35}' },
         { inputName: 'offset', constantJson: '{"double":0.5}' },
-      ];
-      return [
-        {
-          processingModuleName: 'clock',
-          inputMappings: wave(phase, 0.4),
-          outputMappings: [{ outputName: 'sine', topic: `${topic}/x` }],
-        },
-        {
-          processingModuleName: 'clock',
-          inputMappings: wave(phase + 0.25, 0.3),
-          outputMappings: [{ outputName: y, topic: `${topic}/y` }],
-        },
-        {
-          processingModuleName: 'merge-vector2',
-          inputMappings: [
-            { inputName: 'x', topic: `${topic}/x` },
-            { inputName: 'y', topic: `${topic}/y` },
-          ],
-          outputMappings: [{ outputName: 'vector', topic: `${topic}/position` }],
-        },
-      ];
-    }),
+      ],
+      outputMappings: Object.entries(outputs).map(([outputName, topic]) => ({
+        outputName,
+        topic: `${TOPIC}/${topic}`,
+      })),
+    })),
+    ...MOVING.map((id) => ({
+      processingModuleName: 'merge-vector2',
+      inputMappings: [
+        { inputName: 'x', topic: `${TOPIC}/${id}/x` },
+        { inputName: 'y', topic: `${TOPIC}/${id}/y` },
+      ],
+      outputMappings: [{ outputName: 'vector', topic: `${TOPIC}/${id}/position` }],
+    })),
     {
       processingModuleName: 'average-positions',
       inputMappings: [
@@ -63,19 +56,19 @@ export const manyPointersSession = {
             dataType: 'vector2',
             topicSelector:
               '^/(?:examples/many-pointers/[a-z]+/position|[^/]+/web-example-mouse-pointer/mouse_client_position|[^/]+/web-interface-smart-device/touch_position)$',
-            identityMatchPattern: `${UUID_PATTERN}|circle|wave`,
+            identityMatchPattern: `${UUID_PATTERN}|loop|wave`,
           },
         },
       ],
       outputMappings: [
-        { outputName: 'middle', topic: '/examples/many-pointers/middle' },
-        { outputName: 'count', topic: '/examples/many-pointers/count' },
+        { outputName: 'middle', topic: `${TOPIC}/middle` },
+        { outputName: 'count', topic: `${TOPIC}/count` },
         {
           outputName: 'offsets',
           topicDemux: {
             name: 'offset of each pointer',
             dataType: 'vector2',
-            outputTopicFormat: '/examples/many-pointers/offset/{{#0}}',
+            outputTopicFormat: `${TOPIC}/offset/{{#0}}`,
           },
         },
       ],

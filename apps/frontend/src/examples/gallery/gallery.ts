@@ -170,7 +170,7 @@ export const GALLERY: readonly GalleryEntry[] = [
     {
       kind: 'surface',
       trails: [],
-      points: ['circle/position', 'wave/position', 'guest/position'],
+      points: ['loop/position', 'wave/position', 'guest/position'],
       middle: 'middle',
     },
     { 'guest/position': 'pointer' },

@@ -6,7 +6,15 @@ import { bounds, type Box as NodeBox } from '../model/selection/arrange.ts';
 import { FrameQueue } from './frame-queue.ts';
 import { PanLayer } from './pan-layer.ts';
 import { detailAt, overlaps, seenArea, type Detail } from './seen-area.ts';
-import { limitZoom, MAX_ZOOM, MIN_ZOOM, viewOf, type Box, type View } from './stage-view.ts';
+import {
+  insideNode,
+  limitZoom,
+  MAX_ZOOM,
+  MIN_ZOOM,
+  viewOf,
+  type Box,
+  type View,
+} from './stage-view.ts';
 
 type Schemes = GetSchemes<{ id: string }, { id: string; source: string; target: string }>;
 
@@ -173,9 +181,9 @@ export class CanvasStage {
     const position = this.positions.get(ref.node);
     if (position === undefined) return undefined;
     const offset = this.sockets.get(portKey(ref)) ?? this.socketLater(ref);
-    if (offset !== undefined) return { x: position.x + offset.x, y: position.y + offset.y };
-    const { width } = this.#sizeOf(ref.node);
-    return { x: position.x + (side === 'in' ? 0 : width), y: position.y + 15 };
+    const size = this.#sizeOf(ref.node);
+    const at = insideNode(offset ?? { x: side === 'in' ? 0 : size.width, y: 15 }, size);
+    return { x: position.x + at.x, y: position.y + at.y };
   }
 
   /**

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { limitZoom, MAX_ZOOM, MIN_ZOOM, viewOf } from './stage-view.ts';
+import { insideNode, limitZoom, MAX_ZOOM, MIN_ZOOM, viewOf } from './stage-view.ts';
 
 describe('viewOf', () => {
   const viewport = { width: 1000, height: 700 };
@@ -23,5 +23,15 @@ describe('viewOf', () => {
     expect(viewOf({ x: 0, y: 0, width: 1e6, height: 1e6 }, viewport).k).toBe(MIN_ZOOM);
     expect(limitZoom(100)).toBe(MAX_ZOOM);
     expect(limitZoom(0)).toBe(MIN_ZOOM);
+  });
+});
+
+describe('insideNode', () => {
+  it('has no socket below the frame of its node', () => {
+    const size = { width: 184, height: 117 };
+    expect(insideNode({ x: 183, y: 142 }, size)).toEqual({ x: 183, y: 105 });
+    expect(insideNode({ x: 183, y: 60 }, size)).toEqual({ x: 183, y: 60 });
+    // Not measured yet
+    expect(insideNode({ x: 183, y: 60 }, { width: 0, height: 0 })).toEqual({ x: 183, y: 60 });
   });
 });

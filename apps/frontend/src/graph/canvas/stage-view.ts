@@ -16,6 +16,18 @@ const NARROW_MARGIN = 0.05;
 /** Fitting does not blow up small graphs. */
 const MAX_FIT_ZOOM = 1;
 
+/** Closest to the bottom of its node that a socket is, pixels. */
+const SOCKET_INSET = 12;
+
+/**
+ * Where a socket is in its node. From afar, browsers keep the height of rows that they do not draw, while the rows change:
+ * sockets below the frame are drawn at its end.
+ */
+export const insideNode = ({ x, y }: Point, { height }: Size): Point => ({
+  x,
+  y: height > 0 ? Math.min(y, height - SOCKET_INSET) : y,
+});
+
 export const limitZoom = (k: number): number => Math.min(MAX_ZOOM, Math.max(MIN_ZOOM, k));
 
 /** The view that shows all of a box. @param inset pixels at the bottom that something covers */
