@@ -76,6 +76,9 @@ describe('image-tools', () => {
     expect(await run(broken)).toEqual({});
     expect((await run(halves(1), { format: 'CMYK' })).error).toContain('not "CMYK"');
     expect((await run(halves(1), { format: '', x: 1 })).error).toContain('outside of the picture');
+    expect((await run(halves(1), { x: 5 })).error).toMatch(
+      /x is 0 to below 1, not 1\..*x is 0 to 1, not 5/,
+    );
     expect((await run(halves(1), { x: 0 })).error).toBe('');
   });
 

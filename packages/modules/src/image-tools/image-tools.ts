@@ -109,11 +109,22 @@ export const imageTools = defineProcessingModule({
         throw new RangeError(`The format is ${formats.join(', ')} or empty, not "${wanted}".`);
       picture = await vision.readImage2D(image);
       decodedMs = performance.now();
+      const [x, y] = [number('x', 0, 0, 1), number('y', 0, 0, 1)];
+      const [wide, high] = [number('width', 1, 0, 1), number('height', 1, 0, 1)];
+      const outside = [
+        ...Object.entries({ x, y }).filter(([, value]) => value === 1),
+        ...Object.entries({ width: wide, height: high }).filter(([, value]) => value === 0),
+      ].map(
+        ([name, value]) =>
+          `${name} is ${value === 1 ? '0 to below 1' : 'above 0 to 1'}, not ${value}`,
+      );
+      if (outside.length > 0)
+        throw new RangeError(`The part is outside of the picture: ${outside.join('; ')}.`);
       const part = {
-        x: number('x', 0, 0, 1) * picture.width,
-        y: number('y', 0, 0, 1) * picture.height,
-        width: number('width', 1, 0, 1) * picture.width,
-        height: number('height', 1, 0, 1) * picture.height,
+        x: x * picture.width,
+        y: y * picture.height,
+        width: wide * picture.width,
+        height: high * picture.height,
       };
       const isWhole = part.width === picture.width && part.height === picture.height;
       if (!isWhole || part.x > 0 || part.y > 0) picture = vision.cropPicture(picture, part);
@@ -130,7 +141,7 @@ export const imageTools = defineProcessingModule({
       error = thrown.message;
       picture = undefined;
     }
-    error ??= faults.join(' ');
+    error = [...(error ? [error] : []), ...faults].join(' ');
     const isNewError = error !== state.error;
     state.error = error;
     const newError = isNewError ? { string: error } : undefined;
