@@ -38,7 +38,7 @@ test('the example finds objects in its clip at once, in a tab and on the master,
   await test.step('in a worker of this tab', async () => {
     await expect(place(/^Master/)).toContainText('not measured');
     await start(anna).click();
-    await expect(page.getByRole('main')).toContainText(/Live/);
+    await expect(page.getByRole('main')).toContainText(/Live| s old/);
     await expect(seen(anna)).toContainText('cup');
     await expect(place(/^This tab/)).toContainText(/\d ms/);
     await expect(page.locator('[data-label="cup"]')).toBeAttached();
@@ -115,7 +115,7 @@ test('while a model loads, the page, the session and the graph show how far it i
     graph.node('Module object-detection').getByTitle(/^Loading centernet/),
   ).toBeVisible();
   release();
-  await expect(anna.page.getByRole('main')).toContainText(/Live/);
+  await expect(anna.page.getByRole('main')).toContainText(/Live| s old/);
   await expect(anna.page.getByRole('progressbar')).toHaveCount(0);
 });
 
@@ -128,7 +128,7 @@ test('the session of one tab looks at the pictures of another one, here of the c
   await mara.page.getByRole('radio', { name: 'Camera' }).tap();
   await expect(mara.page.locator('video')).toBeVisible();
   await start(mara).tap();
-  await expect(mara.page.getByRole('main')).toContainText(/Live/);
+  await expect(mara.page.getByRole('main')).toContainText(/Live| s old/);
 
   await anna.page.goto(PATH);
   await anna.page.getByRole('radio', { name: 'Topic' }).click();
@@ -136,6 +136,6 @@ test('the session of one tab looks at the pictures of another one, here of the c
   await anna.page.getByRole('button', { name: 'Choose a topic' }).click();
   await anna.page.getByRole('button', { name: '/web-example-object-detection/image Mara' }).click();
   await start(anna).click();
-  await expect(anna.page.getByRole('main')).toContainText(/Live/);
+  await expect(anna.page.getByRole('main')).toContainText(/Live| s old/);
   await expect(mara.page.getByRole('main')).toContainText('Anna receives these pictures.');
 });

@@ -11,6 +11,7 @@ import { usePageSession } from '../../sessions/own/use-page-session.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
 import { useIsOn } from '../pictures/use-is-on.ts';
 import { useKeptChoice, useKeptPlace } from '../pictures/use-kept-choice.ts';
+import { useLookedAt } from '../pictures/use-looked-at.ts';
 import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import {
   outputTopic,
@@ -72,14 +73,14 @@ export function useImageProcessing(sources: PictureSources) {
       },
     ],
   });
-  const { isOwn, image, habits, measures } = useSentPictures({
+  const { isOwn, image, habits, measures, held } = useSentPictures({
     sources,
     isOn,
     settings,
     isRegistered: device.isRegistered,
     ownTopic: () => device.topicOf('source'),
-    publish: (picture, { ageMs, expiryMs }) =>
-      device.publishTaken('source', picture, ageMs, { immediate: true, expiryMs }),
+    publish: (picture, { takenMs: timestampMs, expiryMs }) =>
+      device.publish('source', picture, { timestampMs, immediate: true, expiryMs }),
     end: () => device.end('source'),
   });
 
@@ -131,6 +132,15 @@ export function useImageProcessing(sources: PictureSources) {
     }),
   );
 
+  const lookedAt = useLookedAt(
+    sources,
+    () =>
+      outputs.value.flatMap(({ record }) =>
+        record?.format === 'image2D' || record?.format === 'object2DList' ? record : [],
+      ),
+    held,
+  );
+
   // A module gives several results for a picture, and some only when they change: the liveliest output counts.
   const meters = new Map<string, RateMeter>();
   const resultHz = shallowRef<number>();
@@ -174,6 +184,7 @@ export function useImageProcessing(sources: PictureSources) {
     settings,
     measures,
     outputs,
+    lookedAt,
     resultHz,
     ...session,
   };

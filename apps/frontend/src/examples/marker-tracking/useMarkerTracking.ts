@@ -12,6 +12,7 @@ import { usePageSession } from '../../sessions/own/use-page-session.ts';
 import type { PictureSources } from '../pictures/use-picture-source.ts';
 import { useIsOn } from '../pictures/use-is-on.ts';
 import { useKeptPlace } from '../pictures/use-kept-choice.ts';
+import { useLookedAt } from '../pictures/use-looked-at.ts';
 import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import { CLIP_MARKER_METRES } from './marker-clip.ts';
 import { TRACKING_COMPONENTS, TRACKING_DEVICE, trackingSession } from './tracking-session.ts';
@@ -79,15 +80,15 @@ export function useMarkerTracking(sources: PictureSources) {
       error: (value) => (error.value = value),
     },
   });
-  const { isOwn, image, habits, measures } = useSentPictures({
+  const { isOwn, image, habits, measures, held } = useSentPictures({
     sources,
     isOn,
     settings,
     isRegistered: device.isRegistered,
     ownTopic: () => device.topicOf('image'),
     resultHz: () => seen.rateHz(performance.now()),
-    publish: (picture, { ageMs, expiryMs }) =>
-      device.publishTaken('image', picture, ageMs, { immediate: true, expiryMs }),
+    publish: (picture, { takenMs: timestampMs, expiryMs }) =>
+      device.publish('image', picture, { timestampMs, immediate: true, expiryMs }),
     end: () => device.end('image'),
   });
 
@@ -146,6 +147,7 @@ export function useMarkerTracking(sources: PictureSources) {
     markers.value = newest.markers;
     outlines.value = newest.outlines;
   });
+  const lookedAt = useLookedAt(sources, () => (outlines.value ? [outlines.value] : []), held);
   useIntervalFn(() => {
     if (!isConnected.value) {
       figures.value = {};
@@ -173,6 +175,7 @@ export function useMarkerTracking(sources: PictureSources) {
     topicOf: device.topicOf,
     markers,
     outlines,
+    lookedAt,
     error,
     figures,
     placeMs,

@@ -11,6 +11,7 @@ import type { ModulePlace } from '../../sessions/own/planned-session.ts';
 import { usePageSession } from '../../sessions/own/use-page-session.ts';
 import { useIsOn } from '../pictures/use-is-on.ts';
 import { useKeptChoice, useKeptPlace } from '../pictures/use-kept-choice.ts';
+import { useLookedAt } from '../pictures/use-looked-at.ts';
 import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import { SEEING_COMPONENTS, SEEING_DEVICE } from './seeing-topics.ts';
 import { useClockError } from './use-clock-error.ts';
@@ -130,7 +131,7 @@ export function useObjectDetection(sources: PictureSources) {
   });
   detector.publishOn(device, isConnected);
   const clocks = useClockError(place, isOn);
-  const { isOwn, image, habits, measures } = useSentPictures({
+  const { isOwn, image, habits, measures, held } = useSentPictures({
     sources,
     isOn,
     settings,
@@ -138,8 +139,7 @@ export function useObjectDetection(sources: PictureSources) {
     ownTopic: () => device.topicOf('image'),
     // Only the results for objects are counted.
     resultHz: () => (looksFor.objects ? results.rateHz(performance.now()) : undefined),
-    publish(picture, { ageMs, captureMs, encodeMs, expiryMs }) {
-      const takenMs = client.masterTime.nowMs() - ageMs;
+    publish(picture, { takenMs, captureMs, encodeMs, expiryMs }) {
       made.set(Math.round(takenMs), { captureMs, encodeMs });
       if (made.size > MAX_UNDERWAY) made.delete(made.keys().next().value!);
       device.publish('image', picture, { timestampMs: takenMs, immediate: true, expiryMs });
@@ -216,6 +216,7 @@ export function useObjectDetection(sources: PictureSources) {
     hasChanged = false;
     found.value = new Map([...newest].map(([what, { record }]) => [what, record]));
   });
+  const lookedAt = useLookedAt(sources, () => [...found.value.values()], held);
   useIntervalFn(() => {
     if (!isConnected.value) {
       rates.value = {};
@@ -245,6 +246,7 @@ export function useObjectDetection(sources: PictureSources) {
     measures,
     image,
     found,
+    lookedAt,
     belowThreshold,
     backend,
     backendFault,

@@ -4,11 +4,15 @@ import { useConnection } from '../../connection/useConnection.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
 import { usePictureHabits } from '../../devices/camera/picture-habits.ts';
 import { usePictures, type TakenPicture } from '../../devices/camera/usePictures.ts';
+import { HeldPictures } from './held-pictures.ts';
 import { useCameraRelease } from './use-camera-release.ts';
 import type { PictureSources } from './use-picture-source.ts';
 
 /** An image file changes when another one is chosen. */
 const PHOTO_HZ = 2;
+
+/** A picture with the timestamp that its results will have, master's clock. */
+export type SentPicture = TakenPicture & { readonly takenMs: number };
 
 /** Sends the pictures of a page's source while the example runs, unless a topic is the source. */
 export function useSentPictures(options: {
@@ -21,7 +25,7 @@ export function useSentPictures(options: {
   readonly ownTopic: () => string | undefined;
   /** Results of modules per second; counts for sources that change. */
   readonly resultHz?: () => number | undefined;
-  readonly publish: (image: Image2D, taken: TakenPicture) => void;
+  readonly publish: (image: Image2D, taken: SentPicture) => void;
   readonly end: () => void;
 }): {
   /** The pictures are those of this page. */
@@ -30,9 +34,12 @@ export function useSentPictures(options: {
   readonly image: ComputedRef<string | undefined>;
   readonly habits: ReturnType<typeof usePictureHabits>;
   readonly measures: ReturnType<typeof usePictures>;
+  /** The last ones. */
+  readonly held: HeldPictures;
 } {
   const { sources, isOn, settings, isRegistered, ownTopic, resultHz, publish, end } = options;
-  const { isConnected } = useConnection();
+  const { client, isConnected } = useConnection();
+  const held = new HeldPictures();
   const habits = usePictureHabits();
   const wantedHz = settings.rateHz;
 
@@ -55,10 +62,17 @@ export function useSentPictures(options: {
     habits: () => habits.value,
     // A photograph is looked at as often as it is sent.
     resultHz: () => (sources.kind.value === 'photo' ? undefined : resultHz?.()),
-    publish,
-    end,
+    publish(picture, taken) {
+      const takenMs = client.masterTime.nowMs() - taken.ageMs;
+      held.add(takenMs, picture);
+      publish(picture, { ...taken, takenMs });
+    },
+    end() {
+      held.clear();
+      end();
+    },
   });
   useCameraRelease(sources, isOn);
   watch(sources.kind, (kind) => (settings.rateHz = kind === 'photo' ? PHOTO_HZ : wantedHz));
-  return { isOwn, image, habits, measures };
+  return { isOwn, image, habits, measures, held };
 }
