@@ -1,4 +1,3 @@
-import type { Object3D, TopicRecord } from '@ubii/proto';
 import { DEFAULT_DICTIONARY } from '@ubii/vision/markers';
 import { useIntervalFn, useRafFn } from '@vueuse/core';
 import { computed, reactive, shallowRef, watch } from 'vue';
@@ -15,11 +14,10 @@ import { useKeptPlace } from '../pictures/use-kept-choice.ts';
 import { useLookedAt } from '../pictures/use-looked-at.ts';
 import { useSentPictures } from '../pictures/use-sent-pictures.ts';
 import { CLIP_MARKER_METRES } from './marker-clip.ts';
+import { MarkerReadings, type MarkerReading } from './marker-readings.ts';
 import { TRACKING_COMPONENTS, TRACKING_DEVICE, trackingSession } from './tracking-session.ts';
 
-/** Results that nothing renews are of another picture by then, milliseconds. */
-const HOLD_MS = 1000;
-/** Behind another page, and on slow nodes, results come seldom, milliseconds. */
+/** Behind another page, and on slow nodes, results come seldom; what nothing renews is dropped then, milliseconds. */
 const SLOW_MS = 5000;
 const FIGURES_MS = 1000;
 const RATE_HZ = 20;
@@ -42,8 +40,8 @@ export function useMarkerTracking(sources: PictureSources) {
     quality: 0.9,
   });
 
-  const markers = shallowRef<readonly Object3D[]>([]);
-  const outlines = shallowRef<TopicRecord>();
+  /** Labels on the picture and the list are of the same one. */
+  const reading = shallowRef<MarkerReading>();
   const error = shallowRef('');
   const figures = shallowRef<{
     readonly seenHz?: number | undefined;
@@ -54,27 +52,27 @@ export function useMarkerTracking(sources: PictureSources) {
     ReadonlyMap<ModulePlace, { readonly ms: number; readonly hint: string }>
   >(new Map());
   const seen = new RateMeter(SLOW_MS);
-  let newest: { markers: readonly Object3D[]; outlines?: TopicRecord } = { markers: [] };
+  const readings = new MarkerReadings();
+  let newest: MarkerReading | undefined;
   let newestAtMs = -Infinity;
   let durationMs: number | undefined;
   let decodeMs: number | undefined;
-  let hasChanged = false;
+
+  function take(next: MarkerReading | undefined): void {
+    if (next === undefined) return;
+    newest = next;
+    newestAtMs = performance.now();
+    seen.note(newestAtMs);
+  }
 
   const device = useDevice({
     name: TRACKING_DEVICE,
     tags: ['example', 'camera'],
     components: TRACKING_COMPONENTS,
     receivers: {
-      markers(value) {
-        newest = { ...newest, markers: value.elements };
-        newestAtMs = performance.now();
-        seen.note(newestAtMs);
-        hasChanged = true;
-      },
-      outlines(_value, record) {
-        newest = { ...newest, outlines: record };
-        hasChanged = true;
-      },
+      markers: ({ elements: markers }, { timestampMs }) =>
+        take(readings.take(timestampMs, { markers })),
+      outlines: (_value, outlines) => take(readings.take(outlines.timestampMs, { outlines })),
       decode: (value) => (decodeMs = value),
       duration: (value) => (durationMs = value),
       error: (value) => (error.value = value),
@@ -124,8 +122,8 @@ export function useMarkerTracking(sources: PictureSources) {
   );
 
   function clear(): void {
-    newest = { markers: [] };
-    hasChanged = true;
+    newest = undefined;
+    readings.clear();
     durationMs = undefined;
     decodeMs = undefined;
     error.value = '';
@@ -137,17 +135,14 @@ export function useMarkerTracking(sources: PictureSources) {
   useRafFn(() => {
     // The last results stay, as old ones, until the master is back.
     if (!isConnected.value) return;
-    const isOld = performance.now() - newestAtMs > HOLD_MS;
-    if (isOld && newest.outlines !== undefined) {
-      newest = { markers: [] };
-      hasChanged = true;
-    }
-    if (!hasChanged) return;
-    hasChanged = false;
-    markers.value = newest.markers;
-    outlines.value = newest.outlines;
+    if (performance.now() - newestAtMs > SLOW_MS) newest = undefined;
+    reading.value = newest;
   });
-  const lookedAt = useLookedAt(sources, () => (outlines.value ? [outlines.value] : []), held);
+  const lookedAt = useLookedAt(
+    sources,
+    () => (reading.value ? [reading.value.outlines] : []),
+    held,
+  );
   useIntervalFn(() => {
     if (!isConnected.value) {
       figures.value = {};
@@ -173,8 +168,7 @@ export function useMarkerTracking(sources: PictureSources) {
     settings,
     measures,
     topicOf: device.topicOf,
-    markers,
-    outlines,
+    reading,
     lookedAt,
     error,
     figures,
