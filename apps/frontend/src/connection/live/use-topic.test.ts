@@ -107,7 +107,7 @@ describe('useTopic', () => {
     expect(page.used.records.value).toHaveLength(1);
   });
 
-  it('hands out records as they travel', async () => {
+  it('delivers records as they travel', async () => {
     const page = setUp(() => useTopic({ glob: '/a/*' }, { encoded: true }));
     page.publish('/a/b', 1);
     await frame();

@@ -1,4 +1,10 @@
-import type { TurnSource } from './useModelViewer.ts';
+/** A source of the rotation: a phone, or a browser with a mouse. */
+export interface TurnSource {
+  readonly clientId: string;
+  readonly name: string;
+  readonly isPhone: boolean;
+  readonly isOwn: boolean;
+}
 
 /** Returns a key of a source. A client can be two sources: a phone, and a browser with this page. */
 export function keyOf({ clientId, isPhone }: Pick<TurnSource, 'clientId' | 'isPhone'>): string {

@@ -5,7 +5,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import { SMART_DEVICE } from '../../devices/smart-device/components.ts';
 import { useDevice } from '../../devices/use-device.ts';
 import { useSharedSession } from '../use-shared-session.ts';
-import { chooseSource, keyOf } from './choose-source.ts';
+import { chooseSource, keyOf, type TurnSource } from './choose-source.ts';
 import { isSmoothingOf, smoothingSession } from './smoothing-session.ts';
 import { modelTurn, STRAIGHT, turnAbout, turnBy, unitTurn } from './turns.ts';
 import {
@@ -16,14 +16,6 @@ import {
   turnTopic,
   VIEWER_DEVICE,
 } from './viewer-topics.ts';
-
-/** A source of the rotation: a phone, or a browser with a mouse. */
-export interface TurnSource {
-  readonly clientId: string;
-  readonly name: string;
-  readonly isPhone: boolean;
-  readonly isOwn: boolean;
-}
 
 /** Provides the rotation of the model and its sources, while the calling scope lives. */
 export function useModelViewer() {

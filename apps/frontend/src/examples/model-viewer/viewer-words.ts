@@ -1,4 +1,4 @@
-import type { TurnSource } from './useModelViewer.ts';
+import type { TurnSource } from './choose-source.ts';
 
 /** What rotates the model now, and how to rotate it. */
 export function viewerInvitation(viewer: {
