@@ -84,8 +84,8 @@ export class NodeInstances {
       const { id, name: moduleName } = spec.module;
       const known = this.#shown.get(id) ?? NEW;
       this.#shown.set(id, { ...known, id, moduleName, sessionId, sessionName });
+      this.#options.handleChange();
     }
-    this.#options.handleChange();
   }
 
   /** Ends the instances of all other sessions. */
