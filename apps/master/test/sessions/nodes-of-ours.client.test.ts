@@ -81,6 +81,21 @@ class NodeWorld {
     return this.get(session.id!);
   }
 
+  async call(service: 'sessionRuntimeStop' | 'sessionRuntimeRemove', { id }: { id: string }) {
+    const called = this.ada.call(service, { id });
+    await this.pass();
+    await called;
+    await this.pass();
+  }
+
+  /** Topics with a value, but for those of the master. */
+  async topics(): Promise<string[]> {
+    const got = this.ada.call('topicList');
+    await this.pass();
+    const { elements } = await got;
+    return elements.filter((topic) => !/^\/(info|services)\//.test(topic)).sort();
+  }
+
   async stateOf({ id }: Session): Promise<SessionState | undefined> {
     return (await this.get(id)).extension?.state;
   }
@@ -274,6 +289,20 @@ describe('a node of ours', () => {
     const { extension } = await room.get(session.id);
     const [problem] = extension?.problems.filter(({ moduleName }) => moduleName === 'bad') ?? [];
     expect(problem?.message).toMatch(/does not run: no camera/);
+  });
+
+  it('ends the topics of its outputs with the session, but for those of another session [SE-63]', async () => {
+    const room = await NodeWorld.create();
+    const { client } = await room.joinAsNode('node');
+    const { id } = await room.start(
+      sessionOf(counter(client.id, 'm', TRIGGER), counter(client.id, 'both', TRIGGER)),
+    );
+    await room.start({ ...sessionOf(counter(client.id, 'both', TRIGGER)), name: 'other' });
+    await room.put('/in', 1);
+    await room.call('sessionRuntimeStop', { id });
+    expect(await room.topics()).toEqual(['/in', '/out/both', '/out/m']);
+    await room.call('sessionRuntimeRemove', { id });
+    expect(await room.topics()).toEqual(['/in', '/out/both']);
   });
 
   it('lets topics go whose value was deleted [PM-44] [TD-42]', async () => {

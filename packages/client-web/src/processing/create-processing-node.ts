@@ -16,7 +16,7 @@ import type { NodeInstance } from './node-instance.ts';
 import { NodeInstances } from './node-instances.ts';
 import type { RuntimeEvents } from './node-instances.ts';
 import type { ProcessingNode, ProcessingNodeOptions } from './processing-node.ts';
-import { activityOf, instancesFor } from './session-modules.ts';
+import { activityOf, instancesFor, outputTopics, outputTopicsOf } from './session-modules.ts';
 import type { SessionActivity } from './session-modules.ts';
 import { SessionWatch } from './session-watch.ts';
 import { createPageClock } from './page-clock.ts';
@@ -39,6 +39,7 @@ class Node implements ProcessingNode {
   readonly #clock: Clock;
   readonly #patterns: PatternSource;
   readonly #devices: DeviceTopics;
+  readonly #topics: ClientTopicPort;
   readonly #reports: ModuleReports;
   readonly #changeListeners: Listeners<readonly NodeInstance[]>;
   readonly #eventListeners: Listeners<ModuleEvent>;
@@ -67,6 +68,7 @@ class Node implements ProcessingNode {
     this.#catalog = new ModuleCatalog(options.modules ?? []);
     this.#acceptsWork = options.acceptsWork ?? true;
     this.#devices = new DeviceTopics(client);
+    this.#topics = new ClientTopicPort(client, this.#devices);
     this.#reports = new ModuleReports(client, {
       handleUnknown: () => this.#started?.watch.refresh(),
     });
@@ -113,6 +115,7 @@ class Node implements ProcessingNode {
         this.#handleSession(session, 'active');
         this.#reportAgain(({ spec }) => spec.module.sessionId === session.id);
       },
+      handleDeleted: (session) => void this.#handleDeleted(session),
       handleAll: (sessions) => this.#handleAll(sessions),
     });
     const stopMessages = this.#client.onNodeMessage(({ lockstepRequest }) => {
@@ -185,6 +188,16 @@ class Node implements ProcessingNode {
     this.#instances?.sync(session, wanted);
   }
 
+  /** Topics that outputs were mapped to by name end with the session, unless another one writes them. [SE-63] */
+  async #handleDeleted(session: Session): Promise<void> {
+    this.#handleSession(session, 'over');
+    await this.#instances?.settled();
+    const written = this.#instances?.started.flatMap(({ spec }) => outputTopics(spec.mapping));
+    if (written === undefined) return;
+    const ended = outputTopicsOf(session, this.#client.id).filter((one) => !written.includes(one));
+    if (ended.length > 0) this.#topics.endTopics(ended);
+  }
+
   #handleAll(sessions: readonly Session[]): void {
     this.#instances?.keepSessions(new Set(sessions.map(({ id }) => id)));
     for (const session of sessions) {
@@ -223,7 +236,7 @@ class Node implements ProcessingNode {
     return createRuntime({
       nodeId: this.#client.id,
       clock: this.#clock,
-      topics: new ClientTopicPort(this.#client, this.#devices),
+      topics: this.#topics,
       patterns: compilerOf(this.#patterns),
       sandboxes,
       libraries,

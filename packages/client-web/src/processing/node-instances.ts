@@ -93,6 +93,11 @@ export class NodeInstances {
     this.#keeper.keepSessions(sessionIds);
   }
 
+  /** Resolves when no instance is being started or ended. */
+  settled(): Promise<void> {
+    return this.#keeper.settled();
+  }
+
   takeStatistics(): readonly ModuleStatistics[] {
     const all = this.runtime.statistics();
     for (const statistics of all) this.#show(statistics.moduleId, { statistics });
@@ -102,7 +107,7 @@ export class NodeInstances {
   /** Ends all instances. */
   async end(): Promise<void> {
     this.keepSessions(new Set());
-    await this.#keeper.settled();
+    await this.settled();
     await this.runtime.close();
   }
 

@@ -47,6 +47,18 @@ export function instancesFor(
     });
 }
 
+/** Topics that outputs of a session's modules on the node are mapped to by name. */
+export function outputTopicsOf(session: Session, nodeId: string): string[] {
+  return session.processingModules
+    .filter((module) => module.nodeId === nodeId)
+    .flatMap((module) => outputTopics(mappingOf(session, module)));
+}
+
+/** Topics that a mapping names for outputs; those of demuxers are not among them. */
+export function outputTopics({ outputMappings }: IOMapping): string[] {
+  return outputMappings.flatMap(({ topic }) => (topic ? [topic] : []));
+}
+
 function mappingOf({ ioMappings }: Session, { id, name }: ProcessingModule): IOMapping {
   return (
     ioMappings.find(({ processingModuleId }) => processingModuleId === id) ??

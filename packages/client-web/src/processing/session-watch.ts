@@ -14,6 +14,8 @@ export interface SessionWatchOptions {
   readonly handleSession: (session: Session, activity: SessionActivity) => void;
   /** A session starts, whether or not something of it runs already. */
   readonly handleStart: (session: Session) => void;
+  /** A session was deleted: it is over, and what it made ends. */
+  readonly handleDeleted: (session: Session) => void;
   /** All sessions there are; those that are missing are no more. */
   readonly handleAll: (sessions: readonly Session[]) => void;
 }
@@ -44,7 +46,7 @@ export class SessionWatch {
         // The list follows and replaces messages that arrive while the client connects.
         else if (!this.#isClosed && client.state.status === 'connected') handle(value);
       });
-    const { handleSession, handleStart } = options;
+    const { handleSession, handleStart, handleDeleted } = options;
     this.#subscriptions = [
       on(INFO_TOPICS.startSession, handleStart),
       on(INFO_TOPICS.changeSession, (session) => {
@@ -52,7 +54,7 @@ export class SessionWatch {
         if (activity !== undefined) handleSession(session, activity);
       }),
       on(INFO_TOPICS.stopSession, (session) => handleSession(session, 'over')),
-      on(INFO_TOPICS.deleteSession, (session) => handleSession(session, 'over')),
+      on(INFO_TOPICS.deleteSession, handleDeleted),
     ];
     this.#stopListening = client.onState(({ status }) => {
       if (status === 'connected') this.refresh();
