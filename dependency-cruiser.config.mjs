@@ -8,7 +8,7 @@ const comment =
 
 /** Folders of the frontend, line by line: each imports those of the lines above it, see its README. */
 const FRONTEND = [
-  ['styles', 'theme', 'patterns', 'connection', 'formats', 'files', 'players', 'pad'],
+  ['styles', 'theme', 'patterns', 'connection', 'formats', 'files', 'json', 'players', 'pad'],
   ['ui', 'locations'],
   ['page', 'message-form', 'tab-node', 'install', 'asset-sets'],
   ['topics', 'sessions'],
