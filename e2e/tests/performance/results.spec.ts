@@ -67,7 +67,7 @@ test('results are kept over a reload, named, compared, exported and imported', a
       buffer: Buffer.from('{"a":1}'),
     });
     await expect(ben.page.getByRole('alert')).toContainText(
-      'wrong.json: The file should be a JSON export of this page',
+      'wrong.json: The file contains no performance results.',
     );
     await file.setInputFiles({
       name: 'right.json',

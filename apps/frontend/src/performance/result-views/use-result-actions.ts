@@ -4,7 +4,6 @@ import { saveFile } from '../../files/save-file.ts';
 import type { TextFile } from '../../files/text-file.ts';
 import { useToasts } from '../../ui/toasts/toasts.ts';
 import { usePerformance } from '../run/use-performance.ts';
-import { ResultFormatError } from '../results/read-result.ts';
 import { resultsFromJson, resultsToCsv, resultsToJson } from '../results/result-file.ts';
 import type { TestResult } from '../results/test-result.ts';
 
@@ -44,15 +43,14 @@ export function useResultActions(): {
       importFault.value = undefined;
       const ids: string[] = [];
       for (const { name, text } of files) {
-        try {
-          const read = resultsFromJson(text);
-          // An id stands for one run, wherever it was exported: what is here already stays as it is
-          await kept.put(...read.filter(({ id }) => kept.find(id) === undefined));
-          ids.push(...read.map(({ id }) => id));
-        } catch (cause) {
-          if (!(cause instanceof ResultFormatError)) throw cause;
-          importFault.value = `${name}: ${cause.message}`;
+        const read = resultsFromJson(text);
+        if (read.kind === 'broken') {
+          importFault.value = `${name}: ${read.message}`;
+          continue;
         }
+        // An id stands for one run, wherever it was exported: what is here already stays as it is
+        await kept.put(...read.value.filter(({ id }) => kept.find(id) === undefined));
+        ids.push(...read.value.map(({ id }) => id));
       }
       if (ids.length > 0) {
         toasts.show(plural(ids.length, 'Imported 1 result', `Imported ${ids.length} results`));

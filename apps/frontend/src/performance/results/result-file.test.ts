@@ -2,48 +2,51 @@ import { describe, expect, it } from 'vitest';
 import { resultsFromJson, resultsToCsv, resultsToJson } from './result-file.ts';
 import { aResult } from './testing/a-result.ts';
 
+const NO_RESULTS =
+  'The file contains no performance results. Choose a file that this page exported.';
+
 describe('results as JSON', () => {
   it('come back as they were', () => {
     const results = [aResult(), aResult({ id: 'two', ended: 'stopped' })];
-    expect(resultsFromJson(resultsToJson(results))).toEqual(results);
+    expect(resultsFromJson(resultsToJson(results))).toEqual({ kind: 'read', value: results });
   });
 
   it.each([
-    ['nothing JSON', '{', 'The file should be JSON, as exported by this page.'],
-    ['another file', '{"a":1}', 'The file should be a JSON export of this page.'],
-    ['null', 'null', 'The file should be a JSON export of this page.'],
+    ['nothing JSON', '{', 'The file is not JSON. It may be cut off or damaged. Export it again.'],
+    ['another file', '{"a":1}', NO_RESULTS],
+    ['null', 'null', NO_RESULTS],
     [
       'a later version',
       '{"format":"ubi-interact-performance","formatVersion":2,"results":[]}',
-      'The version of the file should be 1.',
+      'The file has version 2; this page reads version 1. Create it with the same version of Ubi-Interact.',
     ],
     [
       'no results',
       '{"format":"ubi-interact-performance","formatVersion":1,"results":[]}',
-      'results should be a list of 1 to 100 results.',
+      'The file cannot be read: results should be a list of 1 or more elements.',
     ],
     [
       'a broken result',
       resultsToJson([aResult({ startedMs: 'yesterday' as never })]),
-      'results[0].startedMs should be a number.',
+      'The file cannot be read: results[0].startedMs should be a number.',
     ],
     [
       'an unknown test',
       resultsToJson([aResult({ kind: 'juggling' as never })]),
-      'results[0].kind should be "round-trip" or "load" or "session-speed" or "screen".',
+      'The file cannot be read: results[0].kind should be "round-trip" or "load" or "session-speed" or "screen".',
     ],
     [
       'a broken figure',
       resultsToJson([aResult({ findings: { ...aResult().findings, figures: [{} as never] } })]),
-      'results[0].findings.figures[0].key should be a text of up to 2000 characters.',
+      'The file cannot be read: results[0].findings.figures[0].key is missing.',
     ],
   ])('say what is wrong with %s', (_what, text, sentence) => {
-    expect(() => resultsFromJson(text)).toThrow(sentence);
+    expect(resultsFromJson(text)).toEqual({ kind: 'broken', message: sentence });
   });
 
   it('leave out what is not known', () => {
     const strange = { ...aResult(), password: 'x' };
-    expect(resultsFromJson(resultsToJson([strange]))).toEqual([aResult()]);
+    expect(resultsFromJson(resultsToJson([strange]))).toEqual({ kind: 'read', value: [aResult()] });
   });
 });
 

@@ -1,5 +1,7 @@
+import * as v from 'valibot';
+import { readImported, type ImportKind, type Imported } from '../../json/read-imported.ts';
 import { binStartMs } from '../measure/histogram.ts';
-import { readResult, ResultFormatError } from './read-result.ts';
+import { RESULT } from './result-schema.ts';
 import type { TestResult } from './test-result.ts';
 
 const FORMAT = 'ubi-interact-performance';
@@ -7,33 +9,27 @@ const FORMAT_VERSION = 1;
 /** Results of one file: as many as are kept. */
 export const MAX_RESULTS_OF_FILE = 100;
 
+const RESULTS: ImportKind = {
+  what: 'performance results',
+  mark: ['format', FORMAT],
+  version: ['formatVersion', FORMAT_VERSION],
+  maxChars: 50_000_000,
+};
+const RESULTS_FILE = v.pipe(
+  v.object({
+    results: v.pipe(v.array(RESULT), v.minLength(1), v.maxLength(MAX_RESULTS_OF_FILE)),
+  }),
+  v.transform(({ results }) => results),
+);
+
 /** Results as a JSON file: everything, to be imported again. */
 export function resultsToJson(results: readonly TestResult[]): string {
   return `${JSON.stringify({ format: FORMAT, formatVersion: FORMAT_VERSION, results }, undefined, 2)}\n`;
 }
 
-/**
- * Reads what `resultsToJson` wrote.
- * @throws ResultFormatError with a sentence for people
- */
-export function resultsFromJson(text: string): TestResult[] {
-  let file: unknown;
-  try {
-    file = JSON.parse(text);
-  } catch {
-    throw new ResultFormatError('The file', 'JSON, as exported by this page');
-  }
-  const { format, formatVersion, results } = (file ?? {}) as Record<string, unknown>;
-  if (format !== FORMAT) {
-    throw new ResultFormatError('The file', 'a JSON export of this page');
-  }
-  if (formatVersion !== FORMAT_VERSION) {
-    throw new ResultFormatError('The version of the file', `${FORMAT_VERSION}`);
-  }
-  if (!Array.isArray(results) || results.length === 0 || results.length > MAX_RESULTS_OF_FILE) {
-    throw new ResultFormatError('results', `a list of 1 to ${MAX_RESULTS_OF_FILE} results`);
-  }
-  return results.map((one, index) => readResult(one, `results[${index}]`));
+/** Reads what `resultsToJson` wrote. */
+export function resultsFromJson(text: string): Imported<readonly TestResult[]> {
+  return readImported(RESULTS, RESULTS_FILE, text);
 }
 
 const HEAD = ['result', 'test', 'started', 'section', 'key', 'label', 'x', 'value', 'unit'];

@@ -1,4 +1,5 @@
-import { readResult } from './read-result.ts';
+import { storedValue } from '../../json/read-stored.ts';
+import { RESULT } from './result-schema.ts';
 import type { TestResult } from './test-result.ts';
 
 const DATABASE = 'ubii.performance';
@@ -29,13 +30,8 @@ export async function openResultStore(): Promise<ResultStore> {
       const all = await answer<unknown[]>(
         database.transaction(STORE, 'readonly').objectStore(STORE).getAll(),
       );
-      return all.flatMap((value) => {
-        try {
-          return [readResult(value, 'result')];
-        } catch {
-          return []; // of another version of this page
-        }
-      });
+      // Without results of another version of this page.
+      return all.flatMap((value) => storedValue(RESULT, value) ?? []);
     },
     put: (result) => change((store) => store.put(result)),
     remove: (ids) => change((store) => ids.forEach((id) => store.delete(id))),

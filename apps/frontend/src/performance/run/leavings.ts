@@ -1,10 +1,13 @@
 import { SERVICES, toJson } from '@ubii/proto';
+import * as v from 'valibot';
+import { readStored } from '../../json/read-stored.ts';
+import { validElements } from '../../json/schemas.ts';
+
+const LEAVING = v.object({ kind: v.picklist(['client', 'session']), id: v.string() });
+const LEAVINGS = validElements(LEAVING);
 
 /** What a test puts on the master for a while. */
-export interface Leaving {
-  readonly kind: 'client' | 'session';
-  readonly id: string;
-}
+export type Leaving = Readonly<v.InferOutput<typeof LEAVING>>;
 
 /** Keeps book of what a running test must take away again, however it ends. */
 export interface Leavings {
@@ -22,7 +25,9 @@ const KEY = 'ubii.performance.leavings';
  */
 export function createLeavings(storage: Pick<Storage, 'getItem' | 'setItem'>): Leavings {
   const known = new Map<string, Leaving>();
-  for (const leaving of read(storage.getItem(KEY))) known.set(leaving.id, leaving);
+  for (const leaving of readStored(LEAVINGS, storage.getItem(KEY)) ?? []) {
+    known.set(leaving.id, leaving);
+  }
   const save = (): void => storage.setItem(KEY, JSON.stringify([...known.values()]));
   return {
     add(leaving) {
@@ -38,20 +43,6 @@ export function createLeavings(storage: Pick<Storage, 'getItem' | 'setItem'>): L
       return [...of('session'), ...of('client')];
     },
   };
-}
-
-function read(text: string | null): Leaving[] {
-  try {
-    const list: unknown = JSON.parse(text ?? '[]');
-    return Array.isArray(list) ? list.filter(isLeaving) : [];
-  } catch {
-    return [];
-  }
-}
-
-function isLeaving(value: unknown): value is Leaving {
-  const { kind, id } = (value ?? {}) as Record<string, unknown>;
-  return (kind === 'client' || kind === 'session') && typeof id === 'string';
 }
 
 /** The service that takes it away, as text for a page that has no time for an answer. */
