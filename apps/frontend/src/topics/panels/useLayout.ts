@@ -1,7 +1,11 @@
 import { useLocalStorage, useSessionStorage, watchDebounced } from '@vueuse/core';
+import * as v from 'valibot';
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import { useRoute, useRouter } from 'vue-router';
-import { readLayout, readLayoutFile, layoutJson, LayoutError } from './layout/layout-json.ts';
+import { layoutJson, readLayoutFile, storedLayout } from './layout/layout-json.ts';
+import type { Imported } from '../../json/read-imported.ts';
+import { storedAs } from '../../json/read-stored.ts';
+import { textOrNone, validMembers } from '../../json/schemas.ts';
 import { layoutHash, layoutOfHash } from './layout/layout-link.ts';
 import {
   firstStep,
@@ -16,6 +20,16 @@ import { EMPTY_LAYOUT, type Layout, type LayoutNode } from './layout/layout.ts';
 const LINK_MS = 250;
 /** Layouts that are kept by name in this browser. */
 const MAX_SAVED = 50;
+
+type NamedLayouts = Readonly<Record<string, string>>;
+const storedNamed = storedAs<v.GenericSchema<unknown, NamedLayouts>>(validMembers(v.string()), {});
+
+/** What a tab has made of its address. */
+const OF_TAB = v.object({
+  address: textOrNone,
+  before: textOrNone,
+  layout: textOrNone,
+});
 
 export interface LayoutStore {
   readonly layout: ComputedRef<Layout>;
@@ -46,36 +60,23 @@ export function useLayout(): LayoutStore {
   const kept = useLocalStorage<string>('ubii.panels', '');
   // The address lags behind: what this tab had made of it is newer than what it says after a reload.
   // While one address takes the place of another, a reload finds either.
-  const ofTab = useSessionStorage('ubii.panelsOfTab', { address: '', before: '', layout: '' });
-  const named = useLocalStorage<Record<string, string>>('ubii.panelLayouts', {});
+  const ofTab = useSessionStorage('ubii.panelsOfTab', v.parse(OF_TAB, {}), {
+    serializer: storedAs(OF_TAB, {}),
+  });
+  const named = useLocalStorage<NamedLayouts>('ubii.panelLayouts', {}, { serializer: storedNamed });
   const problem = shallowRef<string>();
 
-  function attempt(read: () => Layout | undefined): Layout | undefined {
-    try {
-      const layout = read();
-      problem.value = undefined;
-      return layout;
-    } catch (error) {
-      if (!(error instanceof LayoutError)) throw error;
-      problem.value = `${error.message} Nothing was changed.`;
-      return undefined;
-    }
-  }
-  /** A stored layout that cannot be read is ignored. */
-  function readKept(text: string): Layout | undefined {
-    try {
-      return text === '' ? undefined : readLayout(JSON.parse(text));
-    } catch {
-      return undefined;
-    }
+  function taken(read: Imported<Layout> | undefined): Layout | undefined {
+    problem.value = read?.kind === 'broken' ? `${read.message} Nothing was changed.` : undefined;
+    return read?.kind === 'read' ? read.value : undefined;
   }
 
   const isOwn = (address: string): boolean =>
     address === ofTab.value.address || address === ofTab.value.before;
   const ofLink =
-    (route.hash !== '' && isOwn(route.hash) ? readKept(ofTab.value.layout) : undefined) ??
-    attempt(() => layoutOfHash(route.hash));
-  const before = readKept(kept.value) ?? EMPTY_LAYOUT;
+    (route.hash !== '' && isOwn(route.hash) ? storedLayout(ofTab.value.layout) : undefined) ??
+    taken(layoutOfHash(route.hash));
+  const before = storedLayout(kept.value) ?? EMPTY_LAYOUT;
   let first: LayoutSteps = firstStep(before);
   // What was open before the link is one step back.
   if (ofLink) first = nextStep(first, ofLink, false);
@@ -119,7 +120,7 @@ export function useLayout(): LayoutStore {
     (next) => {
       if (next === '' || next === ofTab.value.address || route.path !== '/panels') return;
       ofTab.value.address = ofTab.value.before = next;
-      const linked = attempt(() => layoutOfHash(next));
+      const linked = taken(layoutOfHash(next));
       if (linked && layoutHash(linked) !== hash.value) set(linked);
     },
   );
@@ -134,11 +135,11 @@ export function useLayout(): LayoutStore {
     change: (root, gesture) => set({ ...layout.value, root }, gesture),
     open: (next) => set(next),
     openFile(text) {
-      const next = attempt(() => readLayoutFile(text));
+      const next = taken(readLayoutFile(text));
       if (next) set(next);
     },
     openSaved(name) {
-      const next = attempt(() => readLayoutFile(named.value[name] ?? ''));
+      const next = taken(readLayoutFile(named.value[name] ?? ''));
       if (next) set(next);
     },
     save(name) {

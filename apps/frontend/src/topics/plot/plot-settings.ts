@@ -1,4 +1,6 @@
 import type { JsonObject, JsonValue } from '@ubii/proto';
+import * as v from 'valibot';
+import { flag, maybe, textUpTo, validElements } from '../../json/schemas.ts';
 import { MAX_PATH } from '../values/number-fields.ts';
 
 /** One line of a plot. */
@@ -24,6 +26,7 @@ export interface PlotSettings {
 export const MAX_SERIES = 20;
 export const MAX_AXES = 4;
 export const MAX_TOPIC = 1024;
+const MAX_SPAN_MS = 600_000;
 
 export const aSeries = (topic: string, path: string): PlotSeries => ({
   topic,
@@ -37,16 +40,39 @@ export const aSeries = (topic: string, path: string): PlotSeries => ({
 export const seriesKey = ({ topic, path, isDerivative }: PlotSeries): string =>
   `${topic}\n${path}${isDerivative ? '\n′' : ''}`;
 
+const SERIES = v.pipe(
+  v.object({
+    topic: v.pipe(textUpTo(MAX_TOPIC), v.minLength(1)),
+    path: v.optional(textUpTo(MAX_PATH), ''),
+    d: flag,
+    hidden: flag,
+    axis: v.fallback(v.pipe(v.number(), v.integer(), v.minValue(1)), 1),
+  }),
+  v.transform(({ topic, path, d, hidden, axis }): PlotSeries => ({
+    topic,
+    path,
+    isDerivative: d,
+    isHidden: hidden,
+    axis: Math.min(axis, MAX_AXES),
+  })),
+);
+
+const SETTINGS = v.pipe(
+  v.object({
+    series: maybe(validElements(SERIES, MAX_SERIES)),
+    span: maybe(v.pipe(v.number(), v.gtValue(0), v.maxValue(MAX_SPAN_MS))),
+    numbers: flag,
+  }),
+  v.transform(({ series, span, numbers }): PlotSettings => ({
+    series,
+    spanMs: span,
+    hasNumbers: numbers,
+  })),
+);
+
 /** Reads untrusted settings; invalid members are left out. */
-export function readPlotSettings(settings: Readonly<JsonObject>): PlotSettings {
-  const { series, span, numbers } = settings;
-  const isSpan = typeof span === 'number' && span > 0 && span <= 600_000;
-  return {
-    series: Array.isArray(series) ? series.slice(0, MAX_SERIES).flatMap(readSeries) : undefined,
-    spanMs: isSpan ? span : undefined,
-    hasNumbers: numbers === true,
-  };
-}
+export const readPlotSettings = (settings: Readonly<JsonObject>): PlotSettings =>
+  v.parse(SETTINGS, settings);
 
 /** The short form that goes into layouts and links. */
 export function writePlotSettings({ series, spanMs, hasNumbers }: PlotSettings): JsonObject {
@@ -55,23 +81,6 @@ export function writePlotSettings({ series, spanMs, hasNumbers }: PlotSettings):
     ...(spanMs === undefined ? {} : { span: spanMs }),
     ...(hasNumbers ? { numbers: true } : {}),
   };
-}
-
-function readSeries(json: JsonValue): PlotSeries[] {
-  if (typeof json !== 'object' || json === null || Array.isArray(json)) return [];
-  const { topic, path = '', d, hidden, axis = 1 } = json;
-  if (typeof topic !== 'string' || topic === '' || topic.length > MAX_TOPIC) return [];
-  if (typeof path !== 'string' || path.length > MAX_PATH) return [];
-  const isAxis = typeof axis === 'number' && Number.isInteger(axis) && axis >= 1;
-  return [
-    {
-      topic,
-      path,
-      isDerivative: d === true,
-      isHidden: hidden === true,
-      axis: isAxis ? Math.min(axis, MAX_AXES) : 1,
-    },
-  ];
 }
 
 function writeSeries({ topic, path, isDerivative, isHidden, axis }: PlotSeries): JsonValue {

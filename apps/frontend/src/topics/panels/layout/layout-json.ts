@@ -1,4 +1,13 @@
-import type { JsonObject, JsonValue } from '@ubii/proto';
+import type { JsonObject } from '@ubii/proto';
+import * as v from 'valibot';
+import {
+  importedValue,
+  readImported,
+  type Imported,
+  type ImportKind,
+} from '../../../json/read-imported.ts';
+import { readStored } from '../../../json/read-stored.ts';
+import { finite, jsonObject, textCutAt, textUpTo } from '../../../json/schemas.ts';
 import { MAX_TOPIC } from '../../plot/plot-settings.ts';
 import {
   clampShare,
@@ -8,22 +17,14 @@ import {
   panelsOf,
   type Layout,
   type LayoutNode,
-  type Panel,
 } from './layout.ts';
 
 const TYPE = 'ubi-interact-layout';
 const VERSION = 1;
 /** Letters of what one panel may set. */
 const MAX_SETTINGS = 8000;
-/** Splits within splits: more than panels are never needed. */
-const MAX_DEPTH = MAX_PANELS;
 /** Letters of a file. */
 export const MAX_FILE = 200_000;
-
-/** Why a file or a link is no layout: one sentence. */
-export class LayoutError extends Error {
-  override readonly name = 'LayoutError';
-}
 
 /** As files hold it. */
 export function layoutJson({ name, root }: Layout): JsonObject {
@@ -49,75 +50,62 @@ function nodeJson(node: LayoutNode): JsonObject {
   };
 }
 
-/** @throws LayoutError */
-export function readLayoutFile(text: string): Layout {
-  if (text.length > MAX_FILE) throw new LayoutError('This file is too large for a layout.');
-  let json: unknown;
-  try {
-    json = JSON.parse(text);
-  } catch {
-    throw new LayoutError('This file is not JSON. It may be cut off or damaged.');
-  }
-  return readLayout(json);
-}
+const KIND: ImportKind = {
+  what: 'layout of panels',
+  mark: ['type', TYPE],
+  version: ['version', VERSION],
+  maxChars: MAX_FILE,
+};
 
-/** Reads an untrusted layout. @throws LayoutError */
-export function readLayout(json: unknown): Layout {
-  if (!isObject(json) || json['type'] !== TYPE) {
-    throw new LayoutError('This is JSON, but not a layout of panels.');
-  }
-  const { version, name, root } = json;
-  if (version !== VERSION) {
-    throw new LayoutError(
-      `This layout has version ${JSON.stringify(version)}; this page reads version ${VERSION}.`,
-    );
-  }
-  const node = root === undefined ? undefined : readNode(root as JsonValue, 0);
-  const panels = panelsOf(node);
-  if (panels.length > MAX_PANELS) {
-    throw new LayoutError(
-      `This layout has ${panels.length} panels; a page shows up to ${MAX_PANELS}.`,
-    );
-  }
-  if (new Set(panels.map(({ id }) => id)).size < panels.length) {
-    throw new LayoutError('Two panels of this layout have the same id.');
-  }
-  return { name: typeof name === 'string' ? name.slice(0, MAX_NAME) : '', root: node };
-}
+const NODE: v.GenericSchema<unknown, LayoutNode> = v.lazy((json) =>
+  typeof json === 'object' && json !== null && 'split' in json ? SPLIT : PANEL,
+);
 
-function readNode(json: JsonValue, depth: number): LayoutNode {
-  if (!isObject(json) || depth > MAX_DEPTH) throw new LayoutError(damaged('a part'));
-  const { split, share, first, second } = json;
-  if (split === undefined) return readPanel(json);
-  if (split !== 'row' && split !== 'column') throw new LayoutError(damaged('a split'));
-  if (typeof share !== 'number' || !Number.isFinite(share)) {
-    throw new LayoutError(damaged('the share of a split'));
-  }
-  return {
-    direction: split,
-    share: clampShare(share),
-    first: readNode(first ?? null, depth + 1),
-    second: readNode(second ?? null, depth + 1),
-  };
-}
+const SPLIT: v.GenericSchema<unknown, LayoutNode> = v.pipe(
+  v.object({
+    split: v.picklist(['row', 'column']),
+    share: v.pipe(finite, v.transform(clampShare)),
+    first: NODE,
+    second: NODE,
+  }),
+  v.transform(({ split, ...node }) => ({ direction: split, ...node })),
+);
 
-function readPanel({ panel, topic, viewer = '', settings = {} }: JsonObject): Panel {
-  const isId = typeof panel === 'string' && /^[\w-]{1,40}$/.test(panel);
-  if (!isId) throw new LayoutError(damaged('the id of a panel'));
-  if (typeof topic !== 'string' || topic.length > MAX_TOPIC) {
-    throw new LayoutError(damaged(`the topic of panel ${panel}`));
-  }
-  if (typeof viewer !== 'string' || viewer.length > 40) {
-    throw new LayoutError(damaged(`the view of panel ${panel}`));
-  }
-  if (!isObject(settings) || JSON.stringify(settings).length > MAX_SETTINGS) {
-    throw new LayoutError(damaged(`the settings of panel ${panel}`));
-  }
-  return { id: panel, topic, viewer, settings };
-}
+const PANEL: v.GenericSchema<unknown, LayoutNode> = v.pipe(
+  v.object({
+    panel: v.pipe(v.string(), v.regex(/^[\w-]{1,40}$/, 'should have 1 to 40 letters and digits')),
+    topic: textUpTo(MAX_TOPIC),
+    viewer: v.optional(textUpTo(40), ''),
+    settings: v.optional(
+      v.pipe(
+        jsonObject,
+        v.check((json) => JSON.stringify(json).length <= MAX_SETTINGS, 'is too large'),
+      ),
+      {},
+    ),
+  }),
+  v.transform(({ panel, ...rest }) => ({ id: panel, ...rest })),
+);
 
-const damaged = (what: string): string => `This layout is damaged: ${what} is not valid.`;
+const LAYOUT = v.pipe(
+  v.object({ name: textCutAt(MAX_NAME), root: v.optional(NODE) }),
+  v.transform(({ name, root }): Layout => ({ name, root })),
+  v.check(
+    ({ root }) => panelsOf(root).length <= MAX_PANELS,
+    ({ input: { root } }) =>
+      `the layout has ${panelsOf(root).length} panels; a page shows up to ${MAX_PANELS}.`,
+  ),
+  v.check(({ root }) => {
+    const ids = panelsOf(root).map(({ id }) => id);
+    return new Set(ids).size === ids.length;
+  }, 'two panels have the same id.'),
+);
 
-function isObject(json: unknown): json is JsonObject {
-  return typeof json === 'object' && json !== null && !Array.isArray(json);
-}
+/** A layout that this browser keeps; undefined when it cannot be read. */
+export const storedLayout = (text: string): Layout | undefined => readStored(LAYOUT, text);
+
+export const readLayoutFile = (text: string): Imported<Layout> => readImported(KIND, LAYOUT, text);
+
+/** Reads the untrusted content of a link. */
+export const linkedLayout = (json: unknown): Imported<Layout> =>
+  importedValue(KIND, LAYOUT, json, 'link');

@@ -1,5 +1,6 @@
+import { brokenImport, type Imported } from '../../../json/read-imported.ts';
 import type { Layout } from './layout.ts';
-import { layoutJson, LayoutError, readLayout } from './layout-json.ts';
+import { layoutJson, linkedLayout } from './layout-json.ts';
 
 /** Letters of a link: what messengers and mail leave whole. */
 export const MAX_LINK = 6000;
@@ -16,20 +17,17 @@ export function layoutHash(layout: Layout): string | undefined {
   return hash.length > MAX_LINK ? undefined : hash;
 }
 
-/**
- * @returns `undefined` for an address without a layout
- * @throws LayoutError
- */
-export function layoutOfHash(hash: string): Layout | undefined {
+/** @returns `undefined` for an address without a layout */
+export function layoutOfHash(hash: string): Imported<Layout> | undefined {
   if (!hash.startsWith(PREFIX)) return undefined;
-  if (hash.length > MAX_LINK) throw new LayoutError('This link is too long for a layout.');
+  if (hash.length > MAX_LINK) return brokenImport('This link is too long for a layout.');
   const letters = hash.slice(PREFIX.length).replaceAll('-', '+').replaceAll('_', '/');
   let json: unknown;
   try {
     const bytes = Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
     json = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
   } catch {
-    throw new LayoutError('The layout in this link cannot be read. It may be cut off.');
+    return brokenImport('The layout in this link cannot be read. It may be cut off.');
   }
-  return readLayout(json);
+  return linkedLayout(json);
 }

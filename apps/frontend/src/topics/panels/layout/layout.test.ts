@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { layoutJson, LayoutError, MAX_FILE, readLayout, readLayoutFile } from './layout-json.ts';
+import { layoutJson, linkedLayout, MAX_FILE, readLayoutFile } from './layout-json.ts';
 import { layoutHash, layoutOfHash, MAX_LINK } from './layout-link.ts';
 import { layoutRects, neighbourOf, roomiest, sideAt } from './layout-rects.ts';
 import { firstStep, nextStep, redoStep, undoStep } from './layout-steps.ts';
@@ -31,6 +31,8 @@ const three: LayoutNode = {
   second: { direction: 'column', share: 0.5, first: panel('2'), second: panel('3') },
 };
 const layout: Layout = { name: 'Ärm & Bein', root: three };
+const layoutText = (members: object): string =>
+  JSON.stringify({ type: 'ubi-interact-layout', version: 1, ...members });
 const idsOf = (root: LayoutNode | undefined): string =>
   panelsOf(root)
     .map(({ id }) => id)
@@ -105,11 +107,12 @@ describe('a layout as a file and as a link', () => {
       ...layout,
       root: changePanel(three, '2', { settings: { series: [{ topic: '/ä b', path: 'x.y' }] } }),
     };
-    expect(readLayoutFile(JSON.stringify(layoutJson(withSettings)))).toEqual(withSettings);
-    expect(layoutOfHash(layoutHash(withSettings)!)).toEqual(withSettings);
+    const read = { kind: 'read', value: withSettings };
+    expect(readLayoutFile(JSON.stringify(layoutJson(withSettings)))).toEqual(read);
+    expect(layoutOfHash(layoutHash(withSettings)!)).toEqual(read);
     expect(layoutOfHash(layoutHash({ name: '', root: undefined })!)).toEqual({
-      name: '',
-      root: undefined,
+      kind: 'read',
+      value: { name: '', root: undefined },
     });
     expect(layoutOfHash('#other')).toBeUndefined();
   });
@@ -120,27 +123,41 @@ describe('a layout as a file and as a link', () => {
   });
 
   it.each([
-    ['{"type":"ubi-interact-lay', /not JSON/],
-    ['[]', /not a layout/],
-    ['{"type":"else"}', /not a layout/],
-    ['{"type":"ubi-interact-layout","version":9}', /version 9/],
-    ['{"type":"ubi-interact-layout","version":1,"root":7}', /damaged/],
-    ['{"type":"ubi-interact-layout","version":1,"root":{"split":"x"}}', /damaged: a split/],
-    ['{"type":"ubi-interact-layout","version":1,"root":{"panel":"1"}}', /topic of panel 1/],
+    ['{"type":"ubi-interact-lay', 'not JSON'],
+    ['[]', 'contains no layout of panels'],
+    ['{"type":"else"}', 'contains no layout of panels'],
+    [layoutText({ version: 9 }), 'version 9'],
+    [layoutText({ root: 7 }), 'root should be an object.'],
+    [layoutText({ root: { split: 'x' } }), 'root.split should be "row" or "column".'],
+    [layoutText({ root: { panel: '1' } }), 'root.topic is missing.'],
     [
-      '{"type":"ubi-interact-layout","version":1,"root":{"panel":"<b>","topic":"/a"}}',
-      /the id of a panel/,
+      layoutText({ root: { panel: '<b>', topic: '/a' } }),
+      'root.panel should have 1 to 40 letters and digits.',
     ],
-    ['x'.repeat(MAX_FILE + 1), /too large/],
+    [
+      layoutText({ root: { panel: '1', topic: '/a', settings: { text: 'x'.repeat(8000) } } }),
+      'root.settings is too large.',
+    ],
+    [
+      layoutText({ root: { panel: '1', topic: '/a', settings: { a: '?' } } }).replace(
+        '"?"',
+        '{"a":'.repeat(9000) + '0' + '}'.repeat(9000),
+      ),
+      'nested too deeply',
+    ],
+    ['x'.repeat(MAX_FILE + 1), 'too large'],
   ])('damaged, says what is wrong: %.60s', (text, reason) => {
-    expect(() => readLayoutFile(text)).toThrow(LayoutError);
-    expect(() => readLayoutFile(text)).toThrow(reason);
+    expect(readLayoutFile(text)).toEqual({
+      kind: 'broken',
+      message: expect.stringContaining(reason) as string,
+    });
   });
 
   it('in a link that was cut off, says so', () => {
     const hash = layoutHash(layout)!;
-    expect(() => layoutOfHash(hash.slice(0, -9))).toThrow(/cut off/);
-    expect(() => layoutOfHash('#layout=%%%')).toThrow(/cut off/);
+    const cutOff = { kind: 'broken', message: expect.stringContaining('cut off') as string };
+    expect(layoutOfHash(hash.slice(0, -9))).toEqual(cutOff);
+    expect(layoutOfHash('#layout=%%%')).toEqual(cutOff);
   });
 
   it('never holds more panels than a page shows, nor one twice', () => {
@@ -148,13 +165,19 @@ describe('a layout as a file and as a link', () => {
     for (let i = 1; i < 13; i++) {
       many = { direction: 'row', share: 0.5, first: panel(String(i)), second: many };
     }
-    expect(() => readLayout(layoutJson({ name: '', root: many }))).toThrow(LayoutError);
+    expect(linkedLayout(layoutJson({ name: '', root: many }))).toEqual({
+      kind: 'broken',
+      message: 'The link cannot be read: the layout has 13 panels; a page shows up to 12.',
+    });
     const twice: LayoutNode = {
       direction: 'row',
       share: 0.5,
       first: panel('1'),
       second: panel('1'),
     };
-    expect(() => readLayout(layoutJson({ name: '', root: twice }))).toThrow(/same id/);
+    expect(linkedLayout(layoutJson({ name: '', root: twice }))).toEqual({
+      kind: 'broken',
+      message: 'The link cannot be read: two panels have the same id.',
+    });
   });
 });
