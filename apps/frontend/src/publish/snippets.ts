@@ -1,5 +1,9 @@
-import { readGesture, type Gesture } from './gesture/gesture.ts';
+import * as v from 'valibot';
 import { randomUuid } from '../connection/random-uuid.ts';
+import { readImported, type Imported } from '../json/read-imported.ts';
+import { storedAs } from '../json/read-stored.ts';
+import { finite, maybe, validElements } from '../json/schemas.ts';
+import { GESTURE, type Gesture } from './gesture/gesture.ts';
 
 /** A named record, stored in this browser. */
 export interface Snippet {
@@ -10,12 +14,15 @@ export interface Snippet {
   /** Records per second when it was saved. */
   readonly rateHz: number;
   /** The recorded gesture. */
-  readonly gesture?: Gesture;
+  readonly gesture?: Gesture | undefined;
 }
 
 export const MAX_SNIPPETS = 200;
 const KIND = 'ubii-publish-snippets';
+const VERSION = 1;
 const MAX_NAME = 120;
+/** Characters of a file; browsers store less. */
+const MAX_FILE = 20_000_000;
 
 /** Adds a snippet, or replaces the one of the same name. */
 export function withSnippet(
@@ -40,29 +47,34 @@ export function withSnippet(
 export function snippetsFile(snippets: readonly Snippet[]): { name: string; text: string } {
   return {
     name: 'snippets.json',
-    text: JSON.stringify({ kind: KIND, version: 1, snippets }, null, 2),
+    text: JSON.stringify({ kind: KIND, version: VERSION, snippets }, null, 2),
   };
 }
 
-/** Returns the snippets in a file. @throws Error if it is not a snippet file */
-export function readSnippets(text: string): Snippet[] {
-  let file: unknown;
-  try {
-    file = JSON.parse(text);
-  } catch {
-    throw new Error('The file is not valid JSON.');
-  }
-  const { kind, snippets } = (file ?? {}) as { kind?: unknown; snippets?: unknown };
-  if (kind !== KIND || !Array.isArray(snippets)) throw new Error('The file contains no snippets.');
-  return snippets.slice(0, MAX_SNIPPETS).flatMap((one) => readSnippet(one) ?? []);
-}
+const SNIPPET = v.object({
+  id: v.fallback(v.string(), () => randomUuid()),
+  name: v.pipe(
+    v.string(),
+    v.minLength(1),
+    v.transform((name) => name.slice(0, MAX_NAME)),
+  ),
+  text: v.string(),
+  rateHz: v.fallback(finite, 1),
+  gesture: maybe(GESTURE),
+});
+/** Without entries that are no snippets, such as those of another version. */
+const SNIPPETS = validElements(SNIPPET, MAX_SNIPPETS);
 
-/** Returns undefined for an entry that is not a snippet, such as one of another version. */
-export function readSnippet(value: unknown): Snippet | undefined {
-  const { name, text, rateHz, ...rest } = (value ?? {}) as Record<string, unknown>;
-  if (typeof name !== 'string' || name === '' || typeof text !== 'string') return undefined;
-  const rate = typeof rateHz === 'number' && Number.isFinite(rateHz) ? rateHz : 1;
-  const gesture = readGesture(rest['gesture']);
-  const kept = { id: randomUuid(), name: name.slice(0, MAX_NAME), text, rateHz: rate };
-  return gesture ? { ...kept, gesture } : kept;
-}
+/** How this browser keeps them. */
+export const storedSnippets = storedAs(SNIPPETS, []);
+
+/** Returns the snippets in a file. */
+export const readSnippets = (text: string): Imported<Snippet[]> =>
+  readImported(
+    { what: 'snippets', mark: ['kind', KIND], version: ['version', VERSION], maxChars: MAX_FILE },
+    v.pipe(
+      v.object({ snippets: SNIPPETS }),
+      v.transform(({ snippets }) => snippets),
+    ),
+    text,
+  );

@@ -1,12 +1,13 @@
 import { describe, expect, it } from 'vitest';
+import { storedValue } from '../../json/read-stored.ts';
 import {
   framesDue,
+  GESTURE,
   gestureLine,
   lengthMs,
   MAX_FRAMES,
   MAX_LENGTH_MS,
   placeAt,
-  readGesture,
   withFrame,
   type Gesture,
   type Playing,
@@ -69,10 +70,10 @@ describe('framesDue', () => {
 });
 
 it('is read from a file as from a stranger', () => {
-  expect(readGesture(JSON.parse(JSON.stringify(gesture)))).toEqual(gesture);
-  expect(readGesture({ ...gesture, format: 'nonsense' })).toBeUndefined();
-  expect(readGesture({ ...gesture, frames: [] })).toBeUndefined();
+  expect(storedValue(GESTURE, JSON.parse(JSON.stringify(gesture)))).toEqual(gesture);
   const back = [gesture.frames[1], gesture.frames[0]];
-  expect(readGesture({ ...gesture, frames: back })).toBeUndefined();
+  for (const changes of [{ format: 'nonsense' }, { frames: [] }, { frames: back }]) {
+    expect(storedValue(GESTURE, { ...gesture, ...changes })).toBeUndefined();
+  }
   expect(gestureLine(gesture)).toEqual([0, 1, 2, 3]);
 });

@@ -1,4 +1,5 @@
 import { isDataFormat, type DataFormat, type JsonValue } from '@ubii/proto';
+import * as v from 'valibot';
 
 /** A value at a time of a gesture. */
 export interface GestureFrame {
@@ -95,23 +96,23 @@ export function framesDue(
   return [...rest, ...next].slice(-MAX_LATE);
 }
 
-/** Reads a gesture from a file or local storage; returns `undefined` if it is not a gesture. */
-export function readGesture(value: unknown): Gesture | undefined {
-  const { format, frames } = (value ?? {}) as { format?: unknown; frames?: unknown };
-  if (typeof format !== 'string' || !isDataFormat(format) || !Array.isArray(frames))
-    return undefined;
-  let last = 0;
-  const read: GestureFrame[] = [];
-  for (const frame of frames.slice(0, MAX_FRAMES)) {
-    const { atMs, value: json } = (frame ?? {}) as { atMs?: unknown; value?: JsonValue };
-    if (typeof atMs !== 'number' || !(atMs >= last) || atMs > MAX_LENGTH_MS || json === undefined) {
-      return undefined;
-    }
-    last = atMs;
-    read.push({ atMs, value: json });
-  }
-  return read.length > 0 ? { format, frames: read } : undefined;
-}
+const FRAMES = v.pipe(
+  v.array(
+    v.object({
+      atMs: v.pipe(v.number(), v.minValue(0), v.maxValue(MAX_LENGTH_MS)),
+      value: v.custom<JsonValue>((json) => json !== undefined),
+    }),
+  ),
+  v.minLength(1),
+  v.transform((frames) => frames.slice(0, MAX_FRAMES)),
+  v.check((frames) => frames.every(({ atMs }, index) => atMs >= (frames[index - 1]?.atMs ?? 0))),
+);
+
+/** A gesture in a file or in the storage of the browser. */
+export const GESTURE: v.GenericSchema<unknown, Gesture> = v.object({
+  format: v.custom<DataFormat>((json) => typeof json === 'string' && isDataFormat(json)),
+  frames: FRAMES,
+});
 
 /** Returns the first number of each value, for the sparkline. */
 export function gestureLine({ frames }: Gesture): number[] {
