@@ -1,16 +1,20 @@
 import { useLocalStorage } from '@vueuse/core';
+import * as v from 'valibot';
 import type { Ref } from 'vue';
+import { storedAs } from '../../json/read-stored.ts';
+import { validElements } from '../../json/schemas.ts';
 import { isDeletable, type ModuleEntry } from '../../modules/library/module-entry.ts';
 
 /** Modules that come first. */
 const MAX_RECENT = 5;
+const STORED = storedAs(validElements(v.string(), MAX_RECENT), []);
 
 /** Names of the modules used last, newest first; this browser remembers. */
 export function useRecentModules(): {
   readonly names: Readonly<Ref<readonly string[]>>;
   note(name: string): void;
 } {
-  const names = useLocalStorage<string[]>('ubii.recentModules', []);
+  const names = useLocalStorage<string[]>('ubii.recentModules', [], { serializer: STORED });
   return {
     names,
     note: (name) => (names.value = withRecent(names.value, name)),

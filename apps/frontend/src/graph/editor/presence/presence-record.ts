@@ -1,3 +1,7 @@
+import * as v from 'valibot';
+import { readStored } from '../../../json/read-stored.ts';
+import { flag, validElements } from '../../../json/schemas.ts';
+
 /** What one editor says of itself. */
 export interface PresenceRecord {
   /** Id of the session that is open in it; empty: none any more. */
@@ -28,21 +32,23 @@ export function presenceText(record: PresenceRecord): string {
   });
 }
 
+const RECORD = v.pipe(
+  v.object({
+    session: v.string(),
+    nodes: v.fallback(validElements(v.string(), MAX_NODES), []),
+    editing: flag,
+    hidden: flag,
+    saved: v.fallback(v.number(), -1),
+  }),
+  v.transform(({ session, nodes, editing, hidden, saved }): PresenceRecord => ({
+    session,
+    nodes,
+    isEditing: editing,
+    isHidden: hidden,
+    savedRevision: saved,
+  })),
+);
+
 /** Parses a presence record; undefined for other texts, because any client may publish there. */
-export function parsePresence(text: string): PresenceRecord | undefined {
-  if (text.length > MAX_LENGTH) return undefined;
-  try {
-    const json = JSON.parse(text) as Readonly<Record<string, unknown>> | null;
-    if (typeof json?.session !== 'string') return undefined;
-    const nodes: readonly unknown[] = Array.isArray(json.nodes) ? json.nodes : [];
-    return {
-      session: json.session,
-      nodes: nodes.filter((id) => typeof id === 'string').slice(0, MAX_NODES),
-      isEditing: json.editing === true,
-      isHidden: json.hidden === true,
-      savedRevision: typeof json.saved === 'number' ? json.saved : -1,
-    };
-  } catch {
-    return undefined;
-  }
-}
+export const parsePresence = (text: string): PresenceRecord | undefined =>
+  readStored(RECORD, text, MAX_LENGTH);

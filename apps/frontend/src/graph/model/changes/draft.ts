@@ -1,4 +1,7 @@
-import { fromJson, toJson, type Session } from '@ubii/proto';
+import { toJson, type Session } from '@ubii/proto';
+import * as v from 'valibot';
+import { readStored } from '../../../json/read-stored.ts';
+import { message } from '../../../json/schemas.ts';
 
 const SESSION = 'ubii.sessions.Session';
 const PREFIX = 'ubii.graph.draft.';
@@ -31,20 +34,20 @@ export function draftText({ sessionId, revision, base, edited, savedMs }: Draft)
   });
 }
 
+const DRAFT = v.pipe(
+  v.object({
+    version: v.literal(VERSION),
+    sessionId: v.string(),
+    revision: v.number(),
+    savedMs: v.number(),
+    base: message(SESSION),
+    edited: message(SESSION),
+  }),
+  v.transform(({ version: _, ...draft }): Draft => draft),
+);
+
 /** A draft of its text; undefined when it is none of ours. */
-export function parseDraft(text: string): Draft | undefined {
-  try {
-    const json = JSON.parse(text) as Partial<Record<keyof Draft | 'version', unknown>> | null;
-    if (json?.version !== VERSION) return undefined;
-    const { sessionId, revision, savedMs } = json;
-    if (typeof sessionId !== 'string') return undefined;
-    if (typeof revision !== 'number' || typeof savedMs !== 'number') return undefined;
-    const base = fromJson(SESSION, json.base);
-    return { sessionId, revision, savedMs, base, edited: fromJson(SESSION, json.edited) };
-  } catch {
-    return undefined;
-  }
-}
+export const parseDraft = (text: string): Draft | undefined => readStored(DRAFT, text);
 
 /** @returns false when there is no room, or storing is not allowed: people have to know */
 export function saveDraft(storage: DraftStorage, draft: Draft): boolean {

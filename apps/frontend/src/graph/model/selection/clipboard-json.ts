@@ -1,5 +1,7 @@
-import { fromJson, parseDataFormat, toJson, type JsonObject, type JsonValue } from '@ubii/proto';
-import type { GraphNode, ModuleNode, Standing, Wire } from '../graph.ts';
+import { parseDataFormat, toJson, type JsonObject } from '@ubii/proto';
+import * as v from 'valibot';
+import { finite, flag, maybe, message, textOrNone, validElements } from '../../../json/schemas.ts';
+import type { GraphNode, ModuleNode, Wire } from '../graph.ts';
 import {
   commentNode,
   constantNode,
@@ -9,9 +11,6 @@ import {
   muxerNode,
   topicNode,
 } from '../make-node.ts';
-
-export const isObject = (value: unknown): value is Record<string, JsonValue> =>
-  typeof value === 'object' && value !== null && !Array.isArray(value);
 
 /** A node as text of the clipboard has it. */
 export function nodeToJson(node: GraphNode): JsonObject {
@@ -55,99 +54,98 @@ export const wireToJson = ({ from, to, via, points }: Wire): JsonObject => ({
   points: points.map(({ x, y }) => [x, y]),
 });
 
+/** Members that cannot be read, such as those of another version, are as in a new node. */
+const LOOK = {
+  id: v.string(),
+  x: maybe(finite),
+  y: maybe(finite),
+  width: maybe(finite),
+  height: maybe(finite),
+  collapsed: flag,
+  frame: maybe(v.string()),
+};
+const texts = v.fallback(validElements(v.string()), []);
+
+const NODE = v.variant('kind', [
+  v.object({ ...LOOK, kind: v.literal('topic'), topic: v.string(), format: v.string() }),
+  v.object({
+    ...LOOK,
+    kind: v.literal('module'),
+    module: message('ubii.processing.ProcessingModule'),
+    constants: v.fallback(validElements(v.tuple([v.string(), v.string()])), []),
+    standing: v.fallback(v.picklist(['active', 'bypassed', 'muted']), 'active'),
+    mapped: v.fallback(v.tuple([texts, texts]), [[], []]),
+  }),
+  v.object({ ...LOOK, kind: v.literal('muxer'), message: message('ubii.devices.TopicMux') }),
+  v.object({ ...LOOK, kind: v.literal('demuxer'), message: message('ubii.devices.TopicDemux') }),
+  v.object({ ...LOOK, kind: v.literal('constant'), name: v.string(), json: v.string() }),
+  v.object({ ...LOOK, kind: v.literal('comment'), text: v.string() }),
+  v.object({ ...LOOK, kind: v.literal('frame'), title: v.string(), color: textOrNone }),
+]);
+type NodeJson = v.InferOutput<typeof NODE>;
+
+const END = v.tuple([v.string(), v.string()]);
+
+/** Nodes and wires in the text of the clipboard; wires that cannot be read are left out. */
+export const CLIPBOARD = v.object({
+  nodes: v.array(NODE),
+  wires: validElements(v.object({ from: END, to: END, via: maybe(v.string()) })),
+});
+
 /**
  * A new node like the one that was copied.
  * @param ids gets the new id by the old one
- * @throws TypeError or DecodeError when it is none
  */
 export function nodeFromJson(
-  json: unknown,
+  json: NodeJson,
   uuid: () => string,
   ids: Map<string, string>,
 ): GraphNode {
-  if (!isObject(json)) throw new TypeError('a node is not an object');
-  const { x, y, width, height } = json;
-  const look = {
-    position: typeof x === 'number' && typeof y === 'number' ? { x, y } : undefined,
-    size: typeof width === 'number' && typeof height === 'number' ? { width, height } : undefined,
-    isCollapsed: json.collapsed === true,
-    frame: typeof json.frame === 'string' ? json.frame : undefined,
-  };
-  const node = newNode(json, uuid, look);
-  ids.set(textOf(json, 'id'), node.id);
+  const { x, y, width, height, collapsed, frame } = json;
+  const node = newNode(json, uuid, {
+    position: x !== undefined && y !== undefined ? { x, y } : undefined,
+    size: width !== undefined && height !== undefined ? { width, height } : undefined,
+    isCollapsed: collapsed,
+    frame,
+  });
+  ids.set(json.id, node.id);
   return node;
 }
 
 function newNode(
-  json: Record<string, JsonValue>,
+  json: NodeJson,
   uuid: () => string,
   look: Parameters<typeof commentNode>[2] & object,
 ): GraphNode {
-  const { kind } = json;
-  switch (kind) {
+  switch (json.kind) {
     case 'topic':
-      return topicNode(textOf(json, 'topic'), {
-        ...look,
-        format: parseDataFormat(textOf(json, 'format')),
-      });
+      return topicNode(json.topic, { ...look, format: parseDataFormat(json.format) });
     case 'module': {
-      const module = fromJson('ubii.processing.ProcessingModule', json.module);
-      const [mappedInputs, mappedOutputs] = Array.isArray(json.mapped) ? json.mapped : [];
+      const [mappedInputs, mappedOutputs] = json.mapped;
       return moduleNode(
-        { ...module, id: uuid(), sessionId: '', status: 0 },
+        { ...json.module, id: uuid(), sessionId: '', status: 0 },
         {
           ...look,
-          constants: new Map(pairs(json.constants)),
-          standing: STANDINGS.find((one) => one === json.standing) ?? 'active',
-          mappedInputs: texts(mappedInputs),
-          mappedOutputs: texts(mappedOutputs),
+          constants: new Map(json.constants),
+          standing: json.standing,
+          mappedInputs,
+          mappedOutputs,
         },
       );
     }
-    case 'muxer': {
-      const mux = fromJson('ubii.devices.TopicMux', json.message);
-      return muxerNode({ ...mux, id: uuid() }, look);
-    }
-    case 'demuxer': {
-      const demux = fromJson('ubii.devices.TopicDemux', json.message);
-      return demuxerNode({ ...demux, id: uuid() }, look);
-    }
+    case 'muxer':
+      return muxerNode({ ...json.message, id: uuid() }, look);
+    case 'demuxer':
+      return demuxerNode({ ...json.message, id: uuid() }, look);
     case 'constant':
-      return constantNode(`constant:${uuid()}`, textOf(json, 'json'), {
-        ...look,
-        name: textOf(json, 'name'),
-      });
+      return constantNode(`constant:${uuid()}`, json.json, { ...look, name: json.name });
     case 'comment':
-      return commentNode(`comment:${uuid()}`, textOf(json, 'text'), look);
+      return commentNode(`comment:${uuid()}`, json.text, look);
     case 'frame':
-      return frameNode(`frame:${uuid()}`, textOf(json, 'title'), {
-        ...look,
-        color: typeof json.color === 'string' ? json.color : '',
-      });
-    default:
-      throw new TypeError(`the node kind ${JSON.stringify(kind)} is unknown`);
+      return frameNode(`frame:${uuid()}`, json.title, { ...look, color: json.color });
   }
 }
-
-const STANDINGS: readonly Standing[] = ['bypassed', 'muted'];
 
 /** Names that only mappings contain, mostly of unknown modules. */
 const undeclared = ({ ports }: ModuleNode, direction: 'in' | 'out'): string[] =>
   ports.filter((port) => port.direction === direction && !port.isDeclared).map(({ name }) => name);
-
-const texts = (value: unknown): string[] =>
-  Array.isArray(value) ? value.filter((one) => typeof one === 'string') : [];
-
-function textOf(json: Record<string, JsonValue>, name: string): string {
-  const value = json[name];
-  if (typeof value !== 'string') throw new TypeError(`${name} is not a text`);
-  return value;
-}
-
-function pairs(value: unknown): (readonly [string, string])[] {
-  if (!Array.isArray(value)) return [];
-  return value.flatMap((pair: unknown) => {
-    const [name, json] = Array.isArray(pair) ? (pair as readonly unknown[]) : [];
-    return typeof name === 'string' && typeof json === 'string' ? [[name, json] as const] : [];
-  });
-}

@@ -1,10 +1,12 @@
 import { plural } from '@ubii/words';
-
+import * as v from 'valibot';
+import { importedValue, type ImportKind } from '../../../json/read-imported.ts';
+import { readStored } from '../../../json/read-stored.ts';
 import type { GraphCommand } from '../commands/graph-command.ts';
-import type { Graph, GraphNode, Point, PortRef, Wire } from '../graph.ts';
+import type { Graph, GraphNode, Point, Wire } from '../graph.ts';
 import { wireId } from '../graph.ts';
 import { topicsOf, unusedTopic } from '../commands/free-topic.ts';
-import { isObject, nodeFromJson, nodeToJson, wireToJson } from './clipboard-json.ts';
+import { CLIPBOARD, nodeFromJson, nodeToJson, wireToJson } from './clipboard-json.ts';
 import { withContents } from '../nesting.ts';
 import { wiresOf } from '../wires-of.ts';
 
@@ -14,6 +16,14 @@ const VERSION = 1;
 
 /** Longer texts are no nodes. */
 const MAX_LENGTH = 8_000_000;
+
+const KIND: ImportKind = {
+  what: 'nodes of a graph',
+  mark: ['format', CLIPBOARD_FORMAT],
+  version: ['version', VERSION],
+  maxChars: MAX_LENGTH,
+};
+const OURS = v.looseObject({ format: v.literal(CLIPBOARD_FORMAT) });
 
 /** Nodes and the wires between them as text, for this session, another one, or a message. */
 export function copyText(graph: Graph, ids: Iterable<string>): string {
@@ -57,29 +67,23 @@ const OFFSET = 32;
  * topics, and topics between modules get new names, so that the copy does not talk into the original.
  */
 export function paste(graph: Graph, text: string, options: PasteOptions): Pasted {
-  const json = readJson(text);
-  if (!isObject(json) || json.format !== CLIPBOARD_FORMAT) return { kind: 'foreign' };
-  if (json.version !== VERSION || !Array.isArray(json.nodes) || !Array.isArray(json.wires)) {
-    return { kind: 'broken', reason: 'The nodes were copied from another version of the editor.' };
-  }
-  try {
-    const ids = new Map<string, string>();
-    const nodes = json.nodes.map((one) => nodeFromJson(one, options.uuid, ids));
-    const wires = wiresFromJson(graph, json.wires, ids);
-    const placed = inPlace(graph, nodes, ids, options.position);
-    const topics = placed.filter(({ kind, id }) => kind === 'topic' && graph.nodes.has(id));
-    const added = placed.filter((node) => !topics.includes(node));
-    const label =
-      options.label ?? `Paste ${plural(placed.length, 'a node', `${placed.length} nodes`)}`;
-    return {
-      kind: 'nodes',
-      command: { kind: 'add', nodes: added, wires, label },
-      ids: placed.map(({ id }) => id),
-    };
-  } catch (error) {
-    const reason = error instanceof Error ? error.message : String(error);
-    return { kind: 'broken', reason: `The nodes in the text cannot be read: ${reason}` };
-  }
+  const json = text.includes(CLIPBOARD_FORMAT) ? readStored(OURS, text, MAX_LENGTH) : undefined;
+  if (json === undefined) return { kind: 'foreign' };
+  const read = importedValue(KIND, CLIPBOARD, json, 'text');
+  if (read.kind === 'broken') return { kind: 'broken', reason: read.message };
+  const ids = new Map<string, string>();
+  const nodes = read.value.nodes.map((one) => nodeFromJson(one, options.uuid, ids));
+  const wires = wiresFromJson(graph, read.value.wires, ids);
+  const placed = inPlace(graph, nodes, ids, options.position);
+  const topics = placed.filter(({ kind, id }) => kind === 'topic' && graph.nodes.has(id));
+  const added = placed.filter((node) => !topics.includes(node));
+  const label =
+    options.label ?? `Paste ${plural(placed.length, 'a node', `${placed.length} nodes`)}`;
+  return {
+    kind: 'nodes',
+    command: { kind: 'add', nodes: added, wires, label },
+    ids: placed.map(({ id }) => id),
+  };
 }
 
 /** Nodes once more, beside themselves. */
@@ -94,18 +98,9 @@ export function duplicate(
   return pasted.kind === 'nodes' && pasted.ids.length > 0 ? pasted : undefined;
 }
 
-function readJson(text: string): unknown {
-  if (text.length > MAX_LENGTH || !text.includes(CLIPBOARD_FORMAT)) return undefined;
-  try {
-    return JSON.parse(text);
-  } catch {
-    return undefined;
-  }
-}
-
 function wiresFromJson(
   graph: Graph,
-  list: readonly unknown[],
+  list: v.InferOutput<typeof CLIPBOARD>['wires'],
   ids: ReadonlyMap<string, string>,
 ): Wire[] {
   const topics = new Map<string, string>();
@@ -119,20 +114,14 @@ function wiresFromJson(
     }
     return topic;
   };
-  return list.flatMap((json) => {
-    if (!isObject(json)) return [];
-    const from = refOf(json.from, ids);
-    const to = refOf(json.to, ids);
-    if (from === undefined || to === undefined) return [];
-    const via = typeof json.via === 'string' ? newTopic(json.via) : undefined;
-    return [{ id: wireId(from, to), from, to, via, points: [] }];
+  return list.flatMap(({ from: [fromNode, fromPort], to: [toNode, toPort], via }) => {
+    const [source, target] = [ids.get(fromNode), ids.get(toNode)];
+    if (source === undefined || target === undefined) return [];
+    const from = { node: source, port: fromPort };
+    const to = { node: target, port: toPort };
+    const topic = via === undefined ? undefined : newTopic(via);
+    return [{ id: wireId(from, to), from, to, via: topic, points: [] }];
   });
-}
-
-function refOf(value: unknown, ids: ReadonlyMap<string, string>): PortRef | undefined {
-  const [old, port] = Array.isArray(value) ? (value as readonly unknown[]) : [];
-  const node = typeof old === 'string' ? ids.get(old) : undefined;
-  return node !== undefined && typeof port === 'string' ? { node, port } : undefined;
 }
 
 function inPlace(

@@ -128,11 +128,15 @@ describe('copy and paste', () => {
       paste(chain, '{"format":"ubi-interact.nodes","version":9}', { uuid: counter() }),
     ).toEqual({
       kind: 'broken',
-      reason: 'The nodes were copied from another version of the editor.',
+      reason:
+        'The text has version 9; this page reads version 1. Create it with the same version of Ubi-Interact.',
     });
     const broken =
       '{"format":"ubi-interact.nodes","version":1,"nodes":[{"kind":"module","id":"a","module":3}],"wires":[]}';
-    expect(paste(chain, broken, { uuid: counter() }).kind).toBe('broken');
+    expect(paste(chain, broken, { uuid: counter() })).toEqual({
+      kind: 'broken',
+      reason: 'The text cannot be read: nodes[0].module is damaged: it must be an object, got 3.',
+    });
   });
 
   it('puts in nothing that the graph cannot have, whatever the text says', () => {

@@ -1,5 +1,8 @@
-import { fromJson, toJson, type JsonObject, type JsonValue, type Session } from '@ubii/proto';
+import { toJson, type JsonObject, type JsonValue, type Session } from '@ubii/proto';
 import type { IOMapping, ProcessingModule, TopicInputMapping } from '@ubii/proto';
+import * as v from 'valibot';
+import { storedValue } from '../../../json/read-stored.ts';
+import { message } from '../../../json/schemas.ts';
 import { sameValue } from '../changes/same-value.ts';
 import type { Standing } from '../graph.ts';
 
@@ -107,39 +110,24 @@ export function asideJson({ modules, detours }: Aside): JsonObject | undefined {
   };
 }
 
+const index = v.pipe(v.number(), v.integer(), v.minValue(0));
+
+const ASIDE = v.object({
+  modules: v.array(
+    v.pipe(
+      v.object({
+        standing: v.picklist(['bypassed', 'muted']),
+        module: message(MODULE),
+        mapping: v.nullable(message(MAPPING)),
+        moduleIndex: index,
+        mappingIndex: index,
+      }),
+      v.transform(({ mapping, ...rest }): SetAside => ({ ...rest, mapping: mapping ?? undefined })),
+    ),
+  ),
+  detours: v.array(v.object({ moduleId: v.string(), was: message(INPUT), now: message(INPUT) })),
+});
+
 /** Undefined when it is nothing of ours. */
-export function readAside(json: JsonValue | undefined): Aside | undefined {
-  if (!isObject(json) || !Array.isArray(json.modules) || !Array.isArray(json.detours)) {
-    return undefined;
-  }
-  try {
-    return { modules: json.modules.map(readModule), detours: json.detours.map(readDetour) };
-  } catch {
-    return undefined;
-  }
-}
-
-const isObject = (value: unknown): value is JsonObject =>
-  typeof value === 'object' && value !== null && !Array.isArray(value);
-
-function readModule(json: JsonValue): SetAside {
-  if (!isObject(json)) throw new TypeError('no module');
-  const { standing, mapping, moduleIndex, mappingIndex } = json;
-  if (standing !== 'bypassed' && standing !== 'muted') throw new TypeError('no standing');
-  if (!isIndex(moduleIndex) || !isIndex(mappingIndex)) throw new TypeError('no place');
-  return {
-    standing,
-    module: fromJson(MODULE, json.module),
-    mapping: mapping === null ? undefined : fromJson(MAPPING, mapping),
-    moduleIndex,
-    mappingIndex,
-  };
-}
-
-const isIndex = (value: unknown): value is number => Number.isInteger(value) && Number(value) >= 0;
-
-function readDetour(json: JsonValue): Detour {
-  if (!isObject(json) || typeof json.moduleId !== 'string') throw new TypeError('no detour');
-  const { moduleId, was, now } = json;
-  return { moduleId, was: fromJson(INPUT, was), now: fromJson(INPUT, now) };
-}
+export const readAside = (json: JsonValue | undefined): Aside | undefined =>
+  storedValue(ASIDE, json);
