@@ -1,5 +1,8 @@
 import { parseCalibration } from '@ubii/vision/markers';
 import { useLocalStorage } from '@vueuse/core';
+import * as v from 'valibot';
+import { readStored } from '../../json/read-stored.ts';
+import { validElements } from '../../json/schemas.ts';
 
 /** Calibrations as JSON text, by id of the camera, the newest last. */
 export type Calibrations = ReadonlyMap<string, string>;
@@ -14,23 +17,14 @@ export function withCalibration(kept: Calibrations, camera: string, json: string
   return new Map([...others, [camera, json]]);
 }
 
-/** Returns the valid part of what is stored, which another program or version may have written. */
-export function readCalibrations(text: string): Calibrations {
-  try {
-    const entries = JSON.parse(text) as unknown;
-    if (!Array.isArray(entries)) return new Map();
-    return new Map(
-      entries.filter((entry): entry is [string, string] => {
-        const [id, json] = Array.isArray(entry) ? (entry as unknown[]) : [];
-        return typeof id === 'string' && id !== '' && typeof json === 'string' && isValid(json);
-      }),
-    );
-  } catch {
-    return new Map();
-  }
-}
+const ENTRIES = validElements(
+  v.tuple([v.pipe(v.string(), v.minLength(1)), v.pipe(v.string(), v.check(isCalibration))]),
+);
 
-function isValid(json: string): boolean {
+/** Returns the valid part of what is stored, which another program or version may have written. */
+export const readCalibrations = (text: string): Calibrations => new Map(readStored(ENTRIES, text));
+
+function isCalibration(json: string): boolean {
   try {
     parseCalibration(json);
     return true;

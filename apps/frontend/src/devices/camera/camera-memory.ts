@@ -1,3 +1,6 @@
+import * as v from 'valibot';
+import { readStored } from '../../json/read-stored.ts';
+import { textOrNone, validElements } from '../../json/schemas.ts';
 import type { PictureSettings } from './encode-picture.ts';
 import { ENCODINGS, FIRST_SETTINGS, QUALITIES, RATES, WIDTHS } from './picture-choices.ts';
 
@@ -10,7 +13,7 @@ export interface CameraMemory {
 }
 
 /** Ids change when a browser forgets a page: those of long ago are let go of. */
-const MOST_CAMERAS = 8;
+const MAX_CAMERAS = 8;
 
 export const NO_MEMORY: CameraMemory = { chosen: '', settings: new Map() };
 
@@ -26,7 +29,7 @@ export function remember(
   settings: Readonly<PictureSettings>,
 ): CameraMemory {
   if (camera === '') return memory;
-  const others = [...memory.settings].filter(([id]) => id !== camera).slice(1 - MOST_CAMERAS);
+  const others = [...memory.settings].filter(([id]) => id !== camera).slice(1 - MAX_CAMERAS);
   return { chosen: camera, settings: new Map([...others, [camera, { ...settings }]]) };
 }
 
@@ -34,33 +37,26 @@ export function writeMemory({ chosen, settings }: CameraMemory): string {
   return JSON.stringify({ chosen, settings: [...settings] });
 }
 
-/** Returns the valid part of the stored settings, which another program or version may have written. */
-export function readMemory(text: string): CameraMemory {
-  try {
-    const kept = JSON.parse(text) as { chosen?: unknown; settings?: unknown } | null;
-    if (!Array.isArray(kept?.settings)) return NO_MEMORY;
-    const settings = (kept.settings as unknown[]).slice(-MOST_CAMERAS).flatMap((entry) => {
-      const [id, value] = Array.isArray(entry) ? (entry as unknown[]) : [];
-      return typeof id === 'string' && id !== '' ? [[id, readSettings(value)] as const] : [];
-    });
-    const chosen = typeof kept.chosen === 'string' ? kept.chosen : '';
-    return { chosen, settings: new Map(settings) };
-  } catch {
-    return NO_MEMORY;
-  }
-}
-
 /** Each member by itself: one that is no choice of today is what it is at first. */
-function readSettings(value: unknown): PictureSettings {
-  const { width, rateHz, encoding, quality } = (value ?? {}) as {
-    [M in keyof PictureSettings]?: unknown;
-  };
-  const isQuality =
-    typeof quality === 'number' && quality >= QUALITIES.min && quality <= QUALITIES.max;
-  return {
-    width: WIDTHS.find((one) => one === width) ?? FIRST_SETTINGS.width,
-    rateHz: RATES.find((one) => one === rateHz) ?? FIRST_SETTINGS.rateHz,
-    encoding: ENCODINGS.find((one) => one.value === encoding)?.value ?? FIRST_SETTINGS.encoding,
-    quality: isQuality ? quality : FIRST_SETTINGS.quality,
-  };
-}
+const SETTINGS: v.GenericSchema<unknown, PictureSettings> = v.object({
+  width: v.fallback(v.picklist(WIDTHS), FIRST_SETTINGS.width),
+  rateHz: v.fallback(v.picklist(RATES), FIRST_SETTINGS.rateHz),
+  encoding: v.fallback(v.picklist(ENCODINGS.map(({ value }) => value)), FIRST_SETTINGS.encoding),
+  quality: v.fallback(
+    v.pipe(v.number(), v.minValue(QUALITIES.min), v.maxValue(QUALITIES.max)),
+    FIRST_SETTINGS.quality,
+  ),
+});
+
+const MEMORY = v.object({
+  chosen: textOrNone,
+  settings: v.pipe(
+    validElements(
+      v.tuple([v.pipe(v.string(), v.minLength(1)), v.fallback(SETTINGS, FIRST_SETTINGS)]),
+    ),
+    v.transform((entries) => new Map(entries.slice(-MAX_CAMERAS))),
+  ),
+});
+
+/** Returns the valid part of the stored settings, which another program or version may have written. */
+export const readMemory = (text: string): CameraMemory => readStored(MEMORY, text) ?? NO_MEMORY;

@@ -1,6 +1,7 @@
 import type { RegisteredDevice } from '@ubii/client-web';
 import { type Client, ClientState } from '@ubii/proto';
 import { useIntervalFn, useLocalStorage } from '@vueuse/core';
+import * as v from 'valibot';
 import { onScopeDispose, readonly, shallowRef, watch } from 'vue';
 import { useTopic } from '../../connection/live/use-topic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
@@ -13,6 +14,8 @@ import {
   POINTER_DEVICE,
   POINTER_GLOB,
 } from '../../devices/pointer-topic.ts';
+import { storedAs } from '../../json/read-stored.ts';
+import { finite, flag } from '../../json/schemas.ts';
 import { type EchoLatency, EchoLatencyWindow } from './echo-latency.ts';
 import { type Pointer, type PointerClient, Pointers } from './pointers.ts';
 
@@ -40,6 +43,15 @@ const COMPONENTS = [
 /** Update interval of the readouts. */
 const READOUT_INTERVAL_MS = 250;
 const SPARKLINE_POINTS = 120;
+
+const SETTINGS_KEY = 'ubii.examples.mouse-pointer';
+const SETTINGS = v.object({
+  hideCursor: flag,
+  hideIndicator: flag,
+  immediate: flag,
+  intervalMs: v.fallback(finite, 15),
+});
+const MIRROR = v.object({ x: v.fallback(v.boolean(), true), y: flag });
 
 /** Values of the readouts. */
 export interface PointerReadouts {
@@ -70,13 +82,12 @@ export function usePointerExample() {
     publishedPerSecond: 0,
     receivedPerSecond: 0,
   });
-  const settings = useLocalStorage('ubii.examples.mouse-pointer', {
-    hideCursor: false,
-    hideIndicator: false,
-    immediate: false,
-    intervalMs: 15,
+  const settings = useLocalStorage(SETTINGS_KEY, v.parse(SETTINGS, {}), {
+    serializer: storedAs(SETTINGS, {}),
   });
-  const mirror = useLocalStorage('ubii.examples.mouse-pointer.mirror', { x: true, y: false });
+  const mirror = useLocalStorage(`${SETTINGS_KEY}.mirror`, v.parse(MIRROR, {}), {
+    serializer: storedAs(MIRROR, {}),
+  });
 
   let device: RegisteredDevice<typeof COMPONENTS> | undefined;
   let ended = false;

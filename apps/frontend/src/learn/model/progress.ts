@@ -1,3 +1,7 @@
+import * as v from 'valibot';
+import { storedAs } from '../../json/read-stored.ts';
+import { validMembers } from '../../json/schemas.ts';
+
 /** How far one lesson has come. */
 export interface LessonProgress {
   readonly reached: number;
@@ -9,27 +13,11 @@ export type Progress = Readonly<Record<string, LessonProgress>>;
 
 export const PROGRESS_KEY = 'ubii.learn.progress';
 
-/** Reads what a browser kept; what cannot be read counts as nothing. */
-export function parseProgress(text: string | null): Progress {
-  if (text === null) return {};
-  try {
-    const parsed = JSON.parse(text) as unknown;
-    if (typeof parsed !== 'object' || parsed === null) return {};
-    return Object.fromEntries(Object.entries(parsed).filter(([, entry]) => isProgress(entry)));
-  } catch {
-    return {};
-  }
-}
-
-function isProgress(value: unknown): value is LessonProgress {
-  const entry = value as Partial<LessonProgress> | null;
-  return (
-    typeof entry === 'object' &&
-    entry !== null &&
-    Number.isInteger(entry.reached) &&
-    typeof entry.isDone === 'boolean'
-  );
-}
+/** What a browser keeps; entries that cannot be read count as nothing. */
+export const storedProgress = storedAs<v.GenericSchema<unknown, Progress>>(
+  validMembers(v.object({ reached: v.pipe(v.number(), v.integer()), isDone: v.boolean() })),
+  {},
+);
 
 /** The progress with one lesson as it is now. */
 export function withLesson(progress: Progress, id: string, entry: LessonProgress): Progress {

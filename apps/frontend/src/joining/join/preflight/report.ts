@@ -1,7 +1,10 @@
 import type { UbiiClient } from '@ubii/client-web';
 import { preflightTopic } from '@ubii/proto';
+import * as v from 'valibot';
 import { describeAgent } from '../../../connection/agent-description.ts';
-import type { Check, CheckId, CheckState } from './check.ts';
+import { readStored } from '../../../json/read-stored.ts';
+import { finite, textCutAt, validElements } from '../../../json/schemas.ts';
+import type { Check } from './check.ts';
 
 /** Where pages say what their preflight found, of every client. [AC-30] */
 export const PREFLIGHT_TOPICS = preflightTopic('*');
@@ -38,41 +41,30 @@ export function publishReport(client: UbiiClient, checks: readonly Check[]): voi
   client.publish(preflightTopic(client.id), 'string', JSON.stringify(report), { immediate: true });
 }
 
-const IDS: readonly unknown[] = ['master', 'secure', 'channel', 'clock', 'sensors'];
-const STATES: readonly unknown[] = ['good', 'warning', 'failed', 'asks', 'none'];
+const MAX_CHECKS = 10;
+const MAX_TEXT_CHARS = 400;
+/** Reports are small; this is room for every check with the longest texts. */
+const MAX_REPORT_CHARS = 40_000;
+
+const words = textCutAt(MAX_TEXT_CHARS);
+
+const REPORT = v.object({
+  version: v.literal(1),
+  atMs: v.fallback(finite, 0),
+  agent: words,
+  address: words,
+  checks: validElements(
+    v.object({
+      id: v.picklist(['master', 'secure', 'channel', 'clock', 'sensors']),
+      state: v.picklist(['good', 'warning', 'failed', 'asks', 'none']),
+      title: words,
+      text: words,
+      value: words,
+    }),
+    MAX_CHECKS,
+  ),
+});
 
 /** Reads what another client published; `undefined` when it is no report. */
-export function readReport(text: string): PreflightReport | undefined {
-  try {
-    const report = JSON.parse(text) as Record<string, unknown> | null;
-    if (report?.['version'] !== 1 || !Array.isArray(report['checks'])) return undefined;
-    const checks = (report['checks'] as unknown[]).slice(0, 10).flatMap((one) => {
-      const check = one as Record<string, unknown> | null;
-      if (!IDS.includes(check?.['id']) || !STATES.includes(check?.['state'])) return [];
-      return [
-        {
-          id: check!['id'] as CheckId,
-          state: check!['state'] as CheckState,
-          title: words(check!['title']),
-          text: words(check!['text']),
-          value: words(check!['value']),
-        },
-      ];
-    });
-    const atMs = Number(report['atMs']) || 0;
-    return {
-      version: 1,
-      atMs,
-      agent: words(report['agent']),
-      address: words(report['address']),
-      checks,
-    };
-  } catch {
-    return undefined;
-  }
-}
-
-/** Maximum length of texts from other programs. */
-function words(value: unknown): string {
-  return typeof value === 'string' ? value.slice(0, 400) : '';
-}
+export const readReport = (text: string): PreflightReport | undefined =>
+  readStored(REPORT, text, MAX_REPORT_CHARS);

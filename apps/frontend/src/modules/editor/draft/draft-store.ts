@@ -1,3 +1,6 @@
+import * as v from 'valibot';
+import { readStored } from '../../../json/read-stored.ts';
+import { finite, textOrNone } from '../../../json/schemas.ts';
 import type { ModuleDraft } from './module-draft.ts';
 
 /** Unsaved work: what is being written, and what it was made of. */
@@ -9,39 +12,45 @@ export interface KeptDraft {
 
 const PREFIX = 'ubii.moduleDraft.';
 
-function isDraft(value: unknown): value is ModuleDraft {
-  const draft = value as Partial<ModuleDraft> | null | undefined;
-  return (
-    typeof draft === 'object' &&
-    draft !== null &&
-    typeof draft.name === 'string' &&
-    typeof draft.code === 'string' &&
-    [draft.tags, draft.authors, draft.libraries, draft.inputs, draft.outputs].every(
-      Array.isArray,
-    ) &&
-    typeof draft.mode?.kind === 'string'
-  );
-}
+const NAMES = v.array(v.string());
+const IOS = v.array(
+  v.object({
+    name: v.string(),
+    format: v.string(),
+    isList: v.boolean(),
+    defaultJson: v.optional(v.string()),
+    description: v.optional(v.string()),
+    choices: v.optional(NAMES),
+  }),
+);
+const DRAFT: v.GenericSchema<unknown, ModuleDraft> = v.object({
+  name: v.string(),
+  description: textOrNone,
+  tags: NAMES,
+  authors: NAMES,
+  version: textOrNone,
+  libraries: NAMES,
+  // Drafts of before asset sets lack them.
+  assets: v.fallback(NAMES, []),
+  optionalAssets: v.fallback(NAMES, []),
+  inputs: IOS,
+  outputs: IOS,
+  mode: v.object({
+    kind: v.picklist(['frequency', 'trigger', 'lockstep', 'free']),
+    hertz: finite,
+    minDelayMs: finite,
+    allInputsNeedUpdate: v.boolean(),
+  }),
+  code: v.string(),
+});
+const KEPT: v.GenericSchema<unknown, KeptDraft> = v.pipe(
+  v.object({ draft: DRAFT, base: v.optional(DRAFT) }),
+  v.transform(({ draft, base }) => ({ draft, base })),
+);
 
 /** What this browser keeps under the name in the address; `undefined` for nothing that can be read. */
-export function readDraft(name: string): KeptDraft | undefined {
-  const text = localStorage.getItem(PREFIX + name);
-  if (text === null) return undefined;
-  try {
-    const kept = JSON.parse(text) as Partial<KeptDraft>;
-    if (!isDraft(kept.draft) || (kept.base !== undefined && !isDraft(kept.base))) return undefined;
-    return { draft: whole(kept.draft), base: kept.base && whole(kept.base) };
-  } catch {
-    return undefined;
-  }
-}
-
-/** Drafts of before asset sets lack them. */
-const whole = (draft: ModuleDraft): ModuleDraft => ({
-  ...draft,
-  assets: draft.assets ?? [],
-  optionalAssets: draft.optionalAssets ?? [],
-});
+export const readDraft = (name: string): KeptDraft | undefined =>
+  readStored(KEPT, localStorage.getItem(PREFIX + name));
 
 /** @returns whether there was room for it */
 export function keepDraft(name: string, kept: KeptDraft): boolean {
