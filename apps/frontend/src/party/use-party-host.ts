@@ -1,28 +1,10 @@
 import { systemClock } from '@ubii/client-web';
-import { PartyHost, type HostMemory, type PartyHostListener } from '@ubii/party/net';
+import { PartyHost, type PartyHostListener } from '@ubii/party/net';
 import type { ScreenLink } from '@ubii/party/screen';
 import { RoomRefusal } from '@ubii/party/sim';
 import { onBeforeUnmount, ref, shallowRef } from 'vue';
 import { useConnection } from '../connection/useConnection.ts';
-
-const MEMORY_KEY = 'ubii.party';
-
-function load(): HostMemory | undefined {
-  try {
-    const text = localStorage.getItem(MEMORY_KEY);
-    return text === null ? undefined : (JSON.parse(text) as HostMemory);
-  } catch {
-    return undefined; // storage that is blocked or damaged: the party begins again
-  }
-}
-
-function save(memory: HostMemory): void {
-  try {
-    localStorage.setItem(MEMORY_KEY, JSON.stringify(memory));
-  } catch {
-    // The party goes on; a reload would begin again
-  }
-}
+import { hostStorage } from './host-memory.ts';
 
 /** Leads the party of this page, as long as the page is open. */
 export function usePartyHost() {
@@ -40,7 +22,7 @@ export function usePartyHost() {
     new PartyHost({
       client,
       clock: systemClock,
-      storage: { load, save },
+      storage: hostStorage,
       drawByte: () => crypto.getRandomValues(new Uint8Array(1))[0]!,
       listener: {
         handleView: (view) => views.forEach((fn) => fn(view)),
