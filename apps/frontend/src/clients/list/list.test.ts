@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { columnsThatFit } from '../model/client-columns.ts';
 import { aView } from '../testing/a-client.ts';
-import { listKeyOutcome } from './list-keys.ts';
 import { foldKey, listRows } from './list-rows.ts';
 
 const component = (id: string) => ({ id, name: id, topic: `/${id}` });
@@ -33,34 +32,6 @@ describe('listRows', () => {
     const device = listRows(views, new Set(['a']))[1]!;
     const rows = listRows(views, new Set(['a', foldKey(device)]));
     expect(rows.map(({ key }) => key)).toEqual(['a', 'a d1', 'a d2', 'b']);
-  });
-});
-
-describe('listKeyOutcome', () => {
-  const rows = listRows(views, new Set(['a']));
-  const press = (key: string, index: number) => listKeyOutcome(key, rows, index, 3);
-
-  it('moves within the list', () => {
-    expect(press('ArrowDown', 0)).toEqual({ kind: 'focus', index: 1 });
-    expect(press('ArrowUp', 0)).toEqual({ kind: 'focus', index: 0 });
-    expect(press('End', 0)).toEqual({ kind: 'focus', index: 5 });
-    expect(press('PageDown', 4)).toEqual({ kind: 'focus', index: 5 });
-  });
-
-  it('unfolds, folds and goes to the parent', () => {
-    expect(press('ArrowRight', 0)).toEqual({ kind: 'focus', index: 1 });
-    expect(press('ArrowLeft', 0)).toMatchObject({ kind: 'fold' });
-    expect(press('ArrowLeft', 3)).toEqual({ kind: 'focus', index: 1 });
-    expect(press('ArrowLeft', 5)).toBeUndefined();
-    expect(press('ArrowRight', 5)).toBeUndefined();
-  });
-
-  it('renames and disconnects clients, and nothing else', () => {
-    expect(press('F2', 0)).toMatchObject({ kind: 'rename' });
-    expect(press('Delete', 0)).toMatchObject({ kind: 'disconnect' });
-    expect(press('F2', 1)).toBeUndefined();
-    expect(press('Enter', 0)).toMatchObject({ kind: 'open' });
-    expect(press('Enter', 1)).toMatchObject({ kind: 'fold' });
   });
 });
 

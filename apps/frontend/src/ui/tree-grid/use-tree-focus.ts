@@ -1,38 +1,43 @@
 import { useElementSize } from '@vueuse/core';
 import { computed, nextTick, onUpdated, shallowRef, type ComputedRef, type Ref } from 'vue';
-import type { TopicTreeView } from './useTopicTree.ts';
-import type { TopicNode } from '../tree/topic-node.ts';
-import { isTypeAhead, TypeAhead } from '../../ui/keys/type-ahead.ts';
-import { keyOutcome } from './tree-keys.ts';
+import { isTypeAhead, TypeAhead } from '../keys/type-ahead.ts';
+import type { TreeGridRow } from './tree-grid-row.ts';
+import { treeKeyOutcome, type TreeKeyOutcome } from './tree-keys.ts';
 
-/** What the keys of the tree need from it. */
-export interface TreeFocusOptions {
-  readonly view: TopicTreeView;
+/** What keys and focus need from a tree grid. */
+export interface TreeFocusOptions<R extends TreeGridRow> {
+  readonly rows: () => readonly R[];
   readonly selected: () => string | undefined;
   readonly scroller: Readonly<Ref<HTMLElement | null>>;
   /** Pixels. */
-  readonly rowHeight: Readonly<Ref<number>>;
+  readonly sizeOf: (row: R) => number;
+  /** Type-ahead finds rows by it. */
+  readonly nameOf: (row: R) => string;
+  readonly isExpanded: (row: R) => boolean | undefined;
   readonly scrollToIndex: (index: number) => void;
-  readonly choose: (node: TopicNode) => void;
+  readonly act: (kind: Exclude<TreeKeyOutcome['kind'], 'focus'>, row: R) => void;
+  /** Keys that mean nothing to the tree. */
+  readonly handleOtherKey: (event: KeyboardEvent, row: R) => void;
 }
 
 /** Moves the focus over rows of which only a few are drawn. The row with the focus always is one of them. */
-export function useTreeFocus(options: TreeFocusOptions): {
+export function useTreeFocus<R extends TreeGridRow>(
+  options: TreeFocusOptions<R>,
+): {
   /** The row that Tab reaches: the one last visited, or the selected one, or the first. */
   activeIndex: ComputedRef<number>;
   /** Makes a row the one that Tab reaches. */
-  visit(node: TopicNode): void;
+  visit(key: string): void;
   handleKey(event: KeyboardEvent): void;
   handleFocus(event: FocusEvent): void;
 } {
-  const { view, selected, scroller, rowHeight, scrollToIndex, choose } = options;
-  const { rows, model } = view;
+  const { rows, selected, scroller, sizeOf, nameOf, isExpanded, scrollToIndex } = options;
   const { height } = useElementSize(scroller);
   const typeAhead = new TypeAhead();
   const activeKey = shallowRef<string>();
   const activeIndex = computed(() => {
     const find = (key: string | undefined): number =>
-      key === undefined ? -1 : rows.value.findIndex((node) => node.key === key);
+      key === undefined ? -1 : rows().findIndex((row) => row.key === key);
     const index = find(activeKey.value);
     return index === -1 ? Math.max(0, find(selected())) : index;
   });
@@ -41,32 +46,32 @@ export function useTreeFocus(options: TreeFocusOptions): {
     scroller.value?.querySelector<HTMLElement>('[role="row"][tabindex="0"]') ?? null;
 
   async function focusRow(index: number): Promise<void> {
-    activeKey.value = rows.value[index]?.key;
+    activeKey.value = rows()[index]?.key;
     scrollToIndex(index);
     await nextTick();
     activeElement()?.focus({ preventScroll: true });
   }
 
   function handleKey(event: KeyboardEvent): void {
+    const row = rows()[activeIndex.value];
+    if (row === undefined || isOfControl(event)) return;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const outcome = keyOutcome(event.key, {
-      rows: rows.value,
+    const outcome = treeKeyOutcome(event.key, {
+      rows: rows(),
       index: activeIndex.value,
-      isExpanded: (node) => model.isExpanded(node),
-      pageSize: Math.max(1, Math.floor(height.value / rowHeight.value) - 1),
+      isExpanded,
+      pageSize: Math.max(1, Math.floor(height.value / sizeOf(row)) - 1),
     });
     if (outcome !== undefined) {
       event.preventDefault();
       if (outcome.kind === 'focus') void focusRow(outcome.index);
-      else if (outcome.kind === 'select') choose(outcome.node);
-      else if (outcome.kind === 'expand-siblings') view.expandSiblings(outcome.node);
-      else view.setExpanded(outcome.node, outcome.kind === 'expand');
+      else options.act(outcome.kind, row);
     } else if (isTypeAhead(event)) {
       event.preventDefault(); // also keeps the letter from the program's own shortcuts
-      const names = rows.value.map((node) => view.nameOf(node).toLowerCase());
+      const names = rows().map((one) => nameOf(one).toLowerCase());
       const found = typeAhead.type(event.key, names, activeIndex.value, event.timeStamp);
       if (found !== undefined) void focusRow(found);
-    }
+    } else options.handleOtherKey(event, row);
   }
 
   // A ranking moves rows, and a browser takes the focus from an element that is moved.
@@ -77,12 +82,17 @@ export function useTreeFocus(options: TreeFocusOptions): {
     }
   });
 
-  return {
-    activeIndex,
-    visit: (node) => (activeKey.value = node.key),
-    handleKey,
-    handleFocus: (event) => {
-      hasFocus = event.type === 'focusin' || (hasFocus && event.relatedTarget === null);
-    },
-  };
+  function handleFocus(event: FocusEvent): void {
+    hasFocus = event.type === 'focusin' || (hasFocus && event.relatedTarget === null);
+    if (event.type !== 'focusin' || !(event.target instanceof Element)) return;
+    const key = event.target.closest<HTMLElement>('[data-key]')?.dataset['key'];
+    if (key !== undefined) activeKey.value = key;
+  }
+
+  return { activeIndex, visit: (key) => (activeKey.value = key), handleKey, handleFocus };
+}
+
+/** Keys of a control in a row that Tab reaches, such as the button of a menu, are its own. */
+function isOfControl({ target }: KeyboardEvent): boolean {
+  return target instanceof HTMLElement && target.role !== 'row' && target.tabIndex >= 0;
 }
