@@ -4,7 +4,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick } from 'vue';
 import { createMemoryHistory, createRouter } from 'vue-router';
 import { createShell } from '../page/shell.ts';
-import { useSingleKeyShortcuts } from '../ui/keys/use-single-key-shortcuts.ts';
+import { useSingleKeyShortcuts } from '../ui/keys/useSingleKeyShortcuts.ts';
 import { useGlobalShortcuts } from './useGlobalShortcuts.ts';
 
 const Page = { render: () => h('p') };

@@ -2,7 +2,7 @@ import { useEventListener } from '@vueuse/core';
 import { useRouter } from 'vue-router';
 import type { Shell } from '../page/shell.ts';
 import { isSingleKeyShortcut } from '../ui/keys/single-key.ts';
-import { useSingleKeyShortcuts } from '../ui/keys/use-single-key-shortcuts.ts';
+import { useSingleKeyShortcuts } from '../ui/keys/useSingleKeyShortcuts.ts';
 import { matchShortcut, PAIR_MS, shortcutsOn } from './shortcuts.ts';
 
 /** Handles the keyboard shortcuts that work on every page. */

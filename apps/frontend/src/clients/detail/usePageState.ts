@@ -1,5 +1,5 @@
 import { computed, type ComputedRef } from 'vue';
-import { useTopic } from '../../connection/live/use-topic.ts';
+import { useTopic } from '../../connection/live/useTopic.ts';
 import { pageStateTopic, readPageState, type PageState } from '../../connection/page-state.ts';
 
 /** What the page of a client says of itself; `undefined` while it says nothing. [EX-56] */

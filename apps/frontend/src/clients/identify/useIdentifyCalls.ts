@@ -1,6 +1,6 @@
 import { identifyTopic } from '@ubii/proto';
 import { computed, shallowRef, type ShallowRef } from 'vue';
-import { useTopic } from '../../connection/live/use-topic.ts';
+import { useTopic } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { readCall, type IdentifyCall } from './identify-calls.ts';
 

@@ -1,11 +1,11 @@
 import type { Object2DList } from '@ubii/proto';
 import { onScopeDispose, shallowRef, watch } from 'vue';
-import { useDevice } from '../use-device.ts';
+import { useDevice } from '../useDevice.ts';
 import { CAMERA_COMPONENTS, CAMERA_DEVICE } from './components.ts';
 import { videoSource, type PictureSettings } from './encode-picture.ts';
 import { RateMeter } from '../sensors/rate-meter.ts';
 import type { PictureHabits } from './picture-habits.ts';
-import { useFrameTimes } from './use-frame-times.ts';
+import { useFrameTimes } from './useFrameTimes.ts';
 import { usePictures } from './usePictures.ts';
 
 /** Boxes that nothing renews are of another picture by then, milliseconds. */

@@ -12,7 +12,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import { canVibrate, vibrate } from '../outputs/vibrate.ts';
 import { calibratedAngles, type EulerAngles } from '../sensors/orientation.ts';
 import { useMotionSensors } from '../sensors/useMotionSensors.ts';
-import { useDevice } from '../use-device.ts';
+import { useDevice } from '../useDevice.ts';
 import { CONTROLLER_GAMEPAD_DEVICE, controllerGamepadComponents } from './components.ts';
 
 /** The keys existing programs find in the events. */

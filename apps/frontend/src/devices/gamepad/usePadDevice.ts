@@ -1,6 +1,6 @@
 import { ButtonEventType } from '@ubii/proto';
 import { onScopeDispose, shallowRef } from 'vue';
-import { useDevice } from '../use-device.ts';
+import { useDevice } from '../useDevice.ts';
 import { GAMEPAD_COMPONENTS, GAMEPAD_DEVICE } from './components.ts';
 import { padChanges, readPad, RESTING, type PadState } from './read-pad.ts';
 import type { Gamepads } from './useGamepads.ts';

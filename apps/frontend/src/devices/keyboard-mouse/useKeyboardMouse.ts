@@ -2,7 +2,7 @@ import { ButtonEventType, type Vector2 } from '@ubii/proto';
 import { useEventListener } from '@vueuse/core';
 import { onScopeDispose, shallowReactive } from 'vue';
 import { stickOfKeys } from '../controls/stick.ts';
-import { useDevice } from '../use-device.ts';
+import { useDevice } from '../useDevice.ts';
 import { KEYBOARD_MOUSE_COMPONENTS, KEYBOARD_MOUSE_DEVICE } from './components.ts';
 import { HeldKeys, isCaptured } from './held-keys.ts';
 

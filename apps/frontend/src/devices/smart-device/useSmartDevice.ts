@@ -25,7 +25,7 @@ import { useMicrophoneLevel } from '../sensors/useMicrophoneLevel.ts';
 import { useMotionSensors } from '../sensors/useMotionSensors.ts';
 import { SentRecords, type SentRate } from '../sensors/sent-records.ts';
 import { useStayAwake } from '../sensors/useStayAwake.ts';
-import { useDevice } from '../use-device.ts';
+import { useDevice } from '../useDevice.ts';
 import { SMART_DEVICE, SMART_DEVICE_COMPONENTS } from './components.ts';
 import { NearSignal } from './near-signal.ts';
 import { Reading } from './reading.ts';

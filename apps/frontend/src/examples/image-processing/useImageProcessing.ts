@@ -1,18 +1,18 @@
 import { parseDataFormat, type TopicRecord } from '@ubii/proto';
 import { useIntervalFn } from '@vueuse/core';
 import { computed, reactive, shallowRef, watch } from 'vue';
-import { useTopic, VISIBLE_HZ } from '../../connection/live/use-topic.ts';
+import { useTopic, VISIBLE_HZ } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
 import { RateMeter } from '../../devices/sensors/rate-meter.ts';
-import { useDevice } from '../../devices/use-device.ts';
+import { useDevice } from '../../devices/useDevice.ts';
 import { useModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
-import { usePageSession } from '../../sessions/own/use-page-session.ts';
-import type { PictureSources } from '../pictures/use-picture-source.ts';
-import { useIsOn } from '../pictures/use-is-on.ts';
-import { useKeptChoice, useKeptPlace } from '../pictures/use-kept-choice.ts';
-import { useLookedAt } from '../pictures/use-looked-at.ts';
-import { useSentPictures } from '../pictures/use-sent-pictures.ts';
+import { usePageSession } from '../../sessions/own/usePageSession.ts';
+import type { PictureSources } from '../pictures/usePictureSource.ts';
+import { useIsOn } from '../pictures/useIsOn.ts';
+import { useKeptChoice, useKeptPlace } from '../pictures/useKeptChoice.ts';
+import { useLookedAt } from '../pictures/useLookedAt.ts';
+import { useSentPictures } from '../pictures/useSentPictures.ts';
 import {
   outputTopic,
   parametersOf,

@@ -1,10 +1,10 @@
 import { type Client, ClientState, type Quaternion } from '@ubii/proto';
 import { computed, onScopeDispose, shallowRef, watch } from 'vue';
-import { useTopic } from '../../connection/live/use-topic.ts';
+import { useTopic } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { SMART_DEVICE } from '../../devices/smart-device/components.ts';
-import { useDevice } from '../../devices/use-device.ts';
-import { useSharedSession } from '../use-shared-session.ts';
+import { useDevice } from '../../devices/useDevice.ts';
+import { useSharedSession } from '../useSharedSession.ts';
 import { chooseSource, keyOf, type TurnSource } from './choose-source.ts';
 import { isSmoothingOf, smoothingSession } from './smoothing-session.ts';
 import { modelTurn, STRAIGHT, turnAbout, turnBy, unitTurn } from './turns.ts';

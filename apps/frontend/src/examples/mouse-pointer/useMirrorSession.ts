@@ -7,7 +7,7 @@ import {
   type Session,
 } from '@ubii/proto';
 import { computed, onScopeDispose, shallowRef, watch, type ComputedRef, type Ref } from 'vue';
-import { useTopic } from '../../connection/live/use-topic.ts';
+import { useTopic } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import { eventPlace } from '../../sessions/live/event-log.ts';
 import { removeOnPageHide } from '../../sessions/own/remove-on-page-hide.ts';

@@ -3,7 +3,7 @@ import { type Client, ClientState } from '@ubii/proto';
 import { useIntervalFn, useLocalStorage } from '@vueuse/core';
 import * as v from 'valibot';
 import { onScopeDispose, readonly, shallowRef, watch } from 'vue';
-import { useTopic } from '../../connection/live/use-topic.ts';
+import { useTopic } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 import {
   exampleTopic,

@@ -12,7 +12,7 @@ export const SOURCE_FILES = [
   },
   {
     name: 'Sources',
-    fileName: 'use-picture-source.ts',
-    load: async () => (await import('../pictures/use-picture-source.ts?raw')).default,
+    fileName: 'usePictureSource.ts',
+    load: async () => (await import('../pictures/usePictureSource.ts?raw')).default,
   },
 ];

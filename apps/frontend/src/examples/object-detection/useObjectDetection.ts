@@ -6,18 +6,18 @@ import type { PictureSettings } from '../../devices/camera/encode-picture.ts';
 import { seeingSession, type Seen } from '../../devices/camera/seeing-session.ts';
 import type { TakenPicture } from '../../devices/camera/usePictures.ts';
 import { RateMeter, SHOWN_WINDOW_MS } from '../../devices/sensors/rate-meter.ts';
-import { useDevice } from '../../devices/use-device.ts';
+import { useDevice } from '../../devices/useDevice.ts';
 import type { ModulePlace } from '../../sessions/own/planned-session.ts';
-import { usePageSession } from '../../sessions/own/use-page-session.ts';
-import { useIsOn } from '../pictures/use-is-on.ts';
-import { useKeptChoice, useKeptPlace } from '../pictures/use-kept-choice.ts';
-import { useLookedAt } from '../pictures/use-looked-at.ts';
-import { useSentPictures } from '../pictures/use-sent-pictures.ts';
+import { usePageSession } from '../../sessions/own/usePageSession.ts';
+import { useIsOn } from '../pictures/useIsOn.ts';
+import { useKeptChoice, useKeptPlace } from '../pictures/useKeptChoice.ts';
+import { useLookedAt } from '../pictures/useLookedAt.ts';
+import { useSentPictures } from '../pictures/useSentPictures.ts';
 import { SEEING_COMPONENTS, SEEING_DEVICE } from './seeing-topics.ts';
-import { useClockError } from './use-clock-error.ts';
-import { useDetector } from './use-detector.ts';
+import { useClockError } from './useClockError.ts';
+import { useDetector } from './useDetector.ts';
 import { StageTimes, type StageSummary } from './stage-times.ts';
-import type { PictureSources } from '../pictures/use-picture-source.ts';
+import type { PictureSources } from '../pictures/usePictureSource.ts';
 
 /** Results that nothing renews are of another picture by then, milliseconds. */
 const HOLD_MS = 3000;

@@ -1,9 +1,9 @@
 import { type Client, ClientState, type Session } from '@ubii/proto';
 import { useIntervalFn, useRafFn } from '@vueuse/core';
 import { computed, shallowRef, watch } from 'vue';
-import { useTopic } from '../../connection/live/use-topic.ts';
+import { useTopic } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
-import { useSharedSession } from '../use-shared-session.ts';
+import { useSharedSession } from '../useSharedSession.ts';
 import {
   clientOfTopic,
   DEFAULT_DISTANCE,

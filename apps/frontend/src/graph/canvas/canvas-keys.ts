@@ -1,6 +1,6 @@
 import { randomUuid } from '../../connection/random-uuid.ts';
 import type { GraphEditor } from '../editing/graph-editor.ts';
-import type { CanvasContext } from './use-canvas.ts';
+import type { CanvasContext } from './useCanvas.ts';
 import type { Point, PortRef } from '../model/graph.ts';
 import type { Alignment, Axis } from '../model/selection/arrange.ts';
 import { duplicate } from '../model/selection/clipboard.ts';

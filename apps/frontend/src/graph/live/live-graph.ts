@@ -8,7 +8,7 @@ import { useSessionEvents } from '../../sessions/live/useSessionEvents.ts';
 import { useSessionStatistics } from '../../sessions/live/useSessionStatistics.ts';
 import { isWatched } from '../../sessions/state/session-state.ts';
 import { usePatterns } from '../../patterns/usePatterns.ts';
-import { useRowValues } from '../../topics/rows/use-row-values.ts';
+import { useRowValues } from '../../topics/rows/useRowValues.ts';
 import { isPublisherAway } from '../../topics/names/publisher.ts';
 import { useFindPublisher } from '../../topics/names/useFindPublisher.ts';
 import type { Graph } from '../model/graph.ts';

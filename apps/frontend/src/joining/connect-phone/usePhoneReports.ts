@@ -1,5 +1,5 @@
 import { computed, type ComputedRef } from 'vue';
-import { useTopic } from '../../connection/live/use-topic.ts';
+import { useTopic } from '../../connection/live/useTopic.ts';
 import { PREFLIGHT_TOPICS, readReport, type PreflightReport } from '../join/preflight/report.ts';
 
 /** Returns the preflight reports of phones, by client id. [AC-30] */

@@ -1,6 +1,6 @@
 import { moduleEventTopic, type ModuleEvent } from '@ubii/proto';
 import { computed, toValue, type ComputedRef, type MaybeRefOrGetter } from 'vue';
-import { useTopic } from '../../connection/live/use-topic.ts';
+import { useTopic } from '../../connection/live/useTopic.ts';
 import { MAX_EVENTS } from './event-log.ts';
 
 /** Events of the modules of a session, oldest first, while the calling scope lives. [SE-51] */

@@ -1,6 +1,6 @@
 import { sessionStatisticsTopic, type SessionStatistics } from '@ubii/proto';
 import { computed, type ComputedRef } from 'vue';
-import { useTopic } from '../../connection/live/use-topic.ts';
+import { useTopic } from '../../connection/live/useTopic.ts';
 import { useConnection } from '../../connection/useConnection.ts';
 
 /** The newest statistics by the id of their session. */

@@ -2,7 +2,7 @@ import type { AuditEntry } from '@ubii/proto';
 import { ref, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useRole } from '../../connection/useRole.ts';
-import { useServiceReply, type ServiceAnswer } from '../use-service-reply.ts';
+import { useServiceReply, type ServiceAnswer } from '../useServiceReply.ts';
 
 const INTERVAL_MS = 3_000;
 const PAGE = 100;

@@ -2,7 +2,7 @@ import { LogLevel } from '@ubii/proto';
 import { computed, ref, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
 import { useConnection } from '../../connection/useConnection.ts';
 import { useRole } from '../../connection/useRole.ts';
-import { useServiceReply } from '../use-service-reply.ts';
+import { useServiceReply } from '../useServiceReply.ts';
 import { addTail, EMPTY_LOG, type KeptLog } from './log-lines.ts';
 
 const INTERVAL_MS = 1000;

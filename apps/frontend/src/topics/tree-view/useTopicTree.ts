@@ -13,7 +13,7 @@ import { useConnection } from '../../connection/useConnection.ts';
 import { isInternalTopic } from '../names/internal-topics.ts';
 import { nameOf } from '../rows/row-view.ts';
 import type { RowValues } from '../rows/row-values.ts';
-import { useRowValues } from '../rows/use-row-values.ts';
+import { useRowValues } from '../rows/useRowValues.ts';
 import type { FindPublisher } from '../names/publisher.ts';
 import { parseTopicFilter } from '../tree/topic-filter.ts';
 import type { TopicNode } from '../tree/topic-node.ts';

@@ -5,7 +5,7 @@ import { useConnection } from '../../../connection/useConnection.ts';
 import { useOwnPointer } from '../../../graph/editor/templates/own-pointer.ts';
 import { isAlive } from '../../../sessions/state/session-state.ts';
 import type { InputName } from './input-names.ts';
-import { usePageDevice } from './use-page-device.ts';
+import { usePageDevice } from './usePageDevice.ts';
 
 /** Inputs of this page for the sessions that were started in it. */
 export interface PageInputs {

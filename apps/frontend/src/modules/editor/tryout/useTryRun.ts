@@ -13,7 +13,7 @@ import {
   type ShallowRef,
 } from 'vue';
 import { perFrame } from '../../../connection/per-frame.ts';
-import { useTopic } from '../../../connection/live/use-topic.ts';
+import { useTopic } from '../../../connection/live/useTopic.ts';
 import { useConnection } from '../../../connection/useConnection.ts';
 import { withEvent } from '../../../sessions/live/event-log.ts';
 import { sparkNumbers } from '../../../topics/values/value-series.ts';

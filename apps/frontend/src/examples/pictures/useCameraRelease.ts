@@ -1,0 +1,11 @@
+import { watch, type Ref } from 'vue';
+import type { PictureSources } from './usePictureSource.ts';
+
+/** Lets go of the camera when its pictures are sent no more, so that its light goes out; Start opens it again. */
+export function useCameraRelease({ kind, camera }: PictureSources, isOn: Ref<boolean>): void {
+  watch(isOn, (on) => {
+    if (kind.value !== 'camera') return;
+    if (!on) camera.stop();
+    else if (camera.status.value === 'off') void camera.start();
+  });
+}

@@ -1,0 +1,171 @@
+import { systemClock } from '@ubii/client-web';
+import { useEventListener } from '@vueuse/core';
+import {
+  computed,
+  onScopeDispose,
+  shallowRef,
+  watch,
+  type ComputedRef,
+  type ShallowRef,
+} from 'vue';
+import type { PictureSource } from '../../devices/camera/encode-picture.ts';
+import { pictureClock } from '../../devices/camera/picture-clock.ts';
+import { useCamera } from '../../devices/camera/useCamera.ts';
+import { useFrameTimes } from '../../devices/camera/useFrameTimes.ts';
+import { RateMeter } from '../../devices/sensors/rate-meter.ts';
+import { CLIP_RATE_HZ, drawClip, loadClip } from './clip.ts';
+import { useKeptChoice } from './useKeptChoice.ts';
+
+/** Where pictures come from. */
+export type SourceKind = 'clip' | 'camera' | 'photo' | 'topic';
+
+type PictureElement = HTMLVideoElement | HTMLCanvasElement;
+
+/** Pictures of this page: the built-in clip, a camera or an image file; or those of a topic. */
+export interface PictureSources {
+  readonly kind: ShallowRef<SourceKind>;
+  readonly camera: ReturnType<typeof useCamera>;
+  /** Shown as it is; `undefined` while there is no picture, and for a topic. */
+  readonly element: ComputedRef<PictureElement | undefined>;
+  /** Of the picture that is shown, pixels. */
+  readonly size: ComputedRef<{ readonly width: number; readonly height: number } | undefined>;
+  /** Name of the image file. */
+  readonly fileName: Readonly<ShallowRef<string | undefined>>;
+  /** What is wrong with the image file, one sentence. */
+  readonly fileProblem: Readonly<ShallowRef<string | undefined>>;
+  /** The topic whose pictures are looked at; empty until one is chosen. */
+  readonly topic: ShallowRef<string>;
+  /** Pictures are sent: the clip goes on while another page is in front. */
+  readonly isSent: ShallowRef<boolean>;
+  takeFile(file: File): Promise<void>;
+  /** What pictures are taken of now. */
+  source(): PictureSource | undefined;
+  /** Pictures per second of the clip or the camera, as measured; `undefined` for other sources. */
+  givenHz(): number | undefined;
+}
+
+const CLIP_SIZE = { width: 960, height: 540 };
+/** Larger photographs are reduced, pixels of the longer side. */
+const MAX_PHOTO_SIDE = 1280;
+
+/**
+ * The sources of a page, while the calling scope lives; the built-in clip at first.
+ *
+ * @param drawOwn draws a moment of another clip, in place of the one with photographs
+ */
+export function usePictureSource(
+  drawOwn?: (canvas: HTMLCanvasElement, timeMs: number) => void,
+): PictureSources {
+  // Files and topics are not kept with it.
+  const kind = useKeptChoice<SourceKind>('source', 'clip', (kept) => kept === 'camera');
+  const topic = shallowRef('');
+  const isSent = shallowRef(false);
+  const fileName = shallowRef<string>();
+  const fileProblem = shallowRef<string>();
+  const photo = shallowRef<HTMLCanvasElement>();
+  const camera = useCamera();
+
+  const given = new RateMeter();
+
+  const clip = document.createElement('canvas');
+  Object.assign(clip, CLIP_SIZE);
+  const clipPhotos = shallowRef<readonly ImageBitmap[]>();
+  let clipMs = 0;
+  let isLoading = false;
+  function draw(): void {
+    if (!clipPhotos.value && !drawOwn) return;
+    clipMs += 1000 / CLIP_RATE_HZ;
+    given.note(performance.now());
+    if (drawOwn) drawOwn(clip, clipMs);
+    else drawClip(clip, clipPhotos.value!, clipMs);
+  }
+
+  const video = document.createElement('video');
+  Object.assign(video, { autoplay: true, playsInline: true, muted: true });
+  const videoSize = shallowRef<{ readonly width: number; readonly height: number }>();
+  function measure(): void {
+    const { videoWidth: width, videoHeight: height } = video;
+    videoSize.value = width > 0 ? { width, height } : undefined;
+  }
+  useEventListener(video, ['loadedmetadata', 'resize'], measure);
+  const frames = useFrameTimes(() => video);
+  watch(camera.stream, (stream) => {
+    video.srcObject = stream ?? null;
+    if (stream) countFrame();
+    else videoSize.value = undefined;
+  });
+  /** Browsers that do not tell of the pictures of a video have no figure for them. */
+  function countFrame(): void {
+    video.requestVideoFrameCallback?.(() => {
+      given.note(performance.now());
+      if (camera.stream.value) countFrame();
+    });
+  }
+
+  watch(
+    [kind, isSent],
+    ([next, sent], _before, onCleanup) => {
+      if (next !== 'camera') camera.stop();
+      if (next !== 'clip') return;
+      const clock = sent ? pictureClock : systemClock;
+      onCleanup(clock.every(1000 / CLIP_RATE_HZ, draw));
+      if (isLoading || drawOwn) return;
+      isLoading = true;
+      loadClip().then(
+        (photos) => (clipPhotos.value = photos),
+        () => (isLoading = false), // the master is away, which the shell tells
+      );
+    },
+    { immediate: true },
+  );
+  onScopeDispose(() => {
+    for (const one of clipPhotos.value ?? []) one.close();
+  });
+
+  async function takeFile(file: File): Promise<void> {
+    fileProblem.value = undefined;
+    try {
+      const bitmap = await createImageBitmap(file);
+      const scale = Math.min(1, MAX_PHOTO_SIDE / Math.max(bitmap.width, bitmap.height));
+      const canvas = document.createElement('canvas');
+      canvas.width = Math.max(1, Math.round(bitmap.width * scale));
+      canvas.height = Math.max(1, Math.round(bitmap.height * scale));
+      canvas.getContext('2d')!.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
+      bitmap.close();
+      photo.value = canvas;
+      fileName.value = file.name;
+      kind.value = 'photo';
+    } catch {
+      fileProblem.value = `${file.name} is not an image that this browser can read. Choose a JPEG, PNG or WebP file.`;
+    }
+  }
+
+  const isMeasured = computed(() => kind.value === 'clip' || kind.value === 'camera');
+  const element = computed((): PictureElement | undefined => {
+    if (kind.value === 'clip') return (clipPhotos.value || drawOwn) && clip;
+    if (kind.value === 'camera') return camera.stream.value && video;
+    return kind.value === 'photo' ? photo.value : undefined;
+  });
+  const size = computed(() => {
+    const shown = element.value;
+    if (shown === video) return videoSize.value;
+    return shown && { width: shown.width, height: shown.height };
+  });
+
+  return {
+    kind,
+    camera,
+    element,
+    size,
+    fileName,
+    fileProblem,
+    topic,
+    isSent,
+    takeFile,
+    source() {
+      const takenMs = element.value === video ? frames.takenMs() : undefined;
+      return element.value && size.value && { element: element.value, ...size.value, takenMs };
+    },
+    givenHz: () => (isMeasured.value ? given.rateHz(performance.now()) : undefined),
+  };
+}

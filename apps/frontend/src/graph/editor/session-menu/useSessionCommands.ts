@@ -1,0 +1,229 @@
+import {
+  Copy,
+  Download,
+  FileBraces,
+  FilePlus,
+  FolderOpen,
+  Import,
+  Pencil,
+  Play,
+  Save,
+  SaveAll,
+  Square,
+  Trash2,
+} from '@lucide/vue';
+import type { Init, Session } from '@ubii/proto';
+import { computed, ref, type ComputedRef, type Ref } from 'vue';
+import { useRouter } from 'vue-router';
+import { randomUuid } from '../../../connection/random-uuid.ts';
+import { useConnection } from '../../../connection/useConnection.ts';
+import type { SessionActions } from '../../../sessions/actions/useSessionActions.ts';
+import { completeSession } from '../../model/complete-session.ts';
+import { knownModules } from '../../../sessions/file/known-modules.ts';
+import { saveFile } from '../../../files/save-file.ts';
+import { exportSession } from '../../../sessions/file/session-file.ts';
+import { newTextLocation, sessionTextLocation } from '../../../locations/session-location.ts';
+import { copyName, sessionCopy, sessionSpec } from '../../../sessions/text/session-spec.ts';
+import { graphLocation } from '../../../locations/graph-location.ts';
+import type { GraphEditor } from '../../editing/graph-editor.ts';
+import { findDraft, saveDraft } from '../../model/changes/draft.ts';
+import type { Drafts } from '../useDraft.ts';
+import { useLife } from '../useLife.ts';
+import type { Saving } from '../useSave.ts';
+import { chooseFiles } from './choose-files.ts';
+import type { SessionCommand } from './session-command.ts';
+
+/** Which question of the session menu is open. */
+export type SessionQuestion = 'open' | 'saveAs' | 'rename';
+
+export interface SessionCommands {
+  readonly list: ComputedRef<readonly SessionCommand[]>;
+  readonly question: Ref<SessionQuestion | undefined>;
+  /** Names that other sessions have. */
+  readonly taken: ComputedRef<ReadonlySet<string>>;
+  readonly copyName: ComputedRef<string>;
+  saveAs(name: string): Promise<void>;
+  open(session: Session): Promise<void>;
+}
+
+interface Parts {
+  readonly editor: GraphEditor;
+  readonly saving: Saving;
+  readonly drafts: Drafts;
+  readonly actions: SessionActions;
+  /** The master does not have the session. */
+  readonly isGone: () => boolean;
+  readonly importFiles: (files: readonly File[]) => void;
+}
+
+/** Commands on the session as a whole. */
+export function useSessionCommands(parts: Parts): SessionCommands {
+  const { editor, saving, drafts, actions, isGone, importFiles } = parts;
+  const { client, sessions } = useConnection();
+  const router = useRouter();
+  const question = ref<SessionQuestion>();
+  const life = useLife(editor, saving);
+  const startAction = computed(() => (life.can('resume') ? 'resume' : 'start'));
+  const name = computed(() => editor.graph.value.details.name || 'Session');
+  const taken = computed(() => {
+    const others = (sessions.list.value ?? []).filter(({ id }) => id !== editor.session.value.id);
+    return new Set(others.map((other) => other.name));
+  });
+  const copy = computed(() => copyName(name.value, new Set([...taken.value, name.value])));
+
+  /** Makes a session and shows it. @returns undefined when the master refused it, which is shown */
+  async function make(spec: Init<Session>): Promise<Session | undefined> {
+    const made = await saving.attempt(() => actions.calls.create(spec));
+    if (made) await router.push(graphLocation(made.id));
+    return made;
+  }
+  const ownCopy = (as: string): Init<Session> => ({
+    ...sessionCopy(sessionSpec(editor.toSession()), randomUuid),
+    name: as,
+  });
+
+  async function saveAs(as: string): Promise<void> {
+    const { id } = editor.session.value;
+    const made = await make(ownCopy(as));
+    // The changes are in the copy: they are no draft of the original
+    if (made) drafts.forget(id);
+  }
+
+  async function exportFile(): Promise<void> {
+    const library = (await knownModules(client)) ?? [];
+    saveFile(exportSession(sessionSpec(completeSession(editor.toSession(), library))));
+  }
+
+  async function remove(): Promise<void> {
+    const session = editor.session.value;
+    drafts.keep();
+    drafts.pause();
+    const draft = findDraft(localStorage, session.id);
+    if (isGone()) {
+      drafts.forget(session.id);
+      await router.push('/sessions');
+      return;
+    }
+    const isRemoved = await actions.remove(session, (restored) => {
+      if (draft !== undefined) saveDraft(localStorage, draft);
+      void router.push(graphLocation(restored.id));
+    });
+    if (!isRemoved) {
+      drafts.resume();
+      return;
+    }
+    drafts.forget(session.id);
+    await router.push('/sessions');
+  }
+
+  const id = (): string => editor.session.value.id;
+  const isNew = (): boolean => isGone() && (editor.session.value.extension?.revision ?? 0) === 0;
+  const list = computed((): readonly SessionCommand[] => [
+    {
+      id: 'new',
+      text: 'New',
+      title: 'New empty session',
+      icon: FilePlus,
+      run: () => void router.push('/sessions/new'),
+    },
+    {
+      id: 'open',
+      text: 'Open…',
+      title: 'Open another session',
+      icon: FolderOpen,
+      shortcut: 'Ctrl O',
+      run: () => (question.value = 'open'),
+    },
+    {
+      id: 'save',
+      text: 'Save',
+      title: 'Save this session',
+      icon: Save,
+      shortcut: 'Ctrl S',
+      isFirst: true,
+      isDisabled: editor.changes.value === 0,
+      run: () => void life.save(),
+    },
+    {
+      id: 'start',
+      text: startAction.value === 'resume' ? 'Resume' : 'Start',
+      title: 'Save and start this session',
+      icon: Play,
+      shortcut: 'Ctrl Enter',
+      isDisabled: !life.can(startAction.value) && editor.changes.value === 0,
+      // While it runs, its changes are applied.
+      run: () => void (life.can(startAction.value) ? life.act(startAction.value) : life.save()),
+    },
+    {
+      id: 'stop',
+      text: 'Stop',
+      title: 'Stop this session',
+      icon: Square,
+      shortcut: 'Ctrl Shift Enter',
+      isDisabled: !life.can('stop'),
+      run: () => void life.act('stop'),
+    },
+    {
+      id: 'save-as',
+      text: 'Save as…',
+      title: 'Save this session as another one',
+      icon: SaveAll,
+      shortcut: 'Ctrl Shift S',
+      run: () => (question.value = 'saveAs'),
+    },
+    {
+      id: 'rename',
+      text: 'Rename',
+      title: 'Rename this session',
+      icon: Pencil,
+      run: () => (question.value = 'rename'),
+    },
+    {
+      id: 'duplicate',
+      text: 'Duplicate',
+      title: 'Duplicate this session',
+      icon: Copy,
+      run: () => void make(ownCopy(copy.value)),
+    },
+    {
+      id: 'text',
+      text: 'Edit as JSON',
+      title: 'Edit this session as JSON',
+      icon: FileBraces,
+      run: () => void router.push(isNew() ? newTextLocation(id()) : sessionTextLocation(id())),
+    },
+    {
+      id: 'import',
+      text: 'Import…',
+      title: 'Import a session file',
+      icon: Import,
+      isFirst: true,
+      run: () => chooseFiles('.session,.json', importFiles),
+    },
+    {
+      id: 'export',
+      text: 'Export',
+      title: 'Export this session as a file',
+      icon: Download,
+      run: () => void exportFile(),
+    },
+    {
+      id: 'delete',
+      text: 'Delete',
+      title: 'Delete this session',
+      icon: Trash2,
+      danger: true,
+      isFirst: true,
+      run: () => void remove(),
+    },
+  ]);
+
+  return {
+    list,
+    question,
+    taken,
+    copyName: copy,
+    saveAs,
+    open: async ({ id }) => void (await router.push(graphLocation(id))),
+  };
+}

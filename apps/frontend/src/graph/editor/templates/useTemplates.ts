@@ -1,0 +1,82 @@
+import { shallowRef, type ComputedRef, type ShallowRef } from 'vue';
+import { fromJson, toJson, type Session } from '@ubii/proto';
+import { randomUuid } from '../../../connection/random-uuid.ts';
+import { useConnection } from '../../../connection/useConnection.ts';
+import { completeExample } from '../../../sessions/examples/complete-example.ts';
+import { knownModules } from '../../../sessions/file/known-modules.ts';
+import { completeSession } from '../../model/complete-session.ts';
+import { drawnSize } from '../../nodes/drawn-size.ts';
+import { addSession } from '../../model/add-session.ts';
+import type { Point } from '../../model/graph.ts';
+import type { GraphEditor } from '../../editing/graph-editor.ts';
+import type { Template } from './templates.ts';
+import { useExamplePointer } from './useExamplePointer.ts';
+import { withPointer } from './with-pointer.ts';
+
+/** A template and what can be seen of it before it is used. */
+export interface SeenTemplate {
+  readonly template: Template;
+  readonly seen: Session;
+}
+
+export interface Templates {
+  /** Those whose modules are here; empty until they are loaded. */
+  readonly list: Readonly<ShallowRef<readonly SeenTemplate[]>>;
+  /** A pointer that moves here or on a phone; undefined while there is none. */
+  readonly pointer: ComputedRef<string | undefined>;
+  load(): Promise<void>;
+  /** Puts a template into the graph, as one step. @returns why it could not be */
+  use(template: Template, position: Point): string | undefined;
+}
+
+const SESSION = 'ubii.sessions.Session';
+/** As an empty session is called first. */
+const isDefaultName = (name: string): boolean => /^Session(?: \d+)?$/.test(name);
+
+export function useTemplates(editor: GraphEditor): Templates {
+  const { client } = useConnection();
+  const pointer = useExamplePointer();
+  const list = shallowRef<readonly SeenTemplate[]>([]);
+
+  async function load(): Promise<void> {
+    // The library is large, and only this list needs it
+    const [{ moduleLibrary }, { TEMPLATES }, known] = await Promise.all([
+      import('@ubii/modules'),
+      import('./templates.ts'),
+      knownModules(client),
+    ]);
+    const library = moduleLibrary();
+    const names = new Set([...(known ?? library), ...library].map(({ name }) => name));
+    list.value = TEMPLATES.filter(({ session }) =>
+      (session.processingModules ?? []).every(({ name }) => names.has(name ?? '')),
+    ).map((template) => {
+      const whole = completeSession(fromJson(SESSION, toJson(SESSION, template.session)), library);
+      return { template, seen: completeExample(whole, library) };
+    });
+  }
+
+  return {
+    list,
+    pointer: pointer.live,
+    load,
+    use(template, position) {
+      const seen = list.value.find((one) => one.template === template)?.seen;
+      if (seen === undefined) return 'The example no longer exists.';
+      const topic = pointer.take(template);
+      const { graph } = editor;
+      const isEmpty = graph.value.nodes.size === 0;
+      const isUnnamed = isEmpty && isDefaultName(graph.value.details.name);
+      const added = addSession(graph.value, withPointer(seen, template.pointerTopic, topic), {
+        uuid: randomUuid,
+        position,
+        sizeOf: drawnSize,
+        label: `Add ${template.title}`,
+        ...(isUnnamed && { as: { name: template.title, description: seen.description } }),
+      });
+      if (added.kind === 'broken') return added.reason;
+      editor.apply(added.command);
+      if (!isEmpty) editor.select(added.ids);
+      return undefined;
+    },
+  };
+}

@@ -1,0 +1,91 @@
+import { computed, inject, provide, type ComputedRef, type InjectionKey } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import type { ModuleLibrary } from '../../modules/library/useModuleLibrary.ts';
+import { runningWriters } from '../../sessions/words/shared-topics.ts';
+import type { GraphEditor } from '../editing/graph-editor.ts';
+import { sameValue } from '../model/changes/same-value.ts';
+import { graphProblems, type GraphProblems } from '../model/live/graph-problems.ts';
+import type { GraphProblem, TopicAdvice } from '../model/live/graph-problem.ts';
+import { isMissing, type Surroundings } from '../model/live/own-problems.ts';
+import type { ModuleNode } from '../model/graph.ts';
+import { leftTopicAdvice } from './left-topic-advice.ts';
+import type { OwnPad } from './own-pad.ts';
+import { ownTopicRemedy } from './own-topic-remedy.ts';
+import { useOtherTopics } from './useOtherTopics.ts';
+
+/** What is wrong in the graph, for the views that show it at its place. */
+export interface LiveProblems {
+  readonly problems: ComputedRef<GraphProblems>;
+  ofNode(id: string): readonly GraphProblem[];
+  ofPort(node: string, port: string): readonly GraphProblem[];
+  ofWire(id: string): readonly GraphProblem[];
+  /** There is no code of this module anywhere. */
+  isMissing(node: ModuleNode): boolean;
+}
+
+const PROBLEMS: InjectionKey<LiveProblems> = Symbol('graph problems');
+const NONE: readonly GraphProblem[] = [];
+
+/** Watches a graph for problems, for all views below. */
+export function provideGraphProblems(
+  editor: GraphEditor,
+  library: ModuleLibrary,
+  pad: OwnPad,
+): LiveProblems {
+  const { client, nodes, sessions } = useConnection();
+  const openPad = (): void => void (pad.isOpen.value = true);
+  const otherTopics = useOtherTopics(editor);
+  const remedyOf = (topic: string): TopicAdvice | undefined =>
+    ownTopicRemedy(topic, client.id, pad.isOffered.value ? openPad : undefined) ??
+    leftTopicAdvice(topic, otherTopics(topic));
+  const around = computed((): Surroundings => {
+    const list = nodes.list.value;
+    const entries = library.entries.value;
+    const offered = (list ?? []).flatMap(({ moduleNames }) => moduleNames);
+    const available = (list ?? []).filter((one) => one.available).map((one) => one.clientId);
+    return {
+      modules: entries && new Set([...entries.map(({ module }) => module.name), ...offered]),
+      nodes: list && new Set([...available, client.id]),
+      writers: runningWriters(sessions.list.value ?? [], editor.session.value.id),
+    };
+  });
+  /** Lists come every few seconds; only what they say differently counts. */
+  const settled = computed<Surroundings>((before) =>
+    before !== undefined && isSame(before, around.value) ? before : around.value,
+  );
+  const problems = computed(() =>
+    graphProblems(editor.graph.value, editor.session.value, {
+      ...settled.value,
+      remedyOf,
+      isResting: (topic) => pad.isResting(topic),
+    }),
+  );
+  const live: LiveProblems = {
+    problems,
+    ofNode: (id) => problems.value.ofNode.get(id) ?? NONE,
+    ofPort: (node, port) => problems.value.ofPort.get(`${node} ${port}`) ?? NONE,
+    ofWire: (id) => problems.value.ofWire.get(id) ?? NONE,
+    isMissing: (node) => isMissing(node, settled.value),
+  };
+  provide(PROBLEMS, live);
+  return live;
+}
+
+export function useGraphProblems(): LiveProblems {
+  const live = inject(PROBLEMS);
+  if (!live) throw new Error('This part needs the graph page above it.');
+  return live;
+}
+
+const isSame = (a: Surroundings, b: Surroundings): boolean =>
+  isSameSet(a.modules, b.modules) &&
+  isSameSet(a.nodes, b.nodes) &&
+  sameValue([...a.writers], [...b.writers]);
+
+function isSameSet(
+  a: ReadonlySet<string> | undefined,
+  b: ReadonlySet<string> | undefined,
+): boolean {
+  if (a === undefined || b === undefined) return a === b;
+  return a.size === b.size && [...a].every((one) => b.has(one));
+}

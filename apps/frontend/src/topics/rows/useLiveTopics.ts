@@ -1,0 +1,58 @@
+import { useRafFn } from '@vueuse/core';
+import { effectScope, onScopeDispose, shallowRef, watch, type EffectScope } from 'vue';
+import { useConnection } from '../../connection/useConnection.ts';
+import { useRowValues } from './useRowValues.ts';
+
+/** How often values are drawn, Hz. */
+const DRAW_HZ = 5;
+/** How often the counters of topics are asked for while some are shown, milliseconds. */
+const STATISTICS_MS = 1000;
+
+/** What a topic shows now. */
+export interface LiveTopic {
+  /** The newest value in one line; `undefined` when there is none. */
+  readonly text: string | undefined;
+  /** Records per second; `undefined` while unknown. */
+  readonly hz: number | undefined;
+}
+
+/**
+ * Newest values of the topics that are on screen, and of no others, while the calling component lives.
+ * @param wanted the topics; read reactively
+ */
+export function useLiveTopics(wanted: () => readonly string[]): (topic: string) => LiveTopic {
+  const { topics, isConnected } = useConnection();
+  const values = useRowValues();
+  const tick = shallowRef(0);
+  const rateOf = (topic: string) => topics.rates.value?.get(topic);
+
+  let asking: EffectScope | undefined;
+  watch(
+    () => wanted().length > 0,
+    (isWanted) => {
+      asking?.stop();
+      asking = undefined;
+      if (!isWanted) return;
+      asking = effectScope();
+      asking.run(() => topics.watch(STATISTICS_MS));
+    },
+    { immediate: true },
+  );
+  watch([() => wanted().join('\n'), topics.rates], () => values.showNamed(wanted(), rateOf), {
+    immediate: true,
+  });
+  useRafFn(
+    () => {
+      if (!isConnected.value || wanted().length === 0) return;
+      values.sample(performance.now());
+      tick.value += 1;
+    },
+    { fpsLimit: DRAW_HZ },
+  );
+  onScopeDispose(() => asking?.stop());
+
+  return (topic) => {
+    void tick.value;
+    return { text: values.get(topic)?.text, hz: rateOf(topic)?.hz };
+  };
+}

@@ -1,0 +1,16 @@
+import { onScopeDispose, shallowRef } from 'vue';
+import type { LivePattern } from '../../connection/live/topic-source.ts';
+import { useTopic } from '../../connection/live/useTopic.ts';
+import { RowValues } from './row-values.ts';
+
+/**
+ * Newest values of rows, while the calling scope lives and the page is visible.
+ * @param largeRateHz how often large values come, for those who show more of them than their size
+ */
+export function useRowValues(largeRateHz?: number): RowValues {
+  const wanted = shallowRef<readonly LivePattern[]>([]);
+  const values = new RowValues((topics) => (wanted.value = topics), largeRateHz);
+  useTopic(wanted, { keep: 0, onRecord: (record) => values.handleRecord(record) });
+  onScopeDispose(() => values.close());
+  return values;
+}
