@@ -65,6 +65,13 @@ export default {
     },
     ...inOrder('order-of-the-frontend', 'apps/frontend/src', FRONTEND),
     ...inOrder('order-of-the-client', 'packages/client-web/src/core', CLIENT),
+    {
+      name: 'name-of-composables',
+      comment: 'Call the file as its composable: useThing.ts.',
+      severity: 'error',
+      from: {},
+      to: { path: '/use-[^/]*$', pathNot: 'node_modules' },
+    },
   ],
   options: {
     doNotFollow: { path: 'node_modules' },
