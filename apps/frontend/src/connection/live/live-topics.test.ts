@@ -55,7 +55,7 @@ function setUp(keep = 1) {
     ...{ clock, live, log, heard, views, statuses, open, publish },
     frame: () => clock.advanceSync(FRAME_MS),
     last: () => views.at(-1),
-    answer: (next: Promise<void>) => (reply = next),
+    answer: (next: Promise<void>) => void (reply = next),
   };
 }
 

@@ -182,8 +182,8 @@ export function useTryRun(
   useTopic(lives, {
     encoded: true,
     keep: 0,
-    async onRecord({ topic, bytes, publisherId }) {
-      (await open()).topics.put(topic, bytes, publisherId);
+    onRecord({ topic, bytes, publisherId }) {
+      void open().then((run) => run.topics.put(topic, bytes, publisherId));
     },
   });
 
