@@ -28,14 +28,11 @@ export function useModelViewer() {
       .sort((a, b) => Number(b.isPhone) - Number(a.isPhone) || a.name.localeCompare(b.name)),
   );
   /** Clients of phones that publish their orientation, the newest last. */
-  const moving = shallowRef<readonly string[]>([]);
-  const turns = client
-    .subscribe({ glob: PHONE_TURNS_GLOB }, { format: 'quaternion', maxRateHz: 2 })
-    .onRecord(({ topic }) => {
-      const id = clientOfTopic(topic);
-      if (!moving.value.includes(id)) moving.value = [...moving.value, id];
-    });
-  onScopeDispose(() => void turns.close());
+  const { byTopic: phoneTurns } = useTopic(
+    { glob: PHONE_TURNS_GLOB },
+    { format: 'quaternion', maxRateHz: 2 },
+  );
+  const moving = computed(() => Array.from(phoneTurns.value.keys(), clientOfTopic));
 
   /** The source that the user chose, while its device exists. */
   const wanted = shallowRef<string>();
