@@ -14,7 +14,6 @@ const many = rowsOf(...Array.from({ length: 100 }, (_, index) => `row ${index}`)
 
 beforeEach(() => {
   const pixels = ROW_PIXELS * SHOWN_ROWS;
-  vi.spyOn(HTMLElement.prototype, 'offsetHeight', 'get').mockReturnValue(pixels);
   vi.spyOn(HTMLElement.prototype, 'clientHeight', 'get').mockReturnValue(pixels);
 });
 afterEach(() => vi.restoreAllMocks());

@@ -1,4 +1,3 @@
-import { useElementSize } from '@vueuse/core';
 import { computed, nextTick, onUpdated, shallowRef, type ComputedRef, type Ref } from 'vue';
 import { isTypeAhead, TypeAhead } from '../keys/type-ahead.ts';
 import type { TreeGridRow } from './tree-grid-row.ts';
@@ -32,7 +31,6 @@ export function useTreeFocus<R extends TreeGridRow>(
   handleFocus(event: FocusEvent): void;
 } {
   const { rows, selected, scroller, sizeOf, nameOf, isExpanded, scrollToIndex } = options;
-  const { height } = useElementSize(scroller);
   const typeAhead = new TypeAhead();
   const activeKey = shallowRef<string>();
   const activeIndex = computed(() => {
@@ -56,11 +54,12 @@ export function useTreeFocus<R extends TreeGridRow>(
     const row = rows()[activeIndex.value];
     if (row === undefined || isOfControl(event)) return;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const heightPixels = scroller.value?.clientHeight ?? 0;
     const outcome = treeKeyOutcome(event.key, {
       rows: rows(),
       index: activeIndex.value,
       isExpanded,
-      pageSize: Math.max(1, Math.floor(height.value / sizeOf(row)) - 1),
+      pageSize: Math.max(1, Math.floor(heightPixels / sizeOf(row)) - 1),
     });
     if (outcome !== undefined) {
       event.preventDefault();
