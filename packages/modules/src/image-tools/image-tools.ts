@@ -111,13 +111,14 @@ export const imageTools = defineProcessingModule({
       decodedMs = performance.now();
       const [x, y] = [number('x', 0, 0, 1), number('y', 0, 0, 1)];
       const [wide, high] = [number('width', 1, 0, 1), number('height', 1, 0, 1)];
+      const said = (names: object, end: number, range: string): string[] =>
+        Object.entries(names).flatMap(([name, value]) =>
+          value === end ? `${name} is ${range}, not ${end}` : [],
+        );
       const outside = [
-        ...Object.entries({ x, y }).filter(([, value]) => value === 1),
-        ...Object.entries({ width: wide, height: high }).filter(([, value]) => value === 0),
-      ].map(
-        ([name, value]) =>
-          `${name} is ${value === 1 ? '0 to below 1' : 'above 0 to 1'}, not ${value}`,
-      );
+        ...said({ x, y }, 1, '0 to below 1'),
+        ...said({ width: wide, height: high }, 0, 'above 0 to 1'),
+      ];
       if (outside.length > 0)
         throw new RangeError(`The part is outside of the picture: ${outside.join('; ')}.`);
       const part = {

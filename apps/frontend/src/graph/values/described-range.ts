@@ -5,8 +5,8 @@ export interface NumberRange {
 }
 
 /** Thousands are apart, as in `16 384`. */
-const NUMBER = String.raw`[−-]?(?:\d{1,3}(?:[ \u00a0\u202f]\d{3})+|\d+(?:\.\d+)?)`;
-const RANGE = new RegExp(String.raw`(?<![\w.])(${NUMBER}) to (${NUMBER})(?![\d.]*\d)`);
+const RANGE =
+  /(?<![\w.])([−-]?(?:\d{1,3}(?:[ \u00a0\u202f]\d{3})+|\d+(?:\.\d+)?)) to ([−-]?(?:\d{1,3}(?:[ \u00a0\u202f]\d{3})+|\d+(?:\.\d+)?))(?![\d.]*\d)/;
 
 const read = (text: string): number =>
   Number(text.replace('−', '-').replace(/[ \u00a0\u202f]/g, ''));
