@@ -57,19 +57,20 @@ export default defineConfig({
             // Home and Examples show all of them; each file has headers of 1.4 kB.
             {
               name: 'examples',
-              test: /\/src\/examples\/([^/]+\/\w+Thumbnail|ExampleRow)\.vue/,
+              test: /\/src\/(examples\/([^/]+\/\w+Thumbnail|ExampleRow)\.vue|graph\/editor\/templates\/own-pointer)/,
               includeDependenciesRecursively: false,
             },
             // Every page uses these.
             {
               name: 'proto',
-              test: /packages\/proto\/src\//,
+              // Not the text of a file, which only the module editor has
+              test: /packages\/proto\/src\/[^?]*$/,
               minShareCount: 3,
               includeDependenciesRecursively: false,
             },
             {
               name: 'shared',
-              test: /\/src\/(formats|locations|ui\/readouts|ui\/tooltip|connection)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(page\/shell|shell\/(pages|shortcuts)|join\/(join-words|this-machine|AdminNeeded)|connect-phone\/addresses|ui\/keys\/single-key|ui\/charts\/line-path|devices\/(keyboard-mouse\/held-keys|pointer-topic)|sessions\/(live\/session-totals|state\/session-state|useStoredSessions)|patterns\/pattern-source)|packages\/patterns\/src\/(glob|remembered|pattern-source)|packages\/(timing|words)\/src\/|@vueuse|vue-router|vite\/preload-helper|plugin-vue:export-helper/,
+              test: /\/src\/(formats|locations|ui\/readouts|ui\/tooltip|connection)\/|\/src\/ui\/Ui(EmptyState|CopyButton|Readout|StateMark|Avatar|Sparkline|Tooltip|Button)\.vue|\/src\/(page\/shell|shell\/(pages|shortcuts)|joining\/(join\/(join-words|this-machine|AdminNeeded)|connect-phone\/addresses)|ui\/keys\/single-key|ui\/charts\/line-path|clients\/client-facts|devices\/(keyboard-mouse\/held-keys|pointer-topic)|sessions\/(list\/session-rows|live\/session-totals|state\/session-state|useStoredSessions)|patterns\/pattern-source)|packages\/patterns\/src\/(glob|remembered|pattern-source)|packages\/(timing|words)\/src\/|@vueuse|vue-router|vite\/preload-helper|plugin-vue:export-helper/,
               minShareCount: 2,
               includeDependenciesRecursively: false,
             },
