@@ -3,9 +3,8 @@ import { fieldKind, isTypable, partNames } from '../../formats/value-parts.ts';
 import type { Graph, GraphNode, ModuleNode, Point, Port, Size } from '../model/graph.ts';
 import { portFormat } from '../model/port-format.ts';
 import { canCollapse } from './collapse.ts';
+import { NODE } from './node-geometry.ts';
 
-/** As graph-node.css draws them, pixels at a zoom of 1. */
-export const WIDTH = 184;
 /** Names of modules and ports that are longer are cut. */
 const MAX_WIDTH = 272;
 /** About as wide as a character of a name, with some to spare. */
@@ -18,22 +17,19 @@ const FIELD_ROW = 108;
 const PARTS_ROW = 52;
 const PART = 56;
 const VALUE_ROW = 74;
-const TOPIC: Size = { width: 174, height: 70 };
-const PICTURE = 94;
-const HEAD = 30;
-const ROW = 24;
-const ROWS_PADDING = 10;
-const BORDERS = 2;
-const FOOT = 24;
+const TOPIC: Size = { width: NODE.topicWidth, height: NODE.topicHeight };
+const PICTURE = NODE.pictureHeight + NODE.pictureMargin;
+const ROWS_PADDING = 2 * NODE.rowsPadding;
+const BORDERS = 2 * NODE.border;
 const PATTERN = 28;
 /** Topics that a muxer shows. */
 const MATCHES = 3;
 
 /** Without any row. */
-const BARE = BORDERS + HEAD + ROWS_PADDING;
+const BARE = BORDERS + NODE.head + ROWS_PADDING;
 
 /** How high the rows of a module are together. */
-export const rowsHeight = ({ ports }: ModuleNode): number => ROWS_PADDING + ROW * ports.length;
+export const rowsHeight = ({ ports }: ModuleNode): number => ROWS_PADDING + NODE.row * ports.length;
 
 function rowWidth({ name, direction, format, isList }: Port): number {
   const text = name.length * CHARACTER;
@@ -47,7 +43,7 @@ function rowWidth({ name, direction, format, isList }: Port): number {
 /** How wide a module is drawn, pixels: as its longest name needs, within limits. */
 export function moduleWidth({ module: { name }, ports }: ModuleNode): number {
   const longest = Math.max(name.length * CHARACTER + HEAD_MARKS, ...ports.map(rowWidth));
-  return Math.min(MAX_WIDTH, Math.max(WIDTH, Math.ceil(longest)));
+  return Math.min(MAX_WIDTH, Math.max(NODE.width, Math.ceil(longest)));
 }
 
 /** Topics that show a picture: their own, or the one in which their things were found. */
@@ -57,20 +53,20 @@ const isPicture = (format: DataFormat | undefined): boolean =>
 /** About how large a node will be drawn, before it is. */
 export function drawnSize(node: GraphNode): Size {
   if (node.isCollapsed && canCollapse(node)) {
-    return { width: node.kind === 'module' ? moduleWidth(node) : WIDTH, height: HEAD };
+    return { width: node.kind === 'module' ? moduleWidth(node) : NODE.width, height: NODE.head };
   }
   if (node.size !== undefined) return node.size;
   switch (node.kind) {
     case 'topic':
       return isPicture(node.format) ? { ...TOPIC, height: TOPIC.height + PICTURE } : TOPIC;
     case 'module':
-      return { width: moduleWidth(node), height: BARE + ROW * node.ports.length + FOOT };
+      return { width: moduleWidth(node), height: BARE + NODE.row * node.ports.length + NODE.foot };
     case 'muxer':
-      return { width: WIDTH, height: BARE + PATTERN + ROW * (MATCHES + 2) };
+      return { width: NODE.width, height: BARE + PATTERN + NODE.row * (MATCHES + 2) };
     case 'demuxer':
-      return { width: WIDTH, height: BARE + PATTERN + ROW * (MATCHES + 1) };
+      return { width: NODE.width, height: BARE + PATTERN + NODE.row * (MATCHES + 1) };
     case 'constant':
-      return { width: WIDTH, height: BARE + ROW };
+      return { width: NODE.width, height: BARE + NODE.row };
     case 'comment':
       return { width: 220, height: 60 };
     case 'frame':
@@ -95,6 +91,6 @@ export function drawnSocket(node: GraphNode, port: string, { width, height }: Si
   const index = node.ports.findIndex(({ id }) => id === port);
   const x = node.ports[index]?.direction === 'in' ? BORDERS / 2 : width - BORDERS / 2;
   if (node.kind === 'topic') return { x, y: height / 2 };
-  if (node.kind !== 'module' || node.isCollapsed) return { x, y: (BORDERS + HEAD) / 2 };
-  return { x, y: BORDERS / 2 + HEAD + ROWS_PADDING / 2 + ROW * (index + 0.5) };
+  if (node.kind !== 'module' || node.isCollapsed) return { x, y: (BORDERS + NODE.head) / 2 };
+  return { x, y: BORDERS / 2 + NODE.head + ROWS_PADDING / 2 + NODE.row * (index + 0.5) };
 }
