@@ -1,7 +1,6 @@
 import { ConfigError } from '@ubii/program';
 import { execFileSync, spawn } from 'node:child_process';
 import { createSocket } from 'node:dgram';
-import { join } from 'node:path';
 import { announceMaster } from '@ubii/discovery';
 import { temporaryFolder } from '@ubii/program/testing';
 import { describe, expect, it, onTestFinished } from 'vitest';
