@@ -66,6 +66,13 @@ export default {
     ...inOrder('order-of-the-frontend', 'apps/frontend/src', FRONTEND),
     ...inOrder('order-of-the-client', 'packages/client-web/src/core', CLIENT),
     {
+      name: 'model-without-a-page',
+      comment: 'The model of graphs is pure: give it what it needs as a parameter.',
+      severity: 'error',
+      from: { path: '^apps/frontend/src/graph/model/' },
+      to: { path: String.raw`\.vue$|/node_modules/(vue|vue-router|@vueuse/[^/]+|reka-ui|rete)/` },
+    },
+    {
       name: 'name-of-composables',
       comment: 'Call the file as its composable: useThing.ts.',
       severity: 'error',
