@@ -118,7 +118,7 @@ describe('an example session', () => {
     topics.put(pointer, 'vector2', { x: 0.1, y: 0.9 });
     await clock.advance(100);
     expect(on('count').at(-1)).toBe(3);
-    for (const who of ['circle', 'wave', ANN]) expect(on(`offset/${who}`)).not.toEqual([]);
+    for (const who of ['loop', 'wave', ANN]) expect(on(`offset/${who}`)).not.toEqual([]);
     const middle = on('middle').at(-1) as { x: number; y: number };
     const offset = on(`offset/${ANN}`).at(-1) as { x: number; y: number };
     expect(middle.x + offset.x).toBeCloseTo(0.1);

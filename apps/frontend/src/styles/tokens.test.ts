@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { nodeMeasures } from '../graph/nodes/node-geometry.ts';
 
 const sources = import.meta.glob<string>('../**/*.{vue,css,ts}', {
   query: '?raw',
@@ -45,6 +46,7 @@ it('every token that is used is defined', () => {
   const all = Object.values(sources).join('\n');
   const definition = /(--[\w-]+)['"]?\s*:|setProperty\('(--[\w-]+)'/g;
   const defined = new Set([...all.matchAll(definition)].map((match) => match[1] ?? match[2]));
+  for (const [name] of nodeMeasures()) defined.add(name);
   const used = new Set([...all.matchAll(/var\((--[\w-]+)[,)]/g)].map((match) => match[1]!));
   // Set by the component library
   const missing = [...used].filter((name) => !defined.has(name) && !name.startsWith('--reka-'));

@@ -15,10 +15,10 @@ export const NODE = {
   border: 1,
 } as const;
 
-/** Gives the measures to the style sheets of all nodes in an element, as `--node-row` and so on. */
-export function setNodeMeasures(element: HTMLElement): void {
-  for (const [name, pixels] of Object.entries(NODE)) {
+/** The measures as properties of style sheets: `--node-row` and so on. */
+export function nodeMeasures(): [name: string, value: string][] {
+  return Object.entries(NODE).map(([name, pixels]) => {
     const kebab = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-    element.style.setProperty(`--node-${kebab}`, `${pixels}px`);
-  }
+    return [`--node-${kebab}`, `${pixels}px`];
+  });
 }
