@@ -78,7 +78,7 @@ test('what guests made is told, ended or handed over with their code, and who di
   const grantOf = (label: string) => page.locator('[data-grant]').filter({ hasText: label });
   await test.step('ended, unless the host wants something else', async () => {
     const grant = grantOf('Class 7b');
-    await expect(grant).toContainText('made 1 session (1 running)');
+    await expect(grant).toContainText('created 1 session (1 running)');
     await grant.getByRole('button', { name: 'Revoke' }).click();
     await expect(grant).toContainText('Nothing is deleted');
     await grant.getByRole('button', { name: 'Revoke invitation' }).click();

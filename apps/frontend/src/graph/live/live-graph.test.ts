@@ -4,6 +4,7 @@ import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { computed, defineComponent, nextTick, ref, shallowRef } from 'vue';
 import { CONNECTION } from '../../connection/connection.ts';
 import { fakeTopics } from '../../connection/live/testing/fake-topics.ts';
+import type { TopicRate } from '../../connection/topic-rates.ts';
 import { graphOf } from '../model/graph-of.ts';
 import { aModule, aSessionOf } from '../model/testing/small-graph.ts';
 import { useLiveGraph } from './live-graph.ts';
@@ -15,7 +16,27 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-it('shows the first value of a topic before the master has counted it', async () => {
+/** Counters of a topic that nobody has published on. */
+const SUBSCRIBED: TopicRate = {
+  statistic: {
+    topic: '/first',
+    dataFormat: '',
+    publisherId: '',
+    records: 0,
+    bytes: 0,
+    dropped: 0,
+    publishedMs: 0,
+    subscribers: 1,
+    valueBytes: 0,
+  },
+  hz: 0,
+  bytesPerSecond: 0,
+  droppedPerSecond: 0,
+  usualHz: undefined,
+};
+
+/** A graph whose module writes to /first. */
+function mountGraph(rates = new Map<string, TopicRate>()) {
   const { client, publish } = fakeTopics();
   const connection = {
     client,
@@ -23,7 +44,7 @@ it('shows the first value of a topic before the master has counted it', async ()
     masterId: shallowRef(''),
     clients: { list: shallowRef([]), find: () => undefined },
     topics: {
-      rates: shallowRef(),
+      rates: shallowRef(rates),
       masterTimeMs: shallowRef(0),
       watch: () => undefined,
       onChanges: () => undefined,
@@ -36,13 +57,31 @@ it('shows the first value of a topic before the master has counted it', async ()
         shallowRef(session),
         computed(() => graphOf(session)),
       );
-      return () => live.topic('/first')?.text ?? 'no value';
+      return () => {
+        const topic = live.topic('/first');
+        return topic === undefined ? 'nothing known' : (topic.text ?? 'no value');
+      };
     }),
     { global: { provide: { [CONNECTION as symbol]: connection } } },
   );
+  const draw = async (): Promise<string> => {
+    await flushPromises();
+    vi.advanceTimersByTime(500);
+    await nextTick();
+    return wrapper.text();
+  };
+  return { publish, draw };
+}
+
+it('shows the first value of a topic before the master has counted it', async () => {
+  const { publish, draw } = mountGraph();
   publish('/first', 3);
-  await flushPromises();
-  vi.advanceTimersByTime(500);
-  await nextTick();
-  expect(wrapper.text()).toBe('3.00');
+  expect(await draw()).toBe('3.00');
+});
+
+it('shows no rate of a topic that has counters only because the graph subscribed to it', async () => {
+  const { publish, draw } = mountGraph(new Map([['/first', SUBSCRIBED]]));
+  expect(await draw()).toBe('nothing known');
+  publish('/first', 3);
+  expect(await draw()).toBe('3.00');
 });

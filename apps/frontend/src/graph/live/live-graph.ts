@@ -113,7 +113,9 @@ export function useLiveGraph(
   function drawTopic(topic: string): void {
     const rate = topics.rates.value?.get(topic);
     const value = values.get(topic);
-    if (rate === undefined && value?.record === undefined) {
+    // The subscription of this page alone gives a topic counters
+    const isPublished = rate !== undefined && rate.statistic.publishedMs > 0;
+    if (!isPublished && value?.record === undefined) {
       shown.delete(topic);
       return;
     }
