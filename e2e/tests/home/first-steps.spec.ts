@@ -8,7 +8,7 @@ test('home says how the master is, and what to do first while nothing happens', 
   const { page } = await room.atDesk('Anna');
   await page.goto('/');
   await expect(page.getByText(/ has been running since /)).toContainText(
-    /uses\s+\d+ % CPU and\s+\d+ MB of memory. It receives\s+\d+.*records\/s\.\s+No warnings\./,
+    /uses\s+\d+ % CPU and\s+\d+ MB of memory. It receives\s+\d+.*records? per second\.\s+No warnings\./,
   );
   const steps = page.getByRole('list', { name: 'First steps' });
   await expect(steps.getByRole('button', { name: /^Connect a phone/ })).toBeVisible();

@@ -24,7 +24,7 @@ test('limits are listed with their reason and use; what is near and what was met
   await expect(row.getByRole('link', { name: 'Robot' })).toBeVisible();
 
   for (let i = 0; i < 15; i++) robot.publish(`/robot/${i}`, 'double', i);
-  await expect(row.getByText('met', { exact: true })).toBeVisible();
+  await expect(row.getByText('reached', { exact: true })).toBeVisible();
   await expect(row).toContainText('100 %');
   await expect(row.getByRole('button', { name: 'Copy --limits topicsPerClient=20' })).toBeVisible();
 

@@ -144,7 +144,7 @@ test('a value member by member shows what the record before it said', async ({ r
   await expect(value).toContainText('"idle"');
   robot.publish('/lab/state', 'string', '{"mode":"busy","right":2}');
   await expect(value).toContainText('was "idle"');
-  await expect(value).toContainText('gone, was 1');
+  await expect(value).toContainText('removed, was 1');
   await expect(value).toContainText('new');
 });
 
