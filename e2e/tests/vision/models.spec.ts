@@ -74,7 +74,7 @@ test('an admin gets the model of a detector, cancels, and sees why it cannot be 
     await button(anna, GET).click();
     const alert = page.getByRole('alert').filter({ hasText: 'its SHA-256 differs' });
     await expect(alert).toContainText(`${mirror.url.slice(0, -1)} sent a file that differs`);
-    await expect(alert).toContainText('download the files of https://storage.googleapis.com/');
+    await expect(alert).toContainText('download the files from https://storage.googleapis.com/');
     await expect(alert).toContainText(join(models, 'coco-ssd'));
     expect(existsSync(join(models, 'coco-ssd'))).toBe(false);
   });
