@@ -55,6 +55,15 @@ export class KnownSessions {
     this.#asked.delete(id);
   }
 
+  /**
+   * Takes the reply of a service. Replies and announcements travel on different channels: an announcement that is
+   * newer may have come before, so the session is asked for once more.
+   */
+  takeReply(session: Session): void {
+    this.set(session.id, session);
+    this.#asked.add(session.id);
+  }
+
   announce(topic: string, session: Session): void {
     const isDoubtful = !this.#heard.has(topic);
     this.#heard.add(topic);

@@ -135,11 +135,23 @@ describe('an announcement updates the session that it names [SE-8]', () => {
   });
 
   it('but not when the reply that caused it came first', async () => {
-    const { announce, names, store } = await setUpLater(session('a', 'v1', 1));
+    const { kept, announce, names, store } = await setUpLater(session('a', 'v1', 1));
+    kept.set('a', session('a', 'v3', 3));
     store.take(session('a', 'v3', 3) as never);
     announce('change', session('a', 'v2', 2));
     await settle();
     expect(names()).toEqual(['v3']);
+  });
+
+  it('also when the reply that caused it comes after, and says less', async () => {
+    const { kept, store, announce, passRetained, names } = await setUp(session('a', 'stopped'));
+    await settle();
+    passRetained();
+    kept.set('a', session('a', 'running'));
+    announce('change', session('a', 'running'));
+    store.take(session('a', 'starting') as never);
+    await settle();
+    expect(names()).toEqual(['running']);
   });
 
   it('as often as it says in a burst, drawn once a frame and without a question', async () => {
@@ -253,13 +265,14 @@ describe('the list of sessions', () => {
   });
 
   it('does not take back a session that was made or removed meanwhile', async () => {
-    const { isConnected, names, call, store } = await setUpLater(session('a'));
+    const { kept, isConnected, names, call, store } = await setUpLater(session('a'));
     let answer: (list: object) => void = () => undefined;
     call.mockImplementationOnce(() => new Promise((resolve) => (answer = resolve)));
     isConnected.value = false;
     await settle();
     isConnected.value = true;
     await settle();
+    kept.set('made', session('made'));
     store.take(session('made') as never);
     store.drop('a');
     answer({ elements: [session('a')] });

@@ -89,7 +89,11 @@ export function createSessionsStore(client: UbiiClient, isConnected: Ref<boolean
     list,
     error,
     find: (id) => sessions.find(id),
-    take: (session) => set(session.id, session),
+    take(session) {
+      sessions.takeReply(session);
+      draw();
+      askSoon();
+    },
     drop: (id) => set(id, undefined),
   };
 }
