@@ -20,7 +20,7 @@ export type Imported<T> =
 
 export const brokenImport = (message: string) => ({ kind: 'broken', message }) as const;
 
-/** Objects within objects; deeper ones would exhaust the stack of whoever walks through them. */
+/** Objects within objects; deeper ones would exhaust the stack of recursive readers. */
 const MAX_DEPTH = 100;
 
 /** Reads a file. */

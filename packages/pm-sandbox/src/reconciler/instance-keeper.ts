@@ -173,7 +173,7 @@ export class InstanceKeeper {
     for (const step of steps) plans.set(step.id, [...(plans.get(step.id) ?? []), step]);
     for (const [id, plan] of plans) this.#follow(this.#entries.get(id)!, plan);
     for (const entry of entries) {
-      // Who is told of one may want something else of another one at once.
+      // A callback for one instance may change another one at once.
       if (!plans.has(entry.id) && !this.#touched.has(entry)) this.#handleInLine(entry);
     }
   }

@@ -72,7 +72,7 @@ describe('live topics', () => {
     expect(last()).toMatchObject({ newest: { value: 7 }, received: 1, dropped: 0 });
   });
 
-  it('cost one update a frame, and count what nobody saw', () => {
+  it('cost one update a frame, and count records that were not drawn', () => {
     const { live, publish, frame, views, heard } = setUp();
     live.follow(['/a']);
     for (let value = 1; value <= 50; value++) publish('/a', value);

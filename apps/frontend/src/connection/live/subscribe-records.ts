@@ -3,7 +3,7 @@ import type { DataFormat, TopicRecord } from '@ubii/proto';
 import type { LiveSubscription } from './live-topics.ts';
 import { patternRateHz, type LivePattern } from './topic-source.ts';
 
-/** Subscribes to decoded records. A refusal is told by the client: there is nothing to show then. */
+/** Subscribes to decoded records. The client reports a refusal; there is no record to show then. */
 export function subscribeRecords<F extends DataFormat = DataFormat>(
   client: Pick<UbiiClient, 'subscribe'>,
   pattern: LivePattern,

@@ -38,7 +38,7 @@ export interface TopicOptions<F extends DataFormat> extends CommonOptions<TopicR
   readonly maxRateHz?: MaybeRefOrGetter<number>;
 }
 
-/** How records are wanted as they travel: whoever forwards them need not have them decoded. */
+/** Option for encoded records: code that forwards them does not need them decoded. */
 export interface EncodedTopicOptions extends CommonOptions<EncodedRecord> {
   readonly encoded: true;
 }

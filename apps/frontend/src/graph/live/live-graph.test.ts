@@ -16,7 +16,7 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-/** Counters of a topic that nobody has published on. */
+/** Counters of a topic that no client has published on. */
 const SUBSCRIBED: TopicRate = {
   statistic: {
     topic: '/first',

@@ -185,7 +185,7 @@ describe('a client that is connected', () => {
     expect(leaves(page.reply({ isJoined: true }))).toBe(true);
   });
 
-  it('becomes an admin on the machine of the master without a tap, and is told so', () => {
+  it('becomes an admin on the machine of the master without a tap, and the page says so', () => {
     const page = openPage({
       connection: 'connected',
       isThisMachine: true,
@@ -202,7 +202,7 @@ describe('a client that is connected', () => {
 });
 
 describe('a device that comes without a code', () => {
-  it('is told why it was sent here, once that is known', () => {
+  it('shows why it was sent here, once that is known', () => {
     const page = openPage({ token: '' });
     page.reply({ role: undefined, problem: 'missing' });
     expect(page.state.phase).toBe('asking');

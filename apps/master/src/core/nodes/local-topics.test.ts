@@ -21,7 +21,7 @@ function setup() {
     tokens: new PlainTokens(),
     patterns: new Re2Patterns(),
   };
-  const settings = { version: '1.2.3', endpoints: () => expect.fail('nobody asks') };
+  const settings = { version: '1.2.3', endpoints: () => expect.fail('no part asks for endpoints') };
   const foundation = { ...ports, ...createFoundation(ports, settings) };
   const area = { ...foundation, ...createTopics(foundation) };
   const { clients, devices } = createClients(area);

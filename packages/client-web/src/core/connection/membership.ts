@@ -2,7 +2,7 @@ import type { Init, NodeExtension, ProcessingModule } from '@ubii/proto';
 import type { Identity } from './identity.ts';
 import type { ClientRole } from './join.ts';
 
-/** What the master is told about the client. */
+/** Facts about the client that the master receives. */
 export interface ClientProfile {
   readonly name: string;
   readonly description: string;

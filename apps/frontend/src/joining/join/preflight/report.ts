@@ -9,7 +9,7 @@ import type { Check } from './check.ts';
 /** Where pages say what their preflight found, of every client. [AC-30] */
 export const PREFLIGHT_TOPICS = preflightTopic('*');
 
-/** What is told the host. */
+/** Report to the host. */
 export interface PreflightReport {
   readonly version: 1;
   /** When it was measured: milliseconds since the Unix epoch, clock of the device. */
