@@ -1,6 +1,7 @@
 // Drives the published @tum-far/ubii-node-nodejs over HTTP (JSON) and WebSocket. See driver-loop.mjs.
 // Environment: UBII_INTEROP_PACKAGES, the folder the package was installed in.
 
+import { once } from 'node:events';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { emit, emitFrame, serve } from '../driver-loop.mjs';
@@ -27,17 +28,19 @@ serve({
   async connect({ services, topicData, name }) {
     node = new UbiiClientNode(name, { address: services, format: 'JSON' }, { address: topicData });
     const connectTopicData = node.connectTopicdataSocket.bind(node);
+    let opened;
     node.connectTopicdataSocket = () => {
       connectTopicData();
-      node.topicDataClient.websocket.addEventListener('message', ({ data }) =>
+      const { websocket } = node.topicDataClient;
+      websocket.addEventListener('message', ({ data }) =>
         emitFrame(data, (bytes) => node.translatorTopicData.createPayloadFromBuffer(bytes)),
       );
-      node.topicDataClient.websocket.addEventListener('open', () => emit('open'));
-      node.topicDataClient.websocket.addEventListener('close', ({ code, reason }) =>
-        emit('close', { code, reason }),
-      );
+      opened = once(websocket, 'open').then(() => emit('open'));
+      websocket.addEventListener('close', ({ code, reason }) => emit('close', { code, reason }));
     };
     await node.initialize();
+    // The node throws from a timer when it publishes before its socket is open.
+    await opened;
     return {
       clientId: node.id,
       client: node.clientSpecification,
